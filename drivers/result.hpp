@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a verb found: the content of result.json and errors.csv. Figures not reached are absent (null in the file).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace assay::drivers {
+
+using Figure = std::optional<double>;
+
+/// L2 (volume-weighted over the particles that the exact motion moves) and L-infinity of one field at one time.
+struct FieldError {
+  double l2 = 0, linf = 0;
+};
+
+/// One row of errors.csv.
+struct ErrorSample {
+  double t = 0;                     ///< [s]
+  FieldError displacement;          ///< [m]
+  double rms36 = 0;                 ///< (36) verbatim, over all particles [m]
+  FieldError velocity;              ///< [m/s]
+  FieldError deformation_gradient;  ///< Frobenius norm [1]
+  FieldError jacobian;              ///< [1]
+  FieldError stress;                ///< Cauchy, Frobenius norm [Pa]
+};
+
+struct FieldMaximum {
+  Figure l2_max, linf_max;
+};
+
+struct ErrorFigures {
+  Figure l2_half, l2_end, l2_max, linf_max;
+  Figure rms36_half, rms36_end, rms36_max;
+  FieldMaximum velocity, deformation_gradient, jacobian, stress;
+  Figure relative;  ///< l2_max over the largest L2 norm of the exact displacement
+};
+
+struct PassFigures {
+  std::string name;
+  double seconds = 0;
+  double bytes_per_particle = 0;  ///< bytes that the pass reads and writes in the particle columns, a particle
+};
+
+struct SheetFigures {
+  std::int64_t points = 0;
+  double error_tau = 0, error_dtau = 0;  ///< relative to the largest component
+  double wall_s = 0;
+};
+
+struct DriftFigures {
+  Figure mass, momentum, angular_momentum, energy;  ///< relative; energy and momenta against the work of the forces
+};
+
+struct ExpectationOutcome {
+  std::string key;
+  std::string expected;             ///< as in the scene: "below 0.07"
+  std::string found;                ///< "0.0633", "null"
+  bool holds = false;
+};
+
+struct Provenance {
+  std::string version, git, compiler, flags;
+  std::vector<std::string> libraries;
+  std::string scene_sha256;
+};
+
+struct Result {
+  std::string title;
+  std::string outcome = "completed";  ///< completed, unstable, material_failed, refused
+  std::string reason;                 ///< one sentence where not completed
+  Figure t, dt;
+  std::optional<std::int64_t> steps, particles, moving_particles;
+  ErrorFigures error;
+  double setup_s = 0, wall_s = 0, cpu_s = 0;
+  std::int64_t peak_rss_bytes = 0;
+  std::int64_t particle_steps = 0, material_calls = 0;
+  Figure particle_steps_per_s;
+  std::vector<PassFigures> passes;
+  std::optional<SheetFigures> sheet;
+  DriftFigures drift;
+  std::vector<ExpectationOutcome> expect;
+  Provenance provenance;
+  std::vector<ErrorSample> history;  ///< errors.csv, not in result.json
+};
+
+}  // namespace assay::drivers

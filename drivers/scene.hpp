@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A scene as plain values: what a YAML file under configs/ says after reading, with defaults filled.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drivers/input_error.hpp"
+#include "harness/motion.hpp"
+
+namespace assay::drivers {
+
+struct MaterialChoice {
+  std::string adapter;                       ///< registered name, shared library (`lib.so` or `lib.so:name`), description
+  std::map<std::string, double> parameters;  ///< as given; defaults are filled by the material
+  double density = 0;                        ///< rho0 [kg/m^3]
+  Location where;                            ///< of `material.adapter`
+  std::map<std::string, Location> parameter_where;
+};
+
+struct Body {
+  enum class Domain { ring, square, box };
+  enum class Outside { held, free };
+  Domain domain = Domain::ring;
+  Outside outside = Outside::held;  ///< of the ring, on square and box: prescribed to stand still, or left to itself
+  std::array<double, 2> lower{-1.5, -1.5}, upper{1.5, 1.5};  ///< corners of square and box [m]
+  std::array<int, 2> per_cell{2, 2};                         ///< particles a cell in each direction
+  std::string lattice = "cartesian";
+  Location where;
+};
+
+struct GridChoice {
+  double spacing = 0;                                  ///< h [m]; nodes lie at multiples of h
+  std::optional<std::array<double, 2>> lower, upper;   ///< corners; by default around the body with a margin
+  Location where;
+};
+
+struct Method {
+  enum class Basis { linear, ugimp, cpdi };
+  enum class Transfer { pic, flip };
+  enum class Update { usf, usl, musl };
+  Basis basis = Basis::cpdi;
+  std::string formulation = "updated";
+  Transfer transfer = Transfer::flip;
+  Update update = Update::usl;
+  std::string mass = "lumped";
+  double courant = 0.4;  ///< of the fastest wave on the baseline path plus the fastest particle
+};
+
+struct ForceChoice {
+  enum class Response { none, closed_form, sheet };
+  Response response = Response::sheet;  ///< none: no body force at all
+  std::string evaluation = "point";
+  double tolerance = 1e-10;  ///< requested relative error of the sheet
+};
+
+struct TimeChoice {
+  double end = 1;              ///< [s]
+  std::optional<double> step;  ///< fixes dt [s] instead of courant
+};
+
+struct OutputChoice {
+  int errors = 100;       ///< samples of the error over the run
+  int particles = 10;     ///< snapshots (VTU) over the run; 0: none
+  bool pictures = true;   ///< PNG pictures
+  bool report = true;     ///< report.html
+  bool accounts = true;   ///< momentum, mass and energy accounts
+};
+
+struct Limits {
+  double memory_gib = 16;         ///< a run that would need more is refused
+  double particle_steps = 1e12;   ///< likewise
+};
+
+/// One line of `expect:`. Operators: below, above, between, equals.
+struct Expectation {
+  enum class Operator { below, above, between, equals };
+  std::string key;  ///< key of result.json, dotted: "outcome", "error.l2_max"
+  Operator op = Operator::equals;
+  double number = 0, upper = 0;  ///< the bound; for between lower and upper
+  std::optional<std::string> text;  ///< for equals on a string
+  std::optional<bool> truth;        ///< for equals on a boolean
+  Location where;
+};
+
+struct Scene {
+  std::string title;
+  std::string file;    ///< as given on the command line
+  std::string sha256;  ///< of the file's bytes
+  Motion motion;
+  bool allow_unstable = false;
+  MaterialChoice material;
+  Body body;
+  std::optional<GridChoice> grid;
+  std::optional<Method> method;
+  ForceChoice force;
+  TimeChoice time;
+  OutputChoice output;
+  Limits limits;
+  std::vector<Expectation> expect;
+};
+
+}  // namespace assay::drivers

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The amplitude g(t) of a motion, with its first two rates.
+#pragma once
+
+#include <vector>
+
+namespace assay {
+
+/// g(t) and its rates at one time: value [1], rate [1/s], acceleration [1/s^2].
+struct AmplitudeValue {
+  double value = 0, rate = 0, acceleration = 0;
+};
+
+/// `sine` A sin(pi t/T); `one_minus_cosine` A (1 - cos(2 pi t/T))/2; `ramp` A t/T, held after T.
+struct Amplitude {
+  enum class Type { sine, one_minus_cosine, ramp };
+  Type type = Type::sine;
+  double peak = 1;    ///< A [1]
+  double period = 1;  ///< T [s]
+
+  AmplitudeValue at(double t) const;
+
+  /// Times in (0, end) at which g' changes its sign or jumps: a history may kink there.
+  std::vector<double> reversals(double end) const;
+};
+
+}  // namespace assay

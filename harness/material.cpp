@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/material.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace assay {
+
+namespace {
+
+/// The 1.0 table; later members may be absent from an older plug-in.
+constexpr std::uint32_t smallest_table = sizeof(assay_material);
+
+std::string known_parameters(const assay_material& table) {
+  std::string known;
+  for (std::uint32_t i = 0; i < table.parameter_count; ++i) {
+    known += (i ? ", " : "") + std::string(table.parameters[i].name);
+  }
+  return known.empty() ? "none" : known;
+}
+
+std::string shortest(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.15g", value);
+  return text;
+}
+
+std::string bounds_of(const assay_parameter& p) {
+  return "from " + shortest(p.lower) + " to " + shortest(p.upper) + " [" + p.unit + "]";
+}
+
+std::vector<double> in_declared_order(const assay_material& table, const std::map<std::string, double>& given) {
+  for (const auto& [name, value] : given) {
+    const bool declared = std::any_of(table.parameters, table.parameters + table.parameter_count,
+                                      [&](const assay_parameter& p) { return name == p.name; });
+    if (!declared) {
+      throw ParameterError(name, "material '" + std::string(table.name) + "' has no such parameter",
+                           known_parameters(table));
+    }
+  }
+  std::vector<double> values;
+  for (std::uint32_t i = 0; i < table.parameter_count; ++i) {
+    const assay_parameter& p = table.parameters[i];
+    const auto found = given.find(p.name);
+    const double value = found == given.end() ? p.default_value : found->second;
+    if (found == given.end() && std::isnan(value)) {
+      throw ParameterError(p.name, "required by material '" + std::string(table.name) + "' and not given", bounds_of(p));
+    }
+    if (!(value >= p.lower && value <= p.upper) || !std::isfinite(value)) {
+      throw ParameterError(p.name, "out of its bounds: " + shortest(value), bounds_of(p));
+    }
+    values.push_back(value);
+  }
+  return values;
+}
+
+}  // namespace
+
+int components_of_kind(std::int32_t kind) {
+  switch (kind) {
+    case ASSAY_SCALAR: return 1;
+    case ASSAY_VECTOR: return 3;
+    case ASSAY_SYMMETRIC_TENSOR: return 6;
+    case ASSAY_TENSOR: return 9;
+  }
+  return 0;
+}
+
+std::optional<std::string> defect_of(const assay_material* table) {
+  if (!table) return "the entry returned no table";
+  if (table->abi_major != ASSAY_ABI_MAJOR) {
+    return "built for ABI major " + std::to_string(table->abi_major) + ", this host serves " +
+           std::to_string(ASSAY_ABI_MAJOR);
+  }
+  if (table->struct_size < smallest_table) {
+    return "its table has " + std::to_string(table->struct_size) + " bytes, ABI 1.0 has " +
+           std::to_string(smallest_table);
+  }
+  if (!table->name || !*table->name) return "its table has no name";
+  if (!table->create || !table->destroy || !table->update) return "its table lacks create, destroy or update";
+  if (table->parameter_count && !table->parameters) return "it declares parameters but gives none";
+  if (table->state_count && (!table->state || !table->initial_state)) {
+    return "it declares state variables but gives no description or no initial_state";
+  }
+  for (std::uint32_t i = 0; i < table->parameter_count; ++i) {
+    if (!table->parameters[i].name || !table->parameters[i].unit) {
+      return "parameter " + std::to_string(i) + " has no name or no unit";
+    }
+  }
+  for (std::uint32_t i = 0; i < table->state_count; ++i) {
+    if (!table->state[i].name) return "state variable " + std::to_string(i) + " has no name";
+    if (components_of_kind(table->state[i].kind) == 0) {
+      return "state variable '" + std::string(table->state[i].name) + "' is of an unknown kind";
+    }
+  }
+  return std::nullopt;
+}
+
+Material::Material(const assay_material* table, const std::map<std::string, double>& parameters)
+    : Material(table, in_declared_order(*table, parameters)) {}
+
+Material::Material(const assay_material* table, std::vector<double> parameters)
+    : table_(table), parameters_(std::move(parameters)), self_(nullptr, table->destroy) {
+  for (std::uint32_t i = 0; i < table->state_count; ++i) {
+    state_size_ += static_cast<std::size_t>(components_of_kind(table->state[i].kind));
+  }
+  char message[ASSAY_MESSAGE_SIZE] = "";
+  self_.reset(table->create(parameters_.data(), message));
+  message[ASSAY_MESSAGE_SIZE - 1] = '\0';
+  if (!self_) {
+    throw std::runtime_error("material '" + name() + "' could not be created" +
+                             (message[0] ? ": " + std::string(message) : std::string()));
+  }
+}
+
+double Material::parameter(const std::string& name) const {
+  for (std::uint32_t i = 0; i < table_->parameter_count; ++i) {
+    if (name == table_->parameters[i].name) return parameters_[i];
+  }
+  throw ParameterError(name, "material '" + this->name() + "' has no such parameter", known_parameters(*table_));
+}
+
+std::vector<double> Material::initial_state(std::size_t n, std::span<const double> cauchy,
+                                            std::span<const double> direction) const {
+  std::vector<double> state(state_size_ * n, 0.0);
+  if (state_size_ == 0) return state;
+  const std::vector<double> none(cauchy.empty() ? 9 * n : 0, 0.0);
+  const double* stress = cauchy.empty() ? none.data() : cauchy.data();
+  if (table_->initial_state(self_.get(), n, stress, state.data()) == ASSAY_FAILED) {
+    throw std::runtime_error("material '" + name() + "' refuses the initial stress");
+  }
+  std::size_t offset = 0;
+  for (std::uint32_t i = 0; i < table_->state_count; ++i) {
+    const assay_state_variable& variable = table_->state[i];
+    if (variable.role == ASSAY_ROLE_DIRECTION && variable.kind == ASSAY_VECTOR) {
+      for (std::size_t k = 0; k < 3 * n; ++k) {
+        state[offset * n + k] = direction.empty() ? (k < n ? 1.0 : 0.0) : direction[k];
+      }
+    }
+    offset += static_cast<std::size_t>(components_of_kind(variable.kind));
+  }
+  return state;
+}
+
+UpdateReport Material::update(double t, double dt, std::size_t n, const double* F0, const double* F1,
+                              const double* state0, double* state1, double* cauchy) const {
+  const assay_step step{t, dt, F0, F1};
+  UpdateReport report;
+  char message[ASSAY_MESSAGE_SIZE] = "";
+  std::int32_t status[ASSAY_BATCH_MAX];
+  std::fill_n(status, n, ASSAY_GOOD);
+  table_->update(self_.get(), &step, n, state0, state1, cauchy, status, &report.dt_factor, message);
+  const auto worst = std::min_element(status, status + n);
+  report.worst = *worst;
+  if (report.worst != ASSAY_GOOD) {
+    report.worst_point = static_cast<std::size_t>(worst - status);
+    message[ASSAY_MESSAGE_SIZE - 1] = '\0';
+    report.message = message;
+  }
+  return report;
+}
+
+}  // namespace assay

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The host's one handle on a material: a C table of the ABI, an instance, and its batched update.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "harness/assay_material.h"
+#include "harness/tensor.hpp"
+
+namespace assay {
+
+/// A parameter that the material does not take. key(): its name, empty where no single one is to blame.
+class ParameterError : public std::runtime_error {
+ public:
+  ParameterError(std::string key, const std::string& what, std::string known = {})
+      : std::runtime_error(what), key_(std::move(key)), known_(std::move(known)) {}
+  const std::string& key() const { return key_; }
+  const std::string& known() const { return known_; }
+
+ private:
+  std::string key_, known_;
+};
+
+/// Why a table must be refused (other ABI major, struct too small, a missing function ...), in one sentence.
+std::optional<std::string> defect_of(const assay_material* table);
+
+/// What `update` said of a batch.
+struct UpdateReport {
+  int worst = ASSAY_GOOD;        ///< smallest status of the batch
+  std::size_t worst_point = 0;   ///< first point with that status
+  double dt_factor = 1;          ///< below 1: the material asks for a shorter step
+  std::string message;           ///< the material's own words
+};
+
+/// Value semantics of a unique owner; `clone` makes another instance, one per thread where the model needs it.
+class Material {
+ public:
+  /// Parameters by name, defaults filled, bounds checked. Throws ParameterError; std::runtime_error with the
+  /// material's message where `create` fails.
+  Material(const assay_material* table, const std::map<std::string, double>& parameters);
+
+  Material clone() const { return Material(table_, parameters_); }
+
+  const assay_material& table() const { return *table_; }
+  std::string name() const { return table_->name; }
+  bool has(std::uint32_t flag) const { return (table_->flags & flag) != 0; }
+  bool path_independent() const { return state_size_ == 0 && !has(ASSAY_RATE_DEPENDENT); }
+
+  /// In declared order, defaults filled.
+  const std::vector<double>& parameters() const { return parameters_; }
+  double parameter(const std::string& name) const;
+
+  /// Components of the state of one point.
+  std::size_t state_size() const { return state_size_; }
+
+  /// State of n points under the initial Cauchy stress (9 * n, component-major; empty: none) and with the material
+  /// direction (3 * n; empty: E1). Throws std::runtime_error where the material refuses.
+  std::vector<double> initial_state(std::size_t n, std::span<const double> cauchy = {},
+                                    std::span<const double> direction = {}) const;
+
+  /// The ABI's update; n <= ASSAY_BATCH_MAX, pointers as there.
+  UpdateReport update(double t, double dt, std::size_t n, const double* F0, const double* F1, const double* state0,
+                      double* state1, double* cauchy) const;
+
+  /// An extension's table, null where the material has none (or one that is too short).
+  template <class Extension>
+  const Extension* extension(const char* id) const {
+    const void* found = table_->extension ? table_->extension(id) : nullptr;
+    const auto* typed = static_cast<const Extension*>(found);
+    return typed && typed->struct_size >= sizeof(Extension) ? typed : nullptr;
+  }
+
+  void* self() const { return self_.get(); }
+
+ private:
+  Material(const assay_material* table, std::vector<double> parameters);
+
+  const assay_material* table_;
+  std::vector<double> parameters_;
+  std::size_t state_size_ = 0;
+  std::unique_ptr<void, void (*)(void*)> self_;
+};
+
+/// Components of a state variable of that kind: 1, 3, 6, 9; 0 for an unknown kind.
+int components_of_kind(std::int32_t kind);
+
+}  // namespace assay

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A family of baseline deformation histories F(xi, t): what the point driver takes a material through.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "harness/tensor.hpp"
+
+namespace assay {
+
+struct Interval {
+  double lower = 0, upper = 0;
+  double width() const { return upper - lower; }
+};
+
+/// A straight family F = I + eps D with eps = xi g(t), and everything that is needed to tabulate it.
+struct Path {
+  std::string name;                        ///< "simple_shear" (16), "uniaxial_strain" (38), "straight"
+  Tensor direction = Tensor::Zero();       ///< D [1]
+  std::function<double(double)> amplitude; ///< g(t) [1]
+  Interval parameter;                      ///< range of xi [1]
+  std::function<std::vector<double>(double)> reversals;  ///< times in (0, end) at which g' changes its sign
+
+  double eps(double xi, double t) const { return xi * amplitude(t); }
+  Tensor deformation_gradient(double xi, double t) const { return Tensor::Identity() + eps(xi, t) * direction; }
+};
+
+}  // namespace assay

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tensors of the material border: always three-dimensional, SI units.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+namespace assay {
+
+using Vector3 = Eigen::Vector3d;
+using Tensor = Eigen::Matrix3d;
+
+/// Component of a tensor by the row-major index 0..8 of the ABI (11,12,13,21,22,23,31,32,33).
+inline double component(const Tensor& tensor, int index) { return tensor(index / 3, index % 3); }
+inline double& component(Tensor& tensor, int index) { return tensor(index / 3, index % 3); }
+
+/// First Piola-Kirchhoff stress P = J sigma F^-T [Pa]; first index spatial, second referential.
+inline Tensor first_piola_kirchhoff(const Tensor& cauchy, const Tensor& deformation_gradient) {
+  return deformation_gradient.determinant() * cauchy * deformation_gradient.inverse().transpose();
+}
+
+/// Cauchy stress sigma = P F^T / J [Pa].
+inline Tensor cauchy_stress(const Tensor& first_piola_kirchhoff, const Tensor& deformation_gradient) {
+  return first_piola_kirchhoff * deformation_gradient.transpose() / deformation_gradient.determinant();
+}
+
+/// Rotation by `angle` [rad] about E_z: the matrices Q (4), q (16) and r (17).
+inline Tensor rotation_about_z(double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  Tensor rotation;
+  rotation << c, -s, 0, s, c, 0, 0, 0, 1;
+  return rotation;
+}
+
+}  // namespace assay
