@@ -45,7 +45,8 @@ std::vector<double> in_declared_order(const assay_material& table, const std::ma
     const auto found = given.find(p.name);
     const double value = found == given.end() ? p.default_value : found->second;
     if (found == given.end() && std::isnan(value)) {
-      throw ParameterError(p.name, "required by material '" + std::string(table.name) + "' and not given", bounds_of(p));
+      throw ParameterError(p.name, "required by material '" + std::string(table.name) + "' and not given",
+                           bounds_of(p));
     }
     if (!(value >= p.lower && value <= p.upper) || !std::isfinite(value)) {
       throw ParameterError(p.name, "out of its bounds: " + shortest(value), bounds_of(p));
@@ -59,10 +60,14 @@ std::vector<double> in_declared_order(const assay_material& table, const std::ma
 
 int components_of_kind(std::int32_t kind) {
   switch (kind) {
-    case ASSAY_SCALAR: return 1;
-    case ASSAY_VECTOR: return 3;
-    case ASSAY_SYMMETRIC_TENSOR: return 6;
-    case ASSAY_TENSOR: return 9;
+    case ASSAY_SCALAR:
+      return 1;
+    case ASSAY_VECTOR:
+      return 3;
+    case ASSAY_SYMMETRIC_TENSOR:
+      return 6;
+    case ASSAY_TENSOR:
+      return 9;
   }
   return 0;
 }

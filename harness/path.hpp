@@ -17,10 +17,10 @@ struct Interval {
 
 /// A straight family F = I + eps D with eps = xi g(t), and everything that is needed to tabulate it.
 struct Path {
-  std::string name;                        ///< "simple_shear" (16), "uniaxial_strain" (38), "straight"
-  Tensor direction = Tensor::Zero();       ///< D [1]
-  std::function<double(double)> amplitude; ///< g(t) [1]
-  Interval parameter;                      ///< range of xi [1]
+  std::string name;                                      ///< "simple_shear" (16), "uniaxial_strain" (38), "straight"
+  Tensor direction = Tensor::Zero();                     ///< D [1]
+  std::function<double(double)> amplitude;               ///< g(t) [1]
+  Interval parameter;                                    ///< range of xi [1]
   std::function<std::vector<double>(double)> reversals;  ///< times in (0, end) at which g' changes its sign
 
   double eps(double xi, double t) const { return xi * amplitude(t); }

@@ -18,10 +18,10 @@ struct Vortex {
 
   /// Everything that depends on R alone.
   struct Profile {
-    double h = 0;        ///< [1]
-    double h_prime = 0;  ///< h' [1/m]
-    double xi = 0;       ///< xi = R h' / 2 (13) [1]
-    double xi_prime = 0; ///< d xi / d R = (h' + R h'') / 2 [1/m]
+    double h = 0;         ///< [1]
+    double h_prime = 0;   ///< h' [1/m]
+    double xi = 0;        ///< xi = R h' / 2 (13) [1]
+    double xi_prime = 0;  ///< d xi / d R = (h' + R h'') / 2 [1/m]
   };
 
   /// At the radii ri and ro themselves: the limit from inside.

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The body force of the generalized vortex, (24) to (33), from the baseline response of any material.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "harness/response.hpp"
+#include "harness/vortex.hpp"
+
+namespace assay {
+
+/// Components of a vector along e_r, e_theta at the current angle Theta + g h(R) (25).
+struct Polar {
+  double r = 0, theta = 0;
+};
+
+/// DIV(T) in the first Piola-Kirchhoff form, (26) and (27), with (d tau / d R)_t = (d tau / d xi)_t xi' [N/m^3].
+Polar divergence_piola(const Vortex& vortex, double R, double t, const Tensor& tau, const Tensor& dtau_dxi);
+
+/// The same in the Cauchy form: d sigma11/dR + (sigma11 - sigma22)/R, d sigma12/dR + 2 sigma12/R, in baseline
+/// components at fixed t [N/m^3]. Independent of divergence_piola; the two agree to round-off.
+Polar divergence_cauchy(const Vortex& vortex, double R, double t, const Tensor& tau, const Tensor& dtau_dxi);
+
+/// b = a - DIV(T)/rho0, (32) and (33) with the inertia term + R g'' h [m/s^2]; zero outside the ring.
+Polar body_force(const Vortex& vortex, double density, double R, double t, const Tensor& tau, const Tensor& dtau_dxi);
+
+/// T = r tau q^T (20) [Pa] for the reference point X.
+Tensor rotated_to(const Vortex& vortex, const Vector3& X, double t, const Tensor& tau);
+
+/// b at fixed reference points, all of them at once for a time: computed once for each distinct radius.
+class BodyForceField {
+ public:
+  /// X, Y: reference positions [m] of n points.
+  BodyForceField(const Vortex& vortex, double density, std::span<const double> X, std::span<const double> Y);
+
+  /// Writes b [m/s^2], n components each.
+  void evaluate(const Response& response, double t, std::span<double> b_x, std::span<double> b_y);
+
+  std::size_t distinct_radii() const { return radius_.size(); }
+
+ private:
+  Vortex vortex_;
+  double density_;
+  std::vector<double> radius_, h_, xi_;        // of each distinct radius
+  std::vector<Vector3> force_;                 // b_r, b_theta rotated by alpha, per distinct radius
+  std::vector<std::uint32_t> ring_;            // of each point: which radius
+  std::vector<double> cos_theta_, sin_theta_;  // of each point: reference angle
+};
+
+}  // namespace assay

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Chebyshev interpolation on an interval: Lobatto nodes, coefficients, values and derivatives.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "harness/path.hpp"
+
+namespace assay::chebyshev {
+
+/// n >= 2 Lobatto nodes in ascending order, both ends of the interval among them.
+std::vector<double> nodes(const Interval& interval, int n);
+
+/// Coefficients c_k of sum c_k T_k from values at `nodes`.
+std::vector<double> coefficients(std::span<const double> values);
+
+/// x in [-1, 1] of a point of the interval; 0 for an interval of no width.
+double reference_coordinate(const Interval& interval, double point);
+
+/// T_k(x) and T_k'(x) (per unit of x) for k = 0 .. n-1.
+void basis(double x, std::span<double> T, std::span<double> T_prime);
+
+/// Weights w_j with f(point) = sum w_j f(node_j): barycentric, exact at nodes.
+void interpolation_weights(const Interval& interval, double point, std::span<double> weights);
+
+}  // namespace assay::chebyshev

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/homogeneous.hpp"
+
+#include <algorithm>
+
+namespace assay {
+
+namespace {
+
+bool is_uniaxial_strain(const Tensor& final) {
+  Tensor rest = final;
+  rest(0, 0) = 1;
+  return rest == Tensor::Identity() && final(0, 0) != 1;
+}
+
+}  // namespace
+
+ExactState Homogeneous::at(const Vector3& X, double t) const {
+  const Tensor rate = (final - Tensor::Identity()) / period;
+  ExactState state;
+  state.F = Tensor::Identity() + t * rate;
+  state.x = state.F * X;  // (37)
+  state.v = rate * X;
+  return state;
+}
+
+double Homogeneous::own_parameter() const { return is_uniaxial_strain(final) ? final(0, 0) - 1 : 1; }
+
+Path Homogeneous::baseline() const {
+  Path path;
+  const double own = own_parameter();
+  path.name = is_uniaxial_strain(final) ? "uniaxial_strain" : "straight";
+  path.direction = (final - Tensor::Identity()) / own;
+  path.amplitude = [T = period](double t) { return t / T; };
+  path.parameter = {std::min(0.0, own), std::max(0.0, own)};
+  path.reversals = [](double) { return std::vector<double>(); };
+  return path;
+}
+
+}  // namespace assay

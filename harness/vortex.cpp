@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/vortex.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace assay {
+
+namespace {
+
+/// Radii this close to ri or ro [relative] count as ri or ro: a point given on the edge must not fall outside by the
+/// rounding of sqrt(X^2 + Y^2).
+constexpr double edge_tolerance = 1e-14;
+
+constexpr int xi_samples = 512;
+
+}  // namespace
+
+Vortex::Profile Vortex::profile(double R) const {
+  if (std::abs(R - inner) <= edge_tolerance * inner) R = inner;
+  if (std::abs(R - outer) <= edge_tolerance * outer) R = outer;
+  if (R < inner || R > outer) return {};
+  const int m = profile_power;
+  const double half_width = 0.5 * (outer - inner);
+  const double s = (R - 0.5 * (inner + outer)) / half_width;
+  const double q = (outer - R) * (R - inner) / (half_width * half_width);  // 1 - s^2, exactly 0 on the edges
+  const double lower_power = std::pow(q, m - 2);                           // 1 for m = 2, on the edges too
+  Profile p;
+  p.h = lower_power * q * q;
+  p.h_prime = -2 * m * lower_power * q * s / half_width;
+  const double h_second = (4 * m * (m - 1) * lower_power * s * s - 2 * m * lower_power * q) / (half_width * half_width);
+  p.xi = 0.5 * R * p.h_prime;  // (13)
+  p.xi_prime = 0.5 * (p.h_prime + R * h_second);
+  return p;
+}
+
+bool Vortex::moves(const Vector3& X) const {
+  const double R = std::hypot(X.x(), X.y());
+  return R > inner && R < outer;
+}
+
+ExactState Vortex::at(const Vector3& X, double t) const {
+  const double R = std::hypot(X.x(), X.y());
+  const Profile p = profile(R);
+  const AmplitudeValue g = amplitude.at(t);
+  const Tensor Q = rotation_about_z(g.value * p.h);  // (4), (5)
+  ExactState state;
+  state.x = Q * X;                                  // (3)
+  const Vector3 A_x(-state.x.y(), state.x.x(), 0);  // A x = E_z x x (8)
+  const Vector3 in_plane(state.x.x(), state.x.y(), 0);
+  const double omega = g.rate * p.h;                                // (30) [rad/s]
+  state.v = omega * A_x;                                            // (28)
+  state.a = g.acceleration * p.h * A_x - omega * omega * in_plane;  // (29)
+  Tensor shear = Tensor::Identity();
+  if (R > 0) {
+    const Vector3 E_R(X.x() / R, X.y() / R, 0), E_Theta(-X.y() / R, X.x() / R, 0);
+    shear += R * g.value * p.h_prime * E_Theta * E_R.transpose();
+  }
+  state.F = Q * shear;  // (12)
+  return state;
+}
+
+Interval Vortex::xi_range() const {
+  Interval range;
+  const auto radius = [&](int i) { return inner + (outer - inner) * i / xi_samples; };
+  for (int i = 0; i < xi_samples; ++i) {
+    double low = radius(i), high = radius(i + 1);
+    const bool falls = profile(low).xi_prime > 0;
+    if (falls == (profile(high).xi_prime > 0)) continue;
+    for (int k = 0; k < 60; ++k) {  // bisection of xi' = 0
+      const double middle = 0.5 * (low + high);
+      ((profile(middle).xi_prime > 0) == falls ? low : high) = middle;
+    }
+    const double extreme = profile(low).xi;
+    range.lower = std::min(range.lower, extreme);
+    range.upper = std::max(range.upper, extreme);
+  }
+  return range;
+}
+
+Path Vortex::baseline() const {
+  Path path;
+  path.name = "simple_shear";
+  path.direction(1, 0) = 2;  // (16): F = I + 2 eps E2 E1
+  path.amplitude = [g = amplitude](double t) { return g.at(t).value; };
+  path.parameter = xi_range();
+  path.reversals = [g = amplitude](double end) { return g.reversals(end); };
+  return path;
+}
+
+}  // namespace assay

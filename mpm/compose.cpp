@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/compose.hpp"
+
+#include <algorithm>
+
+#include "mpm/basis_cpdi.hpp"
+#include "mpm/basis_linear.hpp"
+#include "mpm/basis_ugimp.hpp"
+#include "mpm/material_batch.hpp"
+#include "mpm/passes_grid.hpp"
+#include "mpm/passes_particle.hpp"
+#include "mpm/passes_transfer.hpp"
+
+namespace assay::mpm {
+
+namespace {
+
+/// Calls visit with the basis's type as a tag.
+template <int Dim, class Visitor>
+auto with_basis(Basis basis, const Visitor& visit) {
+  switch (basis) {
+    case Basis::linear:
+      return visit(std::type_identity<LinearBasis<Dim>>());
+    case Basis::ugimp:
+      return visit(std::type_identity<UgimpBasis<Dim>>());
+    case Basis::cpdi:
+      break;
+  }
+  return visit(std::type_identity<CpdiBasis<Dim>>());
+}
+
+template <int Dim>
+Pass<Dim> stress_of(const Setup<Dim>& setup) {
+  return stress_pass<Dim>(setup.material->state_size() > 0, setup.material->has(ASSAY_USES_INCREMENT));
+}
+
+/// The order of the passes in each update scheme.
+template <class B, int Dim>
+std::vector<Pass<Dim>> compose_with(const Setup<Dim>& setup) {
+  std::vector<Pass<Dim>> step;
+  const auto add = [&](Pass<Dim> pass) { step.push_back(std::move(pass)); };
+  const auto add_held = [&] {
+    if (setup.hold_outside) add(hold_nodes_pass<Dim>());
+  };
+  const bool body_force = setup.response != nullptr;
+  const auto add_accounts = [&] {
+    if (setup.accounts) add(accounts_pass<Dim>(body_force));
+  };
+  const auto add_gradient_and_stress = [&] {
+    add(grid_velocity_pass<Dim>());
+    add_held();
+    add(velocity_gradient_pass<B, Dim>());
+  };
+  if constexpr (Dim == 2) {
+    if (body_force) add(body_force_pass<Dim>());
+  }
+  add(weights_pass<B, Dim>());
+  add(particles_to_grid_pass<B, Dim>(setup.hold_outside));
+  if (setup.update == Update::usf) {
+    add_gradient_and_stress();
+    add(stress_of(setup));
+  }
+  add(force_pass<B, Dim>(body_force));
+  add(grid_update_pass<Dim>());
+  add_held();
+  add(grid_to_particles_pass<B, Dim>(setup.transfer, setup.update == Update::usl));
+  if (setup.update == Update::musl) {
+    Pass<Dim> again = particles_to_grid_pass<B, Dim>(setup.hold_outside);
+    again.name = "particles_to_grid_again";
+    again.doc = "nodal momentum from the updated particle velocities (MUSL)";
+    again.called_for_by = "method.update";
+    add(std::move(again));
+    add_gradient_and_stress();
+  }
+  add_accounts();
+  if (setup.update != Update::usf) add(stress_of(setup));
+  return step;
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
+  return with_basis<Dim>(setup.basis, [&](auto tag) { return compose_with<typename decltype(tag)::type, Dim>(setup); });
+}
+
+template <int Dim>
+std::size_t bytes_of(Column column, const Setup<Dim>& setup) {
+  const auto doubles = [](int components) { return static_cast<std::size_t>(components) * sizeof(double); };
+  switch (column) {
+    case Column::mass:
+    case Column::volume:
+      return doubles(1);
+    case Column::reference_position:
+    case Column::position:
+    case Column::velocity:
+    case Column::body_force:
+      return doubles(Dim);
+    case Column::deformation_gradient:
+    case Column::velocity_gradient:
+      return doubles(tensor_components<Dim>);
+    case Column::stress:
+      return doubles(stress_components<Dim>);
+    case Column::history:
+      return history_bytes(setup.material->state_size());
+    case Column::weights:
+      break;
+  }
+  return with_basis<Dim>(setup.basis, [](auto tag) { return decltype(tag)::type::bytes; });
+}
+
+template <int Dim>
+std::vector<ColumnUse> columns_of(const std::vector<Pass<Dim>>& passes, const Setup<Dim>& setup) {
+  std::vector<ColumnUse> columns;
+  for (std::size_t k = 0; k < column_count; ++k) {
+    ColumnUse use{static_cast<Column>(k), 0, {}};
+    for (const auto& pass : passes) {
+      const auto names = [&](const std::vector<Column>& list) {
+        return std::find(list.begin(), list.end(), use.column) != list.end();
+      };
+      if (names(pass.reads) || names(pass.writes)) use.passes.push_back(pass.name);
+    }
+    if (use.passes.empty() && use.column != Column::reference_position) continue;
+    use.bytes = bytes_of(use.column, setup);
+    columns.push_back(std::move(use));
+  }
+  return columns;
+}
+
+template <int Dim>
+std::size_t grid_bytes_per_node(const Setup<Dim>& setup) {
+  const std::size_t fields = (Dim + 1) + Dim + 2 * Dim;  // inertia, force, motion
+  return (fields + (setup.hold_outside ? 1 : 0)) * sizeof(double);
+}
+
+template std::vector<Pass<2>> compose(const Setup<2>&);
+template std::vector<Pass<3>> compose(const Setup<3>&);
+template std::vector<ColumnUse> columns_of(const std::vector<Pass<2>>&, const Setup<2>&);
+template std::vector<ColumnUse> columns_of(const std::vector<Pass<3>>&, const Setup<3>&);
+template std::size_t bytes_of(Column, const Setup<2>&);
+template std::size_t bytes_of(Column, const Setup<3>&);
+template std::size_t grid_bytes_per_node(const Setup<2>&);
+template std::size_t grid_bytes_per_node(const Setup<3>&);
+
+}  // namespace assay::mpm

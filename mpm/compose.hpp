@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From what a scene calls for to the list of passes of a step. An absent effect is an absent pass.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mpm/pass.hpp"
+
+namespace assay::mpm {
+
+/// The passes of one step, in order. Nothing is allocated and nothing is run.
+template <int Dim>
+std::vector<Pass<Dim>> compose(const Setup<Dim>& setup);
+
+/// One column that the passes call for.
+struct ColumnUse {
+  Column column;
+  std::size_t bytes = 0;            ///< a particle
+  std::vector<std::string> passes;  ///< that read or write it
+};
+
+/// The columns of a step: those that some pass reads or writes, and the position in the reference configuration that
+/// errors and snapshots are told from.
+template <int Dim>
+std::vector<ColumnUse> columns_of(const std::vector<Pass<Dim>>& passes, const Setup<Dim>& setup);
+
+/// Bytes a particle of a column in this setup.
+template <int Dim>
+std::size_t bytes_of(Column column, const Setup<Dim>& setup);
+
+/// Bytes a node of all grid fields.
+template <int Dim>
+std::size_t grid_bytes_per_node(const Setup<Dim>& setup);
+
+}  // namespace assay::mpm

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/passes_grid.hpp"
+
+namespace assay::mpm {
+
+template <int Dim>
+Pass<Dim> grid_velocity_pass() {
+  Pass<Dim> pass;
+  pass.name = "grid_velocity";
+  pass.doc = "nodal velocity from momentum";
+  pass.called_for_by = "method.update";
+  pass.grid_fields = {"mass", "momentum", "velocity"};
+  pass.bind = [](State<Dim>& s) -> Kernel {
+    return [&s](const Instant&) {
+      for (std::size_t i = 0; i < s.inertia.nodes(); ++i) {
+        const double* inertia = s.inertia.node(i);
+        double* motion = s.motion.node(i);
+        for (std::size_t d = 0; d < Dim; ++d) {
+          motion[d] = inertia[0] > 0 ? inertia[1 + d] / inertia[0] : 0;
+          motion[Dim + d] = 0;
+        }
+      }
+    };
+  };
+  return pass;
+}
+
+template <int Dim>
+Pass<Dim> grid_update_pass() {
+  Pass<Dim> pass;
+  pass.name = "grid_update";
+  pass.doc = "nodal acceleration and velocity";
+  pass.called_for_by = "method";
+  pass.grid_fields = {"mass", "momentum", "force", "velocity", "acceleration"};
+  pass.bind = [](State<Dim>& s) -> Kernel {
+    return [&s](const Instant& now) {
+      for (std::size_t i = 0; i < s.inertia.nodes(); ++i) {
+        const double* inertia = s.inertia.node(i);
+        const double* force = s.force.node(i);
+        double* motion = s.motion.node(i);
+        if (!(inertia[0] > 0)) {
+          for (std::size_t d = 0; d < 2 * Dim; ++d) motion[d] = 0;
+          continue;
+        }
+        const double inverse = 1 / inertia[0];
+        for (std::size_t d = 0; d < Dim; ++d) {
+          motion[Dim + d] = force[d] * inverse;
+          motion[d] = inertia[1 + d] * inverse + now.dt * motion[Dim + d];
+        }
+      }
+    };
+  };
+  return pass;
+}
+
+template <int Dim>
+Pass<Dim> hold_nodes_pass() {
+  Pass<Dim> pass;
+  pass.name = "hold_nodes";
+  pass.doc = "nodes outside the ring stand still";
+  pass.called_for_by = "body.outside";
+  pass.grid_fields = {"mass", "velocity", "acceleration"};
+  pass.bind = [](State<Dim>& s) -> Kernel {
+    return [&s](const Instant&) {
+      for (const std::uint32_t i : s.held_nodes) {
+        double* motion = s.motion.node(i);
+        for (std::size_t d = 0; d < Dim; ++d) {
+          s.ledger.impulse[d] -= s.inertia.node(i)[0] * motion[d];
+          motion[d] = motion[Dim + d] = 0;
+        }
+      }
+    };
+  };
+  return pass;
+}
+
+#define ASSAY_GRID_PASSES(DIM)                  \
+  template Pass<DIM> grid_velocity_pass<DIM>(); \
+  template Pass<DIM> grid_update_pass<DIM>();   \
+  template Pass<DIM> hold_nodes_pass<DIM>();
+
+ASSAY_GRID_PASSES(2)
+ASSAY_GRID_PASSES(3)
+
+}  // namespace assay::mpm

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/passes_particle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "mpm/material_batch.hpp"
+
+namespace assay::mpm {
+
+template <int Dim>
+Pass<Dim> body_force_pass() {
+  Pass<Dim> pass;
+  pass.name = "body_force";
+  pass.doc = "b of the exact motion at the particles' reference positions";
+  pass.called_for_by = "force.response";
+  pass.reads = {Column::reference_position};
+  pass.writes = {Column::body_force};
+  pass.bind = [](State<Dim>& s) -> Kernel {
+    const std::size_t n = s.particles;
+    auto field = std::make_shared<BodyForceField>(std::get<Vortex>(*s.setup.motion), s.setup.density,
+                                                  std::span(s.column(Column::reference_position, 0), n),
+                                                  std::span(s.column(Column::reference_position, 1), n));
+    return [&s, field, n](const Instant& now) {
+      field->evaluate(*s.setup.response, now.t, std::span(s.column(Column::body_force, 0), n),
+                      std::span(s.column(Column::body_force, 1), n));
+    };
+  };
+  return pass;
+}
+
+template <int Dim>
+Pass<Dim> stress_pass(bool with_history, bool reads_increment) {
+  Pass<Dim> pass;
+  pass.name = "stress";
+  pass.doc = "deformation gradient from L, Cauchy stress from the material";
+  pass.called_for_by = "material.adapter";
+  pass.reads = {Column::velocity_gradient, Column::deformation_gradient};
+  pass.writes = {Column::deformation_gradient, Column::stress};
+  if (with_history) {
+    pass.reads.push_back(Column::history);
+    pass.writes.push_back(Column::history);
+  }
+  pass.bind = [reads_increment](State<Dim>& s) -> Kernel {
+    auto materials = std::make_shared<MaterialBatches<Dim>>(s, reads_increment);
+    return [&s, materials](const Instant& now) {
+      FirstBad inverted, refused;
+      std::mutex message_guard;
+      std::pair<std::size_t, std::string> message{~std::size_t{0}, ""};
+      for_blocks(s.particles, s.setup.threads, [&](std::size_t begin, std::size_t end) {
+        const auto outcome = materials->update(begin, end, now);
+        if (outcome.inverted) inverted.report(*outcome.inverted);
+        if (!outcome.refused) return;
+        refused.report(*outcome.refused);
+        const std::lock_guard lock(message_guard);
+        if (*outcome.refused < message.first) message = {*outcome.refused, outcome.message};
+      });
+      s.material_calls += static_cast<std::int64_t>(s.particles);
+      if (const auto p = inverted.found()) {
+        s.finding = Finding{Finding::Kind::unstable, "det F <= 0", static_cast<std::int64_t>(*p)};
+      } else if (const auto q = refused.found()) {
+        s.finding = Finding{Finding::Kind::material_failed, message.second, static_cast<std::int64_t>(*q)};
+      }
+    };
+  };
+  return pass;
+}
+
+namespace {
+
+/// Sums of one block, added up in the order of the blocks.
+struct BlockSums {
+  std::array<double, 3> impulse{};
+  double torque = 0, external = 0, internal = 0;
+};
+
+template <int Dim>
+BlockSums sums_of_block(const State<Dim>& s, bool with_body_force, std::size_t begin, std::size_t end) {
+  BlockSums sums;
+  for (std::size_t p = begin; p < end; ++p) {
+    const double m = s.column(Column::mass)[p];
+    if (with_body_force) {
+      for (int d = 0; d < Dim; ++d) {
+        const double f = m * s.column(Column::body_force, d)[p];
+        sums.impulse[static_cast<std::size_t>(d)] += f;
+        sums.external += f * s.column(Column::velocity, d)[p];
+      }
+      sums.torque += m * (s.column(Column::position, 0)[p] * s.column(Column::body_force, 1)[p] -
+                          s.column(Column::position, 1)[p] * s.column(Column::body_force, 0)[p]);
+    }
+    Mat<Dim> F;
+    double power = 0;  // sigma : L
+    for (int c = 0; c < Dim * Dim; ++c) {
+      F[static_cast<std::size_t>(c)] = s.column(Column::deformation_gradient, c)[p];
+      power += s.column(Column::stress, c)[p] * s.column(Column::velocity_gradient, c)[p];
+    }
+    sums.internal += s.column(Column::volume)[p] * determinant<Dim>(F) * power;
+  }
+  return sums;
+}
+
+}  // namespace
+
+template <int Dim>
+Pass<Dim> accounts_pass(bool with_body_force) {
+  Pass<Dim> pass;
+  pass.name = "accounts";
+  pass.doc = "momentum, mass and energy accounts";
+  pass.called_for_by = "output.accounts";
+  pass.reads = {Column::mass, Column::volume, Column::deformation_gradient, Column::stress, Column::velocity_gradient};
+  if (with_body_force) {
+    pass.reads.insert(pass.reads.end(), {Column::body_force, Column::velocity, Column::position});
+  }
+  pass.grid_fields = {"mass"};
+  pass.bind = [with_body_force](State<Dim>& s) -> Kernel {
+    auto blocks = std::make_shared<std::vector<BlockSums>>((s.particles + block_size - 1) / block_size);
+    double particle_mass = 0;
+    for (std::size_t p = 0; p < s.particles; ++p) particle_mass += s.column(Column::mass)[p];
+    for (const double m : s.held_mass) particle_mass += m;
+    return [&s, with_body_force, blocks, particle_mass](const Instant& now) {
+      for_blocks(s.particles, s.setup.threads, [&](std::size_t begin, std::size_t end) {
+        (*blocks)[begin / block_size] = sums_of_block(s, with_body_force, begin, end);
+      });
+      for (const BlockSums& sums : *blocks) {
+        for (std::size_t d = 0; d < 3; ++d) s.ledger.impulse[d] += now.dt * sums.impulse[d];
+        s.ledger.angular_impulse += now.dt * sums.torque;
+        s.ledger.external_work += now.dt * sums.external;
+        s.ledger.internal_work += now.dt * sums.internal;
+      }
+      double grid_mass = 0;
+      for (std::size_t i = 0; i < s.inertia.nodes(); ++i) grid_mass += s.inertia.node(i)[0];
+      s.ledger.mass_defect = std::max(s.ledger.mass_defect, std::abs(grid_mass / particle_mass - 1));
+    };
+  };
+  return pass;
+}
+
+// The vortex's body force lives in the plane; three dimensions serve the property tests of transfer and stress.
+template Pass<2> body_force_pass<2>();
+template Pass<2> stress_pass<2>(bool, bool);
+template Pass<3> stress_pass<3>(bool, bool);
+template Pass<2> accounts_pass<2>(bool);
+template Pass<3> accounts_pass<3>(bool);
+
+}  // namespace assay::mpm

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Passes on the particles alone: stress, body force, accounts.
+#pragma once
+
+#include "mpm/pass.hpp"
+
+namespace assay::mpm {
+
+/// b at the particles' reference positions, at the time at which the step begins.
+template <int Dim>
+Pass<Dim> body_force_pass();
+
+/// F <- (I + dt L) F, then the material's update in batches; finds det F <= 0 and failed points.
+template <int Dim>
+Pass<Dim> stress_pass(bool with_history, bool reads_increment);
+
+/// Impulse and work of the body force, work of the stress; mass on the grid against mass of the particles.
+template <int Dim>
+Pass<Dim> accounts_pass(bool with_body_force);
+
+}  // namespace assay::mpm

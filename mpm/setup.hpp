@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a simulation is asked to be: plain values, no files, no YAML.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "harness/body_force.hpp"
+#include "harness/material.hpp"
+#include "harness/motion.hpp"
+
+namespace assay::mpm {
+
+enum class Basis { linear, ugimp, cpdi };
+enum class Transfer { pic, flip };
+enum class Update { usf, usl, musl };
+
+/// Nodes at multiples of the spacing h, from index `first` to `first + count - 1` in each direction.
+template <int Dim>
+struct GridGeometry {
+  double spacing = 0;                     ///< h [m]
+  std::array<std::int32_t, Dim> first{};  ///< global index of the first local node
+  std::array<std::int32_t, Dim> count{};  ///< local nodes
+
+  std::size_t nodes() const {
+    std::size_t product = 1;
+    for (const auto c : count) product *= static_cast<std::size_t>(c);
+    return product;
+  }
+  double coordinate(int direction, std::int32_t local) const {
+    return spacing * static_cast<double>(first[static_cast<std::size_t>(direction)] + local);
+  }
+};
+
+/// Particles of a body in the reference configuration, in cell order.
+template <int Dim>
+struct Seeds {
+  std::array<std::vector<double>, Dim> X;     ///< reference positions [m]
+  std::array<double, Dim> half_size{};        ///< half edges of the reference domain of each particle [m]
+  std::vector<std::array<double, Dim>> held;  ///< reference positions of particles that never move [m]
+  std::size_t size() const { return X[0].size(); }
+  double volume() const {  ///< reference volume of a particle [m^Dim]
+    double product = 1;
+    for (const double half : half_size) product *= 2 * half;
+    return product;
+  }
+};
+
+/// The method and the effects that a scene calls for.
+template <int Dim>
+struct Setup {
+  Basis basis = Basis::cpdi;
+  Transfer transfer = Transfer::flip;
+  Update update = Update::usl;
+  GridGeometry<Dim> grid;
+  Seeds<Dim> seeds;
+  double density = 0;  ///< rho0 [kg/m^3]
+  std::shared_ptr<const Material> material;
+  std::shared_ptr<const Response> response;  ///< null: no body force
+  std::optional<Motion> motion;              ///< gives the initial velocity; null: at rest
+  bool hold_outside = false;                 ///< nodes and particles outside the vortex's ring are held
+  bool accounts = false;                     ///< momentum and energy accounts
+  int threads = 1;
+};
+
+}  // namespace assay::mpm

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/simulation.hpp"
+
+#include <chrono>
+#include <cmath>
+
+#include "mpm/basis_linear.hpp"
+
+namespace assay::mpm {
+
+template <int Dim>
+Simulation<Dim>::Simulation(Setup<Dim> setup) : state_(std::move(setup)) {
+  const auto passes = compose(state_.setup);
+  allocate(passes);
+  fill();
+  if (state_.setup.hold_outside) hold_outside();
+  for (const auto& pass : passes) {
+    kernels_.push_back(pass.bind(state_));
+    PassTime time{pass.name, 0, 0};
+    for (const auto* list : {&pass.reads, &pass.writes}) {
+      for (const Column column : *list) time.bytes_per_particle += bytes_of(column, state_.setup);
+    }
+    times_.push_back(std::move(time));
+  }
+}
+
+template <int Dim>
+void Simulation<Dim>::allocate(const std::vector<Pass<Dim>>& passes) {
+  State<Dim>& s = state_;
+  for (const ColumnUse& use : columns_of(passes, s.setup)) {
+    if (use.column == Column::weights) continue;  // the basis keeps them
+    if (use.column == Column::history) {
+      for (auto& half : s.history) half.assign(s.particles * s.setup.material->state_size(), 0.0);
+      continue;
+    }
+    s.columns[static_cast<std::size_t>(use.column)].allocate(s.particles, static_cast<int>(use.bytes / sizeof(double)));
+  }
+  const std::size_t nodes = s.setup.grid.nodes();
+  s.inertia.allocate(nodes);
+  s.force.allocate(nodes);
+  s.motion.allocate(nodes);
+}
+
+/// Particles in the reference configuration with the exact initial velocity: not zero, v = g'(0) h(R) E_z x X.
+template <int Dim>
+void Simulation<Dim>::fill() {
+  State<Dim>& s = state_;
+  const Seeds<Dim>& seeds = s.setup.seeds;
+  const double volume = seeds.volume();
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    Vector3 X = Vector3::Zero();
+    for (int d = 0; d < Dim; ++d) {
+      X(d) = seeds.X[static_cast<std::size_t>(d)][p];
+      s.column(Column::reference_position, d)[p] = s.column(Column::position, d)[p] = X(d);
+      s.column(Column::deformation_gradient, d * Dim + d)[p] = 1;
+    }
+    s.column(Column::mass)[p] = s.setup.density * volume;
+    s.column(Column::volume)[p] = volume;
+    if (!s.setup.motion) continue;
+    const Vector3 v = state_at(*s.setup.motion, X, 0).v;
+    for (int d = 0; d < Dim; ++d) s.column(Column::velocity, d)[p] = v(d);
+  }
+}
+
+/// Particles that never move give the grid their mass once; nodes outside the ring are held.
+template <int Dim>
+void Simulation<Dim>::hold_outside() {
+  State<Dim>& s = state_;
+  const Seeds<Dim>& seeds = s.setup.seeds;
+  GridField<1> mass;
+  mass.allocate(s.setup.grid.nodes());
+  LinearBasis<Dim> basis(s.setup.grid, seeds.half_size, 1);
+  for (const auto& X : seeds.held) {
+    if (basis.place(0, X, {})) basis.template scatter<1, 0>(0, {s.setup.density * seeds.volume()}, {}, mass);
+  }
+  s.held_mass.assign(mass.data(), mass.data() + mass.nodes());
+  const auto& vortex = std::get<Vortex>(*s.setup.motion);
+  const GridGeometry<Dim>& grid = s.setup.grid;
+  for (std::size_t i = 0; i < grid.nodes(); ++i) {
+    std::size_t rest = i;
+    double square = 0;
+    for (int d = 0; d < Dim; ++d) {
+      const auto count = static_cast<std::size_t>(grid.count[static_cast<std::size_t>(d)]);
+      const double x = grid.coordinate(d, static_cast<std::int32_t>(rest % count));
+      if (d < 2) square += x * x;
+      rest /= count;
+    }
+    const double R = std::sqrt(square);
+    if (R <= vortex.inner || R >= vortex.outer) s.held_nodes.push_back(static_cast<std::uint32_t>(i));
+  }
+}
+
+template <int Dim>
+const std::optional<Finding>& Simulation<Dim>::step(double t, double dt) {
+  using Clock = std::chrono::steady_clock;
+  const Instant now{t, dt};
+  auto before = Clock::now();
+  for (std::size_t k = 0; k < kernels_.size(); ++k) {
+    kernels_[k](now);
+    const auto after = Clock::now();
+    times_[k].seconds += std::chrono::duration<double>(after - before).count();
+    before = after;
+    if (state_.finding) break;
+  }
+  return state_.finding;
+}
+
+template class Simulation<2>;
+template class Simulation<3>;
+
+}  // namespace assay::mpm

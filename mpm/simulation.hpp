@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A setup brought to life: columns allocated, passes bound, one step at a time.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mpm/compose.hpp"
+
+namespace assay::mpm {
+
+/// Seconds spent in one pass so far.
+struct PassTime {
+  std::string name;
+  double seconds = 0;
+  std::size_t bytes_per_particle = 0;  ///< of the columns that it reads and writes
+};
+
+template <int Dim>
+class Simulation {
+ public:
+  explicit Simulation(Setup<Dim> setup);
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// One step from t to t + dt. A finding ends the run: the state is that of the pass which found it.
+  const std::optional<Finding>& step(double t, double dt);
+
+  State<Dim>& state() { return state_; }
+  const State<Dim>& state() const { return state_; }
+  const std::vector<PassTime>& times() const { return times_; }
+
+ private:
+  void allocate(const std::vector<Pass<Dim>>& passes);
+  void fill();
+  void hold_outside();
+
+  State<Dim> state_;
+  std::vector<Kernel> kernels_;
+  std::vector<PassTime> times_;
+};
+
+}  // namespace assay::mpm

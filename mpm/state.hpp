@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Everything that a running simulation owns; passes work on it.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+
+#include "mpm/basis.hpp"
+#include "mpm/columns.hpp"
+#include "mpm/grid_field.hpp"
+#include "mpm/setup.hpp"
+
+namespace assay::mpm {
+
+/// Why a run must stop: a result, not an error.
+struct Finding {
+  enum class Kind { unstable, material_failed };
+  Kind kind = Kind::unstable;
+  std::string reason;         ///< one sentence
+  std::int64_t particle = 0;  ///< permanent id
+};
+
+/// Momentum and energy since t = 0. What the particles have is compared with what was given to them.
+struct Ledger {
+  std::array<double, 3> impulse{};  ///< of body force and holding reactions [N s]
+  double angular_impulse = 0;       ///< of the body force, about E_z [N m s]
+  double external_work = 0;         ///< of the body force [J]
+  double internal_work = 0;         ///< of the stress [J]
+  double mass_defect = 0;           ///< largest |grid mass - particle mass| / particle mass
+};
+
+template <int Dim>
+struct State {
+  explicit State(Setup<Dim> s) : setup(std::move(s)), particles(setup.seeds.size()) {}
+
+  Setup<Dim> setup;
+  std::size_t particles;
+  std::array<ColumnData, column_count> columns;
+  GridField<Dim + 1> inertia;     ///< mass, momentum
+  GridField<Dim> force;           ///< internal and body force [N]
+  GridField<2 * Dim> motion;      ///< velocity, acceleration
+  std::vector<double> held_mass;  ///< of particles that never move, a node; empty where nothing is held
+  std::vector<std::uint32_t> held_nodes;
+  std::array<std::vector<double>, 2> history;  ///< material state by block, [c * n + p]: begin and end of the step
+  std::shared_ptr<void> basis;                 ///< the weights of all particles; its type is known to the passes
+  std::optional<Finding> finding;
+  Ledger ledger;
+  std::int64_t material_calls = 0;  ///< points updated
+
+  double* column(Column which, int component = 0) {
+    return columns[static_cast<std::size_t>(which)].component(component);
+  }
+  const double* column(Column which, int component = 0) const {
+    return columns[static_cast<std::size_t>(which)].component(component);
+  }
+  bool has(Column which) const { return !columns[static_cast<std::size_t>(which)].empty(); }
+};
+
+/// The smallest index that any block of a parallel loop reported; none at first.
+class FirstBad {
+ public:
+  void report(std::size_t index) {
+    auto seen = first_.load();
+    while (index < seen && !first_.compare_exchange_weak(seen, index)) {
+    }
+  }
+  std::optional<std::size_t> found() const {
+    const auto first = first_.load();
+    return first == none ? std::nullopt : std::optional(first);
+  }
+
+ private:
+  static constexpr std::size_t none = ~std::size_t{0};
+  std::atomic<std::size_t> first_{none};
+};
+
+/// Particles a block: the unit of parallel loops and of the material's batches, fixed so that results do not depend
+/// on the number of threads.
+inline constexpr std::size_t block_size = 256;
+static_assert(block_size <= ASSAY_BATCH_MAX);
+
+/// body(begin, end) for all blocks of n particles, on so many threads.
+template <class Body>
+void for_blocks(std::size_t n, int threads, const Body& body) {
+  const auto blocks = static_cast<std::int64_t>((n + block_size - 1) / block_size);
+  const auto run = [&](std::int64_t b) {
+    const std::size_t begin = static_cast<std::size_t>(b) * block_size;
+    body(begin, std::min(n, begin + block_size));
+  };
+  if (threads <= 1) {
+    for (std::int64_t b = 0; b < blocks; ++b) run(b);
+    return;
+  }
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (std::int64_t b = 0; b < blocks; ++b) run(b);
+}
+
+}  // namespace assay::mpm
