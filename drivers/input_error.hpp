@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace assay::drivers {
 
@@ -16,10 +18,13 @@ struct Location {
   std::string text() const;
 };
 
+/// Location::file of what came from `--set`; the line then reads `--set key.path: what`.
+inline constexpr const char* set_option = "--set";
+
 /// what(): one line `file:line:column: key.path: what; known: ...`.
 class InputError : public std::runtime_error {
  public:
-  explicit InputError(const std::string& what) : std::runtime_error(what) {}
+  explicit InputError(const std::string& what);
   InputError(const Location& where, const std::string& key, const std::string& what, const std::string& known = {});
 };
 
@@ -28,5 +33,17 @@ class SystemError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// The text on one line: control characters become blanks, what exceeds `limit` bytes is cut and marked by "...".
+std::string one_line(std::string_view text, std::size_t limit = 4096);
+
+/// "a, b, c".
+std::string joined(const std::vector<std::string>& words);
+
+/// The known word nearest to a mistyped one by edit distance; empty where none is near.
+std::string nearest(const std::string& word, const std::vector<std::string>& known);
+
+/// "unknown key" or "unknown key (nearest: inner)".
+std::string unknown(const std::string& kind, const std::string& word, const std::vector<std::string>& known);
 
 }  // namespace assay::drivers

@@ -10,6 +10,7 @@
 
 #include "drivers/input_error.hpp"
 #include "harness/motion.hpp"
+#include "mpm/method.hpp"
 
 namespace assay::drivers {
 
@@ -39,9 +40,9 @@ struct GridChoice {
 };
 
 struct Method {
-  enum class Basis { linear, ugimp, cpdi };
-  enum class Transfer { pic, flip };
-  enum class Update { usf, usl, musl };
+  using Basis = mpm::Basis;
+  using Transfer = mpm::Transfer;
+  using Update = mpm::Update;
   Basis basis = Basis::cpdi;
   std::string formulation = "updated";
   Transfer transfer = Transfer::flip;

@@ -43,41 +43,25 @@ Tensor rotated_to(const Vortex& vortex, const Vector3& X, double t, const Tensor
 
 BodyForceField::BodyForceField(const Vortex& vortex, double density, std::span<const double> X,
                                std::span<const double> Y)
-    : vortex_(vortex), density_(density) {
-  const std::size_t n = X.size();
-  std::vector<double> radius(n);
-  for (std::size_t i = 0; i < n; ++i) radius[i] = std::hypot(X[i], Y[i]);
-  radius_ = radius;
-  std::sort(radius_.begin(), radius_.end());
-  radius_.erase(std::unique(radius_.begin(), radius_.end()), radius_.end());
-  for (const double R : radius_) {
+    : vortex_(vortex), density_(density), points_(X, Y), force_(points_.radius.size()) {
+  for (const double R : points_.radius) {
     const Vortex::Profile p = vortex.profile(R);
     h_.push_back(p.h);
     xi_.push_back(p.xi);
-  }
-  force_.resize(radius_.size(), Vector3::Zero());
-  ring_.resize(n);
-  cos_theta_.resize(n);
-  sin_theta_.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    ring_[i] =
-        static_cast<std::uint32_t>(std::lower_bound(radius_.begin(), radius_.end(), radius[i]) - radius_.begin());
-    cos_theta_[i] = radius[i] > 0 ? X[i] / radius[i] : 1;
-    sin_theta_[i] = radius[i] > 0 ? Y[i] / radius[i] : 0;
   }
 }
 
 void BodyForceField::evaluate(const Response& response, double t, std::span<double> b_x, std::span<double> b_y) {
   const double g = vortex_.amplitude.at(t).value;
   response.at_time(t, xi_, [&](std::size_t k, const Tensor& tau, const Tensor& dtau_dxi) {
-    const Polar b = body_force(vortex_, density_, radius_[k], t, tau, dtau_dxi);
+    const Polar b = body_force(vortex_, density_, points_.radius[k], t, tau, dtau_dxi);
     const double c = std::cos(g * h_[k]), s = std::sin(g * h_[k]);
-    force_[k] = Vector3(c * b.r - s * b.theta, s * b.r + c * b.theta, 0);  // along E_R, E_Theta
+    force_[k] = {c * b.r - s * b.theta, s * b.r + c * b.theta};  // along E_R, E_Theta
   });
-  for (std::size_t i = 0; i < ring_.size(); ++i) {
-    const Vector3& b = force_[ring_[i]];
-    b_x[i] = cos_theta_[i] * b.x() - sin_theta_[i] * b.y();
-    b_y[i] = sin_theta_[i] * b.x() + cos_theta_[i] * b.y();
+  for (std::size_t i = 0; i < points_.ring.size(); ++i) {
+    const Polar& b = force_[points_.ring[i]];
+    b_x[i] = points_.cos_theta[i] * b.r - points_.sin_theta[i] * b.theta;
+    b_y[i] = points_.sin_theta[i] * b.r + points_.cos_theta[i] * b.theta;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "harness/response.hpp"
+#include "harness/ring_points.hpp"
 #include "harness/vortex.hpp"
 
 namespace assay {
@@ -37,15 +38,14 @@ class BodyForceField {
   /// Writes b [m/s^2], n components each.
   void evaluate(const Response& response, double t, std::span<double> b_x, std::span<double> b_y);
 
-  std::size_t distinct_radii() const { return radius_.size(); }
+  const RingPoints& points() const { return points_; }
 
  private:
   Vortex vortex_;
   double density_;
-  std::vector<double> radius_, h_, xi_;        // of each distinct radius
-  std::vector<Vector3> force_;                 // b_r, b_theta rotated by alpha, per distinct radius
-  std::vector<std::uint32_t> ring_;            // of each point: which radius
-  std::vector<double> cos_theta_, sin_theta_;  // of each point: reference angle
+  RingPoints points_;
+  std::vector<double> h_, xi_;  // of each distinct radius
+  std::vector<Polar> force_;    // of each distinct radius: components along E_R, E_Theta
 };
 
 }  // namespace assay

@@ -33,7 +33,7 @@ std::string bounds_of(const assay_parameter& p) {
 std::vector<double> in_declared_order(const assay_material& table, const std::map<std::string, double>& given) {
   for (const auto& [name, value] : given) {
     const bool declared = std::any_of(table.parameters, table.parameters + table.parameter_count,
-                                      [&](const assay_parameter& p) { return name == p.name; });
+                                      [&name = name](const assay_parameter& p) { return name == p.name; });
     if (!declared) {
       throw ParameterError(name, "material '" + std::string(table.name) + "' has no such parameter",
                            known_parameters(table));

@@ -42,7 +42,7 @@ std::vector<Pass<Dim>> compose_with(const Setup<Dim>& setup) {
   const auto add_held = [&] {
     if (setup.hold_outside) add(hold_nodes_pass<Dim>());
   };
-  const bool body_force = setup.response != nullptr;
+  const bool body_force = setup.body_force;
   const auto add_accounts = [&] {
     if (setup.accounts) add(accounts_pass<Dim>(body_force));
   };

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "mpm/blocks.hpp"
+
 namespace assay::mpm {
 
 namespace {

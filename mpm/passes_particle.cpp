@@ -5,6 +5,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "mpm/blocks.hpp"
 #include "mpm/material_batch.hpp"
 
 namespace assay::mpm {

@@ -6,6 +6,7 @@
 #include "mpm/basis_cpdi.hpp"
 #include "mpm/basis_linear.hpp"
 #include "mpm/basis_ugimp.hpp"
+#include "mpm/blocks.hpp"
 
 namespace assay::mpm {
 

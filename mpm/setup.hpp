@@ -11,12 +11,9 @@
 #include "harness/body_force.hpp"
 #include "harness/material.hpp"
 #include "harness/motion.hpp"
+#include "mpm/method.hpp"
 
 namespace assay::mpm {
-
-enum class Basis { linear, ugimp, cpdi };
-enum class Transfer { pic, flip };
-enum class Update { usf, usl, musl };
 
 /// Nodes at multiples of the spacing h, from index `first` to `first + count - 1` in each direction.
 template <int Dim>
@@ -59,7 +56,8 @@ struct Setup {
   Seeds<Dim> seeds;
   double density = 0;  ///< rho0 [kg/m^3]
   std::shared_ptr<const Material> material;
-  std::shared_ptr<const Response> response;  ///< null: no body force
+  bool body_force = false;                   ///< b of the exact motion acts
+  std::shared_ptr<const Response> response;  ///< what b is made of; needed to run, not to compose
   std::optional<Motion> motion;              ///< gives the initial velocity; null: at rest
   bool hold_outside = false;                 ///< nodes and particles outside the vortex's ring are held
   bool accounts = false;                     ///< momentum and energy accounts

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/builtin.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+extern "C" {
+const assay_material* assay_builtin_neo_hookean(uint32_t host_major, uint32_t index);
+}
+
+namespace assay::adapters {
+
+const std::vector<const assay_material*>& builtin_tables() {
+  static const std::vector<const assay_material*> tables = [] {
+    std::vector<const assay_material*> all;
+    for (const assay_material_entry_function entry : {&assay_builtin_neo_hookean}) {
+      for (uint32_t i = 0; const assay_material* table = entry(ASSAY_ABI_MAJOR, i); ++i) all.push_back(table);
+    }
+    std::sort(all.begin(), all.end(),
+              [](const auto* a, const auto* b) { return std::string_view(a->name) < std::string_view(b->name); });
+    return all;
+  }();
+  return tables;
+}
+
+const assay_material* builtin_table(const std::string& name) {
+  const auto& all = builtin_tables();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const auto* table) { return name == table->name; });
+  return found == all.end() ? nullptr : *found;
+}
+
+}  // namespace assay::adapters

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/library.hpp"
+
+#include <dlfcn.h>
+
+#include <filesystem>
+
+#include "adapters/elf_check.hpp"
+#include "harness/material.hpp"
+
+namespace assay::adapters {
+
+namespace {
+
+/// More tables than any library would hold: its entry ignores the index.
+constexpr std::uint32_t index_limit = 1000;
+
+std::string loader_message(const std::string& path) {
+  const char* text = dlerror();
+  std::string message = text ? text : "unknown reason";
+  if (message.starts_with(path + ": ")) message.erase(0, path.size() + 2);
+  return message;
+}
+
+assay_material_entry_function entry_of(const std::string& path) {
+  void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!library) throw LibraryError("cannot be loaded: " + loader_message(path));
+  void* symbol = dlsym(library, ASSAY_ENTRY_SYMBOL);
+  if (!symbol) throw LibraryError("is no material library: it has no symbol " ASSAY_ENTRY_SYMBOL);
+  return reinterpret_cast<assay_material_entry_function>(symbol);
+}
+
+/// The entry gave nothing for our major: does it serve another?
+std::string majors_served(assay_material_entry_function entry) {
+  for (std::uint32_t major = 0; major < 16; ++major) {
+    if (major != ASSAY_ABI_MAJOR && entry(major, 0)) return "; it serves " + std::to_string(major);
+  }
+  return {};
+}
+
+std::string names_of(const std::vector<const assay_material*>& tables) {
+  std::string names;
+  for (const assay_material* table : tables) names += (names.empty() ? "" : ", ") + std::string(table->name);
+  return names;
+}
+
+}  // namespace
+
+std::vector<const assay_material*> tables_of_library(const std::string& path) {
+  check_shared_library(path);
+  const assay_material_entry_function entry = entry_of(std::filesystem::absolute(path).string());
+  std::vector<const assay_material*> tables;
+  for (std::uint32_t index = 0; const assay_material* table = entry(ASSAY_ABI_MAJOR, index); ++index) {
+    if (index == index_limit) throw LibraryError("its entry returns a table for every index");
+    if (const auto defect = defect_of(table)) throw LibraryError("cannot serve: " + *defect);
+    tables.push_back(table);
+  }
+  if (tables.empty()) {
+    throw LibraryError("holds no material for ABI major " + std::to_string(ASSAY_ABI_MAJOR) + majors_served(entry));
+  }
+  return tables;
+}
+
+const assay_material* table_of_library(const std::string& path, const std::string& name) {
+  const auto tables = tables_of_library(path);
+  if (name.empty() && tables.size() == 1) return tables.front();
+  for (const assay_material* table : tables) {
+    if (name == table->name) return table;
+  }
+  if (name.empty()) throw LibraryError("holds several materials; say which as FILE:NAME", names_of(tables));
+  throw LibraryError("holds no material '" + name + "'", names_of(tables));
+}
+
+}  // namespace assay::adapters

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Materials in shared libraries. A library that was opened stays open: tables live as long as the process.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "harness/assay_material.h"
+
+namespace assay::adapters {
+
+/// Why a library cannot serve: what() is one sentence without the path, known() the models that it does hold.
+class LibraryError : public std::runtime_error {
+ public:
+  explicit LibraryError(const std::string& what, std::string known = {})
+      : std::runtime_error(what), known_(std::move(known)) {}
+  const std::string& known() const { return known_; }
+
+ private:
+  std::string known_;
+};
+
+/// All tables of a library, in its order, each free of defects. Throws LibraryError: missing, no shared library,
+/// truncated, unresolved symbols, no entry symbol, another ABI major, a defective table.
+std::vector<const assay_material*> tables_of_library(const std::string& path);
+
+/// The table of that name; an empty name stands for the only one. Throws LibraryError.
+const assay_material* table_of_library(const std::string& path, const std::string& name);
+
+}  // namespace assay::adapters

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A first look at a model that nobody has run here yet.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "harness/assay_material.h"
+
+namespace assay::adapters {
+
+/// The default of each parameter; where there is none, a value well inside its bounds: their geometric mean where both
+/// are positive, their mean, else the value nearest to 1.
+std::map<std::string, double> probe_parameters(const assay_material& table);
+
+/// Creates the material and updates one undeformed point, in a process of its own that may crash or hang: why it must
+/// be refused in one sentence, nothing where stress and state are finite. `given` goes before
+/// probe_parameters. Throws std::system_error where no process can be made.
+std::optional<std::string> probe_defect(const assay_material* table, const std::map<std::string, double>& given);
+
+}  // namespace assay::adapters

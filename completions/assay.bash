@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# bash completion for assay
+_assay() {
+  local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]} verb= word
+  local verbs='run tabulate eval explain materials register schema'
+  COMPREPLY=()
+  for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
+    if [[ " $verbs " == *" $word "* ]]; then
+      verb=$word
+      break
+    fi
+  done
+  if [[ -z $verb ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "$verbs --help --version --verbose --quiet" -- "$cur")
+    return
+  fi
+  case $prev in
+    -o)
+      mapfile -t COMPREPLY < <(compgen -f -- "$cur")
+      compopt -o filenames
+      return
+      ;;
+    --points)
+      mapfile -t COMPREPLY < <(compgen -f -X '!*.csv' -- "$cur"; compgen -d -- "$cur")
+      compopt -o filenames
+      return
+      ;;
+    --set | --as | --remove) return ;;
+    --threads)
+      mapfile -t COMPREPLY < <(compgen -W "1 2 4 8 16" -- "$cur")
+      return
+      ;;
+  esac
+  local options='--help --quiet --verbose'
+  case $verb in
+    run) options+=' -o --set --threads --json' ;;
+    tabulate) options+=' -o --set --points --json' ;;
+    eval) options+=' -o --set --points' ;;
+    explain) options+=' --set --json' ;;
+    materials) options+=' --json' ;;
+    register) options+=' --as --remove' ;;
+  esac
+  if [[ $cur == -* ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "$options" -- "$cur")
+    return
+  fi
+  compopt -o filenames
+  case $verb in
+    run | tabulate | eval | explain)
+      mapfile -t COMPREPLY < <(compgen -f -X '!*.y*ml' -- "$cur"; compgen -d -- "$cur")
+      ;;
+    register | materials)
+      mapfile -t COMPREPLY < <(compgen -f -X '!*.@(so|yaml|yml)' -- "$cur"; compgen -d -- "$cur")
+      ;;
+  esac
+}
+complete -F _assay assay

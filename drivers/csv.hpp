@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Comma-separated numbers under a header line, written and strictly read.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace assay::drivers {
+
+/// Grows row by row; numbers as the shortest text that reads back the same, what is not finite as an empty field.
+class CsvText {
+ public:
+  explicit CsvText(const std::vector<std::string>& names);
+  /// As many values as there are names.
+  void row(std::span<const double> values);
+  const std::string& text() const { return text_; }
+
+ private:
+  std::size_t width_;
+  std::string text_;
+};
+
+struct CsvTable {
+  std::string file;
+  std::vector<std::string> names;            ///< as in the file's header
+  std::vector<std::vector<double>> columns;  ///< one a name, all of one length; finite
+  int header_line = 0;                       ///< from 1
+  std::vector<int> lines;                    ///< line of each row, from 1
+  std::size_t rows() const { return lines.size(); }
+  /// Null where the file has no such column.
+  const std::vector<double>* column(std::string_view name) const;
+};
+
+/// Reads text (`file` is its name in messages): the first line that is neither empty nor a comment (#) names the
+/// columns in any order, each later one holds one finite number a column. LF and CRLF. Throws InputError with line and
+/// column for a missing, unknown or repeated name, a wrong number of fields, what is no finite number, and a file
+/// without rows.
+CsvTable read_csv(std::string_view text, const std::string& file, const std::vector<std::string>& required,
+                  const std::vector<std::string>& optional = {});
+
+/// The bytes of a file; InputError where it cannot be read.
+std::string read_input_file(const std::string& file);
+
+}  // namespace assay::drivers

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `assay eval`: the exact fields of a motion at given reference points and times.
+#include <algorithm>
+#include <cstdio>
+
+#include "drivers/csv.hpp"
+#include "drivers/findings.hpp"
+#include "drivers/output_folder.hpp"
+#include "drivers/points_csv.hpp"
+#include "drivers/problem.hpp"
+#include "drivers/scene_reader.hpp"
+#include "drivers/verbs.hpp"
+#include "harness/body_force.hpp"
+#include "harness/point_driver.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+/// Whether anything happens out of the plane: then all components are written.
+bool three_dimensional(const Motion& motion) {
+  const auto* homogeneous = std::get_if<Homogeneous>(&motion);
+  if (!homogeneous) return false;
+  const Tensor& F = homogeneous->final;
+  return F(0, 2) != 0 || F(1, 2) != 0 || F(2, 0) != 0 || F(2, 1) != 0 || F(2, 2) != 1;
+}
+
+std::vector<std::string> column_names(bool three, bool normals) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& list) {
+    for (std::size_t begin = 0; begin < list.size();) {
+      const std::size_t end = std::min(list.find(',', begin), list.size());
+      names.push_back(list.substr(begin, end - begin));
+      begin = end + 1;
+    }
+  };
+  if (three) {
+    add("X,Y,Z,t,x,y,z,vx,vy,vz,ax,ay,az");
+    for (const char* tensor : {"F", "P"}) {
+      for (const char* c : {"11", "12", "13", "21", "22", "23", "31", "32", "33"})
+        names.push_back(tensor + std::string(c));
+    }
+    add("s11,s22,s33,s12,s13,s23,bx,by,bz");
+  } else {
+    add("X,Y,t,x,y,vx,vy,ax,ay,F11,F12,F21,F22,F33,P11,P12,P21,P22,P33,s11,s12,s22,s33,bx,by");
+  }
+  if (normals) add(three ? "tx,ty,tz" : "tx,ty");
+  return names;
+}
+
+/// Stress and body force of the vortex (20), (31) at one point.
+ExactStress stress_at(const Vortex& vortex, const Response& response, double density, const Vector3& X, double t,
+                      const Tensor& F) {
+  const double R = std::hypot(X.x(), X.y());
+  Tensor tau, dtau_dxi;
+  response.at(vortex.profile(R).xi, t, tau, dtau_dxi);
+  ExactStress stress;
+  stress.first_piola_kirchhoff = rotated_to(vortex, X, t, tau);
+  stress.cauchy = cauchy_stress(stress.first_piola_kirchhoff, F);
+  const Polar b = body_force(vortex, density, R, t, tau, dtau_dxi);
+  const double theta = std::atan2(X.y(), X.x()) + vortex.amplitude.at(t).value * vortex.profile(R).h;
+  stress.body_force = rotation_about_z(theta) * Vector3(b.r, b.theta, 0);  // (31), (25)
+  return stress;
+}
+
+/// Homogeneous: P = tau on the scene's own path, b = a.
+ExactStress stress_at(const Homogeneous& motion, const Response& response, double, const Vector3& X, double t,
+                      const Tensor& F) {
+  ExactStress stress;
+  Tensor slope;
+  response.at(motion.own_parameter(), t, stress.first_piola_kirchhoff, slope);
+  stress.cauchy = cauchy_stress(stress.first_piola_kirchhoff, F);
+  stress.body_force = motion.at(X, t).a;
+  return stress;
+}
+
+std::vector<double> row_of(const ReferencePoint& point, const ExactState& state, const ExactStress& stress, bool three,
+                           bool normals) {
+  const Tensor &F = state.F, &P = stress.first_piola_kirchhoff, &s = stress.cauchy;
+  std::vector<double> row{point.X, point.Y};
+  if (three) row.push_back(point.Z);
+  row.push_back(point.t);
+  for (const Vector3* vector : {&state.x, &state.v, &state.a}) {
+    for (int d = 0; d < (three ? 3 : 2); ++d) row.push_back((*vector)(d));
+  }
+  for (const Tensor* tensor : {&F, &P}) {
+    if (three) {
+      for (int c = 0; c < 9; ++c) row.push_back(component(*tensor, c));
+    } else {
+      for (const int c : {0, 1, 3, 4, 8}) row.push_back(component(*tensor, c));
+    }
+  }
+  if (three)
+    row.insert(row.end(), {s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(0, 2), s(1, 2)});
+  else
+    row.insert(row.end(), {s(0, 0), s(0, 1), s(1, 1), s(2, 2)});
+  for (int d = 0; d < (three ? 3 : 2); ++d) row.push_back(stress.body_force(d));
+  if (normals) {
+    const Vector3 N = Vector3(point.NX, point.NY, 0).normalized();
+    const Vector3 traction = P * N;  // per reference area [Pa]
+    for (int d = 0; d < (three ? 3 : 2); ++d) row.push_back(traction(d));
+  }
+  return row;
+}
+
+double last_time(const ReferencePoints& points, const std::string& file, double otherwise) {
+  double last = 0;
+  for (const ReferencePoint& point : points.points) {
+    if (point.t < 0) throw InputError({file}, "t", "negative: histories begin at t = 0");
+    last = std::max(last, point.t);
+  }
+  return last > 0 ? last : otherwise;
+}
+
+std::string evaluated(const EvalOptions& options) {
+  Scene scene = read_scene(options.scene, options.sets);
+  const ReferencePoints points = read_reference_points(options.points);
+  const double end = last_time(points, options.points, scene.time.end);
+  std::string library;
+  const auto material = material_of(scene, library);
+  if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
+  const auto response = response_of(scene, material, baseline_of(scene.motion), end);
+  const bool three = three_dimensional(scene.motion);
+  CsvText csv(column_names(three, points.has_normals));
+  for (const ReferencePoint& point : points.points) {
+    const Vector3 X(point.X, point.Y, point.Z);
+    const ExactState state = state_at(scene.motion, X, point.t);
+    const ExactStress stress = std::visit(
+        [&](const auto& motion) { return stress_at(motion, *response, scene.material.density, X, point.t, state.F); },
+        scene.motion);
+    csv.row(row_of(point, state, stress, three, points.has_normals));
+  }
+  return csv.text();
+}
+
+}  // namespace
+
+int eval(const EvalOptions& options) {
+  try {
+    const std::string text = evaluated(options);
+    if (options.out.empty())
+      std::fputs(text.c_str(), stdout);
+    else
+      write_file(options.out, text);
+    return 0;
+  } catch (const MaterialFailure& failure) {
+    Result result;
+    record_failure(failure, result);
+    std::fprintf(stderr, "%s\n", result.reason.c_str());
+    return 1;
+  }
+}
+
+}  // namespace assay::drivers

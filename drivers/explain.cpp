@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `assay explain`: what a run of a scene consists of. No particle moves.
+#include <fmt/core.h>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "drivers/findings.hpp"
+#include "drivers/number_format.hpp"
+#include "drivers/problem.hpp"
+#include "drivers/scene_reader.hpp"
+#include "drivers/verbs.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+std::string columns_text(const std::vector<mpm::Column>& columns) {
+  std::string text;
+  for (const mpm::Column column : columns) text += (text.empty() ? "" : ", ") + std::string(mpm::info(column).name);
+  return text.empty() ? "-" : text;
+}
+
+struct Composition {
+  std::vector<mpm::Pass<2>> passes;
+  std::vector<mpm::ColumnUse> columns;
+  std::size_t bytes_per_particle = 0, bytes_per_node = 0;
+};
+
+Composition composition_of(const Problem& problem) {
+  Composition c;
+  c.passes = mpm::compose(problem.setup);
+  c.columns = mpm::columns_of(c.passes, problem.setup);
+  for (const auto& use : c.columns) c.bytes_per_particle += use.bytes;
+  c.bytes_per_node = mpm::grid_bytes_per_node(problem.setup);
+  return c;
+}
+
+std::string passes_text(const Composition& c) {
+  std::string text = "passes of a step\n";
+  for (const auto& pass : c.passes) {
+    text += fmt::format("  {:24} {}\n", pass.name, pass.doc);
+    text += fmt::format("  {:24}   reads {}\n", "", columns_text(pass.reads));
+    if (!pass.writes.empty()) text += fmt::format("  {:24}   writes {}\n", "", columns_text(pass.writes));
+    text += fmt::format("  {:24}   because of {}\n", "", pass.called_for_by);
+  }
+  return text;
+}
+
+std::string memory_text(const Problem& problem, const Composition& c) {
+  std::string text = fmt::format("particle columns, {} bytes a particle\n", c.bytes_per_particle);
+  for (const auto& use : c.columns) {
+    const mpm::ColumnInfo info = mpm::info(use.column);
+    text += fmt::format("  {:24} {:4} bytes  {}\n", info.name, use.bytes, info.doc);
+  }
+  const auto& grid = problem.setup.grid;
+  return text + fmt::format("grid: {} x {} nodes of {} bytes; in all about {} MiB\n", grid.count[0], grid.count[1],
+                            c.bytes_per_node, rounded_text(problem.estimated_bytes() / (1024.0 * 1024), 3));
+}
+
+std::string steps_text(const Problem& problem) {
+  return fmt::format(
+      "{} particles stepped, {} held; {} steps of {} s\n  fastest wave on the path {} m/s, fastest particle "
+      "{} m/s\n",
+      grouped_text(static_cast<std::int64_t>(problem.setup.seeds.size())),
+      grouped_text(static_cast<std::int64_t>(problem.setup.seeds.held.size())), grouped_text(problem.steps),
+      rounded_text(problem.dt, 4), rounded_text(problem.wave_speed, 4), rounded_text(problem.particle_speed, 4));
+}
+
+std::string sheet_text(const Response* response) {
+  if (!response) return "no body force\n";
+  const Sheet* sheet = response->sheet();
+  if (!sheet) return "response: the material's closed form\n";
+  return fmt::format("sheet: {} x {} = {} points, error {} of tau, {} of d tau/d xi\n", sheet->nodes_in_xi(),
+                     sheet->nodes_in_t(), grouped_text(sheet->points()), rounded_text(sheet->error_tau(), 2),
+                     rounded_text(sheet->error_dtau(), 2));
+}
+
+std::string json_text(const Problem& problem, const Composition& c, const Response* response) {
+  nlohmann::ordered_json json;
+  const auto names = [](const std::vector<mpm::Column>& columns) {
+    std::vector<std::string> list;
+    for (const mpm::Column column : columns) list.emplace_back(mpm::info(column).name);
+    return list;
+  };
+  for (const auto& pass : c.passes) {
+    json["passes"].push_back({{"name", pass.name},
+                              {"doc", pass.doc},
+                              {"reads", names(pass.reads)},
+                              {"writes", names(pass.writes)},
+                              {"grid_fields", pass.grid_fields},
+                              {"called_for_by", pass.called_for_by}});
+  }
+  for (const auto& use : c.columns) {
+    json["columns"].push_back(
+        {{"name", mpm::info(use.column).name}, {"bytes_per_particle", use.bytes}, {"passes", use.passes}});
+  }
+  json["bytes_per_particle"] = c.bytes_per_particle;
+  json["bytes_per_node"] = c.bytes_per_node;
+  json["nodes"] = problem.setup.grid.nodes();
+  json["particles"] = problem.particles();
+  json["stepped_particles"] = problem.setup.seeds.size();
+  json["steps"] = problem.steps;
+  json["dt"] = problem.dt;
+  json["wave_speed"] = problem.wave_speed;
+  const Sheet* sheet = response ? response->sheet() : nullptr;
+  if (sheet) {
+    json["sheet"] = {
+        {"points", sheet->points()}, {"error_tau", sheet->error_tau()}, {"error_dtau", sheet->error_dtau()}};
+  } else {
+    json["sheet"] = nullptr;
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace
+
+int explain(const ExplainOptions& options) {
+  try {
+    const Problem problem = assemble(read_scene(options.scene, options.sets), 1);
+    const Composition c = composition_of(problem);
+    std::shared_ptr<const Response> response;
+    if (problem.setup.body_force) {
+      response =
+          response_of(problem.scene, problem.material, baseline_of(problem.scene.motion), problem.scene.time.end);
+    }
+    const std::string text =
+        options.json ? json_text(problem, c, response.get())
+                     : passes_text(c) + memory_text(problem, c) + steps_text(problem) + sheet_text(response.get());
+    std::fputs(text.c_str(), stdout);
+    return 0;
+  } catch (const MaterialFailure& failure) {
+    Result result;
+    record_failure(failure, result);
+    std::fprintf(stderr, "%s\n", result.reason.c_str());
+    return 1;
+  }
+}
+
+}  // namespace assay::drivers

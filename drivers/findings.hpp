@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is found on the way enters the result; the result becomes an exit status.
+#pragma once
+
+#include "drivers/result.hpp"
+#include "harness/point_driver.hpp"
+#include "harness/response.hpp"
+
+namespace assay::drivers {
+
+/// Size and error of the sheet, seconds it took; nothing where the response is a closed form.
+void record_sheet(const Response& response, double seconds, Result& result);
+
+/// Outcome `material_failed` with point, time and the material's words.
+void record_failure(const MaterialFailure& failure, Result& result);
+
+/// 0: all that was expected holds; 1: it does not, or the run did not complete and nobody expected that.
+int exit_status(const Result& result);
+
+}  // namespace assay::drivers

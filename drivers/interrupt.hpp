@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SIGINT and SIGTERM as a flag that long loops poll, so that destructors run and nothing partial looks complete.
+#pragma once
+
+namespace assay::drivers {
+
+/// From now on the first SIGINT or SIGTERM only raises the flag; the second ends the process at once with 128 + signal.
+void watch_interrupts();
+
+/// Whether a signal came since watch_interrupts().
+bool interrupted();
+
+/// The first signal that came, 0 when none did.
+int interrupt_signal();
+
+/// Thrown by whoever leaves its loop because interrupted(); main turns it into exit status 128 + signal.
+struct Interrupted {
+  int signal = 0;
+};
+
+/// Throws Interrupted when a signal came.
+void stop_if_interrupted();
+
+}  // namespace assay::drivers

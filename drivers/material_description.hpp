@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The YAML description of a library's material: {library, name, interface, parameters, density}.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "drivers/input_error.hpp"
+
+namespace assay::drivers {
+
+struct MaterialDescription {
+  std::string library;                       ///< absolute path
+  std::string name;                          ///< of the table; empty: the library's only one
+  std::map<std::string, double> parameters;  ///< in place of the material's own defaults
+  std::optional<double> density;             ///< rho0 [kg/m^3]
+  Location library_where, name_where;
+  std::map<std::string, Location> parameter_where;
+};
+
+/// Strict. `library` is relative to the file's folder. Throws InputError.
+MaterialDescription read_description(const std::string& file);
+
+/// YAML text that reads back to the same description.
+std::string description_yaml(const MaterialDescription& description);
+
+}  // namespace assay::drivers

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `assay materials`: what is registered, for people (80 columns) and for machines.
+#include <cmath>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "drivers/material_path.hpp"
+#include "drivers/material_text.hpp"
+#include "drivers/registry.hpp"
+#include "drivers/verbs.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has no infinity: null is "none".
+Json figure(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json text(const char* value) { return value ? Json(value) : Json(nullptr); }
+
+Json parameters_json(const MaterialSource& source) {
+  Json list = Json::array();
+  for (const assay_parameter& p : parameters_of(*source.table)) {
+    const auto own = source.parameters.find(p.name);
+    list.push_back({{"name", text(p.name)},
+                    {"unit", text(p.unit)},
+                    {"default", figure(own == source.parameters.end() ? p.default_value : own->second)},
+                    {"lower", figure(p.lower)},
+                    {"upper", figure(p.upper)},
+                    {"doc", text(p.doc)}});
+  }
+  return list;
+}
+
+Json state_json(const assay_material& table) {
+  Json list = Json::array();
+  for (const assay_state_variable& v : state_of(table)) {
+    list.push_back({{"name", text(v.name)},
+                    {"unit", text(v.unit)},
+                    {"kind", kind_name(v.kind)},
+                    {"role", role_name(v.role)},
+                    {"doc", text(v.doc)}});
+  }
+  return list;
+}
+
+Json material_json(const std::string& name, const MaterialSource& source) {
+  const assay_material& table = *source.table;
+  Json out;
+  out["name"] = name;
+  out["model"] = text(table.name);
+  out["version"] = text(table.version);
+  out["licence"] = text(table.licence);
+  out["doc"] = text(table.doc);
+  out["library"] = source.library.empty() ? Json("built-in") : Json(source.library);
+  out["description"] = source.description.empty() ? Json(nullptr) : Json(source.description);
+  out["density"] = source.density ? figure(*source.density) : Json(nullptr);
+  out["flags"] = flag_names(table);
+  out["parameters"] = parameters_json(source);
+  out["state"] = state_json(table);
+  return out;
+}
+
+}  // namespace
+
+int materials(const MaterialsOptions& options) {
+  const Location command{};
+  Json list = Json::array();
+  std::string page;
+  const auto add = [&](const std::string& name, const MaterialSource& source) {
+    list.push_back(material_json(name, source));
+    page += (page.empty() ? "" : "\n") + material_text(name, source);
+  };
+  if (!options.name.empty()) {
+    const MaterialSource source = find_material(options.name, command, "");
+    add(parse_material(options.name).is_path ? source.table->name : options.name, source);
+  }
+  for (const RegisteredName& registered : options.name.empty() ? registered_names() : std::vector<RegisteredName>{}) {
+    try {
+      add(registered.name, find_material(registered.name, {registered.file, 0, 0}, ""));
+    } catch (const InputError& error) {  // one broken entry must not hide the others
+      list.push_back({{"name", registered.name}, {"broken", error.what()}});
+      page += "\n" + broken_text(registered.name, error.what());
+    }
+  }
+  if (options.json) {
+    std::cout << (options.name.empty() ? list : list[0]).dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+  } else {
+    std::cout << page;
+  }
+  return 0;
+}
+
+}  // namespace assay::drivers

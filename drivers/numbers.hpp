@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers in and out, independent of the locale.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace assay::drivers {
+
+/// The whole text as a decimal number: `2`, `-1.5`, `1e3`, `.5`, `+2.`; nothing for anything else (hexadecimal, `1,5`,
+/// blanks, and values beyond the range of a double). YAML's `.inf` and `.nan` give those values.
+std::optional<double> parse_number(std::string_view text);
+
+/// The whole text as a whole number, digits with at most a sign before them; nothing for anything else.
+std::optional<std::int64_t> parse_integer(std::string_view text);
+
+/// The shortest text that reads back to the same double; "inf", "-inf", "nan" for what is not finite.
+std::string number_text(double value);
+
+}  // namespace assay::drivers

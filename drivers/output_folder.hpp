@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Results appear whole or not at all: files are staged in a hidden sub-folder and renamed into place by commit().
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace assay::drivers {
+
+/// Names that `assay run` may write; '#' stands for one or more digits.
+std::vector<std::string> run_files();
+
+/// Names that `assay tabulate` may write.
+std::vector<std::string> tabulate_files();
+
+/// One run's result folder. Every failure (unwritable folder, full disk, a file in the way) throws SystemError with
+/// the path and the reason.
+class OutputFolder {
+ public:
+  /// Creates `target` and its parents where they are missing, and the staging folder inside it. `names` are the
+  /// patterns of the files that this kind of result may hold: commit() removes files of an earlier result that match
+  /// them and were not written again, and never any other file.
+  explicit OutputFolder(std::filesystem::path target, std::vector<std::string> names = run_files());
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+  /// Without a commit(): removes what was staged and the folders that the constructor made; an earlier result in the
+  /// folder is as it was.
+  ~OutputFolder();
+
+  /// Stages one file: all bytes on the disk, or SystemError. The name must match one of the patterns.
+  void write(const std::string& name, std::string_view bytes);
+
+  /// Publishes everything; result.json goes first and comes back last, so that a folder that holds one is complete.
+  /// When it fails half-way everything is put back.
+  void commit();
+
+  const std::filesystem::path& target() const { return target_; }
+
+ private:
+  void make_folders();
+  void make_staging();
+  void sweep_dead_stagings() const;
+  bool is_ours(const std::string& name) const;
+  std::vector<std::string> published_before() const;
+
+  std::filesystem::path target_, staging_;
+  std::vector<std::string> names_, staged_;
+  std::vector<std::filesystem::path> made_;  ///< folders that the constructor made, outermost first
+};
+
+/// Writes one file so that it appears whole or not at all (temporary name beside it, then rename). What is there and is
+/// no regular file (/dev/stdout, a pipe) is written into. Throws SystemError.
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace assay::drivers

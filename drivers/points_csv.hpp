@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The points that `eval` and `tabulate` are asked for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace assay::drivers {
+
+/// A reference point at a time, with the outward unit normal of a surface element where one is given.
+struct ReferencePoint {
+  double X = 0, Y = 0, Z = 0;  ///< [m]
+  double t = 0;                ///< [s]
+  double NX = 0, NY = 0;       ///< [1], as given
+};
+
+struct ReferencePoints {
+  std::vector<ReferencePoint> points;
+  bool has_z = false, has_normals = false;
+};
+
+/// Columns X,Y,t and perhaps Z, NX and NY (both or neither; not both zero). Throws InputError as read_csv does.
+ReferencePoints read_reference_points(const std::string& file);
+
+/// A point of the response sheet.
+struct SheetPoint {
+  double xi = 0;  ///< [1]
+  double t = 0;   ///< [s]
+};
+
+/// Columns xi,t. Throws InputError as read_csv does.
+std::vector<SheetPoint> read_sheet_points(const std::string& file);
+
+}  // namespace assay::drivers

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `assay register`: a library or a description of one becomes a name in the user's registry.
+#include <filesystem>
+#include <iostream>
+#include <system_error>
+
+#include "adapters/builtin.hpp"
+#include "adapters/probe.hpp"
+#include "drivers/material_description.hpp"
+#include "drivers/material_path.hpp"
+#include "drivers/output_folder.hpp"
+#include "drivers/registry.hpp"
+#include "drivers/verbs.hpp"
+
+namespace assay::drivers {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string folder() {
+  const std::string found = registry_folder();
+  if (found.empty()) throw SystemError("there is no registry: none of ASSAY_DATA_HOME, XDG_DATA_HOME, HOME is set");
+  return found;
+}
+
+int remove_name(const std::string& name) {
+  std::vector<std::string> known;
+  for (const RegisteredName& registered : registered_names()) {
+    if (!registered.file.empty() && fs::path(registered.file).parent_path() == folder())
+      known.push_back(registered.name);
+  }
+  if (adapters::builtin_table(name)) throw InputError({}, "--remove", "'" + name + "' is built in");
+  const fs::path file = fs::path(folder()) / (name + ".yaml");
+  std::error_code code;
+  if (!is_material_name(name) || !fs::exists(fs::symlink_status(file, code))) {
+    throw InputError({}, "--remove", unknown("name '" + name + "'", name, known),
+                     known.empty() ? "none" : joined(known));
+  }
+  if (!fs::remove(file, code)) throw SystemError("'" + file.string() + "' cannot be removed: " + code.message());
+  return 0;
+}
+
+/// What will be written: the file's own words with absolute paths, and the table's name said.
+MaterialDescription description_of(const std::string& file, const MaterialSource& source) {
+  MaterialDescription description;
+  if (!source.description.empty()) description = read_description(file);
+  description.library = source.library;
+  description.name = source.table->name;
+  return description;
+}
+
+std::string chosen_name(const RegisterOptions& options, const MaterialSource& source) {
+  std::string name = options.name;
+  if (name.empty()) name = source.description.empty() ? source.table->name : fs::path(options.file).stem().string();
+  const std::string key = options.name.empty() ? options.file : "--as";
+  if (!is_material_name(name)) {
+    throw InputError({}, key,
+                     "'" + name + "' is no name: letters, digits, '_', '-' and '.', not ending as a path does");
+  }
+  if (adapters::builtin_table(name)) {
+    throw InputError({}, key, "'" + name + "' is the name of a built-in material; choose another with --as");
+  }
+  return name;
+}
+
+}  // namespace
+
+int register_material(const RegisterOptions& options) {
+  if (!options.remove.empty()) return remove_name(options.remove);
+  const Location where{options.file, 0, 0};
+  const MaterialName asked = parse_material(options.file);
+  // A bare name means a file here, not a registered one.
+  const std::string path = fs::absolute(asked.file).lexically_normal().string();
+  const MaterialSource source = find_material(asked.table.empty() ? path : path + ":" + asked.table, {}, "");
+  const std::string name = chosen_name(options, source);
+  try {
+    if (const auto defect = adapters::probe_defect(source.table, source.parameters)) {
+      throw InputError(where, "", "material '" + std::string(source.table->name) + "' is refused: " + *defect);
+    }
+  } catch (const std::system_error& error) {
+    throw SystemError(std::string("the material cannot be probed: ") + error.what());
+  }
+  std::error_code code;
+  fs::create_directories(folder(), code);
+  if (code) throw SystemError("'" + folder() + "' cannot be made: " + code.message());
+  write_file(fs::path(folder()) / (name + ".yaml"), description_yaml(description_of(options.file, source)));
+  if (options.verbosity != Verbosity::quiet) {
+    std::cout << "registered " << name << ": " << source.table->name << " in " << source.library << "\n";
+  }
+  return 0;
+}
+
+}  // namespace assay::drivers

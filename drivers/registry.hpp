@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where names of materials lead: built-in, the user's registry, the folders of $ASSAY_MATERIAL_PATH.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drivers/input_error.hpp"
+#include "harness/assay_material.h"
+
+namespace assay::drivers {
+
+/// A material that was found.
+struct MaterialSource {
+  const assay_material* table = nullptr;
+  std::string library;                       ///< absolute path of the shared library; empty: built in
+  std::string description;                   ///< the YAML file that led to it; empty: none
+  std::map<std::string, double> parameters;  ///< the description's, in place of the material's defaults
+  std::map<std::string, Location> parameter_where;
+  std::optional<double> density;  ///< the description's rho0 [kg/m^3]
+};
+
+/// A name that can be asked for. `file`: the library or description; empty: built in.
+struct RegisteredName {
+  std::string name, file;
+};
+
+/// By name (built-in, registry, $ASSAY_MATERIAL_PATH, in that order) or by path (library, `library:name`, description).
+/// Throws InputError at `where`, `key`.
+MaterialSource find_material(const std::string& adapter, const Location& where, const std::string& key);
+
+/// All names in the order of the search, each once: as find_material would take it.
+std::vector<RegisteredName> registered_names();
+
+/// The folder of the registry, ${ASSAY_DATA_HOME:-$XDG_DATA_HOME/assay}/materials; empty where there is no home.
+std::string registry_folder();
+
+}  // namespace assay::drivers

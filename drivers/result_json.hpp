@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// result.json: what a run found, for machines.
+#pragma once
+
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "drivers/result.hpp"
+
+namespace assay::drivers {
+
+/// The whole of result.json, indented, with a newline at the end. Every key is always present; figures that were not
+/// reached or are not finite are null.
+std::string result_json(const Result& result);
+
+/// A leaf of result.json; monostate is null.
+using FlatValue = std::variant<std::monostate, double, std::string, bool>;
+
+/// The leaves of result.json outside arrays, by dotted key ("error.velocity.l2_max").
+std::map<std::string, FlatValue> flatten(const Result& result);
+
+/// The keys of flatten(), in the order of the file: what `expect:` may ask for.
+std::vector<std::string> flat_keys();
+
+}  // namespace assay::drivers

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `assay run`: from a scene to a verdict.
+#include <chrono>
+#include <cstdio>
+
+#include "drivers/build_information.hpp"
+#include "drivers/errors_csv.hpp"
+#include "drivers/expect.hpp"
+#include "drivers/findings.hpp"
+#include "drivers/interrupt.hpp"
+#include "drivers/report.hpp"
+#include "drivers/resolved.hpp"
+#include "drivers/result_json.hpp"
+#include "drivers/scene_reader.hpp"
+#include "drivers/simulate.hpp"
+#include "drivers/threads.hpp"
+#include "drivers/verbs.hpp"
+#include "drivers/verdict.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Builds the response, steps, and leaves snapshots and pictures in the folder.
+std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& options, OutputFolder& folder,
+                                         Result& result) {
+  const auto start = Clock::now();
+  std::shared_ptr<const Response> response;
+  if (problem.setup.body_force) {
+    response = response_of(problem.scene, problem.material, baseline_of(problem.scene.motion), problem.scene.time.end);
+    record_sheet(*response, seconds_since(start), result);
+  }
+  result.setup_s += seconds_since(start);
+  Snapshots snapshots(problem, folder);
+  Progress progress(problem.scene.title, options.verbosity == Verbosity::quiet);
+  simulate(problem, response, snapshots, progress, result);
+  std::vector<ReportPicture> pictures;
+  for (auto& picture : snapshots.finish()) pictures.push_back({picture.caption, std::move(picture.png)});
+  return pictures;
+}
+
+/// The files beside the snapshots. Returns the text of result.json.
+std::string write_results(const Scene& scene, Result& result, std::vector<ReportPicture> pictures,
+                          OutputFolder& folder) {
+  const std::string resolved = resolved_yaml(scene);
+  folder.write("errors.csv", errors_csv(result.history));
+  folder.write("resolved.yaml", resolved);
+  if (scene.output.pictures && !result.history.empty()) {
+    folder.write("error_history.png", png(error_history_plot(result.history)));
+  }
+  if (scene.output.report) {
+    folder.write("report.html", report_html(result, {period_of(scene.motion), std::move(pictures), resolved}));
+  }
+  result.cpu_s = cpu_seconds();
+  result.peak_rss_bytes = peak_memory();
+  const std::string json = result_json(result);
+  folder.write("result.json", json);
+  return json;
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  watch_interrupts();
+  const auto start = Clock::now();
+  Scene scene = read_scene(options.scene, options.sets);
+  Result result;
+  result.title = scene.title;
+  result.provenance = build_information();
+  result.provenance.scene_sha256 = scene.sha256;
+  std::optional<Problem> problem;
+  try {
+    problem = assemble(scene, threads_of(options.threads));
+    scene = problem->scene;
+  } catch (const MaterialFailure& failure) {
+    record_failure(failure, result);
+  }
+  result.setup_s = seconds_since(start);
+  OutputFolder folder(options.out);
+  std::vector<ReportPicture> pictures;
+  try {
+    if (problem) pictures = simulate_into(*problem, options, folder, result);
+  } catch (const MaterialFailure& failure) {
+    record_failure(failure, result);
+  }
+  result.cpu_s = cpu_seconds();
+  result.peak_rss_bytes = peak_memory();
+  result.expect = judge(scene.expect, result);
+  const std::string json = write_results(scene, result, std::move(pictures), folder);
+  stop_if_interrupted();
+  folder.commit();
+  if (options.json)
+    std::fputs(json.c_str(), stdout);
+  else if (options.verbosity != Verbosity::quiet)
+    std::fputs(verdict_text(result, options.out).c_str(), stdout);
+  return exit_status(result);
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `assay tabulate`: the point driver's sheet tau(xi, t), its slope, and the curve tau(eps).
+#include <fmt/core.h>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "drivers/build_information.hpp"
+#include "drivers/csv.hpp"
+#include "drivers/expect.hpp"
+#include "drivers/findings.hpp"
+#include "drivers/line_plot.hpp"
+#include "drivers/number_format.hpp"
+#include "drivers/output_folder.hpp"
+#include "drivers/points_csv.hpp"
+#include "drivers/problem.hpp"
+#include "drivers/resolved.hpp"
+#include "drivers/result_json.hpp"
+#include "drivers/scene_reader.hpp"
+#include "drivers/simulate.hpp"
+#include "drivers/verbs.hpp"
+#include "drivers/verdict.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr int sheet_rows = 41;              ///< values of xi and of t in sheet.csv
+constexpr int curve_points = 201;           ///< values of eps in curve.csv
+constexpr int written[] = {0, 1, 3, 4, 8};  ///< components 11, 12, 21, 22, 33
+
+struct Tabulation {
+  Path path;
+  std::shared_ptr<const Material> material;
+  std::shared_ptr<const Response> response;
+  double end = 0;  ///< [s]
+};
+
+std::vector<std::string> component_columns(const std::string& before, const std::string& after) {
+  std::vector<std::string> names;
+  for (const char* c : {"11", "12", "21", "22", "33"}) names.push_back(before + c + after);
+  return names;
+}
+
+CsvText sheet_table() {
+  std::vector<std::string> names{"xi", "t", "gamma"};
+  for (const auto& list : {component_columns("tau", ""), component_columns("dtau", "_dxi")}) {
+    names.insert(names.end(), list.begin(), list.end());
+  }
+  return CsvText(names);
+}
+
+void add_row(const Tabulation& tab, double xi, double t, CsvText& csv) {
+  Tensor tau, slope;
+  tab.response->at(xi, t, tau, slope);
+  std::vector<double> row{xi, t, tab.path.deformation_gradient(xi, t)(1, 0)};
+  for (const int c : written) row.push_back(component(tau, c));
+  for (const int c : written) row.push_back(component(slope, c));
+  csv.row(row);
+}
+
+std::string regular_sheet(const Tabulation& tab) {
+  CsvText csv = sheet_table();
+  for (int j = 0; j < sheet_rows; ++j) {
+    for (int i = 0; i < sheet_rows; ++i) {
+      add_row(tab, tab.path.parameter.lower + tab.path.parameter.width() * i / (sheet_rows - 1),
+              tab.end * j / (sheet_rows - 1), csv);
+    }
+  }
+  return csv.text();
+}
+
+/// The time at which |g| is first largest: there tau(xi, t) against eps = xi g is the curve of first loading.
+double time_of_first_peak(const Path& path, double end) {
+  std::vector<double> times = path.reversals(end);
+  times.push_back(end);
+  double best = times.front();
+  for (const double t : times) {
+    if (std::abs(path.amplitude(t)) > (1 + 1e-12) * std::abs(path.amplitude(best))) best = t;
+  }
+  return best;
+}
+
+struct Curve {
+  std::vector<double> eps;
+  std::vector<std::vector<double>> tau, slope;  ///< of each written component
+};
+
+Curve curve_of(const Tabulation& tab) {
+  Curve curve{{}, std::vector<std::vector<double>>(5), std::vector<std::vector<double>>(5)};
+  const double t = time_of_first_peak(tab.path, tab.end), g = tab.path.amplitude(t);
+  for (int i = 0; i < curve_points; ++i) {
+    const double xi = tab.path.parameter.lower + tab.path.parameter.width() * i / (curve_points - 1);
+    Tensor tau, slope;
+    tab.response->at(xi, t, tau, slope);
+    curve.eps.push_back(xi * g);
+    for (std::size_t c = 0; c < 5; ++c) {
+      curve.tau[c].push_back(component(tau, written[c]));
+      curve.slope[c].push_back(component(slope, written[c]) / g);
+    }
+  }
+  return curve;
+}
+
+std::string curve_csv(const Curve& curve) {
+  std::vector<std::string> names{"eps"};
+  for (const auto& list : {component_columns("tau", ""), component_columns("dtau", "_deps")}) {
+    names.insert(names.end(), list.begin(), list.end());
+  }
+  CsvText csv(names);
+  for (std::size_t i = 0; i < curve.eps.size(); ++i) {
+    std::vector<double> row{curve.eps[i]};
+    for (const auto* group : {&curve.tau, &curve.slope}) {
+      for (const auto& values : *group) row.push_back(values[i]);
+    }
+    csv.row(row);
+  }
+  return csv.text();
+}
+
+LinePlot plot_of(const Curve& curve, const std::vector<std::vector<double>>& values, const std::string& symbol,
+                 const std::string& title) {
+  LinePlot plot;
+  plot.title = title;
+  plot.x_label = "ε [1]";
+  plot.y_label = symbol + " [Pa]";
+  const char* names[] = {"11", "12", "21", "22", "33"};
+  for (std::size_t c = 0; c < 5; ++c) {
+    plot.series.push_back({names[c], curve.eps, values[c], true, false, names[c] == std::string("21")});
+  }
+  return plot;
+}
+
+/// Largest difference to the material's own closed form, relative to the largest component; none without one.
+std::optional<double> difference_to_closed_form(const Tabulation& tab) {
+  const auto form = ClosedForm::of(tab.material, tab.path);
+  if (!form || !tab.response->sheet()) return std::nullopt;
+  double difference = 0, scale = 0;
+  for (int i = 0; i < sheet_rows; ++i) {
+    for (int j = 0; j < sheet_rows; ++j) {
+      const double xi = tab.path.parameter.lower + tab.path.parameter.width() * i / (sheet_rows - 1);
+      const double t = tab.end * j / (sheet_rows - 1);
+      Tensor tau, slope, exact, exact_slope;
+      tab.response->at(xi, t, tau, slope);
+      form->at(xi, t, exact, exact_slope);
+      difference = std::max(difference, (tau - exact).cwiseAbs().maxCoeff());
+      scale = std::max(scale, exact.cwiseAbs().maxCoeff());
+    }
+  }
+  return scale > 0 ? difference / scale : difference;
+}
+
+/// A scene that also runs says in `expect:` what the run should find: of that, the sheet alone can be judged here.
+std::vector<Expectation> expected_here(const Scene& scene) {
+  std::vector<Expectation> list;
+  for (const Expectation& e : scene.expect) {
+    if (!scene.method || e.key.starts_with("sheet.")) list.push_back(e);
+  }
+  return list;
+}
+
+/// The path's range and the end widened to what the points ask for.
+void cover(const std::vector<SheetPoint>& points, const std::string& file, Tabulation& tab) {
+  for (const SheetPoint& point : points) {
+    if (point.t < 0) throw InputError({file}, "t", "negative: histories begin at t = 0");
+    tab.path.parameter.lower = std::min(tab.path.parameter.lower, point.xi);
+    tab.path.parameter.upper = std::max(tab.path.parameter.upper, point.xi);
+    tab.end = std::max(tab.end, point.t);
+  }
+}
+
+std::string summary(const Tabulation& tab, const Result& result, const std::string& folder) {
+  std::string text = fmt::format("{}: {} on {}, {}\n", result.title.empty() ? "tabulate" : result.title,
+                                 tab.material->name(), tab.path.name, result.outcome);
+  if (!result.reason.empty()) text += "  " + result.reason + "\n";
+  if (result.sheet) {
+    text += fmt::format("  sheet: {} points, error {} of tau, {} of d tau/d xi, {} s\n",
+                        grouped_text(result.sheet->points), rounded_text(result.sheet->error_tau, 2),
+                        rounded_text(result.sheet->error_dtau, 2), rounded_text(result.sheet->wall_s, 2));
+    const auto difference = difference_to_closed_form(tab);
+    text += difference
+                ? "  reference: the material's closed form, largest difference " + rounded_text(*difference, 2) + "\n"
+                : "  reference: none; this material offers no closed form of " + tab.path.name + "\n";
+  }
+  return text + expectations_text(result) + "results in " + folder + "\n";
+}
+
+void write_tables(const Tabulation& tab, const std::vector<SheetPoint>& points, OutputFolder& folder) {
+  folder.write("sheet.csv", regular_sheet(tab));
+  const Curve curve = curve_of(tab);
+  folder.write("curve.csv", curve_csv(curve));
+  const std::string who = tab.material->name() + ", " + tab.path.name;
+  folder.write("tau.png", png(plot_of(curve, curve.tau, "τ", "τ(ε): " + who)));
+  folder.write("slope.png", png(plot_of(curve, curve.slope, "dτ/dε", "dτ/dε: " + who)));
+  if (points.empty()) return;
+  CsvText csv = sheet_table();
+  for (const SheetPoint& point : points) add_row(tab, point.xi, point.t, csv);
+  folder.write("points.csv", csv.text());
+}
+
+}  // namespace
+
+int tabulate(const TabulateOptions& options) {
+  Scene scene = read_scene(options.scene, options.sets);
+  std::vector<SheetPoint> points;
+  if (!options.points.empty()) points = read_sheet_points(options.points);
+  Tabulation tab;
+  std::string library;
+  tab.material = material_of(scene, library);
+  tab.path = baseline_of(scene.motion);
+  tab.end = scene.time.end;
+  cover(points, options.points, tab);
+  OutputFolder folder(options.out, tabulate_files());
+  Result result;
+  result.title = scene.title;
+  result.provenance = build_information();
+  result.provenance.scene_sha256 = scene.sha256;
+  try {
+    const auto start = std::chrono::steady_clock::now();
+    if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
+    tab.response = response_of(scene, tab.material, tab.path, tab.end);
+    record_sheet(*tab.response, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+                 result);
+    result.t = tab.end;
+    write_tables(tab, points, folder);
+  } catch (const MaterialFailure& failure) {
+    record_failure(failure, result);
+  }
+  result.cpu_s = cpu_seconds();
+  result.peak_rss_bytes = peak_memory();
+  result.expect = judge(expected_here(scene), result);
+  folder.write("resolved.yaml", resolved_yaml(scene));
+  const std::string json = result_json(result);
+  folder.write("result.json", json);
+  folder.commit();
+  if (options.json)
+    std::fputs(json.c_str(), stdout);
+  else if (options.verbosity != Verbosity::quiet)
+    std::fputs(summary(tab, result, options.out).c_str(), stdout);
+  return exit_status(result);
+}
+
+}  // namespace assay::drivers

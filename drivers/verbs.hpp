@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the verbs of the command line take. Each returns the exit status of the process; bad input is thrown as
+// InputError (2), failures of the system as SystemError (3).
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace assay::drivers {
+
+/// How much a verb says on standard error.
+enum class Verbosity { quiet, normal, verbose };
+
+struct RunOptions {
+  std::string scene;
+  std::string out;                ///< folder; never empty: results/SCENE by default
+  std::vector<std::string> sets;  ///< "key.path=YAML value", in the order given
+  int threads = 0;                ///< 0: as many as the machine has
+  bool json = false;              ///< result.json on standard output
+  Verbosity verbosity = Verbosity::normal;
+};
+
+struct TabulateOptions {
+  std::string scene;
+  std::string out;  ///< folder, as in RunOptions
+  std::vector<std::string> sets;
+  std::string points;  ///< CSV of xi,t; empty: none
+  bool json = false;
+  Verbosity verbosity = Verbosity::normal;
+};
+
+struct EvalOptions {
+  std::string scene;
+  std::string points;  ///< CSV of X,Y,t
+  std::string out;     ///< CSV file; empty: standard output
+  std::vector<std::string> sets;
+  Verbosity verbosity = Verbosity::normal;
+};
+
+struct ExplainOptions {
+  std::string scene;
+  std::vector<std::string> sets;
+  bool json = false;
+  Verbosity verbosity = Verbosity::normal;
+};
+
+struct MaterialsOptions {
+  std::string name;  ///< registered name, library or description; empty: all that is registered
+  bool json = false;
+};
+
+struct RegisterOptions {
+  std::string file;    ///< library, `library:name` or description; empty with `remove`
+  std::string name;    ///< empty: the material's own, or the description's file name
+  std::string remove;  ///< name to take out of the registry; empty: none
+  Verbosity verbosity = Verbosity::normal;
+};
+
+int run(const RunOptions& options);
+int tabulate(const TabulateOptions& options);
+int eval(const EvalOptions& options);
+int explain(const ExplainOptions& options);
+int materials(const MaterialsOptions& options);
+int register_material(const RegisterOptions& options);
+int schema();
+
+}  // namespace assay::drivers

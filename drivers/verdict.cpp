@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/verdict.hpp"
+
+#include <fmt/core.h>
+
+#include "drivers/findings.hpp"
+#include "drivers/number_format.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+std::string figure(const Figure& value) { return value ? rounded_text(*value, 3) : "-"; }
+
+std::string error_lines(const ErrorFigures& e) {
+  std::string text =
+      fmt::format("  {:22} {:>10} {:>10} {:>10} {:>12}\n", "error", "at T/2", "at end", "max L2", "max Linf");
+  text += fmt::format("  {:22} {:>10} {:>10} {:>10} {:>12}\n", "displacement [m]", figure(e.l2_half), figure(e.l2_end),
+                      figure(e.l2_max), figure(e.linf_max));
+  text += fmt::format("  {:22} {:>10} {:>10} {:>10}\n", "  rms (36), all [m]", figure(e.rms36_half),
+                      figure(e.rms36_end), figure(e.rms36_max));
+  const auto maximum = [&](const char* name, const FieldMaximum& m) {
+    text += fmt::format("  {:22} {:>10} {:>10} {:>10} {:>12}\n", name, "", "", figure(m.l2_max), figure(m.linf_max));
+  };
+  maximum("velocity [m/s]", e.velocity);
+  maximum("F [1]", e.deformation_gradient);
+  maximum("det F [1]", e.jacobian);
+  maximum("Cauchy stress [Pa]", e.stress);
+  return text;
+}
+
+std::string work_line(const Result& r) {
+  return fmt::format("  {} steps of {} s, {} particles stepped; {} s, {} million particle-steps/s\n",
+                     r.steps ? grouped_text(*r.steps) : "-", figure(r.dt),
+                     r.moving_particles ? grouped_text(*r.moving_particles) : "-",
+                     rounded_text(r.setup_s + r.wall_s, 3),
+                     r.particle_steps_per_s ? rounded_text(*r.particle_steps_per_s * 1e-6, 3) : "-");
+}
+
+/// Words of a sentence on lines of at most `width` columns.
+std::string wrapped(const std::string& text, std::size_t width, const std::string& indent) {
+  std::string result, line;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    if (!line.empty() && indent.size() + line.size() + 1 + word.size() > width) {
+      result += indent + line + "\n";
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+    begin = end + 1;
+  }
+  return result + indent + line + "\n";
+}
+
+}  // namespace
+
+std::string expectations_text(const Result& result) {
+  std::string text;
+  for (const ExpectationOutcome& e : result.expect) {
+    text += fmt::format("  {:5} {} {}: found {}\n", e.holds ? "holds" : "FAILS", e.key, e.expected, e.found);
+  }
+  return text;
+}
+
+std::string verdict_text(const Result& result, const std::string& folder) {
+  std::string text = fmt::format("{}{} at t = {} s\n", result.title.empty() ? "" : result.title + ": ", result.outcome,
+                                 figure(result.t));
+  if (!result.reason.empty()) text += wrapped(result.reason, 80, "  ");
+  if (result.error.l2_max) text += error_lines(result.error);
+  if (result.steps) text += work_line(result);
+  if (result.sheet) {
+    text += fmt::format("  sheet: {} points, error {} of tau, {} of d tau/d xi, {} s\n",
+                        grouped_text(result.sheet->points), rounded_text(result.sheet->error_tau, 2),
+                        rounded_text(result.sheet->error_dtau, 2), rounded_text(result.sheet->wall_s, 2));
+  }
+  text += expectations_text(result);
+  text += fmt::format("{}; results in {}\n", exit_status(result) == 0 ? "VERIFIED" : "CONTRADICTED", folder);
+  return text;
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a run says on the terminal when it is done: at most 80 columns.
+#pragma once
+
+#include <string>
+
+#include "drivers/result.hpp"
+
+namespace assay::drivers {
+
+/// Outcome, error figures, speed, expectations, and where the results lie.
+std::string verdict_text(const Result& result, const std::string& folder);
+
+/// The expectations, a line each, "holds" or "FAILS" first.
+std::string expectations_text(const Result& result);
+
+}  // namespace assay::drivers

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Loops over fixed blocks of particles, on one thread or several.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <optional>
+
+#include "harness/assay_material.h"
+
+namespace assay::mpm {
+
+/// The smallest index that any block of a parallel loop reported; none at first.
+class FirstBad {
+ public:
+  void report(std::size_t index) {
+    auto seen = first_.load();
+    while (index < seen && !first_.compare_exchange_weak(seen, index)) {
+    }
+  }
+  std::optional<std::size_t> found() const {
+    const auto first = first_.load();
+    return first == none ? std::nullopt : std::optional(first);
+  }
+
+ private:
+  static constexpr std::size_t none = ~std::size_t{0};
+  std::atomic<std::size_t> first_{none};
+};
+
+/// Particles a block: the unit of parallel loops and of the material's batches, fixed so that results do not depend
+/// on the number of threads.
+inline constexpr std::size_t block_size = 256;
+static_assert(block_size <= ASSAY_BATCH_MAX);
+
+/// body(begin, end) for all blocks of n particles, on so many threads.
+template <class Body>
+void for_blocks(std::size_t n, int threads, const Body& body) {
+  const auto blocks = static_cast<std::int64_t>((n + block_size - 1) / block_size);
+  const auto run = [&](std::int64_t b) {
+    const std::size_t begin = static_cast<std::size_t>(b) * block_size;
+    body(begin, std::min(n, begin + block_size));
+  };
+  if (threads <= 1) {
+    for (std::int64_t b = 0; b < blocks; ++b) run(b);
+    return;
+  }
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (std::int64_t b = 0; b < blocks; ++b) run(b);
+}
+
+}  // namespace assay::mpm

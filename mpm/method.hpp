@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The choices that make a particle method.
+#pragma once
+
+namespace assay::mpm {
+
+enum class Basis { linear, ugimp, cpdi };
+enum class Transfer { pic, flip };
+enum class Update { usf, usl, musl };
+
+}  // namespace assay::mpm

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Plug-ins for the tests, each NAME.so in ${PROJECT_BINARY_DIR}/tests/plugins: good, defective, and one of the frozen ABI.
+set(test_plugins "")
+function(add_test_plugin name source)
+  set(target test_plugin_${name})
+  add_library(${target} MODULE ${source})
+  target_link_libraries(${target} PRIVATE m assay_options)
+  set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME ${name} C_VISIBILITY_PRESET hidden
+    LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/plugins)
+  set(test_plugins ${test_plugins} ${target} PARENT_SCOPE)
+endfunction()
+
+file(GLOB plugin_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/plugins/*.c)
+foreach(source IN LISTS plugin_sources)
+  cmake_path(GET source STEM name)
+  add_test_plugin(${name} ${source})
+  target_include_directories(test_plugin_${name} PRIVATE ${PROJECT_SOURCE_DIR})
+endforeach()
+add_test_plugin(frozen_1_0 ${CMAKE_CURRENT_LIST_DIR}/frozen_1_0/plugin.c) # sees its own header alone
+
+foreach(floor IN ITEMS adapters drivers)
+  if(TARGET test_${floor})
+    add_dependencies(test_${floor} ${test_plugins} neo_hookean)
+  endif()
+endforeach()

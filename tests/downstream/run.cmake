@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# cmake -D SOURCE_DIR=... -D BUILD_DIR=... -D GENERATOR=... -P run.cmake
+# Installs the build, moves it, builds another project against it and loads what that made.
+set(work ${BUILD_DIR}/downstream)
+set(prefix "${work}/moved prefix")
+file(REMOVE_RECURSE ${work})
+# The user's own registry and search path must not take part.
+set(ENV{ASSAY_DATA_HOME} ${work}/data)
+unset(ENV{ASSAY_MATERIAL_PATH})
+
+function(run expected_status expected_text)
+  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE out ERROR_VARIABLE out RESULT_VARIABLE status)
+  string(JOIN " " command ${ARGN})
+  message("$ ${command}\n${out}")
+  if(expected_status STREQUAL "0" AND NOT status EQUAL 0)
+    message(FATAL_ERROR "exit ${status}")
+  elseif(NOT expected_status STREQUAL "0" AND status EQUAL 0)
+    message(FATAL_ERROR "was to fail, exit 0")
+  elseif(expected_text AND NOT out MATCHES "${expected_text}")
+    message(FATAL_ERROR "'${expected_text}' is not in the output")
+  endif()
+endfunction()
+
+run(0 "" ${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${work}/first)
+file(RENAME ${work}/first ${prefix})
+foreach(file IN ITEMS bin/assay include/assay/harness/assay_material.h share/man/man1/assay.1
+    share/doc/assay/LICENSE share/bash-completion/completions/assay)
+  if(NOT EXISTS ${prefix}/${file})
+    message(FATAL_ERROR "not installed: ${file}")
+  endif()
+endforeach()
+
+set(configure ${CMAKE_COMMAND} -G ${GENERATOR} -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_BUILD_TYPE=Release)
+run(0 "" ${configure} -S ${SOURCE_DIR} -B ${work}/build)
+run(0 "" ${CMAKE_COMMAND} --build ${work}/build)
+run(0 "assay [0-9]|[0-9]+[.][0-9]+[.][0-9]+" ${CMAKE_COMMAND} --build ${work}/build --target installed_version)
+run(1 "does not export[ \n]+assay_material_entry" ${CMAKE_COMMAND} --build ${work}/build --target no_entry)
+run(0 "downstream_kirchhoff" ${prefix}/bin/assay materials ${work}/build/kirchhoff.so)
+run(0 "downstream_ideal_gas" ${prefix}/bin/assay materials ${work}/build/ideal_gas.so)
+
+run(0 "" ${configure} -S ${prefix}/share/doc/assay/examples/neo_hookean -B ${work}/example)
+run(0 "" ${CMAKE_COMMAND} --build ${work}/example)
+run(0 "neo_hookean" ${prefix}/bin/assay materials ${work}/example/neo_hookean.so)

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/input_error.hpp"
+
+#include <gtest/gtest.h>
+
+namespace assay::drivers {
+namespace {
+
+TEST(InputError, SaysWhereWhatAndWhatIsKnown) {
+  EXPECT_STREQ(InputError({"a.yaml", 3, 7}, "grid.h", "unknown key", "spacing").what(),
+               "a.yaml:3:7: grid.h: unknown key; known: spacing");
+  EXPECT_STREQ(InputError({"a.yaml", 3, 0}, "", "empty").what(), "a.yaml:3: empty");
+  EXPECT_STREQ(InputError({"a.yaml", 0, 5}, "k", "no").what(), "a.yaml: k: no");
+  EXPECT_STREQ(InputError({set_option, 0, 0}, "grid.h", "no").what(), "--set grid.h: no");
+  EXPECT_STREQ(InputError({set_option, 0, 0}, "", "no").what(), "--set: no");
+  EXPECT_STREQ(InputError({}, "", "no").what(), "no");
+}
+
+TEST(InputError, IsAlwaysOneLine) {
+  EXPECT_STREQ(InputError({"a\nb", 1, 1}, "k\r", "x\ty\x7f").what(), "a b:1:1: k : x y ");
+  EXPECT_STREQ(InputError("one\ntwo").what(), "one two");
+  EXPECT_LE(std::string(InputError({"a", 1, 1}, "k", std::string(100000, 'x')).what()).size(), 4200u);
+}
+
+TEST(InputError, CutsBetweenCharacters) {
+  EXPECT_EQ(one_line("abcdef", 4), "abcd...");
+  EXPECT_EQ(one_line("abc\xC3\xA9", 4), "abc...");
+  EXPECT_EQ(one_line("ab\xE2\x82\xAC!", 4), "ab...");
+  EXPECT_EQ(one_line("abcd", 4), "abcd");
+}
+
+TEST(InputError, SuggestsTheNearestWord) {
+  const std::vector<std::string> known{"inner", "outer", "period", "profile_power"};
+  EXPECT_EQ(nearest("iner", known), "inner");
+  EXPECT_EQ(nearest("innre", known), "inner");
+  EXPECT_EQ(nearest("profile_pwoer", known), "profile_power");
+  EXPECT_EQ(nearest("profile", known), "profile_power") << "the beginning of a word";
+  EXPECT_EQ(nearest("temperature", known), "");
+  EXPECT_EQ(nearest("", known), "");
+  EXPECT_EQ(nearest("inner", {}), "");
+  EXPECT_EQ(unknown("key", "iner", known), "unknown key (nearest: inner)");
+  EXPECT_EQ(unknown("key", "qqq", known), "unknown key");
+}
+
+}  // namespace
+}  // namespace assay::drivers

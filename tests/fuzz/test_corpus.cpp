@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Replays the fuzzer's seeds and finds, their prefixes, and single damaged bytes. The entry aborts on a fault.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> seeds() {
+  std::vector<std::string> texts;
+  for (const char* folder : {"configs", "tests/fuzz/corpus"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(ASSAY_SOURCE_DIR) / folder)) {
+      if (!entry.is_regular_file()) continue;
+      std::ifstream in(entry.path(), std::ios::binary);
+      std::ostringstream text;
+      text << in.rdbuf();
+      texts.push_back(text.str());
+    }
+  }
+  return texts;
+}
+
+/// A copy of its own, so that reading past the end meets the sanitizer's guard.
+void feed(const std::string& text) {
+  const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+  EXPECT_EQ(LLVMFuzzerTestOneInput(bytes.data(), bytes.size()), 0);
+}
+
+TEST(FuzzCorpus, SeedsAndTheirPrefixes) {
+  const auto texts = seeds();
+  ASSERT_GE(texts.size(), 5u);
+  for (const std::string& text : texts) {
+    for (std::size_t n = 0; n < text.size(); n += 1 + text.size() / 600) feed(text.substr(0, n));
+    feed(text);
+  }
+}
+
+TEST(FuzzCorpus, DamagedBytes) {
+  const std::string damages("\0[{}]:\"'\n&*!-#9\xff", 16);
+  std::size_t turn = 0;
+  for (std::string text : seeds()) {
+    for (std::size_t at = 0; at < text.size(); at += 1 + text.size() / 600, ++turn) {
+      const char kept = text[at];
+      text[at] = damages[turn % damages.size()];
+      feed(text);
+      text[at] = kept;
+    }
+  }
+}
+
+TEST(FuzzCorpus, AbusiveNesting) {
+  for (const char* opening : {"[", "{a: ", "- ", "? ", "!!a ", "&a "}) {
+    std::string text;
+    for (int i = 0; i < 5000; ++i) text += opening;
+    feed(text);
+  }
+  std::string bomb = "a0: &a0 [x, x, x, x, x, x, x, x, x]\n";
+  for (int i = 1; i < 12; ++i) {
+    const std::string last = "*a" + std::to_string(i - 1);
+    bomb += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [";
+    for (int k = 0; k < 9; ++k) bomb += (k ? ", " : "") + last;
+    bomb += "]\n";
+  }
+  feed(bomb);
+}
+
+}  // namespace

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Version, man page, completions and scenes agree with the program.
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "drivers/build_information.hpp"
+#include "tests/house/tree.hpp"
+
+namespace {
+
+using namespace assay::house;
+
+bool has_word(const std::string& text, const std::string& word) {
+  return std::regex_search(text, std::regex("(^|[^A-Za-z0-9_-])" + word + "($|[^A-Za-z0-9_-])"));
+}
+
+TEST(Documents, VersionIsTheSameEverywhere) {
+  const std::string version = ASSAY_VERSION;
+  EXPECT_EQ(assay::drivers::build_information().version, version);
+  EXPECT_TRUE(has_word(run_assay("--version").output, std::regex_replace(version, std::regex("\\."), "\\.")));
+
+  std::smatch match;
+  const std::string changes = text_of("CHANGELOG.md");
+  ASSERT_TRUE(std::regex_search(changes, match, std::regex(R"(## \[?([0-9]+\.[0-9]+\.[0-9]+))")));
+  EXPECT_EQ(match[1], version);
+  const std::string man = text_of("docs/assay.1");
+  ASSERT_TRUE(std::regex_search(man, match, std::regex(R"re(\.TH ASSAY 1 "[^"]*" "assay ([0-9.]+)")re")));
+  EXPECT_EQ(match[1], version);
+}
+
+TEST(Documents, BuildInformationIsComplete) {
+  const auto found = assay::drivers::build_information();
+  EXPECT_FALSE(found.git.empty());
+  EXPECT_TRUE(std::regex_search(found.compiler, std::regex("[A-Za-z]+ [0-9]+\\."))) << found.compiler;
+  EXPECT_NE(found.flags.find("-ffp-contract=off"), std::string::npos) << found.flags;
+  EXPECT_EQ(found.flags.find("-march=native"), std::string::npos) << "the binary is to run on every x86-64";
+  ASSERT_GE(found.libraries.size(), 7u);
+  for (const auto& library : found.libraries) {
+    EXPECT_TRUE(std::regex_match(library, std::regex("[A-Za-z0-9_-]+ [0-9]+(\\.[0-9]+)*"))) << library;
+  }
+  EXPECT_TRUE(found.scene_sha256.empty());
+}
+
+TEST(Documents, ManPageAndCompletionsKnowEveryVerb) {
+  const auto known = verbs();
+  ASSERT_GE(known.size(), 7u) << "no verbs found in `assay --help`";
+  for (const char* path : {"docs/assay.1", "completions/assay.bash", "completions/_assay", "completions/assay.fish"}) {
+    const std::string text = text_of(path);
+    for (const std::string& verb : known) EXPECT_TRUE(has_word(text, verb)) << path << ": " << verb;
+  }
+}
+
+TEST(Documents, ManPageKnowsEveryOption) {
+  std::string help = run_assay("--help").output;
+  for (const std::string& verb : verbs()) help += run_assay(verb + " --help").output;
+  const std::string man = std::regex_replace(text_of("docs/assay.1"), std::regex(R"(\\-)"), "-");
+  const std::regex option("--[a-z][a-z-]+");
+  int seen = 0;
+  for (std::sregex_iterator it(help.begin(), help.end(), option), end; it != end; ++it, ++seen) {
+    EXPECT_TRUE(has_word(man, it->str())) << it->str();
+  }
+  EXPECT_GT(seen, 10);
+}
+
+// Nor do they promise options that the program does not have.
+TEST(Documents, ManPageAndCompletionsPromiseNothingMore) {
+  std::string help = run_assay("--help").output;
+  for (const std::string& verb : verbs()) help += run_assay(verb + " --help").output;
+  const std::regex option("--[a-z][a-z-]+");
+  for (const char* path : {"docs/assay.1", "completions/assay.bash", "completions/_assay", "completions/assay.fish"}) {
+    const std::string text = std::regex_replace(text_of(path), std::regex(R"(\\-)"), "-");
+    for (std::sregex_iterator it(text.begin(), text.end(), option), end; it != end; ++it) {
+      EXPECT_TRUE(has_word(help, it->str())) << path << ": " << it->str();
+    }
+  }
+}
+
+TEST(Documents, EverySceneSaysWhatItExpects) {
+  const auto scenes = files_in("configs", {".yaml", ".yml"}, true);
+  EXPECT_FALSE(scenes.empty());
+  for (const std::string& path : scenes) {
+    EXPECT_TRUE(std::regex_search("\n" + text_of(path), std::regex("\nexpect:"))) << path;
+  }
+}
+
+}  // namespace

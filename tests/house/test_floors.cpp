@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// drivers -> {adapters, mpm} -> harness, read off the include lines.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "tests/house/tree.hpp"
+
+namespace {
+
+using namespace assay::house;
+
+const std::map<std::string, std::set<std::string>> may_include{
+    {"harness", {"harness"}},
+    {"adapters", {"harness", "adapters"}},
+    {"mpm", {"harness", "mpm"}},
+    {"drivers", {"harness", "adapters", "mpm", "drivers"}},
+};
+
+/// Foreign headers that only one floor may know.
+const std::map<std::string, std::string> only_in{
+    {"yaml-cpp/", "drivers"},    {"nlohmann/", "drivers"},  {"CLI/", "drivers"},           {"stb/", "drivers"},
+    {"fmt/", "drivers"},         {"dlfcn.h", "adapters"},   {"boost/dll", "adapters"},     {"filesystem", "not harness"},
+    {"fstream", "not harness"},  {"boost/numeric/odeint", "harness"},
+};
+
+std::string floor_of(const std::string& path) { return path.substr(0, path.find('/')); }
+
+/// What is wrong with one include of a file on `floor`; empty where nothing is.
+std::string fault(const std::string& floor, const Include& include) {
+  if (include.quoted) {
+    const std::string target = floor_of(include.name);
+    if (include.name == "git_description.hpp") return {};
+    if (may_include.count(target) == 0) return "is not written from the root";
+    if (may_include.at(floor).count(target) == 0) return floor + " must not include " + target;
+    return {};
+  }
+  for (const auto& [prefix, owner] : only_in) {
+    if (include.name.rfind(prefix, 0) != 0) continue;
+    const bool allowed = owner == "not harness" ? floor != "harness" : floor == owner;
+    if (!allowed) return "belongs to " + owner + " only";
+  }
+  return {};
+}
+
+TEST(Floors, EveryIncludeRespectsThem) {
+  int seen = 0;
+  for (const auto& [floor, unused] : may_include) {
+    for (const std::string& path : files_in(floor, {".hpp", ".cpp", ".h", ".c"}, true)) {
+      for (const Include& include : includes_of(text_of(path))) {
+        ++seen;
+        const std::string what = fault(floor, include);
+        EXPECT_TRUE(what.empty()) << path << ":" << include.line << ": " << include.name << " " << what;
+      }
+    }
+  }
+  EXPECT_GT(seen, 50);
+}
+
+// The rule itself catches what it is there for.
+TEST(Floors, FaultsAreCaught) {
+  EXPECT_NE(fault("harness", {1, "mpm/grid.hpp", true}), "");
+  EXPECT_NE(fault("harness", {1, "adapters/registry.hpp", true}), "");
+  EXPECT_NE(fault("mpm", {1, "adapters/registry.hpp", true}), "");
+  EXPECT_NE(fault("adapters", {1, "mpm/grid.hpp", true}), "");
+  EXPECT_NE(fault("mpm", {1, "drivers/scene.hpp", true}), "");
+  EXPECT_NE(fault("mpm", {1, "grid.hpp", true}), "");
+  EXPECT_NE(fault("mpm", {1, "../harness/tensor.hpp", true}), "");
+  EXPECT_NE(fault("adapters", {1, "yaml-cpp/yaml.h", false}), "");
+  EXPECT_NE(fault("drivers", {1, "dlfcn.h", false}), "");
+  EXPECT_NE(fault("drivers", {1, "boost/numeric/odeint.hpp", false}), "");
+  EXPECT_NE(fault("harness", {1, "fstream", false}), "");
+  EXPECT_EQ(fault("drivers", {1, "yaml-cpp/yaml.h", false}), "");
+  EXPECT_EQ(fault("harness", {1, "boost/numeric/odeint.hpp", false}), "");
+  EXPECT_EQ(fault("drivers", {1, "mpm/grid.hpp", true}), "");
+}
+
+TEST(Floors, HeadersOfOursAreLight) {
+  for (const auto& [floor, unused] : may_include) {
+    for (const std::string& path : files_in(floor, {".hpp"}, true)) {
+      for (const Include& include : includes_of(text_of(path))) {
+        for (const char* heavy : {"yaml-cpp/", "nlohmann/", "CLI/", "boost/numeric/odeint", "stb/"}) {
+          EXPECT_NE(include.name.rfind(heavy, 0), 0u) << path << ":" << include.line << ": heavy header in a header";
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
