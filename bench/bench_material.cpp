@@ -16,7 +16,7 @@ void update_neo_hookean(benchmark::State& state) {
   std::vector<double> F(9 * n, 0.0), cauchy(9 * n);
   for (std::size_t p = 0; p < n; ++p) {
     for (std::size_t c : {0, 4, 8}) F[c * n + p] = 1;
-    F[n + p] = 1e-3 * static_cast<double>(p % 97); // shear, no two neighbours alike
+    F[n + p] = 1e-3 * static_cast<double>(p % 97);  // shear, no two neighbours alike
   }
   for (auto _ : state) {
     material.update(0, 1e-3, n, F.data(), F.data(), nullptr, nullptr, cauchy.data());

@@ -102,7 +102,8 @@ void Canvas::segment(Point a, Point b, double width, Color color) {
   circle(a, width / 2, color);
   if (length > 0) {
     const double nx = -dy / length * width / 2, ny = dx / length * width / 2;
-    const std::array<Point, 4> quad{{{a.x + nx, a.y + ny}, {b.x + nx, b.y + ny}, {b.x - nx, b.y - ny}, {a.x - nx, a.y - ny}}};
+    const std::array<Point, 4> quad{
+        {{a.x + nx, a.y + ny}, {b.x + nx, b.y + ny}, {b.x - nx, b.y - ny}, {a.x - nx, a.y - ny}}};
     fill(quad, color);
     circle(b, width / 2, color);
   }

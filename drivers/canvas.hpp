@@ -22,7 +22,8 @@ struct Color {
 
 /// 0xRRGGBB.
 constexpr Color rgb(std::uint32_t value) {
-  return {static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8), static_cast<std::uint8_t>(value)};
+  return {static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8),
+          static_cast<std::uint8_t>(value)};
 }
 
 /// a (1 - s) + b s.

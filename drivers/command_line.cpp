@@ -158,7 +158,8 @@ InputError usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& verb = chosen.empty() ? app : *chosen.front();
   const std::string who = chosen.empty() ? "assay" : "assay " + verb.get_name();
   const std::vector<std::string> extra = app.remaining(true);
-  if (error.get_name() != "ExtrasError" || extra.empty()) return InputError(who + ": " + error.what());
+  if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::ExtrasError) || extra.empty())
+    return InputError(who + ": " + error.what());
   std::vector<std::string> known;
   for (const CLI::Option* each : verb.get_options()) {
     for (const std::string& name : each->get_lnames()) known.push_back("--" + name);
@@ -166,7 +167,7 @@ InputError usage_error(const CLI::App& app, const CLI::ParseError& error) {
   }
   const auto option = std::find_if(extra.begin(), extra.end(), [](const auto& e) { return e.starts_with("-"); });
   const std::string& first = option == extra.end() ? extra.back() : *option;  // CLI11 lists them backwards
-  const std::string word = first.substr(0, first.find('='));
+  const std::string word = first.starts_with("-") ? first.substr(0, first.find('=')) : first;
   const std::string kind = word.starts_with("-") ? "option" : "argument";
   return InputError({}, who, unknown(kind + " '" + one_line(word, 80) + "'", word, known), joined(known));
 }
@@ -184,7 +185,7 @@ void flush_output() {
 }
 
 int act(int argc, const char* const* argv) {
-  CLI::App app{"Verifies material models and the material point method with manufactured solutions.", "assay"};
+  CLI::App app{"Verification of material models and of the material point method.", "assay"};
   app.get_formatter()->column_width(28);
   app.get_formatter()->label("REQUIRED", "(required)");
   app.footer(

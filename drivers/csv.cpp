@@ -92,7 +92,8 @@ class Reader {
   void header(const std::vector<Field>& fields) {
     table_.header_line = line_;
     for (const Field& field : fields) {
-      if (!contains(known_, field.text)) fail(line_, field.column, "unknown column " + quoted(field.text), joined(known_));
+      if (!contains(known_, field.text))
+        fail(line_, field.column, "unknown column " + quoted(field.text), joined(known_));
       if (contains(table_.names, field.text)) fail(line_, field.column, "column " + quoted(field.text) + " twice");
       table_.names.emplace_back(field.text);
     }

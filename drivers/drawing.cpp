@@ -128,7 +128,7 @@ std::string svg_text(const Drawing& drawing) {
                     number(drawing.height) + "\" role=\"img\" font-family=\"system-ui,sans-serif\">\n";
   if (!drawing.title.empty()) out += "<title>" + escaped(drawing.title) + "</title>\n";
   for (const DrawingItem& item : drawing.items) {
-    out += item.kind == DrawingItem::Kind::line ? line_svg(item)
+    out += item.kind == DrawingItem::Kind::line   ? line_svg(item)
            : item.kind == DrawingItem::Kind::disc ? disc_svg(item)
                                                   : label_svg(item);
   }

@@ -10,6 +10,7 @@
 #include "drivers/problem.hpp"
 #include "drivers/scene_reader.hpp"
 #include "drivers/verbs.hpp"
+#include "drivers/wrapped_text.hpp"
 
 namespace assay::drivers {
 
@@ -18,7 +19,7 @@ namespace {
 std::string columns_text(const std::vector<mpm::Column>& columns) {
   std::string text;
   for (const mpm::Column column : columns) text += (text.empty() ? "" : ", ") + std::string(mpm::info(column).name);
-  return text.empty() ? "-" : text;
+  return text;
 }
 
 struct Composition {
@@ -38,11 +39,12 @@ Composition composition_of(const Problem& problem) {
 
 std::string passes_text(const Composition& c) {
   std::string text = "passes of a step\n";
+  const std::string indent(22, ' ');
   for (const auto& pass : c.passes) {
-    text += fmt::format("  {:24} {}\n", pass.name, pass.doc);
-    text += fmt::format("  {:24}   reads {}\n", "", columns_text(pass.reads));
-    if (!pass.writes.empty()) text += fmt::format("  {:24}   writes {}\n", "", columns_text(pass.writes));
-    text += fmt::format("  {:24}   because of {}\n", "", pass.called_for_by);
+    text += wrapped(pass.doc, fmt::format("  {:20}", pass.name), indent);
+    if (!pass.reads.empty()) text += wrapped("reads " + columns_text(pass.reads), indent + "  ", indent + "    ");
+    if (!pass.writes.empty()) text += wrapped("writes " + columns_text(pass.writes), indent + "  ", indent + "    ");
+    text += wrapped("because of " + pass.called_for_by, indent + "  ", indent);
   }
   return text;
 }
@@ -51,7 +53,8 @@ std::string memory_text(const Problem& problem, const Composition& c) {
   std::string text = fmt::format("particle columns, {} bytes a particle\n", c.bytes_per_particle);
   for (const auto& use : c.columns) {
     const mpm::ColumnInfo info = mpm::info(use.column);
-    text += fmt::format("  {:24} {:4} bytes  {}\n", info.name, use.bytes, info.doc);
+    text +=
+        wrapped(std::string(info.doc), fmt::format("  {:20} {:4} bytes  ", info.name, use.bytes), std::string(34, ' '));
   }
   const auto& grid = problem.setup.grid;
   return text + fmt::format("grid: {} x {} nodes of {} bytes; in all about {} MiB\n", grid.count[0], grid.count[1],

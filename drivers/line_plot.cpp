@@ -33,9 +33,7 @@ struct Frame {
 };
 
 /// What an axis can hold: finite, positive where logarithmic, and not at the very ends of the doubles.
-bool usable(double value, bool logarithmic) {
-  return std::abs(value) < 1e280 && (!logarithmic || value > 1e-280);
-}
+bool usable(double value, bool logarithmic) { return std::abs(value) < 1e280 && (!logarithmic || value > 1e-280); }
 
 struct Placed {
   double x, y;
@@ -129,8 +127,8 @@ void draw_axes(Drawing& out, const LinePlot& plot, const Frame& f) {
   }
   out.line({{f.left, f.top}, {f.left, f.bottom}, {f.right, f.bottom}}, axis_ink, 1.2);
   out.label({(f.left + f.right) / 2, f.bottom + 44}, with_factor(plot.x_label, f.x), text_size, Anchor::middle);
-  out.label({text_size + 2, (f.top + f.bottom) / 2}, with_factor(plot.y_label, f.y), text_size, Anchor::middle, text_ink,
-            true);
+  out.label({text_size + 2, (f.top + f.bottom) / 2}, with_factor(plot.y_label, f.y), text_size, Anchor::middle,
+            text_ink, true);
 }
 
 void draw_series(Drawing& out, const LinePlot& plot, const Frame& f, std::size_t index) {

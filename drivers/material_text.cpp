@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "drivers/numbers.hpp"
+#include "drivers/wrapped_text.hpp"
 
 namespace assay::drivers {
 
@@ -14,24 +15,10 @@ constexpr std::size_t page_width = 80;
 
 std::string words(const char* text) { return text ? one_line(text, 400) : std::string(); }
 
-/// Breaks at blanks; every line begins with `indent`. A word that is too long keeps a line of its own.
-std::string wrapped(const std::string& text, const std::string& indent) {
-  std::string out, line = indent;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
-    if (line.size() > indent.size() && line.size() + 1 + word.size() > page_width) {
-      out += line + "\n";
-      line = indent;
-    }
-    line += (line.size() > indent.size() ? " " : "") + word;
-    begin = end + 1;
-  }
-  return out + line + "\n";
-}
-
-/// Rows of cells as aligned columns two blanks apart; the last column wraps under itself.
+/// Rows of cells as aligned columns two blanks apart; the last column wraps under itself where there is room for it,
+/// else on lines of its own.
 std::string columns(const std::vector<std::vector<std::string>>& rows) {
+  constexpr std::size_t room = 50;
   std::vector<std::size_t> width;
   for (const auto& row : rows) {
     width.resize(std::max(width.size(), row.size()));
@@ -41,10 +28,15 @@ std::string columns(const std::vector<std::vector<std::string>>& rows) {
   for (const auto& row : rows) {
     std::string line = "  ";
     for (std::size_t i = 0; i + 1 < row.size(); ++i) line += row[i] + std::string(width[i] + 2 - row[i].size(), ' ');
-    const std::string rest = wrapped(row.back(), std::string(std::min<std::size_t>(line.size(), 50), ' '));
-    const std::size_t last = line.find_last_not_of(' ');
-    out += row.back().empty() ? line.substr(0, last + 1) + "\n"
-                              : line + rest.substr(std::min<std::size_t>(line.size(), 50));
+    const bool beside = line.size() <= room || line.size() + row.back().size() <= page_width;
+    const std::string head = line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    if (row.back().empty()) {
+      out += head;
+    } else if (beside) {
+      out += line + wrapped(row.back(), std::string(line.size(), ' '), std::string(line.size(), ' ')).substr(line.size());
+    } else {
+      out += head + wrapped(row.back(), "      ", "      ");
+    }
   }
   return out;
 }
@@ -123,17 +115,17 @@ std::string material_text(const std::string& name, const MaterialSource& source)
   std::string head = name + " " + words(table.version);
   if (name != table.name) head += " (model " + words(table.name) + ")";
   if (const std::string doc = words(table.doc); !doc.empty()) head += ": " + doc;
-  std::string out = wrapped(head, "");
+  std::string out = wrapped(head, "", "");
   out += "  from     " + (source.library.empty() ? "built-in" : source.library) + "\n";
   if (!source.description.empty()) out += "  through  " + source.description + "\n";
   if (source.density) out += "  density  " + number_text(*source.density) + " kg/m^3\n";
   out += "  licence  " + words(table.licence) + "\n";
-  out += wrapped(joined(flag_names(table)), "  ");
+  out += wrapped(joined(flag_names(table)), "  ", "  ");
   return out + parameters_text(source) + state_text(table);
 }
 
 std::string broken_text(const std::string& name, const std::string& reason) {
-  return name + ": broken\n" + wrapped(reason, "  ");
+  return name + ": broken\n" + wrapped(reason, "  ", "  ");
 }
 
 }  // namespace assay::drivers

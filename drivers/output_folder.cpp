@@ -111,13 +111,10 @@ class Moves {
 
 }  // namespace
 
-std::vector<std::string> run_files() {
-  return {last_file,   "errors.csv", "resolved.yaml",     "particles.pvd", "particles_#.vtu", "report.html",
-          "error.png", "shear.png",  "error_history.png", "snapshots.png", "replay.yaml"};
-}
-
-std::vector<std::string> tabulate_files() {
-  return {last_file, "sheet.csv", "curve.csv", "tau.png", "slope.png", "points.csv", "resolved.yaml"};
+std::vector<std::string> result_files() {
+  return {last_file,     "errors.csv", "resolved.yaml", "particles.pvd",     "particles_#.vtu",
+          "report.html", "error.png",  "shear.png",     "error_history.png", "replay.yaml",
+          "sheet.csv",   "curve.csv",  "tau.png",       "slope.png",         "+points.csv"};
 }
 
 OutputFolder::OutputFolder(fs::path target, std::vector<std::string> names)
@@ -179,7 +176,9 @@ void OutputFolder::sweep_dead_stagings() const {
 }
 
 bool OutputFolder::is_ours(const std::string& name) const {
-  return std::any_of(names_.begin(), names_.end(), [&](const std::string& pattern) { return matches(pattern, name); });
+  return std::any_of(names_.begin(), names_.end(), [&](std::string_view pattern) {
+    return matches(pattern.starts_with('+') ? pattern.substr(1) : pattern, name);
+  });
 }
 
 void OutputFolder::write(const std::string& name, std::string_view bytes) {
@@ -200,17 +199,20 @@ void OutputFolder::write(const std::string& name, std::string_view bytes) {
   }
 }
 
-std::vector<std::string> OutputFolder::published_before() const {
+/// The files that make way for the new result, the mark of completeness first.
+std::vector<std::string> OutputFolder::replaced() const {
   std::vector<std::string> names;
   std::error_code error;
+  const bool complete = fs::exists(fs::symlink_status(target_ / last_file, error));
   for (fs::directory_iterator entry(target_, error), end; !error && entry != end; entry.increment(error)) {
     const std::string name = entry->path().filename().string();
-    if (!is_ours(name) || entry->symlink_status().type() == fs::file_type::directory) continue;
-    names.push_back(name);
+    if (entry->symlink_status(error).type() == fs::file_type::directory) continue;
+    const bool written = std::find(staged_.begin(), staged_.end(), name) != staged_.end();
+    const bool stale = complete && is_ours(name) && std::find(names_.begin(), names_.end(), "+" + name) == names_.end();
+    if (written || stale) names.push_back(name);
   }
   if (error) fail(target_, "folder cannot be read", error);
   std::sort(names.begin(), names.end());
-  // The mark of completeness disappears first.
   std::stable_partition(names.begin(), names.end(), [](const std::string& name) { return name == last_file; });
   return names;
 }
@@ -223,7 +225,7 @@ void OutputFolder::commit() {
   std::stable_partition(staged_.begin(), staged_.end(), [](const std::string& name) { return name != last_file; });
 
   Moves moves;
-  for (const std::string& name : published_before()) moves.move(target_ / name, old / name);
+  for (const std::string& name : replaced()) moves.move(target_ / name, old / name);
   for (const std::string& name : staged_) {
     if (name == last_file) sync_folder(target_);
     moves.move(staging_ / name, target_ / name);

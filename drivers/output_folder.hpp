@@ -9,20 +9,18 @@
 
 namespace assay::drivers {
 
-/// Names that `assay run` may write; '#' stands for one or more digits.
-std::vector<std::string> run_files();
-
-/// Names that `assay tabulate` may write.
-std::vector<std::string> tabulate_files();
+/// Names that a result may hold, of whichever verb: '#' stands for one or more digits; a '+' in front marks names that
+/// users also give to files of their own, which are therefore written but never removed.
+std::vector<std::string> result_files();
 
 /// One run's result folder. Every failure (unwritable folder, full disk, a file in the way) throws SystemError with
 /// the path and the reason.
 class OutputFolder {
  public:
   /// Creates `target` and its parents where they are missing, and the staging folder inside it. `names` are the
-  /// patterns of the files that this kind of result may hold: commit() removes files of an earlier result that match
-  /// them and were not written again, and never any other file.
-  explicit OutputFolder(std::filesystem::path target, std::vector<std::string> names = run_files());
+  /// patterns of the files that a result may hold. Where the folder holds a complete result (result.json), commit()
+  /// removes the files that match them and were not written again; it never removes any other file.
+  explicit OutputFolder(std::filesystem::path target, std::vector<std::string> names = result_files());
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
   /// Without a commit(): removes what was staged and the folders that the constructor made; an earlier result in the
@@ -43,7 +41,7 @@ class OutputFolder {
   void make_staging();
   void sweep_dead_stagings() const;
   bool is_ours(const std::string& name) const;
-  std::vector<std::string> published_before() const;
+  std::vector<std::string> replaced() const;
 
   std::filesystem::path target_, staging_;
   std::vector<std::string> names_, staged_;

@@ -70,7 +70,7 @@ struct View {
 
 /// What one particle looks like on the picture.
 struct Shape {
-  std::array<Point, 5> corners;  ///< closed
+  std::array<Point, 5> corners;    ///< closed
   double area = 0, thickness = 0;  ///< [pixel^2], [pixel]
 };
 
@@ -140,8 +140,12 @@ void draw_frame_axes(Canvas& canvas, const View& view, const Layout& layout, boo
     canvas.text({22, (view.top + view.bottom) / 2}, "y" + (y.factor.empty() ? "" : " (" + y.factor + ")") + " [m]",
                 {text_size, ink, Anchor::middle, true});
   }
-  canvas.stroke(std::array<Point, 5>{{{view.left, view.top}, {right, view.top}, {right, view.bottom},
-                                      {view.left, view.bottom}, {view.left, view.top}}}, 1, axis_color);
+  canvas.stroke(std::array<Point, 5>{{{view.left, view.top},
+                                      {right, view.top},
+                                      {right, view.bottom},
+                                      {view.left, view.bottom},
+                                      {view.left, view.top}}},
+                1, axis_color);
 }
 
 void draw_bar(Canvas& canvas, const ParticlePicture& picture, const Layout& layout, const Axis& axis, double labels) {
@@ -158,7 +162,8 @@ void draw_bar(Canvas& canvas, const ParticlePicture& picture, const Layout& layo
     canvas.text({right + 11, y + 6}, axis.labels[i], {text_size, ink, Anchor::left});
   }
   const std::string label = picture.value_label + (axis.factor.empty() ? "" : "  (" + axis.factor + ")");
-  canvas.text({right + 11 + labels + 12 + text_size, (top + bottom) / 2}, label, {text_size, ink, Anchor::middle, true});
+  canvas.text({right + 11 + labels + 12 + text_size, (top + bottom) / 2}, label,
+              {text_size, ink, Anchor::middle, true});
 }
 
 void check(const ParticlePicture& picture) {

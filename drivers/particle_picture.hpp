@@ -20,8 +20,8 @@ struct ParticleFrame {
 
 struct ParticlePicture {
   std::string title;
-  std::string value_label;                     ///< with its unit: "|u − u_{exact}| [m]"
-  std::vector<ParticleFrame> frames;           ///< one large, several side by side with one colour bar
+  std::string value_label;            ///< with its unit: "|u − u_{exact}| [m]"
+  std::vector<ParticleFrame> frames;  ///< one large, several side by side with one colour bar
   ColorMap map = ColorMap::viridis;
   std::optional<std::array<double, 2>> range;  ///< of the colours; by default that of the values, around 0 if diverging
   std::vector<double> rings;                   ///< radii of circles around the origin drawn thin [m]

@@ -46,18 +46,18 @@ Progress::Progress(std::string what, bool quiet, std::FILE* stream)
     : what_(std::move(what)),
       stream_(stream),
       active_(!quiet && ::isatty(::fileno(stream)) == 1),
-      start_(Clock::now()),
-      next_(start_ + std::chrono::milliseconds(300)) {}  // what is over at once shows nothing
+      start_(Clock::now()) {}
 
 Progress::~Progress() { finish(); }
 
 void Progress::update(double fraction, std::string_view detail) {
-  if (!active_) return;
-  const Clock::time_point now = Clock::now();
-  if (now < next_) return;
-  next_ = now + std::chrono::milliseconds(200);
-  const double elapsed = std::chrono::duration<double>(now - start_).count();
-  std::fprintf(stream_, "\r\033[K%s", progress_line(what_, fraction, detail, elapsed).c_str());
+  if (active_) update_at(std::chrono::duration<double>(Clock::now() - start_).count(), fraction, detail);
+}
+
+void Progress::update_at(double elapsed_s, double fraction, std::string_view detail) {
+  if (!active_ || elapsed_s < next_s_) return;
+  next_s_ = elapsed_s + 0.2;
+  std::fprintf(stream_, "\r\033[K%s", progress_line(what_, fraction, detail, elapsed_s).c_str());
   std::fflush(stream_);
   shown_ = true;
 }

@@ -26,6 +26,8 @@ class Progress {
 
   /// Rewrites the line, at most five times a second; cheap enough for every step. `fraction` in [0,1].
   void update(double fraction, std::string_view detail = {});
+  /// The same `elapsed_s` [s] after the start.
+  void update_at(double elapsed_s, double fraction, std::string_view detail = {});
   /// Erases the line: call it before anything else is printed.
   void finish();
   bool active() const { return active_; }
@@ -35,7 +37,8 @@ class Progress {
   std::string what_;
   std::FILE* stream_;
   bool active_, shown_ = false;
-  Clock::time_point start_, next_;
+  Clock::time_point start_;
+  double next_s_ = 0.3;  ///< what is over at once shows nothing
 };
 
 }  // namespace assay::drivers

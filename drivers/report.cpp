@@ -101,7 +101,8 @@ std::string verdict(const Result& result) {
 }
 
 std::string tile(const std::string& name, const std::string& value, const std::string& note = {}) {
-  return "<div>" + element("dt", name) + element("dd", value + (note.empty() ? "" : element("small", note))) + "</div>\n";
+  return "<div>" + element("dt", name) + element("dd", value + (note.empty() ? "" : element("small", note))) +
+         "</div>\n";
 }
 
 std::string count(const std::optional<std::int64_t>& value) { return value ? grouped_text(*value) : none; }
@@ -148,8 +149,9 @@ bool panorama(const std::string& png) {
 std::string pictures(const ReportContent& content) {
   std::string out;
   for (const ReportPicture& picture : content.pictures) {
-    out += std::string("<figure><img") + (panorama(picture.png) ? " class=\"panorama\"" : "") + " alt=\"" + escaped(picture.caption) + "\" src=\"data:image/png;base64," + base64(picture.png) +
-           "\">" + element("figcaption", escaped(picture.caption)) + "</figure>\n";
+    out += std::string("<figure><img") + (panorama(picture.png) ? " class=\"panorama\"" : "") + " alt=\"" +
+           escaped(picture.caption) + "\" src=\"data:image/png;base64," + base64(picture.png) + "\">" +
+           element("figcaption", escaped(picture.caption)) + "</figure>\n";
   }
   return out.empty() ? out : section("Particles", out);
 }
@@ -162,7 +164,8 @@ std::string error_table(const Result& result, double period) {
   for (const Norm& norm : norms) {
     const ErrorSample* worst = largest(result.history, norm);
     const auto cell = [&](const ErrorSample* at) { return at ? figure(norm.of(*at)) : none; };
-    rows.push_back({norm.name, norm.unit, cell(half), cell(end), cell(worst), worst ? rounded_text(worst->t, 4) : none});
+    rows.push_back(
+        {norm.name, norm.unit, cell(half), cell(end), cell(worst), worst ? rounded_text(worst->t, 4) : none});
   }
   return table({"error of", "unit", "at T/2", "at T", "maximum", "at t [s]"}, rows) +
          "<p><small>L<sub>2</sub>: volume-weighted over the particles that the exact motion moves; L<sub>\u221e</sub>: "
@@ -216,9 +219,10 @@ std::string provenance(const Result& result) {
   const Provenance& from = result.provenance;
   std::string libraries;
   for (const std::string& library : from.libraries) libraries += (libraries.empty() ? "" : ", ") + escaped(library);
-  std::string out = "<dl class=\"facts\">\n" + fact("assay", escaped(from.version)) + fact("Commit", escaped(from.git)) +
-                    fact("Compiler", escaped(from.compiler)) + fact("Flags", escaped(from.flags)) +
-                    fact("Libraries", libraries) + fact("SHA-256 of the scene", escaped(from.scene_sha256));
+  std::string out = "<dl class=\"facts\">\n" + fact("assay", escaped(from.version)) +
+                    fact("Commit", escaped(from.git)) + fact("Compiler", escaped(from.compiler)) +
+                    fact("Flags", escaped(from.flags)) + fact("Libraries", libraries) +
+                    fact("SHA-256 of the scene", escaped(from.scene_sha256));
   out += fact("Time", rounded_text(result.setup_s, 3) + "\u202fs set-up, " + rounded_text(result.wall_s, 3) +
                           "\u202fs wall, " + rounded_text(result.cpu_s, 3) + "\u202fs processor");
   const double mebibytes = static_cast<double>(result.peak_rss_bytes) / (1024.0 * 1024.0);
@@ -242,10 +246,11 @@ LinePlot error_history_plot(const std::vector<ErrorSample>& history) {
 
 std::string report_html(const Result& result, const ReportContent& content) {
   const std::string title = escaped(result.title.empty() ? "assay run" : result.title);
-  std::string out = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                    "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n" +
-                    element("title", title) + "\n<style>" + report_style + "</style>\n</head>\n<body>\n<main>\n" +
-                    element("h1", title) + "\n";
+  std::string out =
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n" +
+      element("title", title) + "\n<style>" + report_style + "</style>\n</head>\n<body>\n<main>\n" +
+      element("h1", title) + "\n";
   out += verdict(result) + key_figures(result) + expectations(result) + pictures(content) + history(result, content);
   out += profile(result) + credibility(result) + provenance(result);
   if (!content.resolved_scene.empty()) {

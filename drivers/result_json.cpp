@@ -66,8 +66,8 @@ Json drift(const DriftFigures& figures) {
 Json expectations(const std::vector<ExpectationOutcome>& list) {
   Json out = Json::array();
   for (const ExpectationOutcome& item : list) {
-    out.push_back(Json::object(
-        {{"key", item.key}, {"expected", item.expected}, {"found", item.found}, {"holds", item.holds}}));
+    out.push_back(
+        Json::object({{"key", item.key}, {"expected", item.expected}, {"found", item.found}, {"holds", item.holds}}));
   }
   return out;
 }

@@ -38,13 +38,15 @@ std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& opt
   Snapshots snapshots(problem, folder);
   Progress progress(problem.scene.title, options.verbosity == Verbosity::quiet);
   simulate(problem, response, snapshots, progress, result);
+  result.cpu_s = cpu_seconds();
+  result.peak_rss_bytes = peak_memory();  // before pictures are drawn
   std::vector<ReportPicture> pictures;
   for (auto& picture : snapshots.finish()) pictures.push_back({picture.caption, std::move(picture.png)});
   return pictures;
 }
 
 /// The files beside the snapshots. Returns the text of result.json.
-std::string write_results(const Scene& scene, Result& result, std::vector<ReportPicture> pictures,
+std::string write_results(const Scene& scene, const Result& result, std::vector<ReportPicture> pictures,
                           OutputFolder& folder) {
   const std::string resolved = resolved_yaml(scene);
   folder.write("errors.csv", errors_csv(result.history));
@@ -55,8 +57,6 @@ std::string write_results(const Scene& scene, Result& result, std::vector<Report
   if (scene.output.report) {
     folder.write("report.html", report_html(result, {period_of(scene.motion), std::move(pictures), resolved}));
   }
-  result.cpu_s = cpu_seconds();
-  result.peak_rss_bytes = peak_memory();
   const std::string json = result_json(result);
   folder.write("result.json", json);
   return json;
@@ -87,8 +87,6 @@ int run(const RunOptions& options) {
   } catch (const MaterialFailure& failure) {
     record_failure(failure, result);
   }
-  result.cpu_s = cpu_seconds();
-  result.peak_rss_bytes = peak_memory();
   result.expect = judge(scene.expect, result);
   const std::string json = write_results(scene, result, std::move(pictures), folder);
   stop_if_interrupted();
@@ -96,7 +94,7 @@ int run(const RunOptions& options) {
   if (options.json)
     std::fputs(json.c_str(), stdout);
   else if (options.verbosity != Verbosity::quiet)
-    std::fputs(verdict_text(result, options.out).c_str(), stdout);
+    std::fputs(verdict_text(result, options.out, options.verbosity == Verbosity::verbose).c_str(), stdout);
   return exit_status(result);
 }
 

@@ -40,8 +40,8 @@ Tree value_of(const std::string& text, const std::string& path) {
     return read_yaml(text, set_option);
   } catch (const InputError& error) {
     std::string what = error.what();
-    const std::string prefix = std::string(set_option) + ": ";
-    if (what.starts_with(prefix)) what.erase(0, prefix.size());
+    what.erase(0, std::string_view(set_option).size());  // "--set: what" or "--set key: what"
+    what.erase(0, what.find_first_not_of(": "));
     throw InputError(from_option, path, what);
   }
 }

@@ -20,7 +20,8 @@ constexpr Drawn drawn[] = {
     {U'"', 6, "M1 20L1 14M5 20L5 14"},
     {U'#', 14, "M5 19L3 1M11 19L9 1M1 13L14 13M0 7L13 7"},
     {U'$', 13, "M12 16Q10 18 6.5 18Q1 18 1 14Q1 10.5 6.5 10Q13 9.3 13 5.5Q13 2 6.5 2Q3 2 0 4.5M6.5 22L6.5 -2"},
-    {U'%', 18, "M15 20L3 0M4 20Q0 20 0 15.5Q0 11 4 11Q8 11 8 15.5Q8 20 4 20M14 9Q10 9 10 4.5Q10 0 14 0Q18 0 18 4.5Q18 9 14 9"},
+    {U'%', 18,
+     "M15 20L3 0M4 20Q0 20 0 15.5Q0 11 4 11Q8 11 8 15.5Q8 20 4 20M14 9Q10 9 10 4.5Q10 0 14 0Q18 0 18 4.5Q18 9 14 9"},
     {U'&', 16, "M16 0L3.5 14Q1.5 20 6 20Q10.5 20 9 15Q8 13 4 11Q0 9 0 5Q0 0 6 0Q12 0 15 9"},
     {U'\'', 2, "M1 20L1 14"},
     {U'(', 5, "M5 23Q0 17 0 8.5Q0 0 5 -6"},
@@ -39,7 +40,8 @@ constexpr Drawn drawn[] = {
     {U'5', 12, "M11 20L2 20L1 11Q3 13 6 13Q12 13 12 6.5Q12 0 6 0Q2 0 0 3"},
     {U'6', 12, "M10.5 18.5Q9 20 6.5 20Q0 20 0 9Q0 0 6 0Q12 0 12 6.3Q12 12.5 6 12.5Q0.5 12.5 0 7"},
     {U'7', 12, "M0 20L12 20L4 0"},
-    {U'8', 12, "M6 10.7Q1 10.7 1 15.3Q1 20 6 20Q11 20 11 15.3Q11 10.7 6 10.7Q0 10.7 0 5.4Q0 0 6 0Q12 0 12 5.4Q12 10.7 6 10.7"},
+    {U'8', 12,
+     "M6 10.7Q1 10.7 1 15.3Q1 20 6 20Q11 20 11 15.3Q11 10.7 6 10.7Q0 10.7 0 5.4Q0 0 6 0Q12 0 12 5.4Q12 10.7 6 10.7"},
     {U'9', 12, "M1.5 1.5Q3 0 5.5 0Q12 0 12 11Q12 20 6 20Q0 20 0 13.7Q0 7.5 6 7.5Q11.5 7.5 12 13"},
     {U':', 2, "D1 0.5D1 11"},
     {U';', 3, "M2 1.5L0.5 -4D2 11"},
@@ -47,7 +49,9 @@ constexpr Drawn drawn[] = {
     {U'=', 12, "M0 11L12 11M0 5L12 5"},
     {U'>', 11, "M0 14L11 8L0 2"},
     {U'?', 11, "M0 15.5Q0 20 5.5 20Q11 20 11 15.5Q11 12 7.5 10Q5.5 9 5.5 6D5.5 0.5"},
-    {U'@', 20, "M14 10Q14 14 10 14Q6 14 6 9Q6 4 9.5 4Q14 4 14 10M14 14L14 7Q14 4 17 4Q20 4 20 10Q20 20 10 20Q0 20 0 9.5Q0 -3 10 -3Q14 -3 16 -1.5"},
+    {U'@', 20,
+     "M14 10Q14 14 10 14Q6 14 6 9Q6 4 9.5 4Q14 4 14 10M14 14L14 7Q14 4 17 4Q20 4 20 10Q20 20 10 20Q0 20 0 9.5Q0 -3 10 "
+     "-3Q14 -3 16 -1.5"},
     {U'A', 16, "M0 0L8 20L16 0M3 7L13 7"},
     {U'B', 14, "M0 10L8 10Q14 10 14 5Q14 0 8 0L0 0L0 20L7 20Q13 20 13 15Q13 10 7 10"},
     {U'C', 15, "M15 17Q12 20 9 20Q0 20 0 10Q0 0 9 0Q12 0 15 3"},
@@ -165,13 +169,15 @@ class PathReader {
   static void curve(std::vector<GlyphPoint>& stroke, GlyphPoint control, GlyphPoint end) {
     const GlyphPoint start = stroke.back();
     // Between parabola and superellipse: a quarter that looks round.
-    const auto blend = [](GlyphPoint a, GlyphPoint b) { return GlyphPoint{a.x + 0.552 * (b.x - a.x), a.y + 0.552 * (b.y - a.y)}; };
+    const auto blend = [](GlyphPoint a, GlyphPoint b) {
+      return GlyphPoint{a.x + 0.552 * (b.x - a.x), a.y + 0.552 * (b.y - a.y)};
+    };
     const GlyphPoint c1 = blend(start, control), c2 = blend(end, control);
     for (int i = 1; i <= 10; ++i) {
       const double t = i / 10.0, s = 1 - t;
       const double w0 = s * s * s, w1 = 3 * s * s * t, w2 = 3 * s * t * t, w3 = t * t * t;
-      stroke.push_back({w0 * start.x + w1 * c1.x + w2 * c2.x + w3 * end.x,
-                        w0 * start.y + w1 * c1.y + w2 * c2.y + w3 * end.y});
+      stroke.push_back(
+          {w0 * start.x + w1 * c1.x + w2 * c2.x + w3 * end.x, w0 * start.y + w1 * c1.y + w2 * c2.y + w3 * end.y});
     }
   }
   std::string_view rest_;

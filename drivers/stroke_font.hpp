@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A small font of strokes, so that pictures need no font file. Units: cap height 20, x-height 14, baseline 0, y upwards.
+// A small font of strokes, so that pictures need no font file. Units: cap height 20, x-height 14, baseline 0, y
+// upwards.
 #pragma once
 
 #include <string_view>
@@ -16,7 +17,7 @@ struct Glyph {
   std::vector<std::vector<GlyphPoint>> strokes;  ///< polylines; one of a single point is a dot
 };
 
-inline constexpr double glyph_em = 28;   ///< units of one em
+inline constexpr double glyph_em = 28;    ///< units of one em
 inline constexpr double glyph_gap = 4.6;  ///< units between two letters
 
 /// The glyph of a code point: ASCII and the few symbols that labels need; a box for the rest.

@@ -21,6 +21,7 @@
 #include "drivers/simulate.hpp"
 #include "drivers/verbs.hpp"
 #include "drivers/verdict.hpp"
+#include "drivers/wrapped_text.hpp"
 
 namespace assay::drivers {
 
@@ -173,7 +174,7 @@ void cover(const std::vector<SheetPoint>& points, const std::string& file, Tabul
 std::string summary(const Tabulation& tab, const Result& result, const std::string& folder) {
   std::string text = fmt::format("{}: {} on {}, {}\n", result.title.empty() ? "tabulate" : result.title,
                                  tab.material->name(), tab.path.name, result.outcome);
-  if (!result.reason.empty()) text += "  " + result.reason + "\n";
+  if (!result.reason.empty()) text += wrapped(result.reason, "  ", "  ");
   if (result.sheet) {
     text += fmt::format("  sheet: {} points, error {} of tau, {} of d tau/d xi, {} s\n",
                         grouped_text(result.sheet->points), rounded_text(result.sheet->error_tau, 2),
@@ -211,7 +212,7 @@ int tabulate(const TabulateOptions& options) {
   tab.path = baseline_of(scene.motion);
   tab.end = scene.time.end;
   cover(points, options.points, tab);
-  OutputFolder folder(options.out, tabulate_files());
+  OutputFolder folder(options.out);
   Result result;
   result.title = scene.title;
   result.provenance = build_information();

@@ -14,8 +14,8 @@ constexpr const char* minus = "\u2212";
 
 std::string fixed_text(double value, int decimals) {
   std::array<char, 64> buffer;
-  const auto done = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::abs(value),
-                                  std::chars_format::fixed, decimals);
+  const auto done =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::abs(value), std::chars_format::fixed, decimals);
   const std::string text(buffer.data(), done.ptr);
   const bool zero = text.find_first_not_of("0.") == std::string::npos;
   return (value < 0 && !zero ? minus : "") + text;

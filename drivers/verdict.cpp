@@ -5,6 +5,7 @@
 
 #include "drivers/findings.hpp"
 #include "drivers/number_format.hpp"
+#include "drivers/wrapped_text.hpp"
 
 namespace assay::drivers {
 
@@ -37,20 +38,14 @@ std::string work_line(const Result& r) {
                      r.particle_steps_per_s ? rounded_text(*r.particle_steps_per_s * 1e-6, 3) : "-");
 }
 
-/// Words of a sentence on lines of at most `width` columns.
-std::string wrapped(const std::string& text, std::size_t width, const std::string& indent) {
-  std::string result, line;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
-    if (!line.empty() && indent.size() + line.size() + 1 + word.size() > width) {
-      result += indent + line + "\n";
-      line.clear();
-    }
-    line += (line.empty() ? "" : " ") + word;
-    begin = end + 1;
+std::string profile_lines(const Result& r) {
+  std::string text;
+  for (const PassFigures& pass : r.passes) {
+    const double nanoseconds = r.particle_steps > 0 ? 1e9 * pass.seconds / static_cast<double>(r.particle_steps) : 0;
+    text += fmt::format("  {:26} {:>9} s {:>8} ns and {:>4} bytes a particle-step\n", pass.name,
+                        rounded_text(pass.seconds, 3), rounded_text(nanoseconds, 3), pass.bytes_per_particle);
   }
-  return result + indent + line + "\n";
+  return text;
 }
 
 }  // namespace
@@ -63,10 +58,10 @@ std::string expectations_text(const Result& result) {
   return text;
 }
 
-std::string verdict_text(const Result& result, const std::string& folder) {
+std::string verdict_text(const Result& result, const std::string& folder, bool with_profile) {
   std::string text = fmt::format("{}{} at t = {} s\n", result.title.empty() ? "" : result.title + ": ", result.outcome,
                                  figure(result.t));
-  if (!result.reason.empty()) text += wrapped(result.reason, 80, "  ");
+  if (!result.reason.empty()) text += wrapped(result.reason, "  ", "  ");
   if (result.error.l2_max) text += error_lines(result.error);
   if (result.steps) text += work_line(result);
   if (result.sheet) {
@@ -74,6 +69,7 @@ std::string verdict_text(const Result& result, const std::string& folder) {
                         grouped_text(result.sheet->points), rounded_text(result.sheet->error_tau, 2),
                         rounded_text(result.sheet->error_dtau, 2), rounded_text(result.sheet->wall_s, 2));
   }
+  if (with_profile) text += profile_lines(result);
   text += expectations_text(result);
   text += fmt::format("{}; results in {}\n", exit_status(result) == 0 ? "VERIFIED" : "CONTRADICTED", folder);
   return text;

@@ -8,8 +8,8 @@
 
 namespace assay::drivers {
 
-/// Outcome, error figures, speed, expectations, and where the results lie.
-std::string verdict_text(const Result& result, const std::string& folder);
+/// Outcome, error figures, speed, [the profile,] expectations, and where the results lie.
+std::string verdict_text(const Result& result, const std::string& folder, bool with_profile = false);
 
 /// The expectations, a line each, "holds" or "FAILS" first.
 std::string expectations_text(const Result& result);

@@ -27,7 +27,8 @@ std::size_t size_of(const Tree& tree) {
 /// at a start event ends the parse before yaml-cpp recurses deeper.
 class Builder : public YAML::EventHandler {
  public:
-  Builder(const std::string& name, const YamlLimits& limits) : name_(name), limits_(limits) {}
+  Builder(const std::string& name, const YamlLimits& limits, bool marked)
+      : name_(name), limits_(limits), marked_(marked) {}
 
   bool found() const { return documents_ > 0; }
   Tree take() { return std::move(root_); }
@@ -37,7 +38,9 @@ class Builder : public YAML::EventHandler {
   }
 
   void OnDocumentStart(const YAML::Mark& mark) override {
-    if (documents_++ > 0) throw InputError(where(mark), "", "a second document; one file holds one");
+    if (documents_++ == 0) return;
+    throw InputError(where(mark), "",
+                     marked_ ? "a second document; one file holds one" : "not valid YAML: more after the end");
   }
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
@@ -129,6 +132,7 @@ class Builder : public YAML::EventHandler {
 
   void add_to_map(Frame& map, Tree tree) {
     if (map.has_key) {
+      if (tree.kind == Tree::Kind::null) tree.where = map.key_where;  // yaml-cpp names the next token's place
       map.tree.entries.push_back({map.key, map.key_where, std::move(tree)});
       map.has_key = false;
       return;
@@ -144,6 +148,7 @@ class Builder : public YAML::EventHandler {
 
   std::string name_;
   YamlLimits limits_;
+  bool marked_;  ///< the text has a marker between documents, "---" or "..."
   std::vector<Frame> stack_;
   std::map<YAML::anchor_t, Anchored> anchors_;
   Tree root_;
@@ -173,7 +178,8 @@ Tree* Tree::find(std::string_view key) { return const_cast<Tree*>(std::as_const(
 Tree read_yaml(std::string_view text, const std::string& name, const YamlLimits& limits) {
   check_text(text, name, limits.bytes);
   std::istringstream stream{std::string(text)};
-  Builder builder(name, limits);
+  const bool marked = text.find("\n---") != text.npos || text.find("\n...") != text.npos;
+  Builder builder(name, limits, marked);
   try {
     YAML::Parser parser(stream);
     while (parser.HandleNextDocument(builder)) {

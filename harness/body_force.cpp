@@ -6,16 +6,12 @@
 
 namespace assay {
 
-Polar divergence_piola(const Vortex& vortex, double R, double t, const Tensor& tau, const Tensor& dtau_dxi) {
-  const Vortex::Profile p = vortex.profile(R);
-  const double g = vortex.amplitude.at(t).value;
+Polar divergence_piola(const Vortex::Profile& p, double g, double R, const Tensor& tau, const Tensor& dtau_dxi) {
   return {p.xi_prime * dtau_dxi(0, 0) - g * p.h_prime * tau(1, 0) + (tau(0, 0) - tau(1, 1)) / R,   // (26)
           p.xi_prime * dtau_dxi(1, 0) + g * p.h_prime * tau(0, 0) + (tau(0, 1) + tau(1, 0)) / R};  // (27)
 }
 
-Polar divergence_cauchy(const Vortex& vortex, double R, double t, const Tensor& tau, const Tensor& dtau_dxi) {
-  const Vortex::Profile p = vortex.profile(R);
-  const double g = vortex.amplitude.at(t).value;
+Polar divergence_cauchy(const Vortex::Profile& p, double g, double R, const Tensor& tau, const Tensor& dtau_dxi) {
   Tensor F = Tensor::Identity(), dF_dR = Tensor::Zero();
   F(1, 0) = 2 * g * p.xi;  // (16); J = 1, so sigma = tau F^T
   dF_dR(1, 0) = 2 * g * p.xi_prime;
@@ -24,12 +20,11 @@ Polar divergence_cauchy(const Vortex& vortex, double R, double t, const Tensor& 
   return {dsigma_dR(0, 0) + (sigma(0, 0) - sigma(1, 1)) / R, dsigma_dR(0, 1) + 2 * sigma(0, 1) / R};
 }
 
-Polar body_force(const Vortex& vortex, double density, double R, double t, const Tensor& tau, const Tensor& dtau_dxi) {
-  const Vortex::Profile p = vortex.profile(R);
+Polar body_force(const Vortex::Profile& p, const AmplitudeValue& g, double density, double R, const Tensor& tau,
+                 const Tensor& dtau_dxi) {
   if (p.h == 0 && p.xi_prime == 0) return {};
-  const AmplitudeValue g = vortex.amplitude.at(t);
   const double omega = g.rate * p.h;  // (30)
-  const Polar divergence = divergence_piola(vortex, R, t, tau, dtau_dxi);
+  const Polar divergence = divergence_piola(p, g.value, R, tau, dtau_dxi);
   return {-R * omega * omega - divergence.r / density,             // (32)
           R * g.acceleration * p.h - divergence.theta / density};  // (33), sign of the inertia term corrected
 }
@@ -45,17 +40,17 @@ BodyForceField::BodyForceField(const Vortex& vortex, double density, std::span<c
                                std::span<const double> Y)
     : vortex_(vortex), density_(density), points_(X, Y), force_(points_.radius.size()) {
   for (const double R : points_.radius) {
-    const Vortex::Profile p = vortex.profile(R);
-    h_.push_back(p.h);
-    xi_.push_back(p.xi);
+    profile_.push_back(vortex.profile(R));
+    xi_.push_back(profile_.back().xi);
   }
 }
 
 void BodyForceField::evaluate(const Response& response, double t, std::span<double> b_x, std::span<double> b_y) {
-  const double g = vortex_.amplitude.at(t).value;
+  const AmplitudeValue g = vortex_.amplitude.at(t);
   response.at_time(t, xi_, [&](std::size_t k, const Tensor& tau, const Tensor& dtau_dxi) {
-    const Polar b = body_force(vortex_, density_, points_.radius[k], t, tau, dtau_dxi);
-    const double c = std::cos(g * h_[k]), s = std::sin(g * h_[k]);
+    const Polar b = body_force(profile_[k], g, density_, points_.radius[k], tau, dtau_dxi);
+    const double alpha = g.value * profile_[k].h;  // (5)
+    const double c = std::cos(alpha), s = std::sin(alpha);
     force_[k] = {c * b.r - s * b.theta, s * b.r + c * b.theta};  // along E_R, E_Theta
   });
   for (std::size_t i = 0; i < points_.ring.size(); ++i) {

@@ -17,14 +17,22 @@ struct Polar {
 };
 
 /// DIV(T) in the first Piola-Kirchhoff form, (26) and (27), with (d tau / d R)_t = (d tau / d xi)_t xi' [N/m^3].
-Polar divergence_piola(const Vortex& vortex, double R, double t, const Tensor& tau, const Tensor& dtau_dxi);
+Polar divergence_piola(const Vortex::Profile& profile, double g, double R, const Tensor& tau, const Tensor& dtau_dxi);
 
 /// The same in the Cauchy form: d sigma11/dR + (sigma11 - sigma22)/R, d sigma12/dR + 2 sigma12/R, in baseline
 /// components at fixed t [N/m^3]. Independent of divergence_piola; the two agree to round-off.
-Polar divergence_cauchy(const Vortex& vortex, double R, double t, const Tensor& tau, const Tensor& dtau_dxi);
+Polar divergence_cauchy(const Vortex::Profile& profile, double g, double R, const Tensor& tau, const Tensor& dtau_dxi);
 
-/// b = a - DIV(T)/rho0, (32) and (33) with the inertia term + R g'' h [m/s^2]; zero outside the ring.
-Polar body_force(const Vortex& vortex, double density, double R, double t, const Tensor& tau, const Tensor& dtau_dxi);
+/// b = a - DIV(T)/rho0 at the radius R with its profile and the amplitude of the time, (32) and (33) with the inertia
+/// term + R g'' h [m/s^2]; zero outside the ring.
+Polar body_force(const Vortex::Profile& profile, const AmplitudeValue& g, double density, double R, const Tensor& tau,
+                 const Tensor& dtau_dxi);
+
+/// The same from the radius and the time.
+inline Polar body_force(const Vortex& vortex, double density, double R, double t, const Tensor& tau,
+                        const Tensor& dtau_dxi) {
+  return body_force(vortex.profile(R), vortex.amplitude.at(t), density, R, tau, dtau_dxi);
+}
 
 /// T = r tau q^T (20) [Pa] for the reference point X.
 Tensor rotated_to(const Vortex& vortex, const Vector3& X, double t, const Tensor& tau);
@@ -44,8 +52,9 @@ class BodyForceField {
   Vortex vortex_;
   double density_;
   RingPoints points_;
-  std::vector<double> h_, xi_;  // of each distinct radius
-  std::vector<Polar> force_;    // of each distinct radius: components along E_R, E_Theta
+  std::vector<Vortex::Profile> profile_;  // of each distinct radius
+  std::vector<double> xi_;
+  std::vector<Polar> force_;  // of each distinct radius: components along E_R, E_Theta
 };
 
 }  // namespace assay

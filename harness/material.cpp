@@ -103,10 +103,10 @@ std::optional<std::string> defect_of(const assay_material* table) {
 }
 
 Material::Material(const assay_material* table, const std::map<std::string, double>& parameters)
-    : Material(table, in_declared_order(*table, parameters)) {}
+    : Material(table, InDeclaredOrder{in_declared_order(*table, parameters)}) {}
 
-Material::Material(const assay_material* table, std::vector<double> parameters)
-    : table_(table), parameters_(std::move(parameters)), self_(nullptr, table->destroy) {
+Material::Material(const assay_material* table, InDeclaredOrder parameters)
+    : table_(table), parameters_(std::move(parameters.values)), self_(nullptr, table->destroy) {
   for (std::uint32_t i = 0; i < table->state_count; ++i) {
     state_size_ += static_cast<std::size_t>(components_of_kind(table->state[i].kind));
   }

@@ -45,7 +45,7 @@ class Material {
   /// material's message where `create` fails.
   Material(const assay_material* table, const std::map<std::string, double>& parameters);
 
-  Material clone() const { return Material(table_, parameters_); }
+  Material clone() const { return Material(table_, InDeclaredOrder{parameters_}); }
 
   const assay_material& table() const { return *table_; }
   std::string name() const { return table_->name; }
@@ -79,7 +79,11 @@ class Material {
   void* self() const { return self_.get(); }
 
  private:
-  Material(const assay_material* table, std::vector<double> parameters);
+  struct InDeclaredOrder {
+    explicit InDeclaredOrder(std::vector<double> v) : values(std::move(v)) {}
+    std::vector<double> values;
+  };
+  Material(const assay_material* table, InDeclaredOrder parameters);
 
   const assay_material* table_;
   std::vector<double> parameters_;

@@ -14,7 +14,7 @@ class NormAccumulator {
   void add(double volume, double squared) {
     weight_ += volume;
     sum_ += volume * squared;
-    if (!(squared <= largest_)) largest_ = squared;  // a NaN stays
+    if (!(squared <= largest_) && largest_ == largest_) largest_ = squared;  // a NaN enters and stays
   }
   double l2() const { return weight_ > 0 ? std::sqrt(sum_ / weight_) : 0; }
   double linf() const { return std::sqrt(largest_); }

@@ -12,7 +12,7 @@ namespace assay {
 namespace {
 
 /// Coefficients below this fraction of the largest are rounding and are not evaluated.
-constexpr double negligible = 1e-17;
+constexpr double negligible = 5e-16;
 /// The histories under a sheet are this much better than the sheet is asked to be.
 constexpr double history_share = 1e-2;
 constexpr double best_history_tolerance = 1e-13;

@@ -39,8 +39,8 @@ template <class B, int Dim>
 std::vector<Pass<Dim>> compose_with(const Setup<Dim>& setup) {
   std::vector<Pass<Dim>> step;
   const auto add = [&](Pass<Dim> pass) { step.push_back(std::move(pass)); };
-  const auto add_held = [&] {
-    if (setup.hold_outside) add(hold_nodes_pass<Dim>());
+  const auto add_held = [&](Reaction reaction) {
+    if (setup.hold_outside) add(hold_nodes_pass<Dim>(reaction));
   };
   const bool body_force = setup.body_force;
   const auto add_accounts = [&] {
@@ -48,7 +48,7 @@ std::vector<Pass<Dim>> compose_with(const Setup<Dim>& setup) {
   };
   const auto add_gradient_and_stress = [&] {
     add(grid_velocity_pass<Dim>());
-    add_held();
+    add_held(Reaction::none);
     add(velocity_gradient_pass<B, Dim>());
   };
   if constexpr (Dim == 2) {
@@ -62,7 +62,7 @@ std::vector<Pass<Dim>> compose_with(const Setup<Dim>& setup) {
   }
   add(force_pass<B, Dim>(body_force));
   add(grid_update_pass<Dim>());
-  add_held();
+  add_held(setup.transfer == Transfer::flip ? Reaction::of_acceleration : Reaction::of_velocity);
   add(grid_to_particles_pass<B, Dim>(setup.transfer, setup.update == Update::usl));
   if (setup.update == Update::musl) {
     Pass<Dim> again = particles_to_grid_pass<B, Dim>(setup.hold_outside);

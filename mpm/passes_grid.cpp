@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/passes_grid.hpp"
 
+#include <array>
+
 namespace assay::mpm {
 
 template <int Dim>
@@ -54,22 +56,33 @@ Pass<Dim> grid_update_pass() {
 }
 
 template <int Dim>
-Pass<Dim> hold_nodes_pass() {
+void hold_nodes(State<Dim>& s, Reaction reaction, double dt) {
+  const std::size_t offset = reaction == Reaction::of_acceleration ? Dim : 0;
+  const double scale = reaction == Reaction::of_acceleration ? dt : 1;
+  std::array<double, Dim> taken{};
+  for (const std::uint32_t i : s.held_nodes) {
+    double* motion = s.motion.node(i);
+    for (std::size_t d = 0; d < Dim; ++d) {
+      taken[d] += s.inertia.node(i)[0] * motion[offset + d];
+      motion[d] = motion[Dim + d] = 0;
+    }
+  }
+  if (reaction == Reaction::none) return;
+  for (std::size_t i = 0; i < s.held_mass.size(); ++i) {
+    for (std::size_t d = 0; d < Dim; ++d) taken[d] += s.held_mass[i] * s.motion.node(i)[offset + d];
+  }
+  for (std::size_t d = 0; d < Dim; ++d) s.ledger.impulse[d] -= scale * taken[d];
+}
+
+template <int Dim>
+Pass<Dim> hold_nodes_pass(Reaction reaction) {
   Pass<Dim> pass;
   pass.name = "hold_nodes";
   pass.doc = "nodes outside the ring stand still";
   pass.called_for_by = "body.outside";
   pass.grid_fields = {"mass", "velocity", "acceleration"};
-  pass.bind = [](State<Dim>& s) -> Kernel {
-    return [&s](const Instant&) {
-      for (const std::uint32_t i : s.held_nodes) {
-        double* motion = s.motion.node(i);
-        for (std::size_t d = 0; d < Dim; ++d) {
-          s.ledger.impulse[d] -= s.inertia.node(i)[0] * motion[d];
-          motion[d] = motion[Dim + d] = 0;
-        }
-      }
-    };
+  pass.bind = [reaction](State<Dim>& s) -> Kernel {
+    return [&s, reaction](const Instant& now) { hold_nodes(s, reaction, now.dt); };
   };
   return pass;
 }
@@ -77,7 +90,7 @@ Pass<Dim> hold_nodes_pass() {
 #define ASSAY_GRID_PASSES(DIM)                  \
   template Pass<DIM> grid_velocity_pass<DIM>(); \
   template Pass<DIM> grid_update_pass<DIM>();   \
-  template Pass<DIM> hold_nodes_pass<DIM>();
+  template Pass<DIM> hold_nodes_pass<DIM>(Reaction);
 
 ASSAY_GRID_PASSES(2)
 ASSAY_GRID_PASSES(3)

@@ -14,8 +14,13 @@ Pass<Dim> grid_velocity_pass();
 template <int Dim>
 Pass<Dim> grid_update_pass();
 
+/// What holding takes from the particles' momentum. None: the velocities serve gradients alone. PIC particles take the
+/// nodes' velocities: sum m_i v_i over held nodes; FLIP ones the accelerations: sum m_i dt a_i. On the other nodes it
+/// is what they give to the mass of particles that never move.
+enum class Reaction { none, of_velocity, of_acceleration };
+
 /// v_i = a_i = 0 on nodes outside the ring; the reaction enters the momentum account.
 template <int Dim>
-Pass<Dim> hold_nodes_pass();
+Pass<Dim> hold_nodes_pass(Reaction reaction);
 
 }  // namespace assay::mpm

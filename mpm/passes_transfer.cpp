@@ -70,6 +70,21 @@ Pass<Dim> weights_pass() {
   return pass;
 }
 
+/// Particles that never move give the grid their mass once.
+template <class B, int Dim>
+std::vector<double> mass_of_held(const State<Dim>& s) {
+  const Seeds<Dim>& seeds = s.setup.seeds;
+  Mat<Dim> identity{};
+  for (std::size_t d = 0; d < Dim; ++d) identity[d * Dim + d] = 1;
+  GridField<1> mass;
+  mass.allocate(s.setup.grid.nodes());
+  B basis(s.setup.grid, seeds.half_size, 1);
+  for (const auto& X : seeds.held) {
+    if (basis.place(0, X, identity)) basis.template scatter<1, 0>(0, {s.setup.density * seeds.volume()}, {}, mass);
+  }
+  return std::vector<double>(mass.data(), mass.data() + mass.nodes());
+}
+
 template <class B, int Dim>
 Pass<Dim> particles_to_grid_pass(bool hold_outside) {
   Pass<Dim> pass;
@@ -80,6 +95,7 @@ Pass<Dim> particles_to_grid_pass(bool hold_outside) {
   pass.grid_fields = {"mass", "momentum"};
   pass.bind = [hold_outside](State<Dim>& s) -> Kernel {
     const B& basis = basis_of<B>(s);
+    if (hold_outside) s.held_mass = mass_of_held<B>(s);
     return [&s, &basis, hold_outside](const Instant&) {
       s.inertia.zero();
       if (hold_outside) {

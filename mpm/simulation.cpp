@@ -4,8 +4,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "mpm/basis_linear.hpp"
-
 namespace assay::mpm {
 
 template <int Dim>
@@ -62,18 +60,10 @@ void Simulation<Dim>::fill() {
   }
 }
 
-/// Particles that never move give the grid their mass once; nodes outside the ring are held.
+/// Nodes outside the ring are held.
 template <int Dim>
 void Simulation<Dim>::hold_outside() {
   State<Dim>& s = state_;
-  const Seeds<Dim>& seeds = s.setup.seeds;
-  GridField<1> mass;
-  mass.allocate(s.setup.grid.nodes());
-  LinearBasis<Dim> basis(s.setup.grid, seeds.half_size, 1);
-  for (const auto& X : seeds.held) {
-    if (basis.place(0, X, {})) basis.template scatter<1, 0>(0, {s.setup.density * seeds.volume()}, {}, mass);
-  }
-  s.held_mass.assign(mass.data(), mass.data() + mass.nodes());
   const auto& vortex = std::get<Vortex>(*s.setup.motion);
   const GridGeometry<Dim>& grid = s.setup.grid;
   for (std::size_t i = 0; i < grid.nodes(); ++i) {

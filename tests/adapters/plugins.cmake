@@ -5,6 +5,9 @@ function(add_test_plugin name source)
   set(target test_plugin_${name})
   add_library(${target} MODULE ${source})
   target_link_libraries(${target} PRIVATE m assay_options)
+  # No symbols for debuggers: a file that is cut there is whole to the loader.
+  target_compile_options(${target} PRIVATE -g0)
+  target_link_options(${target} PRIVATE -s)
   set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME ${name} C_VISIBILITY_PRESET hidden
     LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/plugins)
   set(test_plugins ${test_plugins} ${target} PARENT_SCOPE)

@@ -72,7 +72,7 @@ TEST(Library, APluginOfTheFrozenAbiLoadsForEver) {
   const assay_material* table = table_of_library(plugins + "frozen_1_0.so", "frozen");
   EXPECT_EQ(table->abi_major, 1u);
   EXPECT_EQ(table->struct_size, 112u);
-  const Material material(table, {});
+  const Material material(table, std::map<std::string, double>{});
   const double F0[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, F1[9] = {1.1, 0, 0, 0, 1, 0, 0, 0, 1};
   const auto state0 = material.initial_state(1);
   double state1[1], cauchy[9];
@@ -84,9 +84,10 @@ TEST(Library, APluginOfTheFrozenAbiLoadsForEver) {
 
 TEST(Library, TheFrozenHeaderIsNotEdited) {
   // Its layout is the promise: sizes and offsets of 1.0 on x86-64.
-  EXPECT_EQ(bytes_of(ASSAY_SOURCE_DIR "/tests/adapters/frozen_1_0/assay_material.h").find("#define ASSAY_ABI_MINOR 0") !=
-                std::string::npos,
-            true);
+  EXPECT_EQ(
+      bytes_of(ASSAY_SOURCE_DIR "/tests/adapters/frozen_1_0/assay_material.h").find("#define ASSAY_ABI_MINOR 0") !=
+          std::string::npos,
+      true);
   EXPECT_GE(sizeof(assay_material), 112u);
   EXPECT_EQ(offsetof(assay_material, parameters), 56u);
   EXPECT_EQ(offsetof(assay_material, create), 72u);
@@ -105,10 +106,10 @@ TEST(Library, RefusesWithOneSentence) {
   EXPECT_EQ(refusal(plugins + "wrong_major.so"), "cannot serve: built for ABI major 7, this host serves 1");
   EXPECT_EQ(refusal(plugins + "small_struct.so"), "cannot serve: its table has 96 bytes, ABI 1.0 has 112");
   EXPECT_EQ(refusal(plugins + "every_index.so"), "its entry returns a table for every index");
-  EXPECT_EQ(refusal(plugins + "two_models.so"), "holds several materials; say which as FILE:NAME; known: first, second");
+  EXPECT_EQ(refusal(plugins + "two_models.so"),
+            "holds several materials; say which as FILE:NAME; known: first, second");
   EXPECT_EQ(refusal(plugins + "two_models.so", "third"), "holds no material 'third'; known: first, second");
-  EXPECT_EQ(refusal(plugins + "unresolved.so"),
-            "cannot be loaded: undefined symbol: assay_test_provided_by_nobody");
+  EXPECT_EQ(refusal(plugins + "unresolved.so"), "cannot be loaded: undefined symbol: assay_test_provided_by_nobody");
 }
 
 // The loader would map what is not there and die of SIGBUS.

@@ -21,19 +21,19 @@ const assay_parameter parameters[] = {
     {"gamma", "1", 1.4, 1.0, 10.0, "exponent"},
 };
 
-void *create(const double *p, char *) { return new (std::nothrow) Gas{p[0], p[1]}; }
+void* create(const double* p, char*) { return new (std::nothrow) Gas{p[0], p[1]}; }
 
-void destroy(void *self) { delete static_cast<Gas *>(self); }
+void destroy(void* self) { delete static_cast<Gas*>(self); }
 
-double determinant(const double *F, std::size_t n) {
+double determinant(const double* F, std::size_t n) {
   const auto f = [=](int i, int j) { return F[static_cast<std::size_t>(3 * i + j) * n]; };
   return f(0, 0) * (f(1, 1) * f(2, 2) - f(1, 2) * f(2, 1)) - f(0, 1) * (f(1, 0) * f(2, 2) - f(1, 2) * f(2, 0)) +
          f(0, 2) * (f(1, 0) * f(2, 1) - f(1, 1) * f(2, 0));
 }
 
-void update(void *self, const assay_step *step, std::size_t n, const double *, double *, double *cauchy,
-            std::int32_t *status, double *, char *) {
-  const Gas &gas = *static_cast<const Gas *>(self);
+void update(void* self, const assay_step* step, std::size_t n, const double*, double*, double* cauchy,
+            std::int32_t* status, double*, char*) {
+  const Gas& gas = *static_cast<const Gas*>(self);
   std::memset(cauchy, 0, 9 * n * sizeof *cauchy);
   for (std::size_t p = 0; p < n; ++p) {
     const double J = determinant(step->F1 + p, n);
@@ -63,6 +63,6 @@ const assay_material table = [] {
 
 }  // namespace
 
-extern "C" ASSAY_EXPORT const assay_material *assay_material_entry(std::uint32_t host_major, std::uint32_t index) {
+extern "C" ASSAY_EXPORT const assay_material* assay_material_entry(std::uint32_t host_major, std::uint32_t index) {
   return host_major == ASSAY_ABI_MAJOR && index == 0 ? &table : nullptr;
 }

@@ -109,8 +109,8 @@ TEST(Canvas, text_keeps_to_its_anchor) {
   EXPECT_NEAR(ink(right)[2], 100, 1);
   EXPECT_NEAR(ink(middle)[0] + ink(middle)[2], 199, 2);
   EXPECT_NEAR(ink(up)[1] + ink(up)[3], 199, 2);
-  EXPECT_NEAR(ink(left)[3], 40, 1);                          // the baseline
-  EXPECT_NEAR(40 - ink(left)[1], 20.0 * 20 / 28, 2);         // the capitals' height
+  EXPECT_NEAR(ink(left)[3], 40, 1);                   // the baseline
+  EXPECT_NEAR(40 - ink(left)[1], 20.0 * 20 / 28, 2);  // the capitals' height
   EXPECT_NEAR(ink(up)[2] - ink(up)[0], ink(left)[3] - ink(left)[1], 1);
 }
 

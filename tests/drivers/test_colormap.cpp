@@ -22,8 +22,8 @@ double lightness(Color c) {
 TEST(ColorMap, viridis_rises_evenly_in_lightness) {
   const double step = (lightness(map_color(ColorMap::viridis, 1)) - lightness(map_color(ColorMap::viridis, 0))) / 20;
   for (int i = 0; i < 20; ++i) {
-    const double rise = lightness(map_color(ColorMap::viridis, (i + 1) / 20.0)) -
-                        lightness(map_color(ColorMap::viridis, i / 20.0));
+    const double rise =
+        lightness(map_color(ColorMap::viridis, (i + 1) / 20.0)) - lightness(map_color(ColorMap::viridis, i / 20.0));
     EXPECT_GT(rise, 0.5 * step) << i;
     EXPECT_LT(rise, 1.6 * step) << i;
   }

@@ -48,7 +48,8 @@ TEST(Csv, writes_null_as_an_empty_field) {
 }
 
 TEST(Csv, reads_any_order_comments_blank_lines_and_crlf) {
-  const CsvTable table = read_csv("\xEF\xBB\xBF# points\r\n\r\n t , X \r\n 1e-3, +2 \r\n# more\r\n-0.5,.25", "p", {"X", "t"});
+  const CsvTable table =
+      read_csv("\xEF\xBB\xBF# points\r\n\r\n t , X \r\n 1e-3, +2 \r\n# more\r\n-0.5,.25", "p", {"X", "t"});
   EXPECT_EQ(*table.column("X"), (std::vector<double>{2, 0.25}));
   EXPECT_EQ(*table.column("t"), (std::vector<double>{1e-3, -0.5}));
   EXPECT_EQ(table.lines, (std::vector<int>{4, 6}));

@@ -22,8 +22,9 @@ TEST(Drawing, svg_leaves_colours_to_the_page) {
   EXPECT_NE(svg.find("stroke:var(--series-1,#d55e00)"), std::string::npos);
   EXPECT_NE(svg.find("stroke-dasharray:3"), std::string::npos);
   EXPECT_NE(svg.find("fill:currentColor"), std::string::npos);
-  EXPECT_NE(svg.find(">10<tspan dy=\"-2.88\" font-size=\"5.76\">\u22123</tspan><tspan dy=\"2.88\">&lt;x&gt;</tspan></text>"),
-            std::string::npos)
+  EXPECT_NE(
+      svg.find(">10<tspan dy=\"-2.88\" font-size=\"5.76\">\u22123</tspan><tspan dy=\"2.88\">&lt;x&gt;</tspan></text>"),
+      std::string::npos)
       << svg;
   EXPECT_EQ(svg.find("script"), std::string::npos);
 }

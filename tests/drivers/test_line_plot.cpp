@@ -74,7 +74,8 @@ TEST(LinePlot, legend_stands_above_all_curves) {
 }
 
 TEST(LinePlot, everything_stays_inside) {
-  const Drawing drawing = draw({"Title", "x", "y", true, true, {{"s", {1e-300, 1, 1e300}, {1e-9, 5, 1e250}, true, true}}});
+  const Drawing drawing =
+      draw({"Title", "x", "y", true, true, {{"s", {1e-300, 1, 1e300}, {1e-9, 5, 1e250}, true, true}}});
   for (const DrawingItem& item : drawing.items) {
     for (const Point p : item.points) {
       EXPECT_GE(p.x, 0);

@@ -25,8 +25,9 @@ TEST(Numbers, ReadsDecimals) {
 }
 
 TEST(Numbers, ReadsNothingElse) {
-  for (const char* text : {"", " ", "1 ", " 1", "1,5", "0x10", "1e", "1e+", "e3", ".", "-", "+", "--1", "+-1", "inf", "nan",
-                           "infinity", "1_000", "1.2.3", "1e400", "1e-400", "1d3", "true", "\xd9\xa1"}) {
+  for (const char* text :
+       {"",    " ",   "1 ",  " 1",  "1,5",      "0x10",  "1e",    "1e+",   "e3",     ".",   "-",    "+",
+        "--1", "+-1", "inf", "nan", "infinity", "1_000", "1.2.3", "1e400", "1e-400", "1d3", "true", "\xd9\xa1"}) {
     EXPECT_EQ(parse_number(text), std::nullopt) << text;
   }
 }

@@ -89,10 +89,27 @@ TEST_F(OutputFolderTest, commit_removes_stale_files_of_ours_and_no_others) {
   for (const char* name : {"particles_.vtu", "particles_1.vtu.bak", "notes.txt", "my.png"}) put(target_ / name, "mine");
   fs::create_directory(target_ / "particles_7.vtu");
   publish({"result.json", "errors.csv", "particles_0000.vtu"}, "new");
-  EXPECT_EQ(names(target_),
-            (std::set<std::string>{"result.json", "errors.csv", "particles_0000.vtu", "particles_.vtu", "notes.txt",
-                                   "particles_1.vtu.bak", "my.png", "particles_7.vtu"}));
+  EXPECT_EQ(names(target_), (std::set<std::string>{"result.json", "errors.csv", "particles_0000.vtu", "particles_.vtu",
+                                                   "notes.txt", "particles_1.vtu.bak", "my.png", "particles_7.vtu"}));
   EXPECT_EQ(read(target_ / "errors.csv"), "new");
+}
+
+TEST_F(OutputFolderTest, names_that_users_also_use_are_not_removed) {
+  publish({"result.json", "sheet.csv"}, "old");
+  put(target_ / "points.csv", "mine");
+  publish({"result.json"}, "new");
+  EXPECT_EQ(names(target_), (std::set<std::string>{"result.json", "points.csv"}));
+  EXPECT_EQ(read(target_ / "points.csv"), "mine");
+  publish({"result.json", "points.csv"}, "new");
+  EXPECT_EQ(read(target_ / "points.csv"), "new");
+}
+
+TEST_F(OutputFolderTest, folder_that_holds_no_result_keeps_all_but_what_is_written) {
+  fs::create_directories(target_);
+  for (const char* name : {"errors.csv", "sheet.csv"}) put(target_ / name, "mine");
+  publish({"result.json", "errors.csv"}, "new");
+  EXPECT_EQ(names(target_), (std::set<std::string>{"result.json", "errors.csv", "sheet.csv"}));
+  EXPECT_EQ(read(target_ / "sheet.csv"), "mine");
 }
 
 TEST_F(OutputFolderTest, half_a_commit_is_taken_back) {

@@ -38,7 +38,8 @@ Image decode(const std::string& bytes) {
   unsigned char* data = stbi_load_from_memory(reinterpret_cast<const unsigned char*>(bytes.data()),
                                               static_cast<int>(bytes.size()), &out.width, &out.height, &channels, 3);
   if (!data) return out;
-  for (int i = 0; i < out.width * out.height; ++i) out.pixels.push_back({data[3 * i], data[3 * i + 1], data[3 * i + 2]});
+  for (int i = 0; i < out.width * out.height; ++i)
+    out.pixels.push_back({data[3 * i], data[3 * i + 1], data[3 * i + 2]});
   stbi_image_free(data);
   return out;
 }
@@ -83,7 +84,8 @@ TEST(ParticlePicture, sheared_domain_is_a_parallelogram) {
 TEST(ParticlePicture, particles_far_away_or_not_finite_do_no_harm) {
   ParticlePicture picture;
   const double inf = INFINITY;
-  picture.frames = {{"", {1e200, NAN, 2}, {0, 0, inf}, {1e300, 1, 1}, {0, 0, 0}, {0, 0, 0}, {1e300, 1, 1}, {inf, 1, NAN}}};
+  picture.frames = {
+      {"", {1e200, NAN, 2}, {0, 0, inf}, {1e300, 1, 1}, {0, 0, 0}, {0, 0, 0}, {1e300, 1, 1}, {inf, 1, NAN}}};
   EXPECT_GT(decode(png(picture)).width, 0);
   picture.frames = {{}};  // no particle at all
   EXPECT_GT(decode(png(picture)).width, 0);

@@ -121,10 +121,13 @@ TEST(SceneReader, RefusesUnknownKeysWithTheNearest) {
 TEST(SceneReader, RefusesWrongTypes) {
   EXPECT_EQ(refused_extra("grid: {spacing: abc}\n"), "f.yaml:3:17: grid.spacing: must be a number, found 'abc'");
   EXPECT_EQ(refused_extra("grid: {spacing: '0.1'}\n"), "f.yaml:3:17: grid.spacing: must be a number, found '0.1'");
-  EXPECT_EQ(refused_extra("grid: 5\n"), "f.yaml:3:7: grid: must be a map of keys, found '5'; known: spacing, lower, upper");
-  EXPECT_EQ(refused_extra("grid:\n"), "f.yaml:3:6: grid: must be a map of keys, found nothing; known: spacing, lower, upper");
+  EXPECT_EQ(refused_extra("grid: 5\n"),
+            "f.yaml:3:7: grid: must be a map of keys, found '5'; known: spacing, lower, upper");
+  EXPECT_EQ(refused_extra("grid:\n"),
+            "f.yaml:3:1: grid: must be a map of keys, found nothing; known: spacing, lower, upper");
   EXPECT_EQ(refused_extra("title: [a]\n"), "f.yaml:3:8: title: must be text, found a list");
-  EXPECT_EQ(refused_extra("output: {pictures: yes}\n"), "f.yaml:3:20: output.pictures: must be true or false, found 'yes'");
+  EXPECT_EQ(refused_extra("output: {pictures: yes}\n"),
+            "f.yaml:3:20: output.pictures: must be true or false, found 'yes'");
   EXPECT_TRUE(has(refused_set("method.basis=[1]"), "--set method.basis: must be a word, found a list; known: linear"));
   EXPECT_TRUE(has(refused_set("body.per_cell=2"), "must be a list of 2 whole numbers, found '2'"));
   EXPECT_TRUE(has(refused_set("body.per_cell=[2]"), "must be a list of 2 whole numbers, found 1"));
@@ -133,7 +136,8 @@ TEST(SceneReader, RefusesWrongTypes) {
   EXPECT_TRUE(has(refused_set("material.parameters.E=soft"), "must be a number, found 'soft'"));
   EXPECT_TRUE(has(refused("[1, 2]\n"), "f.yaml:1:1: must be a map of keys, found a list; known: title, motion"));
   EXPECT_TRUE(has(refused_extra("expect: {outcome: {below: 3}}"), "unknown key; known: equals"));
-  EXPECT_TRUE(has(refused_extra("expect: {outcome: finished}"), "known: completed, unstable, material_failed, refused"));
+  EXPECT_TRUE(
+      has(refused_extra("expect: {outcome: finished}"), "known: completed, unstable, material_failed, refused"));
   EXPECT_TRUE(has(refused_extra("expect: {steps: many}"), "expect.steps: must be a number, found 'many'"));
   EXPECT_TRUE(has(refused_extra("expect: {t: {below: 1, above: 0}}"), "exactly one operator"));
   EXPECT_TRUE(has(refused_extra("expect: {t: {}}"), "exactly one operator"));
@@ -162,7 +166,8 @@ TEST(SceneReader, RefusesNumbersOutOfRange) {
 }
 
 TEST(SceneReader, RefusesWhatLaterVersionsMayKnow) {
-  EXPECT_TRUE(has(refused_set("method.basis=cpdi2"), "unknown value 'cpdi2' (nearest: cpdi); known: linear, ugimp, cpdi"));
+  EXPECT_TRUE(
+      has(refused_set("method.basis=cpdi2"), "unknown value 'cpdi2' (nearest: cpdi); known: linear, ugimp, cpdi"));
   EXPECT_TRUE(has(refused_set("method.transfer=apic"), "known: pic, flip"));
   EXPECT_TRUE(has(refused_set("method.formulation=total"), "known: updated"));
   EXPECT_TRUE(has(refused_set("method.mass=series"), "known: lumped"));
@@ -184,18 +189,22 @@ TEST(SceneReader, RefusesWhatIsMissing) {
 TEST(SceneReader, RefusesWhatDoesNotFitTogether) {
   EXPECT_TRUE(has(refused_extra("body: {lower: [0, 0]}"), "3:15: body.lower: does not belong to body.domain ring"));
   EXPECT_TRUE(has(refused_set("motion.final=[[1,0,0],[0,1,0],[0,0,1]]"), "does not belong to motion.type vortex"));
-  EXPECT_TRUE(has(refused(homogeneous_text(), {"motion.inner=1"}), "does not belong to motion.type homogeneous; known: type, "
-                                                                   "final, period, allow_unstable"));
+  EXPECT_TRUE(has(refused(homogeneous_text(), {"motion.inner=1"}),
+                  "does not belong to motion.type homogeneous; known: type, "
+                  "final, period, allow_unstable"));
   EXPECT_TRUE(has(refused(homogeneous_text("body: {domain: ring}")), "a ring takes its radii from the vortex"));
   EXPECT_TRUE(has(refused_set("body={domain: ring, outside: held}"), "--set body.outside: a ring alone"));
-  EXPECT_TRUE(has(refused_set("body={domain: square, lower: [-1, -1], upper: [1, 1]}"), "must contain the ring of the vortex"));
+  EXPECT_TRUE(
+      has(refused_set("body={domain: square, lower: [-1, -1], upper: [1, 1]}"), "must contain the ring of the vortex"));
   EXPECT_TRUE(has(refused_set("body={domain: square, lower: [-2, -2], upper: [2, 3]}"), "a square has equal sides"));
-  EXPECT_TRUE(has(refused_set("body={domain: box, lower: [-2, 2], upper: [2, -2]}"), "body.lower: must be less than body.upper"));
+  EXPECT_TRUE(has(refused_set("body={domain: box, lower: [-2, 2], upper: [2, -2]}"),
+                  "body.lower: must be less than body.upper"));
   EXPECT_TRUE(has(refused_set("grid={spacing: .1, lower: [-2, -2]}"), "lower and upper only come together"));
   EXPECT_TRUE(has(refused_set("grid={spacing: .1, lower: [-1, -1], upper: [1, 1]}"), "particles would lie outside"));
   EXPECT_TRUE(has(refused(homogeneous_text(), {"motion.final=[[-1,0,0],[0,1,0],[0,0,1]]"}), "det F <= 0 on the way"));
-  EXPECT_TRUE(has(refused(homogeneous_text("grid: {spacing: .1}\nmethod: {}"), {"motion.final=[[1,0,0],[0,1,0],[0,0,1.1]]"}),
-                  "plane strain"));
+  EXPECT_TRUE(
+      has(refused(homogeneous_text("grid: {spacing: .1}\nmethod: {}"), {"motion.final=[[1,0,0],[0,1,0],[0,0,1.1]]"}),
+          "plane strain"));
 }
 
 TEST(SceneReader, PathsAreRelativeToTheSceneOrTheWorkingDirectory) {

@@ -35,7 +35,8 @@ TEST(Settings, WhatFollowsExpectIsOneKey) {
   const Tree replaced = changed(text, "expect.error.l2_max={above: 2}");
   EXPECT_EQ(replaced.find("expect")->entries.size(), 1u);
   EXPECT_EQ(replaced.find("expect")->find("error.l2_max")->find("above")->text, "2");
-  EXPECT_EQ(changed(text, "expect.error.l2_max.below=2").find("expect")->find("error.l2_max")->find("below")->text, "2");
+  EXPECT_EQ(changed(text, "expect.error.l2_max.below=2").find("expect")->find("error.l2_max")->find("below")->text,
+            "2");
   EXPECT_EQ(changed(text, "expect.outcome=unstable").find("expect")->find("outcome")->text, "unstable");
 }
 

@@ -22,7 +22,8 @@ TEST(Sha256, KnownDigests) {
 }
 
 TEST(Sha256, BytesOfAnyValue) {
-  EXPECT_EQ(sha256_hex(std::string("\0\xff\x80", 3)), "f742b965f156c10374bc23aea96e3a8aff8facd6fc079defeaa30219ad86f211");
+  EXPECT_EQ(sha256_hex(std::string("\0\xff\x80", 3)),
+            "f742b965f156c10374bc23aea96e3a8aff8facd6fc079defeaa30219ad86f211");
 }
 
 }  // namespace

@@ -35,7 +35,9 @@ TEST(StrokeFont, digits_stand_in_columns) {
 TEST(StrokeFont, reads_utf8_and_survives_what_is_none) {
   EXPECT_EQ(code_points("a\u03b3\u2212\U0001F600"), (std::vector<char32_t>{U'a', U'\u03b3', U'\u2212', U'\U0001F600'}));
   EXPECT_EQ(code_points("\xff\xce"), (std::vector<char32_t>{U'\ufffd', U'\ufffd'}));
-  EXPECT_EQ(code_points("\xce" "a"), (std::vector<char32_t>{U'\ufffd', U'a'}));
+  EXPECT_EQ(code_points("\xce"
+                        "a"),
+            (std::vector<char32_t>{U'\ufffd', U'a'}));
 }
 
 TEST(StrokeFont, splits_labels_at_raised_and_lowered_pieces) {

@@ -33,10 +33,11 @@ std::vector<Value> array(const std::string& file, const std::string& name) {
   const std::size_t start = file.find('_', file.find("<AppendedData encoding=\"raw\">")) + 1;
   const std::size_t at = start + std::stoull(attribute(file, name, "offset"));
   std::uint64_t bytes = 0;
+  if (at + 8 > file.size()) return {};
   std::memcpy(&bytes, file.data() + at, 8);
-  if (at + 8 + bytes > file.size()) return {};
+  if (bytes > file.size() - at - 8) return {};
   std::vector<Value> out(bytes / sizeof(Value));
-  if (bytes > 0) std::memcpy(out.data(), file.data() + at + 8, bytes);
+  if (!out.empty()) std::memcpy(out.data(), file.data() + at + 8, out.size() * sizeof(Value));
   return out;
 }
 
@@ -44,7 +45,8 @@ struct Sample {
   std::vector<double> positions, velocity, stress, shear;
   std::vector<std::int64_t> id;
   std::string file() const {
-    return vtu_text(positions, {{"id", 1, id}, {"velocity", 3, velocity}, {"stress", 9, stress}, {"shear", 1, shear}}, 0.25);
+    return vtu_text(positions, {{"id", 1, id}, {"velocity", 3, velocity}, {"stress", 9, stress}, {"shear", 1, shear}},
+                    0.25);
   }
 };
 
@@ -106,7 +108,8 @@ TEST(Vtu, collection_lists_files_with_exact_times) {
   EXPECT_EQ(particles_name(7), "particles_0007.vtu");
   EXPECT_EQ(particles_name(12345), "particles_12345.vtu");
   const std::string file = pvd_text({{0, particles_name(0)}, {0.1, particles_name(1)}});
-  EXPECT_NE(file.find("<DataSet timestep=\"0.1\" group=\"\" part=\"0\" file=\"particles_0001.vtu\"/>"), std::string::npos);
+  EXPECT_NE(file.find("<DataSet timestep=\"0.1\" group=\"\" part=\"0\" file=\"particles_0001.vtu\"/>"),
+            std::string::npos);
   EXPECT_NE(file.find("type=\"Collection\""), std::string::npos);
 }
 
@@ -119,7 +122,8 @@ TEST(Vtu, vtk_reads_it_back) {
   }
   if (python.empty()) GTEST_SKIP() << "VTK for Python is not installed (python3-vtk9)";
   const Sample in = sample();
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("assay_vtu_" + std::to_string(::getpid()));
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("assay_vtu_" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "p.vtu", std::ios::binary) << in.file();
   std::ofstream(folder / "check.py") << R"py(
@@ -146,8 +150,8 @@ for p in range(n):
     assert data.GetArray('velocity').GetTuple(p) == (-y, x, 0.0) and z == 0.0
 assert grid.GetFieldData().GetArray('TimeValue').GetTuple1(0) == 0.25
 )py";
-  const std::string command = python + " '" + (folder / "check.py").string() + "' '" + (folder / "p.vtu").string() + "' " +
-                              std::to_string(in.id.size());
+  const std::string command = python + " '" + (folder / "check.py").string() + "' '" + (folder / "p.vtu").string() +
+                              "' " + std::to_string(in.id.size());
   EXPECT_EQ(std::system(command.c_str()), 0);
   std::filesystem::remove_all(folder);
 }

@@ -9,10 +9,10 @@
 
 #define ABI_FACT_COUNT 16
 
-#define ABI_FACT_LIST                                                                                             \
-  sizeof(assay_material), sizeof(assay_parameter), sizeof(assay_state_variable), sizeof(assay_step),              \
-      sizeof(assay_rate), sizeof(assay_tangent), sizeof(assay_energy), sizeof(assay_wave_speed),                  \
-      sizeof(assay_closed_form), offsetof(assay_material, name), offsetof(assay_material, parameter_count),       \
+#define ABI_FACT_LIST                                                                                              \
+  sizeof(assay_material), sizeof(assay_parameter), sizeof(assay_state_variable), sizeof(assay_step),               \
+      sizeof(assay_rate), sizeof(assay_tangent), sizeof(assay_energy), sizeof(assay_wave_speed),                   \
+      sizeof(assay_closed_form), offsetof(assay_material, name), offsetof(assay_material, parameter_count),        \
       offsetof(assay_material, create), offsetof(assay_material, initial_state), offsetof(assay_material, update), \
       offsetof(assay_material, extension), (size_t)ASSAY_NON_SMOOTH | ASSAY_RATE_DEPENDENT
 

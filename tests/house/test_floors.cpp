@@ -20,9 +20,11 @@ const std::map<std::string, std::set<std::string>> may_include{
 
 /// Foreign headers that only one floor may know.
 const std::map<std::string, std::string> only_in{
-    {"yaml-cpp/", "drivers"},    {"nlohmann/", "drivers"},  {"CLI/", "drivers"},           {"stb/", "drivers"},
-    {"fmt/", "drivers"},         {"dlfcn.h", "adapters"},   {"boost/dll", "adapters"},     {"filesystem", "not harness"},
-    {"fstream", "not harness"},  {"boost/numeric/odeint", "harness"},
+    {"yaml-cpp/", "drivers"},   {"nlohmann/", "drivers"},
+    {"CLI/", "drivers"},        {"stb/", "drivers"},
+    {"fmt/", "drivers"},        {"dlfcn.h", "adapters"},
+    {"boost/dll", "adapters"},  {"filesystem", "not harness"},
+    {"fstream", "not harness"}, {"boost/numeric/odeint", "harness"},
 };
 
 std::string floor_of(const std::string& path) { return path.substr(0, path.find('/')); }

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/command_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/drivers/registry_fixture.hpp"
+#include "tests/drivers/scene_text.hpp"
+
+namespace assay::drivers {
+namespace {
+
+struct Outcome {
+  int status = 0;
+  std::string out, err;
+};
+
+Outcome call(std::vector<std::string> words) {
+  words.insert(words.begin(), "assay");
+  std::vector<const char*> argv;
+  for (const std::string& word : words) argv.push_back(word.c_str());
+  argv.push_back(nullptr);
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  Outcome outcome;
+  outcome.status = command_line(static_cast<int>(words.size()), argv.data());
+  outcome.out = testing::internal::GetCapturedStdout();
+  outcome.err = testing::internal::GetCapturedStderr();
+  return outcome;
+}
+
+const std::vector<std::string> verbs{"run", "tabulate", "eval", "explain", "materials", "register", "schema"};
+
+class CommandLine : public RegistryTest {
+ protected:
+  /// The one line that `run` prints for a scene with a setting that is refused before anything is run.
+  std::string refused(const std::vector<std::string>& more) {
+    std::vector<std::string> words{"run", write("scene.yaml", scene_text()), "-o", (folder / "out").string()};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = call(words);
+    EXPECT_EQ(outcome.status, 2) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out/result.json"));
+    return outcome.err;
+  }
+};
+
+TEST_F(CommandLine, HelpReadsWellAtEightyColumns) {
+  std::vector<std::vector<std::string>> calls{{"--help"}, {"-h"}};
+  for (const std::string& verb : verbs) calls.push_back({verb, "--help"});
+  for (const auto& words : calls) {
+    const Outcome help = call(words);
+    EXPECT_EQ(help.status, 0);
+    EXPECT_EQ(help.err, "");
+    EXPECT_NE(help.out.find("Example:\n  assay "), std::string::npos) << words[0];
+    std::istringstream lines(help.out);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;
+  }
+  for (const std::string& verb : verbs)
+    EXPECT_NE(call({"--help"}).out.find("\n  " + verb + " "), std::string::npos) << verb;
+}
+
+TEST_F(CommandLine, AloneItPrintsAShortHelpAndFails) {
+  const Outcome outcome = call({});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_NE(outcome.err.find("Usage: assay"), std::string::npos);
+}
+
+TEST_F(CommandLine, VersionSaysWhatItWasBuiltWith) {
+  const Outcome outcome = call({"--version"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_TRUE(outcome.out.starts_with("assay ")) << outcome.out;
+  EXPECT_NE(outcome.out.find("\ncompiler  "), std::string::npos);
+}
+
+TEST_F(CommandLine, MistypedWordsAreSuggestedFor) {
+  const Outcome verb = call({"tabluate", "x"});
+  EXPECT_EQ(verb.status, 2);
+  EXPECT_EQ(verb.err,
+            "assay: unknown verb 'tabluate' (nearest: tabulate); known: run, tabulate, eval, explain, materials, "
+            "register, schema\n");
+  EXPECT_TRUE(
+      refused({"--thread=2"}).starts_with("assay run: unknown option '--thread' (nearest: --threads); known: "));
+  EXPECT_TRUE(refused({"--sett", "a=1"}).starts_with("assay run: unknown option '--sett' (nearest: --set)"));
+  EXPECT_TRUE(refused({"b.yaml"}).starts_with("assay run: unknown argument 'b.yaml'"));
+  EXPECT_TRUE(call({"--quite"}).err.starts_with("assay: unknown option '--quite' (nearest: --quiet)"));
+}
+
+TEST_F(CommandLine, EveryUsageErrorIsOneLineAndTwo) {
+  const std::vector<std::vector<std::string>> calls{{"run"},
+                                                    {"eval", "x"},
+                                                    {"explain"},
+                                                    {"register"},
+                                                    {"run", "x", "--set"},
+                                                    {"run", "x", "-o"},
+                                                    {"schema", "x"},
+                                                    {"run", "x", "-o", "a", "-o", "b"},
+                                                    {"run", "x", "--threads", "0"},
+                                                    {"run", "x", "--threads", "many"},
+                                                    {"run", "x", "--threads", "1.5"},
+                                                    {"run", "x", "--json=maybe"},
+                                                    {"register", "x", "--remove", "y"},
+                                                    {""},
+                                                    {"-x"},
+                                                    {"--"},
+                                                    {"run", ""},
+                                                    {"run", "/"},
+                                                    {"run", "a\nb.yaml"},
+                                                    {"materials", "a", "b"},
+                                                    {"materials", "nobody"}};
+  for (const auto& words : calls) {
+    const Outcome outcome = call(words);
+    EXPECT_EQ(outcome.status, 2) << testing::PrintToString(words);
+    EXPECT_EQ(outcome.out, "") << testing::PrintToString(words);
+    const bool help = outcome.err.find("Usage: ") != std::string::npos;  // `assay --` alone
+    EXPECT_TRUE(help || std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1) << outcome.err;
+  }
+}
+
+TEST_F(CommandLine, SettingsReachTheReaderAsTheyStand) {
+  EXPECT_EQ(refused({"--set", "motion.x=[1,2]"}),
+            "--set motion.x: unknown key; known: type, inner, outer, final, period, profile_power, allow_unstable, "
+            "amplitude\n");
+  EXPECT_EQ(refused({"--set=motion.inner=[1,2]"}), "--set motion.inner: must be a number, found a list\n");
+  EXPECT_EQ(refused({"--set", "[1,2]"}), "--set: takes key.path=value, found '[1,2]'\n");
+  EXPECT_TRUE(refused({"--set", "[motion.inner=1,motion.outer=2]"}).starts_with("--set [motion: unknown key"))
+      << "not split";
+  EXPECT_EQ(refused({"--set", "{}"}), "--set: takes key.path=value, found '{}'\n");
+  EXPECT_EQ(refused({"--set", ""}), "--set: takes key.path=value, found ''\n");
+  EXPECT_EQ(refused({"--set", "time.end=1", "--set", "time.end=-1"}),
+            "--set time.end: must be greater than 0, found '-1'\n");
+  EXPECT_TRUE(refused({"--set", "time.end=1", "time.step=1"}).starts_with("assay run: unknown argument 'time.step=1'"))
+      << "one argument each";
+}
+
+TEST_F(CommandLine, SchemaAndMaterialsPrintOnStandardOutput) {
+  const Outcome schema = call({"schema"});
+  EXPECT_EQ(schema.status, 0);
+  EXPECT_TRUE(schema.out.starts_with("{\n"));
+  EXPECT_EQ(call({"materials", "neo_hookean", "--json"}).out.substr(0, 2), "{\n");
+  EXPECT_EQ(call({"materials", "--quiet"}).status, 0);
+}
+
+TEST_F(CommandLine, RegistersAndRemoves) {
+  EXPECT_EQ(call({"register", plugins + "frozen_1_0.so", "--as", "soft"}).status, 0);
+  EXPECT_EQ(call({"materials", "soft"}).status, 0);
+  EXPECT_EQ(call({"register", "--remove", "soft", "--quiet"}).status, 0);
+  EXPECT_EQ(call({"materials", "soft"}).status, 2);
+  write("blocked", "");
+  setenv("ASSAY_DATA_HOME", (folder / "blocked").c_str(), 1);
+  const Outcome blocked = call({"register", plugins + "frozen_1_0.so"});
+  EXPECT_EQ(blocked.status, 3);
+  EXPECT_EQ(std::count(blocked.err.begin(), blocked.err.end(), '\n'), 1) << blocked.err;
+}
+
+}  // namespace
+}  // namespace assay::drivers

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "drivers/verbs.hpp"
+#include "tests/drivers/scratch_folder.hpp"
+
+namespace assay::drivers {
+namespace {
+
+const std::string scene = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/vortex_cpdi.yaml";
+const std::vector<std::string> coarse{"grid.spacing=0.125", "expect={}", "output.particles=0", "output.pictures=false",
+                                      "time.end=0.02"};
+
+nlohmann::json explained(std::vector<std::string> sets) {
+  sets.insert(sets.begin(), coarse.begin(), coarse.end());
+  ExplainOptions options;
+  options.scene = scene;
+  options.sets = sets;
+  options.json = true;
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(explain(options), 0);
+  return nlohmann::json::parse(testing::internal::GetCapturedStdout());
+}
+
+nlohmann::json profiled(std::vector<std::string> sets, const ScratchFolder& scratch) {
+  sets.insert(sets.begin(), coarse.begin(), coarse.end());
+  RunOptions options;
+  options.scene = scene;
+  options.out = scratch / "out";
+  options.sets = sets;
+  options.threads = 1;
+  options.verbosity = Verbosity::quiet;
+  EXPECT_EQ(run(options), 0);
+  return nlohmann::json::parse(bytes_of(options.out + "/result.json"))["passes"];
+}
+
+std::set<std::string> names(const nlohmann::json& list) {
+  std::set<std::string> found;
+  for (const auto& entry : list) found.insert(entry["name"].get<std::string>());
+  return found;
+}
+
+struct Effect {
+  const char* without;  ///< setting that takes it away
+  const char* pass;     ///< its pass
+  const char* column;   ///< its column, or null
+};
+
+TEST(Explain, AnEffectThatIsNotCalledForHasNoPassColumnOrByteAndTheProfileAgrees) {
+  const ScratchFolder scratch;
+  for (const Effect& effect : {Effect{"force={response: none}", "body_force", "body_force"},
+                               Effect{"output.accounts=false", "accounts", nullptr},
+                               Effect{"body={domain: ring, outside: free}", "hold_nodes", nullptr}}) {
+    const std::vector<std::string> with{"body={domain: square, outside: held}"};
+    const std::vector<std::string> without{"body={domain: square, outside: held}", effect.without};
+    const auto full = explained(with), less = explained(without);
+    EXPECT_TRUE(names(full["passes"]).contains(effect.pass));
+    EXPECT_FALSE(names(less["passes"]).contains(effect.pass));
+    EXPECT_TRUE(names(profiled(with, scratch)).contains(effect.pass));
+    EXPECT_FALSE(names(profiled(without, scratch)).contains(effect.pass));
+    if (!effect.column) continue;
+    EXPECT_TRUE(names(full["columns"]).contains(effect.column));
+    EXPECT_FALSE(names(less["columns"]).contains(effect.column));
+    EXPECT_EQ(full["bytes_per_particle"].get<int>() - less["bytes_per_particle"].get<int>(), 2 * 8);
+  }
+}
+
+TEST(Explain, TellsThePassesThatTheRunProfilesInTheirOrder) {
+  const ScratchFolder scratch;
+  for (const char* update : {"usl", "usf", "musl"}) {
+    const std::vector<std::string> sets{std::string("method.update=") + update};
+    const auto told = explained(sets)["passes"], found = profiled(sets, scratch);
+    ASSERT_GE(found.size(), told.size());
+    for (std::size_t k = 0; k < told.size(); ++k) EXPECT_EQ(told[k]["name"], found[k]["name"]) << update;
+  }
+}
+
+TEST(Explain, CountsWhatTheRunCounts) {
+  const auto told = explained({});
+  std::size_t bytes = 0;
+  for (const auto& column : told["columns"]) bytes += column["bytes_per_particle"].get<std::size_t>();
+  EXPECT_EQ(told["bytes_per_particle"].get<std::size_t>(), bytes);
+  EXPECT_GT(told["steps"].get<int>(), 0);
+  EXPECT_GT(told["sheet"]["points"].get<int>(), 0);
+}
+
+TEST(Explain, TextFitsATerminal) {
+  ExplainOptions options;
+  options.scene = scene;
+  testing::internal::CaptureStdout();
+  ASSERT_EQ(explain(options), 0);
+  std::string line;
+  std::istringstream text(testing::internal::GetCapturedStdout());
+  while (std::getline(text, line)) EXPECT_LE(line.size(), 80u) << line;
+}
+
+}  // namespace
+}  // namespace assay::drivers

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/registry.hpp"
+#include "drivers/verbs.hpp"
+#include "drivers/yaml_reader.hpp"
+#include "tests/drivers/refusal.hpp"
+#include "tests/drivers/registry_fixture.hpp"
+
+namespace assay::drivers {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Register : public RegistryTest {
+ protected:
+  static int add(const std::string& file, const std::string& name = {}) {
+    return register_material({file, name, {}, Verbosity::quiet});
+  }
+  static std::string refused(const std::string& file, const std::string& name = {}) {
+    return refusal_of([&] { add(file, name); });
+  }
+  std::size_t entries() const {
+    std::error_code code;
+    std::size_t count = 0;
+    for (fs::directory_iterator at(folder / "data/materials", code), end; !code && at != end; at.increment(code))
+      ++count;
+    return count;
+  }
+};
+
+TEST_F(Register, ALibraryByItsOwnOrAnotherName) {
+  EXPECT_EQ(add(plugins + "frozen_1_0.so"), 0);
+  EXPECT_EQ(add(plugins + "two_models.so:second", "soft-clay.2"), 0);
+  EXPECT_STREQ(find_material("frozen", {}, "").table->name, "frozen");
+  EXPECT_STREQ(find_material("soft-clay.2", {}, "").table->name, "second");
+  EXPECT_EQ(read("data/materials/frozen.yaml"),
+            "library: " + yaml_scalar(plugins + "frozen_1_0.so") + "\nname: frozen\ninterface: native\n");
+  EXPECT_EQ(entries(), 2u) << "no temporary file is left";
+}
+
+TEST_F(Register, ARelativePathIsWrittenAbsolute) {
+  const fs::path before = fs::current_path();
+  fs::current_path(plugins);
+  EXPECT_EQ(add("frozen_1_0.so"), 0);
+  fs::current_path(before);
+  EXPECT_EQ(find_material("frozen", {}, "").library, plugins + "frozen_1_0.so");
+}
+
+TEST_F(Register, ADescriptionUnderItsFileName) {
+  fs::copy_file(plugins + "two_models.so", folder / "local.so");
+  const std::string file =
+      write("stiff.yaml", "library: local.so\nname: first\nparameters: {modulus: 0.1}\ndensity: 7\n");
+  EXPECT_EQ(add(file), 0);
+  EXPECT_EQ(read("data/materials/stiff.yaml"),
+            "library: " + (folder / "local.so").string() +
+                "\nname: first\ninterface: native\nparameters:\n  modulus: 0.1\ndensity: 7\n");
+  EXPECT_EQ(find_material("stiff", {}, "").parameters.at("modulus"), 0.1);
+}
+
+TEST_F(Register, RegisteringAgainReplaces) {
+  add(plugins + "two_models.so:first", "x");
+  add(plugins + "two_models.so:second", "x");
+  EXPECT_STREQ(find_material("x", {}, "").table->name, "second");
+}
+
+TEST_F(Register, RefusesWhatFailsTheProbeAndWritesNothing) {
+  for (const char* name : {"crashes", "exits", "not_finite", "refuses", "no_entry", "other_major", "wrong_major",
+                           "small_struct", "every_index", "unresolved", "two_models", "absent"}) {
+    EXPECT_NE(refused(plugins + name + ".so"), "accepted") << name;
+  }
+  const std::string bad =
+      write("bad.yaml", "library: " + plugins + "two_models.so\nname: first\nparameters: {modulus: -1}\n");
+  EXPECT_NE(refused(bad).find("out of its bounds"), std::string::npos);
+  EXPECT_EQ(entries(), 0u);
+}
+
+TEST_F(Register, RefusesBadNames) {
+  EXPECT_EQ(refused(plugins + "frozen_1_0.so", "neo_hookean"),
+            "--as: 'neo_hookean' is the name of a built-in material; choose another with --as");
+  EXPECT_TRUE(refused(ASSAY_BINARY_DIR "/materials/libneo_hookean.so").ends_with("choose another with --as"));
+  for (const char* name : {"a/b", "../x", ".x", "x.so", "x.yaml", "a b", "-x", "a\nb"}) {
+    EXPECT_TRUE(refused(plugins + "frozen_1_0.so", name).starts_with("--as: ")) << name;
+  }
+  EXPECT_EQ(entries(), 0u);
+}
+
+TEST_F(Register, RemovesWhatWasRegistered) {
+  add(plugins + "frozen_1_0.so");
+  EXPECT_EQ(refusal_of([] {
+              register_material({{}, {}, "frozn", Verbosity::quiet});
+            }),
+            "--remove: unknown name 'frozn' (nearest: frozen); known: frozen");
+  EXPECT_EQ(register_material({{}, {}, "frozen", Verbosity::quiet}), 0);
+  EXPECT_EQ(entries(), 0u);
+  EXPECT_EQ(refusal_of([] {
+              register_material({{}, {}, "frozen", Verbosity::quiet});
+            }),
+            "--remove: unknown name 'frozen'; known: none");
+  EXPECT_EQ(refusal_of([] {
+              register_material({{}, {}, "neo_hookean", Verbosity::quiet});
+            }),
+            "--remove: 'neo_hookean' is built in");
+  write("data/secret.yaml", "");
+  EXPECT_NE(refusal_of([] { register_material({{}, {}, "../secret", Verbosity::quiet}); }), "accepted");
+  EXPECT_TRUE(fs::exists(folder / "data/secret.yaml"));
+}
+
+TEST_F(Register, AnUnusableRegistryIsTheSystemsFault) {
+  write("data", "a file where the folder should be");
+  EXPECT_THROW(add(plugins + "frozen_1_0.so"), SystemError);
+}
+
+}  // namespace
+}  // namespace assay::drivers

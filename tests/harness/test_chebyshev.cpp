@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/chebyshev.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace assay::chebyshev {
+namespace {
+
+constexpr double round_off = 1e-13;
+const Interval interval{-0.7, 2.3};
+
+double polynomial(double x) { return 3 + x - 2 * x * x + 0.25 * std::pow(x, 5); }
+double slope(double x) { return 1 - 4 * x + 1.25 * std::pow(x, 4); }
+
+TEST(Chebyshev, NodesAscendFromEndToEnd) {
+  for (const int n : {2, 3, 9, 64}) {
+    const auto x = nodes(interval, n);
+    EXPECT_EQ(x.front(), interval.lower);
+    EXPECT_EQ(x.back(), interval.upper);
+    EXPECT_TRUE(std::is_sorted(x.begin(), x.end()));
+  }
+}
+
+TEST(Chebyshev, ReproducesPolynomialsAndTheirSlopes) {
+  const int n = 8;
+  std::vector<double> values, T(n), T_prime(n);
+  for (const double x : nodes(interval, n)) values.push_back(polynomial(x));
+  const auto c = coefficients(values);
+  for (const double x : {-0.7, -0.1, 0.9, 2.2999, 2.3}) {
+    basis(reference_coordinate(interval, x), T, T_prime);
+    double value = 0, derivative = 0;
+    for (std::size_t k = 0; k < T.size(); ++k) {
+      value += c[k] * T[k];
+      derivative += c[k] * T_prime[k] * 2 / interval.width();
+    }
+    EXPECT_NEAR(value, polynomial(x), 100 * round_off);
+    EXPECT_NEAR(derivative, slope(x), 1000 * round_off);
+  }
+}
+
+TEST(Chebyshev, WeightsInterpolateAndAreExactAtNodes) {
+  const int n = 12;
+  const auto x = nodes(interval, n);
+  std::vector<double> w(n);
+  for (const double point : {-0.5, 0.123, x[3], x[11]}) {
+    interpolation_weights(interval, point, w);
+    double value = 0, sum = 0;
+    for (std::size_t j = 0; j < w.size(); ++j) {
+      value += w[j] * polynomial(x[j]);
+      sum += w[j];
+    }
+    EXPECT_NEAR(sum, 1, round_off);
+    EXPECT_NEAR(value, polynomial(point), 100 * round_off);
+  }
+}
+
+TEST(Chebyshev, AnIntervalWithoutWidthHasOneCoordinate) { EXPECT_EQ(reference_coordinate({1, 1}, 1), 0); }
+
+}  // namespace
+}  // namespace assay::chebyshev

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/material.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/harness/elastic_material.hpp"
+#include "tests/harness/jaumann_material.hpp"
+
+namespace assay {
+namespace {
+
+const assay_material* elastic() { return assay_builtin_neo_hookean(ASSAY_ABI_MAJOR, 0); }
+
+std::string refusal(const std::map<std::string, double>& parameters) {
+  try {
+    Material(elastic(), parameters);
+  } catch (const ParameterError& error) {
+    return error.key();
+  }
+  return "accepted";
+}
+
+TEST(Material, FillsDefaultsInDeclaredOrder) {
+  const Material material(elastic(), {{"E", 5.0}});
+  EXPECT_EQ(material.parameters(), (std::vector<double>{5.0, 0.3}));
+  EXPECT_EQ(material.parameter("nu"), 0.3);
+  EXPECT_THROW(material.parameter("K"), ParameterError);
+}
+
+TEST(Material, ChecksItsParameters) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(refusal({{"E", 1.0}, {"nu", 0.2}}), "accepted");
+  EXPECT_EQ(refusal({{"nu", 0.2}}), "E");  // required
+  EXPECT_EQ(refusal({{"E", nan}}), "E");
+  EXPECT_EQ(refusal({{"E", inf}}), "E");
+  EXPECT_EQ(refusal({{"E", -1.0}}), "E");
+  EXPECT_EQ(refusal({{"E", 1.0}, {"nu", 0.5}}), "nu");
+  EXPECT_EQ(refusal({{"E", 1.0}, {"K", 2.0}}), "K");
+}
+
+TEST(Material, UpdatesBatchesComponentMajor) {
+  const auto material = elastic_material(1e3, 0.3);
+  const std::size_t n = 3;
+  std::vector<double> F(9 * n), cauchy(9 * n);
+  for (std::size_t p = 0; p < n; ++p) {
+    const Tensor f = Tensor::Identity() + 0.1 * static_cast<double>(p) * Tensor::Ones();
+    for (int c = 0; c < 9; ++c) F[static_cast<std::size_t>(c) * n + p] = component(f, c);
+  }
+  const UpdateReport report = material->update(0, 1, n, F.data(), F.data(), nullptr, nullptr, cauchy.data());
+  EXPECT_EQ(report.worst, ASSAY_GOOD);
+  const double mu = 1e3 / 2.6, lambda = 1e3 * 0.3 / (1.3 * 0.4);
+  for (std::size_t p = 0; p < n; ++p) {
+    const Tensor f = Tensor::Identity() + 0.1 * static_cast<double>(p) * Tensor::Ones();
+    const double J = f.determinant();
+    const Tensor expected =
+        lambda * std::log(J) / J * Tensor::Identity() + mu / J * (f * f.transpose() - Tensor::Identity());  // (34)
+    for (int c = 0; c < 9; ++c) {
+      EXPECT_NEAR(cauchy[static_cast<std::size_t>(c) * n + p], component(expected, c), 1e-11);
+    }
+  }
+}
+
+TEST(Material, ReportsTheFirstPointThatFails) {
+  std::vector<double> F(18), cauchy(18);
+  for (std::size_t p = 0; p < 2; ++p) {
+    for (const std::size_t d : {0, 4, 8}) F[2 * d + p] = 1;
+  }
+  F[1] = -1;  // F11 of the second point
+  const UpdateReport report = elastic_material()->update(0, 1, 2, F.data(), F.data(), nullptr, nullptr, cauchy.data());
+  EXPECT_EQ(report.worst, ASSAY_FAILED);
+  EXPECT_EQ(report.worst_point, 1u);
+  EXPECT_EQ(report.message, "det F <= 0");
+}
+
+TEST(Material, KnowsItsState) {
+  const auto material = jaumann_material();
+  EXPECT_EQ(material->state_size(), 9u);
+  EXPECT_FALSE(material->path_independent());
+  EXPECT_TRUE(elastic_material()->path_independent());
+  std::vector<double> stress(18);
+  for (std::size_t k = 0; k < stress.size(); ++k) stress[k] = static_cast<double>(k);
+  EXPECT_EQ(material->initial_state(2, stress), stress);
+  EXPECT_EQ(material->initial_state(1), std::vector<double>(9, 0.0));
+}
+
+TEST(Material, FillsDirectionsForTheModel) {
+  assay_material table = *jaumann_table();
+  const assay_state_variable state[] = {{"stress", "Pa", ASSAY_TENSOR, ASSAY_ROLE_PLAIN, ""},
+                                        {"fibre", "1", ASSAY_VECTOR, ASSAY_ROLE_DIRECTION, ""}};
+  table.state = state;
+  table.state_count = 2;
+  const Material material(&table, {});
+  EXPECT_EQ(material.state_size(), 12u);
+  const auto by_default = material.initial_state(1);
+  EXPECT_EQ(std::vector<double>(by_default.end() - 3, by_default.end()), (std::vector<double>{1, 0, 0}));
+  const std::vector<double> direction{0, 0.6, 0.8};
+  const auto given = material.initial_state(1, {}, direction);
+  EXPECT_EQ(std::vector<double>(given.end() - 3, given.end()), direction);
+}
+
+TEST(MaterialTable, DefectsAreNamed) {
+  EXPECT_FALSE(defect_of(elastic()));
+  EXPECT_TRUE(defect_of(nullptr));
+  const auto defect = [](auto change) {
+    assay_material table = *elastic();
+    change(table);
+    return defect_of(&table).value_or("none");
+  };
+  EXPECT_NE(defect([](auto& t) { t.abi_major = 2; }).find("ABI major 2"), std::string::npos);
+  EXPECT_NE(defect([](auto& t) { t.struct_size = 8; }).find("8 bytes"), std::string::npos);
+  EXPECT_NE(defect([](auto& t) { t.name = nullptr; }), "none");
+  EXPECT_NE(defect([](auto& t) { t.update = nullptr; }), "none");
+  EXPECT_NE(defect([](auto& t) { t.parameters = nullptr; }), "none");
+  EXPECT_NE(defect([](auto& t) { t.state_count = 1; }), "none");
+  EXPECT_EQ(defect([](auto& t) { t.struct_size += 64; }), "none");  // a younger table with more at its end
+}
+
+}  // namespace
+}  // namespace assay

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Short runs on several threads, as the program does them: what the thread sanitizer is shown.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "tests/house/tree.hpp"
+
+namespace {
+
+using namespace assay::house;
+namespace fs = std::filesystem;
+
+std::string errors_of_run(const std::string& scene, int run) {
+  const fs::path folder =
+      fs::path(ASSAY_BINARY_DIR) / "tests" / ("threads_" + fs::path(scene).stem().string() + std::to_string(run));
+  fs::remove_all(folder);
+  const Outcome outcome =
+      run_assay("run '" ASSAY_SOURCE_DIR "/" + scene + "' -o '" + folder.string() +
+                "' --threads 4 --quiet --set time.end=0.02 --set expect={} --set 'output={errors: 4, particles: 1}'");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  std::ifstream in(folder / "errors.csv", std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  fs::remove_all(folder);
+  return text.str();
+}
+
+void expect_same_bits_again(const std::string& scene) {
+  const std::string first = errors_of_run(scene, 1);
+  EXPECT_GT(lines_of(first).size(), 3u) << first;
+  EXPECT_EQ(first, errors_of_run(scene, 2));
+}
+
+TEST(Threads, CpdiRunsTwiceToTheSameBits) { expect_same_bits_again("configs/paper/vortex_cpdi.yaml"); }
+
+TEST(Threads, UgimpRunsTwiceToTheSameBits) { expect_same_bits_again("configs/paper/vortex_ugimp.yaml"); }
+
+}  // namespace

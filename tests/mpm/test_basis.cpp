@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What every basis must do: partition of unity, linear reproduction, gather as the adjoint of scatter.
+#include "tests/mpm/basis_cases.hpp"
+
+namespace assay::mpm {
+namespace {
+
+template <class Case>
+struct EveryBasisTest : testing::Test, BasisFixture<Case> {};
+TYPED_TEST_SUITE(EveryBasisTest, EveryBasis, BasisCaseName);
+
+constexpr int places = 300;
+
+TYPED_TEST(EveryBasisTest, IsAPartitionOfUnityAndReproducesLinearFields) {
+  constexpr std::size_t N = TypeParam::Dim;
+  for (int k = 0; k < places; ++k) {
+    this->place_at_random();
+    const auto w = this->weights();
+    double sum = 0, slopes = 0;
+    Vec<N> gradient{}, position{};
+    Mat<N> identity{};
+    for (std::size_t i = 0; i < w.nodes(); ++i) {
+      const double* node = w.node(i);
+      const Vec<N> at = this->node_position(i);
+      EXPECT_GE(node[0], 0);
+      sum += node[0];
+      for (std::size_t d = 0; d < N; ++d) {
+        gradient[d] += node[1 + d];
+        slopes += std::abs(node[1 + d]);
+        position[d] += node[0] * at[d];
+        for (std::size_t e = 0; e < N; ++e) identity[d * N + e] += at[d] * node[1 + e];
+      }
+    }
+    EXPECT_NEAR(sum, 1, round_off);
+    for (std::size_t d = 0; d < N; ++d) {
+      EXPECT_NEAR(position[d], this->x[d], round_off);
+      EXPECT_NEAR(gradient[d], 0, round_off * slopes);
+      for (std::size_t e = 0; e < N; ++e) {
+        EXPECT_NEAR(identity[d * N + e], d == e ? 1 : 0, round_off * std::max(1.0, slopes));
+      }
+    }
+  }
+}
+
+TYPED_TEST(EveryBasisTest, GatherIsTheAdjointOfScatter) {
+  constexpr std::size_t N = TypeParam::Dim;
+  constexpr int K = static_cast<int>(N) + 2, G = N;  // gradients of the last G on the way out, the first G back
+  for (int k = 0; k < places; ++k) {
+    this->place_at_random();
+    const auto A = this->random.template array<K>(1);
+    const auto B = this->random.template array<G * N>(1);
+    GridField<K> nodal;
+    nodal.allocate(this->grid.nodes());
+    this->basis.template scatter<K, G>(0, A, B, nodal);
+    GridField<K> field, shifted;  // `shifted`: the last G components first, as gather differentiates those
+    field.allocate(this->grid.nodes());
+    shifted.allocate(this->grid.nodes());
+    double left = 0, scale = 0;
+    for (std::size_t i = 0; i < field.nodes(); ++i) {
+      for (std::size_t c = 0; c < K; ++c) {
+        const double f = this->random();
+        field.node(i)[c] = f;
+        shifted.node(i)[(c + G) % K] = f;
+        left += f * nodal.node(i)[c];
+        scale += std::abs(f * nodal.node(i)[c]);
+      }
+    }
+    std::array<double, K> value, unused;
+    std::array<double, G * N> gradient;
+    std::array<double, 0> none;
+    this->basis.template gather<K, 0>(0, field, value, none);
+    this->basis.template gather<K, G>(0, shifted, unused, gradient);
+    double right = 0;
+    for (std::size_t c = 0; c < K; ++c) right += A[c] * value[c];
+    for (std::size_t c = 0; c < G * N; ++c) right += B[c] * gradient[c];
+    EXPECT_NEAR(left, right, round_off * std::max(1.0, scale));
+    for (std::size_t c = 0; c < K; ++c) EXPECT_EQ(unused[(c + G) % K], value[c]);
+  }
+}
+
+// sum x_i (x) grad w_i = I makes the moment of the internal forces that of the stress itself: none where it is
+// symmetric. All bases here reproduce linear fields, so all of them must; the unsymmetric stress shows that it is seen.
+TYPED_TEST(EveryBasisTest, InternalForcesHaveNoResultantAndNoMoment) {
+  constexpr std::size_t N = TypeParam::Dim;
+  for (int k = 0; k < places; ++k) {
+    this->place_at_random();
+    auto sigma = this->random.template array<N * N>(1e3);
+    for (const bool symmetric : {false, true}) {
+      if (symmetric) {
+        for (std::size_t i = 0; i < N; ++i) {
+          for (std::size_t j = 0; j < i; ++j) sigma[i * N + j] = sigma[j * N + i];
+        }
+      }
+      GridField<static_cast<int>(N)> force;
+      force.allocate(this->grid.nodes());
+      this->basis.template scatter<N, N>(0, {}, sigma, force);
+      Vec<N> total{};
+      double moment = 0, scale = 0;  // about the third axis
+      for (std::size_t i = 0; i < force.nodes(); ++i) {
+        const double* f = force.node(i);
+        const Vec<N> at = this->node_position(i);
+        for (std::size_t d = 0; d < N; ++d) total[d] += f[d], scale += std::abs(f[d]);
+        moment += at[0] * f[1] - at[1] * f[0];
+      }
+      for (const double sum : total) EXPECT_NEAR(sum, 0, round_off * scale);
+      EXPECT_NEAR(moment, symmetric ? 0 : sigma[N] - sigma[1], round_off * scale);
+    }
+  }
+}
+
+TYPED_TEST(EveryBasisTest, RefusesToPlaceOutsideTheGrid) {
+  constexpr std::size_t N = TypeParam::Dim;
+  Mat<N> identity{};
+  for (std::size_t d = 0; d < N; ++d) identity[d * N + d] = 1;
+  for (std::size_t d = 0; d < N; ++d) {
+    const double first = this->grid.coordinate(static_cast<int>(d), 0);
+    const double last = this->grid.coordinate(static_cast<int>(d), this->grid.count[d] - 1);
+    for (const double wrong : {first - 1e-9, last + 1e-9, -1e300, 1e300, std::nan(""), HUGE_VAL}) {
+      Vec<N> at{};
+      at[d] = wrong;
+      EXPECT_FALSE(this->basis.place(0, at, identity)) << wrong << " in direction " << d;
+    }
+    Vec<N> at{};
+    at[d] = first + 0.6 * this->grid.spacing;
+    EXPECT_TRUE(this->basis.place(0, at, identity));
+    at[d] = last - 0.6 * this->grid.spacing;
+    EXPECT_TRUE(this->basis.place(0, at, identity));
+    double sum = 0;
+    const auto w = this->weights();
+    for (std::size_t i = 0; i < w.nodes(); ++i) sum += w.node(i)[0];
+    EXPECT_NEAR(sum, 1, round_off);  // nothing wrapped around to the other side: checked by the address sanitizer too
+  }
+}
+
+}  // namespace
+}  // namespace assay::mpm

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The list of passes, and that what is absent costs nothing.
+#include "mpm/compose.hpp"
+
+#include <algorithm>
+
+#include "tests/mpm/vortex_setup.hpp"
+#include "tests/support/test_materials.hpp"
+
+namespace assay::mpm {
+namespace {
+
+template <int Dim>
+std::vector<std::string> names_of(const std::vector<Pass<Dim>>& passes) {
+  std::vector<std::string> names;
+  for (const auto& pass : passes) names.push_back(pass.name);
+  return names;
+}
+
+/// The vortex without anything that can be left out.
+Setup<2> bare(Update update = Update::usl) {
+  mpm::Setup<2> setup = vortex_setup(4, {Basis::cpdi, Transfer::flip, update});
+  setup.body_force = false;
+  return setup;
+}
+
+Setup<2> with_everything(const Way& way) {
+  mpm::Setup<2> setup = vortex_setup(4, way);
+  setup.seeds.held = {{0.1, 0.1}};
+  setup.hold_outside = setup.accounts = true;
+  setup.material =
+      std::make_shared<const Material>(test_materials::hypoelastic_table(), std::map<std::string, double>{});
+  return setup;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(Compose, OrdersThePassesOfEachUpdate) {
+  EXPECT_EQ(names_of(compose(bare(Update::usl))),
+            (Names{"weights", "particles_to_grid", "grid_forces", "grid_update", "grid_to_particles", "stress"}));
+  EXPECT_EQ(names_of(compose(bare(Update::usf))),
+            (Names{"weights", "particles_to_grid", "grid_velocity", "velocity_gradient", "stress", "grid_forces",
+                   "grid_update", "grid_to_particles"}));
+  EXPECT_EQ(names_of(compose(bare(Update::musl))),
+            (Names{"weights", "particles_to_grid", "grid_forces", "grid_update", "grid_to_particles",
+                   "particles_to_grid_again", "grid_velocity", "velocity_gradient", "stress"}));
+}
+
+TEST(Compose, AnEffectIsAPassMoreAndNothingElse) {
+  mpm::Setup<2> setup = bare();
+  setup.body_force = true;
+  EXPECT_EQ(names_of(compose(setup)), (Names{"body_force", "weights", "particles_to_grid", "grid_forces", "grid_update",
+                                             "grid_to_particles", "stress"}));
+  setup.accounts = setup.hold_outside = true;
+  EXPECT_EQ(names_of(compose(setup)), (Names{"body_force", "weights", "particles_to_grid", "grid_forces", "grid_update",
+                                             "hold_nodes", "grid_to_particles", "accounts", "stress"}));
+  setup.update = Update::musl;
+  const Names musl = names_of(compose(setup));
+  EXPECT_EQ(std::count(musl.begin(), musl.end(), "hold_nodes"), 2);  // the gradient's velocities are held too
+}
+
+TEST(Compose, NamesWhatEveryPassIsForAndWhoCalledForIt) {
+  for (const Way& way : every_way()) {
+    for (const auto& pass : compose(with_everything(way))) {
+      EXPECT_FALSE(pass.doc.empty()) << pass.name;
+      EXPECT_FALSE(pass.called_for_by.empty()) << pass.name;
+      EXPECT_TRUE(pass.bind) << pass.name;
+    }
+  }
+}
+
+TEST(Compose, AbsentEffectsHaveNoColumn) {
+  const auto columns_in = [](const mpm::Setup<2>& setup) {
+    std::vector<Column> columns;
+    for (const auto& use : columns_of(compose(setup), setup)) columns.push_back(use.column);
+    return columns;
+  };
+  const auto has = [](const std::vector<Column>& list, Column c) {
+    return std::find(list.begin(), list.end(), c) != list.end();
+  };
+  const auto least = columns_in(bare());
+  EXPECT_FALSE(has(least, Column::body_force));
+  EXPECT_FALSE(has(least, Column::history));
+  const auto most = columns_in(with_everything({}));
+  EXPECT_TRUE(has(most, Column::body_force));
+  EXPECT_TRUE(has(most, Column::history));
+  for (const Column column : least) EXPECT_TRUE(has(most, column));
+}
+
+std::size_t allocated(const State<2>& s, const ColumnUse& use) {
+  if (use.column == Column::history) return (s.history[0].size() + s.history[1].size()) * sizeof(double);
+  return s.columns[static_cast<std::size_t>(use.column)].bytes();
+}
+
+// To the byte: what `explain` says is what a run allocates, for every way through the method.
+TEST(Compose, ColumnsAndGridTakeTheBytesThatAreTold) {
+  for (const Way& way : every_way()) {
+    for (const bool everything : {false, true}) {
+      mpm::Setup<2> setup = everything ? with_everything(way) : bare();
+      setup.basis = way.basis, setup.transfer = way.transfer, setup.update = way.update;
+      const Simulation<2> simulation(setup);
+      const State<2>& s = simulation.state();
+      std::array<bool, column_count> told{};
+      for (const ColumnUse& use : columns_of(compose(setup), setup)) {
+        told[static_cast<std::size_t>(use.column)] = true;
+        if (use.column == Column::weights) continue;  // the basis states and asserts its own size
+        EXPECT_EQ(allocated(s, use), use.bytes * s.particles) << info(use.column).name;
+      }
+      for (std::size_t k = 0; k < column_count; ++k) {
+        if (told[k]) continue;
+        EXPECT_TRUE(s.columns[k].empty()) << info(static_cast<Column>(k)).name;
+      }
+      EXPECT_EQ(s.history[0].empty(), !everything);
+      EXPECT_EQ(s.held_nodes.empty(), !everything);
+      EXPECT_EQ(s.inertia.bytes() + s.force.bytes() + s.motion.bytes() + s.held_mass.size() * sizeof(double),
+                grid_bytes_per_node(setup) * setup.grid.nodes());
+    }
+  }
+}
+
+TEST(Compose, ARunProfilesThePassesThatWereComposed) {
+  for (const Way& way : every_way()) {
+    const mpm::Setup<2> setup = with_everything(way);
+    const Simulation<2> simulation(setup);
+    Names timed;
+    for (const PassTime& time : simulation.times()) timed.push_back(time.name);
+    EXPECT_EQ(timed, names_of(compose(setup)));
+  }
+}
+
+// Every column that a pass reads was written by the start or by a pass: none is read that nobody fills.
+TEST(Compose, NothingIsReadThatNobodyWrites) {
+  for (const Way& way : every_way()) {
+    const auto passes = compose(with_everything(way));
+    std::vector<Column> filled{
+        Column::reference_position,   Column::position, Column::velocity, Column::mass, Column::volume,
+        Column::deformation_gradient, Column::stress,   Column::history};
+    for (const auto& pass : passes) {
+      for (const Column column : pass.reads) {
+        EXPECT_TRUE(std::find(filled.begin(), filled.end(), column) != filled.end())
+            << pass.name << " reads " << info(column).name;
+      }
+      filled.insert(filled.end(), pass.writes.begin(), pass.writes.end());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace assay::mpm

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/lattice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <set>
+
+#include "tests/mpm/vortex_setup.hpp"
+
+namespace assay::mpm {
+namespace {
+
+using Point = std::array<double, 2>;
+
+std::set<Point> points_of(const Seeds<2>& seeds) {
+  std::set<Point> points;
+  for (std::size_t p = 0; p < seeds.size(); ++p) points.insert({seeds.X[0][p], seeds.X[1][p]});
+  return points;
+}
+
+TEST(Lattice, TheRingOfTheIssueHas5032Particles) {
+  const Seeds<2> seeds = vortex_setup(10).seeds;
+  EXPECT_EQ(seeds.size(), 5032u);
+  EXPECT_EQ(points_of(seeds).size(), 5032u);
+  EXPECT_TRUE(seeds.held.empty());
+  // the sum of whole squares whose centres lie in the ring: its area up to the boundary's noise
+  const double area = std::numbers::pi * (1.25 * 1.25 - 0.75 * 0.75);
+  EXPECT_NEAR(static_cast<double>(seeds.size()) * seeds.volume(), area, 2e-3 * area);
+}
+
+// Counted over odd integers, without any rounding: X = (2i+1) h / (2 per_cell).
+TEST(Lattice, HoldsExactlyTheLatticePointsInsideTheRing) {
+  for (const auto& [across, per_cell] :
+       {std::pair{10, std::array{1, 1}}, std::pair{10, std::array{3, 2}}, std::pair{20, std::array{2, 2}}}) {
+    const Seeds<2> seeds = vortex_setup(across, {}, per_cell).seeds;
+    const std::int64_t nx = 2 * per_cell[0], ny = 2 * per_cell[1];
+    std::size_t count = 0;
+    for (std::int64_t i = -nx * across * 3 - 1; i < nx * across * 3; i += 2) {
+      for (std::int64_t j = -ny * across * 3 - 1; j < ny * across * 3; j += 2) {
+        // R^2 = (h i / nx)^2 + (h j / ny)^2 with h = 1 / (2 across), against 9/16 and 25/16
+        const std::int64_t square = (i * i * ny * ny + j * j * nx * nx) * 16;
+        const std::int64_t unit = 4 * nx * nx * ny * ny * across * across;
+        if (square > 9 * unit && square < 25 * unit) ++count;
+      }
+    }
+    EXPECT_EQ(seeds.size(), count);
+    EXPECT_EQ(seeds.half_size[0], 0.25 / across / per_cell[0]);
+    EXPECT_EQ(seeds.half_size[1], 0.25 / across / per_cell[1]);
+  }
+}
+
+TEST(Lattice, IsSymmetricToTheLastBit) {
+  for (const int across : {7, 10, 13}) {  // spacings that are no powers of two
+    const auto points = points_of(vortex_setup(across).seeds);
+    for (const Point& X : points) {
+      EXPECT_TRUE(points.contains({-X[0], X[1]}));
+      EXPECT_TRUE(points.contains({X[1], X[0]}));
+    }
+  }
+}
+
+TEST(Lattice, LeavesOutWhatLiesOutsideTheBoxAndKeepsHeldOnesApart) {
+  const auto fate = [](const Point& X) { return X[0] < 0 ? Fate::held : Fate::stepped; };
+  const Seeds<2> seeds = cartesian_lattice({-0.32, -0.1}, {0.2, 0.13}, 0.1, {2, 2}, fate);
+  // x: -.325 is outside, -.275 .. .175; y: -.075 .. .125
+  EXPECT_EQ(seeds.size(), 4u * 5u);
+  EXPECT_EQ(seeds.held.size(), 6u * 5u);
+  for (const Point& X : seeds.held) EXPECT_LT(X[0], 0);
+}
+
+TEST(Lattice, GoesCellByCell) {
+  const Seeds<2> seeds = cartesian_lattice({0, 0}, {2, 2}, 1, {2, 2}, [](const Point&) { return Fate::stepped; });
+  ASSERT_EQ(seeds.size(), 16u);
+  for (std::size_t p = 0; p < 16; ++p) {
+    EXPECT_EQ(static_cast<std::size_t>(seeds.X[0][p]), p / 4 % 2);
+    EXPECT_EQ(static_cast<std::size_t>(seeds.X[1][p]), p / 8);
+  }
+}
+
+TEST(Lattice, TheGridHasItsNodesAtMultiplesOfTheSpacing) {
+  const auto grid = grid_around({-1.5, -0.3}, {1.5, 0.31}, 0.1, 4);
+  EXPECT_EQ(grid.first, (std::array<std::int32_t, 2>{-19, -7}));
+  EXPECT_EQ(grid.count, (std::array<std::int32_t, 2>{39, 16}));  // to 19 and to 8
+  EXPECT_EQ(grid.nodes(), 39u * 16u);
+  EXPECT_DOUBLE_EQ(grid.coordinate(0, 0), -1.9);
+  EXPECT_DOUBLE_EQ(grid.coordinate(1, 15), 0.8);
+}
+
+}  // namespace
+}  // namespace assay::mpm

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/simulation.hpp"
+
+#include <cstring>
+
+#include "tests/mpm/vortex_setup.hpp"
+
+namespace assay::mpm {
+namespace {
+
+constexpr double dt = 1e-3;
+
+void run(Simulation<2>& simulation, int steps) {
+  for (int k = 0; k < steps; ++k) {
+    ASSERT_FALSE(simulation.step(k * dt, dt)) << simulation.state().finding->reason;
+  }
+}
+
+/// Every column of a, byte for byte as in b.
+void expect_same_bytes(const State<2>& a, const State<2>& b) {
+  ASSERT_EQ(a.particles, b.particles);
+  for (std::size_t k = 0; k < column_count; ++k) {
+    ASSERT_EQ(a.columns[k].bytes(), b.columns[k].bytes());
+    if (a.columns[k].empty()) continue;
+    EXPECT_EQ(std::memcmp(a.columns[k].component(0), b.columns[k].component(0), a.columns[k].bytes()), 0)
+        << info(static_cast<Column>(k)).name;
+  }
+  EXPECT_EQ(a.ledger.impulse, b.ledger.impulse);
+  EXPECT_EQ(a.ledger.angular_impulse, b.ledger.angular_impulse);
+  EXPECT_EQ(a.ledger.internal_work, b.ledger.internal_work);
+  EXPECT_EQ(a.ledger.external_work, b.ledger.external_work);
+  EXPECT_EQ(a.ledger.mass_defect, b.ledger.mass_defect);
+}
+
+struct EveryMethod : testing::TestWithParam<Way> {};
+INSTANTIATE_TEST_SUITE_P(Method, EveryMethod, testing::ValuesIn(every_way()), way_name);
+
+TEST_P(EveryMethod, TwoRunsAndAnyNumberOfThreadsGiveTheSameBytes) {
+  mpm::Setup<2> setup = vortex_setup(5, GetParam());
+  setup.accounts = true;
+  Simulation<2> first(setup), second(setup);
+  setup.threads = 2;
+  Simulation<2> threaded(setup);
+  for (Simulation<2>* simulation : {&first, &second, &threaded}) run(*simulation, 100);
+  expect_same_bytes(first.state(), second.state());
+  expect_same_bytes(first.state(), threaded.state());
+  EXPECT_NE(first.state().column(Column::position)[0], first.state().column(Column::reference_position)[0]);
+}
+
+TEST(Simulation, StartsFromTheExactStateOfTheMotion) {
+  const Simulation<2> simulation(vortex_setup(5));
+  const State<2>& s = simulation.state();
+  EXPECT_EQ(displacement_error(s, 0), 0);
+  double fastest = 0;
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    const double X = s.column(Column::position, 0)[p], Y = s.column(Column::position, 1)[p];
+    // g'(0) h(R) E_z x X with g'(0) = pi, h of section 2.4
+    const double q = 8 * (std::hypot(X, Y) - 1) * (std::hypot(X, Y) - 1);
+    const double omega = std::acos(-1.0) * (1 - 4 * q + 4 * q * q);
+    EXPECT_NEAR(s.column(Column::velocity, 0)[p], -omega * Y, 1e-13);
+    EXPECT_NEAR(s.column(Column::velocity, 1)[p], omega * X, 1e-13);
+    fastest = std::max(fastest, omega);
+    for (int c = 0; c < 4; ++c) EXPECT_EQ(s.column(Column::deformation_gradient, c)[p], c % 3 == 0 ? 1 : 0);
+    EXPECT_EQ(s.column(Column::mass)[p], 1000 * s.column(Column::volume)[p]);
+  }
+  EXPECT_GT(fastest, 3);
+}
+
+TEST(Simulation, WithoutAMotionStartsAndStaysAtRest) {
+  Simulation<2> simulation(block_setup<2>({}));
+  run(simulation, 10);
+  const State<2>& s = simulation.state();
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    EXPECT_EQ(s.column(Column::position, 0)[p], s.column(Column::reference_position, 0)[p]);
+    EXPECT_EQ(s.column(Column::velocity, 1)[p], 0);
+  }
+}
+
+TEST(Simulation, AFindingStopsTheStepAtThePassThatFoundIt) {
+  mpm::Setup<2> setup = vortex_setup(5);
+  Simulation<2> simulation(setup);
+  State<2>& s = simulation.state();
+  s.column(Column::position, 0)[3] = 1e6;
+  ASSERT_TRUE(simulation.step(0, dt));
+  EXPECT_EQ(s.material_calls, 0);
+  EXPECT_EQ(s.column(Column::position, 0)[4], s.column(Column::reference_position, 0)[4]);
+}
+
+TEST(Simulation, MaterialCallsAreParticleSteps) {
+  Simulation<2> simulation(vortex_setup(4));
+  run(simulation, 3);
+  EXPECT_EQ(simulation.state().material_calls, 3 * static_cast<std::int64_t>(simulation.state().particles));
+}
+
+// The finding of the paper (figure 2): what CPDI carries through kills uGIMP before T/2.
+TEST(Simulation, UgimpDiesWhereCpdiLives) {
+  const auto death = [](Basis basis) {
+    constexpr int across = 10;
+    constexpr double step = 1.0 / (200 * across);
+    Simulation<2> simulation(vortex_setup(across, {basis, Transfer::flip, Update::usl}));
+    for (int k = 0; k < 100 * across; ++k) {
+      if (simulation.step(k * step, step)) return (k + 1) * step;
+    }
+    return HUGE_VAL;
+  };
+  const double t = death(Basis::ugimp);
+  EXPECT_GT(t, 0.28);
+  EXPECT_LT(t, 0.45);
+  EXPECT_EQ(death(Basis::cpdi), HUGE_VAL);
+}
+
+}  // namespace
+}  // namespace assay::mpm

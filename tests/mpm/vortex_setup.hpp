@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Setups of the particle method for tests: the paper's vortex on a coarse ring, and a plain block of particles.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mpm/lattice.hpp"
+#include "mpm/simulation.hpp"
+#include "tests/harness/elastic_material.hpp"
+
+namespace assay::mpm {
+
+/// A way through basis, transfer and update: every combination in turn.
+struct Way {
+  Basis basis = Basis::cpdi;
+  Transfer transfer = Transfer::flip;
+  Update update = Update::usl;
+};
+
+inline std::vector<Way> every_way() {
+  std::vector<Way> ways;
+  for (const Basis basis : {Basis::linear, Basis::ugimp, Basis::cpdi}) {
+    for (const Transfer transfer : {Transfer::pic, Transfer::flip}) {
+      for (const Update update : {Update::usf, Update::usl, Update::musl}) ways.push_back({basis, transfer, update});
+    }
+  }
+  return ways;
+}
+
+inline std::string way_name(const testing::TestParamInfo<Way>& info) {
+  const char* basis[] = {"linear", "ugimp", "cpdi"};
+  const char* transfer[] = {"pic", "flip"};
+  const char* update[] = {"usf", "usl", "musl"};
+  return std::string(basis[static_cast<int>(info.param.basis)]) + "_" +
+         transfer[static_cast<int>(info.param.transfer)] + "_" + update[static_cast<int>(info.param.update)];
+}
+
+/// The free ring of the paper's vortex, 2x2 particles a cell, so many cells across; body force in closed form.
+inline Setup<2> vortex_setup(int across, const Way& way = {}, std::array<int, 2> per_cell = {2, 2}) {
+  Setup<2> setup;
+  const Vortex motion;
+  const double h = (motion.outer - motion.inner) / across;
+  const std::array<double, 2> lower{-motion.outer, -motion.outer}, upper{motion.outer, motion.outer};
+  setup.basis = way.basis;
+  setup.transfer = way.transfer;
+  setup.update = way.update;
+  setup.grid = grid_around(lower, upper, h, 4);
+  setup.seeds = cartesian_lattice(lower, upper, h, per_cell, [&](const auto& X) {
+    return motion.moves({X[0], X[1], 0}) ? Fate::stepped : Fate::absent;
+  });
+  setup.density = 1000;
+  setup.material = elastic_material();
+  setup.motion = motion;
+  setup.body_force = true;
+  setup.response = std::make_shared<const Response>(*ClosedForm::of(setup.material, motion.baseline()));
+  return setup;
+}
+
+/// A block of 2^Dim cells with 2^Dim particles each, at rest, in a grid with 9 empty cells on each side of it.
+template <int Dim>
+Setup<Dim> block_setup(const Way& way) {
+  Setup<Dim> setup;
+  setup.basis = way.basis;
+  setup.transfer = way.transfer;
+  setup.update = way.update;
+  setup.grid.spacing = 0.1;
+  setup.grid.first.fill(-10);
+  setup.grid.count.fill(21);
+  setup.seeds.half_size.fill(0.025);
+  const int along = 4;
+  int count = 1;
+  for (int d = 0; d < Dim; ++d) count *= along;
+  for (int p = 0; p < count; ++p) {
+    for (int d = 0, rest = p; d < Dim; ++d, rest /= along) {
+      setup.seeds.X[static_cast<std::size_t>(d)].push_back(-0.075 + 0.05 * (rest % along));
+    }
+  }
+  setup.density = 1000;
+  setup.material = elastic_material();
+  return setup;
+}
+
+/// Momentum of the particles [N s].
+template <int Dim>
+Vec<Dim> momentum(const State<Dim>& s) {
+  Vec<Dim> sum{};
+  for (int d = 0; d < Dim; ++d) {
+    for (std::size_t p = 0; p < s.particles; ++p) {
+      sum[static_cast<std::size_t>(d)] += s.column(Column::mass)[p] * s.column(Column::velocity, d)[p];
+    }
+  }
+  return sum;
+}
+
+/// Sum of m |v| [N s].
+template <int Dim>
+double momentum_scale(const State<Dim>& s) {
+  double sum = 0;
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    double square = 0;
+    for (int d = 0; d < Dim; ++d) square += std::pow(s.column(Column::velocity, d)[p], 2);
+    sum += s.column(Column::mass)[p] * std::sqrt(square);
+  }
+  return sum;
+}
+
+/// [J]
+template <int Dim>
+double kinetic_energy(const State<Dim>& s) {
+  double sum = 0;
+  for (int d = 0; d < Dim; ++d) {
+    for (std::size_t p = 0; p < s.particles; ++p) {
+      sum += 0.5 * s.column(Column::mass)[p] * std::pow(s.column(Column::velocity, d)[p], 2);
+    }
+  }
+  return sum;
+}
+
+/// About E_z [N m s].
+inline double angular_momentum(const State<2>& s) {
+  double sum = 0;
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    sum += s.column(Column::mass)[p] * (s.column(Column::position, 0)[p] * s.column(Column::velocity, 1)[p] -
+                                        s.column(Column::position, 1)[p] * s.column(Column::velocity, 0)[p]);
+  }
+  return sum;
+}
+
+/// Root mean square of |x - x_exact| over the particles, which all move [m].
+inline double displacement_error(const State<2>& s, double t) {
+  double sum = 0;
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    const Vector3 X(s.column(Column::reference_position, 0)[p], s.column(Column::reference_position, 1)[p], 0);
+    const Vector3 x(s.column(Column::position, 0)[p], s.column(Column::position, 1)[p], 0);
+    sum += (x - state_at(*s.setup.motion, X, t).x).squaredNorm();
+  }
+  return std::sqrt(sum / static_cast<double>(s.particles));
+}
+
+}  // namespace assay::mpm

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# A scene is a test: every YAML file under configs/ is run (or tabulated, where it has no method) and must find what
+# its `expect:` says.
+file(GLOB_RECURSE scenes CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/configs ${PROJECT_SOURCE_DIR}/configs/*.yaml)
+foreach(scene IN LISTS scenes)
+  string(REGEX REPLACE "\\.yaml$" "" name ${scene})
+  file(STRINGS ${PROJECT_SOURCE_DIR}/configs/${scene} method REGEX "^method:")
+  if(method)
+    set(verb run)
+  else()
+    set(verb tabulate)
+  endif()
+  add_test(NAME scene/${name}
+    COMMAND assay ${verb} ${PROJECT_SOURCE_DIR}/configs/${scene} -o ${PROJECT_BINARY_DIR}/scenes/${name} --quiet)
+endforeach()
