@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
-#include "drivers/csv.hpp"
-#include "drivers/line_plot.hpp"
-#include "drivers/number_format.hpp"
-#include "drivers/numbers.hpp"
-#include "drivers/scene_reader.hpp"
-#include "drivers/simulate.hpp"
+#include "drivers/output/csv.hpp"
+#include "drivers/output/number_format.hpp"
+#include "drivers/output/numbers.hpp"
+#include "drivers/picture/line_plot.hpp"
+#include "drivers/scene/scene_reader.hpp"
+#include "drivers/simulation/simulate.hpp"
 #include "harness/norms.hpp"
 
 namespace {

@@ -10,7 +10,7 @@
 
 #include "drivers/build_information.hpp"
 #include "drivers/input_error.hpp"
-#include "drivers/numbers.hpp"
+#include "drivers/output/numbers.hpp"
 #include "drivers/verbs.hpp"
 
 namespace assay::drivers {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "drivers/csv.hpp"
 #include "drivers/findings.hpp"
-#include "drivers/output_folder.hpp"
-#include "drivers/points_csv.hpp"
-#include "drivers/problem.hpp"
-#include "drivers/scene_reader.hpp"
+#include "drivers/output/csv.hpp"
+#include "drivers/output/output_folder.hpp"
+#include "drivers/output/points_csv.hpp"
+#include "drivers/scene/scene_reader.hpp"
+#include "drivers/simulation/problem.hpp"
 #include "drivers/verbs.hpp"
 #include "harness/body_force.hpp"
 #include "harness/point_driver.hpp"

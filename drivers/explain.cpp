@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/findings.hpp"
-#include "drivers/number_format.hpp"
-#include "drivers/problem.hpp"
-#include "drivers/scene_reader.hpp"
+#include "drivers/output/number_format.hpp"
+#include "drivers/output/wrapped_text.hpp"
+#include "drivers/scene/scene_reader.hpp"
+#include "drivers/simulation/problem.hpp"
 #include "drivers/verbs.hpp"
-#include "drivers/wrapped_text.hpp"
 
 namespace assay::drivers {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "drivers/number_format.hpp"
+#include "drivers/output/number_format.hpp"
 
 namespace assay::drivers {
 

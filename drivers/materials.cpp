@@ -4,9 +4,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "drivers/material_path.hpp"
-#include "drivers/material_text.hpp"
-#include "drivers/registry.hpp"
+#include "drivers/material/material_path.hpp"
+#include "drivers/material/material_text.hpp"
+#include "drivers/material/registry.hpp"
 #include "drivers/verbs.hpp"
 
 namespace assay::drivers {

@@ -6,10 +6,10 @@
 
 #include "adapters/builtin.hpp"
 #include "adapters/probe.hpp"
-#include "drivers/material_description.hpp"
-#include "drivers/material_path.hpp"
-#include "drivers/output_folder.hpp"
-#include "drivers/registry.hpp"
+#include "drivers/material/material_description.hpp"
+#include "drivers/material/material_path.hpp"
+#include "drivers/material/registry.hpp"
+#include "drivers/output/output_folder.hpp"
 #include "drivers/verbs.hpp"
 
 namespace assay::drivers {

@@ -7,21 +7,21 @@
 #include <cstdio>
 
 #include "drivers/build_information.hpp"
-#include "drivers/csv.hpp"
-#include "drivers/expect.hpp"
 #include "drivers/findings.hpp"
-#include "drivers/line_plot.hpp"
-#include "drivers/number_format.hpp"
-#include "drivers/output_folder.hpp"
-#include "drivers/points_csv.hpp"
-#include "drivers/problem.hpp"
-#include "drivers/resolved.hpp"
-#include "drivers/result_json.hpp"
-#include "drivers/scene_reader.hpp"
-#include "drivers/simulate.hpp"
+#include "drivers/output/csv.hpp"
+#include "drivers/output/number_format.hpp"
+#include "drivers/output/output_folder.hpp"
+#include "drivers/output/points_csv.hpp"
+#include "drivers/output/result_json.hpp"
+#include "drivers/output/wrapped_text.hpp"
+#include "drivers/picture/line_plot.hpp"
+#include "drivers/scene/expect.hpp"
+#include "drivers/scene/resolved.hpp"
+#include "drivers/scene/scene_reader.hpp"
+#include "drivers/simulation/problem.hpp"
+#include "drivers/simulation/simulate.hpp"
 #include "drivers/verbs.hpp"
 #include "drivers/verdict.hpp"
-#include "drivers/wrapped_text.hpp"
 
 namespace assay::drivers {
 

@@ -4,8 +4,8 @@
 #include <fmt/core.h>
 
 #include "drivers/findings.hpp"
-#include "drivers/number_format.hpp"
-#include "drivers/wrapped_text.hpp"
+#include "drivers/output/number_format.hpp"
+#include "drivers/output/wrapped_text.hpp"
 
 namespace assay::drivers {
 

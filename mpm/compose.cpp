@@ -63,7 +63,7 @@ std::vector<Pass<Dim>> compose_with(const Setup<Dim>& setup) {
   add(force_pass<B, Dim>(body_force));
   add(grid_update_pass<Dim>());
   add_held(setup.transfer == Transfer::flip ? Reaction::of_acceleration : Reaction::of_velocity);
-  add(grid_to_particles_pass<B, Dim>(setup.transfer, setup.update == Update::usl));
+  add(grid_to_particles_pass<B, Dim>(setup.transfer, setup.update == Update::usl, setup.accounts && body_force));
   if (setup.update == Update::musl) {
     Pass<Dim> again = particles_to_grid_pass<B, Dim>(setup.hold_outside);
     again.name = "particles_to_grid_again";

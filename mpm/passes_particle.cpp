@@ -73,7 +73,7 @@ namespace {
 /// Sums of one block, added up in the order of the blocks.
 struct BlockSums {
   std::array<double, 3> impulse{};
-  double torque = 0, external = 0, internal = 0;
+  double torque = 0, internal = 0;
 };
 
 template <int Dim>
@@ -83,9 +83,7 @@ BlockSums sums_of_block(const State<Dim>& s, bool with_body_force, std::size_t b
     const double m = s.column(Column::mass)[p];
     if (with_body_force) {
       for (int d = 0; d < Dim; ++d) {
-        const double f = m * s.column(Column::body_force, d)[p];
-        sums.impulse[static_cast<std::size_t>(d)] += f;
-        sums.external += f * s.column(Column::velocity, d)[p];
+        sums.impulse[static_cast<std::size_t>(d)] += m * s.column(Column::body_force, d)[p];
       }
       sums.torque += m * (s.column(Column::position, 0)[p] * s.column(Column::body_force, 1)[p] -
                           s.column(Column::position, 1)[p] * s.column(Column::body_force, 0)[p]);
@@ -111,7 +109,7 @@ Pass<Dim> accounts_pass(bool with_body_force) {
   pass.called_for_by = "output.accounts";
   pass.reads = {Column::mass, Column::volume, Column::deformation_gradient, Column::stress, Column::velocity_gradient};
   if (with_body_force) {
-    pass.reads.insert(pass.reads.end(), {Column::body_force, Column::velocity, Column::position});
+    pass.reads.insert(pass.reads.end(), {Column::body_force, Column::position});
   }
   pass.grid_fields = {"mass"};
   pass.bind = [with_body_force](State<Dim>& s) -> Kernel {
@@ -126,7 +124,6 @@ Pass<Dim> accounts_pass(bool with_body_force) {
       for (const BlockSums& sums : *blocks) {
         for (std::size_t d = 0; d < 3; ++d) s.ledger.impulse[d] += now.dt * sums.impulse[d];
         s.ledger.angular_impulse += now.dt * sums.torque;
-        s.ledger.external_work += now.dt * sums.external;
         s.ledger.internal_work += now.dt * sums.internal;
       }
       double grid_mass = 0;

@@ -14,7 +14,7 @@ Pass<Dim> body_force_pass();
 template <int Dim>
 Pass<Dim> stress_pass(bool with_history, bool reads_increment);
 
-/// Impulse and work of the body force, work of the stress; mass on the grid against mass of the particles.
+/// Impulse of the body force, work of the stress; mass on the grid against mass of the particles.
 template <int Dim>
 Pass<Dim> accounts_pass(bool with_body_force);
 

@@ -18,9 +18,10 @@ Pass<Dim> particles_to_grid_pass(bool hold_outside);
 template <class B, int Dim>
 Pass<Dim> force_pass(bool with_body_force);
 
-/// x += dt sum phi v_i; FLIP: v += dt sum phi a_i; PIC: v = sum phi v_i; [L = sum v_i (x) grad phi].
+/// x += dt sum phi v_i; FLIP: v += dt sum phi a_i; PIC: v = sum phi v_i; [L = sum v_i (x) grad phi];
+/// [work of the body force into the ledger].
 template <class B, int Dim>
-Pass<Dim> grid_to_particles_pass(Transfer transfer, bool with_velocity_gradient);
+Pass<Dim> grid_to_particles_pass(Transfer transfer, bool with_velocity_gradient, bool with_work);
 
 /// L = sum v_i (x) grad phi_ip alone.
 template <class B, int Dim>

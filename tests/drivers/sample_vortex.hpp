@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "drivers/particle_picture.hpp"
+#include "drivers/picture/particle_picture.hpp"
 
 namespace assay::drivers {
 

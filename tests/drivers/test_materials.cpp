@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "drivers/material_text.hpp"
+#include "drivers/material/material_text.hpp"
 #include "drivers/verbs.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/registry_fixture.hpp"

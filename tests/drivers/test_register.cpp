@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/registry.hpp"
+#include "drivers/material/registry.hpp"
+#include "drivers/scene/yaml_reader.hpp"
 #include "drivers/verbs.hpp"
-#include "drivers/yaml_reader.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/registry_fixture.hpp"
 

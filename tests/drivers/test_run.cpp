@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "drivers/csv.hpp"
 #include "drivers/input_error.hpp"
+#include "drivers/output/csv.hpp"
 #include "drivers/verbs.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "drivers/csv.hpp"
 #include "drivers/input_error.hpp"
+#include "drivers/output/csv.hpp"
 #include "drivers/verbs.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 

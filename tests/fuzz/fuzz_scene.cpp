@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "drivers/input_error.hpp"
-#include "drivers/resolved.hpp"
-#include "drivers/scene_reader.hpp"
+#include "drivers/scene/resolved.hpp"
+#include "drivers/scene/scene_reader.hpp"
 
 namespace {
 

@@ -66,7 +66,7 @@ TEST(Floors, FaultsAreCaught) {
   EXPECT_NE(fault("harness", {1, "adapters/registry.hpp", true}), "");
   EXPECT_NE(fault("mpm", {1, "adapters/registry.hpp", true}), "");
   EXPECT_NE(fault("adapters", {1, "mpm/grid.hpp", true}), "");
-  EXPECT_NE(fault("mpm", {1, "drivers/scene.hpp", true}), "");
+  EXPECT_NE(fault("mpm", {1, "drivers/scene/scene.hpp", true}), "");
   EXPECT_NE(fault("mpm", {1, "grid.hpp", true}), "");
   EXPECT_NE(fault("mpm", {1, "../harness/tensor.hpp", true}), "");
   EXPECT_NE(fault("adapters", {1, "yaml-cpp/yaml.h", false}), "");

@@ -18,7 +18,7 @@ std::vector<std::string> lines_of(const std::string& text);
 
 struct Include {
   int line = 0;
-  std::string name;  ///< "drivers/scene.hpp", "vector"
+  std::string name;  ///< "drivers/scene/scene.hpp", "vector"
   bool quoted = false;
 };
 

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/material/material_choice.hpp"
+
+#include "drivers/material/registry.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+Location place_of(const std::string& parameter, const MaterialChoice& choice, const MaterialSource& source) {
+  if (const auto at = choice.parameter_where.find(parameter); at != choice.parameter_where.end()) return at->second;
+  if (const auto at = source.parameter_where.find(parameter); at != source.parameter_where.end()) return at->second;
+  return choice.where;
+}
+
+Material created(const MaterialChoice& choice, const MaterialSource& source) {
+  try {
+    return Material(source.table, choice.parameters);
+  } catch (const ParameterError& error) {
+    const Location where = place_of(error.key(), choice, source);
+    const std::string key = error.key().empty() ? "material.parameters" : "material.parameters." + error.key();
+    throw InputError(where, one_line(key, 100), error.what(), error.known());
+  } catch (const std::runtime_error& error) {
+    throw InputError(choice.where, "material.parameters", error.what());
+  }
+}
+
+}  // namespace
+
+ResolvedMaterial resolve_material(const MaterialChoice& given) {
+  const MaterialSource source = find_material(given.adapter, given.where, "material.adapter");
+  MaterialChoice choice = given;
+  choice.parameters.insert(source.parameters.begin(), source.parameters.end());  // the scene's own stay
+  if (!(choice.density > 0)) {
+    if (!source.density) {
+      throw InputError(given.where, "material.density", "required: neither the scene nor the material gives one");
+    }
+    choice.density = *source.density;
+  }
+  Material material = created(choice, source);
+  for (std::uint32_t i = 0; i < source.table->parameter_count; ++i) {
+    choice.parameters[source.table->parameters[i].name] = material.parameters()[i];
+  }
+  return {std::move(material), std::move(choice), source.library};
+}
+
+ResolvedMaterial resolve_material(const Scene& scene) {
+  ResolvedMaterial resolved = resolve_material(scene.material);
+  if (std::holds_alternative<Vortex>(scene.motion) && resolved.material.table().symmetry == ASSAY_ANISOTROPIC) {
+    throw InputError(scene.material.where, "material.adapter",
+                     "'" + resolved.material.name() +
+                         "' is anisotropic in fixed axes, and the vortex's response (19) is the same all around the "
+                         "ring only for a material that is isotropic about the ring's axis");
+  }
+  return resolved;
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From what a scene says of its material to one that can be run.
+#pragma once
+
+#include <string>
+
+#include "drivers/scene/scene.hpp"
+#include "harness/material.hpp"
+
+namespace assay::drivers {
+
+struct ResolvedMaterial {
+  Material material;
+  MaterialChoice choice;  ///< all parameters and the density filled in: what resolved.yaml should hold
+  std::string library;    ///< absolute path of the shared library; empty: built in
+};
+
+/// Finds and creates it. Throws InputError: not found, not loadable, a parameter that it does not take or lacks, no
+/// density, refused by the model itself; for a vortex, a material that is anisotropic in Cartesian axes.
+ResolvedMaterial resolve_material(const Scene& scene);
+
+/// The same without a motion to suit.
+ResolvedMaterial resolve_material(const MaterialChoice& choice);
+
+}  // namespace assay::drivers

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/material/material_path.hpp"
+
+#include <algorithm>
+
+namespace assay::drivers {
+
+namespace {
+
+bool ends_as_path(const std::string& text) {
+  return text.ends_with(".so") || text.ends_with(".yaml") || text.ends_with(".yml");
+}
+
+}  // namespace
+
+MaterialName parse_material(const std::string& adapter) {
+  const std::size_t colon = adapter.rfind(".so:");
+  if (colon != adapter.npos && adapter.find('/', colon) == adapter.npos) {
+    return {true, adapter.substr(0, colon + 3), adapter.substr(colon + 4)};
+  }
+  return {adapter.find('/') != adapter.npos || ends_as_path(adapter), adapter, {}};
+}
+
+std::string absolute_material(const std::string& adapter, const std::filesystem::path& folder) {
+  const MaterialName name = parse_material(adapter);
+  if (!name.is_path) return adapter;
+  const auto path = std::filesystem::absolute(folder / name.file).lexically_normal().string();
+  const std::string rest = adapter.substr(name.file.size());
+  return path + rest;
+}
+
+bool is_material_name(const std::string& name) {
+  const auto alnum = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
+  return !name.empty() && name.size() <= 100 && alnum(name[0]) && !ends_as_path(name) &&
+         std::all_of(name.begin(), name.end(), [&](char c) { return alnum(c) || c == '_' || c == '-' || c == '.'; });
+}
+
+}  // namespace assay::drivers

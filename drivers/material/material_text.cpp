@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/material/material_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drivers/output/numbers.hpp"
+#include "drivers/output/wrapped_text.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr std::size_t page_width = 80;
+
+std::string words(const char* text) { return text ? one_line(text, 400) : std::string(); }
+
+/// Rows of cells as aligned columns two blanks apart; the last column wraps under itself where there is room for it,
+/// else on lines of its own.
+std::string columns(const std::vector<std::vector<std::string>>& rows) {
+  constexpr std::size_t room = 50;
+  std::vector<std::size_t> width;
+  for (const auto& row : rows) {
+    width.resize(std::max(width.size(), row.size()));
+    for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());
+  }
+  std::string out;
+  for (const auto& row : rows) {
+    std::string line = "  ";
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) line += row[i] + std::string(width[i] + 2 - row[i].size(), ' ');
+    const bool beside = line.size() <= room || line.size() + row.back().size() <= page_width;
+    const std::string head = line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    if (row.back().empty()) {
+      out += head;
+    } else if (beside) {
+      out +=
+          line + wrapped(row.back(), std::string(line.size(), ' '), std::string(line.size(), ' ')).substr(line.size());
+    } else {
+      out += head + wrapped(row.back(), "      ", "      ");
+    }
+  }
+  return out;
+}
+
+std::string bound(double value) { return std::isfinite(value) ? number_text(value) : "none"; }
+
+std::string parameters_text(const MaterialSource& source) {
+  std::vector<std::vector<std::string>> rows{{"parameter", "unit", "default", "from", "to", ""}};
+  for (const assay_parameter& p : parameters_of(*source.table)) {
+    const auto own = source.parameters.find(p.name);
+    const double value = own == source.parameters.end() ? p.default_value : own->second;
+    rows.push_back({words(p.name), words(p.unit), std::isnan(value) ? "required" : number_text(value), bound(p.lower),
+                    bound(p.upper), words(p.doc)});
+  }
+  return rows.size() > 1 ? columns(rows) : "  no parameters\n";
+}
+
+std::string state_text(const assay_material& table) {
+  std::vector<std::vector<std::string>> rows{{"state", "unit", "kind", ""}};
+  for (const assay_state_variable& v : state_of(table)) {
+    const std::string role = v.role == ASSAY_ROLE_PLAIN ? "" : role_name(v.role);
+    const std::string doc = words(v.doc);
+    rows.push_back(
+        {words(v.name), words(v.unit), kind_name(v.kind), doc + (doc.empty() || role.empty() ? "" : "; ") + role});
+  }
+  return rows.size() > 1 ? columns(rows) : "  no state\n";
+}
+
+}  // namespace
+
+std::span<const assay_parameter> parameters_of(const assay_material& table) {
+  return {table.parameters, table.parameter_count};
+}
+
+std::span<const assay_state_variable> state_of(const assay_material& table) { return {table.state, table.state_count}; }
+
+std::string kind_name(std::int32_t kind) {
+  switch (kind) {
+    case ASSAY_SCALAR:
+      return "scalar";
+    case ASSAY_VECTOR:
+      return "vector";
+    case ASSAY_SYMMETRIC_TENSOR:
+      return "symmetric tensor";
+    case ASSAY_TENSOR:
+      return "tensor";
+  }
+  return "unknown";
+}
+
+std::string role_name(std::int32_t role) {
+  switch (role) {
+    case ASSAY_ROLE_PLAIN:
+      return "plain";
+    case ASSAY_ROLE_ROTATES_ITSELF:
+      return "rotates itself";
+    case ASSAY_ROLE_DIRECTION:
+      return "direction";
+  }
+  return "unknown";
+}
+
+std::vector<std::string> flag_names(const assay_material& table) {
+  const auto has = [&](std::uint32_t flag) { return (table.flags & flag) != 0; };
+  const std::string symmetry = table.symmetry == ASSAY_ISOTROPIC                   ? "isotropic"
+                               : table.symmetry == ASSAY_CYLINDRICALLY_ORTHOTROPIC ? "cylindrically orthotropic"
+                                                                                   : "anisotropic";
+  return {symmetry, has(ASSAY_NON_SMOOTH) ? "non-smooth" : "smooth",
+          has(ASSAY_RATE_DEPENDENT) ? "rate-dependent" : "rate-independent",
+          has(ASSAY_THREAD_SAFE) ? "thread-safe" : "not thread-safe",
+          has(ASSAY_USES_INCREMENT) ? "uses increments of F" : "uses total F"};
+}
+
+std::string material_text(const std::string& name, const MaterialSource& source) {
+  const assay_material& table = *source.table;
+  std::string head = name + " " + words(table.version);
+  if (name != table.name) head += " (model " + words(table.name) + ")";
+  if (const std::string doc = words(table.doc); !doc.empty()) head += ": " + doc;
+  std::string out = wrapped(head, "", "");
+  out += "  from     " + (source.library.empty() ? "built-in" : source.library) + "\n";
+  if (!source.description.empty()) out += "  through  " + source.description + "\n";
+  if (source.density) out += "  density  " + number_text(*source.density) + " kg/m^3\n";
+  out += "  licence  " + words(table.licence) + "\n";
+  out += wrapped(joined(flag_names(table)), "  ", "  ");
+  return out + parameters_text(source) + state_text(table);
+}
+
+std::string broken_text(const std::string& name, const std::string& reason) {
+  return name + ": broken\n" + wrapped(reason, "  ", "  ");
+}
+
+}  // namespace assay::drivers

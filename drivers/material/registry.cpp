@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/material/registry.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+
+#include "adapters/builtin.hpp"
+#include "adapters/library.hpp"
+#include "drivers/material/material_description.hpp"
+#include "drivers/material/material_path.hpp"
+
+namespace assay::drivers {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value ? value : "";
+}
+
+std::vector<std::string> search_folders() {
+  std::vector<std::string> folders;
+  const std::string path = environment("ASSAY_MATERIAL_PATH");
+  for (std::size_t begin = 0; begin < path.size();) {
+    const std::size_t colon = std::min(path.find(':', begin), path.size());
+    if (colon > begin) folders.push_back(fs::absolute(path.substr(begin, colon - begin)).lexically_normal().string());
+    begin = colon + 1;
+  }
+  return folders;
+}
+
+const assay_material* table_in(const std::string& library, const std::string& table, const Location& where,
+                               const std::string& key) {
+  try {
+    return adapters::table_of_library(library, table);
+  } catch (const adapters::LibraryError& error) {
+    throw InputError(where, key, "'" + library + "' " + error.what(), error.known());
+  }
+}
+
+MaterialSource from_description(const std::string& file) {
+  const MaterialDescription description = read_description(file);
+  MaterialSource source;
+  const Location& where = description.name.empty() ? description.library_where : description.name_where;
+  source.table = table_in(description.library, description.name, where, description.name.empty() ? "library" : "name");
+  source.library = description.library;
+  source.description = file;
+  source.parameters = description.parameters;
+  source.parameter_where = description.parameter_where;
+  source.density = description.density;
+  return source;
+}
+
+bool is_description(const std::string& file) { return file.ends_with(".yaml") || file.ends_with(".yml"); }
+
+MaterialSource from_file(const std::string& file, const std::string& table, const Location& where,
+                         const std::string& key) {
+  std::error_code code;
+  if (!fs::exists(file, code)) throw InputError(where, key, "no such file: '" + file + "'");
+  if (is_description(file)) return from_description(file);
+  MaterialSource source;
+  source.table = table_in(file, table, where, key);
+  source.library = file;
+  return source;
+}
+
+/// Name of a file on the search path: NAME.so, libNAME.so, NAME.yaml; empty for any other.
+std::string name_of_file(const fs::path& file) {
+  const std::string name = file.filename().string();
+  std::string stem = file.stem().string();
+  if (name.ends_with(".so") && stem.starts_with("lib")) stem.erase(0, 3);
+  const bool ours = name.ends_with(".so") || name.ends_with(".yaml");
+  return ours && is_material_name(stem) ? stem : std::string();
+}
+
+std::vector<RegisteredName> names_in(const std::string& folder, bool descriptions_only) {
+  std::vector<RegisteredName> names;
+  std::error_code code;
+  for (fs::directory_iterator at(folder, code), end; !code && at != end; at.increment(code)) {
+    const std::string name = name_of_file(at->path());
+    if (name.empty() || (descriptions_only && !is_description(at->path().string()))) continue;
+    names.push_back({name, at->path().string()});
+  }
+  // One name may lead to several files: NAME.so before libNAME.so before NAME.yaml.
+  const auto rank = [](const RegisteredName& n) {
+    return is_description(n.file) ? 2 : fs::path(n.file).filename().string() == n.name + ".so" ? 0 : 1;
+  };
+  std::sort(names.begin(), names.end(),
+            [&](const auto& a, const auto& b) { return a.name != b.name ? a.name < b.name : rank(a) < rank(b); });
+  return names;
+}
+
+}  // namespace
+
+std::string registry_folder() {
+  std::string home = environment("ASSAY_DATA_HOME");
+  if (home.empty()) {
+    const std::string data = environment("XDG_DATA_HOME"), user = environment("HOME");
+    if (data.starts_with('/')) {  // the XDG specification: relative paths are to be ignored
+      home = data + "/assay";
+    } else if (!user.empty()) {
+      home = user + "/.local/share/assay";
+    }
+  }
+  return home.empty() ? std::string() : fs::absolute(home).lexically_normal().string() + "/materials";
+}
+
+std::vector<RegisteredName> registered_names() {
+  std::vector<RegisteredName> all;
+  for (const assay_material* table : adapters::builtin_tables()) all.push_back({table->name, {}});
+  const auto add = [&](const std::vector<RegisteredName>& more) { all.insert(all.end(), more.begin(), more.end()); };
+  if (!registry_folder().empty()) add(names_in(registry_folder(), true));
+  for (const std::string& folder : search_folders()) add(names_in(folder, false));
+  std::set<std::string> seen;
+  std::erase_if(all, [&](const RegisteredName& n) { return !seen.insert(n.name).second; });
+  return all;
+}
+
+MaterialSource find_material(const std::string& adapter, const Location& where, const std::string& key) {
+  const MaterialName asked = parse_material(adapter);
+  if (asked.is_path) return from_file(fs::absolute(asked.file).lexically_normal().string(), asked.table, where, key);
+  const std::vector<RegisteredName> names = registered_names();
+  for (const RegisteredName& registered : names) {
+    if (registered.name != adapter) continue;
+    if (!registered.file.empty()) return from_file(registered.file, {}, where, key);
+    MaterialSource source;
+    source.table = adapters::builtin_table(adapter);
+    return source;
+  }
+  std::vector<std::string> known;
+  for (const RegisteredName& registered : names) known.push_back(registered.name);
+  throw InputError(where, key, unknown("material '" + one_line(adapter, 80) + "'", adapter, known), joined(known));
+}
+
+}  // namespace assay::drivers

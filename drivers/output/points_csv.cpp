@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/output/points_csv.hpp"
+
+#include "drivers/input_error.hpp"
+#include "drivers/output/csv.hpp"
+
+namespace assay::drivers {
+
+ReferencePoints read_reference_points(const std::string& file) {
+  const CsvTable table = read_csv(read_input_file(file), file, {"X", "Y", "t"}, {"Z", "NX", "NY"});
+  const auto *X = table.column("X"), *Y = table.column("Y"), *Z = table.column("Z"), *t = table.column("t");
+  const auto *NX = table.column("NX"), *NY = table.column("NY");
+  if (!NX != !NY) {
+    throw InputError(Location{file, table.header_line, 1}, {}, "NX and NY only come together", "X, Y, Z, t, NX, NY");
+  }
+  ReferencePoints out;
+  out.has_z = Z != nullptr;
+  out.has_normals = NX != nullptr;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    ReferencePoint point{(*X)[i], (*Y)[i], Z ? (*Z)[i] : 0, (*t)[i], NX ? (*NX)[i] : 0, NY ? (*NY)[i] : 0};
+    if (NX && point.NX == 0 && point.NY == 0) {
+      throw InputError(Location{file, table.lines[i], 1}, {}, "the normal NX,NY has no length");
+    }
+    out.points.push_back(point);
+  }
+  return out;
+}
+
+std::vector<SheetPoint> read_sheet_points(const std::string& file) {
+  const CsvTable table = read_csv(read_input_file(file), file, {"xi", "t"});
+  const auto *xi = table.column("xi"), *t = table.column("t");
+  std::vector<SheetPoint> out;
+  for (std::size_t i = 0; i < table.rows(); ++i) out.push_back({(*xi)[i], (*t)[i]});
+  return out;
+}
+
+}  // namespace assay::drivers

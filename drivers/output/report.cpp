@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/output/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "drivers/output/number_format.hpp"
+#include "drivers/output/report_style.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr const char* none = "\u2013";  // a figure that was not reached
+
+std::string figure(const Figure& value, int digits = 4) {
+  return value && std::isfinite(*value) ? rounded_text(*value, digits) : none;
+}
+
+std::string with_unit(const std::string& text, const std::string& unit) {
+  return text == none || unit.empty() ? text : text + "\u202f" + unit;
+}
+
+std::string element(const std::string& tag, const std::string& content) {
+  return "<" + tag + ">" + content + "</" + tag.substr(0, tag.find(' ')) + ">";
+}
+
+std::string section(const std::string& title, const std::string& content) {
+  return "<section>\n" + element("h2", title) + "\n" + content + "</section>\n";
+}
+
+/// Cells are HTML; the first of a row is its header.
+std::string table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows) {
+  std::string out = "<div class=\"wide\"><table><thead><tr>";
+  for (const std::string& cell : head) out += element("th scope=\"col\"", cell);
+  out += "</tr></thead><tbody>\n";
+  for (const auto& row : rows) {
+    out += "<tr>";
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      out += i == 0 ? element("th scope=\"row\"", row[i]) : row[i].starts_with("<td") ? row[i] : element("td", row[i]);
+    }
+    out += "</tr>\n";
+  }
+  return out + "</tbody></table></div>\n";
+}
+
+const ErrorSample* sample_at(const std::vector<ErrorSample>& history, double t) {
+  for (const ErrorSample& sample : history) {
+    if (std::abs(sample.t - t) <= 1e-6 * std::abs(t)) return &sample;
+  }
+  return nullptr;
+}
+
+/// One line of the table of errors: a field, a norm.
+struct Norm {
+  const char* name;
+  const char* unit;
+  double (*of)(const ErrorSample&);
+};
+
+constexpr Norm norms[] = {
+    {"displacement, L<sub>2</sub>", "m", [](const ErrorSample& s) { return s.displacement.l2; }},
+    {"displacement, L<sub>\u221e</sub>", "m", [](const ErrorSample& s) { return s.displacement.linf; }},
+    {"displacement, (36) over all particles", "m", [](const ErrorSample& s) { return s.rms36; }},
+    {"velocity, L<sub>2</sub>", "m/s", [](const ErrorSample& s) { return s.velocity.l2; }},
+    {"velocity, L<sub>\u221e</sub>", "m/s", [](const ErrorSample& s) { return s.velocity.linf; }},
+    {"deformation gradient, L<sub>2</sub>", "1", [](const ErrorSample& s) { return s.deformation_gradient.l2; }},
+    {"deformation gradient, L<sub>\u221e</sub>", "1", [](const ErrorSample& s) { return s.deformation_gradient.linf; }},
+    {"Jacobian, L<sub>2</sub>", "1", [](const ErrorSample& s) { return s.jacobian.l2; }},
+    {"Jacobian, L<sub>\u221e</sub>", "1", [](const ErrorSample& s) { return s.jacobian.linf; }},
+    {"Cauchy stress, L<sub>2</sub>", "Pa", [](const ErrorSample& s) { return s.stress.l2; }},
+    {"Cauchy stress, L<sub>\u221e</sub>", "Pa", [](const ErrorSample& s) { return s.stress.linf; }},
+};
+
+const ErrorSample* largest(const std::vector<ErrorSample>& history, const Norm& norm) {
+  const ErrorSample* out = nullptr;
+  for (const ErrorSample& sample : history) {
+    if (std::isfinite(norm.of(sample)) && (!out || norm.of(sample) > norm.of(*out))) out = &sample;
+  }
+  return out;
+}
+
+std::string verdict(const Result& result) {
+  const auto failed = std::count_if(result.expect.begin(), result.expect.end(), [](const auto& e) { return !e.holds; });
+  std::string kind = "plain", sentence = "The scene expects nothing";
+  if (failed > 0) {
+    kind = "bad";
+    sentence = std::to_string(failed) + " of " + std::to_string(result.expect.size()) + " expectations " +
+               (failed == 1 ? "does" : "do") + " not hold";
+  } else if (!result.expect.empty()) {
+    kind = "good";
+    sentence = "All that was expected holds";
+  } else if (result.outcome != "completed") {
+    kind = "bad";
+  }
+  std::string out = "<div class=\"verdict " + kind + "\">" + element("strong", sentence);
+  out += element("p", "Outcome: " + element("b", escaped(result.outcome)) +
+                          (result.reason.empty() ? "" : ". " + escaped(result.reason)));
+  return out + "</div>\n";
+}
+
+std::string tile(const std::string& name, const std::string& value, const std::string& note = {}) {
+  return "<div>" + element("dt", name) + element("dd", value + (note.empty() ? "" : element("small", note))) +
+         "</div>\n";
+}
+
+std::string count(const std::optional<std::int64_t>& value) { return value ? grouped_text(*value) : none; }
+
+std::string key_figures(const Result& result) {
+  const ErrorSample* worst = largest(result.history, norms[0]);
+  const std::string when = worst && result.error.l2_max ? "at t = " + rounded_text(worst->t, 4) + "\u202fs" : "";
+  std::string out = "<dl class=\"figures\">\n";
+  out += tile("Largest L<sub>2</sub> error of u", with_unit(figure(result.error.l2_max), "m"), when);
+  out += tile("Largest error of a particle", with_unit(figure(result.error.linf_max), "m"));
+  out += tile("Relative to the motion", figure(result.error.relative));
+  out += tile("Particles", count(result.particles),
+              result.moving_particles ? count(result.moving_particles) + " of them moved" : "");
+  out += tile("Steps", count(result.steps), result.dt ? "\u0394t = " + with_unit(figure(result.dt), "s") : "");
+  out += tile("Reached", result.t ? "t = " + with_unit(figure(result.t), "s") : none);
+  out += tile("Wall time", rounded_text(result.wall_s, 3) + "\u202fs",
+              result.particle_steps_per_s
+                  ? rounded_text(*result.particle_steps_per_s / 1e6, 3) + " million particle-steps a second"
+                  : "");
+  return out + "</dl>\n";
+}
+
+std::string expectations(const Result& result) {
+  if (result.expect.empty()) return {};
+  std::vector<std::vector<std::string>> rows;
+  for (const ExpectationOutcome& item : result.expect) {
+    rows.push_back({escaped(item.key), escaped(item.expected), escaped(item.found),
+                    item.holds ? "<td class=\"holds\">holds</td>" : "<td class=\"fails\">does not hold</td>"});
+  }
+  return section("Expectations", table({"figure", "expected", "found", "verdict"}, rows));
+}
+
+/// From the PNG's header: far wider than high, so that narrow screens scroll it instead of shrinking it.
+bool panorama(const std::string& png) {
+  if (png.size() < 24) return false;
+  const auto number = [&](std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t k = 0; k < 4; ++k) value = value << 8 | static_cast<unsigned char>(png[at + k]);
+    return value;
+  };
+  return number(16) > 1.7 * number(20);
+}
+
+std::string pictures(const ReportContent& content) {
+  std::string out;
+  for (const ReportPicture& picture : content.pictures) {
+    out += std::string("<figure><img") + (panorama(picture.png) ? " class=\"panorama\"" : "") + " alt=\"" +
+           escaped(picture.caption) + "\" src=\"data:image/png;base64," + base64(picture.png) + "\">" +
+           element("figcaption", escaped(picture.caption)) + "</figure>\n";
+  }
+  return out.empty() ? out : section("Particles", out);
+}
+
+std::string error_table(const Result& result, double period) {
+  if (result.history.empty()) return {};
+  const ErrorSample* half = sample_at(result.history, period / 2);
+  const ErrorSample* end = sample_at(result.history, period);
+  std::vector<std::vector<std::string>> rows;
+  for (const Norm& norm : norms) {
+    const ErrorSample* worst = largest(result.history, norm);
+    const auto cell = [&](const ErrorSample* at) { return at ? figure(norm.of(*at)) : none; };
+    rows.push_back(
+        {norm.name, norm.unit, cell(half), cell(end), cell(worst), worst ? rounded_text(worst->t, 4) : none});
+  }
+  return table({"error of", "unit", "at T/2", "at T", "maximum", "at t [s]"}, rows) +
+         "<p><small>L<sub>2</sub>: volume-weighted over the particles that the exact motion moves; L<sub>\u221e</sub>: "
+         "the worst of them.</small></p>\n";
+}
+
+std::string history(const Result& result, const ReportContent& content) {
+  if (result.history.empty()) return {};
+  return section("Errors over time", "<figure>" + svg(error_history_plot(result.history)) + "</figure>\n" +
+                                         error_table(result, content.period));
+}
+
+std::string profile(const Result& result) {
+  if (result.passes.empty()) return {};
+  double most = 0, total = 0;
+  for (const PassFigures& pass : result.passes) {
+    most = std::max(most, pass.seconds);
+    total += pass.seconds;
+  }
+  std::vector<std::vector<std::string>> rows;
+  for (const PassFigures& pass : result.passes) {
+    const double width = most > 0 ? 100 * pass.seconds / most : 0, share = total > 0 ? 100 * pass.seconds / total : 0;
+    rows.push_back({escaped(pass.name), rounded_text(pass.seconds, 3), rounded_text(share, 3) + "\u202f%",
+                    pass.bytes_per_particle > 0 ? rounded_text(pass.bytes_per_particle, 4) : none,
+                    "<td class=\"bar\"><i style=\"width:" + rounded_text(width, 4) + "%\"></i></td>"});
+  }
+  return section("Where the time went", table({"pass", "seconds", "share", "bytes a particle", ""}, rows));
+}
+
+std::string fact(const std::string& name, const std::string& value) {
+  return element("dt", name) + element("dd", value.empty() ? none : value) + "\n";
+}
+
+std::string credibility(const Result& result) {
+  std::string out = "<dl class=\"facts\">\n";
+  if (result.sheet) {
+    out += fact("Response sheet", grouped_text(result.sheet->points) + " points, made in " +
+                                      rounded_text(result.sheet->wall_s, 3) + "\u202fs");
+    out += fact("Its error", rounded_text(result.sheet->error_tau, 2) + " in \u03c4, " +
+                                 rounded_text(result.sheet->error_dtau, 2) +
+                                 " in d\u03c4/d\u03be, of the largest component");
+  }
+  out += fact("Drift of mass", figure(result.drift.mass, 2));
+  out += fact("of momentum", figure(result.drift.momentum, 2));
+  out += fact("of angular momentum", figure(result.drift.angular_momentum, 2));
+  out += fact("of energy", figure(result.drift.energy, 2));
+  return section("What else was checked", out + "</dl>\n");
+}
+
+std::string provenance(const Result& result) {
+  const Provenance& from = result.provenance;
+  std::string libraries;
+  for (const std::string& library : from.libraries) libraries += (libraries.empty() ? "" : ", ") + escaped(library);
+  std::string out = "<dl class=\"facts\">\n" + fact("assay", escaped(from.version)) +
+                    fact("Commit", escaped(from.git)) + fact("Compiler", escaped(from.compiler)) +
+                    fact("Flags", escaped(from.flags)) + fact("Libraries", libraries) +
+                    fact("SHA-256 of the scene", escaped(from.scene_sha256));
+  out += fact("Time", rounded_text(result.setup_s, 3) + "\u202fs set-up, " + rounded_text(result.wall_s, 3) +
+                          "\u202fs wall, " + rounded_text(result.cpu_s, 3) + "\u202fs processor");
+  const double mebibytes = static_cast<double>(result.peak_rss_bytes) / (1024.0 * 1024.0);
+  out += fact("Memory", result.peak_rss_bytes > 0 ? rounded_text(mebibytes, 4) + "\u202fMiB at most" : none);
+  return section("Where it comes from", out + "</dl>\n");
+}
+
+}  // namespace
+
+LinePlot error_history_plot(const std::vector<ErrorSample>& history) {
+  Series l2{"L_{2}", {}, {}}, linf{"L_{\u221e}", {}, {}}, rms{"(36), all particles", {}, {}};
+  rms.dashed = true;
+  for (const ErrorSample& sample : history) {
+    for (Series* series : {&l2, &linf, &rms}) series->x.push_back(sample.t);
+    l2.y.push_back(sample.displacement.l2);
+    linf.y.push_back(sample.displacement.linf);
+    rms.y.push_back(sample.rms36);
+  }
+  return {"Error of the displacement", "t [s]", "error [m]", false, true, {l2, linf, rms}};
+}
+
+std::string report_html(const Result& result, const ReportContent& content) {
+  const std::string title = escaped(result.title.empty() ? "assay run" : result.title);
+  std::string out =
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n" +
+      element("title", title) + "\n<style>" + report_style + "</style>\n</head>\n<body>\n<main>\n" +
+      element("h1", title) + "\n";
+  out += verdict(result) + key_figures(result) + expectations(result) + pictures(content) + history(result, content);
+  out += profile(result) + credibility(result) + provenance(result);
+  if (!content.resolved_scene.empty()) {
+    out += section("The scene, with every default", element("pre", escaped(content.resolved_scene)) + "\n");
+  }
+  return out + "</main>\n</body>\n</html>\n";
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  out.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t word = 0;
+    const std::size_t have = std::min<std::size_t>(3, bytes.size() - i);
+    for (std::size_t k = 0; k < 3; ++k) {
+      word = word << 8 | (k < have ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    }
+    for (std::size_t k = 0; k < 4; ++k) out += k <= have ? digits[word >> (18 - 6 * k) & 63] : '=';
+  }
+  return out;
+}
+
+}  // namespace assay::drivers

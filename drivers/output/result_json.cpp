@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/output/result_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace assay::drivers {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json figure(const Figure& value) { return value && std::isfinite(*value) ? Json(*value) : Json(nullptr); }
+
+Json count(const std::optional<std::int64_t>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json maximum(const FieldMaximum& field) {
+  return Json::object({{"l2_max", figure(field.l2_max)}, {"linf_max", figure(field.linf_max)}});
+}
+
+Json errors(const ErrorFigures& error) {
+  Json out;
+  out["l2_half"] = figure(error.l2_half);
+  out["l2_end"] = figure(error.l2_end);
+  out["l2_max"] = figure(error.l2_max);
+  out["linf_max"] = figure(error.linf_max);
+  out["rms36_half"] = figure(error.rms36_half);
+  out["rms36_end"] = figure(error.rms36_end);
+  out["rms36_max"] = figure(error.rms36_max);
+  out["velocity"] = maximum(error.velocity);
+  out["deformation_gradient"] = maximum(error.deformation_gradient);
+  out["jacobian"] = maximum(error.jacobian);
+  out["stress"] = maximum(error.stress);
+  out["relative"] = figure(error.relative);
+  return out;
+}
+
+Json passes(const std::vector<PassFigures>& list) {
+  Json out = Json::array();
+  for (const PassFigures& pass : list) {
+    out.push_back(Json::object({{"name", pass.name},
+                                {"seconds", figure(pass.seconds)},
+                                {"bytes_per_particle", figure(pass.bytes_per_particle)}}));
+  }
+  return out;
+}
+
+Json sheet(const std::optional<SheetFigures>& figures) {
+  Json out;
+  out["points"] = figures ? Json(figures->points) : Json(nullptr);
+  out["error_tau"] = figures ? figure(figures->error_tau) : Json(nullptr);
+  out["error_dtau"] = figures ? figure(figures->error_dtau) : Json(nullptr);
+  out["wall_s"] = figures ? figure(figures->wall_s) : Json(nullptr);
+  return out;
+}
+
+Json drift(const DriftFigures& figures) {
+  Json out;
+  out["mass"] = figure(figures.mass);
+  out["momentum"] = figure(figures.momentum);
+  out["angular_momentum"] = figure(figures.angular_momentum);
+  out["energy"] = figure(figures.energy);
+  return out;
+}
+
+Json expectations(const std::vector<ExpectationOutcome>& list) {
+  Json out = Json::array();
+  for (const ExpectationOutcome& item : list) {
+    out.push_back(
+        Json::object({{"key", item.key}, {"expected", item.expected}, {"found", item.found}, {"holds", item.holds}}));
+  }
+  return out;
+}
+
+Json provenance(const Provenance& from) {
+  Json out;
+  out["version"] = from.version;
+  out["git"] = from.git;
+  out["compiler"] = from.compiler;
+  out["flags"] = from.flags;
+  out["libraries"] = from.libraries;
+  out["scene_sha256"] = from.scene_sha256;
+  return out;
+}
+
+Json tree(const Result& result) {
+  Json out;
+  out["outcome"] = result.outcome;
+  out["reason"] = result.reason.empty() ? Json(nullptr) : Json(result.reason);
+  out["t"] = figure(result.t);
+  out["dt"] = figure(result.dt);
+  out["steps"] = count(result.steps);
+  out["particles"] = count(result.particles);
+  out["error"] = errors(result.error);
+  out["setup_s"] = figure(result.setup_s);
+  out["wall_s"] = figure(result.wall_s);
+  out["cpu_s"] = figure(result.cpu_s);
+  out["peak_rss_bytes"] = result.peak_rss_bytes;
+  out["work"] = Json::object({{"particle_steps", result.particle_steps}, {"material_calls", result.material_calls}});
+  out["particle_steps_per_s"] = figure(result.particle_steps_per_s);
+  out["passes"] = passes(result.passes);
+  out["sheet"] = sheet(result.sheet);
+  out["drift"] = drift(result.drift);
+  out["expect"] = expectations(result.expect);
+  out["provenance"] = provenance(result.provenance);
+  return out;
+}
+
+FlatValue leaf(const Json& value) {
+  if (value.is_boolean()) return value.get<bool>();
+  if (value.is_number()) return value.get<double>();
+  if (value.is_string()) return value.get<std::string>();
+  return std::monostate{};
+}
+
+template <typename Visit>
+void visit_leaves(const Json& object, const std::string& prefix, const Visit& visit) {
+  for (const auto& item : object.items()) {
+    const std::string key = prefix.empty() ? item.key() : prefix + "." + item.key();
+    if (item.value().is_object()) {
+      visit_leaves(item.value(), key, visit);
+    } else if (!item.value().is_array()) {
+      visit(key, item.value());
+    }
+  }
+}
+
+}  // namespace
+
+std::string result_json(const Result& result) {
+  // A reason may quote foreign text: bytes that are no UTF-8 must not stop the report.
+  return tree(result).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::map<std::string, FlatValue> flatten(const Result& result) {
+  std::map<std::string, FlatValue> out;
+  visit_leaves(tree(result), {}, [&](const std::string& key, const Json& value) { out[key] = leaf(value); });
+  return out;
+}
+
+std::vector<std::string> flat_keys() {
+  std::vector<std::string> out;
+  visit_leaves(tree(Result{}), {}, [&](const std::string& key, const Json&) { out.push_back(key); });
+  return out;
+}
+
+}  // namespace assay::drivers

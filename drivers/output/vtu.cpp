@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/output/vtu.hpp"
+
+#include <bit>
+#include <numeric>
+#include <stdexcept>
+
+#include "drivers/output/numbers.hpp"
+#include "drivers/picture/drawing.hpp"
+
+namespace assay::drivers {
+
+static_assert(std::endian::native == std::endian::little, "the files say LittleEndian");
+
+namespace {
+
+/// The XML above and the appended block below grow together.
+class Writer {
+ public:
+  void line(const std::string& text) { xml_ += text + "\n"; }
+
+  template <typename Value>
+  void array(const std::string& name, const char* type, int components, std::span<const Value> values,
+             const std::string& more = {}) {
+    line("<DataArray type=\"" + std::string(type) + "\" Name=\"" + escaped(name) + "\" NumberOfComponents=\"" +
+         std::to_string(components) + "\"" + more + " format=\"appended\" offset=\"" + std::to_string(data_.size()) +
+         "\"/>");
+    const std::uint64_t bytes = values.size_bytes();
+    data_.append(reinterpret_cast<const char*>(&bytes), sizeof bytes);
+    if (bytes > 0) data_.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
+  }
+
+  std::string finish() && {
+    xml_ += "<AppendedData encoding=\"raw\">\n_";
+    xml_ += data_;
+    xml_ += "\n</AppendedData>\n</VTKFile>\n";
+    return std::move(xml_);
+  }
+
+ private:
+  std::string xml_, data_;
+};
+
+constexpr const char* head =
+    "<?xml version=\"1.0\"?>\n<VTKFile type=\"%\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">";
+
+std::string file_head(const std::string& type) {
+  std::string out = head;
+  return out.replace(out.find('%'), 1, type);
+}
+
+/// What ParaView shows instead of 0..8.
+std::string component_names(int components) {
+  std::vector<std::string> names;
+  if (components == 3) names = {"x", "y", "z"};
+  if (components == 9) names = {"11", "12", "13", "21", "22", "23", "31", "32", "33"};
+  std::string out;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    out += " ComponentName" + std::to_string(i) + "=\"" + names[i] + "\"";
+  }
+  return out;
+}
+
+void write_values(Writer& out, const VtuArray& array, std::size_t particles) {
+  std::visit(
+      [&](const auto& values) {
+        using Value = typename std::decay_t<decltype(values)>::value_type;
+        if (array.components < 1 || values.size() != particles * static_cast<std::size_t>(array.components)) {
+          throw std::invalid_argument("vtu_text: length of " + array.name);
+        }
+        constexpr const char* type = std::is_same_v<Value, double> ? "Float64" : "Int64";
+        out.array(array.name, type, array.components, values, component_names(array.components));
+      },
+      array.values);
+}
+
+/// Every particle is a cell of one vertex: ParaView draws no points without cells.
+void write_cells(Writer& out, std::size_t particles) {
+  std::vector<std::int64_t> numbers(particles);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  out.line("<Cells>");
+  out.array<std::int64_t>("connectivity", "Int64", 1, numbers);
+  std::iota(numbers.begin(), numbers.end(), 1);
+  out.array<std::int64_t>("offsets", "Int64", 1, numbers);
+  const std::vector<std::uint8_t> vertex(particles, 1);  // VTK_VERTEX
+  out.array<std::uint8_t>("types", "UInt8", 1, vertex);
+  out.line("</Cells>");
+}
+
+}  // namespace
+
+std::string vtu_text(std::span<const double> positions, const std::vector<VtuArray>& arrays, double t) {
+  if (positions.size() % 3 != 0) throw std::invalid_argument("vtu_text: length of positions");
+  const std::size_t particles = positions.size() / 3;
+  Writer out;
+  out.line(file_head("UnstructuredGrid"));
+  out.line("<UnstructuredGrid>");
+  out.line("<FieldData>");
+  out.array<double>("TimeValue", "Float64", 1, std::span(&t, 1), " NumberOfTuples=\"1\"");
+  out.line("</FieldData>");
+  out.line("<Piece NumberOfPoints=\"" + std::to_string(particles) + "\" NumberOfCells=\"" + std::to_string(particles) +
+           "\">");
+  out.line("<PointData>");
+  for (const VtuArray& array : arrays) write_values(out, array, particles);
+  out.line("</PointData>");
+  out.line("<Points>");
+  out.array<double>("Points", "Float64", 3, positions);
+  out.line("</Points>");
+  write_cells(out, particles);
+  out.line("</Piece>");
+  out.line("</UnstructuredGrid>");
+  return std::move(out).finish();
+}
+
+std::string pvd_text(const std::vector<PvdEntry>& entries) {
+  std::string out = file_head("Collection") + "\n<Collection>\n";
+  for (const PvdEntry& entry : entries) {
+    out += "<DataSet timestep=\"" + number_text(entry.t) + "\" group=\"\" part=\"0\" file=\"" + escaped(entry.file) +
+           "\"/>\n";
+  }
+  return out + "</Collection>\n</VTKFile>\n";
+}
+
+std::string particles_name(int index) {
+  std::string digits = std::to_string(index);
+  if (digits.size() < 4) digits.insert(0, 4 - digits.size(), '0');
+  return "particles_" + digits + ".vtu";
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Colours that order values: perceptually uniform and readable by the colour-blind.
+#pragma once
+
+#include "drivers/picture/canvas.hpp"
+
+namespace assay::drivers {
+
+enum class ColorMap {
+  viridis,    ///< dark to light, for magnitudes
+  diverging,  ///< blue, near-white, red, for signed values around zero
+};
+
+/// Colour at s in [0,1], clamped; grey where s is not a number.
+Color map_color(ColorMap map, double s);
+
+inline constexpr Color no_value = rgb(0xb8b8b8);
+
+/// Okabe and Ito's palette, ordered so that neighbours differ also in lightness; repeats after 7.
+Color series_color(std::size_t index);
+
+}  // namespace assay::drivers

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/picture/drawing.hpp"
+
+#include <cmath>
+
+#include "drivers/output/number_format.hpp"
+#include "drivers/picture/colormap.hpp"
+#include "drivers/picture/stroke_font.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+std::string number(double value) { return rounded_text(std::round(value * 100) / 100, 8); }
+
+std::string css_color(Color color) {
+  constexpr const char* digits = "0123456789abcdef";
+  std::string out = "#";
+  for (const std::uint8_t part : {color.r, color.g, color.b}) {
+    out += digits[part >> 4];
+    out += digits[part & 15];
+  }
+  return out;
+}
+
+std::string css(Ink ink) {
+  if (ink.role != Ink::Role::series) return "currentColor";
+  const std::size_t index = ink.series % 7;
+  return "var(--series-" + std::to_string(index) + "," + css_color(series_color(index)) + ")";
+}
+
+std::string opacity(Ink ink, const char* property) {
+  const char* value = ink.role == Ink::Role::grid ? ".16" : ink.role == Ink::Role::axis ? ".7" : nullptr;
+  return value ? std::string(";") + property + ":" + value : "";
+}
+
+Color print_color(Ink ink) {
+  switch (ink.role) {
+    case Ink::Role::text:
+      return rgb(0x1a1a1a);
+    case Ink::Role::axis:
+      return rgb(0x4d4d4d);
+    case Ink::Role::grid:
+      return rgb(0xdedede);
+    case Ink::Role::series:
+      return series_color(ink.series);
+  }
+  return {};
+}
+
+std::string line_svg(const DrawingItem& item) {
+  std::string out = "<path d=\"";
+  for (std::size_t i = 0; i < item.points.size(); ++i) {
+    out += (i == 0 ? "M" : "L") + number(item.points[i].x) + " " + number(item.points[i].y);
+  }
+  out += "\" style=\"fill:none;stroke:" + css(item.ink) + opacity(item.ink, "stroke-opacity") +
+         ";stroke-width:" + number(item.size) + ";stroke-linejoin:round;stroke-linecap:round";
+  if (item.dash > 0) out += ";stroke-dasharray:" + number(item.dash);
+  return out + "\"/>\n";
+}
+
+std::string disc_svg(const DrawingItem& item) {
+  return "<circle cx=\"" + number(item.points[0].x) + "\" cy=\"" + number(item.points[0].y) + "\" r=\"" +
+         number(item.size) + "\" style=\"fill:" + css(item.ink) + "\"/>\n";
+}
+
+std::string label_svg(const DrawingItem& item) {
+  const std::string x = number(item.points[0].x), y = number(item.points[0].y);
+  const char* anchor = item.anchor == Anchor::left ? "start" : item.anchor == Anchor::middle ? "middle" : "end";
+  std::string out = "<text x=\"" + x + "\" y=\"" + y + "\" font-size=\"" + number(item.size) + "\" text-anchor=\"" +
+                    anchor + "\"" + (item.upwards ? " transform=\"rotate(-90 " + x + " " + y + ")\"" : "") +
+                    " style=\"fill:" + css(item.ink) + "\">";
+  double risen = 0;  // dy is relative to what came before
+  for (const LabelPiece& piece : label_pieces(item.label)) {
+    const double rise = piece.level > 0 ? raise * item.size : piece.level < 0 ? -lower * item.size : 0;
+    if (piece.level == 0 && rise == risen) {
+      out += escaped(piece.text);
+      continue;
+    }
+    out += "<tspan dy=\"" + number(risen - rise) + "\"";
+    if (piece.level != 0) out += " font-size=\"" + number(small_scale * item.size) + "\"";
+    out += ">" + escaped(piece.text) + "</tspan>";
+    risen = rise;
+  }
+  return out + "</text>\n";
+}
+
+}  // namespace
+
+void Drawing::line(std::vector<Point> points, Ink ink, double line_width, double dash) {
+  items.push_back({DrawingItem::Kind::line, ink, std::move(points), line_width, dash, {}, Anchor::left, false});
+}
+
+void Drawing::disc(Point center, double radius, Ink ink) {
+  items.push_back({DrawingItem::Kind::disc, ink, {center}, radius, 0, {}, Anchor::left, false});
+}
+
+void Drawing::label(Point at, std::string text, double size, Anchor anchor, Ink ink, bool upwards) {
+  items.push_back({DrawingItem::Kind::label, ink, {at}, size, 0, std::move(text), anchor, upwards});
+}
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        // Control characters are not allowed in XML, not even escaped.
+        out += static_cast<unsigned char>(c) < 32 && c != '\n' && c != '\t' ? ' ' : c;
+    }
+  }
+  return out;
+}
+
+std::string svg_text(const Drawing& drawing) {
+  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + number(drawing.width) + " " +
+                    number(drawing.height) + "\" role=\"img\" font-family=\"system-ui,sans-serif\">\n";
+  if (!drawing.title.empty()) out += "<title>" + escaped(drawing.title) + "</title>\n";
+  for (const DrawingItem& item : drawing.items) {
+    out += item.kind == DrawingItem::Kind::line   ? line_svg(item)
+           : item.kind == DrawingItem::Kind::disc ? disc_svg(item)
+                                                  : label_svg(item);
+  }
+  return out + "</svg>\n";
+}
+
+Canvas raster(const Drawing& drawing, double scale) {
+  Canvas canvas(static_cast<int>(std::lround(drawing.width * scale)),
+                static_cast<int>(std::lround(drawing.height * scale)), rgb(0xffffff));
+  for (const DrawingItem& item : drawing.items) {
+    std::vector<Point> points;
+    for (const Point p : item.points) points.push_back({p.x * scale, p.y * scale});
+    const Color color = print_color(item.ink);
+    if (item.kind == DrawingItem::Kind::line) {
+      canvas.stroke(points, item.size * scale, color, item.dash * scale);
+    } else if (item.kind == DrawingItem::Kind::disc) {
+      canvas.circle(points[0], item.size * scale, color);
+    } else {
+      canvas.text(points[0], item.label, {item.size * scale, color, item.anchor, item.upwards});
+    }
+  }
+  return canvas;
+}
+
+}  // namespace assay::drivers

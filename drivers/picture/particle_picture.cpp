@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/picture/particle_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "drivers/picture/stroke_font.hpp"
+#include "drivers/picture/ticks.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr Color ink = rgb(0x1a1a1a), axis_color = rgb(0x4d4d4d), paper = rgb(0xffffff);
+constexpr double text_size = 17;
+
+struct Layout {
+  double panel_width = 0, panel_height = 0, left = 0, top = 0, gap = 0;
+  double bar_left = 0, width = 0, height = 0;
+};
+
+Layout lay_out(const ParticlePicture& picture, double bar_label_width) {
+  Layout out;
+  const double count = static_cast<double>(picture.frames.size());
+  const double aspect = (picture.upper[1] - picture.lower[1]) / (picture.upper[0] - picture.lower[0]);
+  out.panel_width = picture.frames.size() == 1 ? 700 : std::max(240.0, (1330 - 26 * (count - 1)) / count);
+  out.panel_height = std::clamp(out.panel_width * aspect, 60.0, 1600.0);
+  out.left = 78;
+  out.gap = 26;
+  const bool captions = std::any_of(picture.frames.begin(), picture.frames.end(),
+                                    [](const ParticleFrame& frame) { return !frame.caption.empty(); });
+  out.top = 18 + (picture.title.empty() ? 0 : 32) + (captions ? 28 : 0);
+  out.bar_left = out.left + count * out.panel_width + (count - 1) * out.gap + 28;
+  out.width = out.bar_left + 24 + 12 + bar_label_width + 20 + text_size;
+  out.height = out.top + out.panel_height + 66;
+  return out;
+}
+
+std::array<double, 2> color_range(const ParticlePicture& picture) {
+  if (picture.range) return *picture.range;
+  double low = INFINITY, high = -INFINITY;
+  for (const ParticleFrame& frame : picture.frames) {
+    for (const double value : frame.value) {
+      if (!std::isfinite(value)) continue;
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  if (!(low <= high)) return {0, 1};
+  if (picture.map == ColorMap::diverging) {
+    high = std::max(std::abs(low), std::abs(high));
+    low = -high;
+  } else if (low > 0 && low < 0.3 * high) {
+    low = 0;
+  }
+  if (!(high > low)) high = low + std::max(std::abs(low), 1e-300);
+  return {low, high};
+}
+
+/// One panel's map from metres to pixels.
+struct View {
+  const ParticlePicture& picture;
+  double left, top, scale, bottom;
+  Point at(double x, double y) const {
+    return {left + (x - picture.lower[0]) * scale, bottom - (y - picture.lower[1]) * scale};
+  }
+};
+
+/// What one particle looks like on the picture.
+struct Shape {
+  std::array<Point, 5> corners;    ///< closed
+  double area = 0, thickness = 0;  ///< [pixel^2], [pixel]
+};
+
+Shape shape_of(const View& view, const ParticleFrame& frame, std::size_t p) {
+  const auto corner = [&](double s1, double s2) {
+    return view.at(frame.x[p] + s1 * frame.r1x[p] + s2 * frame.r2x[p],
+                   frame.y[p] + s1 * frame.r1y[p] + s2 * frame.r2y[p]);
+  };
+  Shape out{{corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1), corner(-1, -1)}};
+  const double scale = view.scale;
+  const double longest = std::max(std::hypot(frame.r1x[p], frame.r1y[p]), std::hypot(frame.r2x[p], frame.r2y[p]));
+  out.area = 4 * std::abs(frame.r1x[p] * frame.r2y[p] - frame.r1y[p] * frame.r2x[p]) * scale * scale;
+  out.thickness = longest > 0 ? out.area / (2 * longest * scale) : 0;
+  return out;
+}
+
+void draw_particles(Canvas& canvas, const View& view, const ParticleFrame& frame, const std::array<double, 2>& range) {
+  const auto color = [&](std::size_t p) {
+    const double value = frame.value[p];
+    const double s = (value - range[0]) / (range[1] - range[0]);
+    return map_color(view.picture.map, std::isfinite(value) ? s : NAN);
+  };
+  // Sheared parallelograms do not tile: a little bleeding under all of them closes the cracks.
+  for (std::size_t p = 0; p < frame.x.size(); ++p) {
+    const Shape shape = shape_of(view, frame, p);
+    canvas.stroke(shape.corners, std::clamp(0.35 * std::sqrt(shape.area), 0.8, 2.5), color(p));
+  }
+  for (std::size_t p = 0; p < frame.x.size(); ++p) {
+    const Shape shape = shape_of(view, frame, p);
+    canvas.fill(std::span(shape.corners).first(4), color(p));
+    // Outlines show the shapes where there is room for them.
+    if (shape.area > 81 && shape.thickness > 5) canvas.stroke(shape.corners, 0.6, mix(color(p), paper, 0.4));
+  }
+}
+
+void draw_rings(Canvas& canvas, const View& view) {
+  for (const double radius : view.picture.rings) {
+    std::vector<Point> circle;
+    for (int i = 0; i <= 360; ++i) {
+      const double angle = i * std::numbers::pi / 180;
+      circle.push_back(view.at(radius * std::cos(angle), radius * std::sin(angle)));
+    }
+    canvas.stroke(circle, 1, ink);
+  }
+}
+
+void draw_frame_axes(Canvas& canvas, const View& view, const Layout& layout, bool with_y) {
+  const ParticlePicture& picture = view.picture;
+  const int target = layout.panel_width > 600 ? 6 : 4;
+  const double right = view.left + layout.panel_width;
+  const Axis x = make_axis(picture.lower[0], picture.upper[0], false, Fit::tight, target);
+  for (std::size_t i = 0; i < x.major.size(); ++i) {
+    const double at = view.at(x.major[i], 0).x;
+    canvas.stroke(std::array<Point, 2>{{{at, view.bottom}, {at, view.bottom + 6}}}, 1, axis_color);
+    canvas.text({at, view.bottom + 25}, x.labels[i], {text_size, ink, Anchor::middle});
+  }
+  const double unit_y = view.bottom + 50;
+  canvas.text({(view.left + right) / 2, unit_y}, "x" + (x.factor.empty() ? "" : " (" + x.factor + ")") + " [m]",
+              {text_size, ink, Anchor::middle});
+  const Axis y = make_axis(picture.lower[1], picture.upper[1], false, Fit::tight, target);
+  for (std::size_t i = 0; i < y.major.size(); ++i) {
+    const double at = view.at(0, y.major[i]).y;
+    canvas.stroke(std::array<Point, 2>{{{view.left - 6, at}, {view.left, at}}}, 1, axis_color);
+    if (with_y) canvas.text({view.left - 11, at + 6}, y.labels[i], {text_size, ink, Anchor::right});
+  }
+  if (with_y) {
+    canvas.text({22, (view.top + view.bottom) / 2}, "y" + (y.factor.empty() ? "" : " (" + y.factor + ")") + " [m]",
+                {text_size, ink, Anchor::middle, true});
+  }
+  canvas.stroke(std::array<Point, 5>{{{view.left, view.top},
+                                      {right, view.top},
+                                      {right, view.bottom},
+                                      {view.left, view.bottom},
+                                      {view.left, view.top}}},
+                1, axis_color);
+}
+
+void draw_bar(Canvas& canvas, const ParticlePicture& picture, const Layout& layout, const Axis& axis, double labels) {
+  const double left = layout.bar_left, right = left + 24, top = layout.top, bottom = top + layout.panel_height;
+  for (double y = top; y < bottom; y += 0.5) {
+    const std::array<Point, 4> strip{{{left, y}, {right, y}, {right, y + 0.5}, {left, y + 0.5}}};
+    canvas.fill(strip, map_color(picture.map, (bottom - y) / (bottom - top)));
+  }
+  canvas.stroke(std::array<Point, 5>{{{left, top}, {right, top}, {right, bottom}, {left, bottom}, {left, top}}}, 1,
+                axis_color);
+  for (std::size_t i = 0; i < axis.major.size(); ++i) {
+    const double y = bottom - (bottom - top) * axis.fraction(axis.major[i]);
+    canvas.stroke(std::array<Point, 2>{{{right, y}, {right + 6, y}}}, 1, axis_color);
+    canvas.text({right + 11, y + 6}, axis.labels[i], {text_size, ink, Anchor::left});
+  }
+  const std::string label = picture.value_label + (axis.factor.empty() ? "" : "  (" + axis.factor + ")");
+  canvas.text({right + 11 + labels + 12 + text_size, (top + bottom) / 2}, label,
+              {text_size, ink, Anchor::middle, true});
+}
+
+void check(const ParticlePicture& picture) {
+  if (picture.frames.empty()) throw std::invalid_argument("ParticlePicture: no frame");
+  for (const ParticleFrame& f : picture.frames) {
+    const std::size_t n = f.x.size();
+    for (const auto* array : {&f.y, &f.r1x, &f.r1y, &f.r2x, &f.r2y, &f.value}) {
+      if (array->size() != n) throw std::invalid_argument("ParticlePicture: arrays of different lengths");
+    }
+  }
+}
+
+}  // namespace
+
+std::string png(const ParticlePicture& picture) {
+  check(picture);
+  const std::array<double, 2> range = color_range(picture);
+  const Axis axis = make_axis(range[0], range[1], false, Fit::tight, picture.frames.size() == 1 ? 8 : 6);
+  double labels = 0;
+  for (const std::string& label : axis.labels) labels = std::max(labels, label_width(label, text_size));
+  const Layout layout = lay_out(picture, labels);
+  Canvas canvas(static_cast<int>(std::ceil(layout.width)), static_cast<int>(std::ceil(layout.height)), paper);
+  if (!picture.title.empty()) canvas.text({layout.left, 36}, picture.title, {text_size * 1.2, ink, Anchor::left});
+  for (std::size_t i = 0; i < picture.frames.size(); ++i) {
+    const double left = layout.left + static_cast<double>(i) * (layout.panel_width + layout.gap);
+    const View view{picture, left, layout.top, layout.panel_width / (picture.upper[0] - picture.lower[0]),
+                    layout.top + layout.panel_height};
+    canvas.clip(left, layout.top, left + layout.panel_width, view.bottom);
+    draw_particles(canvas, view, picture.frames[i], range);
+    draw_rings(canvas, view);
+    canvas.unclip();
+    draw_frame_axes(canvas, view, layout, i == 0);
+    canvas.text({left + layout.panel_width / 2, layout.top - 12}, picture.frames[i].caption,
+                {text_size, ink, Anchor::middle});
+  }
+  draw_bar(canvas, picture, layout, axis, labels);
+  return canvas.png();
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/scene/expect.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drivers/output/numbers.hpp"
+#include "drivers/output/result_json.hpp"
+#include "drivers/scene/yaml_values.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+using Operator = Expectation::Operator;
+
+void read_comparison(const Tree& map, const std::string& path, Expectation& line) {
+  const std::vector<std::string>& operators = expectation_operators();
+  refuse_unknown_keys(map, path, operators);
+  if (map.entries.size() != 1) {
+    throw InputError(map.where, path, "must hold exactly one operator", joined(operators));
+  }
+  const auto& [name, name_where, value] = map.entries.front();
+  line.op = static_cast<Operator>(std::find(operators.begin(), operators.end(), name) - operators.begin());
+  const std::string operator_path = key_path(path, name);
+  if (line.op == Operator::between) {
+    const std::vector<double> bounds = numbers_value(value, operator_path, 1, 2);
+    line.number = bounds[0], line.upper = bounds[1];
+    if (!(line.number <= line.upper))
+      throw InputError(value.where, operator_path, "the first must not exceed the second");
+  } else {
+    line.number = number_value(value, operator_path);
+  }
+}
+
+Expectation read_line(const Tree::Entry& entry) {
+  const std::string path = key_path("expect", entry.key);
+  Expectation line;
+  line.key = entry.key;
+  line.where = entry.key_where;
+  if (is_text_figure(entry.key)) {
+    const Tree* value = &entry.value;
+    if (value->kind == Tree::Kind::map) {
+      refuse_unknown_keys(*value, path, {"equals"});
+      value = value->find("equals");
+    }
+    if (!value) throw InputError(entry.value.where, path, "must be text or {equals: text}");
+    line.text = entry.key == "outcome" ? choice_value(*value, path, known_outcomes()) : text_value(*value, path);
+  } else if (entry.value.kind == Tree::Kind::map) {
+    read_comparison(entry.value, path, line);
+  } else {
+    line.number = number_value(entry.value, path);
+  }
+  return line;
+}
+
+bool holds(const Expectation& line, double found) {
+  switch (line.op) {
+    case Operator::below:
+      return found < line.number;
+    case Operator::above:
+      return found > line.number;
+    case Operator::between:
+      return line.number <= found && found <= line.upper;
+    case Operator::equals:
+      return found == line.number;
+  }
+  return false;
+}
+
+std::string expected_text(const Expectation& line) {
+  if (line.text) return *line.text;
+  if (line.truth) return *line.truth ? "true" : "false";
+  const std::string name = expectation_operators()[static_cast<std::size_t>(line.op)];
+  if (line.op == Operator::between) return name + " " + number_text(line.number) + " and " + number_text(line.upper);
+  return name + " " + number_text(line.number);
+}
+
+ExpectationOutcome judged(const Expectation& line, const FlatValue& found) {
+  ExpectationOutcome outcome{line.key, expected_text(line), "null", false};
+  if (const auto* text = std::get_if<std::string>(&found)) {
+    outcome.found = *text;
+    outcome.holds = line.text && *line.text == *text;
+  } else if (const auto* truth = std::get_if<bool>(&found)) {
+    outcome.found = *truth ? "true" : "false";
+    outcome.holds = line.truth && *line.truth == *truth;
+  } else if (const auto* number = std::get_if<double>(&found)) {
+    outcome.found = number_text(*number);
+    outcome.holds = !line.text && !line.truth && holds(line, *number);
+  }
+  return outcome;
+}
+
+}  // namespace
+
+bool is_text_figure(const std::string& key) {
+  static const std::vector<std::string> keys{"outcome", "reason"};
+  return key.starts_with("provenance.") || std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+const std::vector<std::string>& expectation_operators() {
+  static const std::vector<std::string> names{"below", "above", "between", "equals"};
+  return names;
+}
+
+const std::vector<std::string>& known_outcomes() {
+  static const std::vector<std::string> names{"completed", "unstable", "material_failed", "refused"};
+  return names;
+}
+
+std::vector<Expectation> read_expectations(const Tree& map) {
+  require_map(map, "expect", "keys of result.json");
+  refuse_unknown_keys(map, "expect", flat_keys());
+  std::vector<Expectation> lines;
+  for (const Tree::Entry& entry : map.entries) lines.push_back(read_line(entry));
+  return lines;
+}
+
+std::string expectation_yaml(const Expectation& line) {
+  if (line.text) return yaml_scalar(*line.text);
+  const std::string name = expectation_operators()[static_cast<std::size_t>(line.op)];
+  if (line.op == Operator::between) {
+    return "{between: [" + number_text(line.number) + ", " + number_text(line.upper) + "]}";
+  }
+  return "{" + name + ": " + number_text(line.number) + "}";
+}
+
+std::vector<ExpectationOutcome> judge(const std::vector<Expectation>& expectations, const Result& result) {
+  const auto figures = flatten(result);
+  std::vector<ExpectationOutcome> outcomes;
+  for (const Expectation& line : expectations) {
+    const auto found = figures.find(line.key);
+    outcomes.push_back(judged(line, found == figures.end() ? FlatValue{} : found->second));
+  }
+  return outcomes;
+}
+
+}  // namespace assay::drivers

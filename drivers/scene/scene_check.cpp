@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/scene/scene_check.hpp"
+
+#include <cmath>
+
+#include "drivers/output/numbers.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+using Where = std::function<Location(const std::string&)>;
+
+[[noreturn]] void refuse(const Where& where, const std::string& key, const std::string& what) {
+  throw InputError(where(key), key, what);
+}
+
+std::string text(const std::array<double, 2>& p) { return "[" + number_text(p[0]) + ", " + number_text(p[1]) + "]"; }
+
+void check_vortex(const Vortex& vortex, const Where& where) {
+  if (!(vortex.inner < vortex.outer)) {
+    refuse(where, "motion.inner",
+           "must be less than motion.outer, found " + number_text(vortex.inner) + " and " + number_text(vortex.outer));
+  }
+}
+
+/// det F > 0 all along the straight path: checked at many times, to the scene's end.
+void check_homogeneous(const Homogeneous& motion, const Scene& scene, const Where& where) {
+  const double last = std::max(1.0, scene.time.end / motion.period);
+  for (int i = 0; i <= 1000; ++i) {
+    const double s = last * i / 1000;
+    const Tensor F = Tensor::Identity() * (1 - s) + motion.final * s;
+    if (!(F.determinant() > 0)) {
+      refuse(where, "motion.final", "det F <= 0 on the way, at t = " + number_text(s * motion.period));
+    }
+  }
+  const Tensor& F = motion.final;
+  const bool plane = F(0, 2) == 0 && F(1, 2) == 0 && F(2, 0) == 0 && F(2, 1) == 0 && F(2, 2) == 1;
+  if (scene.method && !plane) {
+    refuse(where, "motion.final", "the method is plane strain: components 13, 23, 31, 32 must be 0 and 33 must be 1");
+  }
+}
+
+void check_corners(const std::array<double, 2>& lower, const std::array<double, 2>& upper, const std::string& section,
+                   const Where& where) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (lower[i] < upper[i]) continue;
+    refuse(where, section + ".lower",
+           "must be less than " + section + ".upper, found " + text(lower) + " and " + text(upper));
+  }
+}
+
+void check_body(const Scene& scene, const Where& where) {
+  const Body& body = scene.body;
+  const auto* vortex = std::get_if<Vortex>(&scene.motion);
+  if (body.domain == Body::Domain::ring) {
+    if (!vortex) refuse(where, "body.domain", "a ring takes its radii from the vortex, and motion.type is another");
+    if (body.outside == Body::Outside::held) {
+      refuse(where, "body.outside", "a ring alone has nothing outside it that could be held; its faces are free");
+    }
+    return;
+  }
+  check_corners(body.lower, body.upper, "body", where);
+  const double width = body.upper[0] - body.lower[0], height = body.upper[1] - body.lower[1];
+  if (body.domain == Body::Domain::square && std::abs(width - height) > 1e-12 * width) {
+    refuse(where, "body.upper",
+           "a square has equal sides, found " + number_text(width) + " and " + number_text(height));
+  }
+  for (std::size_t i = 0; vortex && i < 2; ++i) {
+    if (body.lower[i] <= -vortex->outer && body.upper[i] >= vortex->outer) continue;
+    refuse(where, "body.domain",
+           "must contain the ring of the vortex (outer " + number_text(vortex->outer) + "), reaches from " +
+               text(body.lower) + " to " + text(body.upper));
+  }
+}
+
+void check_grid(const Scene& scene, const Where& where) {
+  const GridChoice& grid = *scene.grid;
+  if (!grid.lower != !grid.upper) {
+    const std::string given = grid.lower ? "grid.lower" : "grid.upper";
+    refuse(where, given, "lower and upper only come together");
+  }
+  if (!grid.lower) return;
+  check_corners(*grid.lower, *grid.upper, "grid", where);
+  const auto* vortex = std::get_if<Vortex>(&scene.motion);
+  const bool ring = vortex && scene.body.domain == Body::Domain::ring;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double lower = ring ? -vortex->outer : scene.body.lower[i],
+                 upper = ring ? vortex->outer : scene.body.upper[i];
+    if ((*grid.lower)[i] <= lower && (*grid.upper)[i] >= upper) continue;
+    refuse(where, "grid.lower", "the grid must contain the body: particles would lie outside");
+  }
+}
+
+}  // namespace
+
+void check_scene(const Scene& scene, const std::function<Location(const std::string&)>& where) {
+  if (const auto* vortex = std::get_if<Vortex>(&scene.motion)) {
+    check_vortex(*vortex, where);
+  } else {
+    check_homogeneous(std::get<Homogeneous>(scene.motion), scene, where);
+  }
+  check_body(scene, where);
+  if (scene.method && !scene.grid) refuse(where, "grid", "required by method and not given");
+  if (scene.grid) check_grid(scene, where);
+  if (scene.time.step && *scene.time.step > scene.time.end) {
+    refuse(where, "time.step", "must not exceed time.end, found " + number_text(*scene.time.step));
+  }
+}
+
+}  // namespace assay::drivers

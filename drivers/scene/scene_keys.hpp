@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The one table of scene keys: the reader, resolved.yaml and the JSON Schema are all made from it.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "drivers/scene/scene.hpp"
+#include "drivers/scene/yaml_values.hpp"
+
+namespace assay::drivers {
+
+/// monostate: absent.
+using Value = std::variant<std::monostate, bool, double, std::string, std::vector<double>>;
+
+enum class KeyType { number, boolean, text, choice, pair, matrix };
+
+struct Key {
+  std::string path;  ///< "motion.amplitude.peak"
+  KeyType type = KeyType::number;
+  std::string doc;  ///< one line, with the unit
+  Value (*get)(const Scene&) = nullptr;
+  void (*set)(Scene&, const Value&) = nullptr;
+  Range range = {};  ///< of a number, or of each in a pair or matrix
+  std::vector<std::string> choices = {};
+  bool required = false;
+  std::string derived = {};               ///< how the default follows from other keys; empty: it is a constant
+  std::vector<std::string> motions = {};  ///< motion.type for which the key exists; empty: all
+  std::vector<std::string> domains = {};  ///< likewise body.domain
+};
+
+struct Section {
+  std::string path;
+  std::string doc;
+  bool required = false;
+  bool optional_part = false;                        ///< absent from the scene unless written (grid, method)
+  void (*begin)(Scene&) = nullptr;                   ///< makes room in the scene for the section
+  void (*place)(Scene&, const Location&) = nullptr;  ///< keeps where it stands
+  bool free_keys = false;                            ///< keys are names of the user's or of the result's: no table
+};
+
+/// In the order in which they are read and written; a section before its keys.
+const std::vector<Section>& scene_sections();
+const std::vector<Key>& scene_keys();
+
+/// Names that may stand directly under a section ("" is the top), for the scene's motion and domain or for all.
+std::vector<std::string> names_under(const std::string& section, const Scene* scene = nullptr);
+
+/// Whether the key exists for this scene's motion, on some domain.
+bool of_motion(const Key& key, const Scene& scene);
+/// Whether the key exists for this scene's motion and domain.
+bool applies(const Key& key, const Scene& scene);
+/// Whether any of its keys does.
+bool applies(const Section& section, const Scene& scene);
+
+std::string motion_type(const Scene& scene);
+std::string domain_name(Body::Domain domain);
+
+}  // namespace assay::drivers

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/scene/scene_reader.hpp"
+
+#include <filesystem>
+#include <set>
+
+#include "drivers/material/material_path.hpp"
+#include "drivers/scene/expect.hpp"
+#include "drivers/scene/scene_check.hpp"
+#include "drivers/scene/scene_keys.hpp"
+#include "drivers/scene/settings.hpp"
+#include "drivers/scene/sha256.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+/// The value at a dotted path of table keys, null where there is none.
+const Tree* value_at(const Tree& root, const std::string& path) {
+  const Tree* at = &root;
+  for (std::size_t begin = 0; at && begin <= path.size();) {
+    const std::size_t dot = std::min(path.find('.', begin), path.size());
+    at = at->find(std::string_view(path).substr(begin, dot - begin));
+    begin = dot + 1;
+  }
+  return at;
+}
+
+std::string parent_of(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  return dot == path.npos ? std::string() : path.substr(0, dot);
+}
+
+Value read_value(const Key& key, const Tree& tree) {
+  switch (key.type) {
+    case KeyType::number:
+      return number_value(tree, key.path, key.range);
+    case KeyType::boolean:
+      return boolean_value(tree, key.path);
+    case KeyType::text:
+      return text_value(tree, key.path);
+    case KeyType::choice:
+      return choice_value(tree, key.path, key.choices);
+    case KeyType::pair:
+      return numbers_value(tree, key.path, 1, 2, key.range);
+    case KeyType::matrix:
+      return numbers_value(tree, key.path, 3, 3, key.range);
+  }
+  return {};
+}
+
+/// Every section is a map, and every key is one that some scene may have.
+void check_names(const Tree& root) {
+  require_map(root, "", joined(names_under("")));
+  refuse_unknown_keys(root, "", names_under(""));
+  for (const Section& section : scene_sections()) {
+    const Tree* map = value_at(root, section.path);
+    if (!map) continue;
+    require_map(*map, section.path, joined(names_under(section.path)));
+    if (!section.free_keys) refuse_unknown_keys(*map, section.path, names_under(section.path));
+  }
+}
+
+void read_key(const Key& key, const Tree& root, Scene& scene) {
+  const Tree* tree = value_at(root, key.path);
+  const std::string parent = parent_of(key.path);
+  if (tree && !applies(key, scene)) {
+    const std::string why =
+        of_motion(key, scene) ? "body.domain " + domain_name(scene.body.domain) : "motion.type " + motion_type(scene);
+    throw InputError(tree->where, key.path, "does not belong to " + why, joined(names_under(parent, &scene)));
+  }
+  if (tree) {
+    key.set(scene, read_value(key, *tree));
+  } else if (key.required && applies(key, scene)) {
+    const Tree* section = parent.empty() ? &root : value_at(root, parent);
+    if (section) throw InputError(section->where, key.path, "required and not given");
+  }
+}
+
+void begin_sections(const Tree& root, Scene& scene) {
+  for (const Section& section : scene_sections()) {
+    const Tree* map = value_at(root, section.path);
+    if (!map) {
+      if (section.required) throw InputError(root.where, section.path, "required and not given");
+      continue;
+    }
+    if (section.begin) section.begin(scene);
+    if (section.place) section.place(scene, map->where);
+  }
+}
+
+void read_material(const Tree& root, const std::string& file, Scene& scene) {
+  MaterialChoice& material = scene.material;
+  const Tree& adapter = *value_at(root, "material.adapter");
+  material.where = adapter.where;
+  const bool from_set = adapter.where.file == set_option;
+  const auto folder = from_set ? std::filesystem::path() : std::filesystem::path(file).parent_path();
+  material.adapter = absolute_material(material.adapter, folder);
+  const Tree* parameters = value_at(root, "material.parameters");
+  if (!parameters) return;
+  for (const Tree::Entry& entry : parameters->entries) {
+    material.parameters[entry.key] = number_value(entry.value, "material.parameters." + one_line(entry.key, 80));
+    material.parameter_where[entry.key] = entry.value.where;
+  }
+}
+
+/// Defaults that follow from other keys.
+void derive(const Tree& root, Scene& scene) {
+  if (!value_at(root, "body.outside")) {
+    const bool ring = scene.body.domain == Body::Domain::ring;
+    scene.body.outside = ring ? Body::Outside::free : Body::Outside::held;
+  }
+  if (!value_at(root, "time.end")) scene.time.end = period_of(scene.motion);
+}
+
+}  // namespace
+
+Scene scene_from_text(std::string_view text, const std::string& file, const std::vector<std::string>& sets) {
+  Tree root = read_yaml(text, file);
+  if (root.kind == Tree::Kind::null) throw InputError({file, 0, 0}, "", "empty");
+  require_map(root, "", joined(names_under("")));
+  for (const std::string& setting : sets) apply_setting(root, setting);
+  check_names(root);
+
+  Scene scene;
+  scene.file = file;
+  scene.sha256 = sha256_hex(text);
+  begin_sections(root, scene);
+  for (const Key& key : scene_keys()) {
+    read_key(key, root, scene);
+    if (key.path == "motion.type" && motion_type(scene) != "vortex") scene.body.domain = Body::Domain::square;
+  }
+  read_material(root, file, scene);
+  derive(root, scene);
+  if (const Tree* expect = value_at(root, "expect")) scene.expect = read_expectations(*expect);
+  check_scene(scene, [&](const std::string& path) {
+    const Tree* tree = value_at(root, path);
+    if (!tree) tree = value_at(root, parent_of(path));
+    return tree ? tree->where : root.where;
+  });
+  return scene;
+}
+
+Scene read_scene(const std::string& file, const std::vector<std::string>& sets) {
+  return scene_from_text(read_bytes(file), file, sets);
+}
+
+}  // namespace assay::drivers

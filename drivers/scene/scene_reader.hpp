@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The strict scene reader.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "drivers/scene/scene.hpp"
+#include "drivers/scene/yaml_reader.hpp"
+
+namespace assay::drivers {
+
+/// The scene in a YAML file, changed by `key.path=YAML value` settings before it is checked. Relative paths become
+/// absolute: from the file's folder, in settings from the working directory. Throws InputError.
+Scene read_scene(const std::string& file, const std::vector<std::string>& sets = {});
+
+/// The same of a text; `file` is its name, `sha256` of its bytes.
+Scene scene_from_text(std::string_view text, const std::string& file, const std::vector<std::string>& sets = {});
+
+}  // namespace assay::drivers

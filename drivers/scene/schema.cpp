@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/scene/schema.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "drivers/output/result_json.hpp"
+#include "drivers/scene/expect.hpp"
+#include "drivers/scene/scene_keys.hpp"
+#include "drivers/verbs.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Every kind of scene, with the optional parts present: what the table's keys are asked for their defaults.
+std::vector<Scene> kinds_of_scene() {
+  Scene ring, square, box;
+  ring.grid.emplace(), ring.method.emplace();
+  square = ring;
+  square.motion = Homogeneous{};
+  square.body.domain = Body::Domain::square;
+  box = square;
+  box.body.domain = Body::Domain::box;
+  return {ring, square, box};
+}
+
+Json number_schema(const Range& range) {
+  Json out{{"type", range.whole ? "integer" : "number"}};
+  if (std::isfinite(range.lower)) out[range.lower_open ? "exclusiveMinimum" : "minimum"] = range.lower;
+  if (std::isfinite(range.upper)) out[range.upper_open ? "exclusiveMaximum" : "maximum"] = range.upper;
+  return out;
+}
+
+Json list_schema(const Json& items, int count) {
+  return {{"type", "array"}, {"items", items}, {"minItems", count}, {"maxItems", count}};
+}
+
+Json type_schema(const Key& key) {
+  switch (key.type) {
+    case KeyType::number:
+      return number_schema(key.range);
+    case KeyType::boolean:
+      return {{"type", "boolean"}};
+    case KeyType::text:
+      return {{"type", Json::array({"string", "number", "boolean"})}};
+    case KeyType::choice:
+      return {{"enum", key.choices}};
+    case KeyType::pair:
+      return list_schema(number_schema(key.range), 2);
+    case KeyType::matrix:
+      return list_schema(list_schema(number_schema(key.range), 3), 3);
+  }
+  return {};
+}
+
+Json default_of(const Key& key) {
+  for (const Scene& scene : kinds_of_scene()) {
+    if (!applies(key, scene)) continue;
+    const Value value = key.get(scene);
+    if (const auto* truth = std::get_if<bool>(&value)) return *truth;
+    if (const auto* number = std::get_if<double>(&value)) return *number;
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    if (const auto* list = std::get_if<std::vector<double>>(&value)) return *list;
+  }
+  return nullptr;
+}
+
+Json key_schema(const Key& key) {
+  Json out = type_schema(key);
+  std::string doc = key.doc;
+  if (!key.derived.empty()) doc += "; default: " + key.derived;
+  out["description"] = doc;
+  if (!key.required && key.derived.empty()) out["default"] = default_of(key);
+  return out;
+}
+
+Json expectation_schema(const std::string& key) {
+  const Json number{{"type", "number"}};
+  Json operators = Json::array();
+  for (const std::string& name : expectation_operators()) {
+    Json one{{"type", "object"}, {"additionalProperties", false}, {"required", Json::array({name})}};
+    one["properties"][name] = name == "between" ? list_schema(number, 2) : number;
+    operators.push_back(one);
+  }
+  if (!is_text_figure(key)) {
+    operators.push_back(number);
+    return {{"oneOf", operators}};
+  }
+  const Json text = key == "outcome" ? Json{{"enum", known_outcomes()}} : Json{{"type", "string"}};
+  Json equals{{"type", "object"}, {"additionalProperties", false}, {"required", Json::array({"equals"})}};
+  equals["properties"]["equals"] = text;
+  return {{"oneOf", Json::array({text, equals})}};
+}
+
+Json free_section(const Section& section) {
+  Json out{{"type", "object"}, {"description", section.doc}};
+  if (section.path == "expect") {
+    out["additionalProperties"] = false;
+    for (const std::string& key : flat_keys()) out["properties"][key] = expectation_schema(key);
+  } else {
+    out["additionalProperties"] = {{"type", "number"}};
+  }
+  return out;
+}
+
+std::string parent_of(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  return dot == path.npos ? std::string() : path.substr(0, dot);
+}
+
+Json object_schema(const std::string& path, const Scene& scene);
+
+/// One alternative for each motion where the keys of a section depend on it.
+Json section_schema(const Section& section, const Scene& scene) {
+  if (section.free_keys) return free_section(section);
+  Json out = object_schema(section.path, scene);
+  out["description"] = section.doc;
+  return out;
+}
+
+Json object_schema(const std::string& path, const Scene& scene) {
+  Json properties = Json::object(), required = Json::array();
+  for (const Key& key : scene_keys()) {
+    if (parent_of(key.path) != path || !of_motion(key, scene)) continue;
+    const std::string name = key.path.substr(path.empty() ? 0 : path.size() + 1);
+    properties[name] = key_schema(key);
+    if (key.path == "motion.type") properties[name] = {{"const", motion_type(scene)}, {"description", key.doc}};
+    if (key.required) required.push_back(name);
+  }
+  for (const Section& section : scene_sections()) {
+    if (parent_of(section.path) != path || !applies(section, scene)) continue;
+    const std::string name = section.path.substr(path.empty() ? 0 : path.size() + 1);
+    properties[name] = section_schema(section, scene);
+    if (section.required) required.push_back(name);
+  }
+  Json out{{"type", "object"}, {"additionalProperties", false}, {"properties", properties}};
+  if (!required.empty()) out["required"] = required;
+  return out;
+}
+
+}  // namespace
+
+std::string schema_json() {
+  const std::vector<Scene> kinds = kinds_of_scene();
+  Json out = object_schema("", kinds[0]);
+  const std::string doc = out["properties"]["motion"]["description"];
+  out["properties"]["motion"] = {{"description", doc},
+                                 {"oneOf", {object_schema("motion", kinds[0]), object_schema("motion", kinds[1])}}};
+  Json head{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "assay scene"}};
+  head.update(out);
+  return head.dump(2) + "\n";
+}
+
+int schema() {
+  std::cout << schema_json();
+  return 0;
+}
+
+}  // namespace assay::drivers

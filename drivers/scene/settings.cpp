@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/scene/settings.hpp"
+
+#include <algorithm>
+
+#include "drivers/scene/expect.hpp"
+#include "drivers/scene/yaml_values.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+const Location from_option{set_option, 0, 0};
+
+std::vector<std::string> split_at_dots(const std::string& path) {
+  std::vector<std::string> words;
+  for (std::size_t begin = 0;;) {
+    const std::size_t dot = path.find('.', begin);
+    words.push_back(path.substr(begin, dot - begin));
+    if (dot == path.npos) return words;
+    begin = dot + 1;
+  }
+}
+
+std::vector<std::string> steps_of(const std::string& path) {
+  const std::string section = "expect.";
+  if (!path.starts_with(section)) return split_at_dots(path);
+  std::string key = path.substr(section.size());
+  const std::size_t dot = key.rfind('.');
+  const auto& operators = expectation_operators();
+  if (dot != key.npos && std::find(operators.begin(), operators.end(), key.substr(dot + 1)) != operators.end()) {
+    return {"expect", key.substr(0, dot), key.substr(dot + 1)};
+  }
+  return {"expect", key};
+}
+
+Tree value_of(const std::string& text, const std::string& path) {
+  if (text.find_first_not_of(" \t") == text.npos) throw InputError(from_option, path, "no value after '='");
+  try {
+    return read_yaml(text, set_option);
+  } catch (const InputError& error) {
+    std::string what = error.what();
+    what.erase(0, std::string_view(set_option).size());  // "--set: what" or "--set key: what"
+    what.erase(0, what.find_first_not_of(": "));
+    throw InputError(from_option, path, what);
+  }
+}
+
+}  // namespace
+
+void apply_setting(Tree& root, const std::string& setting) {
+  const std::size_t equals = setting.find('=');
+  const std::string path = setting.substr(0, equals);
+  const std::vector<std::string> steps = steps_of(path);
+  const bool empty_step = std::any_of(steps.begin(), steps.end(), [](const std::string& s) { return s.empty(); });
+  if (equals == setting.npos || empty_step) {
+    throw InputError(from_option, "", "takes key.path=value, found '" + one_line(setting, 80) + "'");
+  }
+  if (steps.size() > YamlLimits{}.depth) throw InputError(from_option, one_line(path, 80), "nested too deep");
+  Tree value = value_of(setting.substr(equals + 1), path);
+  Tree* at = &root;
+  std::string done;
+  for (const std::string& step : steps) {
+    if (at->kind == Tree::Kind::null) at->kind = Tree::Kind::map, at->where = from_option;
+    if (at->kind != Tree::Kind::map) {
+      throw InputError(from_option, path, (done.empty() ? "the scene" : "'" + done + "'") + " is not a map");
+    }
+    Tree* next = at->find(step);
+    if (!next) {
+      Tree made;
+      made.where = from_option;
+      at->entries.push_back({step, from_option, std::move(made)});
+      next = &at->entries.back().value;
+    }
+    at = next;
+    done = key_path(done, step);
+  }
+  *at = std::move(value);
+}
+
+}  // namespace assay::drivers

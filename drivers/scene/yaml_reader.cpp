@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/scene/yaml_reader.hpp"
+
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "drivers/scene/text_check.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+std::size_t size_of(const Tree& tree) {
+  std::size_t size = 1;
+  for (const Tree& item : tree.items) size += size_of(item);
+  for (const Tree::Entry& entry : tree.entries) size += size_of(entry.value);
+  return size;
+}
+
+/// Builds the tree from yaml-cpp's events: its own nodes lose duplicate keys and recurse on self-reference. Throwing
+/// at a start event ends the parse before yaml-cpp recurses deeper.
+class Builder : public YAML::EventHandler {
+ public:
+  Builder(const std::string& name, const YamlLimits& limits, bool marked)
+      : name_(name), limits_(limits), marked_(marked) {}
+
+  bool found() const { return documents_ > 0; }
+  Tree take() { return std::move(root_); }
+  Location where(const YAML::Mark& mark) const {
+    if (name_ == set_option || mark.is_null()) return {name_, 0, 0};
+    return {name_, mark.line + 1, mark.column + 1};
+  }
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (documents_++ == 0) return;
+    throw InputError(where(mark), "",
+                     marked_ ? "a second document; one file holds one" : "not valid YAML: more after the end");
+  }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    Tree tree;
+    tree.where = where(mark);
+    complete(std::move(tree), anchor, 1);
+  }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    const auto found = anchors_.find(anchor);
+    if (found == anchors_.end()) throw InputError(where(mark), "", "an alias inside the value that it stands for");
+    complete(found->second.tree, YAML::NullAnchor, found->second.size);
+  }
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& value) override {
+    check_tag(mark, tag);
+    Tree tree;
+    tree.where = where(mark);
+    tree.quoted = tag == "!";
+    const bool null = !tree.quoted && (value.empty() || value == "~" || value == "null" || value == "Null");
+    tree.kind = null ? Tree::Kind::null : Tree::Kind::scalar;
+    if (!null) tree.text = value;
+    complete(std::move(tree), anchor, 1);
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
+    start(mark, tag, anchor, Tree::Kind::sequence);
+  }
+  void OnSequenceEnd() override { end(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    start(mark, tag, anchor, Tree::Kind::map);
+  }
+  void OnMapEnd() override { end(); }
+
+ private:
+  struct Frame {
+    Tree tree;
+    YAML::anchor_t anchor = YAML::NullAnchor;
+    bool has_key = false;
+    std::string key;
+    Location key_where;
+    std::set<std::string> seen;
+  };
+  struct Anchored {
+    Tree tree;
+    std::size_t size = 1;
+  };
+
+  void check_tag(const YAML::Mark& mark, const std::string& tag) const {
+    if (!tag.empty() && tag != "?" && tag != "!") {
+      throw InputError(where(mark), "", "a tag ('" + one_line(tag, 40) + "'); tags have no meaning here");
+    }
+  }
+
+  void start(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, Tree::Kind kind) {
+    check_tag(mark, tag);
+    if (stack_.size() >= limits_.depth) {
+      throw InputError(where(mark), "", "nested deeper than " + std::to_string(limits_.depth) + " levels");
+    }
+    Frame frame;
+    frame.tree.kind = kind;
+    frame.tree.where = where(mark);
+    frame.anchor = anchor;
+    stack_.push_back(std::move(frame));
+  }
+
+  void end() {
+    Frame frame = std::move(stack_.back());
+    stack_.pop_back();
+    const std::size_t size = frame.anchor == YAML::NullAnchor ? 1 : size_of(frame.tree);
+    if (size > 1) values_ -= size - 1;  // its members are counted already
+    complete(std::move(frame.tree), frame.anchor, size);
+  }
+
+  void complete(Tree tree, YAML::anchor_t anchor, std::size_t size) {
+    values_ += size;
+    if (values_ > limits_.values) {
+      throw InputError(tree.where, "", "more than " + std::to_string(limits_.values) + " values");
+    }
+    if (anchor != YAML::NullAnchor) anchors_[anchor] = {tree, size};
+    if (stack_.empty()) {
+      root_ = std::move(tree);
+    } else if (stack_.back().tree.kind == Tree::Kind::sequence) {
+      stack_.back().tree.items.push_back(std::move(tree));
+    } else {
+      add_to_map(stack_.back(), std::move(tree));
+    }
+  }
+
+  void add_to_map(Frame& map, Tree tree) {
+    if (map.has_key) {
+      if (tree.kind == Tree::Kind::null) tree.where = map.key_where;  // yaml-cpp names the next token's place
+      map.tree.entries.push_back({map.key, map.key_where, std::move(tree)});
+      map.has_key = false;
+      return;
+    }
+    if (tree.kind != Tree::Kind::scalar) throw InputError(tree.where, "", "a key must be a word");
+    if (!map.seen.insert(tree.text).second) {
+      throw InputError(tree.where, one_line(tree.text, 80), "duplicate key");
+    }
+    map.key = tree.text;
+    map.key_where = tree.where;
+    map.has_key = true;
+  }
+
+  std::string name_;
+  YamlLimits limits_;
+  bool marked_;  ///< the text has a marker between documents, "---" or "..."
+  std::vector<Frame> stack_;
+  std::map<YAML::anchor_t, Anchored> anchors_;
+  Tree root_;
+  std::size_t values_ = 0;
+  int documents_ = 0;
+};
+
+bool is_plain(const std::string& text) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  const auto plain = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '-' || c == '.' || c == '/'; };
+  if (text.empty() || !(letter(text[0]) || (text[0] == '/' && text.size() > 1))) return false;
+  if (!std::all_of(text.begin(), text.end(), plain)) return false;
+  static const std::set<std::string> words{"null",  "Null", "NULL", "true", "True", "TRUE", "false", "False",
+                                           "FALSE", "yes",  "no",   "on",   "off",  "y",    "n"};
+  return words.count(text) == 0;
+}
+
+}  // namespace
+
+const Tree* Tree::find(std::string_view key) const {
+  const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.key == key; });
+  return found == entries.end() ? nullptr : &found->value;
+}
+
+Tree* Tree::find(std::string_view key) { return const_cast<Tree*>(std::as_const(*this).find(key)); }
+
+Tree read_yaml(std::string_view text, const std::string& name, const YamlLimits& limits) {
+  check_text(text, name, limits.bytes);
+  std::istringstream stream{std::string(text)};
+  const bool marked = text.find("\n---") != text.npos || text.find("\n...") != text.npos;
+  Builder builder(name, limits, marked);
+  try {
+    YAML::Parser parser(stream);
+    while (parser.HandleNextDocument(builder)) {
+    }
+  } catch (const YAML::Exception& error) {
+    throw InputError(builder.where(error.mark), "", "not valid YAML: " + one_line(error.msg, 200));
+  }
+  if (!builder.found()) throw InputError({name, 0, 0}, "", "empty");
+  return builder.take();
+}
+
+std::string yaml_scalar(const std::string& text) {
+  if (is_plain(text)) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      quoted += '\\', quoted += c;
+    } else if (byte < 0x20 || byte == 0x7f) {
+      quoted += "\\x", quoted += "0123456789abcdef"[byte >> 4], quoted += "0123456789abcdef"[byte & 15u];
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + "\"";
+}
+
+}  // namespace assay::drivers

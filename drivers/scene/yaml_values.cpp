@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/scene/yaml_values.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drivers/output/numbers.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+[[noreturn]] void refuse(const Tree& tree, const std::string& key, const std::string& what,
+                         const std::string& known = {}) {
+  throw InputError(tree.where, key, what, known);
+}
+
+}  // namespace
+
+std::string Range::text() const {
+  const bool below = std::isfinite(upper), above = std::isfinite(lower);
+  const std::string low = number_text(lower), high = number_text(upper);
+  if (above && below && !lower_open && !upper_open) return "from " + low + " to " + high;
+  std::string text;
+  if (above) text = (lower_open ? "greater than " : "at least ") + low;
+  if (below) text += (above ? " and " : "") + std::string(upper_open ? "less than " : "at most ") + high;
+  return text;
+}
+
+bool Range::holds(double value) const {
+  return (lower_open ? value > lower : value >= lower) && (upper_open ? value < upper : value <= upper);
+}
+
+std::string described(const Tree& tree) {
+  switch (tree.kind) {
+    case Tree::Kind::null:
+      return "nothing";
+    case Tree::Kind::sequence:
+      return "a list";
+    case Tree::Kind::map:
+      return "a map";
+    case Tree::Kind::scalar:
+      break;
+  }
+  return "'" + one_line(tree.text, 60) + "'";
+}
+
+std::string key_path(const std::string& prefix, const std::string& key) {
+  return prefix.empty() ? key : prefix + "." + key;
+}
+
+double number_value(const Tree& tree, const std::string& key, const Range& range) {
+  const bool plain = tree.kind == Tree::Kind::scalar && !tree.quoted;
+  const std::string found = ", found " + described(tree);
+  const std::optional<double> read = plain ? parse_number(tree.text) : std::nullopt;
+  if (!read) refuse(tree, key, std::string("must be a ") + (range.whole ? "whole number" : "number") + found);
+  const double value = read.value_or(0);
+  if (!std::isfinite(value)) refuse(tree, key, "must be a finite number" + found);
+  if (range.whole && (value != std::floor(value) || std::abs(value) > 9007199254740992.0)) {
+    refuse(tree, key, "must be a whole number" + found);
+  }
+  if (!range.holds(value)) refuse(tree, key, "must be " + range.text() + found);
+  return value;
+}
+
+bool boolean_value(const Tree& tree, const std::string& key) {
+  const bool plain = tree.kind == Tree::Kind::scalar && !tree.quoted;
+  if (plain && (tree.text == "true" || tree.text == "True" || tree.text == "TRUE")) return true;
+  if (plain && (tree.text == "false" || tree.text == "False" || tree.text == "FALSE")) return false;
+  refuse(tree, key, "must be true or false, found " + described(tree));
+}
+
+std::string text_value(const Tree& tree, const std::string& key) {
+  if (tree.kind != Tree::Kind::scalar) refuse(tree, key, "must be text, found " + described(tree));
+  return tree.text;
+}
+
+std::string choice_value(const Tree& tree, const std::string& key, const std::vector<std::string>& known) {
+  if (tree.kind != Tree::Kind::scalar) refuse(tree, key, "must be a word, found " + described(tree), joined(known));
+  if (std::find(known.begin(), known.end(), tree.text) == known.end()) {
+    refuse(tree, key, unknown("value " + described(tree), tree.text, known), joined(known));
+  }
+  return tree.text;
+}
+
+std::vector<double> numbers_value(const Tree& tree, const std::string& key, std::size_t rows, std::size_t columns,
+                                  const Range& range) {
+  const std::size_t expected = rows == 1 ? columns : rows;
+  const std::string shape = rows == 1 ? std::to_string(columns) + (range.whole ? " whole numbers" : " numbers")
+                                      : std::to_string(rows) + " rows of " + std::to_string(columns) + " numbers";
+  if (tree.kind != Tree::Kind::sequence) refuse(tree, key, "must be a list of " + shape + ", found " + described(tree));
+  if (tree.items.size() != expected) {
+    refuse(tree, key, "must be a list of " + shape + ", found " + std::to_string(tree.items.size()));
+  }
+  std::vector<double> values;
+  for (std::size_t i = 0; i < expected; ++i) {
+    const std::string item = key + "[" + std::to_string(i) + "]";
+    if (rows == 1) {
+      values.push_back(number_value(tree.items[i], item, range));
+    } else {
+      const std::vector<double> row = numbers_value(tree.items[i], item, 1, columns, range);
+      values.insert(values.end(), row.begin(), row.end());
+    }
+  }
+  return values;
+}
+
+void require_map(const Tree& tree, const std::string& key, const std::string& known) {
+  if (tree.kind != Tree::Kind::map) refuse(tree, key, "must be a map of keys, found " + described(tree), known);
+}
+
+void refuse_unknown_keys(const Tree& map, const std::string& prefix, const std::vector<std::string>& known) {
+  for (const Tree::Entry& entry : map.entries) {
+    if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
+    throw InputError(entry.key_where, key_path(prefix, one_line(entry.key, 80)), unknown("key", entry.key, known),
+                     joined(known));
+  }
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Typed values out of a YAML tree. Each function throws InputError at the value's place, naming `key`.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "drivers/scene/yaml_reader.hpp"
+
+namespace assay::drivers {
+
+/// What a number may be. A whole number is at most 2^53 in size.
+struct Range {
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  bool lower_open = false, upper_open = false;
+  bool whole = false;
+  /// "greater than 0", "from 1 to 16"; empty for any number.
+  std::string text() const;
+  bool holds(double value) const;
+};
+
+/// Finite, in range.
+double number_value(const Tree& tree, const std::string& key, const Range& range = {});
+bool boolean_value(const Tree& tree, const std::string& key);
+/// Any scalar as it stands.
+std::string text_value(const Tree& tree, const std::string& key);
+/// One of `known`.
+std::string choice_value(const Tree& tree, const std::string& key, const std::vector<std::string>& known);
+/// Exactly `rows` rows of `columns` numbers, row by row; one row is a plain sequence.
+std::vector<double> numbers_value(const Tree& tree, const std::string& key, std::size_t rows, std::size_t columns,
+                                  const Range& range = {});
+
+void require_map(const Tree& tree, const std::string& key, const std::string& known);
+/// `prefix` is the path of the map, empty at the top.
+void refuse_unknown_keys(const Tree& map, const std::string& prefix, const std::vector<std::string>& known);
+
+/// "text 'abc'", "a list", "a map", "nothing": for messages.
+std::string described(const Tree& tree);
+
+/// prefix.key, or key at the top.
+std::string key_path(const std::string& prefix, const std::string& key);
+
+}  // namespace assay::drivers

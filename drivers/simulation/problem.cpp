@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/simulation/problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drivers/material/material_choice.hpp"
+#include "drivers/output/number_format.hpp"
+#include "harness/wave_speed.hpp"
+#include "mpm/lattice.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr int grid_margin = 4;  ///< cells around the body: room to go wrong in before the grid's edge
+constexpr int speed_samples = 400;
+constexpr double whole_steps = 1e-9;  ///< a number of steps this close to a whole one [relative] is that one
+
+std::array<double, 2> corner(const Scene& scene, bool upper) {
+  if (scene.body.domain != Body::Domain::ring) return upper ? scene.body.upper : scene.body.lower;
+  const double outer = std::get<Vortex>(scene.motion).outer;
+  return upper ? std::array{outer, outer} : std::array{-outer, -outer};
+}
+
+mpm::Seeds<2> seeds_of(const Scene& scene) {
+  const auto& vortex = std::get<Vortex>(scene.motion);
+  const Body& body = scene.body;
+  const auto fate = [&](const std::array<double, 2>& X) {
+    if (vortex.moves({X[0], X[1], 0})) return mpm::Fate::stepped;
+    if (body.domain == Body::Domain::ring) return mpm::Fate::absent;
+    return body.outside == Body::Outside::held ? mpm::Fate::held : mpm::Fate::stepped;
+  };
+  return mpm::cartesian_lattice(corner(scene, false), corner(scene, true), scene.grid->spacing, body.per_cell, fate);
+}
+
+mpm::GridGeometry<2> grid_of(const Scene& scene) {
+  const GridChoice& grid = *scene.grid;
+  if (!grid.lower) return mpm::grid_around(corner(scene, false), corner(scene, true), grid.spacing, grid_margin);
+  for (std::size_t d = 0; d < 2; ++d) {
+    if ((*grid.lower)[d] > corner(scene, false)[d] || (*grid.upper)[d] < corner(scene, true)[d]) {
+      throw InputError(grid.where, "grid",
+                       "particles of the body lie outside the grid, whose corners are [" +
+                           rounded_text((*grid.lower)[0], 6) + ", " + rounded_text((*grid.lower)[1], 6) + "] and [" +
+                           rounded_text((*grid.upper)[0], 6) + ", " + rounded_text((*grid.upper)[1], 6) + "]");
+    }
+  }
+  return mpm::grid_around(*grid.lower, *grid.upper, grid.spacing, 1);  // one cell for the domains at the edge
+}
+
+double fastest_particle(const Vortex& vortex, double end) {
+  double profile = 0, rate = 0;
+  for (int k = 0; k <= speed_samples; ++k) {
+    const double s = static_cast<double>(k) / speed_samples;
+    const double R = vortex.inner + s * (vortex.outer - vortex.inner);
+    profile = std::max(profile, R * vortex.profile(R).h);
+    rate = std::max(rate, std::abs(vortex.amplitude.at(s * std::min(end, vortex.amplitude.period)).rate));
+  }
+  return profile * rate;  // (28)
+}
+
+/// Equal steps that also meet T/2 where the end is a multiple of it: the error is asked for there.
+void plan_steps(Problem& problem) {
+  const TimeChoice& time = problem.scene.time;
+  if (time.step) {
+    problem.dt = *time.step;
+    problem.steps = static_cast<std::int64_t>(std::ceil(time.end / problem.dt * (1 - whole_steps)));
+    return;
+  }
+  const double speed = problem.wave_speed + problem.particle_speed;
+  const double longest = problem.scene.method->courant * problem.scene.grid->spacing / speed;
+  const double halves = time.end / (0.5 * problem.vortex().amplitude.period);
+  const bool whole = std::abs(halves - std::round(halves)) < whole_steps * halves;
+  const double pieces = whole ? std::round(halves) : 1;
+  const double steps = pieces * std::max(1.0, std::ceil(time.end / pieces / longest));
+  if (!(steps < 1e15)) throw InputError(problem.scene.grid->where, "method.courant", "gives no usable time step");
+  problem.steps = static_cast<std::int64_t>(steps);
+  problem.dt = time.end / steps;
+}
+
+void check_limits(const Problem& problem) {
+  const Scene& scene = problem.scene;
+  const double gib = problem.estimated_bytes() / (1024.0 * 1024 * 1024);
+  if (gib > scene.limits.memory_gib) {
+    throw InputError({scene.file}, "limits.memory_gib",
+                     "the run would need " + rounded_text(gib, 3) + " GiB, the limit is " +
+                         rounded_text(scene.limits.memory_gib, 6));
+  }
+  const double particle_steps = static_cast<double>(problem.steps) * static_cast<double>(problem.setup.seeds.size());
+  if (particle_steps > scene.limits.particle_steps) {
+    throw InputError({scene.file}, "limits.particle_steps",
+                     "the run would take " + rounded_text(particle_steps, 3) + " particle-steps, the limit is " +
+                         rounded_text(scene.limits.particle_steps, 6));
+  }
+}
+
+/// Before a lattice is made: whether its size alone is out of all bounds.
+void check_lattice_size(const Scene& scene) {
+  double particles = 1;
+  for (std::size_t d = 0; d < 2; ++d) {
+    particles *= (corner(scene, true)[d] - corner(scene, false)[d]) / scene.grid->spacing * scene.body.per_cell[d];
+  }
+  constexpr double bytes_per_lattice_point = 16;
+  const double gib = particles * bytes_per_lattice_point / (1024.0 * 1024 * 1024);
+  if (!(gib <= scene.limits.memory_gib) || !(particles < 2e9)) {
+    throw InputError(scene.grid->where, "grid.spacing",
+                     "makes about " + rounded_text(particles, 3) + " particles: more than limits.memory_gib = " +
+                         rounded_text(scene.limits.memory_gib, 6) + " can hold");
+  }
+}
+
+void require_runnable(const Scene& scene) {
+  if (!std::holds_alternative<Vortex>(scene.motion)) {
+    throw InputError({scene.file}, "motion.type", "`run` simulates the vortex; this motion serves tabulate and eval",
+                     "vortex");
+  }
+  if (!scene.method)
+    throw InputError({scene.file}, "method",
+                     "a scene without a method cannot be run: only tabulated, evaluated and checked");
+  if (!scene.grid) throw InputError({scene.file}, "grid", "required to run");
+}
+
+}  // namespace
+
+double Problem::estimated_bytes() const {
+  double bytes = static_cast<double>(setup.grid.nodes()) * static_cast<double>(mpm::grid_bytes_per_node(setup));
+  for (const auto& use : mpm::columns_of(mpm::compose(setup), setup)) {
+    bytes += static_cast<double>(use.bytes) * static_cast<double>(setup.seeds.size());
+  }
+  return bytes + 16.0 * static_cast<double>(setup.seeds.held.size());
+}
+
+std::shared_ptr<const Material> material_of(Scene& scene, std::string& library) {
+  ResolvedMaterial resolved = resolve_material(scene);
+  scene.material = std::move(resolved.choice);
+  library = std::move(resolved.library);
+  return std::make_shared<const Material>(std::move(resolved.material));
+}
+
+Problem assemble(const Scene& scene, int threads) {
+  require_runnable(scene);
+  check_lattice_size(scene);
+  Problem problem;
+  problem.scene = scene;
+  problem.material = material_of(problem.scene, problem.library);
+  const double density = problem.scene.material.density;
+  mpm::Setup<2>& setup = problem.setup;
+  setup.basis = scene.method->basis;
+  setup.transfer = scene.method->transfer;
+  setup.update = scene.method->update;
+  setup.grid = grid_of(scene);
+  setup.seeds = seeds_of(scene);
+  setup.density = density;
+  setup.material = problem.material;
+  setup.body_force = scene.force.response != ForceChoice::Response::none;
+  setup.motion = scene.motion;
+  setup.hold_outside = scene.body.domain != Body::Domain::ring && scene.body.outside == Body::Outside::held;
+  setup.accounts = scene.output.accounts;
+  setup.threads = threads;
+  if (setup.seeds.size() == 0) throw InputError(scene.grid->where, "grid.spacing", "leaves no particle in the ring");
+  const Path path = baseline_of(scene.motion);
+  problem.wave_speed = fastest_wave_on_path(*problem.material, path, density, scene.time.end);
+  problem.particle_speed = fastest_particle(problem.vortex(), scene.time.end);
+  plan_steps(problem);
+  check_limits(problem);
+  return problem;
+}
+
+std::shared_ptr<const Response> response_of(const Scene& scene, std::shared_ptr<const Material> material,
+                                            const Path& path, double end) {
+  if (scene.force.response == ForceChoice::Response::closed_form) {
+    auto form = ClosedForm::of(material, path);
+    if (!form) {
+      throw InputError(scene.material.where, "force.response",
+                       "material '" + material->name() + "' offers no closed form of " + path.name, "sheet, none");
+    }
+    return std::make_shared<const Response>(std::move(*form));
+  }
+  return std::make_shared<const Response>(Sheet(*material, path, {.tolerance = scene.force.tolerance, .end = end}));
+}
+
+}  // namespace assay::drivers

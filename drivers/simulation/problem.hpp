@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A scene made ready to run: its material, its setup of the particle method, its time steps.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "drivers/scene/scene.hpp"
+#include "harness/response.hpp"
+#include "mpm/compose.hpp"
+
+namespace assay::drivers {
+
+struct Problem {
+  Scene scene;  ///< with the material's parameters filled in: what resolved.yaml holds
+  std::shared_ptr<const Material> material;
+  std::string library;        ///< that the material comes from; empty: built in
+  double wave_speed = 0;      ///< fastest on the baseline path [m/s]
+  double particle_speed = 0;  ///< fastest of the exact motion [m/s]
+  double dt = 0;              ///< [s]; the last step may be shorter
+  std::int64_t steps = 0;
+  mpm::Setup<2> setup;  ///< complete but for the response
+
+  const Vortex& vortex() const { return std::get<Vortex>(scene.motion); }
+  std::int64_t particles() const { return static_cast<std::int64_t>(setup.seeds.size() + setup.seeds.held.size()); }
+  double time_of_step(std::int64_t k) const { return k >= steps ? scene.time.end : static_cast<double>(k) * dt; }
+  /// Bytes of columns, weights and grid.
+  double estimated_bytes() const;
+};
+
+/// The material alone, as the point driver needs it. Throws InputError.
+std::shared_ptr<const Material> material_of(Scene& scene, std::string& library);
+
+/// Throws InputError where the scene cannot be run or exceeds its limits, MaterialFailure where the material fails on
+/// the baseline path. Builds no sheet and moves no particle.
+Problem assemble(const Scene& scene, int threads);
+
+/// The response that the scene asks for, over times 0 .. end. Throws InputError (no closed form), MaterialFailure.
+std::shared_ptr<const Response> response_of(const Scene& scene, std::shared_ptr<const Material> material,
+                                            const Path& path, double end);
+
+}  // namespace assay::drivers

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/simulation/simulate.hpp"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <set>
+
+#include "drivers/interrupt.hpp"
+#include "drivers/output/number_format.hpp"
+#include "drivers/simulation/accounts.hpp"
+#include "mpm/simulation.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Steps after which something is due `count` times over the run; the begin, the end and T/2 are among them.
+std::set<std::int64_t> schedule(const Problem& problem, int count) {
+  std::set<std::int64_t> due;
+  if (count <= 0) return due;
+  for (int k = 0; k <= count; ++k) {
+    due.insert(static_cast<std::int64_t>(std::llround(static_cast<double>(problem.steps) * k / count)));
+  }
+  const double half = 0.5 * problem.vortex().amplitude.period;
+  if (half <= problem.scene.time.end) due.insert(std::llround(half / problem.dt));
+  return due;
+}
+
+/// One run's moving parts, so that the loop itself reads as it is.
+class Run {
+ public:
+  Run(Problem& problem, std::shared_ptr<const Response> response, Snapshots& snapshots, Result& result)
+      : problem_(problem), snapshots_(snapshots), result_(result), simulation_(setup_of(problem, response)) {
+    if (response) sampler_.emplace(problem, std::move(response), simulation_.state());
+    if (problem.scene.output.accounts) accounts_.emplace(simulation_.state());
+    const OutputChoice& output = problem.scene.output;
+    samples_ = schedule(problem, sampler_ ? std::max(output.errors, 1) : 0);
+    shots_ = schedule(problem, output.particles > 0 ? output.particles : output.pictures && sampler_ ? 2 : 0);
+  }
+
+  void loop(Progress& progress) {
+    const auto start = Clock::now();
+    observe(0);
+    std::int64_t k = 0;
+    while (k < problem_.steps) {
+      stop_if_interrupted();
+      const double t = problem_.time_of_step(k), next = problem_.time_of_step(k + 1);
+      const auto& finding = simulation_.step(t, next - t);
+      ++k;
+      result_.t = next;
+      if (finding) {
+        record(*finding);
+        break;
+      }
+      observe(k);
+      progress.update(static_cast<double>(k) / static_cast<double>(problem_.steps),
+                      "t = " + rounded_text(next, 3) + " s");
+    }
+    result_.wall_s = seconds_since(start);
+    finish(k);
+  }
+
+ private:
+  static mpm::Setup<2> setup_of(const Problem& problem, const std::shared_ptr<const Response>& response) {
+    mpm::Setup<2> setup = problem.setup;
+    setup.response = response;
+    return setup;
+  }
+
+  void observe(std::int64_t k) {
+    const bool shot = shots_.contains(k), sample = samples_.contains(k) || (shot && sampler_);
+    const double t = problem_.time_of_step(k);
+    auto start = Clock::now();
+    if (sample) {
+      const ErrorSample found = sampler_->sample(simulation_.state(), t);
+      if (samples_.contains(k)) result_.history.push_back(found);
+      largest_displacement_ = std::max(largest_displacement_, sampler_->exact_displacement());
+      sampling_s_ += seconds_since(start);
+    }
+    start = Clock::now();
+    if (shot) {
+      snapshots_.add(simulation_.state(), sampler_ ? &*sampler_ : nullptr, t);
+      output_s_ += seconds_since(start);
+    }
+    if (accounts_ && (sample || k == problem_.steps)) accounts_->check(simulation_.state());
+  }
+
+  void record(const mpm::Finding& finding) {
+    result_.outcome = finding.kind == mpm::Finding::Kind::unstable ? "unstable" : "material_failed";
+    const mpm::State<2>& s = simulation_.state();
+    const auto p = static_cast<std::size_t>(finding.particle);
+    const auto X = [&](int d) { return rounded_text(s.column(mpm::Column::reference_position, d)[p], 6); };
+    result_.reason = finding.reason + ": particle " + std::to_string(finding.particle) + " of reference position (" +
+                     X(0) + ", " + X(1) + ") m at t = " + rounded_text(*result_.t, 6) + " s";
+  }
+
+  void finish(std::int64_t steps) {
+    const mpm::State<2>& s = simulation_.state();
+    result_.dt = problem_.dt;
+    result_.steps = steps;
+    result_.particles = problem_.particles();
+    result_.moving_particles = static_cast<std::int64_t>(s.particles);
+    result_.particle_steps = steps * static_cast<std::int64_t>(s.particles);
+    result_.material_calls += s.material_calls;
+    double stepping = 0;
+    for (const mpm::PassTime& time : simulation_.times()) {
+      result_.passes.push_back({time.name, time.seconds, static_cast<double>(time.bytes_per_particle)});
+      stepping += time.seconds;
+    }
+    if (sampler_) result_.passes.push_back({"error_sampling", sampling_s_, 0});
+    if (!shots_.empty()) result_.passes.push_back({"snapshots", output_s_, 0});
+    if (stepping > 0) result_.particle_steps_per_s = static_cast<double>(result_.particle_steps) / stepping;
+    if (sampler_) {
+      result_.error = figures_of(result_.history, 0.5 * problem_.vortex().amplitude.period, problem_.scene.time.end,
+                                 largest_displacement_);
+    }
+    if (accounts_) result_.drift = accounts_->drift();
+  }
+
+  Problem& problem_;
+  Snapshots& snapshots_;
+  Result& result_;
+  mpm::Simulation<2> simulation_;
+  std::optional<ErrorSampler> sampler_;
+  std::optional<Accounts> accounts_;
+  std::set<std::int64_t> samples_, shots_;
+  double sampling_s_ = 0, output_s_ = 0, largest_displacement_ = 0;
+};
+
+}  // namespace
+
+void simulate(Problem& problem, std::shared_ptr<const Response> response, Snapshots& snapshots, Progress& progress,
+              Result& result) {
+  Run run(problem, std::move(response), snapshots, result);
+  run.loop(progress);
+}
+
+double cpu_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto of = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return of(usage.ru_utime) + of(usage.ru_stime);
+}
+
+std::int64_t peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss * std::int64_t{1024};
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/simulation/snapshots.hpp"
+
+#include <cmath>
+
+#include "drivers/output/number_format.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+using mpm::Column;
+
+/// Columns of a state as VTK wants them: components of a particle side by side, always in three dimensions.
+std::vector<double> interleaved_vector(const mpm::State<2>& s, Column which) {
+  std::vector<double> values(3 * s.particles, 0.0);
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    for (std::size_t d = 0; d < 2; ++d) values[3 * p + d] = s.column(which, static_cast<int>(d))[p];
+  }
+  return values;
+}
+
+std::vector<double> interleaved_tensor(const mpm::State<2>& s, Column which, bool has_33) {
+  std::vector<double> values(9 * s.particles, 0.0);
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    constexpr std::size_t rows[] = {0, 1, 3, 4, 8};
+    for (std::size_t c = 0; c < (has_33 ? 5u : 4u); ++c) {
+      values[9 * p + rows[c]] = s.column(which, static_cast<int>(c))[p];
+    }
+    if (!has_33) values[9 * p + 8] = 1;  // plane strain
+  }
+  return values;
+}
+
+}  // namespace
+
+void Snapshots::write_vtu(const mpm::State<2>& s, const ErrorSampler* sampler, double t) {
+  std::vector<std::int64_t> id(s.particles);
+  for (std::size_t p = 0; p < s.particles; ++p) id[p] = static_cast<std::int64_t>(p);
+  const auto position = interleaved_vector(s, Column::position);
+  const auto reference = interleaved_vector(s, Column::reference_position);
+  const auto velocity = interleaved_vector(s, Column::velocity);
+  const auto F = interleaved_tensor(s, Column::deformation_gradient, false);
+  const auto stress = interleaved_tensor(s, Column::stress, true);
+  std::vector<double> displacement(position);
+  for (std::size_t k = 0; k < displacement.size(); ++k) displacement[k] -= reference[k];
+  std::vector<VtuArray> arrays{{"id", 1, std::span<const std::int64_t>(id)},
+                               {"displacement", 3, std::span<const double>(displacement)},
+                               {"velocity", 3, std::span<const double>(velocity)},
+                               {"deformation_gradient", 9, std::span<const double>(F)},
+                               {"stress", 9, std::span<const double>(stress)}};
+  if (sampler) {
+    arrays.push_back({"displacement_error", 1, std::span<const double>(sampler->displacement_error())});
+    arrays.push_back({"shear", 1, std::span<const double>(sampler->shear())});
+  }
+  const std::string name = particles_name(static_cast<int>(entries_.size()));
+  folder_->write(name, vtu_text(position, arrays, t));
+  entries_.push_back({t, name});
+}
+
+ParticleFrame Snapshots::frame_of(const mpm::State<2>& s, double t) const {
+  ParticleFrame frame;
+  frame.caption = "t = " + rounded_text(t, 4) + " s";
+  const auto& half = problem_->setup.seeds.half_size;
+  const auto copy = [&](Column which, int c, double scale) {
+    const double* from = s.column(which, c);
+    std::vector<double> values(from, from + s.particles);
+    for (double& v : values) v *= scale;
+    return values;
+  };
+  frame.x = copy(Column::position, 0, 1);
+  frame.y = copy(Column::position, 1, 1);
+  if (problem_->setup.basis == mpm::Basis::cpdi) {  // domains that convect with F
+    frame.r1x = copy(Column::deformation_gradient, 0, half[0]);
+    frame.r2x = copy(Column::deformation_gradient, 1, half[1]);
+    frame.r1y = copy(Column::deformation_gradient, 2, half[0]);
+    frame.r2y = copy(Column::deformation_gradient, 3, half[1]);
+  } else {
+    frame.r1x.assign(s.particles, half[0]);
+    frame.r2y.assign(s.particles, half[1]);
+    frame.r1y.assign(s.particles, 0);
+    frame.r2x.assign(s.particles, 0);
+  }
+  return frame;
+}
+
+void Snapshots::add(const mpm::State<2>& state, const ErrorSampler* sampler, double t) {
+  if (problem_->scene.output.particles > 0) write_vtu(state, sampler, t);
+  if (!problem_->scene.output.pictures || !sampler) return;
+  Frame frame{t, frame_of(state, t), sampler->displacement_error(), sampler->shear()};
+  const double half = 0.5 * problem_->vortex().amplitude.period;
+  if (frames_.empty()) {
+    frames_.push_back(std::move(frame));
+  } else if (std::abs(t - half) < std::abs(frames_.front().t - half)) {
+    frames_.assign(1, std::move(frame));
+  } else {
+    frames_.resize(1);
+    frames_.push_back(std::move(frame));
+  }
+}
+
+std::vector<Snapshots::Written> Snapshots::finish() {
+  if (!entries_.empty()) folder_->write("particles.pvd", pvd_text(entries_));
+  std::vector<Written> written;
+  if (frames_.empty()) return written;
+  ParticlePicture picture;
+  const Vortex& vortex = problem_->vortex();
+  const double reach = 1.1 * vortex.outer;
+  picture.rings = {vortex.inner, vortex.outer};
+  picture.lower = {-reach, -reach};
+  picture.upper = {reach, reach};
+  const auto add = [&](const std::string& name, const std::string& title, const std::string& label, ColorMap map,
+                       std::vector<double> Frame::*values) {
+    picture.title = title;
+    picture.value_label = label;
+    picture.map = map;
+    picture.frames.clear();
+    for (const Frame& frame : frames_) {
+      picture.frames.push_back(frame.shape);
+      picture.frames.back().value = frame.*values;
+    }
+    written.push_back({name, title, png(picture)});
+    folder_->write(name, written.back().png);
+  };
+  add("error.png", "Error of the displacement", "|u − u_{exact}| [m]", ColorMap::viridis, &Frame::error);
+  add("shear.png", "Shear of the particles", "γ = 2ε [1]", ColorMap::diverging, &Frame::shear);
+  return written;
+}
+
+}  // namespace assay::drivers

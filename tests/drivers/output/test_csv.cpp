@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/output/csv.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "drivers/input_error.hpp"
+
+namespace assay::drivers {
+namespace {
+
+std::string refusal(std::string_view text) {
+  try {
+    read_csv(text, "p.csv", {"X", "t"}, {"Z"});
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+void expect_refusal(std::string_view text, const std::string& start, const std::string& part) {
+  const std::string what = refusal(text);
+  EXPECT_TRUE(what.starts_with(start)) << what;
+  EXPECT_NE(what.find(part), std::string::npos) << what;
+  EXPECT_EQ(what.find('\n'), std::string::npos);
+}
+
+TEST(Csv, writes_what_reads_back_the_same) {
+  CsvText out({"X", "t"});
+  const std::array<double, 4> values{0.1, -1e-300, std::nextafter(1.0, 2.0), 12345678.9};
+  for (const double value : values) out.row(std::array{value, 1 / value});
+  const CsvTable table = read_csv(out.text(), "p.csv", {"t", "X"});
+  ASSERT_EQ(table.rows(), values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    EXPECT_EQ((*table.column("X"))[i], values[i]);
+    EXPECT_EQ((*table.column("t"))[i], 1 / values[i]);
+  }
+  EXPECT_EQ(table.column("Z"), nullptr);
+}
+
+TEST(Csv, writes_null_as_an_empty_field) {
+  CsvText out({"a", "b", "c"});
+  out.row(std::array{0.5, std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity()});
+  EXPECT_EQ(out.text(), "a,b,c\n0.5,,\n");
+}
+
+TEST(Csv, reads_any_order_comments_blank_lines_and_crlf) {
+  const CsvTable table =
+      read_csv("\xEF\xBB\xBF# points\r\n\r\n t , X \r\n 1e-3, +2 \r\n# more\r\n-0.5,.25", "p", {"X", "t"});
+  EXPECT_EQ(*table.column("X"), (std::vector<double>{2, 0.25}));
+  EXPECT_EQ(*table.column("t"), (std::vector<double>{1e-3, -0.5}));
+  EXPECT_EQ(table.lines, (std::vector<int>{4, 6}));
+  EXPECT_EQ(table.header_line, 3);
+}
+
+TEST(Csv, refuses_with_the_place) {
+  expect_refusal("X,t\n1,2\n1,nan\n", "p.csv:3:3: ", "t: 'nan' is no finite number");
+  expect_refusal("X,t\n1,.nan\n", "p.csv:2:3: ", "finite");
+  expect_refusal("X,t\n1,.inf\n", "p.csv:2:3: ", "finite");
+  expect_refusal("X,t\n1,1e999\n", "p.csv:2:3: ", "finite");
+  expect_refusal("X,t\n1,  0x10\n", "p.csv:2:5: ", "'0x10'");
+  expect_refusal("X,t\n1,\n", "p.csv:2:3: ", "''");
+  expect_refusal("X,t\n1\n", "p.csv:2:1: ", "1 fields where the header names 2");
+  expect_refusal("X,t\n1,2,3\n", "p.csv:2:5: ", "3 fields");
+  expect_refusal("X,Y,t\n1,2,3\n", "p.csv:1:3: ", "'Y'");
+  expect_refusal("X,t,X\n1,2,3\n", "p.csv:1:5: ", "twice");
+  expect_refusal("X,Z\n1,2\n", "p.csv:1:1: ", "'t' is missing");
+  expect_refusal("1,2\n", "p.csv:1:1: ", "'1'");
+}
+
+TEST(Csv, refuses_files_without_numbers) {
+  expect_refusal("", "p.csv", "no header line");
+  expect_refusal("# only this\n\n", "p.csv", "no header line");
+  expect_refusal("X,t\n# none\n", "p.csv:2", "no row");
+}
+
+TEST(Csv, refuses_garbage_on_one_short_line) {
+  const std::string what = refusal(std::string(100000, '\x01') + "\n");
+  EXPECT_LT(what.size(), 200u);
+  EXPECT_EQ(what.find('\x01'), std::string::npos);
+}
+
+TEST(Csv, unreadable_files_are_bad_input) {
+  for (const char* file : {"/nonexistent/p.csv", "/tmp"}) {
+    try {
+      read_input_file(file);
+      FAIL() << file;
+    } catch (const InputError& error) {
+      EXPECT_TRUE(std::string(error.what()).starts_with(std::string(file) + ": ")) << error.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace assay::drivers

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/output/output_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+#include <optional>
+#include <set>
+#include <sstream>
+
+#include "drivers/input_error.hpp"
+
+namespace assay::drivers {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OutputFolderTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "assay folder XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    root_ = name;
+    target_ = root_ / "a" / "result";
+  }
+  void TearDown() override { fs::remove_all(root_); }
+
+  static std::string read(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream out;
+    out << in.rdbuf();
+    return out.str();
+  }
+  static void put(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+  static std::set<std::string> names(const fs::path& folder) {
+    std::set<std::string> out;
+    for (const auto& entry : fs::directory_iterator(folder)) out.insert(entry.path().filename().string());
+    return out;
+  }
+  void publish(const std::set<std::string>& files, const std::string& text) const {
+    OutputFolder folder(target_);
+    for (const std::string& name : files) folder.write(name, text);
+    folder.commit();
+  }
+  template <typename Action>
+  static std::string system_error(const Action& action) {
+    try {
+      action();
+    } catch (const SystemError& error) {
+      return error.what();
+    }
+    return "no SystemError";
+  }
+
+  fs::path root_, target_;
+};
+
+TEST_F(OutputFolderTest, nothing_is_there_before_commit_and_all_of_it_after) {
+  OutputFolder folder(target_);
+  folder.write("result.json", "{}");
+  folder.write("errors.csv", std::string("a\0b", 3));
+  EXPECT_FALSE(fs::exists(target_ / "result.json"));
+  folder.commit();
+  EXPECT_EQ(names(target_), (std::set<std::string>{"result.json", "errors.csv"}));
+  EXPECT_EQ(read(target_ / "errors.csv"), std::string("a\0b", 3));
+}
+
+TEST_F(OutputFolderTest, without_commit_nothing_is_left_not_even_the_folders) {
+  { OutputFolder(target_).write("result.json", "{}"); }
+  EXPECT_TRUE(names(root_).empty());
+}
+
+TEST_F(OutputFolderTest, failed_run_leaves_the_old_result_as_it_was) {
+  publish({"result.json", "errors.csv", "particles_0003.vtu"}, "old");
+  {
+    OutputFolder folder(target_);
+    folder.write("errors.csv", "new");
+  }
+  EXPECT_EQ(names(target_), (std::set<std::string>{"result.json", "errors.csv", "particles_0003.vtu"}));
+  EXPECT_EQ(read(target_ / "errors.csv"), "old");
+}
+
+TEST_F(OutputFolderTest, commit_removes_stale_files_of_ours_and_no_others) {
+  publish({"result.json", "errors.csv", "particles_0003.vtu", "particles_12345.vtu", "shear.png"}, "old");
+  for (const char* name : {"particles_.vtu", "particles_1.vtu.bak", "notes.txt", "my.png"}) put(target_ / name, "mine");
+  fs::create_directory(target_ / "particles_7.vtu");
+  publish({"result.json", "errors.csv", "particles_0000.vtu"}, "new");
+  EXPECT_EQ(names(target_), (std::set<std::string>{"result.json", "errors.csv", "particles_0000.vtu", "particles_.vtu",
+                                                   "notes.txt", "particles_1.vtu.bak", "my.png", "particles_7.vtu"}));
+  EXPECT_EQ(read(target_ / "errors.csv"), "new");
+}
+
+TEST_F(OutputFolderTest, names_that_users_also_use_are_not_removed) {
+  publish({"result.json", "sheet.csv"}, "old");
+  put(target_ / "points.csv", "mine");
+  publish({"result.json"}, "new");
+  EXPECT_EQ(names(target_), (std::set<std::string>{"result.json", "points.csv"}));
+  EXPECT_EQ(read(target_ / "points.csv"), "mine");
+  publish({"result.json", "points.csv"}, "new");
+  EXPECT_EQ(read(target_ / "points.csv"), "new");
+}
+
+TEST_F(OutputFolderTest, folder_that_holds_no_result_keeps_all_but_what_is_written) {
+  fs::create_directories(target_);
+  for (const char* name : {"errors.csv", "sheet.csv"}) put(target_ / name, "mine");
+  publish({"result.json", "errors.csv"}, "new");
+  EXPECT_EQ(names(target_), (std::set<std::string>{"result.json", "errors.csv", "sheet.csv"}));
+  EXPECT_EQ(read(target_ / "sheet.csv"), "mine");
+}
+
+TEST_F(OutputFolderTest, half_a_commit_is_taken_back) {
+  publish({"result.json", "errors.csv", "shear.png"}, "old");
+  OutputFolder folder(target_);
+  folder.write("errors.csv", "new");
+  folder.write("report.html", "new");
+  folder.write("result.json", "new");
+  fs::create_directory(target_ / "report.html");  // came between write() and commit()
+  put(target_ / "report.html" / "file", "");
+  EXPECT_NE(system_error([&] { folder.commit(); }).find("report.html"), std::string::npos);
+  for (const char* name : {"result.json", "errors.csv", "shear.png"}) EXPECT_EQ(read(target_ / name), "old") << name;
+}
+
+TEST_F(OutputFolderTest, refuses_names_that_it_could_not_clean_up) {
+  OutputFolder folder(target_);
+  EXPECT_THROW(folder.write("other.txt", ""), std::logic_error);
+  EXPECT_THROW(folder.write("../result.json", ""), std::logic_error);
+}
+
+TEST_F(OutputFolderTest, says_what_is_in_the_way) {
+  put(root_ / "file", "");
+  const std::string file = system_error([&] { OutputFolder(root_ / "file"); });
+  EXPECT_NE(file.find((root_ / "file").string() + ": "), std::string::npos) << file;
+  EXPECT_NE(system_error([&] { OutputFolder(root_ / "file" / "below"); }).find("file"), std::string::npos);
+  EXPECT_NE(system_error([&] { OutputFolder("/proc/assay/result"); }).find("/proc/assay: "), std::string::npos);
+  fs::create_directories(target_ / "errors.csv");
+  OutputFolder folder(target_);
+  const std::string blocked = system_error([&] { folder.write("errors.csv", ""); });
+  EXPECT_NE(blocked.find((target_ / "errors.csv").string() + ": "), std::string::npos) << blocked;
+}
+
+TEST_F(OutputFolderTest, unwritable_folder_is_refused) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+  fs::create_directories(target_);
+  fs::permissions(target_, fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_NE(system_error([&] { OutputFolder folder(target_); }).find(target_.string()), std::string::npos);
+  fs::permissions(target_, fs::perms::owner_all);
+}
+
+// A disk that is full in the middle of a file: the limit on file sizes fails write() in the same place.
+TEST_F(OutputFolderTest, full_disk_is_an_error_that_leaves_nothing) {
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{4096, 4096};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    std::string what;
+    try {
+      OutputFolder folder(target_);
+      folder.write("result.json", "{}");
+      folder.write("errors.csv", std::string(1 << 20, 'x'));
+      folder.commit();
+    } catch (const SystemError& error) {
+      what = error.what();
+    }
+    ::_exit(what.starts_with((target_ / "errors.csv").string() + ": ") ? 0 : 1);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+  EXPECT_TRUE(names(root_).empty());
+}
+
+TEST_F(OutputFolderTest, next_run_sweeps_up_after_a_killed_one) {
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    OutputFolder folder(target_);
+    folder.write("result.json", "{}");
+    ::_exit(0);  // no destructor
+  }
+  ASSERT_EQ(::waitpid(child, nullptr, 0), child);
+  const std::set<std::string> left = names(target_);
+  ASSERT_EQ(left.size(), 1u);
+  EXPECT_TRUE(left.begin()->starts_with(".assay-")) << *left.begin();
+  OutputFolder other(target_);  // alive: must stay
+  publish({"result.json"}, "new");
+  EXPECT_EQ(names(target_).size(), 2u);
+  EXPECT_FALSE(names(target_).contains(*left.begin()));
+}
+
+TEST_F(OutputFolderTest, write_file_replaces_whole_files_and_reports_devices) {
+  const fs::path path = root_ / "out.csv";
+  put(path, "old");
+  write_file(path, "new");
+  EXPECT_EQ(read(path), "new");
+  EXPECT_EQ(names(root_), std::set<std::string>{"out.csv"});
+  fs::create_symlink(path, root_ / "link");
+  write_file(root_ / "link", "through");
+  EXPECT_TRUE(fs::is_symlink(root_ / "link"));
+  EXPECT_EQ(read(path), "through");
+  const std::string full = system_error([] { write_file("/dev/full", "x"); });
+  EXPECT_TRUE(full.starts_with("/dev/full: cannot be written: ")) << full;
+  const std::string missing = system_error([&] { write_file(root_ / "none" / "x", "x"); });
+  EXPECT_TRUE(missing.starts_with((root_ / "none" / "x").string() + ": ")) << missing;
+  EXPECT_NE(system_error([&] { write_file(root_, "x"); }), "no SystemError");
+}
+
+}  // namespace
+}  // namespace assay::drivers

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/output/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace assay::drivers {
+namespace {
+
+Result sample() {
+  Result result;
+  result.title = "Vortex <CPDI> & \"friends\"";
+  result.t = 1;
+  result.error.l2_max = 0.0633;
+  result.particles = 5032;
+  result.passes = {{"weights", 3, 96}, {"grid update", 1, 0}};
+  result.sheet = SheetFigures{4225, 2e-11, 4e-10, 0.02};
+  result.expect = {{"error.l2_max", "below 0.07", "0.0633", true}};
+  for (int i = 0; i <= 100; ++i) {
+    const double t = i / 100.0, e = 0.06 * t * (1.6 - t);
+    result.history.push_back({t, {e, 3 * e}, e, {e, e}, {e, e}, {e, e}, {e, e}});
+  }
+  return result;
+}
+
+bool contains(const std::string& page, const std::string& part) { return page.find(part) != std::string::npos; }
+
+/// Every tag that is opened is closed in order.
+void expect_well_formed(const std::string& page) {
+  const std::vector<std::string> empty{"meta", "img", "!doctype", "path", "circle"};
+  std::vector<std::string> open;
+  for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at + 1)) {
+    const bool closing = page[at + 1] == '/';
+    const std::size_t begin = at + (closing ? 2 : 1), end = page.find_first_of(" >", begin);
+    const std::string name = page.substr(begin, end - begin);
+    if (std::find(empty.begin(), empty.end(), name) != empty.end()) continue;
+    if (!closing) {
+      open.push_back(name);
+    } else {
+      ASSERT_FALSE(open.empty()) << name;
+      ASSERT_EQ(open.back(), name) << page.substr(at > 200 ? at - 200 : 0, 240);
+      open.pop_back();
+    }
+  }
+  EXPECT_TRUE(open.empty());
+}
+
+TEST(Report, base64_of_rfc_4648) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
+}
+
+TEST(Report, is_self_contained_and_well_formed) {
+  const std::string page = report_html(sample(), {1.0, {{"Error at T/2", "\x89PNG"}}, "title: \"a <b>\"\n"});
+  expect_well_formed(page);
+  for (const char* forbidden : {"<script", "<link", "@import", "url(", "src=\"http", "href=", "onload"}) {
+    EXPECT_FALSE(contains(page, forbidden)) << forbidden;
+  }
+  EXPECT_TRUE(contains(page, "src=\"data:image/png;base64,iVBORw==\""));
+  EXPECT_TRUE(contains(page, "<h1>Vortex &lt;CPDI&gt; &amp; &quot;friends&quot;</h1>"));
+  EXPECT_TRUE(contains(page, "a &lt;b&gt;"));
+  EXPECT_TRUE(contains(page, "prefers-color-scheme:dark"));
+  EXPECT_TRUE(contains(page, "@media print"));
+}
+
+TEST(Report, verdict_comes_first_and_follows_the_expectations) {
+  Result result = sample();
+  const std::string good = report_html(result, {1.0, {}, {}});
+  EXPECT_TRUE(contains(good, "All that was expected holds"));
+  EXPECT_LT(good.find("All that was expected"), good.find("Errors over time"));
+  result.expect.push_back({"outcome", "equals completed", "unstable", false});
+  result.outcome = "unstable";
+  result.reason = "particle 17: det F <= 0";
+  const std::string bad = report_html(result, {1.0, {}, {}});
+  EXPECT_TRUE(contains(bad, "1 of 2 expectations does not hold"));
+  EXPECT_TRUE(contains(bad, "particle 17: det F &lt;= 0"));
+  EXPECT_FALSE(contains(bad, "All that was expected"));
+  result.expect.clear();
+  EXPECT_TRUE(contains(report_html(result, {1.0, {}, {}}), "The scene expects nothing"));
+}
+
+TEST(Report, table_shows_half_period_period_and_maximum_with_its_time) {
+  const std::string page = report_html(sample(), {1.0, {}, {}});
+  // e(t) = .06 t (1.6 - t): .033 at T/2, .036 at T, .0384 at .8
+  EXPECT_TRUE(contains(page,
+                       "<th scope=\"row\">displacement, L<sub>2</sub></th><td>m</td><td>0.033</td><td>0.036</td>"
+                       "<td>0.0384</td><td>0.8</td>"));
+  EXPECT_TRUE(contains(page, "at t = 0.8"));
+  EXPECT_TRUE(contains(page, "width:33.33%"));
+}
+
+TEST(Report, of_a_run_that_reached_nothing) {
+  Result result;
+  result.outcome = "refused";
+  result.reason = "no stable solution";
+  const std::string page = report_html(result, {});
+  expect_well_formed(page);
+  EXPECT_FALSE(contains(page, "nan"));
+  result.history = {{0, {0, 0}, 0, {}, {}, {}, {}},
+                    {0.1, {std::numeric_limits<double>::quiet_NaN(), INFINITY}, 0, {}, {}, {}, {}}};
+  expect_well_formed(report_html(result, {1.0, {}, {}}));
+}
+
+}  // namespace
+}  // namespace assay::drivers

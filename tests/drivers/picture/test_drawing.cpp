@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/picture/drawing.hpp"
+
+#include <gtest/gtest.h>
+
+namespace assay::drivers {
+namespace {
+
+Drawing sample() {
+  Drawing out{40, 20, "a < b & c", {}};
+  out.line({{2, 10}, {38, 10}}, {Ink::Role::series, 1}, 2, 3);
+  out.disc({20, 5}, 3, {Ink::Role::grid, 0});
+  out.label({20, 18}, "10^{\u22123}<x>", 8, Anchor::middle);
+  return out;
+}
+
+TEST(Drawing, svg_leaves_colours_to_the_page) {
+  const std::string svg = svg_text(sample());
+  EXPECT_NE(svg.find("viewBox=\"0 0 40 20\""), std::string::npos);
+  EXPECT_NE(svg.find("<title>a &lt; b &amp; c</title>"), std::string::npos);
+  EXPECT_NE(svg.find("d=\"M2 10L38 10\""), std::string::npos);
+  EXPECT_NE(svg.find("stroke:var(--series-1,#d55e00)"), std::string::npos);
+  EXPECT_NE(svg.find("stroke-dasharray:3"), std::string::npos);
+  EXPECT_NE(svg.find("fill:currentColor"), std::string::npos);
+  EXPECT_NE(
+      svg.find(">10<tspan dy=\"-2.88\" font-size=\"5.76\">\u22123</tspan><tspan dy=\"2.88\">&lt;x&gt;</tspan></text>"),
+      std::string::npos)
+      << svg;
+  EXPECT_EQ(svg.find("script"), std::string::npos);
+}
+
+TEST(Drawing, raster_is_the_same_figure_at_any_scale) {
+  const Canvas twice = raster(sample(), 2);
+  EXPECT_EQ(twice.width(), 80);
+  EXPECT_EQ(twice.height(), 40);
+  EXPECT_EQ(twice.pixel(6, 20), rgb(0xd55e00));
+  EXPECT_EQ(twice.pixel(40, 10), rgb(0xdedede));
+  EXPECT_EQ(twice.pixel(1, 1), rgb(0xffffff));
+}
+
+TEST(Drawing, escapes_for_xml) {
+  EXPECT_EQ(escaped("<a href=\"x\">&'\x01\n"), "&lt;a href=&quot;x&quot;&gt;&amp;' \n");
+}
+
+}  // namespace
+}  // namespace assay::drivers

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/scene/expect.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drivers/output/result_json.hpp"
+#include "tests/drivers/refusal.hpp"
+
+namespace assay::drivers {
+namespace {
+
+std::vector<Expectation> lines(const std::string& map) { return read_expectations(read_yaml(map, "f")); }
+
+Result sample() {
+  Result result;
+  result.outcome = "unstable";
+  result.error.l2_max = 0.5;
+  result.error.velocity.l2_max = NAN;
+  result.steps = 200;
+  return result;
+}
+
+bool holds(const std::string& line) {
+  const auto judged = judge(lines("{" + line + "}"), sample());
+  EXPECT_EQ(judged.size(), 1u);
+  return judged.at(0).holds;
+}
+
+TEST(Expect, Operators) {
+  EXPECT_TRUE(holds("error.l2_max: {below: 0.6}"));
+  EXPECT_FALSE(holds("error.l2_max: {below: 0.5}"));
+  EXPECT_TRUE(holds("error.l2_max: {above: 0.4}"));
+  EXPECT_FALSE(holds("error.l2_max: {above: 0.5}"));
+  EXPECT_TRUE(holds("error.l2_max: {between: [0.5, 0.5]}"));
+  EXPECT_FALSE(holds("error.l2_max: {between: [0.51, 1]}"));
+  EXPECT_FALSE(holds("error.l2_max: {between: [0, 0.49]}"));
+  EXPECT_TRUE(holds("error.l2_max: {equals: 0.5}"));
+  EXPECT_TRUE(holds("steps: 200"));
+  EXPECT_FALSE(holds("steps: 201"));
+  EXPECT_TRUE(holds("outcome: unstable"));
+  EXPECT_TRUE(holds("outcome: {equals: unstable}"));
+  EXPECT_FALSE(holds("outcome: completed"));
+}
+
+TEST(Expect, WhatWasNotReachedOrIsNoNumberHoldsNothing) {
+  for (const char* key : {"error.l2_end", "error.velocity.l2_max", "sheet.error_tau"}) {
+    for (const char* line :
+         {": {below: 1e300}", ": {above: -1e300}", ": {between: [-1e300, 1e300]}", ": {equals: 0}"}) {
+      EXPECT_FALSE(holds(std::string(key) + line)) << key << line;
+    }
+  }
+  EXPECT_FALSE(holds("reason: ''"));
+}
+
+TEST(Expect, SaysWhatWasExpectedAndFound) {
+  const auto judged = judge(
+      lines("{error.l2_max: {below: 0.07}, outcome: completed, error.l2_end: {between: [1, 2]}, t: 3}"), sample());
+  ASSERT_EQ(judged.size(), 4u);
+  EXPECT_EQ(judged[0].key, "error.l2_max");
+  EXPECT_EQ(judged[0].expected, "below 0.07");
+  EXPECT_EQ(judged[0].found, "0.5");
+  EXPECT_EQ(judged[1].expected, "completed");
+  EXPECT_EQ(judged[1].found, "unstable");
+  EXPECT_EQ(judged[2].expected, "between 1 and 2");
+  EXPECT_EQ(judged[2].found, "null");
+  EXPECT_EQ(judged[3].expected, "equals 3");
+}
+
+TEST(Expect, EveryKeyOfTheResultMayBeAskedFor) {
+  for (const std::string& key : flat_keys()) {
+    const std::string value = !is_text_figure(key) ? "{below: 1}" : key == "outcome" ? "refused" : "words";
+    EXPECT_EQ(refusal_of([&] { lines("{" + key + ": " + value + "}"); }), "accepted") << key;
+  }
+  // The table of text keys agrees with the result: none that is text is asked as a number.
+  Result full = sample();
+  full.reason = "because";
+  for (const auto& [key, value] : flatten(full)) {
+    if (!std::holds_alternative<std::monostate>(value)) {
+      EXPECT_EQ(std::holds_alternative<std::string>(value), is_text_figure(key)) << key;
+    }
+  }
+}
+
+TEST(Expect, UnknownKeysAreBadInput) {
+  const std::string line = refusal_of([] { lines("{error.l2_mx: {below: 1}}"); });
+  EXPECT_TRUE(line.starts_with("f:1:2: expect.error.l2_mx: unknown key (nearest: error.l2_max); known: outcome, "))
+      << line;
+  EXPECT_TRUE(
+      refusal_of([] { lines("{error: {l2_max: {below: 1}}}"); }).starts_with("f:1:2: expect.error: unknown key"));
+}
+
+}  // namespace
+}  // namespace assay::drivers

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/scene/scene_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "drivers/scene/sha256.hpp"
+#include "tests/drivers/refusal.hpp"
+#include "tests/drivers/scene_text.hpp"
+
+namespace assay::drivers {
+namespace {
+
+std::string refused(const std::string& text, const std::vector<std::string>& sets = {}) {
+  return refusal_of([&] { scene_from_text(text, "f.yaml", sets); });
+}
+std::string refused_extra(const std::string& extra) { return refused(scene_text(extra)); }
+std::string refused_set(const std::string& setting) { return refused(scene_text(), {setting}); }
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(SceneReader, ReadsEveryKeyOfTheVortex) {
+  const Scene s = scene_from_text(
+      "title: T\n"
+      "motion: {type: vortex, inner: 0.5, outer: 1.5, period: 2, profile_power: 3, allow_unstable: true,\n"
+      "         amplitude: {type: ramp, peak: -.25}}\n"
+      "material: {adapter: neo_hookean, parameters: {E: 2e3, nu: 0.2}, density: 900}\n"
+      "body: {domain: box, outside: free, lower: [-2, -3], upper: [4, 5], per_cell: [3, 4], lattice: cartesian}\n"
+      "grid: {spacing: 0.25, lower: [-5, -6], upper: [7, 8]}\n"
+      "method: {basis: ugimp, formulation: updated, transfer: pic, update: musl, mass: lumped, courant: 0.25}\n"
+      "force: {response: closed_form, evaluation: point, tolerance: 1e-8}\n"
+      "time: {end: 3, step: 1e-3}\n"
+      "output: {errors: 7, particles: 0, pictures: false, report: false, accounts: false}\n"
+      "limits: {memory_gib: 2, particle_steps: 1e6}\n"
+      "expect: {outcome: unstable, error.l2_max: {below: .5}, steps: 3, t: {between: [1, 2]}, dt: {above: 0}}\n",
+      "f.yaml");
+  const Vortex& v = std::get<Vortex>(s.motion);
+  EXPECT_EQ(s.title, "T");
+  EXPECT_EQ(v.inner, 0.5);
+  EXPECT_EQ(v.outer, 1.5);
+  EXPECT_EQ(v.profile_power, 3);
+  EXPECT_EQ(v.amplitude.type, Amplitude::Type::ramp);
+  EXPECT_EQ(v.amplitude.peak, -0.25);
+  EXPECT_EQ(v.amplitude.period, 2);
+  EXPECT_TRUE(s.allow_unstable);
+  EXPECT_EQ(s.material.adapter, "neo_hookean");
+  EXPECT_EQ(s.material.parameters, (std::map<std::string, double>{{"E", 2e3}, {"nu", 0.2}}));
+  EXPECT_EQ(s.material.density, 900);
+  EXPECT_EQ(s.body.domain, Body::Domain::box);
+  EXPECT_EQ(s.body.outside, Body::Outside::free);
+  EXPECT_EQ(s.body.lower, (std::array<double, 2>{-2, -3}));
+  EXPECT_EQ(s.body.upper, (std::array<double, 2>{4, 5}));
+  EXPECT_EQ(s.body.per_cell, (std::array<int, 2>{3, 4}));
+  EXPECT_EQ(s.grid->spacing, 0.25);
+  EXPECT_EQ(*s.grid->lower, (std::array<double, 2>{-5, -6}));
+  EXPECT_EQ(*s.grid->upper, (std::array<double, 2>{7, 8}));
+  EXPECT_EQ(s.method->basis, Method::Basis::ugimp);
+  EXPECT_EQ(s.method->transfer, Method::Transfer::pic);
+  EXPECT_EQ(s.method->update, Method::Update::musl);
+  EXPECT_EQ(s.method->courant, 0.25);
+  EXPECT_EQ(s.force.response, ForceChoice::Response::closed_form);
+  EXPECT_EQ(s.force.tolerance, 1e-8);
+  EXPECT_EQ(s.time.end, 3);
+  EXPECT_EQ(s.time.step, 1e-3);
+  EXPECT_EQ(s.output.errors, 7);
+  EXPECT_EQ(s.output.particles, 0);
+  EXPECT_FALSE(s.output.pictures || s.output.report || s.output.accounts);
+  EXPECT_EQ(s.limits.memory_gib, 2);
+  EXPECT_EQ(s.limits.particle_steps, 1e6);
+  ASSERT_EQ(s.expect.size(), 5u);
+  EXPECT_EQ(s.expect[0].text, "unstable");
+  EXPECT_EQ(s.expect[1].key, "error.l2_max");
+  EXPECT_EQ(s.expect[1].op, Expectation::Operator::below);
+  EXPECT_EQ(s.expect[1].number, 0.5);
+  EXPECT_EQ(s.expect[2].op, Expectation::Operator::equals);
+  EXPECT_EQ(s.expect[3].upper, 2);
+  EXPECT_EQ(s.expect[4].op, Expectation::Operator::above);
+}
+
+TEST(SceneReader, FillsDefaults) {
+  const Scene s = scene_from_text(scene_text(), "f.yaml");
+  EXPECT_EQ(std::get<Vortex>(s.motion).inner, 0.75);
+  EXPECT_EQ(s.body.domain, Body::Domain::ring);
+  EXPECT_EQ(s.body.outside, Body::Outside::free);
+  EXPECT_FALSE(s.grid || s.method || s.time.step);
+  EXPECT_EQ(scene_from_text(scene_text("body: {domain: square}"), "f").body.outside, Body::Outside::held);
+  EXPECT_EQ(scene_from_text(scene_text(), "f", {"motion.period=3"}).time.end, 3) << "one period";
+  const Scene h = scene_from_text(homogeneous_text(), "f.yaml");
+  EXPECT_EQ(h.body.domain, Body::Domain::square);
+  EXPECT_EQ(std::get<Homogeneous>(h.motion).final(0, 1), 0.1);
+}
+
+TEST(SceneReader, KeepsPlacesAndTheHash) {
+  const std::string text = scene_text("body: {domain: ring}\n");
+  const Scene s = scene_from_text(text, "f.yaml");
+  EXPECT_EQ(s.sha256, sha256_hex(text));
+  EXPECT_EQ(s.file, "f.yaml");
+  EXPECT_EQ(s.material.where.text(), "f.yaml:2:21");
+  EXPECT_EQ(s.material.parameter_where.at("E").text(), "f.yaml:2:50");
+  EXPECT_EQ(s.body.where.text(), "f.yaml:3:7");
+}
+
+TEST(SceneReader, EveryShippedSceneIsRead) {
+  ASSERT_FALSE(all_configs().empty());
+  for (const std::string& file : all_configs()) EXPECT_EQ(refusal_of([&] { read_scene(file); }), "accepted") << file;
+}
+
+TEST(SceneReader, RefusesUnknownKeysWithTheNearest) {
+  EXPECT_EQ(refused_extra("grdi: {spacing: 1}\n"),
+            "f.yaml:3:1: grdi: unknown key (nearest: grid); known: title, motion, material, body, grid, method, force, "
+            "time, output, limits, expect");
+  EXPECT_EQ(refused_extra("grid: {spacng: 1}\n"),
+            "f.yaml:3:8: grid.spacng: unknown key (nearest: spacing); known: spacing, lower, upper");
+  EXPECT_TRUE(has(refused_set("motion.amplitude.pek=1"), "--set motion.amplitude.pek: unknown key (nearest: peak)"));
+  EXPECT_TRUE(has(refused_extra("expect: {error.l2: {below: 1}}"), "expect.error.l2: unknown key (nearest: error.l2_"));
+  EXPECT_TRUE(has(refused_extra("expect: {t: {belwo: 1}}"), "3:14: expect.t.belwo: unknown key (nearest: below)"));
+}
+
+TEST(SceneReader, RefusesWrongTypes) {
+  EXPECT_EQ(refused_extra("grid: {spacing: abc}\n"), "f.yaml:3:17: grid.spacing: must be a number, found 'abc'");
+  EXPECT_EQ(refused_extra("grid: {spacing: '0.1'}\n"), "f.yaml:3:17: grid.spacing: must be a number, found '0.1'");
+  EXPECT_EQ(refused_extra("grid: 5\n"),
+            "f.yaml:3:7: grid: must be a map of keys, found '5'; known: spacing, lower, upper");
+  EXPECT_EQ(refused_extra("grid:\n"),
+            "f.yaml:3:1: grid: must be a map of keys, found nothing; known: spacing, lower, upper");
+  EXPECT_EQ(refused_extra("title: [a]\n"), "f.yaml:3:8: title: must be text, found a list");
+  EXPECT_EQ(refused_extra("output: {pictures: yes}\n"),
+            "f.yaml:3:20: output.pictures: must be true or false, found 'yes'");
+  EXPECT_TRUE(has(refused_set("method.basis=[1]"), "--set method.basis: must be a word, found a list; known: linear"));
+  EXPECT_TRUE(has(refused_set("body.per_cell=2"), "must be a list of 2 whole numbers, found '2'"));
+  EXPECT_TRUE(has(refused_set("body.per_cell=[2]"), "must be a list of 2 whole numbers, found 1"));
+  EXPECT_TRUE(has(refused_set("body.per_cell=[2, 1.5]"), "body.per_cell[1]: must be a whole number, found '1.5'"));
+  EXPECT_TRUE(has(refused_set("material.parameters=3"), "must be a map of keys"));
+  EXPECT_TRUE(has(refused_set("material.parameters.E=soft"), "must be a number, found 'soft'"));
+  EXPECT_TRUE(has(refused("[1, 2]\n"), "f.yaml:1:1: must be a map of keys, found a list; known: title, motion"));
+  EXPECT_TRUE(has(refused_extra("expect: {outcome: {below: 3}}"), "unknown key; known: equals"));
+  EXPECT_TRUE(
+      has(refused_extra("expect: {outcome: finished}"), "known: completed, unstable, material_failed, refused"));
+  EXPECT_TRUE(has(refused_extra("expect: {steps: many}"), "expect.steps: must be a number, found 'many'"));
+  EXPECT_TRUE(has(refused_extra("expect: {t: {below: 1, above: 0}}"), "exactly one operator"));
+  EXPECT_TRUE(has(refused_extra("expect: {t: {}}"), "exactly one operator"));
+  EXPECT_TRUE(has(refused_extra("expect: {t: {between: [2, 1]}}"), "the first must not exceed the second"));
+}
+
+TEST(SceneReader, RefusesNumbersOutOfRange) {
+  for (const char* value : {"-0.05", "0", "-0", ".nan", ".inf", "-.inf", "1e999", "0x10", "\"1,5\"", "1.2.3"}) {
+    EXPECT_TRUE(has(refused_set("grid.spacing=" + std::string(value)), "--set grid.spacing: must be ")) << value;
+  }
+  for (const char* value : {"[0, 2]", "[2, 17]", "[-1, 2]", "[2.5, 2]", "[1e99, 2]", "[.nan, 2]"}) {
+    EXPECT_TRUE(has(refused_set("body.per_cell=" + std::string(value)), "--set body.per_cell[")) << value;
+  }
+  EXPECT_TRUE(has(refused_set("motion.profile_power=1"), "must be from 2 to 64, found '1'"));
+  EXPECT_TRUE(has(refused_set("motion.inner=0"), "must be greater than 0"));
+  EXPECT_TRUE(has(refused_set("motion.inner=1.25"), "--set motion.inner: must be less than motion.outer"));
+  EXPECT_TRUE(has(refused_set("motion.period=0"), "greater than 0"));
+  EXPECT_TRUE(has(refused_set("material.density=-1"), "greater than 0"));
+  EXPECT_TRUE(has(refused_set("method.courant=0"), "must be greater than 0 and at most 1"));
+  EXPECT_TRUE(has(refused_set("force.tolerance=1"), "from 1e-14 to 0.01"));
+  EXPECT_TRUE(has(refused_set("time.step=2"), "--set time.step: must not exceed time.end"));
+  EXPECT_TRUE(has(refused_set("output.errors=0"), "from 1 to"));
+  EXPECT_TRUE(has(refused_set("limits.memory_gib=0"), "greater than 0"));
+  EXPECT_EQ(refused_set("grid.spacing=.5"), "accepted");
+  EXPECT_EQ(refused_set("output.errors=1e2"), "accepted");
+}
+
+TEST(SceneReader, RefusesWhatLaterVersionsMayKnow) {
+  EXPECT_TRUE(
+      has(refused_set("method.basis=cpdi2"), "unknown value 'cpdi2' (nearest: cpdi); known: linear, ugimp, cpdi"));
+  EXPECT_TRUE(has(refused_set("method.transfer=apic"), "known: pic, flip"));
+  EXPECT_TRUE(has(refused_set("method.formulation=total"), "known: updated"));
+  EXPECT_TRUE(has(refused_set("method.mass=series"), "known: lumped"));
+  EXPECT_TRUE(has(refused_set("force.evaluation=domain_average"), "known: point"));
+  EXPECT_TRUE(has(refused_set("force.response=shadow"), "known: none, closed_form, sheet"));
+  EXPECT_TRUE(has(refused_set("motion.type=twisting_ring"), "known: vortex, homogeneous"));
+  EXPECT_TRUE(has(refused_set("body.lattice=polar"), "known: cartesian"));
+}
+
+TEST(SceneReader, RefusesWhatIsMissing) {
+  EXPECT_EQ(refused("motion: {type: vortex}\n"), "f.yaml:1:1: material: required and not given");
+  EXPECT_EQ(refused("title: x\n"), "f.yaml:1:1: motion: required and not given");
+  EXPECT_EQ(refused("motion: {}\nmaterial: {}\n"), "f.yaml:1:9: motion.type: required and not given");
+  EXPECT_EQ(refused_extra("grid: {lower: [0, 0]}"), "f.yaml:3:7: grid.spacing: required and not given");
+  EXPECT_EQ(refused_extra("method: {basis: cpdi}"), "f.yaml:1:1: grid: required by method and not given");
+  EXPECT_TRUE(has(refused("motion: {type: homogeneous}\nmaterial: {adapter: x}\n"), "motion.final: required"));
+}
+
+TEST(SceneReader, RefusesWhatDoesNotFitTogether) {
+  EXPECT_TRUE(has(refused_extra("body: {lower: [0, 0]}"), "3:15: body.lower: does not belong to body.domain ring"));
+  EXPECT_TRUE(has(refused_set("motion.final=[[1,0,0],[0,1,0],[0,0,1]]"), "does not belong to motion.type vortex"));
+  EXPECT_TRUE(has(refused(homogeneous_text(), {"motion.inner=1"}),
+                  "does not belong to motion.type homogeneous; known: type, "
+                  "final, period, allow_unstable"));
+  EXPECT_TRUE(has(refused(homogeneous_text("body: {domain: ring}")), "a ring takes its radii from the vortex"));
+  EXPECT_TRUE(has(refused_set("body={domain: ring, outside: held}"), "--set body.outside: a ring alone"));
+  EXPECT_TRUE(
+      has(refused_set("body={domain: square, lower: [-1, -1], upper: [1, 1]}"), "must contain the ring of the vortex"));
+  EXPECT_TRUE(has(refused_set("body={domain: square, lower: [-2, -2], upper: [2, 3]}"), "a square has equal sides"));
+  EXPECT_TRUE(has(refused_set("body={domain: box, lower: [-2, 2], upper: [2, -2]}"),
+                  "body.lower: must be less than body.upper"));
+  EXPECT_TRUE(has(refused_set("grid={spacing: .1, lower: [-2, -2]}"), "lower and upper only come together"));
+  EXPECT_TRUE(has(refused_set("grid={spacing: .1, lower: [-1, -1], upper: [1, 1]}"), "particles would lie outside"));
+  EXPECT_TRUE(has(refused(homogeneous_text(), {"motion.final=[[-1,0,0],[0,1,0],[0,0,1]]"}), "det F <= 0 on the way"));
+  EXPECT_TRUE(
+      has(refused(homogeneous_text("grid: {spacing: .1}\nmethod: {}"), {"motion.final=[[1,0,0],[0,1,0],[0,0,1.1]]"}),
+          "plane strain"));
+}
+
+TEST(SceneReader, PathsAreRelativeToTheSceneOrTheWorkingDirectory) {
+  const auto adapter = [](const std::string& in_file, const std::vector<std::string>& sets) {
+    return scene_from_text("motion: {type: vortex}\nmaterial: {adapter: " + in_file + "}\n", "/some/where/f.yaml", sets)
+        .material.adapter;
+  };
+  EXPECT_EQ(adapter("name", {}), "name");
+  EXPECT_EQ(adapter("lib.so", {}), "/some/where/lib.so");
+  EXPECT_EQ(adapter("../lib.so:soft", {}), "/some/lib.so:soft");
+  EXPECT_EQ(adapter("/abs/lib.so:soft", {}), "/abs/lib.so:soft");
+  EXPECT_EQ(adapter("d/x.yaml", {}), "/some/where/d/x.yaml");
+  const std::string here = std::filesystem::current_path().string();
+  EXPECT_EQ(adapter("name", {"material.adapter=lib.so"}), here + "/lib.so");
+  EXPECT_EQ(adapter("name", {"material={adapter: d/lib.so:x}"}), here + "/d/lib.so:x");
+}
+
+TEST(SceneReader, UnreadableFiles) {
+  const std::string folder = testing::TempDir();
+  EXPECT_EQ(refusal_of([&] { read_scene(folder); }), folder + ": is a folder, not a file");
+  std::ofstream(folder + "nothing.yaml").close();
+  EXPECT_EQ(refusal_of([&] { read_scene(folder + "nothing.yaml"); }), folder + "nothing.yaml: empty");
+  EXPECT_TRUE(has(refusal_of([&] { read_scene(folder + "absent.yaml"); }), "cannot be read"));
+}
+
+// Whatever the text: a scene, or one line.
+void digest(const std::string& text) {
+  const std::string line = refused(text);
+  ASSERT_FALSE(line.empty());
+  ASSERT_EQ(line.find('\n'), std::string::npos) << line;
+}
+
+TEST(SceneReader, EveryTruncationEndsInASceneOrOneLine) {
+  for (const std::string& file : all_configs()) {
+    const std::string text = read_bytes(file);
+    for (std::size_t size = 0; size < text.size(); ++size) digest(text.substr(0, size));
+  }
+}
+
+TEST(SceneReader, EveryMutationEndsInASceneOrOneLine) {
+  const std::string text = scene_text("grid: {spacing: .1} # h\nexpect: {t: {below: 1}}\n");
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    for (int byte = 0; byte < 256; ++byte) {
+      std::string changed = text;
+      changed[i] = static_cast<char>(byte);
+      digest(changed);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace assay::drivers

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/scene/schema.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "drivers/output/numbers.hpp"
+#include "drivers/output/result_json.hpp"
+#include "drivers/scene/resolved.hpp"
+#include "drivers/scene/scene_keys.hpp"
+#include "drivers/scene/scene_reader.hpp"
+#include "tests/drivers/refusal.hpp"
+#include "tests/drivers/scene_text.hpp"
+
+namespace assay::drivers {
+namespace {
+
+using nlohmann::json;
+
+json json_of(const Tree& tree) {
+  switch (tree.kind) {
+    case Tree::Kind::null:
+      return nullptr;
+    case Tree::Kind::sequence: {
+      json list = json::array();
+      for (const Tree& item : tree.items) list.push_back(json_of(item));
+      return list;
+    }
+    case Tree::Kind::map: {
+      json map = json::object();
+      for (const Tree::Entry& entry : tree.entries) map[entry.key] = json_of(entry.value);
+      return map;
+    }
+    case Tree::Kind::scalar:
+      break;
+  }
+  if (!tree.quoted && tree.text == "true") return true;
+  if (!tree.quoted && tree.text == "false") return false;
+  if (const auto number = parse_number(tree.text); number && !tree.quoted && std::isfinite(*number)) return *number;
+  return tree.text;
+}
+
+bool is_of_type(const json& value, const std::string& type) {
+  if (type == "integer") return value.is_number() && std::floor(value.get<double>()) == value.get<double>();
+  if (type == "number") return value.is_number();
+  if (type == "string") return value.is_string();
+  if (type == "boolean") return value.is_boolean();
+  if (type == "array") return value.is_array();
+  if (type == "object") return value.is_object();
+  ADD_FAILURE() << "type " << type;
+  return false;
+}
+
+bool within(const json& schema, double value) {
+  return !(schema.contains("minimum") && value < schema["minimum"].get<double>()) &&
+         !(schema.contains("maximum") && value > schema["maximum"].get<double>()) &&
+         !(schema.contains("exclusiveMinimum") && value <= schema["exclusiveMinimum"].get<double>()) &&
+         !(schema.contains("exclusiveMaximum") && value >= schema["exclusiveMaximum"].get<double>());
+}
+
+bool valid(const json& schema, const json& value);
+
+bool valid_object(const json& schema, const json& value) {
+  const json properties = schema.value("properties", json::object()),
+             more = schema.value("additionalProperties", json(true));
+  for (const auto& name : schema.value("required", json::array())) {
+    if (!value.contains(name)) return false;
+  }
+  for (const auto& [name, member] : value.items()) {
+    if (properties.contains(name) ? !valid(properties[name], member)
+        : more.is_boolean()       ? !more.get<bool>()
+                                  : !valid(more, member)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool valid_array(const json& schema, const json& value) {
+  if (value.size() < schema.value("minItems", 0u) || value.size() > schema.value("maxItems", 1000u)) return false;
+  return std::all_of(value.begin(), value.end(), [&](const json& v) { return valid(schema["items"], v); });
+}
+
+/// The keywords of JSON Schema that the program uses; any other fails the test.
+bool valid(const json& schema, const json& value) {
+  static const std::set<std::string> keywords{
+      "$schema",          "title", "description", "default",  "type",    "properties", "additionalProperties",
+      "required",         "items", "minItems",    "maxItems", "minimum", "maximum",    "exclusiveMinimum",
+      "exclusiveMaximum", "enum",  "const",       "oneOf"};
+  for (const auto& [name, ignored] : schema.items()) EXPECT_TRUE(keywords.count(name)) << name;
+  if (schema.contains("type")) {
+    const json types = schema["type"].is_array() ? schema["type"] : json::array({schema["type"]});
+    if (std::none_of(types.begin(), types.end(), [&](const json& t) { return is_of_type(value, t); })) return false;
+  }
+  if (schema.contains("const") && schema["const"] != value) return false;
+  if (schema.contains("enum") && std::count(schema["enum"].begin(), schema["enum"].end(), value) == 0) return false;
+  if (schema.contains("oneOf") && std::count_if(schema["oneOf"].begin(), schema["oneOf"].end(),
+                                                [&](const json& s) { return valid(s, value); }) != 1) {
+    return false;
+  }
+  if (value.is_number() && !within(schema, value.get<double>())) return false;
+  if (value.is_object() && !valid_object(schema, value)) return false;
+  return !value.is_array() || valid_array(schema, value);
+}
+
+const json& the_schema() {
+  static const json schema = json::parse(schema_json());
+  return schema;
+}
+
+bool accepts(const std::string& yaml) { return valid(the_schema(), json_of(read_yaml(yaml, "f"))); }
+
+void collect(const json& schema, const std::string& path, std::set<std::string>& leaves) {
+  for (const json& one : schema.value("oneOf", json::array())) collect(one, path, leaves);
+  if (!schema.contains("properties")) return;
+  for (const auto& [name, member] : schema["properties"].items()) {
+    const std::string inside = path.empty() ? name : path + "." + name;
+    if (inside == "expect" || inside == "material.parameters") continue;
+    const bool branch = member.contains("properties") || inside == "motion";
+    if (branch) {
+      collect(member, inside, leaves);
+    } else {
+      leaves.insert(inside);
+    }
+  }
+}
+
+TEST(Schema, SaysWhatItIs) {
+  EXPECT_EQ(the_schema()["$schema"], "https://json-schema.org/draft/2020-12/schema");
+  EXPECT_EQ(schema_json(), schema_json());
+}
+
+TEST(Schema, ListsExactlyTheKeysOfTheReader) {
+  std::set<std::string> listed, known;
+  collect(the_schema(), "", listed);
+  for (const Key& key : scene_keys()) known.insert(key.path);
+  EXPECT_EQ(listed, known);
+  std::set<std::string> figures, expected;
+  for (const auto& [name, ignored] : the_schema()["properties"]["expect"]["properties"].items()) figures.insert(name);
+  for (const std::string& key : flat_keys()) expected.insert(key);
+  EXPECT_EQ(figures, expected);
+}
+
+TEST(Schema, AcceptsEveryShippedSceneAndItsResolvedForm) {
+  for (const std::string& file : all_configs()) {
+    EXPECT_TRUE(accepts(read_bytes(file))) << file;
+    EXPECT_TRUE(accepts(resolved_yaml(read_scene(file)))) << file;
+  }
+  EXPECT_TRUE(accepts(homogeneous_text("body: {domain: box}")));
+}
+
+TEST(Schema, DefaultsAreWhatTheReaderFillsIn) {
+  const Scene scene = scene_from_text(scene_text("grid: {spacing: 1}\nmethod: {}\n"), "f");
+  const json resolved = json_of(read_yaml(resolved_yaml(scene), "resolved"));
+  int compared = 0;
+  for (const Key& key : scene_keys()) {
+    json schema = the_schema(), value = resolved;
+    bool both = true;
+    std::string path = key.path + ".";
+    for (std::size_t dot; both && (dot = path.find('.')) != path.npos; path.erase(0, dot + 1)) {
+      const std::string name = path.substr(0, dot);
+      if (schema.contains("oneOf")) schema = schema["oneOf"][0];  // the vortex
+      both = schema["properties"].contains(name) && value.contains(name);
+      if (both) schema = json(schema["properties"][name]), value = json(value[name]);
+    }
+    if (!both || !schema.contains("default")) continue;
+    EXPECT_EQ(schema["default"], value) << key.path;
+    ++compared;
+  }
+  EXPECT_GT(compared, 25);
+}
+
+TEST(Schema, RefusesWhatTheReaderRefuses) {
+  const std::vector<std::string> bad{"grid: {spacing: -1}",
+                                     "grid: {spacing: 0}",
+                                     "grid: {h: 1}",
+                                     "grd: {spacing: 1}",
+                                     "body: {per_cell: [2, 17]}",
+                                     "body: {per_cell: [2]}",
+                                     "body: {per_cell: [2, 2.5]}",
+                                     "method: {basis: cpdi2}",
+                                     "time: {end: soon}",
+                                     "output: {pictures: 1}",
+                                     "expect: {error.l2: {below: 1}}",
+                                     "expect: {t: {belw: 1}}",
+                                     "expect: {outcome: done}",
+                                     "expect: {t: {below: 1, above: 2}}",
+                                     "force: {tolerance: 1}"};
+  EXPECT_TRUE(accepts(scene_text()));
+  for (const std::string& extra : bad) {
+    EXPECT_FALSE(accepts(scene_text(extra))) << extra;
+    EXPECT_NE(refusal_of([&] { scene_from_text(scene_text(extra), "f"); }), "accepted") << extra;
+  }
+  EXPECT_FALSE(accepts("motion: {type: vortex}\n"));
+  EXPECT_FALSE(accepts("motion: {type: vortex, profile_power: 1}\nmaterial: {adapter: x}\n"));
+  EXPECT_FALSE(accepts("motion: {type: vortex, final: [[1,0,0],[0,1,0],[0,0,1]]}\nmaterial: {adapter: x}\n"));
+}
+
+}  // namespace
+}  // namespace assay::drivers

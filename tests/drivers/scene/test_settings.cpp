@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/scene/settings.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/drivers/refusal.hpp"
+
+namespace assay::drivers {
+namespace {
+
+Tree changed(const std::string& text, const std::string& setting) {
+  Tree root = read_yaml(text, "f");
+  apply_setting(root, setting);
+  return root;
+}
+
+std::string refused(const std::string& setting) {
+  return refusal_of([&] { changed("a: {b: 1}\nlist: [1]\n", setting); });
+}
+
+TEST(Settings, ReplaceAddAndMakeMaps) {
+  EXPECT_EQ(changed("a: {b: 1, c: 2}", "a.b=3").find("a")->find("b")->text, "3");
+  EXPECT_EQ(changed("a: {b: 1, c: 2}", "a.b=3").find("a")->find("c")->text, "2");
+  EXPECT_EQ(changed("a: {b: 1, c: 2}", "a={d: 3}").find("a")->find("b"), nullptr) << "a map replaces a map";
+  EXPECT_EQ(changed("a: {b: 1}", "a={}").find("a")->entries.size(), 0u);
+  EXPECT_EQ(changed("a: 1", "x.y.z=[1, 2]").find("x")->find("y")->find("z")->items.size(), 2u);
+  EXPECT_EQ(changed("a:", "a.b=1").find("a")->find("b")->text, "1") << "an empty section";
+  EXPECT_EQ(changed("a: 1", "t=x = y").find("t")->text, "x = y") << "only the first '=' counts";
+  EXPECT_EQ(changed("a: 1", "a='5'").find("a")->quoted, true);
+}
+
+TEST(Settings, WhatFollowsExpectIsOneKey) {
+  const std::string text = "expect: {error.l2_max: {below: 1}}";
+  EXPECT_EQ(changed(text, "expect={}").find("expect")->entries.size(), 0u);
+  const Tree replaced = changed(text, "expect.error.l2_max={above: 2}");
+  EXPECT_EQ(replaced.find("expect")->entries.size(), 1u);
+  EXPECT_EQ(replaced.find("expect")->find("error.l2_max")->find("above")->text, "2");
+  EXPECT_EQ(changed(text, "expect.error.l2_max.below=2").find("expect")->find("error.l2_max")->find("below")->text,
+            "2");
+  EXPECT_EQ(changed(text, "expect.outcome=unstable").find("expect")->find("outcome")->text, "unstable");
+}
+
+TEST(Settings, RefuseWhatIsNoSetting) {
+  EXPECT_EQ(refused("a.b"), "--set: takes key.path=value, found 'a.b'");
+  EXPECT_EQ(refused("=1"), "--set: takes key.path=value, found '=1'");
+  EXPECT_EQ(refused("a..b=1"), "--set: takes key.path=value, found 'a..b=1'");
+  EXPECT_EQ(refused(""), "--set: takes key.path=value, found ''");
+  EXPECT_EQ(refused("a.b="), "--set a.b: no value after '='");
+  EXPECT_EQ(refused("a.b.c=1"), "--set a.b.c: 'a.b' is not a map");
+  EXPECT_EQ(refused("list.x=1"), "--set list.x: 'list' is not a map");
+  EXPECT_TRUE(refused("a={b: 1").starts_with("--set a: not valid YAML: "));
+  EXPECT_EQ(refused("a={b: 1, b: 2}"), "--set a: b: duplicate key");
+  EXPECT_EQ(refused("a=" + std::string(2000, '[')), "--set a: nested deeper than 64 levels");
+  std::string deep = "a";
+  for (int i = 0; i < 5000; ++i) deep += ".a";
+  EXPECT_TRUE(refused(deep + "=1").ends_with("nested too deep"));
+}
+
+}  // namespace
+}  // namespace assay::drivers

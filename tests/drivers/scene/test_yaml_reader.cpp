@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/scene/yaml_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/drivers/refusal.hpp"
+
+namespace assay::drivers {
+namespace {
+
+std::string refused(const std::string& text, const YamlLimits& limits = {}) {
+  return refusal_of([&] { read_yaml(text, "f", limits); });
+}
+
+TEST(YamlReader, KeepsOrderPlaceAndQuoting) {
+  const Tree root = read_yaml("b: 1\na: {x: [2, '3'], y: ~}\n", "f");
+  ASSERT_EQ(root.entries.size(), 2u);
+  EXPECT_EQ(root.entries[0].key, "b");
+  const Tree& x = *root.find("a")->find("x");
+  EXPECT_EQ(x.where.text(), "f:2:8");
+  EXPECT_EQ(root.entries[1].key_where.text(), "f:2:1");
+  EXPECT_FALSE(x.items[0].quoted);
+  EXPECT_TRUE(x.items[1].quoted);
+  EXPECT_EQ(root.find("a")->find("y")->kind, Tree::Kind::null);
+  EXPECT_EQ(root.find("c"), nullptr);
+}
+
+TEST(YamlReader, RefusesDuplicateKeysAtAnyDepth) {
+  EXPECT_EQ(refused("a: 1\nb: 2\na: 3\n"), "f:3:1: a: duplicate key");
+  EXPECT_EQ(refused("x:\n  - {a: 1, b: {c: 1, 'c': 2}}\n"), "f:2:22: c: duplicate key");
+}
+
+TEST(YamlReader, TakesExactlyOneDocument) {
+  EXPECT_EQ(refused(""), "f: empty");
+  EXPECT_EQ(refused("# only a comment\n"), "f: empty");
+  EXPECT_EQ(refused("---\na: 1\n---\nb: 1\n"), "f:3:1: a second document; one file holds one");
+  EXPECT_EQ(refused("--- \na: 1\n...\n"), "accepted");
+  EXPECT_NE(refused("a: 1\n---\n"), "accepted");
+}
+
+TEST(YamlReader, RefusesWhatIsAmbiguous) {
+  EXPECT_EQ(refused("? [a]\n: 1\n"), "f:1:3: a key must be a word");
+  EXPECT_EQ(refused("~: 1\n"), "f:1:1: a key must be a word");
+  EXPECT_EQ(refused("a: !!str 1\n"), "f:1:4: a tag ('tag:yaml.org,2002:str'); tags have no meaning here");
+  EXPECT_EQ(refused("a: !x {b: 1}\n"), "f:1:4: a tag ('!x'); tags have no meaning here");
+  EXPECT_EQ(refused("a:\n\tb: 1\n"), "f:2:1: a tab in the indentation; YAML takes blanks");
+  EXPECT_EQ(refused("a:\n \t b: 1\n"), "f:2:2: a tab in the indentation; YAML takes blanks");
+  EXPECT_EQ(refused("a: 1\nb:\t2\t# remark\n"), "accepted");
+}
+
+TEST(YamlReader, RefusesBadText) {
+  for (const char* bytes :
+       {"\xff", "\xc3", "\xc0\x80", "\xe0\x80\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xf8", "\x80"}) {
+    EXPECT_EQ(refused("a: 1\nb: " + std::string(bytes) + "\n"), "f:2:4: not UTF-8 text");
+  }
+  EXPECT_EQ(refused(std::string("a: \0", 4)), "f:1:4: a control character; not a text file?");
+  EXPECT_EQ(refused("a: \x1b[31m\n"), "f:1:4: a control character; not a text file?");
+  EXPECT_EQ(read_yaml("\xef\xbb\xbf"
+                      "a: \xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80\r\n",
+                      "f")
+                .find("a")
+                ->text,
+            "\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80");
+}
+
+TEST(YamlReader, SyntaxErrorsAreOneLineWithAPlace) {
+  for (const char* text : {"a: [1, 2", "a: {b: 1", "a: b: c", "a: 'x", "- a\nb: 1", "a: *nowhere",
+                           "%YAML 9.9\n---\na: 1", "a: \"\\q\"", "]", "@", "a: |x\n"}) {
+    const std::string line = refused(text);
+    EXPECT_TRUE(line.starts_with("f:")) << line;
+    EXPECT_NE(line.find("not valid YAML: "), std::string::npos) << text << " -> " << line;
+    EXPECT_EQ(line.find('\n'), std::string::npos);
+  }
+}
+
+TEST(YamlReader, DepthIsGuardedBeforeTheParserRecurses) {
+  EXPECT_EQ(refused(std::string(64, '[') + std::string(64, ']')), "accepted");
+  const std::string deep = "nested deeper than 64 levels";
+  const auto cut = [&](const std::string& text) { return refused(text).ends_with(deep); };
+  EXPECT_TRUE(cut(std::string(2000, '[')));
+  EXPECT_EQ(refused(std::string(2000, '[') + std::string(2000, ']')), "f:1:65: " + deep);
+  EXPECT_TRUE(cut(std::string(1000000, '[')));
+  EXPECT_TRUE(cut(std::string(1000000, '{')));
+  std::string dashes, maps;
+  for (int i = 0; i < 100000; ++i) dashes += "- ";
+  for (int i = 0; i < 2000; ++i) maps += std::string(static_cast<std::size_t>(i), ' ') + "a:\n";
+  EXPECT_TRUE(cut(dashes)) << refused(dashes);
+  EXPECT_TRUE(cut(maps)) << refused(maps);
+  std::string questions;
+  for (int i = 0; i < 5000; ++i) questions += "? ";
+  EXPECT_NE(refused(questions), "accepted");
+}
+
+TEST(YamlReader, AliasesAreExpandedWithinLimits) {
+  const Tree root = read_yaml("a: &x {k: [1, 2]}\nb: *x\n", "f");
+  EXPECT_EQ(root.find("b")->find("k")->items[1].text, "2");
+  EXPECT_EQ(refused("a: &a [*a]\n"), "f:1:8: an alias inside the value that it stands for");
+  EXPECT_EQ(refused("&a {b: {c: *a}}\n"), "f:1:12: an alias inside the value that it stands for");
+  std::string bomb = "a0: &a0 [x, x, x, x, x, x, x, x, x]\n";
+  for (int i = 1; i < 12; ++i) {
+    const std::string name = "a" + std::to_string(i), last = "*a" + std::to_string(i - 1);
+    bomb += name + ": &" + name + " [" + last;
+    for (int k = 0; k < 8; ++k) bomb += ", " + last;
+    bomb += "]\n";
+  }
+  EXPECT_NE(refused(bomb).find("more than 100000 values"), std::string::npos) << refused(bomb);
+}
+
+TEST(YamlReader, CountsEveryValueOnce) {
+  // map, key, anchored list of 3, key, alias of 4: 1 + 1 + 4 + 1 + 4
+  const std::string text = "a: &x [1, 2, 3]\nb: *x\n";
+  EXPECT_EQ(refused(text, {.values = 11}), "accepted");
+  EXPECT_NE(refused(text, {.values = 10}), "accepted");
+  EXPECT_EQ(refused("abc: 1", {.bytes = 5}), "f: longer than 5 bytes");
+}
+
+TEST(YamlReader, FilesThatCannotBeRead) {
+  const std::string folder = testing::TempDir();
+  EXPECT_EQ(refusal_of([&] { read_bytes(folder); }), folder + ": is a folder, not a file");
+  EXPECT_EQ(refusal_of([&] { read_bytes(folder + "absent.yaml"); }),
+            folder + "absent.yaml: cannot be read: No such file or directory");
+  EXPECT_EQ(refusal_of([&] { read_bytes(""); }), "not a file name");
+  EXPECT_EQ(refusal_of([&] { read_bytes("/dev/zero", 1000); }), "/dev/zero: longer than 1000 bytes");
+  std::ofstream(folder + "bytes.yaml") << "a: 1\n";
+  EXPECT_EQ(read_bytes(folder + "bytes.yaml"), "a: 1\n");
+}
+
+TEST(YamlReader, ScalarsReadBack) {
+  for (const std::string text : {"plain",       "two words",   "",         "~",
+                                 "null",        "true",        "no",       "1e3",
+                                 "0.5",         ".inf",        "a: b",     "# x",
+                                 "- x",         "*x",          "&x",       "!x",
+                                 "'",           "\"",          "\\",       "\\n",
+                                 "tab\there",   "line\nbreak", "bell\x07", "del\x7f",
+                                 "\xc3\xa9",    "{a}",         "[a]",      "a,b",
+                                 "%x",          "@x",          "`x",       "|",
+                                 ">",           " lead",       "trail ",   "/abs/path.so:name",
+                                 "rel/path",    "...",         "---",      "?",
+                                 ":",           "Null",        "NULL",     "\xc2\x85",
+                                 "\xe2\x80\xa8"}) {
+    const Tree tree = read_yaml("k: " + yaml_scalar(text) + "\n", "f");
+    EXPECT_EQ(tree.find("k")->kind, Tree::Kind::scalar) << text;
+    EXPECT_EQ(tree.find("k")->text, text);
+    EXPECT_EQ(read_yaml(yaml_scalar(text) + ": 1\n", "f").entries.at(0).key, text);
+  }
+}
+
+}  // namespace
+}  // namespace assay::drivers
