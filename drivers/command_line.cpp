@@ -26,7 +26,7 @@ struct Arguments {
   Verbosity verbosity() const { return quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::normal; }
   std::string folder() const { return out.empty() ? "results/" + std::filesystem::path(scene).stem().string() : out; }
   int thread_count() const {
-    if (threads.empty()) return 0;
+    if (threads.empty()) return 1;
     const auto count = parse_integer(threads);
     if (!count || *count < 1 || *count > 4096) {
       throw InputError({}, "--threads", "must be a whole number from 1 to 4096, found '" + one_line(threads, 60) + "'");
@@ -84,7 +84,7 @@ std::vector<Verb> scene_verbs(CLI::App& app, Arguments& given) {
                                 "      --set grid.spacing=0.025 --set 'expect={}'");
   add_scene(run_verb, given);
   add_out(run_verb, given, "DIR", "folder of the results (results/SCENE)");
-  run_verb.add_option("--threads", given.threads, "number of threads (all cores)")->type_name("N");
+  run_verb.add_option("--threads", given.threads, "number of threads (1)")->type_name("N");
   run_verb.add_flag("--json", given.json, "result.json on standard output");
   verbs.push_back(
       {&run_verb, [&given] {

@@ -13,7 +13,6 @@
 #include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/simulate.hpp"
-#include "drivers/threads.hpp"
 #include "drivers/verbs.hpp"
 #include "drivers/verdict.hpp"
 
@@ -74,7 +73,7 @@ int run(const RunOptions& options) {
   result.provenance.scene_sha256 = scene.sha256;
   std::optional<Problem> problem;
   try {
-    problem = assemble(scene, threads_of(options.threads));
+    problem = assemble(scene, options.threads);
     scene = problem->scene;
   } catch (const MaterialFailure& failure) {
     record_failure(failure, result);

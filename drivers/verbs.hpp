@@ -15,7 +15,7 @@ struct RunOptions {
   std::string scene;
   std::string out;                ///< folder; never empty: results/SCENE by default
   std::vector<std::string> sets;  ///< "key.path=YAML value", in the order given
-  int threads = 0;                ///< 0: as many as the machine has
+  int threads = 1;
   bool json = false;              ///< result.json on standard output
   Verbosity verbosity = Verbosity::normal;
 };

@@ -148,6 +148,31 @@ std::vector<double> Material::initial_state(std::size_t n, std::span<const doubl
   return state;
 }
 
+namespace {
+
+/// Whether all n values are numbers. Four sums of 0 * v: independent, so that they do not wait for one another.
+bool all_finite(const double* v, std::size_t n) {
+  double sum[4] = {};
+  std::size_t k = 0;
+  for (; k + 4 <= n; k += 4) {
+    for (std::size_t j = 0; j < 4; ++j) sum[j] += 0 * v[k + j];
+  }
+  for (; k < n; ++k) sum[0] += 0 * v[k];
+  return sum[0] + sum[1] + sum[2] + sum[3] == 0;
+}
+
+/// First of n points with a component that is not finite; n where there is none.
+std::size_t first_not_finite(const double* tensors, std::size_t n) {
+  for (std::size_t p = 0; p < n; ++p) {
+    for (std::size_t c = 0; c < 9; ++c) {
+      if (!std::isfinite(tensors[c * n + p])) return p;
+    }
+  }
+  return n;
+}
+
+}  // namespace
+
 UpdateReport Material::update(double t, double dt, std::size_t n, const double* F0, const double* F1,
                               const double* state0, double* state1, double* cauchy) const {
   const assay_step step{t, dt, F0, F1};
@@ -157,11 +182,16 @@ UpdateReport Material::update(double t, double dt, std::size_t n, const double* 
   std::fill_n(status, n, ASSAY_GOOD);
   table_->update(self_.get(), &step, n, state0, state1, cauchy, status, &report.dt_factor, message);
   const auto worst = std::min_element(status, status + n);
-  report.worst = *worst;
-  if (report.worst != ASSAY_GOOD) {
+  if (*worst < ASSAY_GOOD) {
+    report.worst = *worst < ASSAY_DOUBTFUL ? ASSAY_FAILED : ASSAY_DOUBTFUL;
     report.worst_point = static_cast<std::size_t>(worst - status);
     message[ASSAY_MESSAGE_SIZE - 1] = '\0';
-    report.message = message;
+    report.message = message[0] ? message : "the material refused the step";
+  }
+  if (report.worst != ASSAY_FAILED && !all_finite(cauchy, 9 * n)) {
+    report.worst = ASSAY_FAILED;
+    report.worst_point = first_not_finite(cauchy, n);
+    report.message = "the material returned a stress that is not finite";
   }
   return report;
 }

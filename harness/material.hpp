@@ -32,10 +32,10 @@ std::optional<std::string> defect_of(const assay_material* table);
 
 /// What `update` said of a batch.
 struct UpdateReport {
-  int worst = ASSAY_GOOD;       ///< smallest status of the batch
+  int worst = ASSAY_GOOD;       ///< of the batch; a stress that is not finite counts as ASSAY_FAILED
   std::size_t worst_point = 0;  ///< first point with that status
   double dt_factor = 1;         ///< below 1: the material asks for a shorter step
-  std::string message;          ///< the material's own words
+  std::string message;          ///< the material's own words, where not good
 };
 
 /// Value semantics of a unique owner; `clone` makes another instance, one per thread where the model needs it.

@@ -42,7 +42,7 @@ std::vector<Pass<Dim>> compose_with(const Setup<Dim>& setup) {
   const auto add_held = [&](Reaction reaction) {
     if (setup.hold_outside) add(hold_nodes_pass<Dim>(reaction));
   };
-  const bool body_force = setup.body_force;
+  const bool body_force = Dim == 2 && setup.body_force;  // the vortex's lives in the plane
   const auto add_accounts = [&] {
     if (setup.accounts) add(accounts_pass<Dim>(body_force));
   };

@@ -58,9 +58,10 @@ Pass<Dim> stress_pass(bool with_history, bool reads_increment) {
         if (*outcome.refused < message.first) message = {*outcome.refused, outcome.message};
       });
       s.material_calls += static_cast<std::int64_t>(s.particles);
-      if (const auto p = inverted.found()) {
+      const auto p = inverted.found(), q = refused.found();
+      if (p && (!q || *p < *q)) {
         s.finding = Finding{Finding::Kind::unstable, "det F <= 0", static_cast<std::int64_t>(*p)};
-      } else if (const auto q = refused.found()) {
+      } else if (q) {
         s.finding = Finding{Finding::Kind::material_failed, message.second, static_cast<std::int64_t>(*q)};
       }
     };

@@ -22,9 +22,8 @@ static void *create(const double *p, char *message) {
   return self;
 }
 
-static double determinant(const double *F, size_t n) {
-  return F[0] * (F[4 * n] * F[8 * n] - F[5 * n] * F[7 * n]) - F[n] * (F[3 * n] * F[8 * n] - F[5 * n] * F[6 * n]) +
-         F[2 * n] * (F[3 * n] * F[7 * n] - F[4 * n] * F[6 * n]);
+static double determinant(const double F[9]) {
+  return F[0] * (F[4] * F[8] - F[5] * F[7]) - F[1] * (F[3] * F[8] - F[5] * F[6]) + F[2] * (F[3] * F[7] - F[4] * F[6]);
 }
 
 static void update(void *self, const assay_step *step, size_t n, const double *state0, double *state1, double *cauchy,
@@ -32,14 +31,14 @@ static void update(void *self, const assay_step *step, size_t n, const double *s
   const Model m = *(const Model *)self;
   (void)state0, (void)state1, (void)dt_factor;
   for (size_t p = 0; p < n; ++p) {
-    const double *F = step->F1 + p;
-    const double J = determinant(F, n);
-    const double pressure = m.lambda * log(J) / J, shear = m.mu / J;
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) {
-        double b = i == j ? -1.0 : 0.0; /* F F^T - I */
-        for (int k = 0; k < 3; ++k) b += F[(3 * i + k) * n] * F[(3 * j + k) * n];
-        cauchy[(3 * i + j) * n + p] = shear * b + (i == j ? pressure : 0.0);
+    double F[9];
+    for (size_t c = 0; c < 9; ++c) F[c] = step->F1[c * n + p];
+    const double J = determinant(F), pressure = m.lambda * log(J) / J, shear = m.mu / J;
+    for (size_t i = 0; i < 3; ++i) {
+      for (size_t j = 0; j < 3; ++j) {
+        const double I = i == j ? 1 : 0;
+        const double b = F[3 * i] * F[3 * j] + F[3 * i + 1] * F[3 * j + 1] + F[3 * i + 2] * F[3 * j + 2]; /* F F^T */
+        cauchy[(3 * i + j) * n + p] = pressure * I + shear * (b - I);
       }
     }
     status[p] = J > 0 ? ASSAY_GOOD : ASSAY_FAILED;

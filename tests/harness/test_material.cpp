@@ -75,6 +75,35 @@ TEST(Material, ReportsTheFirstPointThatFails) {
   EXPECT_EQ(report.message, "det F <= 0");
 }
 
+TEST(Material, DoesNotTrustStatusAndStress) {
+  static double stress;
+  static std::int32_t answer;
+  assay_material table = *elastic();
+  table.update = [](void*, const assay_step*, std::size_t n, const double*, double*, double* cauchy,
+                    std::int32_t* status, double*, char*) {
+    std::fill_n(cauchy, 9 * n, 1.0);
+    cauchy[8 * n + 1] = stress;  // 33 of the second point
+    status[n - 1] = answer;
+  };
+  const Material material(&table, {{"E", 1.0}});
+  const auto report_of = [&](double s, std::int32_t status) {
+    stress = s;
+    answer = status;
+    std::vector<double> F(45, 1.0), cauchy(45);
+    return material.update(0, 1, 5, F.data(), F.data(), nullptr, nullptr, cauchy.data());
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(report_of(1, ASSAY_GOOD).worst, ASSAY_GOOD);
+  EXPECT_EQ(report_of(1, 7).worst, ASSAY_GOOD);
+  EXPECT_EQ(report_of(1, ASSAY_DOUBTFUL).worst, ASSAY_DOUBTFUL);
+  EXPECT_EQ(report_of(1, -5).worst, ASSAY_FAILED);
+  EXPECT_EQ(report_of(1, -5).worst_point, 4u);
+  for (const double bad : {nan, inf, -inf}) {
+    EXPECT_EQ(report_of(bad, ASSAY_GOOD).worst, ASSAY_FAILED);
+    EXPECT_EQ(report_of(bad, ASSAY_GOOD).worst_point, 1u);
+  }
+}
+
 TEST(Material, KnowsItsState) {
   const auto material = jaumann_material();
   EXPECT_EQ(material->state_size(), 9u);

@@ -9,14 +9,14 @@
 namespace assay::mpm {
 namespace {
 
-/// The vortex at 8 cells across up to T/2 in steps of 1/(200 N), as the runs; `with_plant` binds its own pass
-/// list, in which the body force is handed to `plant(s, t)` after it was written.
+/// The vortex at 8 cells across up to T/2 in steps of 1/(200 N), as the runs.
 constexpr int across = 8;
 constexpr double dt = 1.0 / (200 * across);
 constexpr int steps = 100 * across;
 using Plant = std::function<void(State<2>&, double)>;
 
-/// Largest displacement error seen on the way to T/2; infinite where the run dies.
+/// Largest displacement error seen on the way to T/2; infinite where the run dies. The body force is handed to
+/// `plant(s, t)` after it was written.
 double worst_error(Simulation<2>& simulation, const Plant& plant = {}) {
   State<2>& s = simulation.state();
   std::vector<Kernel> kernels;
