@@ -10,6 +10,7 @@
 
 #include "drivers/build_information.hpp"
 #include "drivers/input_error.hpp"
+#include "drivers/interrupt.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/verbs.hpp"
 
@@ -232,6 +233,8 @@ int command_line(int argc, const char* const* argv) noexcept {
     const int status = act(argc, argv);
     flush_output();
     return status;
+  } catch (const Interrupted& stop) {
+    return 128 + stop.signal;
   } catch (const InputError& error) {
     return complain(2, error.what());
   } catch (const SystemError& error) {

@@ -9,7 +9,7 @@
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/wrapped_text.hpp"
 #include "drivers/scene/scene_reader.hpp"
-#include "drivers/simulation/problem.hpp"
+#include "drivers/simulation/simulate.hpp"
 #include "drivers/verbs.hpp"
 
 namespace assay::drivers {
@@ -49,6 +49,32 @@ std::string passes_text(const Composition& c) {
   return text;
 }
 
+/// What a run does between steps, under the names of its profile.
+struct Observer {
+  std::string name;
+  std::size_t times;
+  std::string called_for_by;
+};
+
+std::vector<Observer> observers_of(const Problem& problem) {
+  const Observations due = observations_of(problem);
+  std::vector<Observer> list;
+  if (!due.samples.empty()) list.push_back({"error_sampling", due.samples.size(), "output.errors"});
+  if (!due.shots.empty()) {
+    list.push_back(
+        {"snapshots", due.shots.size(), problem.scene.output.particles > 0 ? "output.particles" : "output.pictures"});
+  }
+  return list;
+}
+
+std::string observers_text(const Problem& problem) {
+  std::string text;
+  for (const Observer& o : observers_of(problem)) {
+    text += fmt::format("  {:20}{} times, because of {}\n", o.name, o.times, o.called_for_by);
+  }
+  return text.empty() ? "nothing between steps\n" : "between steps\n" + text;
+}
+
 std::string memory_text(const Problem& problem, const Composition& c) {
   std::string text = fmt::format("particle columns, {} bytes a particle\n", c.bytes_per_particle);
   for (const auto& use : c.columns) {
@@ -74,9 +100,11 @@ std::string sheet_text(const Response* response) {
   if (!response) return "no body force\n";
   const Sheet* sheet = response->sheet();
   if (!sheet) return "response: the material's closed form\n";
-  return fmt::format("sheet: {} x {} = {} points, error {} of tau, {} of d tau/d xi\n", sheet->nodes_in_xi(),
-                     sheet->nodes_in_t(), grouped_text(sheet->points()), rounded_text(sheet->error_tau(), 2),
-                     rounded_text(sheet->error_dtau(), 2));
+  const std::string error = fmt::format("error {} of tau, {} of d tau/d xi\n", rounded_text(sheet->error_tau(), 2),
+                                        rounded_text(sheet->error_dtau(), 2));
+  if (sheet->is_curve()) return fmt::format("sheet: a curve tau(eps) of {} points, {}", sheet->points(), error);
+  return fmt::format("sheet: {} x {} = {} points, {}", sheet->nodes_in_xi(), sheet->nodes_in_t(),
+                     grouped_text(sheet->points()), error);
 }
 
 std::string json_text(const Problem& problem, const Composition& c, const Response* response) {
@@ -93,6 +121,10 @@ std::string json_text(const Problem& problem, const Composition& c, const Respon
                               {"writes", names(pass.writes)},
                               {"grid_fields", pass.grid_fields},
                               {"called_for_by", pass.called_for_by}});
+  }
+  json["observers"] = nlohmann::ordered_json::array();
+  for (const Observer& o : observers_of(problem)) {
+    json["observers"].push_back({{"name", o.name}, {"times", o.times}, {"called_for_by", o.called_for_by}});
   }
   for (const auto& use : c.columns) {
     json["columns"].push_back(
@@ -127,9 +159,9 @@ int explain(const ExplainOptions& options) {
       response =
           response_of(problem.scene, problem.material, baseline_of(problem.scene.motion), problem.scene.time.end);
     }
-    const std::string text =
-        options.json ? json_text(problem, c, response.get())
-                     : passes_text(c) + memory_text(problem, c) + steps_text(problem) + sheet_text(response.get());
+    const std::string text = options.json ? json_text(problem, c, response.get())
+                                          : passes_text(c) + observers_text(problem) + memory_text(problem, c) +
+                                                steps_text(problem) + sheet_text(response.get());
     std::fputs(text.c_str(), stdout);
     return 0;
   } catch (const MaterialFailure& failure) {

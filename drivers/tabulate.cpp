@@ -35,7 +35,7 @@ struct Tabulation {
   Path path;
   std::shared_ptr<const Material> material;
   std::shared_ptr<const Response> response;
-  double end = 0;  ///< [s]
+  double end = 0, period = 0;  ///< [s]
 };
 
 std::vector<std::string> component_columns(const std::string& before, const std::string& after) {
@@ -73,7 +73,8 @@ std::string regular_sheet(const Tabulation& tab) {
 }
 
 /// The time at which |g| is first largest: there tau(xi, t) against eps = xi g is the curve of first loading.
-double time_of_first_peak(const Path& path, double end) {
+double time_of_first_peak(const Path& path, double end, double period) {
+  end = std::min(end, 2 * period);
   std::vector<double> times = path.reversals(end);
   times.push_back(end);
   double best = times.front();
@@ -90,7 +91,7 @@ struct Curve {
 
 Curve curve_of(const Tabulation& tab) {
   Curve curve{{}, std::vector<std::vector<double>>(5), std::vector<std::vector<double>>(5)};
-  const double t = time_of_first_peak(tab.path, tab.end), g = tab.path.amplitude(t);
+  const double t = time_of_first_peak(tab.path, tab.end, tab.period), g = tab.path.amplitude(t);
   for (int i = 0; i < curve_points; ++i) {
     const double xi = tab.path.parameter.lower + tab.path.parameter.width() * i / (curve_points - 1);
     Tensor tau, slope;
@@ -211,6 +212,7 @@ int tabulate(const TabulateOptions& options) {
   tab.material = material_of(scene, library);
   tab.path = baseline_of(scene.motion);
   tab.end = scene.time.end;
+  tab.period = period_of(scene.motion);
   cover(points, options.points, tab);
   OutputFolder folder(options.out);
   Result result;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/amplitude.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -23,6 +24,11 @@ AmplitudeValue Amplitude::at(double t) const {
       return {peak, 0, 0};
   }
   return {};
+}
+
+std::pair<double, double> Amplitude::range(double end) const {
+  const bool both_signs = type == Type::sine && end > period;
+  return std::minmax({both_signs ? -peak : 0.0, peak});
 }
 
 std::vector<double> Amplitude::reversals(double end) const {

@@ -2,6 +2,7 @@
 // The amplitude g(t) of a motion, with its first two rates.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 namespace assay {
@@ -19,6 +20,9 @@ struct Amplitude {
   double period = 1;  ///< T [s]
 
   AmplitudeValue at(double t) const;
+
+  /// Smallest and largest g from 0 to `end`; where g has not turned yet, the range of a whole period.
+  std::pair<double, double> range(double end) const;
 
   /// Times in (0, end) at which g' changes its sign or jumps: a history may kink there.
   std::vector<double> reversals(double end) const;

@@ -34,6 +34,7 @@ Path Homogeneous::baseline() const {
   path.amplitude = [T = period](double t) { return t / T; };
   path.parameter = {std::min(0.0, own), std::max(0.0, own)};
   path.reversals = [](double) { return std::vector<double>(); };
+  path.amplitude_range = [T = period](double end) { return Interval{0, end / T}; };
   return path;
 }
 

@@ -22,9 +22,14 @@ struct Path {
   std::function<double(double)> amplitude;               ///< g(t) [1]
   Interval parameter;                                    ///< range of xi [1]
   std::function<std::vector<double>(double)> reversals;  ///< times in (0, end) at which g' changes its sign
+  std::function<Interval(double)> amplitude_range;       ///< of g over 0 .. end, or wider [1]
 
   double eps(double xi, double t) const { return xi * amplitude(t); }
   Tensor deformation_gradient(double xi, double t) const { return Tensor::Identity() + eps(xi, t) * direction; }
 };
+
+/// Straight to every eps that the path reaches until `end`: amplitude t on 0 .. 1, parameter eps. What a
+/// path-independent material knows of the path.
+Path loading_path(const Path& path, double end);
 
 }  // namespace assay

@@ -31,36 +31,46 @@ std::vector<double> breaks_of(const Path& path, double end) {
 
 }  // namespace
 
-Sheet::Sheet(const Material& material, const Path& path, const SheetOptions& options)
-    : parameter_(path.parameter), end_(options.end) {
+Sheet::Sheet(const Material& material, const Path& path, const SheetOptions& options) : path_(path), end_(options.end) {
+  if (material.path_independent()) {
+    amplitude_ = path.amplitude;
+    path_ = loading_path(path, options.end);
+    end_ = 1;
+  }
   const double history_tolerance = std::max(best_history_tolerance, history_share * options.tolerance);
   for (int n = first_nodes; n <= options.most_nodes; n = 2 * n - 1) {
-    tabulate(material, path, n, n, history_tolerance);
-    estimate_error(material, path, history_tolerance);
+    lay_out(n);
+    tabulate(material, history_tolerance);
+    estimate_error(material, history_tolerance);
     if (error_tau_ <= options.tolerance && error_dtau_ <= options.tolerance) return;
   }
 }
 
-void Sheet::tabulate(const Material& material, const Path& path, int n_xi, int n_t, double history_tolerance) {
-  xi_nodes_ = chebyshev::nodes(parameter_, n_xi);
-  const std::vector<double> breaks = breaks_of(path, end_);
-  std::vector<double> times;
+/// n nodes in the parameter and in each piece of time; of a curve the end of the loading alone.
+void Sheet::lay_out(int n) {
+  nodes_ = chebyshev::nodes(path_.parameter, n);
   pieces_.clear();
-  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
-    Piece piece;
-    piece.time = {breaks[k], breaks[k + 1]};
-    piece.nodes = static_cast<std::size_t>(n_t);
-    const auto nodes = chebyshev::nodes(piece.time, n_t);
-    times.insert(times.end(), nodes.begin(), nodes.end());
-    pieces_.push_back(std::move(piece));
+  if (is_curve()) {
+    pieces_.push_back({{end_, end_}, {end_}, {}});
+    return;
   }
-  const Histories h = integrate_histories(material, path, xi_nodes_, times, {.tolerance = history_tolerance});
+  const std::vector<double> breaks = breaks_of(path_, end_);
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    const Interval time{breaks[k], breaks[k + 1]};
+    pieces_.push_back({time, chebyshev::nodes(time, n), {}});
+  }
+}
+
+void Sheet::tabulate(const Material& material, double history_tolerance) {
+  std::vector<double> times;
+  for (const Piece& piece : pieces_) times.insert(times.end(), piece.nodes.begin(), piece.nodes.end());
+  const Histories h = integrate_histories(material, path_, nodes_, times, {.tolerance = history_tolerance});
   material_calls_ += h.material_calls;
-  const std::size_t n = xi_nodes_.size();
+  const std::size_t n = nodes_.size();
   std::size_t row = 0;
   for (Piece& piece : pieces_) {
-    piece.coefficients.resize(piece.nodes * n * 9);
-    for (std::size_t j = 0; j < piece.nodes; ++j, ++row) {
+    piece.coefficients.resize(piece.nodes.size() * n * 9);
+    for (std::size_t j = 0; j < piece.nodes.size(); ++j, ++row) {
       for (std::size_t c = 0; c < 9; ++c) {
         const auto terms = chebyshev::coefficients(std::span(h.tau[row]).subspan(c * n, n));
         for (std::size_t k = 0; k < n; ++k) piece.coefficients[(j * n + k) * 9 + c] = terms[k];
@@ -70,25 +80,29 @@ void Sheet::tabulate(const Material& material, const Path& path, int n_xi, int n
 }
 
 /// Against histories at places off the nodes: tau directly, d tau / d xi by eighth-order central differences.
-void Sheet::estimate_error(const Material& material, const Path& path, double history_tolerance) {
+void Sheet::estimate_error(const Material& material, double history_tolerance) {
   constexpr double weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
-  const double step = check_step * parameter_.width();
+  const Interval& range = path_.parameter;
+  const double step = check_step * range.width();
   std::vector<double> xi, times;
   for (const double place : check_places) {
-    const double centre = parameter_.lower + (0.05 + 0.9 * place) * parameter_.width();
+    const double centre = range.lower + (0.05 + 0.9 * place) * range.width();
     for (int k = -4; k <= 4; ++k) xi.push_back(centre + k * step);
   }
   for (const Piece& piece : pieces_) {
-    for (const double place : check_places) times.push_back(piece.time.lower + place * piece.time.width());
+    for (const double place : check_places) {
+      if (is_curve() && !times.empty()) break;
+      times.push_back(piece.time.lower + place * piece.time.width());
+    }
   }
-  const Histories h = integrate_histories(material, path, xi, times, {.tolerance = history_tolerance});
+  const Histories h = integrate_histories(material, path_, xi, times, {.tolerance = history_tolerance});
   material_calls_ += h.material_calls;
   double tau_scale = 0, dtau_scale = 0, tau_error = 0, dtau_error = 0;
   for (std::size_t row = 0; row < times.size(); ++row) {
-    const Slice cut = slice(times[row]);
+    const Slice slice = cut(times[row]);
     for (std::size_t p = 4; p < xi.size(); p += 9) {
       Tensor tau, dtau;
-      cut.at(xi[p], tau, dtau);
+      slice.at(xi[p], tau, dtau);
       for (std::size_t c = 0; c < 9; ++c) {
         const double* values = &h.tau[row][c * xi.size() + p];
         double slope = 0;
@@ -106,18 +120,25 @@ void Sheet::estimate_error(const Material& material, const Path& path, double hi
 }
 
 Sheet::Slice Sheet::slice(double t) const {
+  if (!is_curve()) return cut(t);
+  Slice result = cut(end_);
+  result.factor_ = amplitude_(t);
+  return result;
+}
+
+Sheet::Slice Sheet::cut(double t) const {
   const Piece* piece = &pieces_.front();
   for (const Piece& candidate : pieces_) {
     if (t >= candidate.time.lower) piece = &candidate;
   }
-  const std::size_t n = xi_nodes_.size();
-  std::vector<double> weights(piece->nodes);
-  chebyshev::interpolation_weights(piece->time, t, weights);
+  const std::size_t n = nodes_.size();
+  std::vector<double> weights(piece->nodes.size(), 1.0);
+  if (weights.size() > 1) chebyshev::interpolation_weights(piece->time, t, weights);
   Slice result;
-  result.parameter_ = parameter_;
+  result.parameter_ = path_.parameter;
   result.coefficients_.assign(9 * n, 0.0);
   double scale = 0;
-  for (std::size_t j = 0; j < piece->nodes; ++j) {
+  for (std::size_t j = 0; j < piece->nodes.size(); ++j) {
     const double* row = &piece->coefficients[j * n * 9];
     for (std::size_t i = 0; i < 9 * n; ++i) result.coefficients_[i] += weights[j] * row[i];
   }
@@ -129,8 +150,8 @@ Sheet::Slice Sheet::slice(double t) const {
 }
 
 void Sheet::Slice::at(double xi, Tensor& tau, Tensor& dtau_dxi) const {
-  const double x = chebyshev::reference_coordinate(parameter_, xi);
-  const double scale = parameter_.width() > 0 ? 2 / parameter_.width() : 0;
+  const double x = chebyshev::reference_coordinate(parameter_, factor_ * xi);
+  const double scale = parameter_.width() > 0 ? 2 * factor_ / parameter_.width() : 0;
   tau.setZero();
   dtau_dxi.setZero();
   double T = 1, T_before = 0, D = 0, D_before = 0;  // T_k(x), T_{k-1}(x) and their derivatives
@@ -150,7 +171,7 @@ std::int64_t Sheet::points() const { return static_cast<std::int64_t>(nodes_in_x
 
 int Sheet::nodes_in_t() const {
   std::size_t sum = 0;
-  for (const Piece& piece : pieces_) sum += piece.nodes;
+  for (const Piece& piece : pieces_) sum += piece.nodes.size();
   return static_cast<int>(sum);
 }
 

@@ -18,7 +18,8 @@ struct SheetOptions {
 };
 
 /// Chebyshev in xi, Chebyshev in t on pieces that begin and end where the amplitude reverses. The response of a smooth
-/// material converges spectrally; the difference to histories integrated off the nodes is its stated error.
+/// material converges spectrally; the difference to histories integrated off the nodes is its stated error. For a
+/// path-independent material it collapses onto the curve tau(eps), eps = xi g(t): Chebyshev in eps alone.
 class Sheet {
  public:
   /// Throws MaterialFailure.
@@ -33,32 +34,35 @@ class Sheet {
    private:
     friend class Sheet;
     Interval parameter_;
+    double factor_ = 1;                 ///< parameter = factor xi: g(t) where the sheet is a curve in eps
     std::vector<double> coefficients_;  ///< [k * 9 + c]
     std::size_t terms_ = 0;             ///< leading coefficients that matter
   };
   Slice slice(double t) const;
 
-  const Interval& parameter() const { return parameter_; }
-  double end() const { return end_; }
-  std::int64_t points() const;  ///< nodes
-  int nodes_in_xi() const { return static_cast<int>(xi_nodes_.size()); }
-  int nodes_in_t() const;                            ///< in all pieces together
-  double error_tau() const { return error_tau_; }    ///< relative to the largest component of tau
+  bool is_curve() const { return static_cast<bool>(amplitude_); }
+  std::int64_t points() const;                                         ///< nodes
+  int nodes_in_xi() const { return static_cast<int>(nodes_.size()); }  ///< in eps for a curve
+  int nodes_in_t() const;                                              ///< in all pieces together; 1 for a curve
+  double error_tau() const { return error_tau_; }                      ///< relative to the largest component of tau
   double error_dtau() const { return error_dtau_; }  ///< relative to the largest component of d tau / d xi
   std::int64_t material_calls() const { return material_calls_; }
 
  private:
   struct Piece {
     Interval time;
-    std::size_t nodes = 0;
-    std::vector<double> coefficients;  ///< [(j * n_xi + k) * 9 + c]: Chebyshev in xi at time node j
+    std::vector<double> nodes;         ///< in time [s]
+    std::vector<double> coefficients;  ///< [(j * n + k) * 9 + c]: Chebyshev in the parameter at time node j
   };
-  void tabulate(const Material& material, const Path& path, int n_xi, int n_t, double history_tolerance);
-  void estimate_error(const Material& material, const Path& path, double history_tolerance);
+  void lay_out(int n);
+  void tabulate(const Material& material, double history_tolerance);
+  void estimate_error(const Material& material, double history_tolerance);
+  Slice cut(double t) const;
 
-  Interval parameter_;
+  Path path_;                                ///< that is tabulated: the given one, or straight to each eps
+  std::function<double(double)> amplitude_;  ///< g of the given path where the sheet is a curve
   double end_ = 0;
-  std::vector<double> xi_nodes_;
+  std::vector<double> nodes_;  ///< of the parameter
   std::vector<Piece> pieces_;
   double error_tau_ = 0, error_dtau_ = 0;
   std::int64_t material_calls_ = 0;

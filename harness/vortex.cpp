@@ -85,6 +85,10 @@ Path Vortex::baseline() const {
   path.amplitude = [g = amplitude](double t) { return g.at(t).value; };
   path.parameter = xi_range();
   path.reversals = [g = amplitude](double end) { return g.reversals(end); };
+  path.amplitude_range = [g = amplitude](double end) {
+    const auto [lower, upper] = g.range(end);
+    return Interval{lower, upper};
+  };
   return path;
 }
 

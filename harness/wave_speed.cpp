@@ -12,10 +12,11 @@ namespace assay {
 
 namespace {
 
-constexpr double difference = 1e-5;    ///< of F, central: error about 1e-10 relative, round-off about 1e-11
-constexpr int directions = 400;        ///< on the half sphere: neighbours 7 degrees apart, c within 1 %
-constexpr int samples = 9;             ///< of xi, and of t in each piece
-constexpr double share_of_end = 1e-4;  ///< the probing step's dt: a usual step of an explicit run
+constexpr double difference = 1e-5;         ///< of F, central: error about 1e-10 relative, round-off about 1e-11
+constexpr int directions = 400;             ///< on the half sphere: neighbours 7 degrees apart, c within 1 %
+constexpr int samples = 9;                  ///< of xi, and of t in each piece
+constexpr double history_tolerance = 1e-3;  ///< of the states at which waves are looked at
+constexpr double share_of_end = 1e-4;       ///< the probing step's dt: a usual step of an explicit run
 
 /// Directions on the upper half sphere in a golden-angle spiral.
 Vector3 direction(int k) {
@@ -101,15 +102,19 @@ double fastest_wave(const TangentModulus& A, const Tensor& F, double density) {
   return std::sqrt(largest / density);
 }
 
-double fastest_wave_on_path(const Material& material, const Path& path, double density, double end) {
-  std::vector<double> xi, times{0}, breaks{0};
+double fastest_wave_on_path(const Material& material, const Path& given, double density, double end) {
+  const bool curve = material.path_independent();  // then every state is reached by straight loading
+  const Path path = curve ? loading_path(given, end) : given;
+  std::vector<double> xi, times, breaks{0};
   for (int k = 0; k < samples; ++k) xi.push_back(path.parameter.lower + path.parameter.width() * k / (samples - 1));
+  if (curve) end = 1;
   for (const double t : path.reversals(end)) breaks.push_back(t);
   breaks.push_back(end);
+  times.push_back(0);
   for (std::size_t b = 0; b + 1 < breaks.size(); ++b) {
     for (int k = 1; k < samples; ++k) times.push_back(breaks[b] + (breaks[b + 1] - breaks[b]) * k / (samples - 1));
   }
-  const Histories h = integrate_histories(material, path, xi, times, {.tolerance = 1e-3});
+  const Histories h = integrate_histories(material, path, xi, times, {.tolerance = history_tolerance});
   const auto* extension = material.extension<assay_wave_speed>(ASSAY_EXTENSION_WAVE_SPEED);
   if (extension && extension->wave_speed) return own_wave_speed(material, *extension, density, h, path);
   return probed_wave_speed(material, density, share_of_end * end, h, path);

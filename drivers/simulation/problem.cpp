@@ -15,7 +15,9 @@ namespace {
 
 constexpr int grid_margin = 4;  ///< cells around the body: room to go wrong in before the grid's edge
 constexpr int speed_samples = 400;
-constexpr double whole_steps = 1e-9;  ///< a number of steps this close to a whole one [relative] is that one
+constexpr double wave_periods = 4;     ///< in which the fastest wave is looked for
+constexpr double most_periods = 1000;  ///< of a sheet in time
+constexpr double whole_steps = 1e-9;   ///< a number of steps this close to a whole one [relative] is that one
 
 std::array<double, 2> corner(const Scene& scene, bool upper) {
   if (scene.body.domain != Body::Domain::ring) return upper ? scene.body.upper : scene.body.lower;
@@ -159,7 +161,8 @@ Problem assemble(const Scene& scene, int threads) {
   setup.threads = threads;
   if (setup.seeds.size() == 0) throw InputError(scene.grid->where, "grid.spacing", "leaves no particle in the ring");
   const Path path = baseline_of(scene.motion);
-  problem.wave_speed = fastest_wave_on_path(*problem.material, path, density, scene.time.end);
+  const double watched = std::min(scene.time.end, wave_periods * period_of(scene.motion));
+  problem.wave_speed = fastest_wave_on_path(*problem.material, path, density, watched);
   problem.particle_speed = fastest_particle(problem.vortex(), scene.time.end);
   plan_steps(problem);
   check_limits(problem);
@@ -175,6 +178,11 @@ std::shared_ptr<const Response> response_of(const Scene& scene, std::shared_ptr<
                        "material '" + material->name() + "' offers no closed form of " + path.name, "sheet, none");
     }
     return std::make_shared<const Response>(std::move(*form));
+  }
+  if (!material->path_independent() && end > most_periods * period_of(scene.motion)) {
+    throw InputError(
+        {scene.file}, "time.end",
+        "the sheet of a material with history holds at most " + rounded_text(most_periods, 6) + " periods");
   }
   return std::make_shared<const Response>(Sheet(*material, path, {.tolerance = scene.force.tolerance, .end = end}));
 }

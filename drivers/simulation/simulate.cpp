@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <set>
 
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
@@ -21,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// Steps after which something is due `count` times over the run; the begin, the end and T/2 are among them.
+/// Steps after which something is due `count` times over the run.
 std::set<std::int64_t> schedule(const Problem& problem, int count) {
   std::set<std::int64_t> due;
   if (count <= 0) return due;
@@ -40,9 +39,7 @@ class Run {
       : problem_(problem), snapshots_(snapshots), result_(result), simulation_(setup_of(problem, response)) {
     if (response) sampler_.emplace(problem, std::move(response), simulation_.state());
     if (problem.scene.output.accounts) accounts_.emplace(simulation_.state());
-    const OutputChoice& output = problem.scene.output;
-    samples_ = schedule(problem, sampler_ ? std::max(output.errors, 1) : 0);
-    shots_ = schedule(problem, output.particles > 0 ? output.particles : output.pictures && sampler_ ? 2 : 0);
+    due_ = observations_of(problem);
   }
 
   void loop(Progress& progress) {
@@ -75,12 +72,12 @@ class Run {
   }
 
   void observe(std::int64_t k) {
-    const bool shot = shots_.contains(k), sample = samples_.contains(k) || (shot && sampler_);
+    const bool shot = due_.shots.contains(k), sample = due_.samples.contains(k) || (shot && sampler_);
     const double t = problem_.time_of_step(k);
     auto start = Clock::now();
     if (sample) {
       const ErrorSample found = sampler_->sample(simulation_.state(), t);
-      if (samples_.contains(k)) result_.history.push_back(found);
+      if (due_.samples.contains(k)) result_.history.push_back(found);
       largest_displacement_ = std::max(largest_displacement_, sampler_->exact_displacement());
       sampling_s_ += seconds_since(start);
     }
@@ -115,7 +112,7 @@ class Run {
       stepping += time.seconds;
     }
     if (sampler_) result_.passes.push_back({"error_sampling", sampling_s_, 0});
-    if (!shots_.empty()) result_.passes.push_back({"snapshots", output_s_, 0});
+    if (!due_.shots.empty()) result_.passes.push_back({"snapshots", output_s_, 0});
     if (stepping > 0) result_.particle_steps_per_s = static_cast<double>(result_.particle_steps) / stepping;
     if (sampler_) {
       result_.error = figures_of(result_.history, 0.5 * problem_.vortex().amplitude.period, problem_.scene.time.end,
@@ -130,11 +127,20 @@ class Run {
   mpm::Simulation<2> simulation_;
   std::optional<ErrorSampler> sampler_;
   std::optional<Accounts> accounts_;
-  std::set<std::int64_t> samples_, shots_;
+  Observations due_;
   double sampling_s_ = 0, output_s_ = 0, largest_displacement_ = 0;
 };
 
 }  // namespace
+
+Observations observations_of(const Problem& problem) {
+  const OutputChoice& output = problem.scene.output;
+  const bool compared = problem.setup.body_force;
+  return {schedule(problem, compared ? std::max(output.errors, 1) : 0),
+          schedule(problem, output.particles > 0          ? output.particles
+                            : output.pictures && compared ? 2
+                                                          : 0)};
+}
 
 void simulate(Problem& problem, std::shared_ptr<const Response> response, Snapshots& snapshots, Progress& progress,
               Result& result) {

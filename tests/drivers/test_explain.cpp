@@ -73,7 +73,11 @@ TEST(Explain, TellsThePassesThatTheRunProfilesInTheirOrder) {
   for (const char* update : {"usl", "usf", "musl"}) {
     const std::vector<std::string> sets{std::string("method.update=") + update};
     const auto told = explained(sets)["passes"], found = profiled(sets, scratch);
-    ASSERT_GE(found.size(), told.size());
+    const auto observers = explained(sets)["observers"];
+    ASSERT_EQ(found.size(), told.size() + observers.size());
+    for (std::size_t k = 0; k < observers.size(); ++k) {
+      EXPECT_EQ(observers[k]["name"], found[told.size() + k]["name"]);
+    }
     for (std::size_t k = 0; k < told.size(); ++k) EXPECT_EQ(told[k]["name"], found[k]["name"]) << update;
   }
 }

@@ -87,6 +87,23 @@ TEST(Sheet, StatesItsErrorForAMaterialWithHistory) {
   }
 }
 
+TEST(Sheet, OfAPathIndependentMaterialIsACurveThatHoldsForAllTimes) {
+  const Path path = Vortex{}.baseline();
+  const Sheet sheet(*elastic_material(), path, {.end = 1e9});
+  EXPECT_TRUE(sheet.is_curve());
+  EXPECT_LT(sheet.points(), 100);
+  const auto form = *ClosedForm::of(elastic_material(), path);
+  for (const double t : {0.3, 1.6, 123456.7}) {
+    Tensor tau, dtau, exact, exact_slope;
+    sheet.slice(t).at(-2.1, tau, dtau);
+    form.at(-2.1, t, exact, exact_slope);
+    EXPECT_LT((tau - exact).norm(), 1e-11 * 1e3);
+    EXPECT_LT((dtau - exact_slope).norm(), 1e-10 * 1e3);
+  }
+  const Path brief = Vortex{0.75, 1.25, 2, {Amplitude::Type::sine, 0.1, 1.0}}.baseline();
+  EXPECT_FALSE(Sheet(*jaumann_material(), brief, {.tolerance = 1e-4, .end = 1}).is_curve());
+}
+
 TEST(Sheet, ServesPathsThatNeverLoad) {
   const Path path = Vortex{0.75, 1.25, 2, {Amplitude::Type::sine, 0.0, 1.0}}.baseline();
   const Sheet sheet(*elastic_material(), path, {.end = 1});

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/path.hpp"
+
+#include <algorithm>
+
+namespace assay {
+
+Path loading_path(const Path& path, double end) {
+  const Interval g = path.amplitude_range(end), xi = path.parameter;
+  const auto reached = {xi.lower * g.lower, xi.lower * g.upper, xi.upper * g.lower, xi.upper * g.upper};
+  Path straight;
+  straight.name = path.name;
+  straight.direction = path.direction;
+  straight.amplitude = [](double t) { return t; };
+  straight.parameter = {std::min(reached), std::max(reached)};
+  straight.reversals = [](double) { return std::vector<double>(); };
+  straight.amplitude_range = [](double last) { return Interval{0, last}; };
+  return straight;
+}
+
+}  // namespace assay
