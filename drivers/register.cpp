@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string folder() {
-  const std::string found = registry_folder();
+  std::string found = registry_folder();
   if (found.empty()) throw SystemError("there is no registry: none of ASSAY_DATA_HOME, XDG_DATA_HOME, HOME is set");
   return found;
 }

@@ -57,8 +57,8 @@ struct DriftFigures {
 
 struct ExpectationOutcome {
   std::string key;
-  std::string expected;             ///< as in the scene: "below 0.07"
-  std::string found;                ///< "0.0633", "null"
+  std::string expected;  ///< as in the scene: "below 0.07"
+  std::string found;     ///< "0.0633", "null"
   bool holds = false;
 };
 

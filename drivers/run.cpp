@@ -56,7 +56,7 @@ std::string write_results(const Scene& scene, const Result& result, std::vector<
   if (scene.output.report) {
     folder.write("report.html", report_html(result, {period_of(scene.motion), std::move(pictures), resolved}));
   }
-  const std::string json = result_json(result);
+  std::string json = result_json(result);
   folder.write("result.json", json);
   return json;
 }

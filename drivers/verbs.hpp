@@ -16,7 +16,7 @@ struct RunOptions {
   std::string out;                ///< folder; never empty: results/SCENE by default
   std::vector<std::string> sets;  ///< "key.path=YAML value", in the order given
   int threads = 1;
-  bool json = false;              ///< result.json on standard output
+  bool json = false;  ///< result.json on standard output
   Verbosity verbosity = Verbosity::normal;
 };
 

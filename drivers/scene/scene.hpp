@@ -15,7 +15,7 @@
 namespace assay::drivers {
 
 struct MaterialChoice {
-  std::string adapter;                       ///< registered name, shared library (`lib.so` or `lib.so:name`), description
+  std::string adapter;  ///< registered name, shared library (`lib.so` or `lib.so:name`), description
   std::map<std::string, double> parameters;  ///< as given; defaults are filled by the material
   double density = 0;                        ///< rho0 [kg/m^3]
   Location where;                            ///< of `material.adapter`
@@ -34,8 +34,8 @@ struct Body {
 };
 
 struct GridChoice {
-  double spacing = 0;                                  ///< h [m]; nodes lie at multiples of h
-  std::optional<std::array<double, 2>> lower, upper;   ///< corners; by default around the body with a margin
+  double spacing = 0;                                 ///< h [m]; nodes lie at multiples of h
+  std::optional<std::array<double, 2>> lower, upper;  ///< corners; by default around the body with a margin
   Location where;
 };
 
@@ -64,16 +64,16 @@ struct TimeChoice {
 };
 
 struct OutputChoice {
-  int errors = 100;       ///< samples of the error over the run
-  int particles = 10;     ///< snapshots (VTU) over the run; 0: none
-  bool pictures = true;   ///< PNG pictures
-  bool report = true;     ///< report.html
-  bool accounts = true;   ///< momentum, mass and energy accounts
+  int errors = 100;      ///< samples of the error over the run
+  int particles = 10;    ///< snapshots (VTU) over the run; 0: none
+  bool pictures = true;  ///< PNG pictures
+  bool report = true;    ///< report.html
+  bool accounts = true;  ///< momentum, mass and energy accounts
 };
 
 struct Limits {
-  double memory_gib = 16;         ///< a run that would need more is refused
-  double particle_steps = 1e12;   ///< likewise
+  double memory_gib = 16;        ///< a run that would need more is refused
+  double particle_steps = 1e12;  ///< likewise
 };
 
 /// One line of `expect:`. Operators: below, above, between, equals.
@@ -81,7 +81,7 @@ struct Expectation {
   enum class Operator { below, above, between, equals };
   std::string key;  ///< key of result.json, dotted: "outcome", "error.l2_max"
   Operator op = Operator::equals;
-  double number = 0, upper = 0;  ///< the bound; for between lower and upper
+  double number = 0, upper = 0;     ///< the bound; for between lower and upper
   std::optional<std::string> text;  ///< for equals on a string
   std::optional<bool> truth;        ///< for equals on a boolean
   Location where;

@@ -169,7 +169,7 @@ Problem assemble(const Scene& scene, int threads) {
   return problem;
 }
 
-std::shared_ptr<const Response> response_of(const Scene& scene, std::shared_ptr<const Material> material,
+std::shared_ptr<const Response> response_of(const Scene& scene, const std::shared_ptr<const Material>& material,
                                             const Path& path, double end) {
   if (scene.force.response == ForceChoice::Response::closed_form) {
     auto form = ClosedForm::of(material, path);

@@ -92,7 +92,8 @@ void Snapshots::add(const mpm::State<2>& state, const ErrorSampler* sampler, dou
   if (frames_.empty()) {
     frames_.push_back(std::move(frame));
   } else if (std::abs(t - half) < std::abs(frames_.front().t - half)) {
-    frames_.assign(1, std::move(frame));
+    frames_.clear();
+    frames_.push_back(std::move(frame));
   } else {
     frames_.resize(1);
     frames_.push_back(std::move(frame));
