@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the pages tell a reader to type works, and prints what they say.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/docs/snippets.hpp"
+#include "tests/house/tree.hpp"
+
+namespace {
+
+using namespace assay::docs;
+
+class Snippets : public testing::TestWithParam<std::string> {};
+
+std::string stem_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+
+TEST_P(Snippets, Run) {
+  const Page page = parse_page(GetParam(), assay::house::text_of(GetParam()));
+  if (!ASSAY_CAN_INSTALL && page.path == "docs/plugin.md") GTEST_SKIP() << "this build has no install rules";
+  EXPECT_EQ(run_page(page, scratch_folder(stem_of(page.path))), "");
+}
+
+// A misspelt language or info word would leave a block out in silence.
+TEST_P(Snippets, SayWhatTheyAre) {
+  const std::vector<std::string> known{"sh", "console", "c", "cpp", "cmake", "yaml", "csv", "json", "text"};
+  for (const Block& block : parse_page(GetParam(), assay::house::text_of(GetParam())).blocks) {
+    const std::string where = GetParam() + ":" + std::to_string(block.line);
+    EXPECT_NE(std::find(known.begin(), known.end(), block.language), known.end()) << where << ": " << block.language;
+    EXPECT_TRUE(block.unknown_words.empty()) << where << ": " << block.unknown_words.front();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Docs, Snippets, testing::ValuesIn(pages()),
+                         [](const auto& page) { return stem_of(page.param); });
+
+std::string complaint_of(const std::string& markdown) {
+  const Page page = parse_page("page.md", markdown);
+  const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+  return run_page(page, scratch_folder("control_" + name));
+}
+
+TEST(SnippetsNegativeControl, ACommandThatFailsIsCaught) {
+  EXPECT_EQ(complaint_of("```sh\ntrue\n```\n"), "");
+  EXPECT_NE(complaint_of("text\n\n```sh\nfalse\ntrue\n```\n").find("page.md:3: exit 1"), std::string::npos);
+  EXPECT_NE(complaint_of("```sh\nassay run nowhere.yaml\n```\n").find("nowhere.yaml"), std::string::npos);
+  EXPECT_EQ(complaint_of("```sh skip\nfalse\n```\n"), "");
+}
+
+TEST(SnippetsNegativeControl, AnotherOutputIsCaught) {
+  EXPECT_EQ(complaint_of("```console\n$ assay run nowhere.yaml\nnowhere.yaml: cannot be read: No such file or "
+                         "directory\n$ echo $?\n2\n```\n"),
+            "");
+  EXPECT_NE(complaint_of("```console\n$ assay run nowhere.yaml\nnowhere.yaml: not there\n```\n"), "");
+  EXPECT_NE(complaint_of("```console\n$ echo one\n```\n"), "");
+  EXPECT_NE(complaint_of("```console\n$ true\none\n```\n"), "");
+  EXPECT_NE(complaint_of("```console\n$ exit 0\n$ true\n```\n"), "");
+}
+
+TEST(SnippetsNegativeControl, BlocksShareTheirFolderInOrder) {
+  const std::string file = "```text title=sub/a.txt\nhello\n```\n",
+                    reader = "```console\n$ cat sub/a.txt\nhello\n```\n";
+  EXPECT_EQ(complaint_of(file + reader), "");
+  EXPECT_NE(complaint_of(reader + file), "");
+}
+
+TEST(SnippetsNegativeControl, DotsStandForAnythingAndNothingElseDoes) {
+  EXPECT_TRUE(agrees("a ... c\n", "a b b c\n"));
+  EXPECT_TRUE(agrees("a\n...\nz\n", "a\nb\nc\nz\n"));
+  EXPECT_TRUE(agrees("...\n", ""));
+  EXPECT_TRUE(agrees("1 ... 2 ... 3", "1 2 2 4 3"));
+  EXPECT_FALSE(agrees("a ... c\n", "a b d\n"));
+  EXPECT_FALSE(agrees("a...a\n", "a\n"));
+  EXPECT_FALSE(agrees("a\n...\nz\n", "a\nb\n"));
+  EXPECT_FALSE(agrees("a\n", "a\nb\n"));
+}
+
+TEST(SnippetsNegativeControl, AnOpenFenceIsRefused) {
+  EXPECT_THROW(parse_page("page.md", "```sh\ntrue\n"), std::runtime_error);
+}
+
+}  // namespace
