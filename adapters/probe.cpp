@@ -54,7 +54,8 @@ std::string first_update(const assay_material* table, const std::map<std::string
   try {
     text = first_update(table, parameters);
   } catch (const ParameterError& error) {
-    text = "parameter '" + error.key() + "': " + error.what() + "; known: " + error.known();
+    text = "parameter '" + error.key() + "': " + error.what();
+    if (!error.known().empty()) text += "; known: " + error.known();
   } catch (const std::exception& error) {
     text = error.what();
   } catch (...) {

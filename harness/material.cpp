@@ -45,11 +45,11 @@ std::vector<double> in_declared_order(const assay_material& table, const std::ma
     const auto found = given.find(p.name);
     const double value = found == given.end() ? p.default_value : found->second;
     if (found == given.end() && std::isnan(value)) {
-      throw ParameterError(p.name, "required by material '" + std::string(table.name) + "' and not given",
-                           bounds_of(p));
+      throw ParameterError(
+          p.name, "required by material '" + std::string(table.name) + "' and not given; must lie " + bounds_of(p));
     }
     if (!(value >= p.lower && value <= p.upper) || !std::isfinite(value)) {
-      throw ParameterError(p.name, "out of its bounds: " + shortest(value), bounds_of(p));
+      throw ParameterError(p.name, "must lie " + bounds_of(p) + ", found " + shortest(value));
     }
     values.push_back(value);
   }

@@ -30,13 +30,11 @@ struct Body {
   std::array<double, 2> lower{-1.5, -1.5}, upper{1.5, 1.5};  ///< corners of square and box [m]
   std::array<int, 2> per_cell{2, 2};                         ///< particles a cell in each direction
   std::string lattice = "cartesian";
-  Location where;
 };
 
 struct GridChoice {
   double spacing = 0;                                 ///< h [m]; nodes lie at multiples of h
   std::optional<std::array<double, 2>> lower, upper;  ///< corners; by default around the body with a margin
-  Location where;
 };
 
 struct Method {
@@ -102,6 +100,10 @@ struct Scene {
   OutputChoice output;
   Limits limits;
   std::vector<Expectation> expect;
+
+  std::map<std::string, Location> places;  ///< where the keys that were given stand, by dotted path
+  /// Where a key stands; not given: its section, else the file.
+  Location place(const std::string& key) const;
 };
 
 }  // namespace assay::drivers

@@ -199,17 +199,16 @@ const std::vector<Section>& scene_sections() {
       {"motion", "the manufactured motion", true},
       {"motion.amplitude", "g(t)"},
       {"material", "the constitutive model", true},
-      {"material.parameters", "parameters of the material by name, SI units", false, false, nullptr, nullptr, true},
-      {"body", "the particles", false, false, nullptr, [](Scene& s, const Location& where) { s.body.where = where; }},
-      {"grid", "the background grid", false, true, [](Scene& s) { s.grid.emplace(); },
-       [](Scene& s, const Location& where) { s.grid->where = where; }},
+      {"material.parameters", "parameters of the material by name, SI units", false, false, nullptr, true},
+      {"body", "the particles"},
+      {"grid", "the background grid", false, true, [](Scene& s) { s.grid.emplace(); }},
       {"method", "the particle method; without it a scene serves tabulate and eval", false, true,
        [](Scene& s) { s.method.emplace(); }},
       {"force", "the body force"},
       {"time", "the clock"},
       {"output", "what is written"},
       {"limits", "what a run may cost"},
-      {"expect", "what must be found, by key of result.json", false, false, nullptr, nullptr, true},
+      {"expect", "what must be found, by key of result.json", false, false, nullptr, true},
   };
   return sections;
 }

@@ -34,10 +34,9 @@ struct Section {
   std::string path;
   std::string doc;
   bool required = false;
-  bool optional_part = false;                        ///< absent from the scene unless written (grid, method)
-  void (*begin)(Scene&) = nullptr;                   ///< makes room in the scene for the section
-  void (*place)(Scene&, const Location&) = nullptr;  ///< keeps where it stands
-  bool free_keys = false;                            ///< keys are names of the user's or of the result's: no table
+  bool optional_part = false;       ///< absent from the scene unless written (grid, method)
+  void (*begin)(Scene&) = nullptr;  ///< makes room in the scene for the section
+  bool free_keys = false;           ///< keys are names of the user's or of the result's: no table
 };
 
 /// In the order in which they are read and written; a section before its keys.

@@ -71,6 +71,7 @@ void read_key(const Key& key, const Tree& root, Scene& scene) {
   }
   if (tree) {
     key.set(scene, read_value(key, *tree));
+    scene.places[key.path] = tree->where;
   } else if (key.required && applies(key, scene)) {
     const Tree* section = parent.empty() ? &root : value_at(root, parent);
     if (section) throw InputError(section->where, key.path, "required and not given");
@@ -85,7 +86,7 @@ void begin_sections(const Tree& root, Scene& scene) {
       continue;
     }
     if (section.begin) section.begin(scene);
-    if (section.place) section.place(scene, map->where);
+    scene.places[section.path] = map->where;
   }
 }
 

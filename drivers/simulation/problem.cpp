@@ -41,7 +41,7 @@ mpm::GridGeometry<2> grid_of(const Scene& scene) {
   if (!grid.lower) return mpm::grid_around(corner(scene, false), corner(scene, true), grid.spacing, grid_margin);
   for (std::size_t d = 0; d < 2; ++d) {
     if ((*grid.lower)[d] > corner(scene, false)[d] || (*grid.upper)[d] < corner(scene, true)[d]) {
-      throw InputError(grid.where, "grid",
+      throw InputError(scene.place("grid"), "grid",
                        "particles of the body lie outside the grid, whose corners are [" +
                            rounded_text((*grid.lower)[0], 6) + ", " + rounded_text((*grid.lower)[1], 6) + "] and [" +
                            rounded_text((*grid.upper)[0], 6) + ", " + rounded_text((*grid.upper)[1], 6) + "]");
@@ -75,7 +75,8 @@ void plan_steps(Problem& problem) {
   const bool whole = std::abs(halves - std::round(halves)) < whole_steps * halves;
   const double pieces = whole ? std::round(halves) : 1;
   const double steps = pieces * std::max(1.0, std::ceil(time.end / pieces / longest));
-  if (!(steps < 1e15)) throw InputError(problem.scene.grid->where, "method.courant", "gives no usable time step");
+  if (!(steps < 1e15))
+    throw InputError(problem.scene.place("method.courant"), "method.courant", "gives no usable time step");
   problem.steps = static_cast<std::int64_t>(steps);
   problem.dt = time.end / steps;
 }
@@ -84,13 +85,13 @@ void check_limits(const Problem& problem) {
   const Scene& scene = problem.scene;
   const double gib = problem.estimated_bytes() / (1024.0 * 1024 * 1024);
   if (gib > scene.limits.memory_gib) {
-    throw InputError({scene.file}, "limits.memory_gib",
+    throw InputError(scene.place("limits.memory_gib"), "limits.memory_gib",
                      "the run would need " + rounded_text(gib, 3) + " GiB, the limit is " +
                          rounded_text(scene.limits.memory_gib, 6));
   }
   const double particle_steps = static_cast<double>(problem.steps) * static_cast<double>(problem.setup.seeds.size());
   if (particle_steps > scene.limits.particle_steps) {
-    throw InputError({scene.file}, "limits.particle_steps",
+    throw InputError(scene.place("limits.particle_steps"), "limits.particle_steps",
                      "the run would take " + rounded_text(particle_steps, 3) + " particle-steps, the limit is " +
                          rounded_text(scene.limits.particle_steps, 6));
   }
@@ -105,7 +106,7 @@ void check_lattice_size(const Scene& scene) {
   constexpr double bytes_per_lattice_point = 16;
   const double gib = particles * bytes_per_lattice_point / (1024.0 * 1024 * 1024);
   if (!(gib <= scene.limits.memory_gib) || !(particles < 2e9)) {
-    throw InputError(scene.grid->where, "grid.spacing",
+    throw InputError(scene.place("grid.spacing"), "grid.spacing",
                      "makes about " + rounded_text(particles, 3) + " particles: more than limits.memory_gib = " +
                          rounded_text(scene.limits.memory_gib, 6) + " can hold");
   }
@@ -113,13 +114,13 @@ void check_lattice_size(const Scene& scene) {
 
 void require_runnable(const Scene& scene) {
   if (!std::holds_alternative<Vortex>(scene.motion)) {
-    throw InputError({scene.file}, "motion.type", "`run` simulates the vortex; this motion serves tabulate and eval",
-                     "vortex");
+    throw InputError(scene.place("motion.type"), "motion.type",
+                     "`run` simulates the vortex; this motion serves tabulate and eval", "vortex");
   }
   if (!scene.method)
-    throw InputError({scene.file}, "method",
+    throw InputError(scene.place("method"), "method",
                      "a scene without a method cannot be run: only tabulated, evaluated and checked");
-  if (!scene.grid) throw InputError({scene.file}, "grid", "required to run");
+  if (!scene.grid) throw InputError(scene.place("grid"), "grid", "required to run");
 }
 
 }  // namespace
@@ -159,7 +160,8 @@ Problem assemble(const Scene& scene, int threads) {
   setup.hold_outside = scene.body.domain != Body::Domain::ring && scene.body.outside == Body::Outside::held;
   setup.accounts = scene.output.accounts;
   setup.threads = threads;
-  if (setup.seeds.size() == 0) throw InputError(scene.grid->where, "grid.spacing", "leaves no particle in the ring");
+  if (setup.seeds.size() == 0)
+    throw InputError(scene.place("grid.spacing"), "grid.spacing", "leaves no particle in the ring");
   const Path path = baseline_of(scene.motion);
   const double watched = std::min(scene.time.end, wave_periods * period_of(scene.motion));
   problem.wave_speed = fastest_wave_on_path(*problem.material, path, density, watched);
@@ -174,14 +176,14 @@ std::shared_ptr<const Response> response_of(const Scene& scene, const std::share
   if (scene.force.response == ForceChoice::Response::closed_form) {
     auto form = ClosedForm::of(material, path);
     if (!form) {
-      throw InputError(scene.material.where, "force.response",
+      throw InputError(scene.place("force.response"), "force.response",
                        "material '" + material->name() + "' offers no closed form of " + path.name, "sheet, none");
     }
     return std::make_shared<const Response>(std::move(*form));
   }
   if (!material->path_independent() && end > most_periods * period_of(scene.motion)) {
     throw InputError(
-        {scene.file}, "time.end",
+        scene.place("time.end"), "time.end",
         "the sheet of a material with history holds at most " + rounded_text(most_periods, 6) + " periods");
   }
   return std::make_shared<const Response>(Sheet(*material, path, {.tolerance = scene.force.tolerance, .end = end}));

@@ -46,16 +46,16 @@ TEST_F(MaterialChoices, TheSceneGoesBeforeTheDescription) {
 TEST_F(MaterialChoices, RefusesWithThePlaceOfTheParameter) {
   EXPECT_EQ(
       refused("{adapter: neo_hookean, density: 1}"),
-      "f.yaml:2:21: material.parameters.E: required by material 'neo_hookean' and not given; known: from 1e-300 to "
+      "f.yaml:2:21: material.parameters.E: required by material 'neo_hookean' and not given; must lie from 1e-300 to "
       "1e+300 [Pa]");
   EXPECT_EQ(refused("{adapter: neo_hookean, parameters: {E: 1, mu: 2}, density: 1}"),
             "f.yaml:2:57: material.parameters.mu: material 'neo_hookean' has no such parameter; known: E, nu");
   EXPECT_TRUE(refused("{adapter: neo_hookean, parameters: {E: -1}, density: 1}")
-                  .starts_with("f.yaml:2:50: material.parameters.E: out of its bounds: -1"));
+                  .starts_with("f.yaml:2:50: material.parameters.E: must lie from 1e-300 to 1e+300 [Pa], found -1"));
   const std::string file =
       write("d.yaml", "library: " + plugins + "two_models.so\nname: first\nparameters: {modulus: -5}\n");
-  EXPECT_TRUE(
-      refused("{adapter: " + file + ", density: 1}").starts_with(file + ":3:23: material.parameters.modulus: out of"));
+  EXPECT_TRUE(refused("{adapter: " + file + ", density: 1}")
+                  .starts_with(file + ":3:23: material.parameters.modulus: must lie"));
   EXPECT_TRUE(refused("{adapter: " + plugins + "refuses.so, density: 1}").ends_with("no licence for this model"));
 }
 

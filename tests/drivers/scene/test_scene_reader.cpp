@@ -99,7 +99,7 @@ TEST(SceneReader, KeepsPlacesAndTheHash) {
   EXPECT_EQ(s.file, "f.yaml");
   EXPECT_EQ(s.material.where.text(), "f.yaml:2:21");
   EXPECT_EQ(s.material.parameter_where.at("E").text(), "f.yaml:2:50");
-  EXPECT_EQ(s.body.where.text(), "f.yaml:3:7");
+  EXPECT_EQ(s.place("body").text(), "f.yaml:3:7");
 }
 
 TEST(SceneReader, EveryShippedSceneIsRead) {
