@@ -9,7 +9,8 @@
 #include "mpm/material_batch.hpp"
 #include "mpm/passes_grid.hpp"
 #include "mpm/passes_particle.hpp"
-#include "mpm/passes_transfer.hpp"
+#include "mpm/passes_to_grid.hpp"
+#include "mpm/passes_to_particles.hpp"
 
 namespace assay::mpm {
 

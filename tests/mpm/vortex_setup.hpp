@@ -29,13 +29,16 @@ inline std::vector<Way> every_way() {
   return ways;
 }
 
-inline std::string way_name(const testing::TestParamInfo<Way>& info) {
+inline std::string name_of(const Way& way) {
   const char* basis[] = {"linear", "ugimp", "cpdi"};
   const char* transfer[] = {"pic", "flip"};
   const char* update[] = {"usf", "usl", "musl"};
-  return std::string(basis[static_cast<int>(info.param.basis)]) + "_" +
-         transfer[static_cast<int>(info.param.transfer)] + "_" + update[static_cast<int>(info.param.update)];
+  return std::string(basis[static_cast<int>(way.basis)]) + "_" + transfer[static_cast<int>(way.transfer)] + "_" +
+         update[static_cast<int>(way.update)];
 }
+
+inline std::string way_name(const testing::TestParamInfo<Way>& info) { return name_of(info.param); }
+inline void PrintTo(const Way& way, std::ostream* out) { *out << name_of(way); }
 
 /// The free ring of the paper's vortex, 2x2 particles a cell, so many cells across; body force in closed form.
 inline Setup<2> vortex_setup(int across, const Way& way = {}, std::array<int, 2> per_cell = {2, 2}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whole steps: conservation of momentum and mass, rigid translation.
-#include "mpm/passes_transfer.hpp"
+#include "mpm/passes_to_particles.hpp"
 
 #include <limits>
 #include <numeric>

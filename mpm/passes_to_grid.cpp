@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/passes_to_grid.hpp"
+
+#include "mpm/basis_cpdi.hpp"
+#include "mpm/basis_linear.hpp"
+#include "mpm/basis_ugimp.hpp"
+#include "mpm/blocks.hpp"
+#include "mpm/column_access.hpp"
+
+namespace assay::mpm {
+
+template <class B, int Dim>
+Pass<Dim> weights_pass() {
+  Pass<Dim> pass;
+  pass.name = "weights";
+  pass.doc = "nodes, phi_ip and grad phi_ip of every particle, shared by the passes of the step";
+  pass.called_for_by = "method.basis";
+  pass.reads = {Column::position};
+  if (B::uses_deformation) pass.reads.push_back(Column::deformation_gradient);
+  pass.writes = {Column::weights};
+  pass.bind = [](State<Dim>& s) -> Kernel {
+    B& basis = basis_of<B>(s);
+    return [&s, &basis](const Instant&) {
+      const auto x = components<Dim>(s, Column::position);
+      const auto F = components<Dim * Dim>(s, Column::deformation_gradient);
+      FirstBad outside;
+      for_blocks(s.particles, s.setup.threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p) {
+          if (!basis.place(p, load(x, p), B::uses_deformation ? load(F, p) : Mat<Dim>{})) outside.report(p);
+        }
+      });
+      if (const auto p = outside.found()) {
+        s.finding = Finding{Finding::Kind::unstable, "a particle or a corner of its domain left the grid",
+                            static_cast<std::int64_t>(*p)};
+      }
+    };
+  };
+  return pass;
+}
+
+/// Particles that never move give the grid their mass once.
+template <class B, int Dim>
+std::vector<double> mass_of_held(const State<Dim>& s) {
+  const Seeds<Dim>& seeds = s.setup.seeds;
+  Mat<Dim> identity{};
+  for (std::size_t d = 0; d < Dim; ++d) identity[d * Dim + d] = 1;
+  GridField<1> mass;
+  mass.allocate(s.setup.grid.nodes());
+  B basis(s.setup.grid, seeds.half_size, 1);
+  for (const auto& X : seeds.held) {
+    if (basis.place(0, X, identity)) basis.template scatter<1, 0>(0, {s.setup.density * seeds.volume()}, {}, mass);
+  }
+  return std::vector<double>(mass.data(), mass.data() + mass.nodes());
+}
+
+template <class B, int Dim>
+Pass<Dim> particles_to_grid_pass(bool hold_outside) {
+  Pass<Dim> pass;
+  pass.name = "particles_to_grid";
+  pass.doc = "nodal mass and momentum";
+  pass.called_for_by = "method";
+  pass.reads = {Column::weights, Column::mass, Column::velocity};
+  pass.grid_fields = {"mass", "momentum"};
+  pass.bind = [hold_outside](State<Dim>& s) -> Kernel {
+    const B& basis = basis_of<B>(s);
+    if (hold_outside) s.held_mass = mass_of_held<B>(s);
+    return [&s, &basis, hold_outside](const Instant&) {
+      s.inertia.zero();
+      if (hold_outside) {
+        for (std::size_t i = 0; i < s.held_mass.size(); ++i) s.inertia.node(i)[0] = s.held_mass[i];
+      }
+      const double* mass = s.column(Column::mass);
+      const auto v = components<Dim>(s, Column::velocity);
+      for (std::size_t p = 0; p < s.particles; ++p) {
+        std::array<double, Dim + 1> A;
+        A[0] = mass[p];
+        for (std::size_t d = 0; d < Dim; ++d) A[d + 1] = mass[p] * v[d][p];
+        basis.template scatter<Dim + 1, 0>(p, A, {}, s.inertia);
+      }
+      s.inertia.reduce_ghosts();
+    };
+  };
+  return pass;
+}
+
+template <class B, bool WithBody, int Dim>
+void scatter_forces(State<Dim>& s, const B& basis) {
+  s.force.zero();
+  const auto F = components<Dim * Dim>(s, Column::deformation_gradient);
+  const auto sigma = components<stress_components<Dim>>(s, Column::stress);
+  const double *volume = s.column(Column::volume), *mass = s.column(Column::mass);
+  std::array<double*, Dim> b{};
+  if constexpr (WithBody) b = components<Dim>(s, Column::body_force);
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    const double V = volume[p] * determinant<Dim>(load(F, p));
+    std::array<double, Dim> A{};
+    std::array<double, Dim * Dim> V_sigma;
+    for (std::size_t i = 0; i < Dim; ++i) {
+      if constexpr (WithBody) A[i] = mass[p] * b[i][p];
+      for (std::size_t d = 0; d < Dim; ++d) V_sigma[i * Dim + d] = -V * sigma[stress_index<Dim>(i, d)][p];
+    }
+    basis.template scatter<Dim, Dim>(p, A, V_sigma, s.force);
+  }
+  s.force.reduce_ghosts();
+}
+
+template <class B, int Dim>
+Pass<Dim> force_pass(bool with_body_force) {
+  Pass<Dim> pass;
+  pass.name = "grid_forces";
+  pass.doc = with_body_force ? "nodal internal and body force" : "nodal internal force";
+  pass.called_for_by = "method";
+  pass.reads = {Column::weights, Column::stress, Column::volume, Column::deformation_gradient};
+  if (with_body_force) {
+    pass.reads.push_back(Column::mass);
+    pass.reads.push_back(Column::body_force);
+  }
+  pass.grid_fields = {"force"};
+  pass.bind = [with_body_force](State<Dim>& s) -> Kernel {
+    const B& basis = basis_of<B>(s);
+    if (with_body_force) return [&s, &basis](const Instant&) { scatter_forces<B, true>(s, basis); };
+    return [&s, &basis](const Instant&) { scatter_forces<B, false>(s, basis); };
+  };
+  return pass;
+}
+
+#define ASSAY_PASSES(BASIS, DIM)                                    \
+  template Pass<DIM> weights_pass<BASIS<DIM>, DIM>();               \
+  template Pass<DIM> particles_to_grid_pass<BASIS<DIM>, DIM>(bool); \
+  template Pass<DIM> force_pass<BASIS<DIM>, DIM>(bool);
+
+ASSAY_PASSES(LinearBasis, 2)
+ASSAY_PASSES(LinearBasis, 3)
+ASSAY_PASSES(UgimpBasis, 2)
+ASSAY_PASSES(UgimpBasis, 3)
+ASSAY_PASSES(CpdiBasis, 2)
+ASSAY_PASSES(CpdiBasis, 3)
+
+}  // namespace assay::mpm

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Passes from grid to particles: motion and velocity gradient. Templates on the basis.
+#pragma once
+
+#include "mpm/pass.hpp"
+
+namespace assay::mpm {
+
+/// x += dt sum phi v_i; FLIP: v += dt sum phi a_i; PIC: v = sum phi v_i; [L = sum v_i (x) grad phi];
+/// [work of the body force into the ledger].
+template <class B, int Dim>
+Pass<Dim> grid_to_particles_pass(Transfer transfer, bool with_velocity_gradient, bool with_work);
+
+/// L = sum v_i (x) grad phi_ip alone.
+template <class B, int Dim>
+Pass<Dim> velocity_gradient_pass();
+
+}  // namespace assay::mpm
