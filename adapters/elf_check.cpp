@@ -47,7 +47,7 @@ void check_shared_library(const std::string& path) {
     throw LibraryError("is no shared library");
   }
   if (header.e_ident[EI_CLASS] != ELFCLASS64) return;  // the loader says it well
-  if (!read_at(file, 0, header) || !complete(file, header, fs::file_size(path))) {
+  if (!read_at(file, 0, header) || !complete(file, header, fs::file_size(path, code))) {
     throw LibraryError("is truncated: shorter than its headers say");
   }
 }

@@ -3,12 +3,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <iostream>
 
 #include "drivers/build_information.hpp"
+#include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/output/numbers.hpp"
@@ -75,7 +77,8 @@ void add_verbosity(CLI::App& app, Arguments& given) {
 }
 
 void add_out(CLI::App& verb, Arguments& given, const std::string& type, const std::string& doc) {
-  verb.add_option("-o", given.out, doc)->type_name(type);
+  const auto not_empty = [](const std::string& name) { return name.empty() ? "is an empty name" : std::string(); };
+  verb.add_option("-o", given.out, doc)->type_name(type)->check(not_empty, "");
 }
 
 std::vector<Verb> scene_verbs(CLI::App& app, Arguments& given) {
@@ -144,6 +147,7 @@ std::vector<Verb> material_verbs(CLI::App& app, Arguments& given) {
   verbs.push_back({&register_verb, [&given, file] {
                      if (file->count() == 0 && given.remove.empty())
                        throw InputError("assay register: takes FILE or --remove NAME");
+                     if (file->count() > 0 && given.file.empty()) throw InputError("assay register: FILE is empty");
                      return register_material({given.file, given.name, given.remove, given.verbosity()});
                    }});
 
@@ -173,16 +177,22 @@ InputError usage_error(const CLI::App& app, const CLI::ParseError& error) {
   return InputError({}, who, unknown(kind + " '" + one_line(word, 80) + "'", word, known), joined(known));
 }
 
+std::vector<std::string> names_of(const std::vector<Verb>& verbs) {
+  std::vector<std::string> names;
+  for (const Verb& verb : verbs) names.push_back(verb.app->get_name());
+  return names;
+}
+
 void refuse_unknown_verb(const std::string& word, const std::vector<Verb>& verbs) {
-  std::vector<std::string> known;
-  for (const Verb& verb : verbs) known.push_back(verb.app->get_name());
+  const std::vector<std::string> known = names_of(verbs);
   if (std::find(known.begin(), known.end(), word) != known.end()) return;
   throw InputError({}, "assay", unknown("verb '" + one_line(word, 80) + "'", word, known), joined(known));
 }
 
 void flush_output() {
   std::cout.flush();
-  if (!std::cout || std::fflush(stdout) != 0) throw SystemError("standard output cannot be written");
+  if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout))
+    throw SystemError("standard output cannot be written");
 }
 
 int act(int argc, const char* const* argv) {
@@ -201,8 +211,9 @@ int act(int argc, const char* const* argv) {
   for (const Verb& verb : verbs) add_verbosity(*verb.app, given);
 
   for (int i = 1; i < argc; ++i) {
-    if (argv[i][0] == '-') continue;
-    refuse_unknown_verb(argv[i], verbs);
+    const bool option = argv[i][0] == '-';
+    if (option && app.get_option_no_throw(argv[i])) continue;
+    if (!option) refuse_unknown_verb(argv[i], verbs);
     break;
   }
   try {
@@ -216,11 +227,11 @@ int act(int argc, const char* const* argv) {
   for (const Verb& verb : verbs) {
     if (verb.app->parsed()) return verb.act();
   }
-  std::cerr << app.help();
-  return 2;
+  throw InputError("assay: no verb; known: " + joined(names_of(verbs)) + "; assay --help tells more");
 }
 
 int complain(int status, const std::string& line) {
+  if (interrupted()) return 128 + interrupt_signal();  // what failed is the call that the signal broke off
   std::cout.flush();
   std::cerr << one_line(line) << std::endl;
   return status;
@@ -229,7 +240,9 @@ int complain(int status, const std::string& line) {
 }  // namespace
 
 int command_line(int argc, const char* const* argv) noexcept {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of write()
   try {
+    const ExitGuard guard;
     const int status = act(argc, argv);
     flush_output();
     return status;

@@ -2,11 +2,13 @@
 // `assay eval`: the exact fields of a motion at given reference points and times.
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
 #include "drivers/findings.hpp"
+#include "drivers/interrupt.hpp"
 #include "drivers/output/csv.hpp"
-#include "drivers/output/output_folder.hpp"
 #include "drivers/output/points_csv.hpp"
+#include "drivers/output/whole_file.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "drivers/verbs.hpp"
@@ -112,9 +114,17 @@ double last_time(const ReferencePoints& points, const std::string& file, double 
   return last > 0 ? last : otherwise;
 }
 
+void refuse_input_as_output(const std::string& input, const std::string& out) {
+  std::error_code code;
+  if (std::filesystem::is_regular_file(out, code) && std::filesystem::equivalent(input, out, code)) {
+    throw InputError({}, "-o", "'" + out + "' would replace the input '" + input + "'");
+  }
+}
+
 std::string evaluated(const EvalOptions& options) {
   Scene scene = read_scene(options.scene, options.sets);
   const ReferencePoints points = read_reference_points(options.points);
+  watch_interrupts();
   const double end = last_time(points, options.points, scene.time.end);
   std::string library;
   const auto material = material_of(scene, library);
@@ -123,6 +133,7 @@ std::string evaluated(const EvalOptions& options) {
   const bool three = three_dimensional(scene.motion);
   CsvText csv(column_names(three, points.has_normals));
   for (const ReferencePoint& point : points.points) {
+    stop_if_interrupted();
     const Vector3 X(point.X, point.Y, point.Z);
     const ExactState state = state_at(scene.motion, X, point.t);
     const ExactStress stress = std::visit(
@@ -137,7 +148,9 @@ std::string evaluated(const EvalOptions& options) {
 
 int eval(const EvalOptions& options) {
   try {
+    for (const std::string& input : {options.scene, options.points}) refuse_input_as_output(input, options.out);
     const std::string text = evaluated(options);
+    stop_if_interrupted();
     if (options.out.empty())
       std::fputs(text.c_str(), stdout);
     else

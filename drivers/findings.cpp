@@ -3,7 +3,10 @@
 
 #include <algorithm>
 
+#include "drivers/input_error.hpp"
 #include "drivers/output/number_format.hpp"
+#include "drivers/scene/sha256.hpp"
+#include "drivers/scene/yaml_reader.hpp"
 
 namespace assay::drivers {
 
@@ -12,6 +15,14 @@ void record_sheet(const Response& response, double seconds, Result& result) {
   if (!sheet) return;
   result.sheet = SheetFigures{sheet->points(), sheet->error_tau(), sheet->error_dtau(), seconds};
   result.material_calls += sheet->material_calls();
+}
+
+std::string material_provenance(const Material& material, const std::string& library) {
+  const char* version = material.table().version;
+  const std::string who = material.name() + (version ? " " + one_line(version, 80) : "");
+  if (library.empty()) return who + ", built in";
+  constexpr std::size_t largest_library = std::size_t{4} << 30;
+  return who + ", " + library + ", sha256 " + sha256_hex(read_bytes(library, largest_library));
 }
 
 void record_failure(const MaterialFailure& failure, Result& result) {

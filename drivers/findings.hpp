@@ -11,6 +11,10 @@ namespace assay::drivers {
 /// Size and error of the sheet, seconds it took; nothing where the response is a closed form.
 void record_sheet(const Response& response, double seconds, Result& result);
 
+/// "neo_hookean 1.0, built in" or "soft_clay 0.3, /path/libclay.so, sha256 ...". Throws InputError where the library
+/// can no longer be read.
+std::string material_provenance(const Material& material, const std::string& library);
+
 /// Outcome `material_failed` with point, time and the material's words.
 void record_failure(const MaterialFailure& failure, Result& result);
 

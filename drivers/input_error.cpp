@@ -2,6 +2,7 @@
 #include "drivers/input_error.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace assay::drivers {
 
@@ -33,6 +34,47 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return last[b.size()];
 }
 
+/// Length of the UTF-8 character at `at` and its code point; 0 where there is none.
+std::size_t decode(std::string_view text, std::size_t at, std::uint32_t& code) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(at);
+  const std::size_t length = first < 0x80                    ? 1
+                             : first >= 0xC2 && first < 0xE0 ? 2
+                             : (first & 0xF0u) == 0xE0       ? 3
+                             : first >= 0xF0 && first < 0xF5 ? 4
+                                                             : 0;
+  if (length == 0 || at + length > text.size()) return 0;
+  code = length == 1 ? first : first & (0xFFu >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(at + i) & 0xC0u) != 0x80u) return 0;
+    code = code << 6 | (byte(at + i) & 0x3Fu);
+  }
+  return length;
+}
+
+/// Control characters, and those that turn the direction of writing or break lines.
+bool hidden(std::uint32_t code) {
+  return code < 0x20 || (code >= 0x7F && code < 0xA0) || (code >= 0x200E && code <= 0x200F) ||
+         (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
+}
+
+/// Hidden characters become blanks, what is no UTF-8 becomes a question mark.
+std::string printable(std::string_view text) {
+  std::string line;
+  for (std::size_t at = 0; at < text.size();) {
+    std::uint32_t code = 0;
+    const std::size_t length = decode(text, at, code);
+    if (length == 0)
+      line += '?';
+    else if (hidden(code))
+      line += ' ';
+    else
+      line += text.substr(at, length);
+    at += std::max<std::size_t>(length, 1);
+  }
+  return line;
+}
+
 }  // namespace
 
 std::string Location::text() const {
@@ -54,10 +96,7 @@ std::string one_line(std::string_view text, std::size_t limit) {
     if (!line.empty() && (static_cast<unsigned char>(line.back()) & 0x80u) != 0) line.pop_back();  // no half character
     line += "...";
   }
-  for (char& c : line) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-  }
-  return line;
+  return printable(line);
 }
 
 std::string joined(const std::vector<std::string>& words) {

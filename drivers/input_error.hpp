@@ -34,7 +34,8 @@ class SystemError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The text on one line: control characters become blanks, what exceeds `limit` bytes is cut and marked by "...".
+/// The text on one line: control characters become blanks (those that turn the direction of writing too), what is no
+/// UTF-8 becomes a question mark, what exceeds `limit` bytes is cut and marked by "...".
 std::string one_line(std::string_view text, std::size_t limit = 4096);
 
 /// "a, b, c".

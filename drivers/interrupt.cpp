@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/interrupt.hpp"
 
-#include <unistd.h>
-
 #include <atomic>
 #include <csignal>
+
+#include "drivers/exit_guard.hpp"
 
 namespace assay::drivers {
 
@@ -15,7 +15,7 @@ static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may touch
 
 void on_signal(int signal) {
   int none = 0;
-  if (!first_signal.compare_exchange_strong(none, signal)) _exit(128 + signal);
+  if (!first_signal.compare_exchange_strong(none, signal)) leave_process(128 + signal);
 }
 
 }  // namespace
@@ -25,8 +25,8 @@ void watch_interrupts() {
   struct sigaction action = {};
   action.sa_handler = on_signal;
   sigemptyset(&action.sa_mask);
-  action.sa_flags = SA_RESTART;  // a write in progress must not fail with EINTR
-  for (const int signal : {SIGINT, SIGTERM}) {
+  // No SA_RESTART: a read that waits for ever (a pipe without a writer) must come back.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction old = {};
     sigaction(signal, nullptr, &old);
     if (old.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);  // nohup and shells ask for that

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// SIGINT and SIGTERM as a flag that long loops poll, so that destructors run and nothing partial looks complete.
+// SIGINT, SIGTERM and SIGHUP as a flag that long loops poll, so that destructors run and nothing partial looks
+// complete.
 #pragma once
 
 namespace assay::drivers {
 
-/// From now on the first SIGINT or SIGTERM only raises the flag; the second ends the process at once with 128 + signal.
+/// From now on the first SIGINT, SIGTERM or SIGHUP only raises the flag and lets system calls that wait fail with
+/// EINTR; the second ends the process at once with 128 + signal. To be called when the scene is read.
 void watch_interrupts();
 
 /// Whether a signal came since watch_interrupts().

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay register`: a library or a description of one becomes a name in the user's registry.
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <system_error>
 
 #include "adapters/builtin.hpp"
 #include "adapters/probe.hpp"
+#include "drivers/interrupt.hpp"
 #include "drivers/material/material_description.hpp"
 #include "drivers/material/material_path.hpp"
 #include "drivers/material/registry.hpp"
-#include "drivers/output/output_folder.hpp"
+#include "drivers/output/whole_file.hpp"
+#include "drivers/scene/text_check.hpp"
 #include "drivers/verbs.hpp"
 
 namespace assay::drivers {
@@ -20,7 +23,8 @@ namespace {
 
 std::string folder() {
   std::string found = registry_folder();
-  if (found.empty()) throw SystemError("there is no registry: none of ASSAY_DATA_HOME, XDG_DATA_HOME, HOME is set");
+  if (found.empty())
+    throw SystemError("there is no registry: none of ASSAY_DATA_HOME, XDG_DATA_HOME, HOME leads to one");
   return found;
 }
 
@@ -36,6 +40,9 @@ int remove_name(const std::string& name) {
   if (!is_material_name(name) || !fs::exists(fs::symlink_status(file, code))) {
     throw InputError({}, "--remove", unknown("name '" + name + "'", name, known),
                      known.empty() ? "none" : joined(known));
+  }
+  if (fs::is_directory(fs::symlink_status(file, code))) {
+    throw InputError({}, "--remove", "'" + file.string() + "' is a folder and no registered name");
   }
   if (!fs::remove(file, code)) throw SystemError("'" + file.string() + "' cannot be removed: " + code.message());
   return 0;
@@ -64,6 +71,17 @@ std::string chosen_name(const RegisterOptions& options, const MaterialSource& so
   return name;
 }
 
+/// The registry is YAML, which holds text and no other bytes.
+void refuse_what_is_no_text(const std::string& path) {
+  const bool control = std::any_of(path.begin(), path.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+  if (control) throw InputError({}, "FILE", "its path holds control characters, which the registry cannot keep");
+  try {
+    check_text(path, "FILE", path.size());
+  } catch (const InputError&) {
+    throw InputError({}, "FILE", "its path is not UTF-8 text, and the registry can keep no other");
+  }
+}
+
 }  // namespace
 
 int register_material(const RegisterOptions& options) {
@@ -71,8 +89,10 @@ int register_material(const RegisterOptions& options) {
   const Location where{options.file, 0, 0};
   const MaterialName asked = parse_material(options.file);
   // A bare name means a file here, not a registered one.
-  const std::string path = fs::absolute(asked.file).lexically_normal().string();
+  const std::string path = absolute_path(asked.file);
+  refuse_what_is_no_text(path);
   const MaterialSource source = find_material(asked.table.empty() ? path : path + ":" + asked.table, {}, "");
+  refuse_what_is_no_text(source.library);
   const std::string name = chosen_name(options, source);
   try {
     if (const auto defect = adapters::probe_defect(source.table, source.parameters)) {
@@ -81,6 +101,7 @@ int register_material(const RegisterOptions& options) {
   } catch (const std::system_error& error) {
     throw SystemError(std::string("the material cannot be probed: ") + error.what());
   }
+  watch_interrupts();
   std::error_code code;
   fs::create_directories(folder(), code);
   if (code) throw SystemError("'" + folder() + "' cannot be made: " + code.message());

@@ -64,12 +64,14 @@ struct ExpectationOutcome {
 
 struct Provenance {
   std::string version, git, compiler, flags;
+  std::string material;  ///< name and version, and the shared library with its SHA-256, or "built in"
   std::vector<std::string> libraries;
   std::string scene_sha256;
 };
 
 struct Result {
   std::string title;
+  std::string subject;                ///< what was run, one line: material, method, grid, amplitude
   std::string outcome = "completed";  ///< completed, unstable, material_failed, refused
   std::string reason;                 ///< one sentence where not completed
   Figure t, dt;

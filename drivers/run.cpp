@@ -64,9 +64,9 @@ std::string write_results(const Scene& scene, const Result& result, std::vector<
 }  // namespace
 
 int run(const RunOptions& options) {
-  watch_interrupts();
   const auto start = Clock::now();
   Scene scene = read_scene(options.scene, options.sets);
+  watch_interrupts();
   Result result;
   result.title = scene.title;
   result.provenance = build_information();
@@ -75,6 +75,8 @@ int run(const RunOptions& options) {
   try {
     problem = assemble(scene, options.threads);
     scene = problem->scene;
+    result.subject = problem->subject();
+    result.provenance.material = material_provenance(*problem->material, problem->library);
   } catch (const MaterialFailure& failure) {
     record_failure(failure, result);
   }

@@ -8,6 +8,7 @@
 
 #include "drivers/build_information.hpp"
 #include "drivers/findings.hpp"
+#include "drivers/interrupt.hpp"
 #include "drivers/output/csv.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/output_folder.hpp"
@@ -53,6 +54,7 @@ CsvText sheet_table() {
 }
 
 void add_row(const Tabulation& tab, double xi, double t, CsvText& csv) {
+  stop_if_interrupted();
   Tensor tau, slope;
   tab.response->at(xi, t, tau, slope);
   std::vector<double> row{xi, t, tab.path.deformation_gradient(xi, t)(1, 0)};
@@ -129,7 +131,8 @@ LinePlot plot_of(const Curve& curve, const std::vector<std::vector<double>>& val
   plot.y_label = symbol + " [Pa]";
   const char* names[] = {"11", "12", "21", "22", "33"};
   for (std::size_t c = 0; c < 5; ++c) {
-    plot.series.push_back({names[c], curve.eps, values[c], true, false, names[c] == std::string("21")});
+    plot.series.push_back({names[c], curve.eps, values[c], true, false,
+                           c == 2 || c == 3});  // 12 = 21 and 11 = 22 lie on another in many models
   }
   return plot;
 }
@@ -162,10 +165,21 @@ std::vector<Expectation> expected_here(const Scene& scene) {
   return list;
 }
 
+/// Whether det F > 0 all the way from the reference state to eps.
+bool can_be_reached(double eps, const Tensor& direction) {
+  constexpr int steps = 64;
+  for (int k = 1; k <= steps; ++k) {
+    if (!((Tensor::Identity() + eps * k / steps * direction).determinant() > 0)) return false;
+  }
+  return true;
+}
+
 /// The path's range and the end widened to what the points ask for.
 void cover(const std::vector<SheetPoint>& points, const std::string& file, Tabulation& tab) {
   for (const SheetPoint& point : points) {
-    if (point.t < 0) throw InputError({file}, "t", "negative: histories begin at t = 0");
+    if (!can_be_reached(tab.path.eps(point.xi, point.t), tab.path.direction)) {
+      throw InputError({file, point.line, 1}, "xi", "det F <= 0 on the way to " + rounded_text(point.xi, 6));
+    }
     tab.path.parameter.lower = std::min(tab.path.parameter.lower, point.xi);
     tab.path.parameter.upper = std::max(tab.path.parameter.upper, point.xi);
     tab.end = std::max(tab.end, point.t);
@@ -207,6 +221,7 @@ int tabulate(const TabulateOptions& options) {
   Scene scene = read_scene(options.scene, options.sets);
   std::vector<SheetPoint> points;
   if (!options.points.empty()) points = read_sheet_points(options.points);
+  watch_interrupts();
   Tabulation tab;
   std::string library;
   tab.material = material_of(scene, library);
@@ -215,10 +230,12 @@ int tabulate(const TabulateOptions& options) {
   tab.period = period_of(scene.motion);
   cover(points, options.points, tab);
   OutputFolder folder(options.out);
+  if (!options.points.empty()) folder.keep(options.points);
   Result result;
   result.title = scene.title;
   result.provenance = build_information();
   result.provenance.scene_sha256 = scene.sha256;
+  result.provenance.material = material_provenance(*tab.material, library);
   try {
     const auto start = std::chrono::steady_clock::now();
     if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;

@@ -5,6 +5,7 @@
 
 #include "drivers/findings.hpp"
 #include "drivers/output/number_format.hpp"
+#include "drivers/output/numbers.hpp"
 #include "drivers/output/wrapped_text.hpp"
 
 namespace assay::drivers {
@@ -27,6 +28,9 @@ std::string error_lines(const ErrorFigures& e) {
   maximum("F [1]", e.deformation_gradient);
   maximum("det F [1]", e.jacobian);
   maximum("Cauchy stress [Pa]", e.stress);
+  if (e.relative) {
+    text += fmt::format("  {:22} {:>10} {:>10} {:>10}\n", "relative to the motion", "", "", figure(e.relative));
+  }
   return text;
 }
 
@@ -48,12 +52,23 @@ std::string profile_lines(const Result& r) {
   return text;
 }
 
+/// A figure is shown with four digits; result.json has all of them.
+std::string shortened(const std::string& found) {
+  const auto number = parse_number(found);
+  return number ? rounded_text(*number, 4) : found;
+}
+
+std::string summary_of(const Result& result) {
+  if (exit_status(result) != 0) return "NOT AS EXPECTED";
+  return result.expect.empty() ? "NOTHING WAS EXPECTED" : "AS EXPECTED";
+}
+
 }  // namespace
 
 std::string expectations_text(const Result& result) {
   std::string text;
   for (const ExpectationOutcome& e : result.expect) {
-    text += fmt::format("  {:5} {} {}: found {}\n", e.holds ? "holds" : "FAILS", e.key, e.expected, e.found);
+    text += fmt::format("  {:5} {} {}: found {}\n", e.holds ? "holds" : "FAILS", e.key, e.expected, shortened(e.found));
   }
   return text;
 }
@@ -61,6 +76,7 @@ std::string expectations_text(const Result& result) {
 std::string verdict_text(const Result& result, const std::string& folder, bool with_profile) {
   std::string text = fmt::format("{}{} at t = {} s\n", result.title.empty() ? "" : result.title + ": ", result.outcome,
                                  figure(result.t));
+  if (!result.subject.empty()) text += "  " + result.subject + "\n";
   if (!result.reason.empty()) text += wrapped(result.reason, "  ", "  ");
   if (result.error.l2_max) text += error_lines(result.error);
   if (result.steps) text += work_line(result);
@@ -71,7 +87,7 @@ std::string verdict_text(const Result& result, const std::string& folder, bool w
   }
   if (with_profile) text += profile_lines(result);
   text += expectations_text(result);
-  text += fmt::format("{}; results in {}\n", exit_status(result) == 0 ? "VERIFIED" : "CONTRADICTED", folder);
+  text += fmt::format("{}; results in {}\n", summary_of(result), folder);
   return text;
 }
 

@@ -12,12 +12,14 @@ using std::numbers::pi;
 AmplitudeValue Amplitude::at(double t) const {
   switch (type) {
     case Type::sine: {
-      const double w = pi / period, s = std::sin(w * t), c = std::cos(w * t);
+      const double w = pi / period, phase = w * std::fmod(t, 2 * period);  // fmod is exact: late times lose nothing
+      const double s = std::sin(phase), c = std::cos(phase);
       return {peak * s, peak * w * c, -peak * w * w * s};
     }
     case Type::one_minus_cosine: {
-      const double w = 2 * pi / period, half = std::sin(0.5 * w * t);  // 1 - cos = 2 sin^2: no cancellation
-      return {peak * half * half, 0.5 * peak * w * std::sin(w * t), 0.5 * peak * w * w * std::cos(w * t)};
+      const double w = 2 * pi / period, phase = w * std::fmod(t, period);
+      const double half = std::sin(0.5 * phase);  // 1 - cos = 2 sin^2: no cancellation
+      return {peak * half * half, 0.5 * peak * w * std::sin(phase), 0.5 * peak * w * w * std::cos(phase)};
     }
     case Type::ramp:
       if (t < period) return {peak * t / period, peak / period, 0};

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "drivers/material/material_path.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/scene/yaml_values.hpp"
 
@@ -17,7 +18,7 @@ MaterialDescription read_description(const std::string& file) {
   const Tree* library = root.find("library");
   if (!library) throw InputError(root.where, "library", "required and not given", joined(known));
   const std::filesystem::path path = text_value(*library, "library");
-  description.library = absolute(std::filesystem::path(file).parent_path() / path).lexically_normal().string();
+  description.library = absolute_path(std::filesystem::path(file).parent_path() / path);
   description.library_where = description.name_where = library->where;
   if (const Tree* interface = root.find("interface")) choice_value(*interface, "interface", {"native"});
   if (const Tree* name = root.find("name")) {

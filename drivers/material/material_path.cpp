@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "drivers/input_error.hpp"
+
 namespace assay::drivers {
 
 namespace {
@@ -21,10 +23,17 @@ MaterialName parse_material(const std::string& adapter) {
   return {adapter.find('/') != adapter.npos || ends_as_path(adapter), adapter, {}};
 }
 
+std::string absolute_path(const std::filesystem::path& path) {
+  std::error_code code;
+  const std::filesystem::path found = path.is_absolute() ? path : std::filesystem::current_path(code) / path;
+  if (code) throw SystemError("the working directory cannot be found: " + code.message());
+  return found.lexically_normal().string();
+}
+
 std::string absolute_material(const std::string& adapter, const std::filesystem::path& folder) {
   const MaterialName name = parse_material(adapter);
   if (!name.is_path) return adapter;
-  const auto path = std::filesystem::absolute(folder / name.file).lexically_normal().string();
+  const auto path = absolute_path(folder / name.file);
   const std::string rest = adapter.substr(name.file.size());
   return path + rest;
 }

@@ -16,6 +16,9 @@ struct MaterialName {
 /// A path contains '/' or ends in .so, .so:name, .yaml or .yml.
 MaterialName parse_material(const std::string& adapter);
 
+/// Absolute and normal. Throws SystemError where it is relative and the working directory is gone.
+std::string absolute_path(const std::filesystem::path& path);
+
 /// A path made absolute, from `folder` where it is relative (empty: the working directory); names stay as they are.
 std::string absolute_material(const std::string& adapter, const std::filesystem::path& folder);
 

@@ -27,7 +27,7 @@ std::vector<std::string> search_folders() {
   const std::string path = environment("ASSAY_MATERIAL_PATH");
   for (std::size_t begin = 0; begin < path.size();) {
     const std::size_t colon = std::min(path.find(':', begin), path.size());
-    if (colon > begin) folders.push_back(fs::absolute(path.substr(begin, colon - begin)).lexically_normal().string());
+    if (colon > begin) folders.push_back(absolute_path(path.substr(begin, colon - begin)));
     begin = colon + 1;
   }
   return folders;
@@ -83,6 +83,7 @@ std::vector<RegisteredName> names_in(const std::string& folder, bool description
   for (fs::directory_iterator at(folder, code), end; !code && at != end; at.increment(code)) {
     const std::string name = name_of_file(at->path());
     if (name.empty() || (descriptions_only && !is_description(at->path().string()))) continue;
+    if (std::error_code unknown_kind; at->is_directory(unknown_kind)) continue;
     names.push_back({name, at->path().string()});
   }
   // One name may lead to several files: NAME.so before libNAME.so before NAME.yaml.
@@ -98,15 +99,18 @@ std::vector<RegisteredName> names_in(const std::string& folder, bool description
 
 std::string registry_folder() {
   std::string home = environment("ASSAY_DATA_HOME");
+  if (!home.empty() && !home.starts_with('/')) {
+    throw InputError({}, "ASSAY_DATA_HOME", "must be an absolute path, found '" + one_line(home, 200) + "'");
+  }
   if (home.empty()) {
     const std::string data = environment("XDG_DATA_HOME"), user = environment("HOME");
     if (data.starts_with('/')) {  // the XDG specification: relative paths are to be ignored
       home = data + "/assay";
-    } else if (!user.empty()) {
+    } else if (user.starts_with('/')) {
       home = user + "/.local/share/assay";
     }
   }
-  return home.empty() ? std::string() : fs::absolute(home).lexically_normal().string() + "/materials";
+  return home.empty() ? std::string() : fs::path(home).lexically_normal().string() + "/materials";
 }
 
 std::vector<RegisteredName> registered_names() {
@@ -122,7 +126,7 @@ std::vector<RegisteredName> registered_names() {
 
 MaterialSource find_material(const std::string& adapter, const Location& where, const std::string& key) {
   const MaterialName asked = parse_material(adapter);
-  if (asked.is_path) return from_file(fs::absolute(asked.file).lexically_normal().string(), asked.table, where, key);
+  if (asked.is_path) return from_file(absolute_path(asked.file), asked.table, where, key);
   const std::vector<RegisteredName> names = registered_names();
   for (const RegisteredName& registered : names) {
     if (registered.name != adapter) continue;

@@ -34,7 +34,8 @@ MaterialSource find_material(const std::string& adapter, const Location& where, 
 /// All names in the order of the search, each once: as find_material would take it.
 std::vector<RegisteredName> registered_names();
 
-/// The folder of the registry, ${ASSAY_DATA_HOME:-$XDG_DATA_HOME/assay}/materials; empty where there is no home.
+/// The folder of the registry, ${ASSAY_DATA_HOME:-$XDG_DATA_HOME/assay}/materials; empty where there is no home. Throws
+/// InputError where ASSAY_DATA_HOME is no absolute path.
 std::string registry_folder();
 
 }  // namespace assay::drivers

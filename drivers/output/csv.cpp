@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/output/csv.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <cerrno>
 #include <cmath>
-#include <system_error>
 
 #include "drivers/input_error.hpp"
 #include "drivers/output/numbers.hpp"
+#include "drivers/scene/yaml_reader.hpp"
 
 namespace assay::drivers {
 
@@ -151,22 +146,8 @@ CsvTable read_csv(std::string_view text, const std::string& file, const std::vec
 }
 
 std::string read_input_file(const std::string& file) {
-  const auto fail = [&](int error) {
-    throw InputError(Location{file, 0, 0}, {}, "cannot be read: " + std::generic_category().message(error));
-  };
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) fail(errno);
-  std::string bytes;
-  std::array<char, 65536> chunk;
-  ssize_t got = 0;
-  do {
-    got = ::read(descriptor, chunk.data(), chunk.size());
-    if (got > 0) bytes.append(chunk.data(), static_cast<std::size_t>(got));
-  } while (got > 0 || (got < 0 && errno == EINTR));
-  const int error = errno;
-  ::close(descriptor);
-  if (got < 0) fail(error);
-  return bytes;
+  constexpr std::size_t limit = std::size_t{256} << 20;  // some millions of points
+  return read_bytes(file, limit);
 }
 
 }  // namespace assay::drivers

@@ -2,18 +2,18 @@
 #include "drivers/output/output_folder.hpp"
 
 #include <fcntl.h>
-#include <signal.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <atomic>
 #include <cerrno>
+#include <fstream>
 #include <stdexcept>
-#include <system_error>
 
 #include "drivers/input_error.hpp"
-#include "drivers/output/numbers.hpp"
+#include "drivers/interrupt.hpp"
+#include "drivers/output/whole_file.hpp"
 
 namespace assay::drivers {
 
@@ -22,70 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* last_file = "result.json";
-
-[[noreturn]] void fail(const fs::path& path, const std::string& what, int error) {
-  throw SystemError(path.string() + ": " + what + ": " + std::generic_category().message(error));
-}
-
-[[noreturn]] void fail(const fs::path& path, const std::string& what, const std::error_code& error) {
-  throw SystemError(path.string() + ": " + what + ": " + error.message());
-}
-
-void write_all(int descriptor, std::string_view bytes, const fs::path& path) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail(path, "cannot be written", errno);
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-}
-
-/// Opens, writes, syncs and closes, and believes none of them.
-void write_bytes(const fs::path& path, std::string_view bytes, int flags) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
-  if (descriptor < 0) fail(path, "cannot be created", errno);
-  try {
-    write_all(descriptor, bytes, path);
-    // Pipes and terminals cannot be synced and say so.
-    if (::fsync(descriptor) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS) {
-      fail(path, "cannot be written", errno);
-    }
-  } catch (...) {
-    ::close(descriptor);
-    throw;
-  }
-  if (::close(descriptor) != 0 && errno != EINTR) fail(path, "cannot be written", errno);
-}
-
-void sync_folder(const fs::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  ::fsync(descriptor);  // best effort: the files themselves are synced
-  ::close(descriptor);
-}
-
-std::string host_name() {
-  std::array<char, 256> name{};
-  if (::gethostname(name.data(), name.size() - 1) != 0) return "host";
-  return name.data();
-}
-
-bool digit(char c) { return c >= '0' && c <= '9'; }
-
-bool matches(std::string_view pattern, std::string_view name) {
-  while (!pattern.empty()) {
-    if (name.empty()) return false;
-    if (pattern[0] != '#') {
-      if (pattern[0] != name[0]) return false;
-      name.remove_prefix(1);
-    } else {
-      if (!digit(name[0])) return false;
-      while (!name.empty() && digit(name[0])) name.remove_prefix(1);
-    }
-    pattern.remove_prefix(1);
-  }
-  return name.empty();
-}
+constexpr const char* our_table = "xi,t,gamma,";  ///< how the tables of tabulate begin
 
 /// Renames that can be taken back.
 class Moves {
@@ -120,22 +57,29 @@ std::vector<std::string> result_files() {
 OutputFolder::OutputFolder(fs::path target, std::vector<std::string> names)
     : target_(target.empty() ? fs::path(".") : std::move(target)), names_(std::move(names)) {
   try {
-    make_folders();
+    // Another run that fails takes its empty folders away, perhaps between our looking and our locking.
+    for (int attempt = 0; !make_folders() || !lock(); ++attempt) {
+      if (attempt == 100) fail(target_, "folder cannot be created", ENOENT);
+    }
     make_staging();
   } catch (...) {
-    std::error_code ignored;
-    for (auto made = made_.rbegin(); made != made_.rend(); ++made) fs::remove(*made, ignored);
+    give_back();
     throw;
   }
 }
 
-OutputFolder::~OutputFolder() {
+OutputFolder::~OutputFolder() { give_back(); }
+
+void OutputFolder::give_back() {
   std::error_code ignored;
   if (!staging_.empty()) fs::remove_all(staging_, ignored);
   for (auto made = made_.rbegin(); made != made_.rend(); ++made) fs::remove(*made, ignored);  // only empty ones go
+  if (lock_ >= 0) ::close(lock_);
+  lock_ = -1;
 }
 
-void OutputFolder::make_folders() {
+/// False when a folder vanished meanwhile.
+bool OutputFolder::make_folders() {
   std::error_code error;
   fs::path path;
   for (const fs::path& part : target_) {
@@ -144,41 +88,59 @@ void OutputFolder::make_folders() {
     if (fs::is_directory(status)) continue;
     if (fs::exists(status)) fail(path, "is no folder", ENOTDIR);
     if (status.type() != fs::file_type::not_found) fail(path, "cannot be reached", error);
-    if (fs::create_directory(path, error)) made_.push_back(path);
+    const bool made = fs::create_directory(path, error);
+    if (error == std::errc::no_such_file_or_directory && !fs::exists(path.parent_path() / ".")) return false;
     if (error) fail(path, "folder cannot be created", error);
+    if (!made) continue;
+    if (std::find(made_.begin(), made_.end(), path) == made_.end()) made_.push_back(path);
+    fs::permissions(path, fs::perms::owner_all, fs::perm_options::add, error);  // whatever the umask
   }
+  return true;
+}
+
+/// The lock is on the folder itself and leaves no file. False when the folder is no longer the one at the path.
+bool OutputFolder::lock() {
+  if (lock_ >= 0) ::close(lock_);
+  lock_ = ::open(target_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ < 0 && errno == ENOENT) return false;
+  if (lock_ < 0) return true;  // a folder that may be written and not read
+  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
+    // Some network file systems cannot lock a folder: then two runs at once are the user's affair.
+    if (errno == EWOULDBLOCK) throw SystemError(target_.string() + ": another run is writing here");
+    return true;
+  }
+  struct stat locked = {}, there = {};
+  if (::fstat(lock_, &locked) != 0) return true;
+  return ::stat(target_.c_str(), &there) == 0 && there.st_dev == locked.st_dev && there.st_ino == locked.st_ino;
 }
 
 void OutputFolder::make_staging() {
-  static std::atomic<int> counter{0};
-  sweep_dead_stagings();
-  const std::string name = ".assay-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + "@" + host_name();
-  const fs::path staging = target_ / name;
+  sweep_dead(target_);
+  const fs::path staging = target_ / hidden_name();
   std::error_code error;
   fs::remove_all(staging, error);  // of a dead process that had our number
   fs::create_directory(staging, error);
+  if (!error) staging_ = staging;
+  if (!error) fs::permissions(staging, fs::perms::owner_all, error);  // whatever the umask
   if (error) fail(target_, "folder cannot be written to", error);
-  staging_ = staging;
-}
-
-/// A killed process leaves its staging folder behind: ".assay-PID-N@HOST".
-void OutputFolder::sweep_dead_stagings() const {
-  const std::string tail = "@" + host_name();
-  std::error_code error;
-  std::vector<fs::path> dead;
-  for (fs::directory_iterator entry(target_, error), end; !error && entry != end; entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
-    if (!name.ends_with(tail) || !matches(".assay-#-#", name.substr(0, name.size() - tail.size()))) continue;
-    const auto process = parse_integer(name.substr(7, name.find('-', 7) - 7));
-    if (process && ::kill(static_cast<pid_t>(*process), 0) != 0 && errno == ESRCH) dead.push_back(entry->path());
-  }
-  for (const fs::path& path : dead) fs::remove_all(path, error);
 }
 
 bool OutputFolder::is_ours(const std::string& name) const {
   return std::any_of(names_.begin(), names_.end(), [&](std::string_view pattern) {
     return matches(pattern.starts_with('+') ? pattern.substr(1) : pattern, name);
   });
+}
+
+void OutputFolder::keep(const fs::path& input) const {
+  std::error_code error;
+  for (fs::directory_iterator entry(target_, error), end; !error && entry != end; entry.increment(error)) {
+    std::error_code code;
+    const std::string name = entry->path().filename().string();
+    if (is_ours(name) && fs::is_regular_file(entry->path(), code) && fs::equivalent(input, entry->path(), code)) {
+      throw InputError({input.string()}, "",
+                       "an input of this name would be replaced by the result; choose another name or folder");
+    }
+  }
 }
 
 void OutputFolder::write(const std::string& name, std::string_view bytes) {
@@ -188,15 +150,23 @@ void OutputFolder::write(const std::string& name, std::string_view bytes) {
   const fs::file_status there = fs::symlink_status(final_path, error);
   if (fs::is_directory(there)) fail(final_path, "cannot be replaced", EISDIR);
   if (std::find(staged_.begin(), staged_.end(), name) == staged_.end()) staged_.push_back(name);
+  fs::remove(staging_ / name, error);  // under a strict umask it could not be opened again
   try {
-    write_bytes(staging_ / name, bytes, O_CREAT | O_TRUNC);
+    write_bytes(staging_ / name, bytes, O_CREAT | O_EXCL);
   } catch (const SystemError& failure) {
-    // The user knows the final name, not the hidden one.
-    std::string what = failure.what();
-    const std::string hidden = (staging_ / name).string();
-    if (what.starts_with(hidden)) what.replace(0, hidden.size(), final_path.string());
-    throw SystemError(what);
+    rethrow_with(failure, staging_ / name, final_path);
   }
+}
+
+/// Whether a file of the name may be taken for part of an earlier result.
+bool OutputFolder::is_stale(const std::string& name) const {
+  if (!is_ours(name)) return false;
+  if (std::find(names_.begin(), names_.end(), "+" + name) == names_.end()) return true;
+  std::error_code error;
+  if (!fs::is_regular_file(target_ / name, error)) return false;
+  std::ifstream file(target_ / name, std::ios::binary);
+  std::string begin(std::string_view(our_table).size(), '\0');
+  return file.read(begin.data(), static_cast<std::streamsize>(begin.size())) && begin == our_table;
 }
 
 /// The files that make way for the new result, the mark of completeness first.
@@ -208,8 +178,7 @@ std::vector<std::string> OutputFolder::replaced() const {
     const std::string name = entry->path().filename().string();
     if (entry->symlink_status(error).type() == fs::file_type::directory) continue;
     const bool written = std::find(staged_.begin(), staged_.end(), name) != staged_.end();
-    const bool stale = complete && is_ours(name) && std::find(names_.begin(), names_.end(), "+" + name) == names_.end();
-    if (written || stale) names.push_back(name);
+    if (written || (complete && is_stale(name))) names.push_back(name);
   }
   if (error) fail(target_, "folder cannot be read", error);
   std::sort(names.begin(), names.end());
@@ -219,8 +188,10 @@ std::vector<std::string> OutputFolder::replaced() const {
 
 void OutputFolder::commit() {
   const fs::path old = staging_ / "old";
+  stop_if_interrupted();
   std::error_code error;
   fs::create_directory(old, error);
+  if (!error) fs::permissions(old, fs::perms::owner_all, error);
   if (error) fail(target_, "folder cannot be written to", error);
   std::stable_partition(staged_.begin(), staged_.end(), [](const std::string& name) { return name != last_file; });
 
@@ -235,26 +206,6 @@ void OutputFolder::commit() {
   fs::remove_all(staging_, error);
   staging_.clear();
   made_.clear();
-}
-
-void write_file(const fs::path& path, std::string_view bytes) {
-  std::error_code error;
-  const fs::file_status there = fs::status(path, error);
-  if (fs::exists(there) && !fs::is_regular_file(there)) return write_bytes(path, bytes, 0);
-  // Through a link the file is replaced, not the link.
-  const fs::path real = fs::exists(there) ? fs::canonical(path, error) : path;
-  const fs::path temporary =
-      real.parent_path() / ("." + real.filename().string() + "." + std::to_string(::getpid()) + ".tmp");
-  try {
-    write_bytes(temporary, bytes, O_CREAT | O_TRUNC);
-    fs::rename(temporary, real, error);
-    if (error) fail(path, "cannot be put in place", error);
-  } catch (const SystemError& failure) {
-    fs::remove(temporary, error);
-    std::string what = failure.what();
-    if (what.starts_with(temporary.string())) what.replace(0, temporary.string().size(), path.string());
-    throw SystemError(what);
-  }
 }
 
 }  // namespace assay::drivers

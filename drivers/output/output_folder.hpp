@@ -9,12 +9,12 @@
 
 namespace assay::drivers {
 
-/// Names that a result may hold, of whichever verb: '#' stands for one or more digits; a '+' in front marks names that
-/// users also give to files of their own, which are therefore written but never removed.
+/// Names that a result may hold, of whichever verb: '#' stands for one or more digits; a '+' in front marks a table
+/// whose name users also give to files of their own, and which is therefore removed only where it begins as ours does.
 std::vector<std::string> result_files();
 
-/// One run's result folder. Every failure (unwritable folder, full disk, a file in the way) throws SystemError with
-/// the path and the reason.
+/// One run's result folder, locked against a second writer as long as this lives. Every failure (unwritable folder,
+/// full disk, a file in the way, another run that writes here) throws SystemError with the path and the reason.
 class OutputFolder {
  public:
   /// Creates `target` and its parents where they are missing, and the staging folder inside it. `names` are the
@@ -27,6 +27,9 @@ class OutputFolder {
   /// folder is as it was.
   ~OutputFolder();
 
+  /// Refuses (InputError) an input file that lies in the folder under a name of the result, which would replace it.
+  void keep(const std::filesystem::path& input) const;
+
   /// Stages one file: all bytes on the disk, or SystemError. The name must match one of the patterns.
   void write(const std::string& name, std::string_view bytes);
 
@@ -37,19 +40,18 @@ class OutputFolder {
   const std::filesystem::path& target() const { return target_; }
 
  private:
-  void make_folders();
+  bool make_folders();
+  bool lock();
   void make_staging();
-  void sweep_dead_stagings() const;
   bool is_ours(const std::string& name) const;
+  bool is_stale(const std::string& name) const;
   std::vector<std::string> replaced() const;
+  void give_back();
 
   std::filesystem::path target_, staging_;
   std::vector<std::string> names_, staged_;
   std::vector<std::filesystem::path> made_;  ///< folders that the constructor made, outermost first
+  int lock_ = -1;                            ///< descriptor of the folder itself
 };
-
-/// Writes one file so that it appears whole or not at all (temporary name beside it, then rename). What is there and is
-/// no regular file (/dev/stdout, a pipe) is written into. Throws SystemError.
-void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace assay::drivers

@@ -6,6 +6,14 @@
 
 namespace assay::drivers {
 
+namespace {
+
+void require_time(double t, const CsvTable& table, std::size_t row) {
+  if (t < 0) throw InputError(Location{table.file, table.lines[row], 1}, "t", "negative: histories begin at t = 0");
+}
+
+}  // namespace
+
 ReferencePoints read_reference_points(const std::string& file) {
   const CsvTable table = read_csv(read_input_file(file), file, {"X", "Y", "t"}, {"Z", "NX", "NY"});
   const auto *X = table.column("X"), *Y = table.column("Y"), *Z = table.column("Z"), *t = table.column("t");
@@ -21,6 +29,7 @@ ReferencePoints read_reference_points(const std::string& file) {
     if (NX && point.NX == 0 && point.NY == 0) {
       throw InputError(Location{file, table.lines[i], 1}, {}, "the normal NX,NY has no length");
     }
+    require_time(point.t, table, i);
     out.points.push_back(point);
   }
   return out;
@@ -30,7 +39,10 @@ std::vector<SheetPoint> read_sheet_points(const std::string& file) {
   const CsvTable table = read_csv(read_input_file(file), file, {"xi", "t"});
   const auto *xi = table.column("xi"), *t = table.column("t");
   std::vector<SheetPoint> out;
-  for (std::size_t i = 0; i < table.rows(); ++i) out.push_back({(*xi)[i], (*t)[i]});
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    require_time((*t)[i], table, i);
+    out.push_back({(*xi)[i], (*t)[i], table.lines[i]});
+  }
   return out;
 }
 

@@ -19,16 +19,18 @@ struct ReferencePoints {
   bool has_z = false, has_normals = false;
 };
 
-/// Columns X,Y,t and perhaps Z, NX and NY (both or neither; not both zero). Throws InputError as read_csv does.
+/// Columns X,Y,t and perhaps Z, NX and NY (both or neither; not both zero). Throws InputError as read_csv does, and for
+/// t < 0.
 ReferencePoints read_reference_points(const std::string& file);
 
 /// A point of the response sheet.
 struct SheetPoint {
   double xi = 0;  ///< [1]
   double t = 0;   ///< [s]
+  int line = 0;   ///< in the file, from 1
 };
 
-/// Columns xi,t. Throws InputError as read_csv does.
+/// Columns xi,t. Throws InputError as read_csv does, and for t < 0.
 std::vector<SheetPoint> read_sheet_points(const std::string& file);
 
 }  // namespace assay::drivers

@@ -79,6 +79,7 @@ Json provenance(const Provenance& from) {
   out["compiler"] = from.compiler;
   out["flags"] = from.flags;
   out["libraries"] = from.libraries;
+  out["material"] = from.material;
   out["scene_sha256"] = from.scene_sha256;
   return out;
 }

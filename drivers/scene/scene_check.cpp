@@ -95,6 +95,9 @@ void check_grid(const Scene& scene, const Where& where) {
 }  // namespace
 
 void check_scene(const Scene& scene, const std::function<Location(const std::string&)>& where) {
+  if (one_line(scene.title, scene.title.size()) != scene.title) {
+    refuse(where, "title", "holds characters that cannot be printed");
+  }
   if (const auto* vortex = std::get_if<Vortex>(&scene.motion)) {
     check_vortex(*vortex, where);
   } else {

@@ -91,7 +91,7 @@ std::vector<Key> motion_keys() {
        of_vortex},
       {"motion.amplitude.peak", number, "A [rad]", GET(vortex(s).amplitude.peak),
        SET(vortex(s).amplitude.peak = real(v)), {}, {}, false, {}, of_vortex},
-      {"motion.allow_unstable", boolean, "run even where the motion is not a stable solution for the material",
+      {"motion.allow_unstable", boolean, "kept for the stability screen of motions; this version does not screen",
        GET(s.allow_unstable), SET(s.allow_unstable = std::get<bool>(v))},
   };
 }

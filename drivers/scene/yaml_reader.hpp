@@ -35,7 +35,7 @@ struct Tree::Entry {
 
 /// Nesting, number of values (aliases count with all that they stand for) and bytes that are taken.
 struct YamlLimits {
-  std::size_t depth = 64, values = 100000, bytes = std::size_t{64} << 20;
+  std::size_t depth = 64, values = 100000, bytes = std::size_t{1} << 20;
 };
 
 /// The one document in `text`; `name` stands for the file in messages. Throws InputError: syntax, a second document,

@@ -17,6 +17,7 @@ constexpr int grid_margin = 4;  ///< cells around the body: room to go wrong in 
 constexpr int speed_samples = 400;
 constexpr double wave_periods = 4;     ///< in which the fastest wave is looked for
 constexpr double most_periods = 1000;  ///< of a sheet in time
+constexpr double most_steps = 1e15;    ///< beyond, step times would not be told apart
 constexpr double whole_steps = 1e-9;   ///< a number of steps this close to a whole one [relative] is that one
 
 std::array<double, 2> corner(const Scene& scene, bool upper) {
@@ -62,23 +63,29 @@ double fastest_particle(const Vortex& vortex, double end) {
 }
 
 /// Equal steps that also meet T/2 where the end is a multiple of it: the error is asked for there.
-void plan_steps(Problem& problem) {
-  const TimeChoice& time = problem.scene.time;
-  if (time.step) {
-    problem.dt = *time.step;
-    problem.steps = static_cast<std::int64_t>(std::ceil(time.end / problem.dt * (1 - whole_steps)));
-    return;
-  }
+double steps_by_courant(const Problem& problem) {
+  const double end = problem.scene.time.end;
   const double speed = problem.wave_speed + problem.particle_speed;
   const double longest = problem.scene.method->courant * problem.scene.grid->spacing / speed;
-  const double halves = time.end / (0.5 * problem.vortex().amplitude.period);
+  const double halves = end / (0.5 * problem.vortex().amplitude.period);
   const bool whole = std::abs(halves - std::round(halves)) < whole_steps * halves;
   const double pieces = whole ? std::round(halves) : 1;
-  const double steps = pieces * std::max(1.0, std::ceil(time.end / pieces / longest));
-  if (!(steps < 1e15))
-    throw InputError(problem.scene.place("method.courant"), "method.courant", "gives no usable time step");
+  return pieces * std::max(1.0, std::ceil(end / pieces / longest));
+}
+
+void plan_steps(Problem& problem) {
+  const Scene& scene = problem.scene;
+  const std::string key = scene.time.step ? "time.step" : "method.courant";
+  const double steps =
+      scene.time.step ? std::ceil(scene.time.end / *scene.time.step * (1 - whole_steps)) : steps_by_courant(problem);
+  if (!(steps >= 1 && steps < most_steps)) {
+    throw InputError(scene.place(key), key,
+                     "gives " + rounded_text(steps, 3) + " steps to time.end = " + rounded_text(scene.time.end, 6) +
+                         " s (fastest wave on the path " + rounded_text(problem.wave_speed, 3) +
+                         " m/s, fastest particle " + rounded_text(problem.particle_speed, 3) + " m/s)");
+  }
   problem.steps = static_cast<std::int64_t>(steps);
-  problem.dt = time.end / steps;
+  problem.dt = scene.time.step ? *scene.time.step : scene.time.end / steps;
 }
 
 void check_limits(const Problem& problem) {
@@ -97,25 +104,37 @@ void check_limits(const Problem& problem) {
   }
 }
 
-/// Before a lattice is made: whether its size alone is out of all bounds.
-void check_lattice_size(const Scene& scene) {
-  double particles = 1;
+/// Before a lattice and a grid are made: whether their sizes alone are out of all bounds.
+void check_sizes(const Scene& scene) {
+  constexpr double most = 2e9;  // particles and nodes are counted in 32 bits
+  const GridChoice& grid = *scene.grid;
+  double particles = 1, nodes = 1;
   for (std::size_t d = 0; d < 2; ++d) {
-    particles *= (corner(scene, true)[d] - corner(scene, false)[d]) / scene.grid->spacing * scene.body.per_cell[d];
+    const double lower = corner(scene, false)[d], upper = corner(scene, true)[d];
+    particles *= (upper - lower) / grid.spacing * scene.body.per_cell[d];
+    const double width = grid.lower ? (*grid.upper)[d] - (*grid.lower)[d] : upper - lower;
+    nodes *= width / grid.spacing + 2 * grid_margin + 2;
   }
-  constexpr double bytes_per_lattice_point = 16;
-  const double gib = particles * bytes_per_lattice_point / (1024.0 * 1024 * 1024);
-  if (!(gib <= scene.limits.memory_gib) || !(particles < 2e9)) {
-    throw InputError(scene.place("grid.spacing"), "grid.spacing",
-                     "makes about " + rounded_text(particles, 3) + " particles: more than limits.memory_gib = " +
-                         rounded_text(scene.limits.memory_gib, 6) + " can hold");
-  }
+  const auto check = [&](double count, double bytes_each, const std::string& key, const std::string& what) {
+    const double gib = count * bytes_each / (1024.0 * 1024 * 1024);
+    if (gib <= scene.limits.memory_gib && count < most) return;
+    throw InputError(scene.place(key), key,
+                     "makes about " + rounded_text(count, 3) + " " + what +
+                         ": more than limits.memory_gib = " + rounded_text(scene.limits.memory_gib, 6) + " can hold");
+  };
+  check(particles, 2 * sizeof(double), "grid.spacing", "particles");
+  check(nodes, 9 * sizeof(double), grid.lower ? "grid.upper" : "grid.spacing", "grid nodes");
 }
 
 void require_runnable(const Scene& scene) {
   if (!std::holds_alternative<Vortex>(scene.motion)) {
     throw InputError(scene.place("motion.type"), "motion.type",
-                     "`run` simulates the vortex; this motion serves tabulate and eval", "vortex");
+                     "a run simulates the vortex; this motion serves tabulate and eval", "vortex");
+  }
+  const Amplitude& g = std::get<Vortex>(scene.motion).amplitude;
+  if (g.type == Amplitude::Type::ramp && scene.time.end > g.period) {
+    throw InputError(scene.place("time.end"), "time.end",
+                     "a ramp stops dead at its period: the velocity jumps there, which no body force can do");
   }
   if (!scene.method)
     throw InputError(scene.place("method"), "method",
@@ -125,12 +144,27 @@ void require_runnable(const Scene& scene) {
 
 }  // namespace
 
+std::string Problem::subject() const {
+  const char* bases[] = {"linear", "ugimp", "cpdi"};
+  const char* transfers[] = {"pic", "flip"};
+  const char* updates[] = {"usf", "usl", "musl"};
+  return material->name() + "; " + bases[static_cast<int>(setup.basis)] + ", " +
+         transfers[static_cast<int>(setup.transfer)] + ", " + updates[static_cast<int>(setup.update)] +
+         "; h = " + rounded_text(scene.grid->spacing, 4) + " m; " + std::to_string(scene.body.per_cell[0]) + "x" +
+         std::to_string(scene.body.per_cell[1]) + " a cell; amplitude " + rounded_text(vortex().amplitude.peak, 4);
+}
+
 double Problem::estimated_bytes() const {
   double bytes = static_cast<double>(setup.grid.nodes()) * static_cast<double>(mpm::grid_bytes_per_node(setup));
   for (const auto& use : mpm::columns_of(mpm::compose(setup), setup)) {
     bytes += static_cast<double>(use.bytes) * static_cast<double>(setup.seeds.size());
   }
-  return bytes + 16.0 * static_cast<double>(setup.seeds.held.size());
+  const auto stepped = static_cast<double>(setup.seeds.size()), held = static_cast<double>(setup.seeds.held.size());
+  constexpr double seed = 2 * sizeof(double), ring_point = 2 * sizeof(double) + sizeof(std::uint32_t);
+  bytes += seed * (stepped + held);
+  if (setup.body_force) bytes += stepped * (2 * ring_point + 2 * sizeof(double));  // force field and error sampler
+  if (setup.body_force && scene.output.pictures) bytes += stepped * 2 * 9 * sizeof(double);  // two frames
+  return bytes;
 }
 
 std::shared_ptr<const Material> material_of(Scene& scene, std::string& library) {
@@ -142,7 +176,7 @@ std::shared_ptr<const Material> material_of(Scene& scene, std::string& library) 
 
 Problem assemble(const Scene& scene, int threads) {
   require_runnable(scene);
-  check_lattice_size(scene);
+  check_sizes(scene);
   Problem problem;
   problem.scene = scene;
   problem.material = material_of(problem.scene, problem.library);

@@ -23,8 +23,10 @@ struct Problem {
 
   const Vortex& vortex() const { return std::get<Vortex>(scene.motion); }
   std::int64_t particles() const { return static_cast<std::int64_t>(setup.seeds.size() + setup.seeds.held.size()); }
+  /// "neo_hookean; cpdi, flip, usl; h = 0.05 m; 2x2 particles a cell; amplitude 1".
+  std::string subject() const;
   double time_of_step(std::int64_t k) const { return k >= steps ? scene.time.end : static_cast<double>(k) * dt; }
-  /// Bytes of columns, weights and grid.
+  /// Bytes of columns, weights, grid, error sampling and pictures' frames.
   double estimated_bytes() const;
 };
 

@@ -27,8 +27,7 @@ TEST(Probe, SaysWhyAModelIsRefused) {
   EXPECT_EQ(probed("refuses"), "material 'refuses' could not be created: no licence\nfor this model");
   EXPECT_EQ(probed("exits"), "ends the process on an undeformed point");
   EXPECT_TRUE(probed("crashes").value_or("").starts_with("crashes on an undeformed point: "));
-  EXPECT_TRUE(
-      probed("anisotropic", {{"modulus", -1}}).value_or("").starts_with("parameter 'modulus': must lie from"));
+  EXPECT_TRUE(probed("anisotropic", {{"modulus", -1}}).value_or("").starts_with("parameter 'modulus': must lie from"));
   EXPECT_TRUE(probed("anisotropic", {{"module", 1}}).value_or("").ends_with("known: modulus, angle"));
 }
 

@@ -144,5 +144,19 @@ TEST(Eval, RefusesTimesBeforeTheStart) {
   EXPECT_THROW(eval(options), InputError);
 }
 
+TEST(Eval, NeverReplacesItsInputs) {
+  const ScratchFolder scratch;
+  EvalOptions options;
+  options.scene = scratch.write("scene.yaml", bytes_of(configs + "vortex_cpdi.yaml"));
+  options.points = scratch.write("points.csv", "X,Y,t\n1,0,0.5\n");
+  std::filesystem::create_symlink(options.points, scratch / "link.csv");
+  for (const std::string& out : {options.scene, options.points, scratch / "link.csv"}) {
+    options.out = out;
+    const std::string before = bytes_of(out);
+    EXPECT_THROW(eval(options), InputError) << out;
+    EXPECT_EQ(bytes_of(out), before);
+  }
+}
+
 }  // namespace
 }  // namespace assay::drivers

@@ -27,6 +27,15 @@ TEST(InputError, CutsBetweenCharacters) {
   EXPECT_EQ(one_line("abc\xC3\xA9", 4), "abc...");
   EXPECT_EQ(one_line("ab\xE2\x82\xAC!", 4), "ab...");
   EXPECT_EQ(one_line("abcd", 4), "abcd");
+  EXPECT_EQ(one_line("a\xC2\x9B"
+                     "b\xE2\x80\xAE"
+                     "c\xE2\x80\xA8"
+                     "d\x1B[e"),
+            "a b c d [e");  // C1, bidi, line separator, ESC
+  EXPECT_EQ(one_line("\xFF"
+                     "a\xC3"),
+            "?a?");
+  EXPECT_EQ(one_line("\xC3\xA9\xE2\x82\xAC\xF0\x9F\x98\x80"), "\xC3\xA9\xE2\x82\xAC\xF0\x9F\x98\x80");
 }
 
 TEST(InputError, SuggestsTheNearestWord) {

@@ -2,9 +2,13 @@
 #include "drivers/interrupt.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
+
+#include "tests/drivers/process.hpp"
 
 namespace assay::drivers {
 namespace {
@@ -36,6 +40,51 @@ TEST(InterruptDeathTest, second_signal_ends_the_process) {
         std::_Exit(1);
       },
       testing::ExitedWithCode(128 + SIGTERM), "");
+}
+
+TEST(InterruptDeathTest, a_hang_up_is_one_too) {
+  EXPECT_EXIT(
+      {
+        watch_interrupts();
+        std::raise(SIGHUP);
+        std::_Exit(128 + interrupt_signal());
+      },
+      testing::ExitedWithCode(129), "");
+}
+
+/// Whether the process runs the program and sleeps.
+bool sleeps(pid_t process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  const std::string line{std::istreambuf_iterator<char>(file), {}};
+  return line.find("(assay) S ") != line.npos;
+}
+
+// A pipe without a writer: as the scene, as the points, as the description of the material.
+TEST(Interrupt, ends_a_read_that_waits_for_ever) {
+  const ScratchFolder scratch;
+  const std::string pipe = scratch / "pipe.yaml", scene = ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const std::vector<std::vector<std::string>> calls{
+      {"run", pipe, "-o", scratch / "out"},
+      {"tabulate", pipe, "-o", scratch / "out"},
+      {"eval", scene, "--points", pipe},
+      {"tabulate", scene, "--points", pipe, "-o", scratch / "out"},
+      {"run", scene, "-o", scratch / "out", "--set", "material.adapter=" + pipe}};
+  for (const auto& words : calls) {
+    const pid_t child = start_assay(words, scratch / "said");
+    ASSERT_GT(child, 0);
+    constexpr int patience = 60000;  // [ms], for a machine that is busy
+    int waited = 0, status = 0;
+    for (; !sleeps(child) && waited < patience; ++waited) ::usleep(1000);
+    ::kill(child, SIGINT);
+    for (; ::waitpid(child, &status, WNOHANG) == 0; ++waited) {
+      if (waited >= patience) ::kill(child, SIGKILL);
+      ::usleep(1000);
+    }
+    EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), 128 + SIGINT) << words[0];
+    EXPECT_EQ(bytes_of(scratch / "said"), "") << words[0];
+    EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
+  }
 }
 
 TEST(InterruptDeathTest, ignored_signals_stay_ignored) {

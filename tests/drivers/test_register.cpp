@@ -104,6 +104,46 @@ TEST_F(Register, RemovesWhatWasRegistered) {
   EXPECT_TRUE(fs::exists(folder / "data/secret.yaml"));
 }
 
+TEST_F(Register, RemovesNoFolder) {
+  fs::create_directories(folder / "data/materials/dir.yaml");
+  EXPECT_TRUE(refusal_of([] {
+                register_material({{}, {}, "dir", Verbosity::quiet});
+              }).ends_with("dir.yaml' is a folder and no registered name"));
+  EXPECT_TRUE(fs::exists(folder / "data/materials/dir.yaml"));
+  for (const RegisteredName& each : registered_names()) EXPECT_NE(each.name, "dir");
+}
+
+TEST_F(Register, RefusesPathsThatTheRegistryCannotKeep) {
+  for (const char* name : {"a\nb.so", "a\x7f.so", "a\xff.so", "\xc3.so"}) {
+    fs::copy_file(plugins + "frozen_1_0.so", folder / name);
+    const std::string line = refused((folder / name).string(), "x");
+    EXPECT_TRUE(line.starts_with("FILE: its path ")) << line;
+  }
+  fs::copy_file(plugins + "frozen_1_0.so", folder / "\xc3\xa4 b.so");
+  EXPECT_EQ(add((folder / "\xc3\xa4 b.so").string()), 0);
+  EXPECT_EQ(find_material("frozen", {}, "").library, (folder / "\xc3\xa4 b.so").string());
+}
+
+TEST_F(Register, ARelativeDataHomeIsRefused) {
+  setenv("ASSAY_DATA_HOME", "data", 1);
+  EXPECT_EQ(refused(plugins + "frozen_1_0.so"), "ASSAY_DATA_HOME: must be an absolute path, found 'data'");
+}
+
+TEST_F(Register, SaysThatTheWorkingDirectoryIsGone) {
+  const fs::path before = fs::current_path();
+  fs::create_directory(folder / "gone");
+  fs::current_path(folder / "gone");
+  fs::remove(folder / "gone");
+  std::string line;
+  try {
+    add("frozen_1_0.so");
+  } catch (const SystemError& error) {
+    line = error.what();
+  }
+  fs::current_path(before);
+  EXPECT_TRUE(line.starts_with("the working directory cannot be found: ")) << line;
+}
+
 TEST_F(Register, AnUnusableRegistryIsTheSystemsFault) {
   write("data", "a file where the folder should be");
   EXPECT_THROW(add(plugins + "frozen_1_0.so"), SystemError);

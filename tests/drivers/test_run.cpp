@@ -146,10 +146,12 @@ TEST(Run, SquareIsLargerInParticlesButNotInWork) {
 TEST(Run, BadInputLeavesNothing) {
   const ScratchFolder scratch;
   const std::string out = scratch / "out";
-  for (const char* set :
-       {"grid.spacing=-1", "material.adapter=nothing", "material.parameters.E=.nan",
-        "grid={spacing: 0.05, lower: [-1, -1], upper: [1, 1]}", "limits.memory_gib=1e-6", "limits.particle_steps=10",
-        "motion={type: homogeneous, final: [[2,0,0],[0,1,0],[0,0,1]]}", "method.courant=0"}) {
+  for (const char* set : {"grid.spacing=-1", "material.adapter=nothing", "material.parameters.E=.nan",
+                          "grid={spacing: 0.05, lower: [-1, -1], upper: [1, 1]}", "limits.memory_gib=1e-6",
+                          "limits.particle_steps=10", "motion={type: homogeneous, final: [[2,0,0],[0,1,0],[0,0,1]]}",
+                          "method.courant=0", "time.step=1e-300", "method.courant=1e-300", "title=\"\\x1b[31mred\"",
+                          "grid={spacing: 0.1, lower: [-1e9, -1e9], upper: [1e9, 1e9]}",
+                          "grid={spacing: 0.1, lower: [-1e300, -2], upper: [1e300, 2]}"}) {
     EXPECT_THROW(run(quick(out, {set})), InputError) << set;
     EXPECT_FALSE(std::filesystem::exists(out)) << set;
   }

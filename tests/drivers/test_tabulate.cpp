@@ -107,6 +107,20 @@ TEST(Tabulate, AnExpectationThatFailsContradicts) {
             1);
 }
 
+TEST(Tabulate, RefusesPointsThatNoDeformationReaches) {
+  const ScratchFolder scratch;
+  TabulateOptions options = options_for("tabulate_neo_hookean.yaml", scratch / "out");
+  for (const char* xi : {"-3", "-1"}) {
+    options.points = scratch.write("points.csv", std::string("xi,t\n0.5,1\n") + xi + ",1\n");
+    try {
+      tabulate(options);
+      FAIL() << xi;
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()), options.points + ":3:1: xi: det F <= 0 on the way to " + xi);
+    }
+  }
+}
+
 TEST(Tabulate, RefusesTimesBeforeTheStart) {
   const ScratchFolder scratch;
   TabulateOptions options = options_for("vortex_cpdi.yaml", scratch / "out");

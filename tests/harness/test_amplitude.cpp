@@ -48,6 +48,15 @@ TEST(Amplitude, HasTheValuesOfItsFormula) {
   EXPECT_DOUBLE_EQ((Amplitude{Amplitude::Type::ramp, A, T}.at(0.5).value), A / 4);
 }
 
+TEST(Amplitude, LosesNothingAtLateTimes) {
+  for (const auto type : {Amplitude::Type::sine, Amplitude::Type::one_minus_cosine}) {
+    const Amplitude g{type, 1, 2};
+    const double late = 4 * 0x1p40 + 0.75;  // whole periods later, exact in binary
+    EXPECT_EQ(g.at(late).value, g.at(0.75).value);
+    EXPECT_EQ(g.at(late).rate, g.at(0.75).rate);
+  }
+}
+
 TEST(Amplitude, RampHolds) {
   const Amplitude g{Amplitude::Type::ramp, 2.0, 1.0};
   EXPECT_EQ(g.at(3).value, 2.0);

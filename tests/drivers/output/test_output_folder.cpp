@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +14,7 @@
 #include <sstream>
 
 #include "drivers/input_error.hpp"
+#include "drivers/output/whole_file.hpp"
 
 namespace assay::drivers {
 namespace {
@@ -187,27 +189,86 @@ TEST_F(OutputFolderTest, next_run_sweeps_up_after_a_killed_one) {
   const std::set<std::string> left = names(target_);
   ASSERT_EQ(left.size(), 1u);
   EXPECT_TRUE(left.begin()->starts_with(".assay-")) << *left.begin();
-  OutputFolder other(target_);  // alive: must stay
+  const std::string alive = hidden_name();
+  fs::create_directory(target_ / alive);
   publish({"result.json"}, "new");
-  EXPECT_EQ(names(target_).size(), 2u);
-  EXPECT_FALSE(names(target_).contains(*left.begin()));
+  EXPECT_EQ(names(target_), (std::set<std::string>{"result.json", alive}));
 }
 
-TEST_F(OutputFolderTest, write_file_replaces_whole_files_and_reports_devices) {
-  const fs::path path = root_ / "out.csv";
-  put(path, "old");
-  write_file(path, "new");
-  EXPECT_EQ(read(path), "new");
-  EXPECT_EQ(names(root_), std::set<std::string>{"out.csv"});
-  fs::create_symlink(path, root_ / "link");
-  write_file(root_ / "link", "through");
-  EXPECT_TRUE(fs::is_symlink(root_ / "link"));
-  EXPECT_EQ(read(path), "through");
-  const std::string full = system_error([] { write_file("/dev/full", "x"); });
-  EXPECT_TRUE(full.starts_with("/dev/full: cannot be written: ")) << full;
-  const std::string missing = system_error([&] { write_file(root_ / "none" / "x", "x"); });
-  EXPECT_TRUE(missing.starts_with((root_ / "none" / "x").string() + ": ")) << missing;
-  EXPECT_NE(system_error([&] { write_file(root_, "x"); }), "no SystemError");
+TEST_F(OutputFolderTest, a_second_writer_is_refused) {
+  OutputFolder first(target_);
+  EXPECT_EQ(system_error([&] { OutputFolder second(target_); }), target_.string() + ": another run is writing here");
+  first.write("result.json", "first");
+  first.commit();
+  EXPECT_EQ(names(target_), std::set<std::string>{"result.json"}) << "the lock leaves no file";
+}
+
+TEST_F(OutputFolderTest, the_lock_ends_with_the_folder) {
+  { OutputFolder first(target_); }
+  publish({"result.json"}, "x");
+  publish({"result.json"}, "y");
+  EXPECT_EQ(read(target_ / "result.json"), "y");
+}
+
+TEST_F(OutputFolderTest, two_processes_never_mix_their_results) {
+  for (int round = 0; round < 30; ++round) {
+    std::vector<pid_t> writers;
+    for (const char* text : {"a", "b"}) {
+      writers.push_back(::fork());
+      ASSERT_GE(writers.back(), 0);
+      if (writers.back() != 0) continue;
+      int status = 0;
+      try {
+        publish({"result.json", "errors.csv", "sheet.csv", "curve.csv"}, text);
+      } catch (const SystemError& error) {
+        status = error.what() == target_.string() + ": another run is writing here" ? 1 : 2;
+      }
+      ::_exit(status);
+    }
+    int done = 0;
+    for (const pid_t writer : writers) {
+      int status = 0;
+      ASSERT_EQ(::waitpid(writer, &status, 0), writer);
+      ASSERT_LE(WEXITSTATUS(status), 1);
+      done += WEXITSTATUS(status) == 0;
+    }
+    EXPECT_GE(done, 1);
+    for (const char* name : {"errors.csv", "sheet.csv", "curve.csv"}) {
+      EXPECT_EQ(read(target_ / name), read(target_ / "result.json"));
+    }
+  }
+}
+
+TEST_F(OutputFolderTest, a_stale_table_of_points_goes_with_the_rest) {
+  publish({"result.json", "points.csv"}, "xi,t,gamma,tau11\n0,0,0,0\n");
+  publish({"result.json"}, "new");
+  EXPECT_EQ(names(target_), std::set<std::string>{"result.json"});
+}
+
+TEST_F(OutputFolderTest, an_input_that_the_result_would_replace_is_refused) {
+  publish({"result.json"}, "x");
+  put(target_ / "points.csv", "xi,t\n0,0\n");
+  put(target_ / "mine.csv", "xi,t\n0,0\n");
+  OutputFolder folder(target_);
+  folder.keep(target_ / "mine.csv");
+  EXPECT_THROW(folder.keep(target_ / "points.csv"), InputError);
+  fs::create_symlink(target_ / "points.csv", root_ / "link");
+  EXPECT_THROW(folder.keep(root_ / "link"), InputError);
+}
+
+TEST_F(OutputFolderTest, serves_under_any_umask) {
+  const mode_t before = ::umask(0777);
+  const auto mode = [](const fs::path& path) { return fs::status(path).permissions(); };
+  {
+    OutputFolder folder(target_);
+    EXPECT_EQ(mode(target_.parent_path()), fs::perms::owner_all);
+    EXPECT_EQ(mode(target_ / *names(target_).begin()), fs::perms::owner_all);
+    folder.write("result.json", "{");
+    folder.write("result.json", "{}");
+    folder.commit();
+  }
+  ::umask(before);
+  EXPECT_EQ(mode(target_ / "result.json"), fs::perms::none) << "files are as the umask says";
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ TEST(ResultJson, has_every_key_before_anything_was_reached) {
   EXPECT_EQ(keys_of(json["sheet"]), (std::set<std::string>{"points", "error_tau", "error_dtau", "wall_s"}));
   EXPECT_EQ(keys_of(json["drift"]), (std::set<std::string>{"mass", "momentum", "angular_momentum", "energy"}));
   EXPECT_EQ(keys_of(json["provenance"]),
-            (std::set<std::string>{"version", "git", "compiler", "flags", "libraries", "scene_sha256"}));
+            (std::set<std::string>{"version", "git", "compiler", "flags", "libraries", "material", "scene_sha256"}));
   EXPECT_TRUE(json["sheet"]["points"].is_null());
   EXPECT_TRUE(json["steps"].is_null());
 }

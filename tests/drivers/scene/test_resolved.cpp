@@ -46,7 +46,7 @@ TEST(Resolved, EveryShippedSceneReadsBack) {
 
 TEST(Resolved, SettingsReadBack) {
   const std::vector<std::string> settings{"title='a: \"b\" # c'",
-                                          "title=\"line\\nbreak \\x01 \xc3\xa9\"",
+                                          "title=\"quote ' back \\\\ slash \xc3\xa9\"",
                                           "title='1e3'",
                                           "title=~x",
                                           "motion.amplitude.peak=-0",

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/exit_guard.hpp"
+
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr std::array crashes{SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL};
+
+/// The guarded process, 0 when there is none.
+std::atomic<pid_t> guarded{0};
+std::atomic<bool> said{false};
+static_assert(std::atomic<pid_t>::is_always_lock_free, "a signal handler may touch nothing else");
+
+std::array<bool, crashes.size()> installed{};
+alignas(16) char handler_stack[1 << 16];  // a stack that overflowed cannot serve
+bool own_stack = false;
+
+bool is_guarded() { return guarded != 0 && guarded == ::getpid(); }
+
+/// The first to come says it; other threads that crash meanwhile wait for the end.
+[[noreturn]] void say_and_leave(const char* line) {
+  if (said.exchange(true)) {
+    for (;;) ::pause();
+  }
+  [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, line, std::strlen(line));
+  leave_process(3);
+}
+
+[[noreturn]] void say_ended() {
+  say_and_leave("assay: the process was ended from inside, most likely by the material's library\n");
+}
+
+void on_exit() {
+  if (is_guarded()) say_ended();
+}
+
+void on_crash(int signal) {
+  if (!is_guarded()) {  // a child that inherited the handler: it dies of the signal
+    std::signal(signal, SIG_DFL);
+    ::raise(signal);
+    return;
+  }
+  char line[] = "assay: crashed (signal ##), most likely in the material's library\n";
+  char* digits = std::strchr(line, '#');
+  digits[0] = static_cast<char>('0' + signal / 10);
+  digits[1] = static_cast<char>('0' + signal % 10);
+  if (signal < 10) std::memmove(digits, digits + 1, std::strlen(digits));
+  say_and_leave(line);
+}
+
+void install_stack() {
+  stack_t present = {};
+  own_stack = ::sigaltstack(nullptr, &present) == 0 && (present.ss_flags & SS_DISABLE) != 0;
+  if (!own_stack) return;
+  stack_t stack = {};
+  stack.ss_sp = handler_stack;
+  stack.ss_size = sizeof handler_stack;
+  own_stack = ::sigaltstack(&stack, nullptr) == 0;
+}
+
+void remove_stack() {
+  stack_t none = {};
+  none.ss_flags = SS_DISABLE;
+  if (own_stack) ::sigaltstack(&none, nullptr);
+  own_stack = false;
+}
+
+}  // namespace
+
+ExitGuard::ExitGuard() {
+  static const int registered = std::atexit(on_exit);
+  static_cast<void>(registered);
+  install_stack();
+  struct sigaction action = {};
+  action.sa_handler = on_crash;
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = SA_ONSTACK;
+  for (std::size_t i = 0; i < crashes.size(); ++i) {
+    struct sigaction present = {};
+    // Sanitizers and debuggers keep theirs.
+    installed[i] = sigaction(crashes[i], nullptr, &present) == 0 && (present.sa_flags & SA_SIGINFO) == 0 &&
+                   present.sa_handler == SIG_DFL && sigaction(crashes[i], &action, nullptr) == 0;
+  }
+  said = false;
+  guarded = ::getpid();
+}
+
+ExitGuard::~ExitGuard() {
+  guarded = 0;
+  for (std::size_t i = 0; i < crashes.size(); ++i) {
+    if (installed[i]) std::signal(crashes[i], SIG_DFL);
+    installed[i] = false;
+  }
+  remove_stack();
+}
+
+void leave_process(int status) noexcept {
+  for (;;) ::syscall(SYS_exit_group, status);
+}
+
+void leave_process_guarded(int status) noexcept {
+  if (is_guarded()) say_ended();
+  leave_process(status);
+}
+
+}  // namespace assay::drivers

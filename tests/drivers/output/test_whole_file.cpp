@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/output/whole_file.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <set>
+
+#include "drivers/interrupt.hpp"
+#include "tests/drivers/scratch_folder.hpp"
+
+namespace assay::drivers {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::set<std::string> names(const fs::path& folder) {
+  std::set<std::string> out;
+  for (const auto& entry : fs::directory_iterator(folder)) out.insert(entry.path().filename().string());
+  return out;
+}
+
+template <typename Action>
+std::string system_error(const Action& action) {
+  try {
+    action();
+  } catch (const SystemError& error) {
+    return error.what();
+  }
+  return "no SystemError";
+}
+
+TEST(WriteFile, ReplacesWholeFilesAndReportsDevices) {
+  const ScratchFolder scratch;
+  const std::string path = scratch.write("out.csv", "old"), link = scratch / "link";
+  write_file(path, "new");
+  EXPECT_EQ(bytes_of(path), "new");
+  EXPECT_EQ(names(scratch / ""), std::set<std::string>{"out.csv"});
+  fs::create_symlink(path, link);
+  write_file(link, "through");
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(bytes_of(path), "through");
+  const std::string full = system_error([] { write_file("/dev/full", "x"); });
+  EXPECT_TRUE(full.starts_with("/dev/full: cannot be written: ")) << full;
+  const std::string missing = system_error([&] { write_file(scratch / "none/x", "x"); });
+  EXPECT_TRUE(missing.starts_with((scratch / "none/x") + ": ")) << missing;
+  EXPECT_NE(system_error([&] { write_file(scratch / "", "x"); }), "no SystemError");
+}
+
+TEST(WriteFile, SweepsWhatAKilledProcessLeft) {
+  const ScratchFolder scratch;
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    scratch.write(hidden_name(), "half");
+    ::_exit(0);
+  }
+  ASSERT_EQ(::waitpid(child, nullptr, 0), child);
+  ASSERT_EQ(names(scratch / "").size(), 1u);
+  const std::string alive = hidden_name();
+  scratch.write(alive, "of a process that lives");
+  write_file(scratch / "out.csv", "x");
+  EXPECT_EQ(names(scratch / ""), (std::set<std::string>{"out.csv", alive}));
+}
+
+TEST(WriteFileDeathTest, LeavesNothingWhenInterrupted) {
+  const ScratchFolder scratch;
+  EXPECT_EXIT(
+      {
+        watch_interrupts();
+        std::raise(SIGTERM);
+        try {
+          write_file(scratch / "out.csv", "x");
+        } catch (const Interrupted& stop) {
+          std::_Exit(128 + stop.signal);
+        }
+        std::_Exit(0);
+      },
+      testing::ExitedWithCode(143), "");
+  EXPECT_TRUE(names(scratch / "").empty());
+}
+
+}  // namespace
+}  // namespace assay::drivers
