@@ -105,9 +105,11 @@ int register_material(const RegisterOptions& options) {
   std::error_code code;
   fs::create_directories(folder(), code);
   if (code) throw SystemError("'" + folder() + "' cannot be made: " + code.message());
+  const bool replaces = fs::exists(fs::path(folder()) / (name + ".yaml"), code);
   write_file(fs::path(folder()) / (name + ".yaml"), description_yaml(description_of(options.file, source)));
   if (options.verbosity != Verbosity::quiet) {
-    std::cout << "registered " << name << ": " << source.table->name << " in " << source.library << "\n";
+    std::cout << "registered " << name << ": " << source.table->name << " in " << source.library
+              << (replaces ? "; replaces what had that name" : "") << "\n";
   }
   return 0;
 }

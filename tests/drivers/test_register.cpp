@@ -60,6 +60,14 @@ TEST_F(Register, RegisteringAgainReplaces) {
   add(plugins + "two_models.so:first", "x");
   add(plugins + "two_models.so:second", "x");
   EXPECT_STREQ(find_material("x", {}, "").table->name, "second");
+  std::vector<std::string> said;
+  for (const char* name : {"x", "y"}) {
+    testing::internal::CaptureStdout();
+    register_material({plugins + "two_models.so:first", name, {}, Verbosity::normal});
+    said.push_back(testing::internal::GetCapturedStdout());
+  }
+  EXPECT_TRUE(said[0].ends_with("; replaces what had that name\n")) << said[0];
+  EXPECT_TRUE(said[1].ends_with("two_models.so\n")) << said[1];
 }
 
 TEST_F(Register, RefusesWhatFailsTheProbeAndWritesNothing) {
