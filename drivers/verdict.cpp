@@ -5,7 +5,6 @@
 
 #include "drivers/findings.hpp"
 #include "drivers/output/number_format.hpp"
-#include "drivers/output/numbers.hpp"
 #include "drivers/output/wrapped_text.hpp"
 
 namespace assay::drivers {
@@ -52,12 +51,6 @@ std::string profile_lines(const Result& r) {
   return text;
 }
 
-/// A figure is shown with four digits; result.json has all of them.
-std::string shortened(const std::string& found) {
-  const auto number = parse_number(found);
-  return number ? rounded_text(*number, 4) : found;
-}
-
 std::string summary_of(const Result& result) {
   if (exit_status(result) != 0) return "NOT AS EXPECTED";
   return result.expect.empty() ? "NOTHING WAS EXPECTED" : "AS EXPECTED";
@@ -68,7 +61,8 @@ std::string summary_of(const Result& result) {
 std::string expectations_text(const Result& result) {
   std::string text;
   for (const ExpectationOutcome& e : result.expect) {
-    text += fmt::format("  {:5} {} {}: found {}\n", e.holds ? "holds" : "FAILS", e.key, e.expected, shortened(e.found));
+    text +=
+        fmt::format("  {:5} {} {}: found {}\n", e.holds ? "holds" : "FAILS", e.key, e.expected, shortened(e.found, 4));
   }
   return text;
 }

@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "drivers/output/numbers.hpp"
+
 namespace assay::drivers {
 
 std::string rounded_text(double value, int significant) {
@@ -15,6 +17,11 @@ std::string rounded_text(double value, int significant) {
   const auto done = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general,
                                   std::clamp(significant, 1, 17));
   return {buffer.data(), done.ptr};
+}
+
+std::string shortened(const std::string& text, int significant) {
+  const auto number = parse_number(text);
+  return number ? rounded_text(*number, significant) : text;
 }
 
 std::string grouped_text(std::int64_t value) {

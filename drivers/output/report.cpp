@@ -129,7 +129,7 @@ std::string expectations(const Result& result) {
   if (result.expect.empty()) return {};
   std::vector<std::vector<std::string>> rows;
   for (const ExpectationOutcome& item : result.expect) {
-    rows.push_back({escaped(item.key), escaped(item.expected), escaped(item.found),
+    rows.push_back({escaped(item.key), escaped(item.expected), escaped(shortened(item.found, 4)),
                     item.holds ? "<td class=\"holds\">holds</td>" : "<td class=\"fails\">does not hold</td>"});
   }
   return section("Expectations", table({"figure", "expected", "found", "verdict"}, rows));
@@ -251,6 +251,7 @@ std::string report_html(const Result& result, const ReportContent& content) {
       "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n" +
       element("title", title) + "\n<style>" + report_style + "</style>\n</head>\n<body>\n<main>\n" +
       element("h1", title) + "\n";
+  if (!result.subject.empty()) out += element("p", escaped(result.subject)) + "\n";
   out += verdict(result) + key_figures(result) + expectations(result) + pictures(content) + history(result, content);
   out += profile(result) + credibility(result) + provenance(result);
   if (!content.resolved_scene.empty()) {

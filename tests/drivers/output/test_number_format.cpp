@@ -18,6 +18,12 @@ TEST(NumberFormat, rounds_to_significant_digits) {
   EXPECT_EQ(rounded_text(-std::numeric_limits<double>::quiet_NaN(), 3), "nan");
 }
 
+TEST(NumberFormat, shortens_what_is_a_number) {
+  EXPECT_EQ(shortened("0.06591705990531865", 4), "0.06592");
+  EXPECT_EQ(shortened("completed", 4), "completed");
+  EXPECT_EQ(shortened("null", 4), "null");
+}
+
 TEST(NumberFormat, groups_thousands) {
   EXPECT_EQ(grouped_text(0), "0");
   EXPECT_EQ(grouped_text(999), "999");

@@ -73,7 +73,9 @@ TEST(Report, is_self_contained_and_well_formed) {
 
 TEST(Report, verdict_comes_first_and_follows_the_expectations) {
   Result result = sample();
+  result.subject = "soft_clay; cpdi, flip";
   const std::string good = report_html(result, {1.0, {}, {}});
+  EXPECT_TRUE(contains(good, "<p>soft_clay; cpdi, flip</p>"));
   EXPECT_TRUE(contains(good, "All that was expected holds"));
   EXPECT_LT(good.find("All that was expected"), good.find("Errors over time"));
   result.expect.push_back({"outcome", "equals completed", "unstable", false});
