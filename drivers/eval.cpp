@@ -105,12 +105,9 @@ std::vector<double> row_of(const ReferencePoint& point, const ExactState& state,
   return row;
 }
 
-double last_time(const ReferencePoints& points, const std::string& file, double otherwise) {
+double last_time(const ReferencePoints& points, double otherwise) {
   double last = 0;
-  for (const ReferencePoint& point : points.points) {
-    if (point.t < 0) throw InputError({file}, "t", "negative: histories begin at t = 0");
-    last = std::max(last, point.t);
-  }
+  for (const ReferencePoint& point : points.points) last = std::max(last, point.t);
   return last > 0 ? last : otherwise;
 }
 
@@ -125,7 +122,7 @@ std::string evaluated(const EvalOptions& options) {
   Scene scene = read_scene(options.scene, options.sets);
   const ReferencePoints points = read_reference_points(options.points);
   watch_interrupts();
-  const double end = last_time(points, options.points, scene.time.end);
+  const double end = last_time(points, scene.time.end);
   std::string library;
   const auto material = material_of(scene, library);
   if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
