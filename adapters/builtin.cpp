@@ -4,16 +4,21 @@
 #include <algorithm>
 #include <string_view>
 
-extern "C" {
-const assay_material* assay_builtin_neo_hookean(uint32_t host_major, uint32_t index);
-}
+#define ASSAY_BUILTIN(NAME) extern "C" const assay_material* assay_builtin_##NAME(uint32_t host_major, uint32_t index);
+#include "builtin_models.inc"
+#undef ASSAY_BUILTIN
 
 namespace assay::adapters {
 
 const std::vector<const assay_material*>& builtin_tables() {
   static const std::vector<const assay_material*> tables = [] {
     std::vector<const assay_material*> all;
-    for (const assay_material_entry_function entry : {&assay_builtin_neo_hookean}) {
+    constexpr assay_material_entry_function entries[] = {
+#define ASSAY_BUILTIN(NAME) &assay_builtin_##NAME,
+#include "builtin_models.inc"
+#undef ASSAY_BUILTIN
+    };
+    for (const assay_material_entry_function entry : entries) {
       for (uint32_t i = 0; const assay_material* table = entry(ASSAY_ABI_MAJOR, i); ++i) all.push_back(table);
     }
     std::sort(all.begin(), all.end(),

@@ -71,4 +71,9 @@ const assay_material* table_of_library(const std::string& path, const std::strin
   throw LibraryError("holds no material '" + name + "'", names_of(tables));
 }
 
+std::string file_of(const assay_material* table) {
+  Dl_info info{};
+  return dladdr(table, &info) != 0 && info.dli_fname ? info.dli_fname : "";
+}
+
 }  // namespace assay::adapters

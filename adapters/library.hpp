@@ -28,4 +28,7 @@ std::vector<const assay_material*> tables_of_library(const std::string& path);
 /// The table of that name; an empty name stands for the only one. Throws LibraryError.
 const assay_material* table_of_library(const std::string& path, const std::string& name);
 
+/// The file that holds a table: a shared library, or this program for a built-in model. Empty where it cannot be told.
+std::string file_of(const assay_material* table);
+
 }  // namespace assay::adapters

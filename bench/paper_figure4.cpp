@@ -17,6 +17,7 @@
 #include "drivers/output/numbers.hpp"
 #include "drivers/picture/line_plot.hpp"
 #include "drivers/scene/scene_reader.hpp"
+#include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/simulate.hpp"
 #include "harness/norms.hpp"
 

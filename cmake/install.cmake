@@ -8,7 +8,7 @@ set(include_dir ${CMAKE_INSTALL_INCLUDEDIR}/assay) # so that "harness/assay_mate
 set(materials_dir ${CMAKE_INSTALL_LIBDIR}/assay/materials)
 set(example_dir ${CMAKE_INSTALL_DOCDIR}/examples/neo_hookean)
 
-install(TARGETS neo_hookean LIBRARY DESTINATION ${materials_dir})
+install(TARGETS ${material_plugins} LIBRARY DESTINATION ${materials_dir})
 install(FILES harness/assay_material.h DESTINATION ${include_dir}/harness)
 install(FILES docs/assay.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES LICENSE THIRD_PARTY.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

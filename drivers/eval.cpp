@@ -4,28 +4,30 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "drivers/exact_stress.hpp"
 #include "drivers/findings.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/output/csv.hpp"
 #include "drivers/output/points_csv.hpp"
 #include "drivers/output/whole_file.hpp"
+#include "drivers/replay.hpp"
 #include "drivers/scene/scene_reader.hpp"
+#include "drivers/screening.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "drivers/verbs.hpp"
-#include "harness/body_force.hpp"
-#include "harness/point_driver.hpp"
 
 namespace assay::drivers {
 
 namespace {
 
 /// Whether anything happens out of the plane: then all components are written.
-bool three_dimensional(const Motion& motion) {
-  const auto* homogeneous = std::get_if<Homogeneous>(&motion);
-  if (!homogeneous) return false;
-  const Tensor& F = homogeneous->final;
+bool three_dimensional(const Vortex&) { return false; }
+bool three_dimensional(const Homogeneous& motion) {
+  const Tensor& F = motion.final;
   return F(0, 2) != 0 || F(1, 2) != 0 || F(2, 0) != 0 || F(2, 1) != 0 || F(2, 2) != 1;
 }
+bool three_dimensional(const RotatingStretch&) { return true; }
+bool three_dimensional(const DeformationTable& motion) { return !motion.plane(); }
 
 std::vector<std::string> column_names(bool three, bool normals) {
   std::vector<std::string> names;
@@ -50,32 +52,6 @@ std::vector<std::string> column_names(bool three, bool normals) {
   return names;
 }
 
-/// Stress and body force of the vortex (20), (31) at one point.
-ExactStress stress_at(const Vortex& vortex, const Response& response, double density, const Vector3& X, double t,
-                      const Tensor& F) {
-  const double R = std::hypot(X.x(), X.y());
-  Tensor tau, dtau_dxi;
-  response.at(vortex.profile(R).xi, t, tau, dtau_dxi);
-  ExactStress stress;
-  stress.first_piola_kirchhoff = rotated_to(vortex, X, t, tau);
-  stress.cauchy = cauchy_stress(stress.first_piola_kirchhoff, F);
-  const Polar b = body_force(vortex, density, R, t, tau, dtau_dxi);
-  const double theta = std::atan2(X.y(), X.x()) + vortex.amplitude.at(t).value * vortex.profile(R).h;
-  stress.body_force = rotation_about_z(theta) * Vector3(b.r, b.theta, 0);  // (31), (25)
-  return stress;
-}
-
-/// Homogeneous: P = tau on the scene's own path, b = a.
-ExactStress stress_at(const Homogeneous& motion, const Response& response, double, const Vector3& X, double t,
-                      const Tensor& F) {
-  ExactStress stress;
-  Tensor slope;
-  response.at(motion.own_parameter(), t, stress.first_piola_kirchhoff, slope);
-  stress.cauchy = cauchy_stress(stress.first_piola_kirchhoff, F);
-  stress.body_force = motion.at(X, t).a;
-  return stress;
-}
-
 std::vector<double> row_of(const ReferencePoint& point, const ExactState& state, const ExactStress& stress, bool three,
                            bool normals) {
   const Tensor &F = state.F, &P = stress.first_piola_kirchhoff, &s = stress.cauchy;
@@ -98,7 +74,7 @@ std::vector<double> row_of(const ReferencePoint& point, const ExactState& state,
     row.insert(row.end(), {s(0, 0), s(0, 1), s(1, 1), s(2, 2)});
   for (int d = 0; d < (three ? 3 : 2); ++d) row.push_back(stress.body_force(d));
   if (normals) {
-    const Vector3 N = Vector3(point.NX, point.NY, 0).normalized();
+    const Vector3 N = Vector3(point.NX, point.NY, point.NZ).normalized();
     const Vector3 traction = P * N;  // per reference area [Pa]
     for (int d = 0; d < (three ? 3 : 2); ++d) row.push_back(traction(d));
   }
@@ -121,24 +97,25 @@ void refuse_input_as_output(const std::string& input, const std::string& out) {
 std::string evaluated(const EvalOptions& options) {
   Scene scene = read_scene(options.scene, options.sets);
   const ReferencePoints points = read_reference_points(options.points);
+  require_within_path(scene, points.points, options.points);
   watch_interrupts();
   const double end = last_time(points, scene.time.end);
   std::string library;
   const auto material = material_of(scene, library);
+  warn_of_instability(scene, *material, end);
   if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
-  const auto response = response_of(scene, material, baseline_of(scene.motion), end);
-  const bool three = three_dimensional(scene.motion);
+  const bool three = std::visit([](const auto& motion) { return three_dimensional(motion); }, scene.motion);
   CsvText csv(column_names(three, points.has_normals));
-  for (const ReferencePoint& point : points.points) {
-    stop_if_interrupted();
-    const Vector3 X(point.X, point.Y, point.Z);
-    const ExactState state = state_at(scene.motion, X, point.t);
-    const ExactStress stress = std::visit(
-        [&](const auto& motion) { return stress_at(motion, *response, scene.material.density, X, point.t, state.F); },
-        scene.motion);
-    csv.row(row_of(point, state, stress, three, points.has_normals));
+  const std::vector<ExactPoint> exact = exact_points(scene, material, points.points, end);
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    csv.row(row_of(points.points[i], exact[i].state, exact[i].stress, three, points.has_normals));
   }
   return csv.text();
+}
+
+/// To which a tabulation must go to meet the same failure.
+double failure_end(const EvalOptions& options) {
+  return last_time(read_reference_points(options.points), read_scene(options.scene, options.sets).time.end);
 }
 
 }  // namespace
@@ -156,7 +133,8 @@ int eval(const EvalOptions& options) {
   } catch (const MaterialFailure& failure) {
     Result result;
     record_failure(failure, result);
-    std::fprintf(stderr, "%s\n", result.reason.c_str());
+    const std::string hint = failure.step ? "; " + replay_hint(options.scene, options.sets, failure_end(options)) : "";
+    std::fprintf(stderr, "%s%s\n", result.reason.c_str(), hint.c_str());
     return 1;
   }
 }

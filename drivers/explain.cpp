@@ -9,6 +9,8 @@
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/wrapped_text.hpp"
 #include "drivers/scene/scene_reader.hpp"
+#include "drivers/screening.hpp"
+#include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/simulate.hpp"
 #include "drivers/verbs.hpp"
 
@@ -99,6 +101,8 @@ std::string steps_text(const Problem& problem) {
 std::string sheet_text(const Response* response) {
   if (!response) return "no body force\n";
   const Sheet* sheet = response->sheet();
+  if (const Shadow* points = response->shadow())
+    return fmt::format("shadow: {} histories taken along\n", points->radii());
   if (!sheet) return "response: the material's closed form\n";
   const std::string error = fmt::format("error {} of tau, {} of d tau/d xi\n", rounded_text(sheet->error_tau(), 2),
                                         rounded_text(sheet->error_dtau(), 2));
@@ -107,7 +111,8 @@ std::string sheet_text(const Response* response) {
                      grouped_text(sheet->points()), error);
 }
 
-std::string json_text(const Problem& problem, const Composition& c, const Response* response) {
+std::string json_text(const Problem& problem, const Composition& c, const Response* response,
+                      const ScreenFigures& screen) {
   nlohmann::ordered_json json;
   const auto names = [](const std::vector<mpm::Column>& columns) {
     std::vector<std::string> list;
@@ -145,6 +150,8 @@ std::string json_text(const Problem& problem, const Composition& c, const Respon
   } else {
     json["sheet"] = nullptr;
   }
+  json["screen"] = {{"verdict", screen.verdict}, {"smallest", *screen.smallest}};
+  if (screen.largest_safe_amplitude) json["screen"]["largest_safe_amplitude"] = *screen.largest_safe_amplitude;
   return json.dump(2) + "\n";
 }
 
@@ -157,11 +164,13 @@ int explain(const ExplainOptions& options) {
     std::shared_ptr<const Response> response;
     if (problem.setup.body_force) {
       response =
-          response_of(problem.scene, problem.material, baseline_of(problem.scene.motion), problem.scene.time.end);
+          response_of(problem.scene, problem.material, baseline_path(problem.scene), problem.scene.time.end, 1, true);
     }
-    const std::string text = options.json ? json_text(problem, c, response.get())
+    const ScreenFigures screen = screen_of(problem.scene, *problem.material, problem.scene.time.end);
+    const std::string text = options.json ? json_text(problem, c, response.get(), screen)
                                           : passes_text(c) + observers_text(problem) + memory_text(problem, c) +
-                                                steps_text(problem) + sheet_text(response.get());
+                                                steps_text(problem) + sheet_text(response.get()) +
+                                                wrapped(screen_sentence(screen), "motion: ", "  ");
     std::fputs(text.c_str(), stdout);
     return 0;
   } catch (const MaterialFailure& failure) {

@@ -2,19 +2,38 @@
 #include "drivers/findings.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "drivers/input_error.hpp"
 #include "drivers/output/number_format.hpp"
+#include "drivers/replay.hpp"
 #include "drivers/scene/sha256.hpp"
 #include "drivers/scene/yaml_reader.hpp"
+#include "harness/force_error.hpp"
 
 namespace assay::drivers {
 
 void record_sheet(const Response& response, double seconds, Result& result) {
   const Sheet* sheet = response.sheet();
   if (!sheet) return;
-  result.sheet = SheetFigures{sheet->points(), sheet->error_tau(), sheet->error_dtau(), seconds};
-  result.material_calls += sheet->material_calls();
+  result.sheet = SheetFigures{sheet->points(), sheet->error_tau(), sheet->error_dtau(), {}, seconds, sheet->restored()};
+  if (!sheet->restored()) result.material_calls += sheet->material_calls();
+}
+
+void record_shadow(const Response& response, Result& result) {
+  const Shadow* points = response.shadow();
+  if (!points) return;
+  result.sheet = SheetFigures{};
+  result.sheet->points = points->radii();
+  result.sheet->error_tau = points->error();
+  result.sheet->error_dtau = std::numeric_limits<double>::quiet_NaN();  // not known: null in the file
+  result.material_calls += points->calls();
+}
+
+void record_force_error(const Scene& scene, const Response& response, Result& result) {
+  const auto* vortex = std::get_if<Vortex>(&scene.motion);
+  if (!vortex || !response.sheet() || !result.sheet) return;
+  result.sheet->error_b = force_error(*vortex, scene.material.density, *response.sheet(), scene.time.end);
 }
 
 std::string material_provenance(const Material& material, const std::string& library) {
@@ -30,6 +49,13 @@ void record_failure(const MaterialFailure& failure, Result& result) {
   result.reason = std::string(failure.what()) + ": on the baseline path at xi = " + rounded_text(failure.xi, 6) +
                   ", t = " + rounded_text(failure.t, 6) + " s";
   result.t = failure.t;
+  if (failure.step) result.failed_step = std::make_shared<const FailedStep>(*failure.step);
+}
+
+void leave_replay(const Scene& scene, OutputFolder& folder, Result& result) {
+  if (!result.failed_step) return;
+  result.replay = "replay.yaml";
+  folder.write(result.replay, replay_yaml(replay_of(scene, *result.failed_step, result.reason)));
 }
 
 int exit_status(const Result& result) {

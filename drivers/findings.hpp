@@ -2,7 +2,9 @@
 // What is found on the way enters the result; the result becomes an exit status.
 #pragma once
 
+#include "drivers/output/output_folder.hpp"
 #include "drivers/result.hpp"
+#include "drivers/scene/scene.hpp"
 #include "harness/point_driver.hpp"
 #include "harness/response.hpp"
 
@@ -11,12 +13,21 @@ namespace assay::drivers {
 /// Size and error of the sheet, seconds it took; nothing where the response is a closed form.
 void record_sheet(const Response& response, double seconds, Result& result);
 
+/// Number and error of the shadow points, once the run is over; nothing where the response is something else.
+void record_shadow(const Response& response, Result& result);
+
+/// What the sheet's error does to the body force of the vortex.
+void record_force_error(const Scene& scene, const Response& response, Result& result);
+
 /// "neo_hookean 1.0, built in" or "soft_clay 0.3, /path/libclay.so, sha256 ...". Throws InputError where the library
 /// can no longer be read.
 std::string material_provenance(const Material& material, const std::string& library);
 
 /// Outcome `material_failed` with point, time and the material's words.
 void record_failure(const MaterialFailure& failure, Result& result);
+
+/// replay.yaml in the folder, its name in the result: where the result knows the step at which the material failed.
+void leave_replay(const Scene& scene, OutputFolder& folder, Result& result);
 
 /// 0: all that was expected holds; 1: it does not, or the run did not complete and nobody expected that.
 int exit_status(const Result& result);

@@ -4,9 +4,14 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace assay {
+struct FailedStep;
+}
 
 namespace assay::drivers {
 
@@ -48,7 +53,30 @@ struct PassFigures {
 struct SheetFigures {
   std::int64_t points = 0;
   double error_tau = 0, error_dtau = 0;  ///< relative to the largest component
+  Figure error_b;                        ///< bound of the error of the vortex's b at a point, over the largest |b|
   double wall_s = 0;
+  bool cached = false;  ///< read from disk
+};
+
+/// The stability screen; absent figures: not found.
+struct ScreenFigures {
+  std::string verdict;            ///< stable, unstable, neutral
+  Figure t, xi, gamma;            ///< of the first loss of strong ellipticity [s], [1], [1]
+  Figure smallest;                ///< eigenvalue of the acoustic tensor on the path, over the largest at rest [1]
+  Figure largest_safe_amplitude;  ///< in the unit of the motion's peak, where it is not safe as it is
+  double wall_s = 0;
+};
+
+/// A tabulated response against independent references: relative differences; absent where there is none.
+struct ReferenceFigures {
+  Figure closed_form;  ///< of the sheet to the material's closed form
+  Figure rate_form;    ///< between histories of its rate form by Boost.Odeint and of its increments
+};
+
+/// The narrowest zone in which a material with kinks has left its first regime, at the time of the peak.
+struct RimFigures {
+  double width = 0;  ///< [m]
+  double cells = 0;  ///< width / h
 };
 
 struct DriftFigures {
@@ -74,6 +102,8 @@ struct Result {
   std::string subject;                ///< what was run, one line: material, method, grid, amplitude
   std::string outcome = "completed";  ///< completed, unstable, material_failed, refused
   std::string reason;                 ///< one sentence where not completed
+  std::string replay;                 ///< file beside the result that holds the step at which the material failed
+  std::shared_ptr<const FailedStep> failed_step;  ///< that step; not in result.json
   Figure t, dt;
   std::optional<std::int64_t> steps, particles, moving_particles;
   ErrorFigures error;
@@ -83,6 +113,9 @@ struct Result {
   Figure particle_steps_per_s;
   std::vector<PassFigures> passes;
   std::optional<SheetFigures> sheet;
+  std::optional<ScreenFigures> screen;
+  std::optional<RimFigures> rim;  ///< absent without kinks
+  ReferenceFigures reference;
   DriftFigures drift;
   std::vector<ExpectationOutcome> expect;
   Provenance provenance;

@@ -12,6 +12,9 @@
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_reader.hpp"
+#include "drivers/screening.hpp"
+#include "drivers/simulation/response_source.hpp"
+#include "drivers/simulation/rim.hpp"
 #include "drivers/simulation/simulate.hpp"
 #include "drivers/verbs.hpp"
 #include "drivers/verdict.hpp"
@@ -24,24 +27,47 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
+/// The plastic rim, with a warning where the grid is too coarse for it.
+void record_rim(const Problem& problem, const Response& response, Result& result) {
+  result.rim = rim_of(response, problem.vortex(), problem.scene.grid->spacing, problem.scene.time.end);
+  const std::string sentence = result.rim ? narrow_rim_sentence(*result.rim) : "";
+  if (!sentence.empty()) std::fprintf(stderr, "warning: %s\n", sentence.c_str());
+}
+
 /// Builds the response, steps, and leaves snapshots and pictures in the folder.
 std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& options, OutputFolder& folder,
                                          Result& result) {
   const auto start = Clock::now();
   std::shared_ptr<const Response> response;
   if (problem.setup.body_force) {
-    response = response_of(problem.scene, problem.material, baseline_of(problem.scene.motion), problem.scene.time.end);
+    response = response_of(problem.scene, problem.material, baseline_path(problem.scene), problem.scene.time.end,
+                           problem.setup.threads, true);
     record_sheet(*response, seconds_since(start), result);
+    record_force_error(problem.scene, *response, result);
+    record_rim(problem, *response, result);
   }
   result.setup_s += seconds_since(start);
   Snapshots snapshots(problem, folder);
   Progress progress(problem.scene.title, options.verbosity == Verbosity::quiet);
   simulate(problem, response, snapshots, progress, result);
+  if (response) record_shadow(*response, result);
   result.cpu_s = cpu_seconds();
   result.peak_rss_bytes = peak_memory();  // before pictures are drawn
   std::vector<ReportPicture> pictures;
   for (auto& picture : snapshots.finish()) pictures.push_back({picture.caption, std::move(picture.png)});
   return pictures;
+}
+
+/// Whether the motion may be run: it is a stable solution for the model, or the scene allows otherwise.
+bool admitted(const Problem& problem, Result& result) {
+  const Scene& scene = problem.scene;
+  if (!problem.setup.body_force) return true;  // then the body does not move as the motion says
+  result.screen = screen_of(scene, *problem.material, scene.time.end);
+  const std::string sentence = instability_sentence(*result.screen, problem.material->name());
+  if (sentence.empty() || scene.allow_unstable) return true;
+  result.outcome = "refused";
+  result.reason = sentence;
+  return false;
 }
 
 /// The files beside the snapshots. Returns the text of result.json.
@@ -72,11 +98,13 @@ int run(const RunOptions& options) {
   result.provenance = build_information();
   result.provenance.scene_sha256 = scene.sha256;
   std::optional<Problem> problem;
+  bool runs = false;
   try {
     problem = assemble(scene, options.threads);
     scene = problem->scene;
     result.subject = problem->subject();
     result.provenance.material = material_provenance(*problem->material, problem->library);
+    runs = admitted(*problem, result);
   } catch (const MaterialFailure& failure) {
     record_failure(failure, result);
   }
@@ -84,10 +112,11 @@ int run(const RunOptions& options) {
   OutputFolder folder(options.out);
   std::vector<ReportPicture> pictures;
   try {
-    if (problem) pictures = simulate_into(*problem, options, folder, result);
+    if (runs) pictures = simulate_into(*problem, options, folder, result);
   } catch (const MaterialFailure& failure) {
     record_failure(failure, result);
   }
+  leave_replay(scene, folder, result);
   result.expect = judge(scene.expect, result);
   const std::string json = write_results(scene, result, std::move(pictures), folder);
   stop_if_interrupted();

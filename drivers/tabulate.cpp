@@ -11,10 +11,14 @@
 #include "drivers/output/output_folder.hpp"
 #include "drivers/output/result_json.hpp"
 #include "drivers/output/wrapped_text.hpp"
+#include "drivers/references.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_reader.hpp"
+#include "drivers/screening.hpp"
+#include "drivers/sheet_pictures.hpp"
 #include "drivers/simulation/problem.hpp"
+#include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/simulate.hpp"
 #include "drivers/tabulation.hpp"
 #include "drivers/verbs.hpp"
@@ -24,11 +28,12 @@ namespace assay::drivers {
 
 namespace {
 
-/// A scene that also runs says in `expect:` what the run should find: of that, the sheet alone can be judged here.
+/// A scene that also runs says in `expect:` what the run should find: of that, the sheet and its
+/// references can be judged here.
 std::vector<Expectation> expected_here(const Scene& scene) {
   std::vector<Expectation> list;
   for (const Expectation& e : scene.expect) {
-    if (!scene.method || e.key.starts_with("sheet.")) list.push_back(e);
+    if (!scene.method || e.key.starts_with("sheet.") || e.key.starts_with("reference.")) list.push_back(e);
   }
   return list;
 }
@@ -37,14 +42,12 @@ std::string summary(const Tabulation& tab, const Result& result, const std::stri
   std::string text = fmt::format("{}: {} on {}, {}\n", result.title.empty() ? "tabulate" : result.title,
                                  tab.material->name(), tab.path.name, result.outcome);
   if (!result.reason.empty()) text += wrapped(result.reason, "  ", "  ");
+  if (!result.replay.empty()) text += "  the failing step is in " + result.replay + "\n";
   if (result.sheet) {
     text += fmt::format("  sheet: {} points, error {} of tau, {} of d tau/d xi, {} s\n",
                         grouped_text(result.sheet->points), rounded_text(result.sheet->error_tau, 2),
                         rounded_text(result.sheet->error_dtau, 2), rounded_text(result.sheet->wall_s, 2));
-    const auto difference = difference_to_closed_form(tab);
-    text += difference
-                ? "  reference: the material's closed form, largest difference " + rounded_text(*difference, 2) + "\n"
-                : "  reference: none; this material offers no closed form of " + tab.path.name + "\n";
+    text += references_text(result.reference, tab.path.name);
   }
   return text + expectations_text(result) + "results in " + folder + "\n";
 }
@@ -52,10 +55,13 @@ std::string summary(const Tabulation& tab, const Result& result, const std::stri
 void write_tables(const Tabulation& tab, const std::vector<SheetPoint>& points, OutputFolder& folder) {
   folder.write("sheet.csv", regular_sheet(tab));
   const Curve curve = curve_of(tab);
-  folder.write("curve.csv", curve_csv(curve));
+  folder.write(curve.of_eps ? "curve.csv" : "history.csv", curve_csv(curve));
   const std::string who = tab.material->name() + ", " + tab.path.name;
-  folder.write("tau.png", png(plot_of(curve, curve.tau, "τ", "τ(ε): " + who)));
-  folder.write("slope.png", png(plot_of(curve, curve.slope, "dτ/dε", "dτ/dε: " + who)));
+  const std::string of = curve.of_eps ? "(ε): " : "(t): ", slope = curve.of_eps ? "dτ/dε" : "dτ/dξ";
+  folder.write("tau.png", png(plot_of(curve, curve.tau, "τ", "τ" + of + who)));
+  folder.write("slope.png", png(plot_of(curve, curve.slope, slope, slope + of + who)));
+  folder.write("sheet.png", png(sheet_picture(tab)));
+  if (!tab.material->path_independent()) folder.write("histories.png", png(histories_plot(tab)));
   if (points.empty()) return;
   folder.write("points.csv", sheet_at(tab, points));
 }
@@ -70,9 +76,10 @@ int tabulate(const TabulateOptions& options) {
   Tabulation tab;
   std::string library;
   tab.material = material_of(scene, library);
-  tab.path = baseline_of(scene.motion);
+  tab.path = baseline_path(scene);
   tab.end = scene.time.end;
   tab.period = period_of(scene.motion);
+  if (const auto* table = std::get_if<DeformationTable>(&scene.motion)) tab.last = table->last();
   cover(points, options.points, tab);
   OutputFolder folder(options.out);
   if (!options.points.empty()) folder.keep(options.points);
@@ -81,6 +88,7 @@ int tabulate(const TabulateOptions& options) {
   result.provenance = build_information();
   result.provenance.scene_sha256 = scene.sha256;
   result.provenance.material = material_provenance(*tab.material, library);
+  warn_of_instability(scene, *tab.material, tab.end);
   try {
     const auto start = std::chrono::steady_clock::now();
     if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
@@ -88,10 +96,12 @@ int tabulate(const TabulateOptions& options) {
     record_sheet(*tab.response, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
                  result);
     result.t = tab.end;
+    result.reference = references_of(tab.material, tab.path, *tab.response, tab.end);
     write_tables(tab, points, folder);
   } catch (const MaterialFailure& failure) {
     record_failure(failure, result);
   }
+  leave_replay(scene, folder, result);
   result.cpu_s = cpu_seconds();
   result.peak_rss_bytes = peak_memory();
   result.expect = judge(expected_here(scene), result);

@@ -53,11 +53,14 @@ double time_of_first_peak(const Path& path, double end, double period) {
   return best;
 }
 
-/// Whether det F > 0 all the way from the reference state to eps.
-bool can_be_reached(double eps, const Tensor& direction) {
+/// Whether det F > 0 all the way from the reference state to the point.
+bool can_be_reached(const Path& path, const SheetPoint& point) {
   constexpr int steps = 64;
   for (int k = 1; k <= steps; ++k) {
-    if (!((Tensor::Identity() + eps * k / steps * direction).determinant() > 0)) return false;
+    const double share = static_cast<double>(k) / steps;
+    const Tensor F = path.straight() ? Tensor::Identity() + share * path.eps(point.xi, point.t) * path.direction
+                                     : path.deformation_gradient(point.xi, share * point.t);
+    if (!(F.determinant() > 0)) return false;
   }
   return true;
 }
@@ -66,7 +69,10 @@ bool can_be_reached(double eps, const Tensor& direction) {
 
 void cover(const std::vector<SheetPoint>& points, const std::string& file, Tabulation& tab) {
   for (const SheetPoint& point : points) {
-    if (!can_be_reached(tab.path.eps(point.xi, point.t), tab.path.direction)) {
+    if (point.t > tab.last) {
+      throw InputError({file, point.line, 1}, "t", "beyond the last row of motion.path, " + rounded_text(tab.last, 6));
+    }
+    if (!can_be_reached(tab.path, point)) {
       throw InputError({file, point.line, 1}, "xi", "det F <= 0 on the way to " + rounded_text(point.xi, 6));
     }
     tab.path.parameter.lower = std::min(tab.path.parameter.lower, point.xi);
@@ -93,13 +99,17 @@ std::string sheet_at(const Tabulation& tab, const std::vector<SheetPoint>& point
 }
 
 Curve curve_of(const Tabulation& tab) {
-  Curve curve{{}, std::vector<std::vector<double>>(5), std::vector<std::vector<double>>(5)};
-  const double t = time_of_first_peak(tab.path, tab.end, tab.period), g = tab.path.amplitude(t);
+  Curve curve{tab.path.straight(), {}, std::vector<std::vector<double>>(5), std::vector<std::vector<double>>(5)};
+  const double peak = curve.of_eps ? time_of_first_peak(tab.path, tab.end, tab.period) : 0;
+  const double g = curve.of_eps ? tab.path.amplitude(peak) : 1;
   for (int i = 0; i < curve_points; ++i) {
-    const double xi = tab.path.parameter.lower + tab.path.parameter.width() * i / (curve_points - 1);
+    const double share = static_cast<double>(i) / (curve_points - 1);
+    const double xi =
+        curve.of_eps ? tab.path.parameter.lower + tab.path.parameter.width() * share : tab.path.parameter.upper;
+    const double t = curve.of_eps ? peak : tab.end * share;
     Tensor tau, slope;
     tab.response->at(xi, t, tau, slope);
-    curve.eps.push_back(xi * g);
+    curve.x.push_back(curve.of_eps ? xi * g : t);
     for (std::size_t c = 0; c < 5; ++c) {
       curve.tau[c].push_back(component(tau, written[c]));
       curve.slope[c].push_back(component(slope, written[c]) / g);
@@ -109,13 +119,13 @@ Curve curve_of(const Tabulation& tab) {
 }
 
 std::string curve_csv(const Curve& curve) {
-  std::vector<std::string> names{"eps"};
-  for (const auto& list : {component_columns("tau", ""), component_columns("dtau", "_deps")}) {
+  std::vector<std::string> names{curve.of_eps ? "eps" : "t"};
+  for (const auto& list : {component_columns("tau", ""), component_columns("dtau", curve.of_eps ? "_deps" : "_dxi")}) {
     names.insert(names.end(), list.begin(), list.end());
   }
   CsvText csv(names);
-  for (std::size_t i = 0; i < curve.eps.size(); ++i) {
-    std::vector<double> row{curve.eps[i]};
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    std::vector<double> row{curve.x[i]};
     for (const auto* group : {&curve.tau, &curve.slope}) {
       for (const auto& values : *group) row.push_back(values[i]);
     }
@@ -128,32 +138,14 @@ LinePlot plot_of(const Curve& curve, const std::vector<std::vector<double>>& val
                  const std::string& title) {
   LinePlot plot;
   plot.title = title;
-  plot.x_label = "ε [1]";
+  plot.x_label = curve.of_eps ? "ε [1]" : "t [s]";
   plot.y_label = symbol + " [Pa]";
   const char* names[] = {"11", "12", "21", "22", "33"};
   for (std::size_t c = 0; c < 5; ++c) {
-    plot.series.push_back({names[c], curve.eps, values[c], true, false,
+    plot.series.push_back({names[c], curve.x, values[c], true, false,
                            c == 2 || c == 3});  // 12 = 21 and 11 = 22 lie on another in many models
   }
   return plot;
-}
-
-std::optional<double> difference_to_closed_form(const Tabulation& tab) {
-  const auto form = ClosedForm::of(tab.material, tab.path);
-  if (!form || !tab.response->sheet()) return std::nullopt;
-  double difference = 0, scale = 0;
-  for (int i = 0; i < sheet_rows; ++i) {
-    for (int j = 0; j < sheet_rows; ++j) {
-      const double xi = tab.path.parameter.lower + tab.path.parameter.width() * i / (sheet_rows - 1);
-      const double t = tab.end * j / (sheet_rows - 1);
-      Tensor tau, slope, exact, exact_slope;
-      tab.response->at(xi, t, tau, slope);
-      form->at(xi, t, exact, exact_slope);
-      difference = std::max(difference, (tau - exact).cwiseAbs().maxCoeff());
-      scale = std::max(scale, exact.cwiseAbs().maxCoeff());
-    }
-  }
-  return scale > 0 ? difference / scale : difference;
 }
 
 }  // namespace assay::drivers

@@ -2,10 +2,12 @@
 #include "drivers/verdict.hpp"
 
 #include <fmt/core.h>
+#include <cmath>
 
 #include "drivers/findings.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/wrapped_text.hpp"
+#include "drivers/simulation/rim.hpp"
 
 namespace assay::drivers {
 
@@ -56,6 +58,17 @@ std::string summary_of(const Result& result) {
   return result.expect.empty() ? "NOTHING WAS EXPECTED" : "AS EXPECTED";
 }
 
+std::string sheet_line(const SheetFigures& sheet) {
+  const std::string of_b = sheet.error_b ? fmt::format(", {} of b", rounded_text(*sheet.error_b, 2)) : "";
+  if (!std::isfinite(sheet.error_dtau)) {
+    return fmt::format("  shadow: {} histories taken along, error {} of tau\n", grouped_text(sheet.points),
+                       rounded_text(sheet.error_tau, 2));
+  }
+  return fmt::format("  sheet: {} points, error {} of tau, {} of d tau/d xi{}, {} s{}\n", grouped_text(sheet.points),
+                     rounded_text(sheet.error_tau, 2), rounded_text(sheet.error_dtau, 2), of_b,
+                     rounded_text(sheet.wall_s, 2), sheet.cached ? " from disk" : "");
+}
+
 }  // namespace
 
 std::string expectations_text(const Result& result) {
@@ -68,16 +81,17 @@ std::string expectations_text(const Result& result) {
 }
 
 std::string verdict_text(const Result& result, const std::string& folder, bool with_profile) {
-  std::string text = fmt::format("{}{} at t = {} s\n", result.title.empty() ? "" : result.title + ": ", result.outcome,
-                                 figure(result.t));
+  std::string text = (result.title.empty() ? "" : result.title + ": ") + result.outcome;
+  text += result.t ? fmt::format(" at t = {} s\n", figure(result.t)) : "\n";
   if (!result.subject.empty()) text += "  " + result.subject + "\n";
   if (!result.reason.empty()) text += wrapped(result.reason, "  ", "  ");
+  if (!result.replay.empty()) text += "  the failing step is in " + result.replay + "\n";
   if (result.error.l2_max) text += error_lines(result.error);
   if (result.steps) text += work_line(result);
-  if (result.sheet) {
-    text += fmt::format("  sheet: {} points, error {} of tau, {} of d tau/d xi, {} s\n",
-                        grouped_text(result.sheet->points), rounded_text(result.sheet->error_tau, 2),
-                        rounded_text(result.sheet->error_dtau, 2), rounded_text(result.sheet->wall_s, 2));
+  if (result.sheet) text += sheet_line(*result.sheet);
+  if (result.rim) {
+    text += fmt::format("  plastic rim: {} m wide, {} cells{}\n", rounded_text(result.rim->width, 3),
+                        rounded_text(result.rim->cells, 2), result.rim->cells < fewest_rim_cells ? ": too few" : "");
   }
   if (with_profile) text += profile_lines(result);
   text += expectations_text(result);

@@ -6,12 +6,40 @@
 
 namespace assay {
 
-Polar divergence_piola(const Vortex::Profile& p, double g, double R, const Tensor& tau, const Tensor& dtau_dxi) {
+namespace {
+
+struct BaselineStress {
+  Tensor tau, dtau_dxi;
+};
+
+/// With J sigma = tau F^T symmetric: interpolation is only to its error, by which the two forms of the divergence would
+/// differ. A stress further from symmetry is the model's own, and stays.
+BaselineStress balanced(const Vortex::Profile& p, double g, const Tensor& tau, const Tensor& dtau_dxi) {
+  constexpr double error_at_most = 1e-5;
+  const double gamma = 2 * g * p.xi, gamma_slope = 2 * g;  // sigma12 = tau12 + gamma tau11, sigma21 = tau21
+  const double pushed = gamma * tau(0, 0), pushed_slope = gamma * dtau_dxi(0, 0) + gamma_slope * tau(0, 0);
+  const double half = 0.5 * (tau(0, 1) + pushed - tau(1, 0));
+  const double half_slope = 0.5 * (dtau_dxi(0, 1) + pushed_slope - dtau_dxi(1, 0));
+  BaselineStress result{tau, dtau_dxi};
+  if (std::abs(half) > error_at_most * tau.cwiseAbs().maxCoeff()) return result;
+  if (std::abs(half_slope) > error_at_most * dtau_dxi.cwiseAbs().maxCoeff()) return result;
+  result.tau(1, 0) += half;
+  result.tau(0, 1) = result.tau(1, 0) - pushed;
+  result.dtau_dxi(1, 0) += half_slope;
+  result.dtau_dxi(0, 1) = result.dtau_dxi(1, 0) - pushed_slope;
+  return result;
+}
+
+}  // namespace
+
+Polar divergence_piola(const Vortex::Profile& p, double g, double R, const Tensor& given, const Tensor& given_slope) {
+  const auto [tau, dtau_dxi] = balanced(p, g, given, given_slope);
   return {p.xi_prime * dtau_dxi(0, 0) - g * p.h_prime * tau(1, 0) + (tau(0, 0) - tau(1, 1)) / R,   // (26)
           p.xi_prime * dtau_dxi(1, 0) + g * p.h_prime * tau(0, 0) + (tau(0, 1) + tau(1, 0)) / R};  // (27)
 }
 
-Polar divergence_cauchy(const Vortex::Profile& p, double g, double R, const Tensor& tau, const Tensor& dtau_dxi) {
+Polar divergence_cauchy(const Vortex::Profile& p, double g, double R, const Tensor& given, const Tensor& given_slope) {
+  const auto [tau, dtau_dxi] = balanced(p, g, given, given_slope);
   Tensor F = Tensor::Identity(), dF_dR = Tensor::Zero();
   F(1, 0) = 2 * g * p.xi;  // (16); J = 1, so sigma = tau F^T
   dF_dR(1, 0) = 2 * g * p.xi_prime;

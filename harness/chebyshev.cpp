@@ -73,4 +73,27 @@ void interpolation_weights(const Interval& interval, double point, std::span<dou
   for (auto& w : weights) w /= sum;
 }
 
+std::vector<double> gauss_nodes(int n) {
+  std::vector<double> points(static_cast<std::size_t>(n));
+  for (int j = 0; j < n; ++j) {
+    const double half = std::sin(std::numbers::pi * (2 * j + 1) / (4.0 * n));
+    points[static_cast<std::size_t>(j)] = half * half;  // (1 - cos theta) / 2 without cancellation near 0
+  }
+  return points;
+}
+
+std::vector<double> gauss_coefficients(std::span<const double> values) {
+  const int n = static_cast<int>(values.size());
+  std::vector<double> c(values.size(), 0.0);
+  for (int k = 0; k < n; ++k) {
+    double sum = 0;
+    for (int j = 0; j < n; ++j) {  // T_k(x_j), x_j = -cos(pi (2 j + 1) / 2 n), the argument reduced in integers
+      const int turns = (k * (2 * (n - 1 - j) + 1)) % (4 * n);
+      sum += values[static_cast<std::size_t>(j)] * std::cos(std::numbers::pi * turns / (2.0 * n));
+    }
+    c[static_cast<std::size_t>(k)] = sum * (k == 0 ? 1.0 : 2.0) / n;
+  }
+  return c;
+}
+
 }  // namespace assay::chebyshev

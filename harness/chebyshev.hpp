@@ -24,4 +24,10 @@ void basis(double x, std::span<double> T, std::span<double> T_prime);
 /// Weights w_j with f(point) = sum w_j f(node_j): barycentric, exact at nodes.
 void interpolation_weights(const Interval& interval, double point, std::span<double> weights);
 
+/// n Gauss nodes in (0, 1), ascending: none on the ends.
+std::vector<double> gauss_nodes(int n);
+
+/// Coefficients on [0, 1] of sum c_k T_k(2 s - 1) from values at the Gauss nodes.
+std::vector<double> gauss_coefficients(std::span<const double> values);
+
 }  // namespace assay::chebyshev

@@ -32,6 +32,7 @@ Path Homogeneous::baseline() const {
   path.name = is_uniaxial_strain(final) ? "uniaxial_strain" : "straight";
   path.direction = (final - Tensor::Identity()) / own;
   path.amplitude = [T = period](double t) { return t / T; };
+  path.amplitude_rate = [T = period](double) { return 1 / T; };
   path.parameter = {std::min(0.0, own), std::max(0.0, own)};
   path.reversals = [](double) { return std::vector<double>(); };
   path.amplitude_range = [T = period](double end) { return Interval{0, end / T}; };

@@ -3,9 +3,17 @@
 
 namespace assay {
 
+namespace {
+
+double period(const Vortex& motion) { return motion.amplitude.period; }
+double period(const Homogeneous& motion) { return motion.period; }
+double period(const RotatingStretch& motion) { return motion.period; }
+double period(const DeformationTable& motion) { return motion.last(); }
+
+}  // namespace
+
 double period_of(const Motion& motion) {
-  if (const auto* vortex = std::get_if<Vortex>(&motion)) return vortex->amplitude.period;
-  return std::get<Homogeneous>(motion).period;
+  return std::visit([](const auto& m) { return period(m); }, motion);
 }
 
 }  // namespace assay

@@ -4,12 +4,14 @@
 
 #include <variant>
 
+#include "harness/deformation_table.hpp"
 #include "harness/homogeneous.hpp"
+#include "harness/rotating_stretch.hpp"
 #include "harness/vortex.hpp"
 
 namespace assay {
 
-using Motion = std::variant<Vortex, Homogeneous>;
+using Motion = std::variant<Vortex, Homogeneous, RotatingStretch, DeformationTable>;
 
 inline ExactState state_at(const Motion& motion, const Vector3& X, double t) {
   return std::visit([&](const auto& m) { return m.at(X, t); }, motion);
@@ -19,7 +21,7 @@ inline Path baseline_of(const Motion& motion) {
   return std::visit([](const auto& m) { return m.baseline(); }, motion);
 }
 
-/// T [s].
+/// T [s]; of a table the time of its last row.
 double period_of(const Motion& motion);
 
 }  // namespace assay

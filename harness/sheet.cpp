@@ -5,174 +5,152 @@
 #include <cmath>
 
 #include "harness/chebyshev.hpp"
-#include "harness/point_driver.hpp"
+#include "harness/sheet_build.hpp"
 
 namespace assay {
 
 namespace {
 
-/// Coefficients below this fraction of the largest are rounding and are not evaluated.
-constexpr double negligible = 5e-16;
-/// The histories under a sheet are this much better than the sheet is asked to be.
-constexpr double history_share = 1e-2;
-constexpr double best_history_tolerance = 1e-13;
-/// Step of the eighth-order central difference that checks d tau / d xi, as a share of the range of xi.
-constexpr double check_step = 0.01;
-constexpr int first_nodes = 9;
-/// Places inside a range at which the error is looked for: irrational, so that no node family meets them.
-constexpr double check_places[] = {0.0721, 0.2391, 0.4142, 0.6180, 0.8513, 0.9772};
+constexpr int crossing_samples = 33;       ///< of a moving break in s, between which it is bisected
+constexpr double narrowest_range = 1e-12;  ///< in s
 
-std::vector<double> breaks_of(const Path& path, double end) {
-  std::vector<double> breaks{0};
-  for (const double t : path.reversals(end)) breaks.push_back(t);
-  breaks.push_back(end);
-  return breaks;
+/// Values of s at which a moving break passes the time t, ascending, with 0 and 1.
+std::vector<double> crossings(const BandTable& table, double t) {
+  std::vector<double> places{0};
+  for (std::size_t i = 1; i < table.band().stretches(); ++i) {
+    if (!table.moves(i) || t < table.break_range(i).lower || t > table.break_range(i).upper) continue;
+    double s = 0, value = table.break_at(i, 0) - t;
+    for (int k = 1; k < crossing_samples; ++k) {
+      const double next = static_cast<double>(k) / (crossing_samples - 1), value_next = table.break_at(i, next) - t;
+      if ((value < 0) != (value_next < 0)) {
+        double low = s, high = next;
+        for (int pass = 0; pass < 50; ++pass) {
+          const double middle = 0.5 * (low + high);
+          ((table.break_at(i, middle) - t < 0) == (value < 0) ? low : high) = middle;
+        }
+        places.push_back(0.5 * (low + high));
+      }
+      s = next, value = value_next;
+    }
+  }
+  places.push_back(1);
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
+void cut_band(const BandTable& table, double t, std::vector<Slice::Range>& ranges) {
+  if (!table.any_moves()) {
+    Slice::Range range{table.band().map, {0, 1}, table.active(), {}, 0, 0};
+    table.cut(table.stretch_at(0, t), t, range.coefficients);
+    range.trim();
+    ranges.push_back(std::move(range));
+    return;
+  }
+  const std::vector<double> places = crossings(table, t);
+  const int n = table.size().nodes_in_xi;
+  const std::size_t active = table.active().size();
+  const std::vector<double> nodes = chebyshev::gauss_nodes(n);
+  std::vector<double> values(active), line(static_cast<std::size_t>(n));
+  for (std::size_t r = 0; r + 1 < places.size(); ++r) {
+    const Interval s{places[r], places[r + 1]};
+    if (s.width() < narrowest_range) continue;
+    const std::size_t stretch = table.stretch_at(0.5 * (s.lower + s.upper), t);
+    Slice::Range range{table.band().map, s, table.active(), std::vector<double>(active * nodes.size()), 0, 0};
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      table.active_at(s.lower + nodes[k] * s.width(), t, stretch, std::span(&range.coefficients[k * active], active));
+    }
+    for (std::size_t c = 0; c < active; ++c) {
+      for (std::size_t k = 0; k < nodes.size(); ++k) line[k] = range.coefficients[k * active + c];
+      const std::vector<double> terms = chebyshev::gauss_coefficients(line);
+      for (std::size_t k = 0; k < nodes.size(); ++k) range.coefficients[k * active + c] = terms[k];
+    }
+    range.trim();
+    ranges.push_back(std::move(range));
+  }
 }
 
 }  // namespace
 
-Sheet::Sheet(const Material& material, const Path& path, const SheetOptions& options) : path_(path), end_(options.end) {
-  if (material.path_independent()) {
-    amplitude_ = path.amplitude;
-    path_ = loading_path(path, options.end);
-    end_ = 1;
-  }
-  const double history_tolerance = std::max(best_history_tolerance, history_share * options.tolerance);
-  for (int n = first_nodes; n <= options.most_nodes; n = 2 * n - 1) {
-    lay_out(n);
-    tabulate(material, history_tolerance);
-    estimate_error(material, history_tolerance);
-    if (error_tau_ <= options.tolerance && error_dtau_ <= options.tolerance) return;
-  }
-}
-
-/// n nodes in the parameter and in each piece of time; of a curve the end of the loading alone.
-void Sheet::lay_out(int n) {
-  nodes_ = chebyshev::nodes(path_.parameter, n);
-  pieces_.clear();
-  if (is_curve()) {
-    pieces_.push_back({{end_, end_}, {end_}, {}});
-    return;
-  }
-  const std::vector<double> breaks = breaks_of(path_, end_);
-  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
-    const Interval time{breaks[k], breaks[k + 1]};
-    pieces_.push_back({time, chebyshev::nodes(time, n), {}});
+Sheet::Sheet(const Material& material, const Path& path, const SheetOptions& options) : table_(Bands()) {
+  if (material.path_independent() && path.straight()) {
+    BuiltCurve built = build_curve(material, path, options);
+    table_ = std::move(built.curve);
+    error_ = built.error;
+    calls_ = built.calls;
+  } else {
+    BuiltBands built = build_bands(material, path, options);
+    table_ = std::move(built.tables);
+    error_ = built.error;
+    calls_ = built.calls;
   }
 }
 
-void Sheet::tabulate(const Material& material, double history_tolerance) {
-  std::vector<double> times;
-  for (const Piece& piece : pieces_) times.insert(times.end(), piece.nodes.begin(), piece.nodes.end());
-  const Histories h = integrate_histories(material, path_, nodes_, times, {.tolerance = history_tolerance});
-  material_calls_ += h.material_calls;
-  const std::size_t n = nodes_.size();
-  std::size_t row = 0;
-  for (Piece& piece : pieces_) {
-    piece.coefficients.resize(piece.nodes.size() * n * 9);
-    for (std::size_t j = 0; j < piece.nodes.size(); ++j, ++row) {
-      for (std::size_t c = 0; c < 9; ++c) {
-        const auto terms = chebyshev::coefficients(std::span(h.tau[row]).subspan(c * n, n));
-        for (std::size_t k = 0; k < n; ++k) piece.coefficients[(j * n + k) * 9 + c] = terms[k];
-      }
-    }
-  }
+Sheet::Sheet(std::span<const double> in) : table_(Bands()), restored_(true) {
+  error_ = {in[0], in[1], in[2], in[3]};
+  calls_ = static_cast<std::int64_t>(in[4]);
+  const auto count = static_cast<std::size_t>(in[5]);
+  in = in.subspan(6);
+  for (std::size_t k = 0; k < count; ++k) std::get<Bands>(table_).emplace_back(in);
 }
 
-/// Against histories at places off the nodes: tau directly, d tau / d xi by eighth-order central differences.
-void Sheet::estimate_error(const Material& material, double history_tolerance) {
-  constexpr double weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
-  const Interval& range = path_.parameter;
-  const double step = check_step * range.width();
-  std::vector<double> xi, times;
-  for (const double place : check_places) {
-    const double centre = range.lower + (0.05 + 0.9 * place) * range.width();
-    for (int k = -4; k <= 4; ++k) xi.push_back(centre + k * step);
-  }
-  for (const Piece& piece : pieces_) {
-    for (const double place : check_places) {
-      if (is_curve() && !times.empty()) break;
-      times.push_back(piece.time.lower + place * piece.time.width());
-    }
-  }
-  const Histories h = integrate_histories(material, path_, xi, times, {.tolerance = history_tolerance});
-  material_calls_ += h.material_calls;
-  double tau_scale = 0, dtau_scale = 0, tau_error = 0, dtau_error = 0;
-  for (std::size_t row = 0; row < times.size(); ++row) {
-    const Slice slice = cut(times[row]);
-    for (std::size_t p = 4; p < xi.size(); p += 9) {
-      Tensor tau, dtau;
-      slice.at(xi[p], tau, dtau);
-      for (std::size_t c = 0; c < 9; ++c) {
-        const double* values = &h.tau[row][c * xi.size() + p];
-        double slope = 0;
-        for (int k = 1; k <= 4; ++k) slope += weights[k - 1] * (values[k] - values[-k]);
-        slope = step > 0 ? slope / step : 0;
-        tau_scale = std::max(tau_scale, std::abs(values[0]));
-        dtau_scale = std::max(dtau_scale, std::abs(slope));
-        tau_error = std::max(tau_error, std::abs(component(tau, static_cast<int>(c)) - values[0]));
-        dtau_error = std::max(dtau_error, std::abs(component(dtau, static_cast<int>(c)) - slope));
-      }
-    }
-  }
-  error_tau_ = (tau_scale > 0 ? tau_error / tau_scale : 0) + h.error;
-  error_dtau_ = dtau_scale > 0 ? dtau_error / dtau_scale : 0;
+std::vector<double> Sheet::pack() const {
+  if (is_curve()) return {};
+  const auto& tables = std::get<Bands>(table_);
+  std::vector<double> out{error_.tau,        error_.dtau,    error_.tau_scale,
+                          error_.dtau_scale, double(calls_), double(tables.size())};
+  for (const BandTable& table : tables) table.pack(out);
+  return out;
 }
 
-Sheet::Slice Sheet::slice(double t) const {
-  if (!is_curve()) return cut(t);
-  Slice result = cut(end_);
-  result.factor_ = amplitude_(t);
-  return result;
+void Sheet::at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const {
+  if (const auto* curve = std::get_if<Curve>(&table_)) return curve->slice(t).at(xi, tau, dtau_dxi);
+  const auto& tables = std::get<Bands>(table_);
+  const auto found = std::find_if(tables.begin(), tables.end() - 1,
+                                  [&](const BandTable& table) { return xi < table.band().map.xi.upper; });
+  found->at(xi, t, tau, dtau_dxi);
 }
 
-Sheet::Slice Sheet::cut(double t) const {
-  const Piece* piece = &pieces_.front();
-  for (const Piece& candidate : pieces_) {
-    if (t >= candidate.time.lower) piece = &candidate;
-  }
-  const std::size_t n = nodes_.size();
-  std::vector<double> weights(piece->nodes.size(), 1.0);
-  if (weights.size() > 1) chebyshev::interpolation_weights(piece->time, t, weights);
-  Slice result;
-  result.parameter_ = path_.parameter;
-  result.coefficients_.assign(9 * n, 0.0);
-  double scale = 0;
-  for (std::size_t j = 0; j < piece->nodes.size(); ++j) {
-    const double* row = &piece->coefficients[j * n * 9];
-    for (std::size_t i = 0; i < 9 * n; ++i) result.coefficients_[i] += weights[j] * row[i];
-  }
-  for (const double c : result.coefficients_) scale = std::max(scale, std::abs(c));
-  for (std::size_t i = 0; i < 9 * n; ++i) {
-    if (std::abs(result.coefficients_[i]) > negligible * scale) result.terms_ = i / 9 + 1;
-  }
-  return result;
+Slice Sheet::slice(double t) const {
+  if (const auto* curve = std::get_if<Curve>(&table_)) return curve->slice(t);
+  std::vector<Slice::Range> ranges;
+  for (const BandTable& table : std::get<Bands>(table_)) cut_band(table, t, ranges);
+  return Slice(std::move(ranges));
 }
 
-void Sheet::Slice::at(double xi, Tensor& tau, Tensor& dtau_dxi) const {
-  const double x = chebyshev::reference_coordinate(parameter_, factor_ * xi);
-  const double scale = parameter_.width() > 0 ? 2 * factor_ / parameter_.width() : 0;
-  tau.setZero();
-  dtau_dxi.setZero();
-  double T = 1, T_before = 0, D = 0, D_before = 0;  // T_k(x), T_{k-1}(x) and their derivatives
-  for (std::size_t k = 0; k < terms_; ++k) {
-    for (std::size_t c = 0; c < 9; ++c) {
-      component(tau, static_cast<int>(c)) += coefficients_[k * 9 + c] * T;
-      component(dtau_dxi, static_cast<int>(c)) += coefficients_[k * 9 + c] * D * scale;
-    }
-    const double T_next = k == 0 ? x : 2 * x * T - T_before;
-    const double D_next = k == 0 ? 1 : 2 * T + 2 * x * D - D_before;
-    T_before = T, D_before = D;
-    T = T_next, D = D_next;
+std::int64_t Sheet::points() const {
+  if (const auto* curve = std::get_if<Curve>(&table_)) return curve->nodes();
+  std::int64_t sum = 0;
+  for (const BandTable& table : std::get<Bands>(table_)) {
+    sum += static_cast<std::int64_t>(table.size().nodes_in_xi) * table.size().nodes_in_t *
+           static_cast<std::int64_t>(table.band().stretches());
   }
+  return sum;
 }
 
-std::int64_t Sheet::points() const { return static_cast<std::int64_t>(nodes_in_xi()) * nodes_in_t(); }
+int Sheet::bands() const { return is_curve() ? 1 : static_cast<int>(std::get<Bands>(table_).size()); }
+
+int Sheet::nodes_in_xi() const {
+  if (const auto* curve = std::get_if<Curve>(&table_)) return curve->nodes();
+  int sum = 0;
+  for (const BandTable& table : std::get<Bands>(table_)) sum += table.size().nodes_in_xi;
+  return sum;
+}
 
 int Sheet::nodes_in_t() const {
-  std::size_t sum = 0;
-  for (const Piece& piece : pieces_) sum += piece.nodes.size();
-  return static_cast<int>(sum);
+  int most = 1;
+  if (is_curve()) return most;
+  for (const BandTable& table : std::get<Bands>(table_)) {
+    most = std::max(most, table.size().nodes_in_t * static_cast<int>(table.band().stretches()));
+  }
+  return most;
+}
+
+bool Sheet::has_kinks() const {
+  if (is_curve()) return false;
+  const auto& tables = std::get<Bands>(table_);
+  return std::any_of(tables.begin(), tables.end(), [](const BandTable& table) {
+    return table.any_moves() || table.band().map.grazes_lower || table.band().map.grazes_upper;
+  });
 }
 
 }  // namespace assay

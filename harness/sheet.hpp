@@ -4,68 +4,64 @@
 
 #include <cstdint>
 #include <span>
+#include <variant>
 #include <vector>
 
-#include "harness/material.hpp"
-#include "harness/path.hpp"
+#include "harness/band_table.hpp"
+#include "harness/curve.hpp"
+#include "harness/slice.hpp"
 
 namespace assay {
 
 struct SheetOptions {
-  double tolerance = 1e-10;  ///< requested relative error of tau
+  double tolerance = 1e-10;  ///< requested relative error of tau and of d tau / d xi
   double end = 1;            ///< times 0 .. end [s]
-  int most_nodes = 129;      ///< in xi, and in each piece of time
+  int most_nodes = 129;      ///< in xi of a band, and in the time of a stretch
+  Workers workers = {};
 };
 
-/// Chebyshev in xi, Chebyshev in t on pieces that begin and end where the amplitude reverses. The response of a smooth
-/// material converges spectrally; the difference to histories integrated off the nodes is its stated error. For a
-/// path-independent material it collapses onto the curve tau(eps), eps = xi g(t): Chebyshev in eps alone.
+/// What is known of a sheet's errors, from histories off its nodes.
+struct SheetError {
+  double tau = 0, dtau = 0;              ///< relative to the largest component
+  double tau_scale = 0, dtau_scale = 0;  ///< those largest components [Pa]
+};
+
+/// Spectral in xi and t on patches whose edges follow the reversals of the path and the changes of the material's
+/// regime: smooth materials converge spectrally, materials with kinks do so between their kinks. For a path-independent
+/// material the sheet collapses onto the curve tau(eps), eps = xi g(t).
 class Sheet {
  public:
-  /// Throws MaterialFailure.
+  /// Refines until the estimated errors are as requested, or refining no longer helps. Throws MaterialFailure.
   Sheet(const Material& material, const Path& path, const SheetOptions& options);
 
-  /// Coefficients in xi at one time, shared by all points of that time.
-  class Slice {
-   public:
-    /// Nine components of tau and of d tau / d xi at xi [Pa].
-    void at(double xi, Tensor& tau, Tensor& dtau_dxi) const;
+  /// A sheet kept as numbers; `pack` is empty for a curve, which costs less than keeping it.
+  explicit Sheet(std::span<const double> packed);
+  std::vector<double> pack() const;
+  bool restored() const { return restored_; }  ///< from numbers: no material was asked
 
-   private:
-    friend class Sheet;
-    Interval parameter_;
-    double factor_ = 1;                 ///< parameter = factor xi: g(t) where the sheet is a curve in eps
-    std::vector<double> coefficients_;  ///< [k * 9 + c]
-    std::size_t terms_ = 0;             ///< leading coefficients that matter
-  };
+  /// tau and (d tau / d xi)_t at one point [Pa].
+  void at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const;
+
+  /// For many points of one time.
   Slice slice(double t) const;
 
-  bool is_curve() const { return static_cast<bool>(amplitude_); }
-  std::int64_t points() const;                                         ///< nodes
-  int nodes_in_xi() const { return static_cast<int>(nodes_.size()); }  ///< in eps for a curve
-  int nodes_in_t() const;                                              ///< in all pieces together; 1 for a curve
-  double error_tau() const { return error_tau_; }                      ///< relative to the largest component of tau
-  double error_dtau() const { return error_dtau_; }  ///< relative to the largest component of d tau / d xi
-  std::int64_t material_calls() const { return material_calls_; }
+  bool is_curve() const { return std::holds_alternative<Curve>(table_); }
+  std::int64_t points() const;  ///< nodes
+  int bands() const;            ///< 1 for a curve
+  int nodes_in_xi() const;      ///< of all bands together; in eps for a curve
+  int nodes_in_t() const;       ///< largest over the bands, all stretches together; 1 for a curve
+  bool has_kinks() const;       ///< changes of regime were found
+  const SheetError& error() const { return error_; }
+  double error_tau() const { return error_.tau; }
+  double error_dtau() const { return error_.dtau; }
+  std::int64_t material_calls() const { return calls_; }
 
  private:
-  struct Piece {
-    Interval time;
-    std::vector<double> nodes;         ///< in time [s]
-    std::vector<double> coefficients;  ///< [(j * n + k) * 9 + c]: Chebyshev in the parameter at time node j
-  };
-  void lay_out(int n);
-  void tabulate(const Material& material, double history_tolerance);
-  void estimate_error(const Material& material, double history_tolerance);
-  Slice cut(double t) const;
-
-  Path path_;                                ///< that is tabulated: the given one, or straight to each eps
-  std::function<double(double)> amplitude_;  ///< g of the given path where the sheet is a curve
-  double end_ = 0;
-  std::vector<double> nodes_;  ///< of the parameter
-  std::vector<Piece> pieces_;
-  double error_tau_ = 0, error_dtau_ = 0;
-  std::int64_t material_calls_ = 0;
+  using Bands = std::vector<BandTable>;
+  std::variant<Curve, Bands> table_;
+  SheetError error_;
+  std::int64_t calls_ = 0;
+  bool restored_ = false;
 };
 
 }  // namespace assay

@@ -83,6 +83,7 @@ Path Vortex::baseline() const {
   path.name = "simple_shear";
   path.direction(1, 0) = 2;  // (16): F = I + 2 eps E2 E1
   path.amplitude = [g = amplitude](double t) { return g.at(t).value; };
+  path.amplitude_rate = [g = amplitude](double t) { return g.at(t).rate; };
   path.parameter = xi_range();
   path.reversals = [g = amplitude](double end) { return g.reversals(end); };
   path.amplitude_range = [g = amplitude](double end) {

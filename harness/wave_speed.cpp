@@ -52,8 +52,13 @@ double probed_wave_speed(const Material& material, double density, double dt, co
     for (std::size_t p = 0; p < n; ++p) {
       for (std::size_t c = 0; c < state.size(); ++c) state[c] = h.points[row].state[c * n + p];
       const Tensor F = path.deformation_gradient(h.xi[p], h.times[row]);
-      const TangentModulus A = probe_tangent_modulus(material, h.times[row], dt, F, state);
-      fastest = std::max(fastest, fastest_wave(A, F, density));
+      try {
+        const TangentModulus A = probe_tangent_modulus(material, h.times[row], dt, F, state);
+        fastest = std::max(fastest, fastest_wave(A, F, density));
+      } catch (MaterialFailure& failure) {
+        failure.xi = h.xi[p];
+        throw;
+      }
     }
   }
   return fastest;
@@ -63,23 +68,40 @@ double probed_wave_speed(const Material& material, double density, double dt, co
 
 TangentModulus probe_tangent_modulus(const Material& material, double t, double dt, const Tensor& F,
                                      const std::vector<double>& state0) {
-  double F0[9], F1[9], cauchy[9];
-  std::vector<double> state1(state0.size());
-  for (int c = 0; c < 9; ++c) F0[c] = component(F, c);
-  TangentModulus A;
-  for (int j = 0; j < 9; ++j) {
-    Tensor P[2];
-    for (int side = 0; side < 2; ++side) {
-      Tensor moved = F;
-      component(moved, j) += side ? difference : -difference;
-      for (int c = 0; c < 9; ++c) F1[c] = component(moved, c);
-      const UpdateReport report = material.update(t, dt, 1, F0, F1, state0.data(), state1.data(), cauchy);
-      if (report.worst == ASSAY_FAILED) throw MaterialFailure(report.message, 0, t);
-      Tensor sigma;
-      for (int c = 0; c < 9; ++c) component(sigma, c) = cauchy[c];
-      P[side] = first_piola_kirchhoff(sigma, moved);
+  return probe_tangent_modulus(material, t, dt, F, F, state0, difference);
+}
+
+TangentModulus probe_tangent_modulus(const Material& material, double t, double dt, const Tensor& F0, const Tensor& F1,
+                                     const std::vector<double>& state0, double size) {
+  constexpr std::size_t n = 18;  // points of the batch: 2 j and 2 j + 1 on the two sides in component j
+  const std::size_t states = state0.size();
+  std::vector<double> before(9 * n), after(9 * n), cauchy(9 * n), history(states * n), unused(states * n);
+  for (std::size_t p = 0; p < n; ++p) {
+    for (std::size_t c = 0; c < 9; ++c) {
+      before[c * n + p] = component(F0, static_cast<int>(c));
+      after[c * n + p] = component(F1, static_cast<int>(c)) + (c == p / 2 ? (p % 2 ? size : -size) : 0);
     }
-    for (int i = 0; i < 9; ++i) A(i, j) = (component(P[1], i) - component(P[0], i)) / (2 * difference);
+    for (std::size_t c = 0; c < states; ++c) history[c * n + p] = state0[c];
+  }
+  const UpdateReport report =
+      material.update(t, dt, n, before.data(), after.data(), history.data(), unused.data(), cauchy.data());
+  if (report.worst == ASSAY_FAILED) {
+    throw MaterialFailure(
+        report.message, 0, t,
+        failed_step(t, dt, n, report.worst_point, before.data(), after.data(), history.data(), states));
+  }
+  const auto stress = [&](std::size_t p) {
+    Tensor sigma, F;
+    for (std::size_t c = 0; c < 9; ++c) {
+      component(sigma, static_cast<int>(c)) = cauchy[c * n + p];
+      component(F, static_cast<int>(c)) = after[c * n + p];
+    }
+    return first_piola_kirchhoff(sigma, F);
+  };
+  TangentModulus A;
+  for (std::size_t j = 0; j < 9; ++j) {
+    const Tensor slope = (stress(2 * j + 1) - stress(2 * j)) / (after[j * n + 2 * j + 1] - after[j * n + 2 * j]);
+    for (int i = 0; i < 9; ++i) A(i, static_cast<int>(j)) = component(slope, i);
   }
   return A;
 }
@@ -114,7 +136,9 @@ double fastest_wave_on_path(const Material& material, const Path& given, double 
   for (std::size_t b = 0; b + 1 < breaks.size(); ++b) {
     for (int k = 1; k < samples; ++k) times.push_back(breaks[b] + (breaks[b + 1] - breaks[b]) * k / (samples - 1));
   }
-  const Histories h = integrate_histories(material, path, xi, times, {.tolerance = history_tolerance});
+  DriverOptions options;
+  options.tolerance = history_tolerance;
+  const Histories h = integrate_histories(material, path, xi, times, options);
   const auto* extension = material.extension<assay_wave_speed>(ASSAY_EXTENSION_WAVE_SPEED);
   if (extension && extension->wave_speed) return own_wave_speed(material, *extension, density, h, path);
   return probed_wave_speed(material, density, share_of_end * end, h, path);

@@ -17,6 +17,11 @@ using TangentModulus = Eigen::Matrix<double, 9, 9>;
 TangentModulus probe_tangent_modulus(const Material& material, double t, double dt, const Tensor& F,
                                      const std::vector<double>& state0);
 
+/// The same about a step from F0 to F1, with differences of that size [1]. Smaller than the step, they stay on the
+/// branch that the step is on: the loading branch of a material with kinks.
+TangentModulus probe_tangent_modulus(const Material& material, double t, double dt, const Tensor& F0, const Tensor& F1,
+                                     const std::vector<double>& state0, double size);
+
 /// Largest c over all directions with rho0 c^2 an eigenvalue of A_iJkL N_J N_L, N = F^T n, |n| = 1 [m/s].
 double fastest_wave(const TangentModulus& A, const Tensor& F, double density);
 

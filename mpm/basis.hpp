@@ -3,6 +3,8 @@
 //
 // A basis keeps the weights of all particles for one step and offers three operations:
 //   place(p, x, F)            computes the weights of a particle; false where it reaches outside the grid
+//   place(p, x, F, half)      the same for a reference domain of its own, given by domain_components numbers: the half
+//                             edges along the axes, or Dim x Dim row-major whose column d is half edge d [m]
 //   scatter<K, G>(p, A, B, f) adds w_i A + (0, B grad w_i) to each node i: A has K components, B acts on the last G
 //   gather<K, G>(p, f, v, g)  v = sum_i w_i f_i (K components), g = sum_i f_i (x) grad w_i of the first G of them
 // where w_i is phi_ip, the weight of node i for particle p, and grad w_i its gradient [1/m].

@@ -15,6 +15,7 @@ class CpdiBasis {
  public:
   static constexpr int corners = 1 << Dim;
   static constexpr bool uses_deformation = true;
+  static constexpr std::size_t domain_components = Dim * Dim;
   static constexpr double share = 1.0 / corners;
   /// Bytes of the weights a particle.
   static constexpr std::size_t bytes =
@@ -33,15 +34,23 @@ class CpdiBasis {
         w.gradient[d * Dim + i] = share * inverse[i * Dim + d] / half_[d];
       }
     }
-    bool inside = true;
-    for (std::size_t c = 0; c < corners; ++c) {
-      Vec<Dim> corner = x;
+    return place_corners(w, x, r);
+  }
+
+  /// half: column d is half edge d of the reference domain, which need not follow the axes [m].
+  bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>& F, const Mat<Dim>& half) {
+    Weights& w = weights_[p];
+    Mat<Dim> r{};
+    for (std::size_t i = 0; i < Dim; ++i) {
       for (std::size_t d = 0; d < Dim; ++d) {
-        for (std::size_t i = 0; i < Dim; ++i) corner[i] += (c >> d & 1) ? r[i * Dim + d] : -r[i * Dim + d];
+        for (std::size_t k = 0; k < Dim; ++k) r[i * Dim + d] += F[i * Dim + k] * half[k * Dim + d];
       }
-      inside = locator_.cell_of(corner, w.node[c], w.fraction[c]) && inside;
     }
-    return inside;
+    const Mat<Dim> inverse = inverse_transpose<Dim>(r, determinant<Dim>(r));
+    for (std::size_t i = 0; i < Dim; ++i) {
+      for (std::size_t d = 0; d < Dim; ++d) w.gradient[d * Dim + i] = share * inverse[i * Dim + d];
+    }
+    return place_corners(w, x, r);
   }
 
   template <int K, int G>
@@ -102,6 +111,18 @@ class CpdiBasis {
     std::array<std::int32_t, corners> node;
   };
   static_assert(sizeof(Weights) == bytes);
+
+  bool place_corners(Weights& w, const Vec<Dim>& x, const Mat<Dim>& r) {
+    bool inside = true;
+    for (std::size_t c = 0; c < corners; ++c) {
+      Vec<Dim> corner = x;
+      for (std::size_t d = 0; d < Dim; ++d) {
+        for (std::size_t i = 0; i < Dim; ++i) corner[i] += (c >> d & 1) ? r[i * Dim + d] : -r[i * Dim + d];
+      }
+      inside = locator_.cell_of(corner, w.node[c], w.fraction[c]) && inside;
+    }
+    return inside;
+  }
 
   Locator<Dim> locator_;
   std::array<std::int32_t, corners> offsets_;

@@ -10,6 +10,7 @@ template <int Dim>
 class LinearBasis : public SeparableBasis<Dim, 2> {
  public:
   static constexpr bool uses_deformation = false;
+  static constexpr std::size_t domain_components = 0;
 
   LinearBasis(const GridGeometry<Dim>& grid, const Vec<Dim>&, std::size_t particles)
       : SeparableBasis<Dim, 2>(grid, particles) {}

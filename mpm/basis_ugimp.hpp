@@ -17,13 +17,23 @@ template <int Dim>
 class UgimpBasis : public SeparableBasis<Dim, 3> {
  public:
   static constexpr bool uses_deformation = false;
+  static constexpr std::size_t domain_components = Dim;
 
   UgimpBasis(const GridGeometry<Dim>& grid, const Vec<Dim>& half_size, std::size_t particles)
       : SeparableBasis<Dim, 3>(grid, particles) {
     for (std::size_t d = 0; d < Dim; ++d) half_[d] = half_size[d] / grid.spacing;
   }
 
-  bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>&) {
+  bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>&) { return place_with(p, x, half_); }
+
+  bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>&, const Vec<Dim>& half_size) {
+    Vec<Dim> half;
+    for (std::size_t d = 0; d < Dim; ++d) half[d] = half_size[d] * this->locator_.inverse_spacing;
+    return place_with(p, x, half);
+  }
+
+ private:
+  bool place_with(std::size_t p, const Vec<Dim>& x, const Vec<Dim>& half) {
     auto& w = this->weights_[p];
     Vec<Dim> shifted = x, fraction;  // to the cell of half a spacing below: its lower node is the first of the three
     for (std::size_t d = 0; d < Dim; ++d) shifted[d] -= 0.5 * spacing();
@@ -32,7 +42,7 @@ class UgimpBasis : public SeparableBasis<Dim, 3> {
       if (!(shifted[d] * this->locator_.inverse_spacing - this->locator_.first[d] < this->locator_.last_cell[d] - 1)) {
         return false;
       }
-      const double l = half_[d];           // in units of h, as r below
+      const double l = half[d];            // in units of h, as r below
       const double r = fraction[d] - 0.5;  // from the middle node: [-1/2, 1/2)
       along(r + 1, l, w.value[d][0], w.slope[d][0]);
       along(r, l, w.value[d][1], w.slope[d][1]);
@@ -41,7 +51,6 @@ class UgimpBasis : public SeparableBasis<Dim, 3> {
     return true;
   }
 
- private:
   double spacing() const { return 1 / this->locator_.inverse_spacing; }
 
   void along(double r, double l, double& value, double& slope) const {

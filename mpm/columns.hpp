@@ -15,6 +15,7 @@ enum class Column {
   velocity,
   mass,
   volume,
+  domain,
   deformation_gradient,
   stress,
   velocity_gradient,
@@ -22,7 +23,7 @@ enum class Column {
   weights,
   history,
 };
-inline constexpr std::size_t column_count = 11;
+inline constexpr std::size_t column_count = 12;
 
 struct ColumnInfo {
   std::string_view name;
@@ -33,15 +34,16 @@ struct ColumnInfo {
 /// Name, unit and meaning of a column.
 constexpr ColumnInfo info(Column column) {
   constexpr std::array<ColumnInfo, column_count> table{{
-      {"reference_position", "m", "X, where the body force is evaluated"},
+      {"reference_position", "m", "X"},
       {"position", "m", "x"},
       {"velocity", "m/s", "v"},
       {"mass", "kg", "constant"},
       {"volume", "m^3", "reference volume, per unit thickness in two dimensions"},
+      {"domain", "m", "half edges of the reference domain, where they differ"},
       {"deformation_gradient", "1", "F, in-plane components"},
       {"stress", "Pa", "Cauchy stress, in-plane components and 33"},
       {"velocity_gradient", "1/s", "L of the step"},
-      {"body_force", "m/s^2", "b at the particle's reference position"},
+      {"body_force", "m/s^2", "b of the exact motion"},
       {"weights", "1", "nodes, weights and gradients of the step"},
       {"history", "mixed", "state variables of the material, begin and end of the step"},
   }};

@@ -53,9 +53,9 @@ std::vector<Pass<Dim>> compose_with(const Setup<Dim>& setup) {
     add(velocity_gradient_pass<B, Dim>());
   };
   if constexpr (Dim == 2) {
-    if (body_force) add(body_force_pass<Dim>());
+    if (body_force) add(body_force_pass<Dim>(setup.evaluation));
   }
-  add(weights_pass<B, Dim>());
+  add(weights_pass<B, Dim>(!setup.seeds.half_edges.empty()));
   add(particles_to_grid_pass<B, Dim>(setup.hold_outside));
   if (setup.update == Update::usf) {
     add_gradient_and_stress();
@@ -104,6 +104,9 @@ std::size_t bytes_of(Column column, const Setup<Dim>& setup) {
       return doubles(stress_components<Dim>);
     case Column::history:
       return history_bytes(setup.material->state_size());
+    case Column::domain:
+      return with_basis<Dim>(setup.basis,
+                             [](auto tag) { return decltype(tag)::type::domain_components * sizeof(double); });
     case Column::weights:
       break;
   }

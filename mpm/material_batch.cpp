@@ -4,6 +4,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "mpm/blocks.hpp"
 
@@ -48,9 +49,28 @@ MaterialBatches<Dim>::MaterialBatches(State<Dim>& state, bool reads_increment)
   if (state_size_ == 0) return;
   for (std::size_t begin = 0; begin < state.particles; begin += block_size) {
     const std::size_t n = std::min(block_size, state.particles - begin);
-    const std::vector<double> rest = instances_[0].initial_state(n);
+    const std::vector<double> rest = instances_[0].initial_state(n, {}, directions(begin, n));
     std::copy(rest.begin(), rest.end(), state.history[0].begin() + static_cast<std::ptrdiff_t>(begin * state_size_));
   }
+}
+
+/// The material direction of n particles at rest, 3 * n. The vortex's response is the same all around the ring because
+/// it turns with the reference angle.
+template <int Dim>
+std::vector<double> MaterialBatches<Dim>::directions(std::size_t begin, std::size_t n) const {
+  const State<Dim>& s = *state_;
+  const auto& d = s.setup.material_direction;
+  const bool polar = s.setup.motion && std::holds_alternative<Vortex>(*s.setup.motion);
+  std::vector<double> found(3 * n);
+  for (std::size_t p = 0; p < n; ++p) {
+    const double X = s.column(Column::reference_position, 0)[begin + p];
+    const double Y = s.column(Column::reference_position, 1)[begin + p], R = std::hypot(X, Y);
+    const double c = polar && R > 0 ? X / R : 1, sine = polar && R > 0 ? Y / R : 0;
+    found[p] = c * d[0] - sine * d[1];
+    found[n + p] = sine * d[0] + c * d[1];
+    found[2 * n + p] = d[2];
+  }
+  return found;
 }
 
 /// det F <= 0 or not a number: the first such particle.
@@ -101,6 +121,8 @@ typename MaterialBatches<Dim>::Outcome MaterialBatches<Dim>::update(std::size_t 
   if (report.worst == ASSAY_FAILED) {
     outcome.refused = begin + report.worst_point;
     outcome.message = report.message;
+    outcome.step =
+        failed_step(now.t, now.dt, n, report.worst_point, scratch.F0.data(), scratch.F1.data(), state0, state_size_);
     return outcome;
   }
   if (state_size_) std::copy_n(state1, n * state_size_, s.history[0].data() + begin * state_size_);

@@ -20,6 +20,7 @@ class MaterialBatches {
     std::optional<std::size_t> inverted;  ///< first particle with det F <= 0 (or no number)
     std::optional<std::size_t> refused;   ///< first particle that the material refused
     std::string message;
+    std::optional<FailedStep> step;  ///< with which it was refused
   };
 
   /// F <- (I + dt L) F and the stress of the particles of one block. Safe for different blocks at once.
@@ -31,6 +32,7 @@ class MaterialBatches {
     std::size_t points = 0;
     void resize(std::size_t n);
   };
+  std::vector<double> directions(std::size_t begin, std::size_t n) const;
   std::optional<std::size_t> advance_deformation(std::size_t begin, std::size_t n, double dt, Scratch& scratch);
 
   State<Dim>* state_;

@@ -7,5 +7,7 @@ namespace assay::mpm {
 enum class Basis { linear, ugimp, cpdi };
 enum class Transfer { pic, flip };
 enum class Update { usf, usl, musl };
+/// Of the body force: at the particle's reference position, or averaged over its reference domain.
+enum class Evaluation { point, domain_average };
 
 }  // namespace assay::mpm

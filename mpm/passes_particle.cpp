@@ -5,19 +5,55 @@
 #include <cmath>
 #include <mutex>
 
+#include "harness/domain_average.hpp"
 #include "mpm/blocks.hpp"
 #include "mpm/material_batch.hpp"
 
 namespace assay::mpm {
 
+namespace {
+
+/// Rectangles half_size around the particles; neighbours share corners to the last bit where they stand on a lattice.
+ReferenceDomains rectangles_of(const Seeds<2>& seeds, const Vortex& vortex) {
+  std::vector<Rectangle> rectangles(seeds.size());
+  for (std::size_t p = 0; p < seeds.size(); ++p) {
+    for (std::size_t d = 0; d < 2; ++d) {
+      const double half = seeds.half_size[d], X = seeds.X[d][p], odd = std::round(X / half);
+      const bool on_lattice = std::abs(X - odd * half) <= 1e-12 * std::abs(X);
+      rectangles[p].lower[d] = on_lattice ? (odd - 1) * half : X - half;
+      rectangles[p].upper[d] = on_lattice ? (odd + 1) * half : X + half;
+    }
+  }
+  return domains_of(rectangles, {vortex.inner, vortex.outer}, false);
+}
+
+Kernel averaged_kernel(State<2>& s) {
+  const auto& vortex = std::get<Vortex>(*s.setup.motion);
+  const Seeds<2>& seeds = s.setup.seeds;
+  auto field = std::make_shared<DomainAverage>(vortex, s.setup.density,
+                                               seeds.domains ? *seeds.domains : rectangles_of(seeds, vortex));
+  return [&s, field](const Instant& now) {
+    field->evaluate(*s.setup.response, now.t, std::span(s.column(Column::body_force, 0), s.particles),
+                    std::span(s.column(Column::body_force, 1), s.particles));
+  };
+}
+
+}  // namespace
+
 template <int Dim>
-Pass<Dim> body_force_pass() {
+Pass<Dim> body_force_pass(Evaluation evaluation) {
   Pass<Dim> pass;
   pass.name = "body_force";
+  pass.writes = {Column::body_force};
+  if (evaluation == Evaluation::domain_average) {
+    pass.doc = "b of the exact motion, averaged over the particles' reference domains";
+    pass.called_for_by = "force.evaluation";
+    pass.bind = averaged_kernel;
+    return pass;
+  }
   pass.doc = "b of the exact motion at the particles' reference positions";
   pass.called_for_by = "force.response";
   pass.reads = {Column::reference_position};
-  pass.writes = {Column::body_force};
   pass.bind = [](State<Dim>& s) -> Kernel {
     const std::size_t n = s.particles;
     auto field = std::make_shared<BodyForceField>(std::get<Vortex>(*s.setup.motion), s.setup.density,
@@ -48,21 +84,23 @@ Pass<Dim> stress_pass(bool with_history, bool reads_increment) {
     return [&s, materials](const Instant& now) {
       FirstBad inverted, refused;
       std::mutex message_guard;
-      std::pair<std::size_t, std::string> message{~std::size_t{0}, ""};
+      std::size_t first = ~std::size_t{0};
+      typename MaterialBatches<Dim>::Outcome first_refusal;
       for_blocks(s.particles, s.setup.threads, [&](std::size_t begin, std::size_t end) {
         const auto outcome = materials->update(begin, end, now);
         if (outcome.inverted) inverted.report(*outcome.inverted);
         if (!outcome.refused) return;
         refused.report(*outcome.refused);
         const std::lock_guard lock(message_guard);
-        if (*outcome.refused < message.first) message = {*outcome.refused, outcome.message};
+        if (*outcome.refused < first) first = *outcome.refused, first_refusal = outcome;
       });
       s.material_calls += static_cast<std::int64_t>(s.particles);
       const auto p = inverted.found(), q = refused.found();
       if (p && (!q || *p < *q)) {
         s.finding = Finding{Finding::Kind::unstable, "det F <= 0", static_cast<std::int64_t>(*p)};
       } else if (q) {
-        s.finding = Finding{Finding::Kind::material_failed, message.second, static_cast<std::int64_t>(*q)};
+        s.finding = Finding{Finding::Kind::material_failed, first_refusal.message, static_cast<std::int64_t>(*q),
+                            first_refusal.step};
       }
     };
   };
@@ -136,7 +174,7 @@ Pass<Dim> accounts_pass(bool with_body_force) {
 }
 
 // The vortex's body force lives in the plane; three dimensions serve the property tests of transfer and stress.
-template Pass<2> body_force_pass<2>();
+template Pass<2> body_force_pass<2>(Evaluation);
 template Pass<2> stress_pass<2>(bool, bool);
 template Pass<3> stress_pass<3>(bool, bool);
 template Pass<2> accounts_pass<2>(bool);

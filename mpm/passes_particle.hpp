@@ -6,9 +6,10 @@
 
 namespace assay::mpm {
 
-/// b at the particles' reference positions, at the time at which the step begins.
+/// b at the particles' reference positions or averaged over their reference domains, at the time at which the step
+/// begins.
 template <int Dim>
-Pass<Dim> body_force_pass();
+Pass<Dim> body_force_pass(Evaluation evaluation);
 
 /// F <- (I + dt L) F, then the material's update in batches; finds det F <= 0 and failed points.
 template <int Dim>

@@ -9,26 +9,42 @@
 
 namespace assay::mpm {
 
+/// The weights of a block of particles, whose domains are all alike or one each.
 template <class B, int Dim>
-Pass<Dim> weights_pass() {
+void place_block(State<Dim>& s, B& basis, std::size_t begin, std::size_t end, FirstBad& outside) {
+  const auto x = components<Dim>(s, Column::position);
+  const auto F = components<Dim * Dim>(s, Column::deformation_gradient);
+  const auto F_of = [&](std::size_t p) { return B::uses_deformation ? load(F, p) : Mat<Dim>{}; };
+  if constexpr (B::domain_components > 0) {
+    if (s.has(Column::domain)) {
+      const auto half = components<static_cast<int>(B::domain_components)>(s, Column::domain);
+      for (std::size_t p = begin; p < end; ++p) {
+        if (!basis.place(p, load(x, p), F_of(p), load(half, p))) outside.report(p);
+      }
+      return;
+    }
+  }
+  for (std::size_t p = begin; p < end; ++p) {
+    if (!basis.place(p, load(x, p), F_of(p))) outside.report(p);
+  }
+}
+
+template <class B, int Dim>
+Pass<Dim> weights_pass(bool domains_differ) {
   Pass<Dim> pass;
   pass.name = "weights";
   pass.doc = "nodes, phi_ip and grad phi_ip of every particle, shared by the passes of the step";
   pass.called_for_by = "method.basis";
   pass.reads = {Column::position};
   if (B::uses_deformation) pass.reads.push_back(Column::deformation_gradient);
+  if (domains_differ && B::domain_components > 0) pass.reads.push_back(Column::domain);
   pass.writes = {Column::weights};
   pass.bind = [](State<Dim>& s) -> Kernel {
     B& basis = basis_of<B>(s);
     return [&s, &basis](const Instant&) {
-      const auto x = components<Dim>(s, Column::position);
-      const auto F = components<Dim * Dim>(s, Column::deformation_gradient);
       FirstBad outside;
-      for_blocks(s.particles, s.setup.threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t p = begin; p < end; ++p) {
-          if (!basis.place(p, load(x, p), B::uses_deformation ? load(F, p) : Mat<Dim>{})) outside.report(p);
-        }
-      });
+      for_blocks(s.particles, s.setup.threads,
+                 [&](std::size_t begin, std::size_t end) { place_block(s, basis, begin, end, outside); });
       if (const auto p = outside.found()) {
         s.finding = Finding{Finding::Kind::unstable, "a particle or a corner of its domain left the grid",
                             static_cast<std::int64_t>(*p)};
@@ -125,7 +141,7 @@ Pass<Dim> force_pass(bool with_body_force) {
 }
 
 #define ASSAY_PASSES(BASIS, DIM)                                    \
-  template Pass<DIM> weights_pass<BASIS<DIM>, DIM>();               \
+  template Pass<DIM> weights_pass<BASIS<DIM>, DIM>(bool);           \
   template Pass<DIM> particles_to_grid_pass<BASIS<DIM>, DIM>(bool); \
   template Pass<DIM> force_pass<BASIS<DIM>, DIM>(bool);
 

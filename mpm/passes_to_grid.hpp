@@ -6,9 +6,9 @@
 
 namespace assay::mpm {
 
-/// phi_ip and grad phi_ip of the step; finds particles outside the grid.
+/// phi_ip and grad phi_ip of the step; finds particles outside the grid. domains_differ: each particle has its own.
 template <class B, int Dim>
-Pass<Dim> weights_pass();
+Pass<Dim> weights_pass(bool domains_differ);
 
 /// m_i = sum phi_ip m_p, (m v)_i = sum phi_ip m_p v_p.
 template <class B, int Dim>

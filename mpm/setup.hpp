@@ -11,6 +11,7 @@
 #include "harness/body_force.hpp"
 #include "harness/material.hpp"
 #include "harness/motion.hpp"
+#include "harness/reference_domain.hpp"
 #include "mpm/method.hpp"
 
 namespace assay::mpm {
@@ -35,15 +36,21 @@ struct GridGeometry {
 /// Particles of a body in the reference configuration, in cell order.
 template <int Dim>
 struct Seeds {
-  std::array<std::vector<double>, Dim> X;     ///< reference positions [m]
-  std::array<double, Dim> half_size{};        ///< half edges of the reference domain of each particle [m]
+  std::array<std::vector<double>, Dim> X;  ///< reference positions [m]
+  std::array<double, Dim> half_size{};     ///< half edges of the reference domain of each particle [m]
+  std::vector<double> volumes;             ///< of each particle where they differ, else empty [m^Dim]
+  /// Of each particle where they differ, else empty: column d is half edge d of its domain for the basis [m].
+  std::vector<std::array<double, Dim * Dim>> half_edges;
+  /// What the body force is averaged over; null: half_size around each particle.
+  std::shared_ptr<const ReferenceDomains> domains;
   std::vector<std::array<double, Dim>> held;  ///< reference positions of particles that never move [m]
   std::size_t size() const { return X[0].size(); }
-  double volume() const {  ///< reference volume of a particle [m^Dim]
+  double volume() const {  ///< reference volume of a particle whose domain is half_size around it [m^Dim]
     double product = 1;
     for (const double half : half_size) product *= 2 * half;
     return product;
   }
+  double volume(std::size_t p) const { return volumes.empty() ? volume() : volumes[p]; }
 };
 
 /// The method and the effects that a scene calls for.
@@ -56,7 +63,11 @@ struct Setup {
   Seeds<Dim> seeds;
   double density = 0;  ///< rho0 [kg/m^3]
   std::shared_ptr<const Material> material;
-  bool body_force = false;                   ///< b of the exact motion acts
+  /// Unit direction of a material with one: along E_R, E_Theta, E_Z at the particle for the vortex, Cartesian
+  /// otherwise.
+  std::array<double, 3> material_direction{1, 0, 0};
+  bool body_force = false;  ///< b of the exact motion acts
+  Evaluation evaluation = Evaluation::point;
   std::shared_ptr<const Response> response;  ///< what b is made of; needed to run, not to compose
   std::optional<Motion> motion;              ///< gives the initial velocity; null: at rest
   bool hold_outside = false;                 ///< nodes and particles outside the vortex's ring are held

@@ -44,7 +44,6 @@ template <int Dim>
 void Simulation<Dim>::fill() {
   State<Dim>& s = state_;
   const Seeds<Dim>& seeds = s.setup.seeds;
-  const double volume = seeds.volume();
   for (std::size_t p = 0; p < s.particles; ++p) {
     Vector3 X = Vector3::Zero();
     for (int d = 0; d < Dim; ++d) {
@@ -52,12 +51,28 @@ void Simulation<Dim>::fill() {
       s.column(Column::reference_position, d)[p] = s.column(Column::position, d)[p] = X(d);
       s.column(Column::deformation_gradient, d * Dim + d)[p] = 1;
     }
+    const double volume = seeds.volume(p);
     s.column(Column::mass)[p] = s.setup.density * volume;
     s.column(Column::volume)[p] = volume;
+    if (s.has(Column::domain)) fill_domain(p);
     if (!s.setup.motion) continue;
     const Vector3 v = state_at(*s.setup.motion, X, 0).v;
     for (int d = 0; d < Dim; ++d) s.column(Column::velocity, d)[p] = v(d);
   }
+}
+
+/// Half edges as the basis wants them. Half sizes along the axes, where the domains do not follow these: of a cube of
+/// the same volume.
+template <int Dim>
+void Simulation<Dim>::fill_domain(std::size_t p) {
+  State<Dim>& s = state_;
+  const Seeds<Dim>& seeds = s.setup.seeds;
+  const auto& half = seeds.half_edges[p];
+  if (bytes_of(Column::domain, s.setup) == half.size() * sizeof(double)) {
+    for (int c = 0; c < Dim * Dim; ++c) s.column(Column::domain, c)[p] = half[static_cast<std::size_t>(c)];
+    return;
+  }
+  for (int d = 0; d < Dim; ++d) s.column(Column::domain, d)[p] = 0.5 * std::pow(seeds.volume(p), 1.0 / Dim);
 }
 
 /// Nodes outside the ring are held.

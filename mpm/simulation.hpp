@@ -33,6 +33,7 @@ class Simulation {
  private:
   void allocate(const std::vector<Pass<Dim>>& passes);
   void fill();
+  void fill_domain(std::size_t p);
   void hold_outside();
 
   State<Dim> state_;

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "harness/failed_step.hpp"
 #include "mpm/basis.hpp"
 #include "mpm/columns.hpp"
 #include "mpm/grid_field.hpp"
@@ -16,8 +18,9 @@ namespace assay::mpm {
 struct Finding {
   enum class Kind { unstable, material_failed };
   Kind kind = Kind::unstable;
-  std::string reason;         ///< one sentence
-  std::int64_t particle = 0;  ///< permanent id
+  std::string reason;                   ///< one sentence
+  std::int64_t particle = 0;            ///< permanent id
+  std::optional<FailedStep> step = {};  ///< of a material that failed
 };
 
 /// Momentum and energy since t = 0. What the particles have is compared with what was given to them.

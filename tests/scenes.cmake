@@ -12,4 +12,9 @@ foreach(scene IN LISTS scenes)
   endif()
   add_test(NAME scene/${name}
     COMMAND assay ${verb} ${PROJECT_SOURCE_DIR}/configs/${scene} -o ${PROJECT_BINARY_DIR}/scenes/${name} --quiet)
+  set_property(TEST scene/${name} APPEND PROPERTY ENVIRONMENT "${test_environment}")
+  # One run a model is enough for every day.
+  if(name MATCHES "^models/.*_sine$")
+    set_tests_properties(scene/${name} PROPERTIES LABELS long)
+  endif()
 endforeach()

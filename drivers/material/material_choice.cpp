@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/material/material_choice.hpp"
 
+#include <algorithm>
+
 #include "drivers/material/registry.hpp"
 
 namespace assay::drivers {
@@ -13,13 +15,26 @@ Location place_of(const std::string& parameter, const MaterialChoice& choice, co
   return choice.where;
 }
 
+std::vector<std::string> parameter_names(const MaterialSource& source) {
+  std::vector<std::string> names;
+  for (std::uint32_t i = 0; i < source.table->parameter_count; ++i) names.emplace_back(source.table->parameters[i].name);
+  return names;
+}
+
+bool undeclared(const MaterialSource& source, const std::string& name) {
+  const std::vector<std::string> names = parameter_names(source);
+  return !name.empty() && std::find(names.begin(), names.end(), name) == names.end();
+}
+
 Material created(const MaterialChoice& choice, const MaterialSource& source) {
   try {
     return Material(source.table, choice.parameters);
   } catch (const ParameterError& error) {
     const Location where = place_of(error.key(), choice, source);
     const std::string key = error.key().empty() ? "material.parameters" : "material.parameters." + error.key();
-    throw InputError(where, one_line(key, 100), error.what(), error.known());
+    const std::string near = undeclared(source, error.key()) ? nearest(error.key(), parameter_names(source)) : "";
+    throw InputError(where, one_line(key, 100), error.what() + (near.empty() ? "" : " (nearest: " + near + ")"),
+                     error.known());
   } catch (const std::runtime_error& error) {
     throw InputError(choice.where, "material.parameters", error.what());
   }
@@ -44,14 +59,31 @@ ResolvedMaterial resolve_material(const MaterialChoice& given) {
   return {std::move(material), std::move(choice), source.library};
 }
 
+namespace {
+
+bool has_direction(const assay_material& table) {
+  return std::any_of(table.state, table.state + table.state_count, [](const assay_state_variable& variable) {
+    return variable.role == ASSAY_ROLE_DIRECTION && variable.kind == ASSAY_VECTOR;
+  });
+}
+
+}  // namespace
+
 ResolvedMaterial resolve_material(const Scene& scene) {
   ResolvedMaterial resolved = resolve_material(scene.material);
   if (std::holds_alternative<Vortex>(scene.motion) && resolved.material.table().symmetry == ASSAY_ANISOTROPIC) {
     throw InputError(scene.material.where, "material.adapter",
                      "'" + resolved.material.name() +
                          "' is anisotropic in fixed axes, and the vortex's response (19) is the same all around the "
-                         "ring only for a material that is isotropic about the ring's axis");
+                         "ring only for a material that is isotropic about the ring's axis, or whose axes turn with "
+                         "the radius (cylindrically orthotropic)");
   }
+  const bool directed = has_direction(resolved.material.table());
+  if (scene.material.direction && !directed) {
+    throw InputError(scene.place("material.direction"), "material.direction",
+                     "'" + resolved.material.name() + "' has no direction");
+  }
+  if (directed && !scene.material.direction) resolved.choice.direction = {1.0, 0.0, 0.0};
   return resolved;
 }
 

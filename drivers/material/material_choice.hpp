@@ -16,7 +16,8 @@ struct ResolvedMaterial {
 };
 
 /// Finds and creates it. Throws InputError: not found, not loadable, a parameter that it does not take or lacks, no
-/// density, refused by the model itself; for a vortex, a material that is anisotropic in Cartesian axes.
+/// density, refused by the model itself; for a vortex, a material that is anisotropic in Cartesian axes; a direction
+/// that it does not have.
 ResolvedMaterial resolve_material(const Scene& scene);
 
 /// The same without a motion to suit.

@@ -15,18 +15,22 @@ void require_time(double t, const CsvTable& table, std::size_t row) {
 }  // namespace
 
 ReferencePoints read_reference_points(const std::string& file) {
-  const CsvTable table = read_csv(read_input_file(file), file, {"X", "Y", "t"}, {"Z", "NX", "NY"});
+  const CsvTable table = read_csv(read_input_file(file), file, {"X", "Y", "t"}, {"Z", "NX", "NY", "NZ"});
   const auto *X = table.column("X"), *Y = table.column("Y"), *Z = table.column("Z"), *t = table.column("t");
-  const auto *NX = table.column("NX"), *NY = table.column("NY");
-  if (!NX != !NY) {
-    throw InputError(Location{file, table.header_line, 1}, {}, "NX and NY only come together", "X, Y, Z, t, NX, NY");
+  const auto *NX = table.column("NX"), *NY = table.column("NY"), *NZ = table.column("NZ");
+  if (!NX != !NY || (NZ && !NX)) {
+    const char* what = NZ ? "NZ only comes with NX and NY" : "NX and NY only come together";
+    throw InputError(Location{file, table.header_line, 1}, {}, what, "X, Y, Z, t, NX, NY, NZ");
   }
   ReferencePoints out;
   out.has_z = Z != nullptr;
   out.has_normals = NX != nullptr;
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    ReferencePoint point{(*X)[i], (*Y)[i], Z ? (*Z)[i] : 0, (*t)[i], NX ? (*NX)[i] : 0, NY ? (*NY)[i] : 0};
-    if (NX && point.NX == 0 && point.NY == 0) {
+    ReferencePoint point{(*X)[i], (*Y)[i], Z ? (*Z)[i] : 0, (*t)[i]};
+    if (NX) point.NX = (*NX)[i], point.NY = (*NY)[i];
+    if (NZ) point.NZ = (*NZ)[i];
+    point.line = table.lines[i];
+    if (NX && point.NX == 0 && point.NY == 0 && point.NZ == 0) {
       throw InputError(Location{file, table.lines[i], 1}, {}, "the normal NX,NY has no length");
     }
     require_time(point.t, table, i);

@@ -9,9 +9,10 @@ namespace assay::drivers {
 
 /// A reference point at a time, with the outward unit normal of a surface element where one is given.
 struct ReferencePoint {
-  double X = 0, Y = 0, Z = 0;  ///< [m]
-  double t = 0;                ///< [s]
-  double NX = 0, NY = 0;       ///< [1], as given
+  double X = 0, Y = 0, Z = 0;     ///< [m]
+  double t = 0;                   ///< [s]
+  double NX = 0, NY = 0, NZ = 0;  ///< [1], as given
+  int line = 0;                   ///< in the file, from 1
 };
 
 struct ReferencePoints {
@@ -19,8 +20,8 @@ struct ReferencePoints {
   bool has_z = false, has_normals = false;
 };
 
-/// Columns X,Y,t and perhaps Z, NX and NY (both or neither; not both zero). Throws InputError as read_csv does, and for
-/// t < 0.
+/// Columns X,Y,t and perhaps Z, NX and NY (both or neither), with them perhaps NZ; not all zero. Throws InputError as
+/// read_csv does, and for t < 0.
 ReferencePoints read_reference_points(const std::string& file);
 
 /// A point of the response sheet.

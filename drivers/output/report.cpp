@@ -96,7 +96,8 @@ std::string verdict(const Result& result) {
   }
   std::string out = "<div class=\"verdict " + kind + "\">" + element("strong", sentence);
   out += element("p", "Outcome: " + element("b", escaped(result.outcome)) +
-                          (result.reason.empty() ? "" : ". " + escaped(result.reason)));
+                          (result.reason.empty() ? "" : ". " + escaped(result.reason)) +
+                          (result.replay.empty() ? "" : ". The failing step is in " + escaped(result.replay)));
   return out + "</div>\n";
 }
 
@@ -202,11 +203,16 @@ std::string fact(const std::string& name, const std::string& value) {
 std::string credibility(const Result& result) {
   std::string out = "<dl class=\"facts\">\n";
   if (result.sheet) {
-    out += fact("Response sheet", grouped_text(result.sheet->points) + " points, made in " +
+    out += fact("Response sheet", grouped_text(result.sheet->points) + " points, " +
+                                      (result.sheet->cached ? "read from disk in " : "made in ") +
                                       rounded_text(result.sheet->wall_s, 3) + "\u202fs");
     out += fact("Its error", rounded_text(result.sheet->error_tau, 2) + " in \u03c4, " +
                                  rounded_text(result.sheet->error_dtau, 2) +
                                  " in d\u03c4/d\u03be, of the largest component");
+    if (result.sheet->error_b) {
+      out += fact("What it costs and buys", rounded_text(result.sheet->wall_s, 2) + "\u202fs for an error of b of " +
+                                                rounded_text(*result.sheet->error_b, 2) + " of the largest |b|");
+    }
   }
   out += fact("Drift of mass", figure(result.drift.mass, 2));
   out += fact("of momentum", figure(result.drift.momentum, 2));

@@ -50,7 +50,36 @@ Json sheet(const std::optional<SheetFigures>& figures) {
   out["points"] = figures ? Json(figures->points) : Json(nullptr);
   out["error_tau"] = figures ? figure(figures->error_tau) : Json(nullptr);
   out["error_dtau"] = figures ? figure(figures->error_dtau) : Json(nullptr);
+  out["error_b"] = figures ? figure(figures->error_b) : Json(nullptr);
   out["wall_s"] = figures ? figure(figures->wall_s) : Json(nullptr);
+  out["cached"] = figures ? Json(figures->cached) : Json(nullptr);
+  return out;
+}
+
+Json screen(const std::optional<ScreenFigures>& found) {
+  const ScreenFigures figures = found.value_or(ScreenFigures{});
+  Json out;
+  out["verdict"] = found ? Json(figures.verdict) : Json(nullptr);
+  out["t"] = figure(figures.t);
+  out["xi"] = figure(figures.xi);
+  out["gamma"] = figure(figures.gamma);
+  out["smallest"] = figure(figures.smallest);
+  out["largest_safe_amplitude"] = figure(figures.largest_safe_amplitude);
+  out["wall_s"] = found ? figure(figures.wall_s) : Json(nullptr);
+  return out;
+}
+
+Json reference(const ReferenceFigures& figures) {
+  Json out;
+  out["closed_form"] = figure(figures.closed_form);
+  out["rate_form"] = figure(figures.rate_form);
+  return out;
+}
+
+Json rim(const std::optional<RimFigures>& figures) {
+  Json out;
+  out["width"] = figures ? figure(figures->width) : Json(nullptr);
+  out["cells"] = figures ? figure(figures->cells) : Json(nullptr);
   return out;
 }
 
@@ -101,7 +130,11 @@ Json tree(const Result& result) {
   out["particle_steps_per_s"] = figure(result.particle_steps_per_s);
   out["passes"] = passes(result.passes);
   out["sheet"] = sheet(result.sheet);
+  out["screen"] = screen(result.screen);
+  out["reference"] = reference(result.reference);
+  out["rim"] = rim(result.rim);
   out["drift"] = drift(result.drift);
+  out["replay"] = result.replay.empty() ? Json(nullptr) : Json(result.replay);
   out["expect"] = expectations(result.expect);
   out["provenance"] = provenance(result.provenance);
   return out;

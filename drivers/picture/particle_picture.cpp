@@ -6,8 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "drivers/picture/stroke_font.hpp"
-#include "drivers/picture/ticks.hpp"
+#include "drivers/picture/color_bar.hpp"
 
 namespace assay::drivers {
 
@@ -21,7 +20,7 @@ struct Layout {
   double bar_left = 0, width = 0, height = 0;
 };
 
-Layout lay_out(const ParticlePicture& picture, double bar_label_width) {
+Layout lay_out(const ParticlePicture& picture, const ColorBar& bar) {
   Layout out;
   const double count = static_cast<double>(picture.frames.size());
   const double aspect = (picture.upper[1] - picture.lower[1]) / (picture.upper[0] - picture.lower[0]);
@@ -33,30 +32,18 @@ Layout lay_out(const ParticlePicture& picture, double bar_label_width) {
                                     [](const ParticleFrame& frame) { return !frame.caption.empty(); });
   out.top = 18 + (picture.title.empty() ? 0 : 32) + (captions ? 28 : 0);
   out.bar_left = out.left + count * out.panel_width + (count - 1) * out.gap + 28;
-  out.width = out.bar_left + 24 + 12 + bar_label_width + 20 + text_size;
+  out.width = out.bar_left + width_of(bar);
   out.height = out.top + out.panel_height + 66;
   return out;
 }
 
 std::array<double, 2> color_range(const ParticlePicture& picture) {
   if (picture.range) return *picture.range;
-  double low = INFINITY, high = -INFINITY;
+  std::vector<double> values;
   for (const ParticleFrame& frame : picture.frames) {
-    for (const double value : frame.value) {
-      if (!std::isfinite(value)) continue;
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
+    values.insert(values.end(), frame.value.begin(), frame.value.end());
   }
-  if (!(low <= high)) return {0, 1};
-  if (picture.map == ColorMap::diverging) {
-    high = std::max(std::abs(low), std::abs(high));
-    low = -high;
-  } else if (low > 0 && low < 0.3 * high) {
-    low = 0;
-  }
-  if (!(high > low)) high = low + std::max(std::abs(low), 1e-300);
-  return {low, high};
+  return color_range(values, picture.map);
 }
 
 /// One panel's map from metres to pixels.
@@ -148,24 +135,6 @@ void draw_frame_axes(Canvas& canvas, const View& view, const Layout& layout, boo
                 1, axis_color);
 }
 
-void draw_bar(Canvas& canvas, const ParticlePicture& picture, const Layout& layout, const Axis& axis, double labels) {
-  const double left = layout.bar_left, right = left + 24, top = layout.top, bottom = top + layout.panel_height;
-  for (double y = top; y < bottom; y += 0.5) {
-    const std::array<Point, 4> strip{{{left, y}, {right, y}, {right, y + 0.5}, {left, y + 0.5}}};
-    canvas.fill(strip, map_color(picture.map, (bottom - y) / (bottom - top)));
-  }
-  canvas.stroke(std::array<Point, 5>{{{left, top}, {right, top}, {right, bottom}, {left, bottom}, {left, top}}}, 1,
-                axis_color);
-  for (std::size_t i = 0; i < axis.major.size(); ++i) {
-    const double y = bottom - (bottom - top) * axis.fraction(axis.major[i]);
-    canvas.stroke(std::array<Point, 2>{{{right, y}, {right + 6, y}}}, 1, axis_color);
-    canvas.text({right + 11, y + 6}, axis.labels[i], {text_size, ink, Anchor::left});
-  }
-  const std::string label = picture.value_label + (axis.factor.empty() ? "" : "  (" + axis.factor + ")");
-  canvas.text({right + 11 + labels + 12 + text_size, (top + bottom) / 2}, label,
-              {text_size, ink, Anchor::middle, true});
-}
-
 void check(const ParticlePicture& picture) {
   if (picture.frames.empty()) throw std::invalid_argument("ParticlePicture: no frame");
   for (const ParticleFrame& f : picture.frames) {
@@ -181,10 +150,11 @@ void check(const ParticlePicture& picture) {
 std::string png(const ParticlePicture& picture) {
   check(picture);
   const std::array<double, 2> range = color_range(picture);
-  const Axis axis = make_axis(range[0], range[1], false, Fit::tight, picture.frames.size() == 1 ? 8 : 6);
-  double labels = 0;
-  for (const std::string& label : axis.labels) labels = std::max(labels, label_width(label, text_size));
-  const Layout layout = lay_out(picture, labels);
+  ColorBar bar{picture.map, make_axis(range[0], range[1], false, Fit::tight, picture.frames.size() == 1 ? 8 : 6),
+               picture.value_label};
+  bar.text_size = text_size;
+  const Layout layout = lay_out(picture, bar);
+  bar.left = layout.bar_left, bar.top = layout.top, bar.bottom = layout.top + layout.panel_height;
   Canvas canvas(static_cast<int>(std::ceil(layout.width)), static_cast<int>(std::ceil(layout.height)), paper);
   if (!picture.title.empty()) canvas.text({layout.left, 36}, picture.title, {text_size * 1.2, ink, Anchor::left});
   for (std::size_t i = 0; i < picture.frames.size(); ++i) {
@@ -199,7 +169,7 @@ std::string png(const ParticlePicture& picture) {
     canvas.text({left + layout.panel_width / 2, layout.top - 12}, picture.frames[i].caption,
                 {text_size, ink, Anchor::middle});
   }
-  draw_bar(canvas, picture, layout, axis, labels);
+  draw(canvas, bar);
   return canvas.png();
 }
 

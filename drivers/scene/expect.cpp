@@ -94,7 +94,7 @@ ExpectationOutcome judged(const Expectation& line, const FlatValue& found) {
 }  // namespace
 
 bool is_text_figure(const std::string& key) {
-  static const std::vector<std::string> keys{"outcome", "reason"};
+  static const std::vector<std::string> keys{"outcome", "reason", "replay", "screen.verdict"};
   return key.starts_with("provenance.") || std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 

@@ -9,4 +9,13 @@ Location Scene::place(const std::string& key) const {
   return dot == std::string::npos ? Location{file} : place(key.substr(0, dot));
 }
 
+Path baseline_path(const Scene& scene) {
+  Path path = baseline_of(scene.motion);
+  if (!scene.material.direction) return path;
+  const auto& d = *scene.material.direction;
+  const Vector3 unit = Vector3(d[0], d[1], d[2]).stableNormalized();
+  path.material_direction = {unit.x(), unit.y(), unit.z()};
+  return path;
+}
+
 }  // namespace assay::drivers

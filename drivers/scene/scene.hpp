@@ -18,7 +18,9 @@ struct MaterialChoice {
   std::string adapter;  ///< registered name, shared library (`lib.so` or `lib.so:name`), description
   std::map<std::string, double> parameters;  ///< as given; defaults are filled by the material
   double density = 0;                        ///< rho0 [kg/m^3]
-  Location where;                            ///< of `material.adapter`
+  /// Of a model that has one: components along e_R, e_Theta, e_Z of the vortex, along the axes of any other motion.
+  std::optional<std::array<double, 3>> direction;
+  Location where;  ///< of `material.adapter`
   std::map<std::string, Location> parameter_where;
 };
 
@@ -29,7 +31,10 @@ struct Body {
   Outside outside = Outside::held;  ///< of the ring, on square and box: prescribed to stand still, or left to itself
   std::array<double, 2> lower{-1.5, -1.5}, upper{1.5, 1.5};  ///< corners of square and box [m]
   std::array<int, 2> per_cell{2, 2};                         ///< particles a cell in each direction
-  std::string lattice = "cartesian";
+  enum class Lattice { cartesian, polar };
+  enum class Cut { clipped, whole };
+  Lattice lattice = Lattice::cartesian;
+  Cut cut = Cut::clipped;  ///< of lattice cells at the ring's edges, on a ring with a Cartesian lattice
 };
 
 struct GridChoice {
@@ -50,10 +55,13 @@ struct Method {
 };
 
 struct ForceChoice {
-  enum class Response { none, closed_form, sheet };
+  enum class Response { none, closed_form, sheet, shadow };
   Response response = Response::sheet;  ///< none: no body force at all
-  std::string evaluation = "point";
-  double tolerance = 1e-10;  ///< requested relative error of the sheet
+  using Evaluation = mpm::Evaluation;
+  Evaluation evaluation = Evaluation::domain_average;
+  int radii = 400;          ///< of response shadow
+  bool cache = true;        ///< a sheet is kept on disk and taken from there
+  double tolerance = 1e-8;  ///< requested relative error of the sheet
 };
 
 struct TimeChoice {
@@ -105,5 +113,8 @@ struct Scene {
   /// Where a key stands; not given: its section, else the file.
   Location place(const std::string& key) const;
 };
+
+/// The baseline of the scene's motion with the material's direction, a unit vector, in its frame: E1 = e_R.
+Path baseline_path(const Scene& scene);
 
 }  // namespace assay::drivers

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "drivers/output/numbers.hpp"
+#include "drivers/scene/scene_keys.hpp"
 
 namespace assay::drivers {
 
@@ -17,7 +18,7 @@ using Where = std::function<Location(const std::string&)>;
 
 std::string text(const std::array<double, 2>& p) { return "[" + number_text(p[0]) + ", " + number_text(p[1]) + "]"; }
 
-void check_vortex(const Vortex& vortex, const Where& where) {
+void check_motion(const Vortex& vortex, const Scene&, const Where& where) {
   if (!(vortex.inner < vortex.outer)) {
     refuse(where, "motion.inner",
            "must be less than motion.outer, found " + number_text(vortex.inner) + " and " + number_text(vortex.outer));
@@ -25,7 +26,8 @@ void check_vortex(const Vortex& vortex, const Where& where) {
 }
 
 /// det F > 0 all along the straight path: checked at many times, to the scene's end.
-void check_homogeneous(const Homogeneous& motion, const Scene& scene, const Where& where) {
+void check_motion(const Homogeneous& motion, const Scene& scene, const Where& where) {
+  if (!scene.places.contains("motion.final")) refuse(where, "motion.final", "required and not given");
   const double last = std::max(1.0, scene.time.end / motion.period);
   for (int i = 0; i <= 1000; ++i) {
     const double s = last * i / 1000;
@@ -38,6 +40,22 @@ void check_homogeneous(const Homogeneous& motion, const Scene& scene, const Wher
   const bool plane = F(0, 2) == 0 && F(1, 2) == 0 && F(2, 0) == 0 && F(2, 1) == 0 && F(2, 2) == 1;
   if (scene.method && !plane) {
     refuse(where, "motion.final", "the method is plane strain: components 13, 23, 31, 32 must be 0 and 33 must be 1");
+  }
+}
+
+void check_motion(const RotatingStretch& motion, const Scene&, const Where& where) {
+  if (motion.axis == Vector3::Zero()) refuse(where, "motion.axis", "must not be zero");
+}
+
+/// The file's own check was made when it was read.
+void check_motion(const DeformationTable& motion, const Scene& scene, const Where& where) {
+  if (scene.places.contains("motion.final")) {
+    refuse(where, "motion.final", "does not come with motion.path, which says what F is at all times");
+  }
+  if (scene.time.end > motion.last()) {
+    refuse(where, "time.end",
+           "must not exceed the last time of motion.path, " + number_text(motion.last()) + ", found " +
+               number_text(scene.time.end));
   }
 }
 
@@ -58,7 +76,13 @@ void check_body(const Scene& scene, const Where& where) {
     if (body.outside == Body::Outside::held) {
       refuse(where, "body.outside", "a ring alone has nothing outside it that could be held; its faces are free");
     }
+    if (body.lattice == Body::Lattice::polar && scene.places.contains("body.cut")) {
+      refuse(where, "body.cut", "a polar lattice has no cell to cut: it follows the ring's edges");
+    }
     return;
+  }
+  if (body.lattice == Body::Lattice::polar) {
+    refuse(where, "body.lattice", "a polar lattice fills a ring, and body.domain is " + domain_name(body.domain));
   }
   check_corners(body.lower, body.upper, "body", where);
   const double width = body.upper[0] - body.lower[0], height = body.upper[1] - body.lower[1];
@@ -98,10 +122,10 @@ void check_scene(const Scene& scene, const std::function<Location(const std::str
   if (one_line(scene.title, scene.title.size()) != scene.title) {
     refuse(where, "title", "holds characters that cannot be printed");
   }
-  if (const auto* vortex = std::get_if<Vortex>(&scene.motion)) {
-    check_vortex(*vortex, where);
-  } else {
-    check_homogeneous(std::get<Homogeneous>(scene.motion), scene, where);
+  std::visit([&](const auto& motion) { check_motion(motion, scene, where); }, scene.motion);
+  const auto& direction = scene.material.direction;
+  if (direction && (*direction)[0] == 0 && (*direction)[1] == 0 && (*direction)[2] == 0) {
+    refuse(where, "material.direction", "must not be zero");
   }
   check_body(scene, where);
   if (scene.method && !scene.grid) refuse(where, "grid", "required by method and not given");

@@ -3,99 +3,29 @@
 
 #include <algorithm>
 
+#include "drivers/scene/key_values.hpp"
+#include "drivers/scene/motion_keys.hpp"
+
 namespace assay::drivers {
 
 namespace {
 
 const Range positive{.lower = 0, .lower_open = true};
 
-const std::vector<std::string> motion_types{"vortex", "homogeneous"};
-const std::vector<std::string> amplitude_types{"sine", "one_minus_cosine", "ramp"};
 const std::vector<std::string> domains{"ring", "square", "box"};
 const std::vector<std::string> outsides{"held", "free"};
 const std::vector<std::string> bases{"linear", "ugimp", "cpdi"};
 const std::vector<std::string> transfers{"pic", "flip"};
 const std::vector<std::string> updates{"usf", "usl", "musl"};
-const std::vector<std::string> responses{"none", "closed_form", "sheet"};
-
-/// The enumerator whose name is at its place in the list; the reader has checked that it is there.
-template <class Enum>
-Enum picked(const std::vector<std::string>& names, const Value& value) {
-  return static_cast<Enum>(std::find(names.begin(), names.end(), std::get<std::string>(value)) - names.begin());
-}
-template <class Enum>
-Value name_of(const std::vector<std::string>& names, Enum value) {
-  return names[static_cast<std::size_t>(value)];
-}
-
-double real(const Value& value) { return std::get<double>(value); }
-int whole(const Value& value) { return static_cast<int>(std::get<double>(value)); }
-Value pair_of(const std::array<double, 2>& p) { return std::vector<double>{p[0], p[1]}; }
-std::array<double, 2> two(const Value& value) {
-  const auto& list = std::get<std::vector<double>>(value);
-  return {list[0], list[1]};
-}
-Value pair_of(const std::optional<std::array<double, 2>>& p) { return p ? pair_of(*p) : Value(); }
-const Vortex& vortex(const Scene& s) { return std::get<Vortex>(s.motion); }
-Vortex& vortex(Scene& s) { return std::get<Vortex>(s.motion); }
-
-void set_motion(Scene& s, const Value& v) {
-  if (std::get<std::string>(v) == "vortex") {
-    s.motion = Vortex{};
-  } else {
-    s.motion = Homogeneous{};
-  }
-}
-double period(const Scene& s) {
-  const auto* v = std::get_if<Vortex>(&s.motion);
-  return v ? v->amplitude.period : std::get<Homogeneous>(s.motion).period;
-}
-void set_period(Scene& s, const Value& v) {
-  auto* vortex_motion = std::get_if<Vortex>(&s.motion);
-  (vortex_motion ? vortex_motion->amplitude.period : std::get<Homogeneous>(s.motion).period) = real(v);
-}
-Value final_gradient(const Scene& s) {
-  const Tensor& F = std::get<Homogeneous>(s.motion).final;
-  std::vector<double> list;
-  for (int i = 0; i < 9; ++i) list.push_back(component(F, i));
-  return list;
-}
-void set_final_gradient(Scene& s, const Value& v) {
-  const auto& list = std::get<std::vector<double>>(v);
-  for (int i = 0; i < 9; ++i) component(std::get<Homogeneous>(s.motion).final, i) = list[static_cast<std::size_t>(i)];
-}
+const std::vector<std::string> lattices{"cartesian", "polar"};
+const std::vector<std::string> cuts{"clipped", "whole"};
+const std::vector<std::string> evaluations{"point", "domain_average"};
+const std::vector<std::string> responses{"none", "closed_form", "sheet", "shadow"};
 
 #define GET(expression) [](const Scene& s) -> Value { return expression; }
 #define SET(statement) [](Scene& s, const Value& v) { statement; }
 
 // clang-format off
-std::vector<Key> motion_keys() {
-  using enum KeyType;
-  const std::vector<std::string> of_vortex{"vortex"}, of_homogeneous{"homogeneous"};
-  return {
-      {"title", text, "one line for pictures and reports", GET(s.title), SET(s.title = std::get<std::string>(v))},
-      {"motion.type", choice, "the manufactured motion", GET(motion_type(s)), set_motion, {}, motion_types, true},
-      {"motion.inner", number, "inner radius ri [m]", GET(vortex(s).inner), SET(vortex(s).inner = real(v)), positive,
-       {}, false, {}, of_vortex},
-      {"motion.outer", number, "outer radius ro [m]", GET(vortex(s).outer), SET(vortex(s).outer = real(v)), positive,
-       {}, false, {}, of_vortex},
-      {"motion.final", matrix, "deformation gradient at t = period, det > 0 [1]", final_gradient, set_final_gradient,
-       {}, {}, true, {}, of_homogeneous},
-      {"motion.period", number, "T [s]", GET(period(s)), set_period, positive},
-      {"motion.profile_power", number, "m of h = (1 - s^2)^m; m = 1 would leave a traction on the ring's faces",
-       GET(double(vortex(s).profile_power)), SET(vortex(s).profile_power = whole(v)),
-       {.lower = 2, .upper = 64, .whole = true}, {}, false, {}, of_vortex},
-      {"motion.amplitude.type", choice, "g(t): A sin(pi t/T), A (1 - cos(2 pi t/T))/2, A t/T held after T",
-       GET(name_of(amplitude_types, vortex(s).amplitude.type)),
-       SET(vortex(s).amplitude.type = picked<Amplitude::Type>(amplitude_types, v)), {}, amplitude_types, false, {},
-       of_vortex},
-      {"motion.amplitude.peak", number, "A [rad]", GET(vortex(s).amplitude.peak),
-       SET(vortex(s).amplitude.peak = real(v)), {}, {}, false, {}, of_vortex},
-      {"motion.allow_unstable", boolean, "kept for the stability screen of motions; this version does not screen",
-       GET(s.allow_unstable), SET(s.allow_unstable = std::get<bool>(v))},
-  };
-}
-
 std::vector<Key> body_keys() {
   using enum KeyType;
   const std::vector<std::string> cornered{"square", "box"};
@@ -105,6 +35,10 @@ std::vector<Key> body_keys() {
       {"material.density", number, "rho0 [kg/m^3]", GET(s.material.density > 0 ? Value(s.material.density) : Value()),
        SET(s.material.density = real(v)), positive, {}, false,
        "of the material's description; required where it has none"},
+      {"material.direction", vector,
+       "axis of a model that has one, normalised: along e_R, e_Theta, e_Z of the vortex, along the axes otherwise",
+       GET(triple_of(s.material.direction)), SET(s.material.direction = three(v)), {}, {}, false,
+       "[1, 0, 0] of a model that has one"},
       {"body.domain", choice, "shape; the ring takes its radii from the vortex, square and box have corners",
        GET(domain_name(s.body.domain)), SET(s.body.domain = picked<Body::Domain>(domains, v)), {}, domains, false,
        "ring for the vortex, square otherwise"},
@@ -118,8 +52,13 @@ std::vector<Key> body_keys() {
       {"body.per_cell", pair, "particles a cell in each direction",
        GET((std::vector<double>{double(s.body.per_cell[0]), double(s.body.per_cell[1])})),
        SET((s.body.per_cell = {int(two(v)[0]), int(two(v)[1])})), {.lower = 1, .upper = 16, .whole = true}},
-      {"body.lattice", choice, "arrangement of the particles", GET(s.body.lattice),
-       SET(s.body.lattice = std::get<std::string>(v)), {}, {"cartesian"}},
+      {"body.lattice", choice, "arrangement of the particles: squares along the axes; on a ring, or sectors of rings",
+       GET(name_of(lattices, s.body.lattice)), SET(s.body.lattice = picked<Body::Lattice>(lattices, v)), {}, lattices},
+      {"body.cut", choice,
+       "cells of a Cartesian lattice at the ring's edges: clipped, or whole where their centre is in",
+       GET(s.body.lattice == Body::Lattice::cartesian ? name_of(cuts, s.body.cut) : Value()),
+       SET(s.body.cut = picked<Body::Cut>(cuts, v)), {}, cuts, false,
+       "clipped with domain_average, whole with point", {}, {"ring"}},
       {"grid.spacing", number, "h [m]; nodes lie at multiples of h", GET(s.grid ? Value(s.grid->spacing) : Value()),
        SET(s.grid->spacing = real(v)), positive, {}, true},
       {"grid.lower", pair, "lower corner [m]", GET(s.grid ? pair_of(s.grid->lower) : Value()),
@@ -152,8 +91,13 @@ std::vector<Key> method_keys() {
       {"force.response", choice, "where tau comes from; none: no body force at all",
        GET(name_of(responses, s.force.response)), SET(s.force.response = picked<ForceChoice::Response>(responses, v)),
        {}, responses},
-      {"force.evaluation", choice, "body force at the particle's reference position", GET(s.force.evaluation),
-       SET(s.force.evaluation = std::get<std::string>(v)), {}, {"point"}},
+      {"force.evaluation", choice, "body force at the particle's reference position, or averaged over its domain",
+       GET(name_of(evaluations, s.force.evaluation)),
+       SET(s.force.evaluation = picked<ForceChoice::Evaluation>(evaluations, v)), {}, evaluations},
+      {"force.radii", number, "histories that response shadow takes along", GET(double(s.force.radii)),
+       SET(s.force.radii = whole(v)), {.lower = 4, .upper = 1e6, .whole = true}},
+      {"force.cache", boolean, "keep the sheet on disk, and take it from there", GET(s.force.cache),
+       SET(s.force.cache = std::get<bool>(v))},
       {"force.tolerance", number, "requested relative error of the sheet", GET(s.force.tolerance),
        SET(s.force.tolerance = real(v)), {.lower = 1e-14, .upper = 1e-2}},
   };
@@ -250,8 +194,6 @@ std::vector<std::string> names_under(const std::string& section, const Scene* sc
   }
   return names;
 }
-
-std::string motion_type(const Scene& scene) { return motion_types[scene.motion.index()]; }
 
 std::string domain_name(Body::Domain domain) { return std::get<std::string>(name_of(domains, domain)); }
 

@@ -14,7 +14,7 @@ namespace assay::drivers {
 /// monostate: absent.
 using Value = std::variant<std::monostate, bool, double, std::string, std::vector<double>>;
 
-enum class KeyType { number, boolean, text, choice, pair, matrix };
+enum class KeyType { number, boolean, text, choice, pair, vector, matrix };
 
 struct Key {
   std::string path;  ///< "motion.amplitude.peak"

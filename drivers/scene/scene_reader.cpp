@@ -5,6 +5,8 @@
 #include <set>
 
 #include "drivers/material/material_path.hpp"
+#include "drivers/output/numbers.hpp"
+#include "drivers/scene/deformation_csv.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/scene_check.hpp"
 #include "drivers/scene/scene_keys.hpp"
@@ -43,6 +45,8 @@ Value read_value(const Key& key, const Tree& tree) {
       return choice_value(tree, key.path, key.choices);
     case KeyType::pair:
       return numbers_value(tree, key.path, 1, 2, key.range);
+    case KeyType::vector:
+      return numbers_value(tree, key.path, 1, 3, key.range);
     case KeyType::matrix:
       return numbers_value(tree, key.path, 3, 3, key.range);
   }
@@ -105,11 +109,35 @@ void read_material(const Tree& root, const std::string& file, Scene& scene) {
   }
 }
 
+/// The table behind motion.path; a period beside it must be the table's own.
+void read_motion_path(const Tree& root, const std::string& file, Scene& scene) {
+  const Tree* given = value_at(root, "motion.path");
+  if (!given) return;
+  const bool from_set = given->where.file == set_option;
+  const auto folder = from_set ? std::filesystem::path() : std::filesystem::path(file).parent_path();
+  const std::string table = absolute_path(folder / std::get<DeformationTable>(scene.motion).source());
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(table, code)) {
+    throw InputError(given->where, "motion.path", "no such file: '" + one_line(table, 200) + "'");
+  }
+  scene.motion = read_deformation_table(table);
+  const Tree* period = value_at(root, "motion.period");
+  const double last = period_of(scene.motion);
+  if (period && number_value(*period, "motion.period") != last) {
+    throw InputError(period->where, "motion.period",
+                     "is the time of the last row of motion.path, " + number_text(last) + ": leave it out");
+  }
+}
+
 /// Defaults that follow from other keys.
 void derive(const Tree& root, Scene& scene) {
   if (!value_at(root, "body.outside")) {
     const bool ring = scene.body.domain == Body::Domain::ring;
     scene.body.outside = ring ? Body::Outside::free : Body::Outside::held;
+  }
+  if (!value_at(root, "body.cut")) {
+    const bool average = scene.force.evaluation == ForceChoice::Evaluation::domain_average;
+    scene.body.cut = average ? Body::Cut::clipped : Body::Cut::whole;
   }
   if (!value_at(root, "time.end")) scene.time.end = period_of(scene.motion);
 }
@@ -132,6 +160,7 @@ Scene scene_from_text(std::string_view text, const std::string& file, const std:
     if (key.path == "motion.type" && motion_type(scene) != "vortex") scene.body.domain = Body::Domain::square;
   }
   read_material(root, file, scene);
+  read_motion_path(root, file, scene);
   derive(root, scene);
   if (const Tree* expect = value_at(root, "expect")) scene.expect = read_expectations(*expect);
   check_scene(scene, [&](const std::string& path) {

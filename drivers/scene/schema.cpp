@@ -19,14 +19,16 @@ using Json = nlohmann::ordered_json;
 
 /// Every kind of scene, with the optional parts present: what the table's keys are asked for their defaults.
 std::vector<Scene> kinds_of_scene() {
-  Scene ring, square, box;
+  Scene ring, square, box, stretch;
   ring.grid.emplace(), ring.method.emplace();
   square = ring;
   square.motion = Homogeneous{};
   square.body.domain = Body::Domain::square;
   box = square;
   box.body.domain = Body::Domain::box;
-  return {ring, square, box};
+  stretch = square;
+  stretch.motion = RotatingStretch{};
+  return {ring, square, stretch, box};
 }
 
 Json number_schema(const Range& range) {
@@ -52,6 +54,8 @@ Json type_schema(const Key& key) {
       return {{"enum", key.choices}};
     case KeyType::pair:
       return list_schema(number_schema(key.range), 2);
+    case KeyType::vector:
+      return list_schema(number_schema(key.range), 3);
     case KeyType::matrix:
       return list_schema(list_schema(number_schema(key.range), 3), 3);
   }
@@ -149,8 +153,10 @@ std::string schema_json() {
   const std::vector<Scene> kinds = kinds_of_scene();
   Json out = object_schema("", kinds[0]);
   const std::string doc = out["properties"]["motion"]["description"];
-  out["properties"]["motion"] = {{"description", doc},
-                                 {"oneOf", {object_schema("motion", kinds[0]), object_schema("motion", kinds[1])}}};
+  out["properties"]["motion"] = {
+      {"description", doc},
+      {"oneOf",
+       {object_schema("motion", kinds[0]), object_schema("motion", kinds[1]), object_schema("motion", kinds[2])}}};
   Json head{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "assay scene"}};
   head.update(out);
   return head.dump(2) + "\n";

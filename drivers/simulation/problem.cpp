@@ -6,6 +6,7 @@
 
 #include "drivers/material/material_choice.hpp"
 #include "drivers/output/number_format.hpp"
+#include "drivers/simulation/seeds.hpp"
 #include "harness/wave_speed.hpp"
 #include "mpm/lattice.hpp"
 
@@ -15,33 +16,17 @@ namespace {
 
 constexpr int grid_margin = 4;  ///< cells around the body: room to go wrong in before the grid's edge
 constexpr int speed_samples = 400;
-constexpr double wave_periods = 4;     ///< in which the fastest wave is looked for
-constexpr double most_periods = 1000;  ///< of a sheet in time
-constexpr double most_steps = 1e15;    ///< beyond, step times would not be told apart
-constexpr double whole_steps = 1e-9;   ///< a number of steps this close to a whole one [relative] is that one
-
-std::array<double, 2> corner(const Scene& scene, bool upper) {
-  if (scene.body.domain != Body::Domain::ring) return upper ? scene.body.upper : scene.body.lower;
-  const double outer = std::get<Vortex>(scene.motion).outer;
-  return upper ? std::array{outer, outer} : std::array{-outer, -outer};
-}
-
-mpm::Seeds<2> seeds_of(const Scene& scene) {
-  const auto& vortex = std::get<Vortex>(scene.motion);
-  const Body& body = scene.body;
-  const auto fate = [&](const std::array<double, 2>& X) {
-    if (vortex.moves({X[0], X[1], 0})) return mpm::Fate::stepped;
-    if (body.domain == Body::Domain::ring) return mpm::Fate::absent;
-    return body.outside == Body::Outside::held ? mpm::Fate::held : mpm::Fate::stepped;
-  };
-  return mpm::cartesian_lattice(corner(scene, false), corner(scene, true), scene.grid->spacing, body.per_cell, fate);
-}
+constexpr double wave_periods = 4;                     ///< in which the fastest wave is looked for
+constexpr double most_steps = 1e15;                    ///< beyond, step times would not be told apart
+constexpr double cell_bytes = 420, sector_bytes = 90;  ///< that averaging over a particle's domain takes (measured)
+constexpr double whole_steps = 1e-9;  ///< a number of steps this close to a whole one [relative] is that one
 
 mpm::GridGeometry<2> grid_of(const Scene& scene) {
   const GridChoice& grid = *scene.grid;
-  if (!grid.lower) return mpm::grid_around(corner(scene, false), corner(scene, true), grid.spacing, grid_margin);
+  if (!grid.lower)
+    return mpm::grid_around(body_corner(scene, false), body_corner(scene, true), grid.spacing, grid_margin);
   for (std::size_t d = 0; d < 2; ++d) {
-    if ((*grid.lower)[d] > corner(scene, false)[d] || (*grid.upper)[d] < corner(scene, true)[d]) {
+    if ((*grid.lower)[d] > body_corner(scene, false)[d] || (*grid.upper)[d] < body_corner(scene, true)[d]) {
       throw InputError(scene.place("grid"), "grid",
                        "particles of the body lie outside the grid, whose corners are [" +
                            rounded_text((*grid.lower)[0], 6) + ", " + rounded_text((*grid.lower)[1], 6) + "] and [" +
@@ -110,7 +95,7 @@ void check_sizes(const Scene& scene) {
   const GridChoice& grid = *scene.grid;
   double particles = 1, nodes = 1;
   for (std::size_t d = 0; d < 2; ++d) {
-    const double lower = corner(scene, false)[d], upper = corner(scene, true)[d];
+    const double lower = body_corner(scene, false)[d], upper = body_corner(scene, true)[d];
     particles *= (upper - lower) / grid.spacing * scene.body.per_cell[d];
     const double width = grid.lower ? (*grid.upper)[d] - (*grid.lower)[d] : upper - lower;
     nodes *= width / grid.spacing + 2 * grid_margin + 2;
@@ -163,6 +148,9 @@ double Problem::estimated_bytes() const {
   constexpr double seed = 2 * sizeof(double), ring_point = 2 * sizeof(double) + sizeof(std::uint32_t);
   bytes += seed * (stepped + held);
   if (setup.body_force) bytes += stepped * (2 * ring_point + 2 * sizeof(double));  // force field and error sampler
+  if (setup.seeds.domains || setup.evaluation == mpm::Evaluation::domain_average) {
+    bytes += stepped * (scene.body.lattice == Body::Lattice::polar ? sector_bytes : cell_bytes);
+  }
   if (setup.body_force && scene.output.pictures) bytes += stepped * 2 * 9 * sizeof(double);  // two frames
   return bytes;
 }
@@ -190,37 +178,21 @@ Problem assemble(const Scene& scene, int threads) {
   setup.density = density;
   setup.material = problem.material;
   setup.body_force = scene.force.response != ForceChoice::Response::none;
+  setup.evaluation = scene.force.evaluation;
   setup.motion = scene.motion;
   setup.hold_outside = scene.body.domain != Body::Domain::ring && scene.body.outside == Body::Outside::held;
   setup.accounts = scene.output.accounts;
   setup.threads = threads;
   if (setup.seeds.size() == 0)
     throw InputError(scene.place("grid.spacing"), "grid.spacing", "leaves no particle in the ring");
-  const Path path = baseline_of(scene.motion);
+  const Path path = baseline_path(problem.scene);
+  setup.material_direction = path.material_direction;
   const double watched = std::min(scene.time.end, wave_periods * period_of(scene.motion));
   problem.wave_speed = fastest_wave_on_path(*problem.material, path, density, watched);
   problem.particle_speed = fastest_particle(problem.vortex(), scene.time.end);
   plan_steps(problem);
   check_limits(problem);
   return problem;
-}
-
-std::shared_ptr<const Response> response_of(const Scene& scene, const std::shared_ptr<const Material>& material,
-                                            const Path& path, double end) {
-  if (scene.force.response == ForceChoice::Response::closed_form) {
-    auto form = ClosedForm::of(material, path);
-    if (!form) {
-      throw InputError(scene.place("force.response"), "force.response",
-                       "material '" + material->name() + "' offers no closed form of " + path.name, "sheet, none");
-    }
-    return std::make_shared<const Response>(std::move(*form));
-  }
-  if (!material->path_independent() && end > most_periods * period_of(scene.motion)) {
-    throw InputError(
-        scene.place("time.end"), "time.end",
-        "the sheet of a material with history holds at most " + rounded_text(most_periods, 6) + " periods");
-  }
-  return std::make_shared<const Response>(Sheet(*material, path, {.tolerance = scene.force.tolerance, .end = end}));
 }
 
 }  // namespace assay::drivers

@@ -37,8 +37,4 @@ std::shared_ptr<const Material> material_of(Scene& scene, std::string& library);
 /// the baseline path. Builds no sheet and moves no particle.
 Problem assemble(const Scene& scene, int threads);
 
-/// The response that the scene asks for, over times 0 .. end. Throws InputError (no closed form), MaterialFailure.
-std::shared_ptr<const Response> response_of(const Scene& scene, const std::shared_ptr<const Material>& material,
-                                            const Path& path, double end);
-
 }  // namespace assay::drivers

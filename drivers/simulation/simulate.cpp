@@ -96,6 +96,7 @@ class Run {
     const auto X = [&](int d) { return rounded_text(s.column(mpm::Column::reference_position, d)[p], 6); };
     result_.reason = finding.reason + ": particle " + std::to_string(finding.particle) + " of reference position (" +
                      X(0) + ", " + X(1) + ") m at t = " + rounded_text(*result_.t, 6) + " s";
+    if (finding.step) result_.failed_step = std::make_shared<const FailedStep>(*finding.step);
   }
 
   void finish(std::int64_t steps) {

@@ -61,25 +61,23 @@ void Snapshots::write_vtu(const mpm::State<2>& s, const ErrorSampler* sampler, d
 ParticleFrame Snapshots::frame_of(const mpm::State<2>& s, double t) const {
   ParticleFrame frame;
   frame.caption = "t = " + rounded_text(t, 4) + " s";
-  const auto& half = problem_->setup.seeds.half_size;
-  const auto copy = [&](Column which, int c, double scale) {
-    const double* from = s.column(which, c);
-    std::vector<double> values(from, from + s.particles);
-    for (double& v : values) v *= scale;
-    return values;
-  };
-  frame.x = copy(Column::position, 0, 1);
-  frame.y = copy(Column::position, 1, 1);
-  if (problem_->setup.basis == mpm::Basis::cpdi) {  // domains that convect with F
-    frame.r1x = copy(Column::deformation_gradient, 0, half[0]);
-    frame.r2x = copy(Column::deformation_gradient, 1, half[1]);
-    frame.r1y = copy(Column::deformation_gradient, 2, half[0]);
-    frame.r2y = copy(Column::deformation_gradient, 3, half[1]);
-  } else {
-    frame.r1x.assign(s.particles, half[0]);
-    frame.r2y.assign(s.particles, half[1]);
-    frame.r1y.assign(s.particles, 0);
-    frame.r2x.assign(s.particles, 0);
+  const mpm::Seeds<2>& seeds = problem_->setup.seeds;
+  const bool convects = problem_->setup.basis == mpm::Basis::cpdi;  // domains move with F
+  const double *x = s.column(Column::position, 0), *y = s.column(Column::position, 1);
+  frame.x.assign(x, x + s.particles);
+  frame.y.assign(y, y + s.particles);
+  for (auto* edge : {&frame.r1x, &frame.r1y, &frame.r2x, &frame.r2y}) edge->resize(s.particles);
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    std::array<double, 4> H{seeds.half_size[0], 0, 0, seeds.half_size[1]};
+    if (!seeds.half_edges.empty()) H = seeds.half_edges[p];
+    std::array<double, 4> F{1, 0, 0, 1};
+    for (int c = 0; convects && c < 4; ++c) {
+      F[static_cast<std::size_t>(c)] = s.column(Column::deformation_gradient, c)[p];
+    }
+    frame.r1x[p] = F[0] * H[0] + F[1] * H[2];
+    frame.r2x[p] = F[0] * H[1] + F[1] * H[3];
+    frame.r1y[p] = F[2] * H[0] + F[3] * H[2];
+    frame.r2y[p] = F[2] * H[1] + F[3] * H[3];
   }
   return frame;
 }

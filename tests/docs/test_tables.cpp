@@ -47,7 +47,7 @@ std::string type(const Json& key) {
   if (name != "array") return name + bounds(key);
   const Json& items = key["items"];
   if (items["type"] == "array") return "3 rows of 3 numbers";
-  return "2 " + items["type"].get<std::string>() + "s" + bounds(items);
+  return std::to_string(key["minItems"].get<int>()) + " " + items["type"].get<std::string>() + "s" + bounds(items);
 }
 
 std::string default_text(const Json& key, bool required) {

@@ -82,6 +82,17 @@ TEST(Explain, TellsThePassesThatTheRunProfilesInTheirOrder) {
   }
 }
 
+TEST(Explain, TellsWhatTheBodyForceIsTakenAt) {
+  const auto force_pass = [](const std::vector<std::string>& sets) { return explained(sets)["passes"][0]; };
+  const auto average = force_pass({"force.evaluation=domain_average"}), point = force_pass({"force.evaluation=point"});
+  EXPECT_EQ(average["name"], "body_force");
+  EXPECT_EQ(average["called_for_by"], "force.evaluation");
+  EXPECT_TRUE(average["reads"].empty());
+  EXPECT_EQ(point["reads"][0], "reference_position");
+  EXPECT_TRUE(names(explained({"body.lattice=polar"})["columns"]).contains("domain"));
+  EXPECT_FALSE(names(explained({"force.evaluation=domain_average"})["columns"]).contains("domain"));
+}
+
 TEST(Explain, CountsWhatTheRunCounts) {
   const auto told = explained({});
   std::size_t bytes = 0;

@@ -143,6 +143,25 @@ TEST(Run, SquareIsLargerInParticlesButNotInWork) {
   EXPECT_NEAR(ratio, std::sqrt(3600 / stepped), 1e-9);
 }
 
+/// Every body and lattice with either evaluation: it runs, it has its mass, and the error is that of a good run.
+TEST(Run, EveryLatticeCompletesWithEitherEvaluation) {
+  const ScratchFolder scratch;
+  for (const char* body : {"body={domain: ring, lattice: polar}", "body={domain: ring, cut: clipped}",
+                           "body={domain: square, outside: held}", "body={domain: square, outside: free}"}) {
+    for (const char* evaluation : {"force.evaluation=point", "force.evaluation=domain_average"}) {
+      for (const char* basis : {"method.basis=cpdi", "method.basis=ugimp"}) {
+        const std::string out = scratch / "out";
+        ASSERT_EQ(run(quick(out, {body, evaluation, basis, "grid.spacing=0.1", "motion.amplitude.peak=0.1"})), 0)
+            << body << " " << evaluation << " " << basis;
+        const auto result = result_in(out);
+        EXPECT_LT(result["error"]["l2_max"].get<double>(), 0.05) << body << " " << evaluation << " " << basis;
+        EXPECT_LT(result["drift"]["mass"].get<double>(), 1e-12) << body;
+        EXPECT_LT(result["drift"]["momentum"].get<double>(), 1e-11) << body;
+      }
+    }
+  }
+}
+
 TEST(Run, BadInputLeavesNothing) {
   const ScratchFolder scratch;
   const std::string out = scratch / "out";
@@ -167,6 +186,26 @@ TEST(Run, EveryFieldsErrorSeesADissipatingTransfer) {
   for (const char* field : {"velocity", "deformation_gradient", "stress"}) {
     EXPECT_GT(b[field]["l2_max"].get<double>(), 1.2 * a[field]["l2_max"].get<double>()) << field;
   }
+}
+
+/// The sheet and the particles agree on the direction: on another one, or left Cartesian, the error would be large.
+TEST(Run, ACylindricallyOrthotropicRingMovesAsItShould) {
+  const ScratchFolder scratch;
+  const std::string out = scratch / "out";
+  const std::string wood =
+      "material={adapter: orthotropic_cylindrical, density: 1000, parameters: {E_r: 3e3, E_t: 1e3, E_z: 2e3, nu_rt: "
+      "0.3, nu_rz: 0.2, nu_tz: 0.25, G_rt: 700, G_rz: 500, G_tz: 400}";
+  for (const char* direction : {"}", ", direction: [0.6, 0.8, 0]}"}) {
+    double relative[2];
+    for (const int fine : {0, 1}) {
+      const std::string spacing = fine ? "grid.spacing=0.03125" : "grid.spacing=0.0625";
+      ASSERT_EQ(run(quick(out, {wood + direction, "motion.amplitude.peak=0.05", spacing})), 0);
+      relative[fine] = result_in(out)["error"]["relative"].get<double>();
+    }
+    EXPECT_LT(relative[0], 0.2) << direction;
+    EXPECT_LT(relative[1], 0.6 * relative[0]) << direction;
+  }
+  EXPECT_THROW(run(quick(out, {"material.direction=[1, 0, 0]"})), InputError);
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include "drivers/input_error.hpp"
 #include "drivers/output/csv.hpp"
 #include "drivers/verbs.hpp"
+#include "tests/adapters/models/references/zener.hpp"
+#include "tests/drivers/process.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
 namespace assay::drivers {
@@ -65,6 +67,41 @@ TEST(Tabulate, AnswersPointsInTheOrderAskedAlsoOutsideTheRing) {
     EXPECT_NEAR((*table.column("gamma"))[i], 2 * xi[i] * g, 1e-14 * 10);
     EXPECT_NEAR((*table.column("tau21"))[i], 2 * mu * xi[i] * g, 1e-10 * mu * 10);
     EXPECT_NEAR((*table.column("dtau21_dxi"))[i], 2 * mu * g, 1e-10 * mu * 10);
+  }
+}
+
+/// The command line prints what the equations of a model with memory give, through loading, unloading and reversal.
+TEST(Tabulate, AnswersPointsOfAModelWithMemoryByItsEquations) {
+  const ScratchFolder scratch;
+  const std::string scene =
+      scratch.write("scene.yaml",
+                    "motion: {type: vortex, amplitude: {type: sine, peak: 0.4}}\ntime: {end: 2.0}\n"
+                    "material: {adapter: zener, parameters: {E: 1500, nu: 0.25, viscous_ratio: 2.5, relaxation_time: "
+                    "0.4}, density: 1}\n");
+  const std::string points = scratch.write("points.csv", "xi,t\n1.7,0.31\n-2.2,0.64\n0.4,0.97\n2.1,1.5\n-1.1,1.83\n");
+  const std::string out = scratch / "out";
+  const Ending ending = assay({"tabulate", scene, "--points", points, "-o", out});
+  ASSERT_EQ(ending.status, 0) << ending.said;
+  const CsvTable table = read_csv(bytes_of(out + "/points.csv"), "points.csv", sheet_columns);
+  ASSERT_EQ(table.rows(), 5u);
+  const auto exact = [](double xi, double t) {
+    const double pi = std::numbers::pi;
+    Tensor D = Tensor::Zero();
+    D(1, 0) = 0.8 * xi;
+    const auto F = [=](double s) { return Tensor(Tensor::Identity() + std::sin(pi * s) * D); };
+    const auto F_rate = [=](double s) { return Tensor(pi * std::cos(pi * s) * D); };
+    return Tensor(model_tests::zener_stress({F, F_rate, t}, {1500, 0.25}, 2.5, 0.4) * F(t).inverse().transpose());
+  };
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const double xi = (*table.column("xi"))[i], t = (*table.column("t"))[i], h = 1e-3;
+    const Tensor tau = exact(xi, t);
+    const Tensor slope =
+        (8 * (exact(xi + h, t) - exact(xi - h, t)) - (exact(xi + 2 * h, t) - exact(xi - 2 * h, t))) / (12 * h);
+    const double scale = tau.cwiseAbs().maxCoeff(), slope_scale = slope.cwiseAbs().maxCoeff();
+    for (const auto& [name, r, c] : {std::tuple{"11", 0, 0}, {"12", 0, 1}, {"21", 1, 0}, {"22", 1, 1}, {"33", 2, 2}}) {
+      EXPECT_NEAR((*table.column("tau" + std::string(name)))[i], tau(r, c), 1e-8 * scale) << name << ' ' << i;
+      EXPECT_NEAR((*table.column("dtau" + std::string(name) + "_dxi"))[i], slope(r, c), 1e-8 * slope_scale) << i;
+    }
   }
 }
 

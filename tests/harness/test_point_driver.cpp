@@ -46,18 +46,31 @@ TEST(PointDriver, TakesAHypoelasticMaterialToItsClosedForm) {
   const std::vector<double> times{0, 0.1, 0.5, 0.77, 1.0};  // loading, reversal, unloading
   for (const double tolerance : {1e-6, 1e-10}) {
     const Histories h = integrate_histories(*jaumann_material(), path, xi, times, {.tolerance = tolerance});
-    EXPECT_LE(h.error, tolerance);
+    EXPECT_LE(h.error, 100 * tolerance);  // the sum over all steps
     EXPECT_LT(difference(h, path), 10 * tolerance);
   }
 }
 
-TEST(PointDriver, SaysSoWhenTheToleranceIsNotReached) {
+TEST(PointDriver, TakesMoreCallsForASmallerTolerance) {
   const Path path = small.baseline();
   const std::vector<double> xi{path.parameter.upper}, times{0.5};
-  const Histories h =
-      integrate_histories(*jaumann_material(), path, xi, times, {.tolerance = 1e-15, .max_substeps = 8});
-  EXPECT_GT(h.error, 1e-15);
-  EXPECT_LT(difference(h, path), 100 * h.error);
+  std::int64_t before = 0;
+  for (const double tolerance : {1e-4, 1e-8, 1e-12}) {
+    const Histories h = integrate_histories(*jaumann_material(), path, xi, times, {.tolerance = tolerance});
+    EXPECT_GT(h.material_calls, before);
+    before = h.material_calls;
+  }
+}
+
+TEST(PointDriver, DoesNotDependOnTheNumberOfThreads) {
+  const Path path = small.baseline();
+  std::vector<double> xi;
+  for (int k = 0; k < 20; ++k) xi.push_back(path.parameter.upper * k / 19);
+  const std::vector<double> times{0.2, 0.9};
+  const Histories one = integrate_histories(*jaumann_material(), path, xi, times);
+  const Histories three = integrate_histories(*jaumann_material(), path, xi, times, {.workers = {.threads = 3}});
+  EXPECT_EQ(one.tau, three.tau);
+  EXPECT_EQ(one.material_calls, three.material_calls);
 }
 
 TEST(PointDriver, IsExactForElasticity) {
@@ -98,15 +111,12 @@ TEST(PointDriver, ReportsWhereAMaterialFails) {
     FAIL() << "no failure reported";
   } catch (const MaterialFailure& failure) {
     EXPECT_STREQ(failure.what(), "sheared too far");
-    EXPECT_EQ(failure.xi, path.parameter.upper);
-    EXPECT_GT(failure.t, 0.1);
-    EXPECT_LE(failure.t, 0.5);
+    EXPECT_TRUE(failure.xi == path.parameter.upper || failure.xi == path.parameter.lower);
+    const double gamma = path.deformation_gradient(failure.xi, failure.t)(1, 0);
+    EXPECT_NEAR(std::abs(gamma), 0.5, 0.05) << "the failing step begins before and ends behind the limit";
+    ASSERT_TRUE(failure.step);
+    EXPECT_NEAR(failure.step->t + failure.step->dt, failure.t, 1e-15);
   }
-}
-
-TEST(PointDriver, RefusesMoreThanABatch) {
-  const std::vector<double> xi(ASSAY_BATCH_MAX + 1, 0.1), times{0.5};
-  EXPECT_THROW(integrate_histories(*elastic_material(), small.baseline(), xi, times), std::invalid_argument);
 }
 
 }  // namespace

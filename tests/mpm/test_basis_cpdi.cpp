@@ -103,5 +103,35 @@ TYPED_TEST(CpdiBasisTest, FindsACornerOutsideTheGrid) {
   EXPECT_FALSE(this->basis.place(0, this->x, this->F));
 }
 
+// A domain of its own, with half edges H, is the common one deformed beforehand: F H = (F H diag(half)^-1) diag(half).
+TYPED_TEST(CpdiBasisTest, AParticlesOwnDomainIsTheCommonOneDeformedBeforehand) {
+  constexpr std::size_t N = TypeParam::Dim;
+  for (int k = 0; k < 40; ++k) {
+    this->place_at_random();
+    Mat<N> edges = random_deformation<TypeParam::Dim>(this->random), together{};
+    for (double& entry : edges) entry *= 0.02;
+    for (std::size_t i = 0; i < N; ++i) {
+      for (std::size_t d = 0; d < N; ++d) {
+        for (std::size_t j = 0; j < N; ++j) together[i * N + d] += this->F[i * N + j] * edges[j * N + d];
+        together[i * N + d] /= this->half[d];
+      }
+    }
+    const auto common = this->weights();
+    ASSERT_TRUE(this->basis.place(0, this->x, this->F, edges));
+    const auto own = this->weights();
+    ASSERT_TRUE(this->basis.place(0, this->x, together));
+    const auto deformed = this->weights();
+    double change = 0;
+    for (std::size_t i = 0; i < own.nodes(); ++i) {
+      EXPECT_NEAR(own.node(i)[0], deformed.node(i)[0], round_off);
+      for (std::size_t d = 0; d < N; ++d) {
+        EXPECT_NEAR(own.node(i)[1 + d], deformed.node(i)[1 + d], 100 * round_off / this->grid.spacing);
+        change = std::max(change, std::abs(own.node(i)[1 + d] - common.node(i)[1 + d]));
+      }
+    }
+    EXPECT_GT(change, 1e-3);
+  }
+}
+
 }  // namespace
 }  // namespace assay::mpm

@@ -76,5 +76,15 @@ TYPED_TEST(UgimpBasisTest, IsTheSameOnNodesAndInTheMiddleOfCells) {
   }
 }
 
+TYPED_TEST(UgimpBasisTest, IsTheAverageOverAParticlesOwnBox) {
+  for (int k = 0; k < 40; ++k) {
+    this->place_at_random();
+    Vec<TypeParam::Dim> own;
+    for (double& extent : own) extent = 0.5 * this->grid.spacing * (0.05 + 0.45 * (1 + this->random()));
+    ASSERT_TRUE(this->basis.place(0, this->x, this->F, own));
+    this->expect_averages(own);
+  }
+}
+
 }  // namespace
 }  // namespace assay::mpm

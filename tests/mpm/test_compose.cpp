@@ -118,6 +118,37 @@ TEST(Compose, ColumnsAndGridTakeTheBytesThatAreTold) {
   }
 }
 
+TEST(Compose, DomainsOfTheirOwnAreAColumnOfTheBasesThatHaveDomains) {
+  const auto bytes = [](Basis basis, bool polar) {
+    const mpm::Setup<2> setup = averaged_setup(4, polar, {basis, Transfer::flip, Update::usl});
+    const Simulation<2> simulation(setup);
+    for (const ColumnUse& use : columns_of(compose(setup), setup)) {
+      if (use.column != Column::domain) continue;
+      EXPECT_EQ(allocated(simulation.state(), use), use.bytes * setup.seeds.size());
+      return use.bytes;
+    }
+    EXPECT_FALSE(simulation.state().has(Column::domain));
+    return std::size_t{0};
+  };
+  EXPECT_EQ(bytes(Basis::cpdi, true), 32u);
+  EXPECT_EQ(bytes(Basis::ugimp, true), 16u);
+  EXPECT_EQ(bytes(Basis::linear, true), 0u);
+  EXPECT_EQ(bytes(Basis::cpdi, false), 0u);
+}
+
+TEST(Compose, TheAveragedForceIsAPassThatReadsNoColumn) {
+  mpm::Setup<2> setup = vortex_setup(4);
+  const auto point = compose(setup).front();
+  setup.evaluation = Evaluation::domain_average;
+  const auto average = compose(setup).front();
+  EXPECT_EQ(point.name, "body_force");
+  EXPECT_EQ(average.name, "body_force");
+  EXPECT_NE(point.doc, average.doc);
+  EXPECT_EQ(average.called_for_by, "force.evaluation");
+  EXPECT_TRUE(average.reads.empty());
+  EXPECT_EQ(average.writes, (std::vector<Column>{Column::body_force}));
+}
+
 TEST(Compose, ARunProfilesThePassesThatWereComposed) {
   for (const Way& way : every_way()) {
     const mpm::Setup<2> setup = with_everything(way);

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "harness/ring_points.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
 namespace assay::mpm {
@@ -76,6 +77,91 @@ TEST(Lattice, GoesCellByCell) {
     EXPECT_EQ(static_cast<std::size_t>(seeds.X[0][p]), p / 4 % 2);
     EXPECT_EQ(static_cast<std::size_t>(seeds.X[1][p]), p / 8);
   }
+}
+
+constexpr Annulus ring{0.75, 1.25};
+const double ring_area = std::numbers::pi * (1.25 * 1.25 - 0.75 * 0.75);
+
+double sum(const std::vector<double>& values) {
+  double total = 0;
+  for (const double v : values) total += v;
+  return total;
+}
+
+TEST(ClippedLattice, FillsTheRingToRoundOff) {
+  for (const double h : {0.05, 0.0437, 0.1, 0.3}) {
+    for (const auto& per_cell : {std::array{2, 2}, std::array{3, 2}, std::array{1, 1}}) {
+      const Seeds<2> seeds = clipped_lattice(ring, h, per_cell);
+      ASSERT_EQ(seeds.volumes.size(), seeds.size());
+      // cells with less than 1e-9 of a cell are left out
+      EXPECT_NEAR(sum(seeds.volumes), ring_area, 1e-12 * ring_area + 1e-9 * seeds.volume()) << h;
+      for (std::size_t p = 0; p < seeds.size(); ++p) {
+        EXPECT_GT(seeds.volume(p), 0);
+        EXPECT_LE(seeds.volume(p), seeds.volume() * (1 + 1e-12));
+        const double R = std::hypot(seeds.X[0][p], seeds.X[1][p]);
+        EXPECT_TRUE(h > 0.2 || (R > ring.inner && R < ring.outer)) << R;  // the centroid lies in it
+      }
+    }
+  }
+}
+
+TEST(ClippedLattice, HasAParticleWhereverACellReachesIntoTheRing) {
+  const double h = 0.05, half = 0.0125;
+  const Seeds<2> seeds = clipped_lattice(ring, h, {2, 2});
+  std::size_t count = 0, whole = 0;
+  for (int i = -60; i < 60; ++i) {
+    for (int j = -60; j < 60; ++j) {
+      const double x = (2 * i + 1) * half, y = (2 * j + 1) * half;
+      const double near = std::hypot(std::abs(x) - half, std::abs(y) - half);
+      const double far = std::hypot(std::abs(x) + half, std::abs(y) + half);
+      count += far > ring.inner + 1e-9 && near < ring.outer - 1e-9;
+      whole += near >= ring.inner && far <= ring.outer;
+    }
+  }
+  EXPECT_EQ(seeds.size(), count);
+  EXPECT_GT(seeds.size(), vortex_setup(10).seeds.size());
+  std::size_t full = 0;
+  for (const double v : seeds.volumes) full += std::abs(v / seeds.volume() - 1) < 1e-12;
+  EXPECT_EQ(full, whole);
+}
+
+TEST(ClippedLattice, IsSymmetricToTheLastBitUnderQuarterTurns) {
+  const auto points = points_of(clipped_lattice(ring, 0.0437, {2, 2}));
+  for (const Point& X : points) EXPECT_TRUE(points.contains({-X[1], X[0]}));
+}
+
+TEST(PolarLattice, FillsTheRingWithSectorsNoLargerThanACell) {
+  for (const double h : {0.05, 0.0437, 0.1, 0.6}) {
+    for (const auto& per_cell : {std::array{2, 2}, std::array{3, 2}, std::array{1, 1}}) {
+      const Seeds<2> seeds = polar_lattice(ring, h, per_cell);
+      ASSERT_EQ(seeds.half_edges.size(), seeds.size());
+      EXPECT_NEAR(sum(seeds.volumes), ring_area, 1e-12 * ring_area) << h;
+      for (std::size_t p = 0; p < seeds.size(); ++p) {
+        const auto& H = seeds.half_edges[p];
+        const double X = seeds.X[0][p], Y = seeds.X[1][p], R = std::hypot(X, Y);
+        EXPECT_NEAR(4 * (H[0] * H[3] - H[1] * H[2]), seeds.volume(p), 1e-15);    // the domain's volume
+        EXPECT_NEAR((H[0] * X + H[2] * Y) / R, std::hypot(H[0], H[2]), 1e-15);   // along E_R
+        EXPECT_NEAR((-H[1] * Y + H[3] * X) / R, std::hypot(H[1], H[3]), 1e-15);  // along E_Theta
+        EXPECT_LE(2 * std::hypot(H[0], H[2]), h / per_cell[0] * (1 + 1e-9));
+        EXPECT_LE(2 * std::hypot(H[1], H[3]), h / per_cell[1] * (1 + 1e-9));
+        EXPECT_TRUE(h > 0.2 || 2 * std::hypot(H[1], H[3]) >= 0.9 * h / per_cell[1]);
+      }
+      EXPECT_EQ(seeds.size() % 4, 0u);
+    }
+  }
+}
+
+TEST(PolarLattice, StandsOnCirclesAtTheCentroidsOfItsSectors) {
+  const Seeds<2> seeds = polar_lattice(ring, 0.05, {2, 2});
+  const RingPoints points(seeds.X[0], seeds.X[1]);
+  ASSERT_EQ(points.radius.size(), 20u);
+  std::array<double, 2> first{};
+  for (std::size_t p = 0; p < seeds.size(); ++p) {
+    for (std::size_t d = 0; d < 2; ++d) first[d] += seeds.volume(p) * seeds.X[d][p];
+    const AreaMoments m = moments_of(seeds.domains->shapes[points.ring[p]].boundary);
+    EXPECT_NEAR(points.radius[points.ring[p]], m.centroid[0], 1e-14);
+  }
+  for (std::size_t d = 0; d < 2; ++d) EXPECT_NEAR(first[d], 0, 1e-14);
 }
 
 TEST(Lattice, TheGridHasItsNodesAtMultiplesOfTheSpacing) {

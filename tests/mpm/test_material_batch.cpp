@@ -6,6 +6,7 @@
 
 #include "mpm/blocks.hpp"
 #include "mpm/passes_particle.hpp"
+#include "tests/harness/builtin_material.hpp"
 #include "tests/mpm/basis_cases.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 #include "tests/support/test_materials.hpp"
@@ -113,6 +114,15 @@ TEST(MaterialBatches, ARefusedPointIsTheFindingOfItsParticle) {
     EXPECT_EQ(finding->kind, Finding::Kind::material_failed);
     EXPECT_EQ(finding->particle, 300);
     EXPECT_EQ(finding->reason, "stretched too far");
+    ASSERT_TRUE(finding->step);  // the call of that particle alone is refused again
+    const FailedStep& step = *finding->step;
+    EXPECT_EQ(step.dt, 1);
+    EXPECT_EQ(step.F1(0, 0), 6);
+    double F0[9], F1[9], cauchy[9];
+    for (int c = 0; c < 9; ++c) F0[c] = component(step.F0, c), F1[c] = component(step.F1, c);
+    const Material& material = *simulation.state().setup.material;
+    EXPECT_EQ(material.update(step.t, step.dt, 1, F0, F1, step.state0.data(), nullptr, cauchy).message,
+              "stretched too far");
   }
 }
 
@@ -158,6 +168,57 @@ TEST(MaterialBatches, AnInstanceServesOneThreadUnlessItIsThreadSafe) {
     EXPECT_EQ(visitors.size(), static_cast<std::size_t>(threads));
     EXPECT_EQ(instances.size(), thread_safe ? 1u : static_cast<std::size_t>(threads));
     EXPECT_EQ(moody::visits.size(), static_cast<std::size_t>(threads));  // no instance saw two threads, and vice versa
+  }
+}
+
+/// Largest difference of the Cauchy stress of all particles at the exact F to the exact one (20), over the largest.
+double difference_to_exact_stress(const std::array<double, 3>& direction, bool turned) {
+  Setup<2> setup = vortex_setup(6);
+  const auto vortex = std::get<Vortex>(*setup.motion);
+  setup.material = builtin_material(assay_builtin_orthotropic_cylindrical, {{"E_r", 3e3},
+                                                                            {"E_t", 1e3},
+                                                                            {"E_z", 2e3},
+                                                                            {"nu_rt", 0.3},
+                                                                            {"nu_rz", 0.2},
+                                                                            {"nu_tz", 0.25},
+                                                                            {"G_rt", 700},
+                                                                            {"G_rz", 500},
+                                                                            {"G_tz", 400}});
+  setup.material_direction = direction;
+  if (!turned) setup.motion.reset();
+  Path path = vortex.baseline();
+  path.material_direction = direction;
+  const Response response(Sheet(*setup.material, path, {.tolerance = 1e-9, .end = 1, .workers = {}}));
+  setup.response = std::make_shared<const Response>(response);
+  setup.body_force = false;
+  Simulation<2> simulation(setup);
+  State<2>& s = simulation.state();
+  const double t = 0.1;
+  const auto X = [&](std::size_t p) {
+    return Vector3(s.column(Column::reference_position, 0)[p], s.column(Column::reference_position, 1)[p], 0);
+  };
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    const Tensor F = vortex.at(X(p), t).F;
+    for (int c = 0; c < 4; ++c) s.column(Column::deformation_gradient, c)[p] = F(c / 2, c % 2);
+  }
+  stress_pass<2>(true, false).bind(s)({t, 1e-3});
+  double difference = 0, scale = 0;
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    Tensor tau, slope;
+    response.at(vortex.profile(X(p).norm()).xi, t, tau, slope);
+    const Tensor sigma = cauchy_stress(rotated_to(vortex, X(p), t, tau), vortex.at(X(p), t).F);
+    for (int c = 0; c < 4; ++c) {
+      difference = std::max(difference, std::abs(s.column(Column::stress, c)[p] - sigma(c / 2, c % 2)));
+    }
+    scale = std::max(scale, sigma.cwiseAbs().maxCoeff());
+  }
+  return difference / scale;
+}
+
+TEST(MaterialBatches, EveryParticleCarriesTheDirectionOfItsReferenceAngle) {
+  for (const std::array<double, 3>& direction : {std::array{1.0, 0.0, 0.0}, std::array{0.8, 0.6, 0.0}}) {
+    EXPECT_LT(difference_to_exact_stress(direction, true), 1e-7);
+    EXPECT_GT(difference_to_exact_stress(direction, false), 0.1);  // the same Cartesian direction everywhere
   }
 }
 

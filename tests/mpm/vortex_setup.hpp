@@ -61,6 +61,17 @@ inline Setup<2> vortex_setup(int across, const Way& way = {}, std::array<int, 2>
   return setup;
 }
 
+/// The same ring, clipped from the lattice or cut into sectors, with the averaged body force.
+inline Setup<2> averaged_setup(int across, bool polar, const Way& way = {}) {
+  Setup<2> setup = vortex_setup(across, way);
+  const auto& motion = std::get<Vortex>(*setup.motion);
+  const Annulus ring{motion.inner, motion.outer};
+  setup.seeds =
+      polar ? polar_lattice(ring, setup.grid.spacing, {2, 2}) : clipped_lattice(ring, setup.grid.spacing, {2, 2});
+  setup.evaluation = Evaluation::domain_average;
+  return setup;
+}
+
 /// A block of 2^Dim cells with 2^Dim particles each, at rest, in a grid with 9 empty cells on each side of it.
 template <int Dim>
 Setup<Dim> block_setup(const Way& way) {

@@ -68,5 +68,34 @@ TEST_F(MaterialChoices, RefusesTheRestToo) {
   EXPECT_EQ(refused(fibres, "{type: homogeneous, final: [[1.1,0,0],[0,1,0],[0,0,1]]}"), "accepted");
 }
 
+const std::string ring_wood =
+    "adapter: orthotropic_cylindrical, density: 1, parameters: {E_r: 3e3, E_t: 1e3, E_z: 2e3, nu_rt: 0.3, nu_rz: 0.2, "
+    "nu_tz: 0.25, G_rt: 700, G_rz: 500, G_tz: 400}";
+
+TEST_F(MaterialChoices, ADirectionBelongsToModelsThatHaveOne) {
+  Scene wood = scene("{" + ring_wood + "}");
+  wood.material = resolve_material(wood).choice;
+  EXPECT_EQ(wood.material.direction, (std::array{1.0, 0.0, 0.0}));  // E_R
+  EXPECT_NE(resolved_yaml(wood).find("direction: [1, 0, 0]"), std::string::npos);
+  Scene inclined = scene("{" + ring_wood + ", direction: [3, 4, 0]}");
+  inclined.material = resolve_material(inclined).choice;
+  const auto unit = baseline_path(inclined).material_direction;
+  EXPECT_DOUBLE_EQ(unit[0], 0.6);
+  EXPECT_DOUBLE_EQ(unit[1], 0.8);
+  EXPECT_EQ(unit[2], 0);
+  const Scene again = scene_from_text(resolved_yaml(inclined), "resolved.yaml");
+  EXPECT_EQ(again.material.direction, (std::array{3.0, 4.0, 0.0}));
+
+  EXPECT_EQ(refused("{adapter: neo_hookean, parameters: {E: 1}, density: 1, direction: [0, 1, 0]}"),
+            "f.yaml:2:77: material.direction: 'neo_hookean' has no direction");
+  EXPECT_EQ(refused("{" + ring_wood + ", direction: [0, 0, 0]}"),
+            "f.yaml:2:" + std::to_string(std::string("material: {" + ring_wood + ", direction: ").size() + 1) +
+                ": material.direction: must not be zero");
+  EXPECT_NE(refused("{" + ring_wood + ", direction: [1, 0]}").find("material.direction: "), std::string::npos);
+  Scene plain = scene("{adapter: neo_hookean, parameters: {E: 1}, density: 1}");
+  plain.material = resolve_material(plain).choice;
+  EXPECT_EQ(resolved_yaml(plain).find("direction"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace assay::drivers

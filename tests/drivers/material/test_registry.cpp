@@ -48,9 +48,10 @@ TEST_F(Registry, SearchPathTakesLibrariesWithAndWithoutPrefix) {
   setenv("ASSAY_MATERIAL_PATH", (folder / "path").c_str(), 1);
   EXPECT_EQ(find("soft").library, (folder / "path/soft.so").string()) << "NAME.so before libNAME.so";
   EXPECT_EQ(find("hard").library, (folder / "path/libhard.so").string());
-  std::string names;
+  std::string names, builtin;
   for (const RegisteredName& name : registered_names()) names += name.name + " ";
-  EXPECT_EQ(names, "neo_hookean hard soft ");
+  for (const auto* table : adapters::builtin_tables()) builtin += table->name + std::string(" ");
+  EXPECT_EQ(names, builtin + "hard soft ");
 }
 
 TEST_F(Registry, PathsAreLoadedDirectly) {
@@ -62,8 +63,10 @@ TEST_F(Registry, PathsAreLoadedDirectly) {
 }
 
 TEST_F(Registry, RefusesInOneLineThatSaysWhere) {
+  std::vector<std::string> builtin;
+  for (const auto* table : adapters::builtin_tables()) builtin.emplace_back(table->name);
   EXPECT_EQ(refused("neo_hokean"),
-            "f:1:2: k: unknown material 'neo_hokean' (nearest: neo_hookean); known: neo_hookean");
+            "f:1:2: k: unknown material 'neo_hokean' (nearest: neo_hookean); known: " + joined(builtin));
   EXPECT_EQ(refused("/absent/lib.so"), "f:1:2: k: no such file: '/absent/lib.so'");
   EXPECT_EQ(refused(plugins + "two_models.so"), "f:1:2: k: '" + plugins +
                                                     "two_models.so' holds several materials; say which as FILE:NAME; "

@@ -87,6 +87,7 @@ TEST(Resolved, RandomNumbersReadBack) {
 TEST(Resolved, HoldsEveryKeyThatApplies) {
   Scene scene = scene_from_text(
       scene_text("grid: {spacing: .1, lower: [-2, -2], upper: [2, 2]}\nmethod: {}\ntime: {step: .1}\n"), "f");
+  scene.material.direction = {0.0, 1.0, 0.0};  // of a model that has one
   const std::string text = resolved_yaml(scene);
   const Tree root = read_yaml(text, "resolved");
   for (const Key& key : scene_keys()) {

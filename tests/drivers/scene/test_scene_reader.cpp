@@ -171,10 +171,29 @@ TEST(SceneReader, RefusesWhatLaterVersionsMayKnow) {
   EXPECT_TRUE(has(refused_set("method.transfer=apic"), "known: pic, flip"));
   EXPECT_TRUE(has(refused_set("method.formulation=total"), "known: updated"));
   EXPECT_TRUE(has(refused_set("method.mass=series"), "known: lumped"));
-  EXPECT_TRUE(has(refused_set("force.evaluation=domain_average"), "known: point"));
-  EXPECT_TRUE(has(refused_set("force.response=shadow"), "known: none, closed_form, sheet"));
+  EXPECT_TRUE(has(refused_set("force.evaluation=corner_average"), "known: point, domain_average"));
   EXPECT_TRUE(has(refused_set("motion.type=twisting_ring"), "known: vortex, homogeneous"));
-  EXPECT_TRUE(has(refused_set("body.lattice=polar"), "known: cartesian"));
+  EXPECT_TRUE(has(refused_set("body.lattice=random"), "known: cartesian, polar"));
+}
+
+TEST(SceneReader, AveragesByDefaultAndClipsTheRingThatItAveragesOver) {
+  const auto body_of = [](const std::vector<std::string>& sets) {
+    return scene_from_text(scene_text(), "f.yaml", sets).body;
+  };
+  EXPECT_EQ(scene_from_text(scene_text(), "f.yaml", {}).force.evaluation, ForceChoice::Evaluation::domain_average);
+  EXPECT_EQ(body_of({}).cut, Body::Cut::clipped);
+  EXPECT_EQ(body_of({"force.evaluation=point"}).cut, Body::Cut::whole);
+  EXPECT_EQ(body_of({"body.cut=whole"}).cut, Body::Cut::whole);
+  EXPECT_EQ(body_of({"force.evaluation=point", "body.cut=clipped"}).cut, Body::Cut::clipped);
+  EXPECT_EQ(body_of({"body.lattice=polar"}).lattice, Body::Lattice::polar);
+}
+
+TEST(SceneReader, RefusesLatticesAndCutsThatABodyCannotHave) {
+  EXPECT_EQ(refused_extra("body: {domain: square, lattice: polar}"),
+            "f.yaml:3:33: body.lattice: a polar lattice fills a ring, and body.domain is square");
+  EXPECT_EQ(refused_extra("body: {lattice: polar, cut: clipped}"),
+            "f.yaml:3:29: body.cut: a polar lattice has no cell to cut: it follows the ring's edges");
+  EXPECT_TRUE(has(refused_extra("body: {domain: box, cut: whole}"), "body.cut: does not belong to body.domain box"));
 }
 
 TEST(SceneReader, RefusesWhatIsMissing) {
@@ -191,7 +210,7 @@ TEST(SceneReader, RefusesWhatDoesNotFitTogether) {
   EXPECT_TRUE(has(refused_set("motion.final=[[1,0,0],[0,1,0],[0,0,1]]"), "does not belong to motion.type vortex"));
   EXPECT_TRUE(has(refused(homogeneous_text(), {"motion.inner=1"}),
                   "does not belong to motion.type homogeneous; known: type, "
-                  "final, period, allow_unstable"));
+                  "path, final, period, allow_unstable"));
   EXPECT_TRUE(has(refused(homogeneous_text("body: {domain: ring}")), "a ring takes its radii from the vortex"));
   EXPECT_TRUE(has(refused_set("body={domain: ring, outside: held}"), "--set body.outside: a ring alone"));
   EXPECT_TRUE(

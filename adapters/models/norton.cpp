@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Norton's viscoplasticity at finite strain: dp/dt = reference_rate (sigma_eq / reference_stress)^exponent, no
+// threshold.
+#include "adapters/models/viscoplastic.hpp"
+
+namespace assay::models {
+
+class Norton : public PowerLawFlow<false> {
+ public:
+  static constexpr const char* name = "norton";
+  static constexpr const char* doc =
+      "Norton viscoplasticity without threshold, multiplicative, logarithmic elastic strain";
+  static constexpr int symmetry = ASSAY_ISOTROPIC;
+  static constexpr std::uint32_t flags = ASSAY_RATE_DEPENDENT | ASSAY_USES_INCREMENT;
+  static constexpr assay_parameter parameters[] = {youngs_modulus, poissons_ratio, reference_rate, reference_stress,
+                                                   rate_exponent};
+  static constexpr assay_state_variable state[] = {inverse_plastic_metric, viscoplastic_strain};
+
+  explicit Norton(const double* p) : PowerLawFlow{{p[0], p[1]}, p[2], p[3], p[4]} {}
+};
+
+}  // namespace assay::models
+
+ASSAY_MODEL(assay::models::Norton, norton)

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Saint Venant-Kirchhoff elasticity: S = lambda tr(E) I + 2 mu E, W = lambda/2 tr(E)^2 + mu E:E (Ciarlet 1988, 3.9).
+#include "adapters/models/elastic_constants.hpp"
+#include "adapters/models/green_strain.hpp"
+#include "adapters/models/plugin.hpp"
+
+namespace assay::models {
+
+class SaintVenantKirchhoff {
+ public:
+  static constexpr const char* name = "saint_venant_kirchhoff";
+  static constexpr const char* doc = "Saint Venant-Kirchhoff elasticity, S = lambda tr(E) I + 2 mu E";
+  static constexpr int symmetry = ASSAY_ISOTROPIC;
+  static constexpr std::uint32_t flags = 0;
+  static constexpr assay_parameter parameters[] = {youngs_modulus, poissons_ratio};
+
+  explicit SaintVenantKirchhoff(const double* p) : elastic_(p[0], p[1]) {}
+
+  template <class S>
+  TensorOf<S> update(const IncrementOf<S>& step, const double*, S*) const {
+    return push_forward(step.F1, elastic_.hooke(green_strain(step.F1)));
+  }
+
+  double energy(const Tensor& F, const double*) const {
+    const Tensor E = green_strain(F);
+    const double volume = trace(E);
+    return 0.5 * elastic_.lambda * volume * volume + elastic_.mu * contraction(E, E);
+  }
+
+  /// P11 = (lambda + 2 mu) gamma^2 / 2, P12 = mu gamma, ... as P = F S.
+  bool closed_form(int baseline, double eps, Tensor& tau, Tensor& dtau_deps) const {
+    const double along = elastic_.lambda + 2 * elastic_.mu;
+    return green_strain_baseline(along, elastic_.lambda, elastic_.lambda, elastic_.mu, baseline, eps, tau, dtau_deps);
+  }
+
+ private:
+  ElasticConstants elastic_;
+};
+
+}  // namespace assay::models
+
+ASSAY_MODEL(assay::models::SaintVenantKirchhoff, saint_venant_kirchhoff)

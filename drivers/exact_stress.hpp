@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Stress and body force of a scene's exact motion at reference points.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "drivers/output/points_csv.hpp"
+#include "drivers/scene/scene.hpp"
+#include "harness/material.hpp"
+
+namespace assay::drivers {
+
+/// Motion and stress of one point.
+struct ExactPoint {
+  ExactState state;
+  ExactStress stress;
+};
+
+/// Throws InputError where a point's time lies beyond the last row of motion.path.
+void require_within_path(const Scene& scene, const std::vector<ReferencePoint>& points, const std::string& file);
+
+/// One for each point, in their order. The vortex takes tau from the response that the scene asks for (20), (31); a
+/// homogeneous motion from one history on its own path, xi = own_parameter(), unless a closed form is asked for or the
+/// response is the curve tau(eps). Throws InputError, MaterialFailure, Interrupted.
+std::vector<ExactPoint> exact_points(const Scene& scene, const std::shared_ptr<const Material>& material,
+                                     const std::vector<ReferencePoint>& points, double end);
+
+}  // namespace assay::drivers

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/replay.hpp"
+
+#include <cmath>
+
+#include "drivers/material/material_choice.hpp"
+#include "drivers/material/registry.hpp"
+#include "drivers/output/numbers.hpp"
+#include "drivers/scene/sha256.hpp"
+#include "drivers/scene/yaml_reader.hpp"
+#include "drivers/scene/yaml_values.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+/// A state may hold what is not finite: that is what replays are for.
+std::string yaml_number(double value) {
+  if (std::isnan(value)) return ".nan";
+  if (std::isinf(value)) return value > 0 ? ".inf" : "-.inf";
+  return number_text(value);
+}
+
+template <class Value>
+std::string list_text(int count, const Value& value) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += (i ? ", " : "") + yaml_number(value(i));
+  return "[" + text + "]";
+}
+
+std::string tensor_text(const Tensor& F) {
+  std::string text;
+  for (int row = 0; row < 3; ++row) text += (row ? ", " : "") + list_text(3, [&](int c) { return F(row, c); });
+  return "[" + text + "]";
+}
+
+std::string state_text(const assay_material& table, const std::vector<double>& state) {
+  if (table.state_count == 0) return "state0: {}\n";
+  std::string text = "state0:\n";
+  std::size_t at = 0;
+  for (std::uint32_t i = 0; i < table.state_count; ++i) {
+    const int count = components_of_kind(table.state[i].kind);
+    const auto value = [&](int c) { return state[at + static_cast<std::size_t>(c)]; };
+    text += "  " + yaml_scalar(table.state[i].name) + ": " +
+            (count == 1 ? yaml_number(value(0)) : list_text(count, value)) + "\n";
+    at += static_cast<std::size_t>(count);
+  }
+  return text;
+}
+
+const Tree& required(const Tree& map, const std::string& prefix, const std::string& key) {
+  const Tree* found = map.find(key);
+  if (!found) throw InputError(map.where, key_path(prefix, key), "required and not given");
+  return *found;
+}
+
+double any_number(const Tree& tree, const std::string& key) {
+  const auto value = tree.kind == Tree::Kind::scalar ? parse_number(tree.text) : std::nullopt;
+  if (!value) throw InputError(tree.where, key, "must be a number, found " + described(tree));
+  return *value;
+}
+
+void append_numbers(const Tree& tree, const std::string& key, std::size_t count, std::vector<double>& out) {
+  if (count == 1 && tree.kind == Tree::Kind::scalar) {
+    out.push_back(any_number(tree, key));
+    return;
+  }
+  if (tree.kind != Tree::Kind::sequence || tree.items.size() != count) {
+    throw InputError(tree.where, key, "must be a list of " + std::to_string(count) + ", found " + described(tree));
+  }
+  for (const Tree& item : tree.items) out.push_back(any_number(item, key));
+}
+
+Tensor tensor_of(const Tree& root, const std::string& key) {
+  const Tree& tree = required(root, "", key);
+  if (tree.kind != Tree::Kind::sequence || tree.items.size() != 3) {
+    throw InputError(tree.where, key, "must be three rows, found " + described(tree));
+  }
+  std::vector<double> values;
+  for (const Tree& row : tree.items) append_numbers(row, key, 3, values);
+  Tensor F;
+  for (int c = 0; c < 9; ++c) component(F, c) = values[static_cast<std::size_t>(c)];
+  return F;
+}
+
+std::vector<double> state_of(const Tree& root, const assay_material& table) {
+  const Tree& tree = required(root, "", "state0");
+  std::vector<double> state;
+  std::vector<std::string> names;
+  for (std::uint32_t i = 0; i < table.state_count; ++i) names.emplace_back(table.state[i].name);
+  require_map(tree, "state0", joined(names));
+  refuse_unknown_keys(tree, "state0", names);
+  for (std::uint32_t i = 0; i < table.state_count; ++i) {
+    append_numbers(required(tree, "state0", names[i]), "state0." + names[i],
+                   static_cast<std::size_t>(components_of_kind(table.state[i].kind)), state);
+  }
+  return state;
+}
+
+}  // namespace
+
+Replay replay_of(const Scene& scene, const FailedStep& step, const std::string& reason) {
+  const ResolvedMaterial resolved = resolve_material(scene.material);
+  Replay replay{scene.material.adapter, resolved.choice.parameters, {}, step, reason};
+  if (!resolved.library.empty()) {
+    constexpr std::size_t largest_library = std::size_t{4} << 30;
+    replay.material = resolved.library + ":" + resolved.material.name();
+    replay.library_sha256 = sha256_hex(read_bytes(resolved.library, largest_library));
+  }
+  return replay;
+}
+
+std::string replay_yaml(const Replay& replay) {
+  const Material material = material_of(replay);
+  std::string text = "# The step at which a material failed: F0 and state0 at t, F1 at t + dt; SI units.\n";
+  text += "material: " + yaml_scalar(replay.material) + "\nparameters:";
+  if (replay.parameters.empty()) text += " {}";
+  text += "\n";
+  for (const auto& [name, value] : replay.parameters)
+    text += "  " + yaml_scalar(name) + ": " + number_text(value) + "\n";
+  text += "library_sha256: " + (replay.library_sha256.empty() ? "null" : replay.library_sha256) + "\n";
+  text += "t: " + yaml_number(replay.step.t) + "\ndt: " + yaml_number(replay.step.dt) + "\n";
+  text += "F0: " + tensor_text(replay.step.F0) + "\nF1: " + tensor_text(replay.step.F1) + "\n";
+  text += state_text(material.table(), replay.step.state0);
+  return text + "reason: " + yaml_scalar(one_line(replay.reason)) + "\n";
+}
+
+Replay read_replay(const std::string& file) {
+  const Tree root = read_yaml(read_bytes(file), file);
+  const std::vector<std::string> known{"material", "parameters", "library_sha256", "t",     "dt",
+                                       "F0",       "F1",         "state0",         "reason"};
+  require_map(root, "", joined(known));
+  refuse_unknown_keys(root, "", known);
+  Replay replay;
+  replay.material = text_value(required(root, "", "material"), "material");
+  const Tree& parameters = required(root, "", "parameters");
+  require_map(parameters, "parameters", "the parameters of the material");
+  for (const Tree::Entry& entry : parameters.entries) {
+    replay.parameters[entry.key] = number_value(entry.value, "parameters." + one_line(entry.key, 80));
+  }
+  const Tree* hash = root.find("library_sha256");
+  if (hash && hash->kind == Tree::Kind::scalar) replay.library_sha256 = hash->text;
+  replay.step.t = any_number(required(root, "", "t"), "t");
+  replay.step.dt = any_number(required(root, "", "dt"), "dt");
+  replay.step.F0 = tensor_of(root, "F0");
+  replay.step.F1 = tensor_of(root, "F1");
+  replay.step.state0 = state_of(root, material_of(replay).table());
+  if (const Tree* reason = root.find("reason")) replay.reason = text_value(*reason, "reason");
+  return replay;
+}
+
+Material material_of(const Replay& replay) {
+  MaterialChoice choice;
+  choice.adapter = replay.material;
+  choice.parameters = replay.parameters;
+  choice.density = 1;  // a replay needs none
+  return std::move(resolve_material(choice).material);
+}
+
+UpdateReport take_again(const Material& material, const FailedStep& step) {
+  double F0[9], F1[9], cauchy[9];
+  for (int c = 0; c < 9; ++c) F0[c] = component(step.F0, c), F1[c] = component(step.F1, c);
+  std::vector<double> state1(step.state0.size());
+  return material.update(step.t, step.dt, 1, F0, F1, step.state0.data(), state1.data(), cauchy);
+}
+
+std::string replay_hint(const std::string& scene, const std::vector<std::string>& sets, double end) {
+  std::string command = "assay tabulate " + scene;
+  for (const std::string& set : sets) command += " --set '" + set + "'";
+  return "`" + command + " --set time.end=" + number_text(end) + "` leaves the step in a replay.yaml";
+}
+
+}  // namespace assay::drivers

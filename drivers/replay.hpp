@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// replay.yaml: the one step of one point at which a material failed, to be taken again alone.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "drivers/result.hpp"
+#include "drivers/scene/scene.hpp"
+#include "harness/failed_step.hpp"
+#include "harness/material.hpp"
+
+namespace assay::drivers {
+
+struct Replay {
+  std::string material;  ///< as find_material takes it: a name, or `library:name` with the library's absolute path
+  std::map<std::string, double> parameters;  ///< all of them
+  std::string library_sha256;                ///< of the shared library; empty: built in
+  FailedStep step;
+  std::string reason;  ///< one sentence
+};
+
+/// The step of a result in which the scene's material failed. Throws InputError where the material is gone.
+Replay replay_of(const Scene& scene, const FailedStep& step, const std::string& reason);
+
+/// Numbers at full precision; state0 by the names of the material's state variables. Throws InputError where the
+/// material is gone.
+std::string replay_yaml(const Replay& replay);
+
+/// Throws InputError: no such file, not a replay, a material that is not found or has another state.
+Replay read_replay(const std::string& file);
+
+/// The material of a replay. Throws InputError where it is not found.
+Material material_of(const Replay& replay);
+
+/// Takes the step again.
+UpdateReport take_again(const Material& material, const FailedStep& step);
+
+/// The command that leaves the step in a replay.yaml, for verbs that write no folder.
+std::string replay_hint(const std::string& scene, const std::vector<std::string>& sets, double end);
+
+}  // namespace assay::drivers

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/scene/deformation_csv.hpp"
+
+#include "drivers/input_error.hpp"
+#include "drivers/output/csv.hpp"
+#include "drivers/output/number_format.hpp"
+#include "drivers/output/numbers.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr double rounding = 1e-12;          ///< of the F = I that another program wrote
+constexpr std::size_t most_rows = 100'000;  ///< a spline holds them nine times
+
+const char* const names[] = {"F11", "F12", "F13", "F21", "F22", "F23", "F31", "F32", "F33"};
+
+[[noreturn]] void refuse(const CsvTable& table, std::size_t row, const std::string& key, const std::string& what) {
+  throw InputError(Location{table.file, table.lines[row], 1}, key, what);
+}
+
+std::vector<Tensor> gradients(const CsvTable& table) {
+  std::vector<Tensor> F(table.rows(), Tensor::Identity());
+  int out_of_plane = 0;
+  for (int c = 0; c < 9; ++c) {
+    const auto* column = table.column(names[c]);
+    if (!column) continue;
+    if (c == 2 || c == 5 || c == 6 || c == 7) ++out_of_plane;
+    for (std::size_t i = 0; i < F.size(); ++i) component(F[i], c) = (*column)[i];
+  }
+  if (out_of_plane != 0 && out_of_plane != 4) {
+    throw InputError(Location{table.file, table.header_line, 1}, {}, "F13, F23, F31 and F32 only come together");
+  }
+  return F;
+}
+
+void check_rows(const CsvTable& table, const std::vector<double>& t, const std::vector<Tensor>& F) {
+  if (table.rows() < 2) refuse(table, 0, {}, "a path needs two rows at least");
+  if (table.rows() > most_rows) refuse(table, most_rows, {}, "more than " + std::to_string(most_rows) + " rows");
+  if (t[0] != 0) refuse(table, 0, "t", "the first row must be at t = 0, found " + number_text(t[0]));
+  if (!((F[0] - Tensor::Identity()).cwiseAbs().maxCoeff() <= rounding)) {
+    refuse(table, 0, {}, "the first row must be the undeformed state, F = I");
+  }
+  for (std::size_t i = 1; i < t.size(); ++i) {
+    if (t[i] > t[i - 1]) continue;
+    refuse(table, i, "t", "times must ascend, found " + number_text(t[i]) + " after " + number_text(t[i - 1]));
+  }
+}
+
+}  // namespace
+
+DeformationTable read_deformation_table(const std::string& file) {
+  const CsvTable table =
+      read_csv(read_input_file(file), file, {"t", "F11", "F12", "F21", "F22"}, {"F13", "F23", "F31", "F32", "F33"});
+  const std::vector<double>& t = *table.column("t");
+  std::vector<Tensor> F = gradients(table);
+  check_rows(table, t, F);
+  F[0].setIdentity();
+  DeformationTable path(file, t, F);
+  const DeformationTable::Determinant worst = path.smallest_determinant();
+  if (!(worst.value > 0)) {
+    const bool at_row = worst.t == t[worst.row + 1];
+    refuse(table, worst.row + 1, {},
+           std::string("det F <= 0 ") + (at_row ? "in this row" : "between this row and the one before") +
+               ", at t = " + rounded_text(worst.t, 6));
+  }
+  return path;
+}
+
+}  // namespace assay::drivers

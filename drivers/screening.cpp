@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/screening.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "drivers/interrupt.hpp"
+#include "drivers/output/number_format.hpp"
+#include "harness/material_failure.hpp"
+#include "harness/stability_screen.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr double watched_periods = 4;
+
+/// To three digits, never more than the value.
+double rounded_down(double value) {
+  if (!(value > 0)) return 0;
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2);
+  return std::floor(value / unit * (1 + 1e-12)) * unit;
+}
+
+/// What scales the motion: the vortex's peak [rad]; of any other motion its parameter, 1 as it stands.
+double peak_of(const Motion& motion) {
+  const auto* vortex = std::get_if<Vortex>(&motion);
+  return vortex ? std::abs(vortex->amplitude.peak) : 1;
+}
+
+const char* name_of(StabilityScreen::Verdict verdict) {
+  switch (verdict) {
+    case StabilityScreen::Verdict::stable:
+      return "stable";
+    case StabilityScreen::Verdict::unstable:
+      return "unstable";
+    case StabilityScreen::Verdict::neutral:
+      break;
+  }
+  return "neutral";
+}
+
+}  // namespace
+
+ScreenFigures screen_of(const Scene& scene, const Material& material, double end) {
+  const auto start = std::chrono::steady_clock::now();
+  const Path path = baseline_path(scene);
+  const StabilityScreen found =
+      screen_stability(material, path, std::min(end, watched_periods * period_of(scene.motion)));
+  ScreenFigures figures;
+  figures.verdict = name_of(found.verdict);
+  figures.smallest = found.smallest;
+  if (found.verdict == StabilityScreen::Verdict::unstable) {
+    figures.t = found.t;
+    figures.xi = found.xi;
+    if (path.name == "simple_shear") figures.gamma = 2 * path.eps(found.xi, found.t);
+    figures.largest_safe_amplitude = rounded_down(found.safe_fraction * peak_of(scene.motion));
+  }
+  figures.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return figures;
+}
+
+std::string instability_sentence(const ScreenFigures& screen, const std::string& material) {
+  if (screen.verdict != "unstable") return {};
+  return "this motion is not a stable solution for this model at this amplitude: " + material +
+         " loses strong ellipticity at " + (screen.gamma ? "gamma = " + rounded_text(*screen.gamma, 3) + ", " : "") +
+         "t = " + rounded_text(*screen.t, 3) + " s, xi = " + rounded_text(*screen.xi, 3) + "; largest safe amplitude " +
+         rounded_text(*screen.largest_safe_amplitude, 3);
+}
+
+std::string screen_sentence(const ScreenFigures& screen) {
+  if (screen.verdict == "neutral") return "neutral: nothing resists a shear wave, as in a fluid";
+  const std::string smallest =
+      "smallest acoustic eigenvalue " + rounded_text(*screen.smallest, 3) + " of the largest at rest";
+  if (screen.verdict == "stable") return "stable: " + smallest;
+  return "unstable from " + (screen.gamma ? "gamma = " + rounded_text(*screen.gamma, 3) + ", " : "") +
+         "t = " + rounded_text(*screen.t, 3) + " s: " + smallest + "; largest safe amplitude " +
+         rounded_text(*screen.largest_safe_amplitude, 3);
+}
+
+void warn_of_instability(const Scene& scene, const Material& material, double end) {
+  if (scene.allow_unstable) return;
+  try {
+    const std::string sentence = instability_sentence(screen_of(scene, material, end), material.name());
+    stop_if_interrupted();
+    if (!sentence.empty()) std::fprintf(stderr, "warning: %s\n", sentence.c_str());
+  } catch (const MaterialFailure&) {
+  }
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/simulation/response_source.hpp"
+
+#include "drivers/interrupt.hpp"
+#include "drivers/output/number_format.hpp"
+#include "drivers/simulation/sheet_cache.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr double most_periods = 1000;  ///< of a sheet in time
+
+std::shared_ptr<const Response> closed_form_of(const Scene& scene, const std::shared_ptr<const Material>& material,
+                                               const Path& path) {
+  auto form = ClosedForm::of(material, path);
+  if (!form) {
+    throw InputError(scene.place("force.response"), "force.response",
+                     "material '" + material->name() + "' offers no closed form of " + path.name, "sheet, none");
+  }
+  return std::make_shared<const Response>(std::move(*form));
+}
+
+}  // namespace
+
+std::shared_ptr<const Response> response_of(const Scene& scene, const std::shared_ptr<const Material>& material,
+                                            const Path& path, double end, int threads, bool marching) {
+  if (scene.force.response == ForceChoice::Response::closed_form) return closed_form_of(scene, material, path);
+  if (marching && scene.force.response == ForceChoice::Response::shadow) {
+    const ShadowOptions options{scene.force.radii, scene.force.tolerance, end, {threads, stop_if_interrupted}};
+    return std::make_shared<const Response>(std::make_shared<Shadow>(material, path, options));
+  }
+  const bool curve = material->path_independent() && path.straight();
+  if (!curve && end > most_periods * period_of(scene.motion)) {
+    throw InputError(
+        scene.place("time.end"), "time.end",
+        "the sheet of a material with history holds at most " + rounded_text(most_periods, 6) + " periods");
+  }
+  SheetOptions options{.tolerance = scene.force.tolerance, .end = end};
+  options.workers = {threads, stop_if_interrupted};
+  if (curve || !scene.force.cache) return std::make_shared<const Response>(Sheet(*material, path, options));
+  const SheetCache cache(scene, *material, path, end);
+  if (std::optional<Sheet> kept = cache.load()) return std::make_shared<const Response>(std::move(*kept));
+  Sheet sheet(*material, path, options);
+  cache.store(sheet);
+  return std::make_shared<const Response>(std::move(sheet));
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/simulation/sheet_cache.hpp"
+
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <vector>
+
+#include "adapters/library.hpp"
+#include "drivers/output/whole_file.hpp"
+#include "drivers/scene/sha256.hpp"
+#include "drivers/scene/yaml_reader.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr std::string_view signature = "assay sheet 1\n";
+constexpr std::size_t hash_length = 64;
+constexpr std::size_t largest_file = std::size_t{4} << 30;
+constexpr int samples_in_xi = 5, samples_in_t = 33;  ///< of the path, for the hash
+
+std::string variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value ? value : "";
+}
+
+std::string cache_folder() {
+  if (const std::string own = variable("ASSAY_CACHE_HOME"); !own.empty()) return own + "/sheets";
+  if (const std::string xdg = variable("XDG_CACHE_HOME"); !xdg.empty()) return xdg + "/assay/sheets";
+  if (const std::string home = variable("HOME"); !home.empty()) return home + "/.cache/assay/sheets";
+  return {};
+}
+
+void append(std::string& bytes, double value) {
+  char raw[sizeof value];
+  std::memcpy(raw, &value, sizeof value);
+  bytes.append(raw, sizeof value);
+}
+
+/// F of the family at some places, and where it turns: two paths that agree there are the same path.
+std::string bytes_of(const Path& path, double end) {
+  std::string bytes = path.name;
+  for (int i = 0; i < samples_in_xi; ++i) {
+    const double xi = path.parameter.lower + path.parameter.width() * i / (samples_in_xi - 1);
+    append(bytes, xi);
+    for (int j = 0; j < samples_in_t; ++j) {
+      const Tensor F = path.deformation_gradient(xi, end * j / (samples_in_t - 1));
+      for (int c = 0; c < 9; ++c) append(bytes, component(F, c));
+    }
+  }
+  for (const double t : path.reversals(end)) append(bytes, t);
+  for (const double d : path.material_direction) append(bytes, d);
+  return bytes;
+}
+
+}  // namespace
+
+SheetCache::SheetCache(const Scene& scene, const Material& material, const Path& path, double end) {
+  const std::string folder = cache_folder(), library = adapters::file_of(&material.table());
+  if (folder.empty() || library.empty()) return;
+  try {
+    std::string key(signature);
+    for (const std::string& file : {std::string("/proc/self/exe"), library}) {
+      key += sha256_hex(read_bytes(file, largest_file));
+    }
+    key += material.name();
+    for (const double value : material.parameters()) append(key, value);
+    append(key, end);
+    append(key, scene.force.tolerance);
+    key += bytes_of(path, end);
+    file_ = folder + "/" + sha256_hex(key) + ".sheet";
+  } catch (const std::exception&) {
+    file_.clear();  // a library that cannot be read: nothing is kept
+  }
+}
+
+std::optional<Sheet> SheetCache::load() const {
+  std::error_code code;
+  if (file_.empty() || !std::filesystem::is_regular_file(file_, code)) return std::nullopt;
+  try {
+    const std::string bytes = read_bytes(file_, largest_file);
+    const std::size_t head = signature.size() + hash_length;
+    if (bytes.size() <= head || !bytes.starts_with(signature)) return std::nullopt;
+    const std::string_view body = std::string_view(bytes).substr(head);
+    if (body.size() % sizeof(double) != 0) return std::nullopt;
+    if (sha256_hex(body) != std::string_view(bytes).substr(signature.size(), hash_length)) return std::nullopt;
+    std::vector<double> numbers(body.size() / sizeof(double));
+    std::memcpy(numbers.data(), body.data(), body.size());
+    return Sheet(std::span<const double>(numbers));
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+void SheetCache::store(const Sheet& sheet) const {
+  const std::vector<double> numbers = sheet.pack();
+  if (file_.empty() || numbers.empty()) return;
+  std::string body(numbers.size() * sizeof(double), '\0');
+  std::memcpy(body.data(), numbers.data(), body.size());
+  std::error_code code;
+  std::filesystem::create_directories(std::filesystem::path(file_).parent_path(), code);
+  try {
+    if (!code) write_file(file_, std::string(signature) + sha256_hex(body) + body);
+  } catch (const std::exception&) {
+    std::filesystem::remove(file_, code);  // a full disk is no reason to lose the run
+  }
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/band_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/chebyshev.hpp"
+
+namespace assay {
+
+namespace {
+
+/// Breaks whose times differ by less [share of the end] do not move: reversals.
+constexpr double still = 1e-13;
+/// A component of tau below this share of the largest is zero.
+constexpr double inactive = 1e-15;
+
+/// T_k(2 s - 1) and their derivatives with respect to s.
+struct Polynomials {
+  Polynomials(double s, std::size_t n) : T(n), T_prime(n) {
+    chebyshev::basis(2 * s - 1, T, T_prime);
+    for (double& slope : T_prime) slope *= 2;
+  }
+  std::vector<double> T, T_prime;
+};
+
+/// Values at Gauss nodes to coefficients along one direction: `count` values `stride` apart.
+void to_coefficients(double* values, std::size_t count, std::size_t stride) {
+  std::vector<double> line(count);
+  for (std::size_t k = 0; k < count; ++k) line[k] = values[k * stride];
+  line = chebyshev::gauss_coefficients(line);
+  for (std::size_t k = 0; k < count; ++k) values[k * stride] = line[k];
+}
+
+/// Breaks with every stretch divided into equal parts.
+std::vector<double> divided(const std::vector<double>& breaks, int parts) {
+  std::vector<double> all;
+  for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+    for (int k = 0; k < parts; ++k) all.push_back(breaks[i] + (breaks[i + 1] - breaks[i]) * k / parts);
+  }
+  all.push_back(breaks.back());
+  return all;
+}
+
+}  // namespace
+
+BandTable::BandTable(const Course& course, const Band& band, BandSize size, const HistoryOptions& options,
+                     const Workers& workers)
+    : band_(band), size_(size) {
+  sample(course, options, workers);
+  transform();
+}
+
+void BandTable::sample(const Course& course, const HistoryOptions& options, const Workers& workers) {
+  const std::size_t stretches = band_.stretches();
+  const std::vector<double> s = chebyshev::gauss_nodes(size_.nodes_in_xi), u = chebyshev::gauss_nodes(size_.nodes_in_t);
+  breaks_.resize((stretches + 1) * n_x());
+  values_.resize(stretches * n_t() * n_x() * 9);
+  std::vector<std::int64_t> calls(n_x());
+  std::vector<double> errors(n_x());
+  for_each_index(size_.nodes_in_xi, workers, [&](int index) {
+    const auto k = static_cast<std::size_t>(index);
+    const double xi = band_.map.xi_of(s[k]);
+    Ray ray = band_.ray;
+    if (options.watch) ray = trace(course, xi, options, calls[k]);
+    if (ray.branches != band_.ray.branches) throw StrayHistory{xi};
+    ray.breaks = divided(ray.breaks, band_.parts);
+    for (std::size_t i = 0; i <= stretches; ++i) breaks_[i * n_x() + k] = ray.breaks[i];
+    History history(course, xi, {.tolerance = options.tolerance, .watch = false});
+    for (std::size_t i = 0; i < stretches; ++i) {
+      const double begin = ray.breaks[i], width = ray.breaks[i + 1] - begin;
+      for (std::size_t j = 0; j < n_t(); ++j) {
+        history.advance(std::max(begin + u[j] * width, history.t()));
+        const Tensor tau = history.tau();
+        for (int c = 0; c < 9; ++c) {
+          values_[((i * n_t() + j) * n_x() + k) * 9 + static_cast<std::size_t>(c)] = component(tau, c);
+        }
+      }
+      history.advance(ray.breaks[i + 1]);
+    }
+    calls[k] += history.calls();
+    errors[k] = history.error();
+  });
+  for (const std::int64_t c : calls) calls_ += c;
+  noise_ = *std::max_element(errors.begin(), errors.end());
+}
+
+/// Values to coefficients; leaves the components that are not zero.
+void BandTable::transform() {
+  const std::size_t stretches = band_.stretches();
+  double largest[9] = {};
+  for (std::size_t i = 0; i < values_.size(); ++i) largest[i % 9] = std::max(largest[i % 9], std::abs(values_[i]));
+  largest_ = *std::max_element(largest, largest + 9);
+  for (int c = 0; c < 9; ++c) {
+    if (largest[c] > inactive * largest_) active_.push_back(c);
+  }
+  for (std::size_t i = 0; i <= stretches; ++i) {
+    double* row = &breaks_[i * n_x()];
+    const auto [low, high] = std::minmax_element(row, row + n_x());
+    moves_.push_back(*high - *low > still * band_.ray.breaks.back());
+    if (moves_.back()) {
+      to_coefficients(row, n_x(), 1);
+    } else {
+      row[0] = 0.5 * (*low + *high);
+      std::fill(row + 1, row + n_x(), 0.0);
+    }
+  }
+  for (std::size_t line = 0; line < stretches * n_t(); ++line) {
+    for (std::size_t c = 0; c < 9; ++c) to_coefficients(&values_[line * n_x() * 9 + c], n_x(), 9);
+  }
+  for (std::size_t i = 0; i < stretches; ++i) {
+    for (std::size_t column = 0; column < n_x() * 9; ++column) {
+      to_coefficients(&values_[i * n_t() * n_x() * 9 + column], n_t(), n_x() * 9);
+    }
+  }
+  const std::size_t rows = values_.size() / 9;
+  coefficients_.resize(rows * active_.size());
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t a = 0; a < active_.size(); ++a) {
+      const double value = values_[row * 9 + static_cast<std::size_t>(active_[a])];
+      coefficients_[row * active_.size() + a] = value;
+      const std::size_t k = row % n_x(), j = row / n_x() % n_t();
+      if (k + 2 >= n_x()) tail_xi_ = std::max(tail_xi_, std::abs(value));
+      if (j + 2 >= n_t()) tail_t_ = std::max(tail_t_, std::abs(value));
+    }
+  }
+  values_ = {};
+  add_tail_of_breaks();
+  find_break_ranges();
+}
+
+void BandTable::find_break_ranges() {
+  constexpr int samples = 33;
+  for (std::size_t i = 0; i < moves_.size(); ++i) {
+    Interval range{break_at(i, 0), break_at(i, 0)};
+    for (int k = 1; moves_[i] && k < samples; ++k) {
+      const double t = break_at(i, static_cast<double>(k) / (samples - 1));
+      range = {std::min(range.lower, t), std::max(range.upper, t)};
+    }
+    break_range_.push_back(range);
+  }
+}
+
+/// An error of a break's time moves tau by its rate in the stretches beside it.
+void BandTable::add_tail_of_breaks() {
+  const std::size_t stretches = band_.stretches();
+  for (std::size_t i = 1; i < stretches; ++i) {
+    if (!moves_[i]) continue;
+    double tail = 0;
+    for (std::size_t k = n_x() - 2; k < n_x(); ++k) tail = std::max(tail, std::abs(breaks_[i * n_x() + k]));
+    const double at = break_at(i, 0.5);
+    const double width = std::min(at - break_at(i - 1, 0.5), break_at(i + 1, 0.5) - at);
+    if (width > 0) tail_xi_ = std::max(tail_xi_, tail / width * largest_);
+  }
+}
+
+double BandTable::steepest() const {
+  constexpr int samples = 5;
+  double steepest = 0;
+  Tensor tau, slope;
+  for (int i = 0; i < samples; ++i) {
+    const double s = (i + 0.5) / samples;
+    for (std::size_t stretch = 0; stretch < band_.stretches(); ++stretch) {
+      const double t = 0.5 * (break_at(stretch, s) + break_at(stretch + 1, s));
+      at(band_.map.xi_of(s), t, tau, slope);
+      steepest = std::max(steepest, slope.cwiseAbs().maxCoeff());
+    }
+  }
+  return steepest;
+}
+
+bool BandTable::any_moves() const { return std::find(moves_.begin(), moves_.end(), true) != moves_.end(); }
+
+double BandTable::break_at(std::size_t i, double s) const {
+  if (!moves_[i]) return breaks_[i * n_x()];
+  const Polynomials x(s, n_x());
+  double t = 0;
+  for (std::size_t k = 0; k < n_x(); ++k) t += breaks_[i * n_x() + k] * x.T[k];
+  return t;
+}
+
+std::size_t BandTable::stretch_at(double s, double t) const {
+  std::size_t stretch = 0;
+  while (stretch + 1 < band_.stretches() && t >= break_at(stretch + 1, s)) ++stretch;
+  return stretch;
+}
+
+void BandTable::active_at(double s, double t, std::size_t stretch, std::span<double> tau) const {
+  const double begin = break_at(stretch, s), width = break_at(stretch + 1, s) - begin;
+  const Polynomials x(s, n_x()), time(width > 0 ? std::clamp((t - begin) / width, 0.0, 1.0) : 0.5, n_t());
+  const std::size_t active = active_.size();
+  std::fill(tau.begin(), tau.end(), 0.0);
+  for (std::size_t j = 0; j < n_t(); ++j) {
+    const double* row = block(stretch, j);
+    for (std::size_t k = 0; k < n_x(); ++k) {
+      const double weight = time.T[j] * x.T[k];
+      for (std::size_t c = 0; c < active; ++c) tau[c] += weight * row[k * active + c];
+    }
+  }
+}
+
+void BandTable::cut(std::size_t stretch, double t, std::vector<double>& coefficients) const {
+  const double begin = breaks_[stretch * n_x()], width = breaks_[(stretch + 1) * n_x()] - begin;
+  const Polynomials time(width > 0 ? std::clamp((t - begin) / width, 0.0, 1.0) : 0.5, n_t());
+  const std::size_t row_size = n_x() * active_.size();
+  coefficients.assign(row_size, 0.0);
+  for (std::size_t j = 0; j < n_t(); ++j) {
+    const double* row = block(stretch, j);
+    for (std::size_t i = 0; i < row_size; ++i) coefficients[i] += time.T[j] * row[i];
+  }
+}
+
+void BandTable::at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const {
+  const double s = band_.map.s_of(xi);
+  const std::size_t stretch = stretch_at(s, t), active = active_.size();
+  const Polynomials x(s, n_x());
+  double edge[2] = {}, edge_slope[2] = {};  // of the stretch in time, and their derivatives in s
+  for (std::size_t e = 0; e < 2; ++e) {
+    const double* row = &breaks_[(stretch + e) * n_x()];
+    for (std::size_t k = 0; k < n_x(); ++k) edge[e] += row[k] * x.T[k], edge_slope[e] += row[k] * x.T_prime[k];
+  }
+  const double width = edge[1] - edge[0];
+  const double u = width > 0 ? std::clamp((t - edge[0]) / width, 0.0, 1.0) : 0.5;
+  const double du_ds = width > 0 ? -(edge_slope[0] + u * (edge_slope[1] - edge_slope[0])) / width : 0;
+  const Polynomials time(u, n_t());
+  const double slope = band_.map.slope(s), ds_dxi = slope > 0 ? 1 / slope : 0;
+  tau.setZero();
+  dtau_dxi.setZero();
+  for (std::size_t j = 0; j < n_t(); ++j) {
+    const double* row = block(stretch, j);
+    for (std::size_t k = 0; k < n_x(); ++k) {
+      const double weight = time.T[j] * x.T[k];
+      const double weight_slope = (time.T[j] * x.T_prime[k] + time.T_prime[j] * du_ds * x.T[k]) * ds_dxi;
+      for (std::size_t c = 0; c < active; ++c) {
+        component(tau, active_[c]) += weight * row[k * active + c];
+        component(dtau_dxi, active_[c]) += weight_slope * row[k * active + c];
+      }
+    }
+  }
+}
+
+void BandTable::pack(std::vector<double>& out) const {
+  const auto add = [&](const auto& list) {
+    out.push_back(static_cast<double>(list.size()));
+    for (const auto value : list) out.push_back(static_cast<double>(value));
+  };
+  out.insert(out.end(), {band_.map.xi.lower, band_.map.xi.upper, band_.map.grazes_lower ? 1.0 : 0.0,
+                         band_.map.grazes_upper ? 1.0 : 0.0, double(size_.nodes_in_xi), double(size_.nodes_in_t),
+                         largest_, tail_xi_, tail_t_, double(calls_)});
+  add(band_.ray.breaks);
+  out.push_back(band_.parts);
+  add(active_);
+  add(breaks_);
+  add(moves_);
+  add(coefficients_);
+}
+
+BandTable::BandTable(std::span<const double>& in) {
+  const auto take = [&] {
+    const double value = in.front();
+    in = in.subspan(1);
+    return value;
+  };
+  const auto take_list = [&](auto& list) {
+    list.resize(static_cast<std::size_t>(take()));
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      list[i] = static_cast<typename std::decay_t<decltype(list)>::value_type>(take());
+    }
+  };
+  band_.map.xi.lower = take(), band_.map.xi.upper = take();
+  band_.map.grazes_lower = take() != 0, band_.map.grazes_upper = take() != 0;
+  size_.nodes_in_xi = static_cast<int>(take()), size_.nodes_in_t = static_cast<int>(take());
+  largest_ = take(), tail_xi_ = take(), tail_t_ = take();
+  calls_ = static_cast<std::int64_t>(take());
+  take_list(band_.ray.breaks);
+  band_.ray.branches.assign(band_.ray.breaks.size() - 1, 0);
+  band_.parts = static_cast<int>(take());
+  take_list(active_);
+  take_list(breaks_);
+  take_list(moves_);
+  take_list(coefficients_);
+  find_break_ranges();
+}
+
+}  // namespace assay

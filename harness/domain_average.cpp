@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/domain_average.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace assay {
+
+namespace {
+
+/// A front this close to an edge's end [relative to ro] is at its end.
+constexpr double front_snap = 1e-12;
+
+}  // namespace
+
+void DomainAverage::rotate(double g, std::span<const double> h, std::span<const double> tau,
+                           std::span<Rotated> out) const {
+  const std::size_t n = h.size();
+  const double *t11 = tau.data(), *t12 = t11 + n, *t21 = t12 + n, *t22 = t21 + n;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double c = std::cos(g * h[i]), s = std::sin(g * h[i]);
+    out[i] = {c * t11[i] - s * t21[i], c * t12[i] - s * t22[i], s * t11[i] + c * t21[i], s * t12[i] + c * t22[i]};
+  }
+}
+
+Point DomainAverage::flux_of(std::span<const BoundaryPoint> points, std::span<const Rotated> S) const {
+  Point flux{};
+  for (const BoundaryPoint& p : points) {
+    const Rotated& s = S[p.radius];
+    const double along_R = s.s11 * p.n1 + s.s12 * p.n2, along_Theta = s.s21 * p.n1 + s.s22 * p.n2;
+    flux[0] += p.e_x * along_R - p.e_y * along_Theta;
+    flux[1] += p.e_y * along_R + p.e_x * along_Theta;
+  }
+  return flux;
+}
+
+/// Where |a + s (b - a)| takes one of the radii, s in (0, 1), with 0 and 1 around; empty where it takes none.
+void DomainAverage::cuts_of(const Edge& edge, std::span<const double> radii, std::vector<double>& cuts) const {
+  const double near = front_snap * vortex_.outer;
+  const Point &a = edge.a, d{edge.b[0] - a[0], edge.b[1] - a[1]};
+  const double dd = d[0] * d[0] + d[1] * d[1], ad = a[0] * d[0] + a[1] * d[1];
+  cuts.clear();
+  for (const double R : radii) {
+    if (!(R > edge.nearest + near && R < edge.farthest - near)) continue;
+    const double root = std::sqrt(std::max(0.0, ad * ad - dd * (a[0] * a[0] + a[1] * a[1] - R * R)));
+    for (const double s : {(-ad - root) / dd, (-ad + root) / dd}) {
+      if (s > 0 && s < 1) cuts.push_back(s);
+    }
+  }
+  if (cuts.empty()) return;
+  cuts.insert(cuts.end(), {0.0, 1.0});
+  std::sort(cuts.begin(), cuts.end());
+}
+
+/// Integrates edges that a front crosses once more, piece by piece.
+void DomainAverage::split_at_fronts(const PlaneResponse& response, double t, double g) {
+  std::vector<double> radii, radius, cuts;
+  for (const double xi : response.fronts(t)) {
+    for (const double R : radii_of_xi(xi)) radii.push_back(R);
+  }
+  if (radii.empty()) return;
+  std::vector<BoundaryPoint> points;
+  std::vector<std::pair<std::size_t, std::size_t>> split;  // edge and the end of its points
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    const Point &a = edges_[e].a, &b = edges_[e].b;
+    cuts_of(edges_[e], radii, cuts);
+    const auto at = [&](double s) { return Point{a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])}; };
+    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+      if (cuts[k + 1] > cuts[k]) add_points(at(cuts[k]), at(cuts[k + 1]), points, radius);
+    }
+    if (!cuts.empty()) split.emplace_back(e, points.size());
+  }
+  const std::vector<Rotated> S = rotated_at(response, t, g, radius);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i].radius = static_cast<std::uint32_t>(i);
+  std::size_t begin = 0;
+  for (const auto& [e, end] : split) {
+    flux_[e] = flux_of(std::span(points).subspan(begin, end - begin), S);
+    begin = end;
+  }
+}
+
+std::vector<DomainAverage::Rotated> DomainAverage::rotated_at(const PlaneResponse& response, double t, double g,
+                                                              std::span<const double> radius) const {
+  const std::size_t n = radius.size();
+  std::vector<double> xi(n), h(n), tau(4 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vortex::Profile profile = vortex_.profile(radius[i]);
+    xi[i] = profile.xi, h[i] = profile.h;
+  }
+  response.tau(t, xi, tau);
+  std::vector<Rotated> S(n);
+  rotate(g, h, tau, S);
+  return S;
+}
+
+/// f of a = X f (29) at the radial nodes.
+void DomainAverage::accelerations(const AmplitudeValue& g) {
+  for (std::size_t k = 0; k < node_h_.size(); ++k) {
+    const double h = node_h_[k], c = std::cos(g.value * h), s = std::sin(g.value * h);
+    const double along = -std::pow(g.rate * h, 2), across = g.acceleration * h;  // along x and E_z x x
+    node_a_[k] = {along * c - across * s, along * s + across * c};
+  }
+}
+
+void DomainAverage::evaluate(const PlaneResponse& response, double t, std::span<double> b_x, std::span<double> b_y) {
+  const AmplitudeValue g = vortex_.amplitude.at(t);
+  response.tau(t, xi_, tau_);
+  rotate(g.value, h_, tau_, rotated_);
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    flux_[e] = flux_of(std::span(points_).subspan(edges_[e].begin, edges_[e].end - edges_[e].begin), rotated_);
+  }
+  split_at_fronts(response, t, g.value);
+  accelerations(g);
+  for (std::size_t k = 0; k < shapes_.size(); ++k) {
+    const Shape& shape = shapes_[k];
+    Point flux{}, inertia{};
+    for (std::uint32_t i = shape.sides_begin; i < shape.sides_end; ++i) {
+      const Point& f = flux_[sides_[i].edge];
+      flux[0] += sides_[i].sign * f[0];
+      flux[1] += sides_[i].sign * f[1];
+    }
+    const Point* a = node_a_.data() + shape.node;
+    for (std::uint32_t i = shape.weights_begin; i < shape.weights_end; ++i, ++a) {
+      const Point& w = weights_[i];
+      inertia[0] += (*a)[0] * w[0] - (*a)[1] * w[1];
+      inertia[1] += (*a)[0] * w[1] + (*a)[1] * w[0];
+    }
+    for (std::size_t d = 0; d < 2; ++d) force_[k][d] = (inertia[d] - flux[d] / density_) / shape.volume;
+  }
+  for (std::size_t p = 0; p < places_.size(); ++p) {
+    const Point b = places_[p].turned(force_[places_[p].shape]);
+    b_x[p] = b[0], b_y[p] = b[1];
+  }
+}
+
+void DomainAverage::evaluate(const Response& response, double t, std::span<double> b_x, std::span<double> b_y) {
+  evaluate({[&](double time, std::span<const double> xi, std::span<double> tau) {
+              response.plane_tau_at_time(time, xi, tau);
+            },
+            [&](double time) { return response.fronts(time); }},
+           t, b_x, b_y);
+}
+
+}  // namespace assay

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One history: a material taken along F(xi, t) of one xi, with error control.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "harness/material.hpp"
+#include "harness/material_failure.hpp"
+#include "harness/parallel.hpp"
+#include "harness/path.hpp"
+#include "harness/regime.hpp"
+
+namespace assay {
+
+/// What errors are measured against: the largest Cauchy stress, and for each component of the state the largest value
+/// of its variable, over all histories of a path.
+struct HistoryScales {
+  double cauchy = 1;
+  std::vector<double> state;
+};
+
+/// Which of its two forms a material is integrated in.
+enum class Form {
+  automatic,   ///< the rate form where a smooth material has one, else increments
+  increments,  ///< `update`, sub-stepped and extrapolated
+  rate         ///< extension assay.rate/1, by Boost.Odeint
+};
+
+/// A material on a path, prepared for any number of histories.
+struct Course {
+  /// Finds the scales by coarse marches along the extreme histories. Throws MaterialFailure.
+  Course(const Material& material, const Path& path, double end, Form form = Form::automatic);
+
+  const Material* material;
+  const Path* path;
+  double end;                  ///< [s]
+  bool by_rate;                ///< the form that was chosen
+  RegimeReader regimes;        ///< of the material
+  std::vector<double> pieces;  ///< 0, reversals of the path, end
+  HistoryScales scales;
+
+  /// No more threads than the material stands.
+  Workers workers(Workers wanted) const;
+
+  /// The piece that contains t; its beginning where t is a reversal.
+  Interval piece_at(double t) const;
+};
+
+/// A stretch of a history in one regime.
+struct Branch {
+  double begin = 0;  ///< [s]
+  std::uint64_t regime = 0;
+};
+
+/// Thrown where the regime of a watched history changes too often to be followed.
+struct RegimesFlicker {};
+
+struct HistoryOptions {
+  double tolerance = 1e-12;  ///< error of a step relative to the scales
+  bool watch = false;        ///< find the times at which the regime changes
+};
+
+/// Integrates from rest at t = 0. Stress and state at t() are the solution of the material's equations, not of an
+/// increment at some step size.
+class History {
+ public:
+  History(const Course& course, double xi, const HistoryOptions& options);
+  ~History();
+  History(const History&) = delete;
+  History& operator=(const History&) = delete;
+
+  /// To the time `to` >= t(); never steps over a reversal of the path. Throws MaterialFailure.
+  void advance(double to);
+
+  double t() const { return t_; }
+  Tensor cauchy() const;                                             ///< [Pa]
+  Tensor tau() const;                                                ///< first Piola-Kirchhoff stress [Pa]
+  std::span<const double> state() const;                             ///< components of the material's state
+  const std::vector<Branch>& branches() const { return branches_; }  ///< watched: what began when, ascending
+  double error() const { return error_; }        ///< sum of the estimated errors of all steps, relative
+  std::int64_t calls() const { return calls_; }  ///< of `update` or `rate`
+
+ private:
+  class Increments;
+  class Rates;
+  const Course* course_;
+  double xi_, t_ = 0, error_ = 0;
+  std::int64_t calls_ = 0;
+  std::vector<Branch> branches_;
+  std::vector<double> y_;  ///< 9 components of the Cauchy stress, then the state
+  std::unique_ptr<Increments> increments_;
+  std::unique_ptr<Rates> rates_;
+};
+
+}  // namespace assay

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The two engines behind History (history.hpp).
+#pragma once
+
+#include "harness/extrapolation.hpp"
+#include "harness/history.hpp"
+
+namespace assay {
+
+/// `update` with 1, 2, 3 ... sub-steps, extrapolated; the step length follows the estimated error. A step in which the
+/// regime changes is halved until the time of the change is known to the last bits.
+class History::Increments {
+ public:
+  Increments(History& history, const HistoryOptions& options);
+  void advance(double to);
+
+ private:
+  enum class Outcome { accepted, inaccurate, regime_changes };
+  Outcome attempt(double step);
+  bool substeps(double step, int count);
+  void increment(double t, double dt, const double* F0, const double* F1);
+  void accept(double step);
+  void cross(double bound);
+  void note_branch();
+
+  History* h_;
+  HistoryOptions options_;
+  double step_ = 0;   ///< to try next [s]
+  double bound_ = 0;  ///< > t: a change of regime lies before this time
+  double before_bound_ = 0;
+  double best_error_ = 0;  ///< of the columns of this attempt
+  std::vector<double> best_;
+  bool noisy_ = false;       ///< accepted, for a shorter step would not be better
+  double failed_error_ = 0;  ///< of the attempt before, from the same point
+  double piece_begin_ = -1;
+  bool regime_known_ = false, regime_new_ = false;
+  std::uint64_t regime_ = 0;
+  Extrapolation extrapolation_;
+  std::vector<double> scales_, now_, next_;
+  std::vector<std::array<double, 9>> F_;
+};
+
+/// assay.rate/1 by Boost.Odeint: Runge-Kutta-Fehlberg 7(8) with error control, Rosenbrock where it would crawl.
+class History::Rates {
+ public:
+  Rates(History& history, const HistoryOptions& options);
+  void advance(double to);
+
+ private:
+  void advance_explicit(double to);
+  void advance_stiff(double to);
+  void slope(const std::vector<double>& x, double t, std::vector<double>& x_rate);
+
+  History* h_;
+  HistoryOptions options_;
+  double step_ = 0;
+  bool stiff_ = false;
+  Interval piece_;
+  std::vector<double> scales_, physical_, physical_rate_;
+};
+
+}  // namespace assay

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "harness/history_forms.hpp"
+
+namespace assay {
+
+namespace {
+
+constexpr double first_share = 1.0 / 16;    ///< of a piece: the first step to try
+constexpr double shortest_share = 1e-13;    ///< of the end: a step that needs to be shorter has failed
+constexpr double resolution_share = 4e-15;  ///< of the end: to which the time of a change of regime is found
+constexpr double tiny_share = 1e-4;         ///< of the end: a shorter step than this is hardly the cure for noise
+constexpr double noisy_growth = 3;          ///< of a step that was taken although it is noisy
+constexpr double growing_noise = 1e-6;      ///< relative: a rate taken over ever shorter steps
+constexpr double largest_noise = 1e-10;     ///< relative: what may be a material's own rounding
+constexpr int least_columns = 3;            ///< two may agree by chance
+constexpr double rounding_margin = 4;       ///< results carry the rounding of many operations
+constexpr std::size_t most_branches = 24;   ///< a piece, on average: beyond, the regime flickers
+
+/// How much longer the next step may be when this many columns sufficed.
+double growth(int columns) { return columns <= 3 ? 3 : columns == 4 ? 2 : columns == 5 ? 1.3 : 0.8; }
+
+}  // namespace
+
+History::Increments::Increments(History& history, const HistoryOptions& options) : h_(&history), options_(options) {
+  scales_.assign(9, history.course_->scales.cauchy);
+  scales_.insert(scales_.end(), history.course_->scales.state.begin(), history.course_->scales.state.end());
+  options_.watch = options.watch && history.course_->regimes.tells();
+}
+
+/// Within one piece of the path.
+void History::Increments::advance(double to) {
+  const Interval piece = h_->course_->piece_at(h_->t_);
+  if (piece.lower != piece_begin_) {  // after a reversal any regime may begin
+    piece_begin_ = piece.lower;
+    regime_known_ = false;
+    regime_new_ = true;
+    bound_ = 0;
+    if (step_ == 0) step_ = first_share * piece.width();
+  }
+  const double shortest = shortest_share * h_->course_->end, resolution = resolution_share * h_->course_->end;
+  while (h_->t_ < to) {
+    const double left = to - h_->t_;
+    const double step = step_ >= 0.999 * left ? left : std::min(step_, 0.5 * left);
+    switch (attempt(step)) {
+      case Outcome::accepted: {
+        failed_error_ = 0;
+        accept(step);
+        const double grown = noisy_ ? noisy_growth * step : growth(extrapolation_.columns()) * step;
+        step_ = step < step_ ? std::max(step_, grown) : grown;  // a step cut short by `to` says little
+        if (h_->t_ >= to) h_->t_ = to;
+        break;
+      }
+      case Outcome::inaccurate:
+        step_ = 0.4 * step;
+        if (step < shortest) {
+          substeps(step, 1);  // a jump: nothing better can be done
+          h_->y_ = next_;
+          h_->t_ += step;
+          step_ = first_share * piece.width();
+        }
+        failed_error_ = extrapolation_.columns() >= least_columns ? best_error_ : 0;
+        break;
+      case Outcome::regime_changes:
+        if (bound_ <= h_->t_) before_bound_ = step;
+        bound_ = h_->t_ + step;
+        step_ = 0.5 * step;
+        break;
+    }
+    if (bound_ > h_->t_) {
+      if (bound_ - h_->t_ <= resolution) {
+        cross(std::min(bound_, to));
+      } else {
+        step_ = std::min(step_, 0.5 * (bound_ - h_->t_));
+      }
+    }
+  }
+}
+
+/// Leaves the end of the step in extrapolation_.best().
+History::Increments::Outcome History::Increments::attempt(double step) {
+  extrapolation_.clear();
+  noisy_ = false;
+  if (regime_new_) regime_known_ = false;  // nothing was accepted yet that could tell
+  for (int count = 1; count <= Extrapolation::most_columns; ++count) {
+    bool same_regime = false;
+    try {
+      same_regime = substeps(step, count);
+    } catch (const MaterialFailure&) {  // perhaps the step was too long for it
+      if (step < shortest_share * h_->course_->end) throw;
+      return Outcome::inaccurate;
+    }
+    if (!same_regime) return Outcome::regime_changes;
+    extrapolation_.add(next_, scales_);
+    if (count == least_columns || (count > least_columns && extrapolation_.error() < best_error_)) {
+      best_error_ = extrapolation_.error();
+      best_ = extrapolation_.best();
+    }
+    const double rounding = rounding_margin * extrapolation_.rounding();
+    if (count >= least_columns && extrapolation_.error() <= options_.tolerance + rounding) return Outcome::accepted;
+  }
+  const bool no_better = best_error_ > 0.5 * failed_error_, worse = best_error_ > failed_error_;
+  const bool tiny = step < tiny_share * h_->course_->end && best_error_ < growing_noise;
+  const bool noise = tiny || (failed_error_ > 0 &&
+                              ((best_error_ < largest_noise && no_better) || (best_error_ < growing_noise && worse)));
+  noisy_ = noise;
+  return noise ? Outcome::accepted : Outcome::inaccurate;  // noise: a shorter step has not helped
+}
+
+/// From the accepted point over `step` in `count` increments; the result in next_. False where the regime changes.
+bool History::Increments::substeps(double step, int count) {
+  const Course& course = *h_->course_;
+  F_.resize(static_cast<std::size_t>(count) + 1);
+  for (int j = 0; j <= count; ++j) {
+    const Tensor F = course.path->deformation_gradient(h_->xi_, h_->t_ + step * j / count);
+    for (int c = 0; c < 9; ++c) F_[static_cast<std::size_t>(j)][static_cast<std::size_t>(c)] = component(F, c);
+  }
+  now_ = h_->y_;
+  next_.resize(now_.size());
+  for (int j = 0; j < count; ++j) {
+    if (j > 0) now_.swap(next_);
+    const auto k = static_cast<std::size_t>(j);
+    increment(h_->t_ + step * j / count, step / count, F_[k].data(), F_[k + 1].data());
+    if (!options_.watch) continue;
+    const std::uint64_t regime = course.regimes.of(now_.data() + 9, next_.data() + 9);
+    if (!regime_known_) {
+      regime_known_ = true;
+      regime_ = regime;
+    } else if (regime != regime_) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void History::Increments::increment(double t, double dt, const double* F0, const double* F1) {
+  const UpdateReport report =
+      h_->course_->material->update(t, dt, 1, F0, F1, now_.data() + 9, next_.data() + 9, next_.data());
+  ++h_->calls_;
+  if (report.worst == ASSAY_FAILED) {
+    throw MaterialFailure(report.message, h_->xi_, t + dt,
+                          failed_step(t, dt, 1, 0, F0, F1, now_.data() + 9, now_.size() - 9));
+  }
+}
+
+void History::Increments::accept(double step) {
+  note_branch();
+  h_->y_ = best_;
+  h_->t_ += step;
+  h_->error_ += best_error_;
+}
+
+void History::Increments::note_branch() {
+  if (!regime_new_ || !options_.watch) return;
+  h_->branches_.push_back({h_->t_, regime_});
+  regime_new_ = false;
+  if (h_->branches_.size() > most_branches * h_->course_->pieces.size()) throw RegimesFlicker();
+}
+
+/// Over the change of regime, which lies within the last bits before `bound`.
+void History::Increments::cross(double bound) {
+  note_branch();
+  const bool watch = std::exchange(options_.watch, false);
+  substeps(bound - h_->t_, 1);
+  options_.watch = watch;
+  h_->y_ = next_;
+  h_->t_ = bound;
+  bound_ = 0;
+  step_ = before_bound_;
+  regime_known_ = false;
+  regime_new_ = true;
+}
+
+}  // namespace assay

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A material that cannot go on, with the place on its path and the step.
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+
+#include "harness/failed_step.hpp"
+
+namespace assay {
+
+/// A material refused a step, or returned a non-finite stress.
+class MaterialFailure : public std::runtime_error {
+ public:
+  MaterialFailure(const std::string& what, double at_xi, double at_t, std::optional<FailedStep> at_step = {})
+      : std::runtime_error(what), xi(at_xi), t(at_t), step(std::move(at_step)) {}
+  double xi, t;
+  std::optional<FailedStep> step;  ///< where a call of `update` failed
+};
+
+}  // namespace assay

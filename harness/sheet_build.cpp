@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/sheet_build.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace assay {
+
+namespace {
+
+/// Steps of the histories under a sheet are this much better than the sheet is asked to be.
+constexpr double history_share = 1e-4;
+constexpr double best_history_tolerance = 1e-13, best_with_kinks = 1e-12;
+/// What is left out of the series of a table may cost tau, and d tau / d xi, this share of what is asked.
+constexpr double tau_share = 0.02, dtau_share = 0.03;
+constexpr double rounding_share = 1e-12;  ///< of tau: noise of the histories, which no series can follow
+constexpr double noise_share = 0.2;       ///< of the histories' estimated errors, which are bounds
+constexpr double asymptotic = 1e-6;       ///< of the largest tau: below, the tails of a series fall steadily
+constexpr double worthwhile = 0.2;        ///< refining has helped where it left this much of what was left out
+constexpr BandSize first_size{12, 10};
+constexpr double growth = 1.5;
+constexpr int split_nodes = 40;  ///< a band or stretch that needs more is divided: two short series cost less than one
+constexpr int most_parts = 16;
+constexpr int most_halvings = 5;
+constexpr double next_share = 0.05;  ///< of the shares, in a second round
+constexpr int most_rounds = 2;
+constexpr std::size_t most_strays = 16;  ///< histories that fit no band, each looked at in a new search for bands
+
+int grown(int nodes) { return static_cast<int>(std::ceil(growth * nodes)); }
+
+HistoryOptions history_options(const SheetOptions& options, bool watch) {
+  const double best = watch ? best_with_kinks : best_history_tolerance;
+  return {.tolerance = std::max(best, history_share * options.tolerance), .watch = watch};
+}
+
+/// Tables of bands, refined and divided until what their series leave out is small enough.
+class Resolver {
+ public:
+  Resolver(const Course& course, const SheetOptions& options, const HistoryOptions& history)
+      : course_(course), options_(options), history_(history) {}
+
+  std::vector<BandTable> resolve(const std::vector<Band>& bands, double share) {
+    std::vector<BandTable> first, tables;
+    for (const Band& band : bands) {
+      first.push_back(tabulated(band, first_size));
+      tau_scale_ = std::max(tau_scale_, first.back().largest());
+      dtau_scale_ = std::max(dtau_scale_, first.back().steepest());
+    }
+    share_ = share;
+    for (BandTable& table : first) refine(std::move(table), tables);
+    return tables;
+  }
+
+  std::int64_t calls() const { return calls_; }
+
+ private:
+  BandTable tabulated(const Band& band, BandSize size) {
+    BandTable table(course_, band, size, history_, course_.workers(options_.workers));
+    calls_ += table.calls();
+    return table;
+  }
+
+  /// Of tau's last coefficients [Pa]: a derivative multiplies them by their number.
+  double goal(const Band& band, int nodes, double noise) const {
+    const double of_tau = tau_share * tau_scale_;
+    const double of_dtau = dtau_share * dtau_scale_ * band.map.xi.width() / (4.0 * nodes);
+    const double rounding = std::max(rounding_share, noise_share * noise) * tau_scale_;
+    return std::max(rounding, share_ * options_.tolerance * std::min(of_tau, of_dtau));
+  }
+
+  /// halvings: how often its band has been halved.
+  void refine(BandTable table, std::vector<BandTable>& tables, int halvings = 0) {
+    double before = -1;
+    while (true) {
+      Band band = table.band();
+      BandSize size = table.size();
+      const double tail = std::max(table.tail_in_xi(), table.tail_in_t());
+      const bool long_in_xi = table.tail_in_xi() > goal(band, size.nodes_in_xi, table.noise());
+      const bool long_in_t = table.tail_in_t() > goal(band, table.any_moves() ? size.nodes_in_t : 4, table.noise());
+      const bool coarse = tail > asymptotic * table.largest();  // too coarse for its tails to tell anything
+      const bool helps = before < 0 || coarse || tail < worthwhile * before;
+      if ((!long_in_xi && !long_in_t) || !helps) return tables.push_back(std::move(table));
+      before = tail;
+      if (long_in_xi) size.nodes_in_xi = grown(size.nodes_in_xi);
+      if (long_in_t) size.nodes_in_t = grown(size.nodes_in_t);
+      if (size.nodes_in_xi > split_nodes && halvings < most_halvings) {
+        return refine_halves(band, size, tables, halvings + 1);
+      }
+      if (size.nodes_in_t > split_nodes && band.parts < most_parts) {
+        band.parts *= 2;
+        size.nodes_in_t = split_nodes / 2;
+        before = -1;
+      } else if (std::max(size.nodes_in_xi, size.nodes_in_t) > options_.most_nodes) {
+        return tables.push_back(std::move(table));
+      }
+      table = tabulated(band, size);
+    }
+  }
+
+  void refine_halves(const Band& band, BandSize size, std::vector<BandTable>& tables, int halvings) {
+    const double middle = band.map.xi_of(0.5);
+    Band lower = band, upper = band;
+    lower.map.xi.upper = upper.map.xi.lower = middle;
+    lower.map.grazes_upper = upper.map.grazes_lower = false;
+    size.nodes_in_xi = split_nodes / 2;
+    size.nodes_in_t = std::min(size.nodes_in_t, split_nodes);
+    refine(tabulated(lower, size), tables, halvings);
+    refine(tabulated(upper, size), tables, halvings);
+  }
+
+  const Course& course_;
+  const SheetOptions& options_;
+  HistoryOptions history_;
+  double tau_scale_ = 0, dtau_scale_ = 0, share_ = 1;
+  std::int64_t calls_ = 0;
+};
+
+/// Empty where the material's regimes cannot be followed.
+std::vector<BandTable> resolved_bands(const Course& course, const SheetOptions& options, bool watch, double share,
+                                      std::int64_t& calls) {
+  const HistoryOptions history = history_options(options, watch);
+  std::vector<double> strays;
+  while (strays.size() <= most_strays) {
+    Resolver resolver(course, options, history);
+    try {
+      const auto bands = find_bands(course, history, strays, course.workers(options.workers), calls);
+      std::vector<BandTable> tables = resolver.resolve(bands, share);
+      calls += resolver.calls();
+      return tables;
+    } catch (const StrayHistory& stray) {
+      strays.push_back(stray.xi);
+    } catch (const RegimesFlicker&) {
+      break;
+    }
+  }
+  return {};
+}
+
+bool reached(const SheetError& error, const SheetOptions& options) {
+  return error.tau <= options.tolerance && error.dtau <= options.tolerance;
+}
+
+/// Refines as long as it helps.
+BuiltBands build(const Material& material, const Path& path, const SheetOptions& options, bool watch) {
+  const Course course(material, path, options.end, watch ? Form::increments : Form::automatic);
+  BuiltBands best;
+  double share = 1;
+  for (int round = 0; round < most_rounds; ++round, share *= next_share) {
+    std::vector<BandTable> tables = resolved_bands(course, options, watch, share, best.calls);
+    if (tables.empty()) break;
+    const SheetError error = error_of(tables, material, path, options, watch, best.calls);
+    const bool better =
+        best.tables.empty() || std::max(error.tau, error.dtau) < 0.7 * std::max(best.error.tau, best.error.dtau);
+    if (!better) break;
+    best.tables = std::move(tables);
+    best.error = error;
+    if (reached(error, options)) break;
+  }
+  return best;
+}
+
+}  // namespace
+
+BuiltBands build_bands(const Material& material, const Path& path, const SheetOptions& options) {
+  const RegimeReader regimes(material.table());
+  const bool declared = material.has(ASSAY_NON_SMOOTH) && regimes.tells();
+  BuiltBands built = build(material, path, options, declared);
+  const bool settled = !built.tables.empty() && (declared || reached(built.error, options) || !regimes.tells());
+  if (settled) return built;
+  // not as smooth as it says; or its regimes flicker and cannot be followed
+  BuiltBands other = build(material, path, options, !declared);
+  other.calls += built.calls;
+  const bool better = built.tables.empty() ||
+                      (!other.tables.empty() &&
+                       std::max(other.error.tau, other.error.dtau) < std::max(built.error.tau, built.error.dtau));
+  if (better) return other;
+  built.calls = other.calls;
+  return built;
+}
+
+BuiltCurve build_curve(const Material& material, const Path& path, const SheetOptions& options) {
+  constexpr int first_nodes = 9;
+  constexpr double places[] = {0.0721, 0.2391, 0.4142, 0.6180, 0.8513, 0.9772};  // irrational: no node family has them
+  constexpr double step_share = 0.01;
+  constexpr double weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
+  const Path loading = loading_path(path, options.end);
+  const double width = loading.parameter.width(), step = step_share * width;
+  std::vector<double> eps;
+  for (const double place : places) {
+    for (int k = -4; k <= 4; ++k) eps.push_back(loading.parameter.lower + (0.05 + 0.9 * place) * width + k * step);
+  }
+  const std::size_t n = eps.size();
+  const std::vector<double> exact = tau_of_eps(material, loading, eps);
+  BuiltCurve built{Curve(material, path, options.end, first_nodes), {}, static_cast<std::int64_t>(n)};
+  for (int nodes = first_nodes; nodes <= options.most_nodes; nodes = 2 * nodes - 1) {
+    built.curve = Curve(material, path, options.end, nodes);
+    built.calls += nodes;
+    const Slice slice = built.curve.in_eps();
+    SheetError error;
+    for (std::size_t p = 4; p < n; p += 9) {
+      Tensor tau, slope;
+      slice.at(eps[p], tau, slope);
+      for (int c = 0; c < 9; ++c) {
+        const double* values = &exact[static_cast<std::size_t>(c) * n + p];
+        double difference = 0;
+        for (int k = 1; k <= 4; ++k) difference += weights[k - 1] * (values[k] - values[-k]);
+        difference = step > 0 ? difference / step : 0;
+        error.tau_scale = std::max(error.tau_scale, std::abs(values[0]));
+        error.dtau_scale = std::max(error.dtau_scale, std::abs(difference));
+        error.tau = std::max(error.tau, std::abs(component(tau, c) - values[0]));
+        error.dtau = std::max(error.dtau, std::abs(component(slope, c) - difference));
+      }
+    }
+    if (error.tau_scale > 0) error.tau /= error.tau_scale;
+    if (error.dtau_scale > 0) error.dtau /= error.dtau_scale;
+    built.error = error;
+    if (reached(error, options)) break;
+  }
+  return built;
+}
+
+}  // namespace assay

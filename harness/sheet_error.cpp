@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "harness/sheet_build.hpp"
+
+namespace assay {
+
+namespace {
+
+constexpr double places_in_s[] = {0.2113, 0.4603, 0.7274};  ///< of a band: irrational, so that no node family has them
+constexpr double places_in_t[] = {0.0937, 0.5361, 0.8999};  ///< of a stretch
+constexpr double stencil_share = 0.06;                      ///< of the distance to the band's nearest end
+constexpr std::size_t most_stretches = 16;                  ///< of a long history that are looked at
+constexpr double weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
+constexpr int reach = 4;
+
+/// Where a band is looked at: nine neighbouring histories at ascending times.
+struct Stencil {
+  const BandTable* table;
+  double xi, step;
+  std::vector<double> times;
+  std::vector<Tensor> tau;  ///< [row * 9 + neighbour]
+  std::int64_t calls = 0;
+  double error = 0;
+};
+
+Stencil lay_out(const BandTable& table, double place) {
+  const Band& band = table.band();
+  Stencil stencil{&table, band.map.xi_of(place), 0, {}, {}, 0, 0};
+  stencil.step = stencil_share * std::min(stencil.xi - band.map.xi.lower, band.map.xi.upper - stencil.xi);
+  const std::size_t stretches = band.stretches(), stride = (stretches + most_stretches - 1) / most_stretches;
+  for (std::size_t i = 0; i < stretches; i += stride) {
+    const double begin = table.break_at(i, place), width = table.break_at(i + 1, place) - begin;
+    for (const double u : places_in_t) stencil.times.push_back(begin + u * width);
+  }
+  return stencil;
+}
+
+void integrate(const Course& course, const HistoryOptions& options, Stencil& stencil) {
+  stencil.tau.resize(stencil.times.size() * 9);
+  for (int k = -reach; k <= reach; ++k) {
+    History history(course, stencil.xi + k * stencil.step, options);
+    for (std::size_t row = 0; row < stencil.times.size(); ++row) {
+      history.advance(std::max(history.t(), stencil.times[row]));
+      stencil.tau[row * 9 + static_cast<std::size_t>(k + reach)] = history.tau();
+    }
+    stencil.calls += history.calls();
+    stencil.error = std::max(stencil.error, history.error());
+  }
+}
+
+/// Whether all nine histories are in one stretch: a difference over a kink says nothing.
+bool in_one_stretch(const Stencil& stencil, double t) {
+  const auto stretch = [&](int k) {
+    return stencil.table->stretch_at(stencil.table->band().map.s_of(stencil.xi + k * stencil.step), t);
+  };
+  return stretch(-reach) == stretch(reach) && stretch(0) == stretch(reach);
+}
+
+void compare(const Stencil& stencil, SheetError& error) {
+  for (std::size_t row = 0; row < stencil.times.size(); ++row) {
+    const double t = stencil.times[row];
+    const Tensor* tau = &stencil.tau[row * 9 + reach];
+    Tensor value, slope, difference = Tensor::Zero();
+    stencil.table->at(stencil.xi, t, value, slope);
+    error.tau_scale = std::max(error.tau_scale, tau->cwiseAbs().maxCoeff());
+    error.tau = std::max(error.tau, (value - *tau).cwiseAbs().maxCoeff());
+    if (!in_one_stretch(stencil, t)) continue;
+    for (int k = 1; k <= reach; ++k) difference += weights[k - 1] / stencil.step * (tau[k] - tau[-k]);
+    error.dtau_scale = std::max(error.dtau_scale, difference.cwiseAbs().maxCoeff());
+    error.dtau = std::max(error.dtau, (slope - difference).cwiseAbs().maxCoeff());
+  }
+}
+
+}  // namespace
+
+SheetError error_of(const std::vector<BandTable>& tables, const Material& material, const Path& path,
+                    const SheetOptions& options, bool watch, std::int64_t& calls) {
+  const Course course(material, path, options.end, Form::increments);
+  // d tau by differences multiplies the histories' own errors by about 1 / stencil_share
+  const HistoryOptions history{.tolerance = std::max(watch ? 1e-12 : 1e-13, 1e-6 * options.tolerance), .watch = watch};
+  std::vector<Stencil> stencils;
+  for (const BandTable& table : tables) {
+    for (const double place : places_in_s) stencils.push_back(lay_out(table, place));
+  }
+  for_each_index(static_cast<int>(stencils.size()), course.workers(options.workers),
+                 [&](int k) { integrate(course, history, stencils[static_cast<std::size_t>(k)]); });
+  SheetError error;
+  double history_error = 0;
+  for (const Stencil& stencil : stencils) {
+    compare(stencil, error);
+    calls += stencil.calls;
+    history_error = std::max(history_error, stencil.error);
+  }
+  if (error.tau_scale > 0) error.tau /= error.tau_scale;
+  if (error.dtau_scale > 0) error.dtau /= error.dtau_scale;
+  error.tau += history_error;
+  return error;
+}
+
+}  // namespace assay

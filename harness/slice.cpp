@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/slice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace assay {
+
+namespace {
+
+/// Coefficients below this fraction of the largest are rounding and are not evaluated.
+constexpr double negligible = 5e-16;
+
+/// Place of a component of tau in 11, 12, 21, 22; -1 for the others.
+constexpr int plane_place[9] = {0, 1, -1, 2, 3, -1, -1, -1, -1};
+
+}  // namespace
+
+void Slice::Range::trim() {
+  upper = map.xi_of(s.upper);
+  double scale = 0;
+  for (const double c : coefficients) scale = std::max(scale, std::abs(c));
+  terms = 0;
+  for (std::size_t i = 0; i < coefficients.size(); ++i) {
+    if (std::abs(coefficients[i]) > negligible * scale) terms = i / active.size() + 1;
+  }
+}
+
+Slice::Slice(std::vector<Range> ranges, double factor) : ranges_(std::move(ranges)), factor_(factor) {}
+
+const Slice::Range& Slice::range_of(double parameter) const {
+  const auto found =
+      std::find_if(ranges_.begin(), ranges_.end() - 1, [&](const Range& range) { return parameter < range.upper; });
+  return *found;
+}
+
+void Slice::at(double xi, Tensor& tau, Tensor& dtau_dxi) const {
+  const Range& range = range_of(factor_ * xi);
+  const double s = range.map.s_of(factor_ * xi), slope = range.map.slope(s) * range.s.width();
+  const double x = range.s.width() > 0 ? 2 * (s - range.s.lower) / range.s.width() - 1 : 0;
+  const double scale = slope > 0 ? 2 * factor_ / slope : 0;
+  const std::size_t active = range.active.size();
+  tau.setZero();
+  dtau_dxi.setZero();
+  double T = 1, T_before = 0, D = 0, D_before = 0;  // T_k(x), T_{k-1}(x) and their derivatives
+  for (std::size_t k = 0; k < range.terms; ++k) {
+    for (std::size_t c = 0; c < active; ++c) {
+      component(tau, range.active[c]) += range.coefficients[k * active + c] * T;
+      component(dtau_dxi, range.active[c]) += range.coefficients[k * active + c] * D * scale;
+    }
+    const double T_next = k == 0 ? x : 2 * x * T - T_before;
+    const double D_next = k == 0 ? 1 : 2 * T + 2 * x * D - D_before;
+    T_before = T, D_before = D;
+    T = T_next, D = D_next;
+  }
+}
+
+void Slice::plane_tau(std::span<const double> xi, std::span<double> tau) const {
+  const std::size_t n = xi.size();
+  std::fill(tau.begin(), tau.end(), 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Range& range = range_of(factor_ * xi[i]);
+    const double s = range.map.s_of(factor_ * xi[i]);
+    const double x = range.s.width() > 0 ? 2 * (s - range.s.lower) / range.s.width() - 1 : 0;
+    const std::size_t active = range.active.size();
+    for (std::size_t c = 0; c < active; ++c) {
+      const int place = plane_place[range.active[c]];
+      if (place < 0) continue;
+      double b1 = 0, b2 = 0;  // Clenshaw
+      for (std::size_t k = range.terms; k-- > 1;) {
+        const double b = 2 * x * b1 - b2 + range.coefficients[k * active + c];
+        b2 = b1;
+        b1 = b;
+      }
+      const double first = range.terms > 0 ? range.coefficients[c] : 0;
+      tau[static_cast<std::size_t>(place) * n + i] = x * b1 - b2 + first;
+    }
+  }
+}
+
+std::vector<double> Slice::kinks() const {
+  std::vector<double> kinks;
+  for (std::size_t k = 0; k + 1 < ranges_.size(); ++k) {
+    const double end = ranges_[k].upper / (factor_ == 0 ? 1 : factor_);
+    if (end != 0) kinks.push_back(end);
+  }
+  return kinks;
+}
+
+}  // namespace assay

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sheets and body forces of a model against its independent equations.
+#pragma once
+
+#include <algorithm>
+#include <random>
+
+#include "harness/body_force.hpp"
+#include "harness/sheet.hpp"
+#include "harness/vortex.hpp"
+#include "tests/adapters/models/model_cases.hpp"
+#include "tests/adapters/models/property_samples.hpp"
+
+namespace assay::model_tests {
+
+/// The vortex of the paper with the amplitude of a case, to two periods (`sine`) or one (`one_minus_cosine`).
+struct Setting {
+  Vortex vortex;
+  double end;
+};
+
+inline Setting setting_of(const ModelCase& c, Amplitude::Type type) {
+  return {Vortex{0.75, 1.25, 2, {type, c.peak, 1.0}}, type == Amplitude::Type::sine ? 2.0 : 1.0};
+}
+
+constexpr double sheet_tolerance = 1e-8;
+
+inline Sheet sheet_of(const ModelCase& c, const Setting& setting) {
+  return Sheet(c.material(), setting.vortex.baseline(), {.tolerance = sheet_tolerance, .end = setting.end});
+}
+
+inline std::vector<double> turns_before(const Amplitude& g, double t) {
+  std::vector<double> turns;
+  for (const double turn : g.reversals(t)) {
+    if (turn < t) turns.push_back(turn);
+  }
+  return turns;
+}
+
+/// tau of the baseline at (xi, t) by the equations.
+inline Tensor exact_tau(const ModelCase& c, const Amplitude& g, double xi, double t) {
+  const auto F = [&](double s) {
+    Tensor A = Tensor::Identity();
+    A(1, 0) = 2 * xi * g.at(s).value;
+    return A;
+  };
+  const auto F_rate = [&](double s) {
+    Tensor A = Tensor::Zero();
+    A(1, 0) = 2 * xi * g.at(s).rate;
+    return A;
+  };
+  return piola(c.stress({F, F_rate, t, turns_before(g, t)}), F(t));
+}
+
+/// First derivative by the eighth-order central difference.
+template <class Value, class Function>
+Value central_difference(const Function& f, double step, const Value& zero) {
+  constexpr double weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
+  Value sum = zero;
+  for (int k = 1; k <= 4; ++k) sum += weights[k - 1] / step * (f(k * step) - f(-k * step));
+  return sum;
+}
+
+/// Distance in xi from the nearest kink of the sheet at the time t, xi = 0 and the ends of the range.
+inline double distance_from_kinks(const Sheet& sheet, const Interval& range, double xi, double t) {
+  std::vector<double> kinks = sheet.has_kinks() ? sheet.slice(t).kinks() : std::vector<double>();
+  kinks.insert(kinks.end(), {range.lower, range.upper, 0});
+  double nearest = range.width();
+  for (const double kink : kinks) nearest = std::min(nearest, std::abs(xi - kink));
+  return nearest;
+}
+
+/// Errors relative to the largest component over the points.
+struct SheetDifference {
+  double tau = 0, dtau = 0, tau_scale = 0, dtau_scale = 0;
+
+  void add(const Tensor& found, const Tensor& exact, double& error, double& scale) {
+    error = std::max(error, (found - exact).cwiseAbs().maxCoeff());
+    scale = std::max(scale, exact.cwiseAbs().maxCoeff());
+  }
+};
+
+/// At pseudo-random points more than 1 % of the range of xi away from kinks.
+inline SheetDifference sheet_difference(const ModelCase& c, const Setting& setting, const Sheet& sheet, int points) {
+  constexpr double away = 0.01, step_share = 0.04, longest_step = 0.003;
+  const Interval range = setting.vortex.xi_range();
+  std::mt19937 random(20240607);
+  const auto uniform = [&] { return random() / 4294967296.0; };
+  SheetDifference d;
+  for (int i = 0; i < points;) {
+    const double xi = range.lower + uniform() * range.width(), t = setting.end * (0.01 + 0.99 * uniform());
+    const double distance = distance_from_kinks(sheet, range, xi, t);
+    if (distance < away * range.width()) continue;
+    Tensor tau, dtau;
+    sheet.at(xi, t, tau, dtau);
+    const double step = std::min(step_share * distance, longest_step * range.width());
+    const auto exact = [&](double by) { return exact_tau(c, setting.vortex.amplitude, xi + by, t); };
+    d.add(tau, exact(0), d.tau, d.tau_scale);
+    d.add(dtau, central_difference(exact, step, Tensor(Tensor::Zero())), d.dtau, d.dtau_scale);
+    ++i;
+  }
+  d.tau /= d.tau_scale;
+  d.dtau /= d.dtau_scale;
+  return d;
+}
+
+}  // namespace assay::model_tests

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/scene/deformation_csv.hpp"
+
+#include <gtest/gtest.h>
+
+#include "drivers/scene/resolved.hpp"
+#include "drivers/scene/scene_reader.hpp"
+#include "tests/drivers/refusal.hpp"
+#include "tests/drivers/scratch_folder.hpp"
+
+namespace assay::drivers {
+namespace {
+
+TEST(DeformationCsv, ReadsPlaneAndFullGradients) {
+  const ScratchFolder scratch;
+  const DeformationTable plane =
+      read_deformation_table(scratch.write("p.csv", "F22,t,F11,F12,F21\n1,0,1,0,0\n.9,2,1.1,.2,0\n"));
+  EXPECT_TRUE(plane.plane());
+  EXPECT_EQ(plane.last(), 2);
+  EXPECT_NEAR(plane.at({}, 1).F(0, 1), 0.1, 1e-15);
+  const DeformationTable full = read_deformation_table(
+      scratch.write("f.csv", "t,F11,F12,F13,F21,F22,F23,F31,F32,F33\n0,1,0,0,0,1,0,0,0,1\n1,1,0,.3,0,1,0,0,.1,1.2\n"));
+  EXPECT_FALSE(full.plane());
+  EXPECT_NEAR(full.at({}, 1).F(0, 2), 0.3, 1e-15);
+}
+
+TEST(DeformationCsv, RefusesWhatIsNoPath) {
+  const ScratchFolder scratch;
+  const std::string header = "t,F11,F12,F21,F22\n", rest = "0,1,0,0,1\n";
+  const auto line = [&](const std::string& text) {
+    const std::string file = scratch.write("p.csv", text);
+    return refusal_of([&] { read_deformation_table(file); }).substr(file.size());
+  };
+  EXPECT_EQ(line(header + "0.1,1,0,0,1\n1,1,0,0,1\n"), ":2:1: t: the first row must be at t = 0, found 0.1");
+  EXPECT_EQ(line(header + "0,1,0.1,0,1\n1,1,0,0,1\n"), ":2:1: the first row must be the undeformed state, F = I");
+  EXPECT_EQ(line(header + rest), ":2:1: a path needs two rows at least");
+  EXPECT_EQ(line(header + rest + "1,1,0,0,1\n1,1,0,0,1\n"), ":4:1: t: times must ascend, found 1 after 1");
+  EXPECT_EQ(line(header + rest + "1,-1,0,0,1\n"), ":3:1: det F <= 0 in this row, at t = 1");
+  EXPECT_EQ(line(header + rest + "1,.05,0,0,1\n2,.05,0,0,1\n3,1,0,0,1\n"),
+            ":4:1: det F <= 0 between this row and the one before, at t = 1.5");
+  EXPECT_EQ(line("t,F11,F12,F21,F22,F13\n0,1,0,0,1,0\n1,1,0,0,1,0\n"),
+            ":1:1: F13, F23, F31 and F32 only come together");
+  EXPECT_EQ(line(header + rest + "1,1,x,0,1\n"), ":3:5: F12: 'x' is no finite number");
+}
+
+TEST(DeformationCsv, ServesASceneAndItsResolvedForm) {
+  const ScratchFolder scratch;
+  scratch.write("p.csv", "t,F11,F12,F21,F22\n0,1,0,0,1\n1.5,1.1,.2,0,1\n");
+  const std::string text =
+      "motion: {type: homogeneous, path: p.csv}\nmaterial: {adapter: neo_hookean, parameters: {E: 1e3}, density: 1}\n";
+  const auto scene_with = [&](std::vector<std::string> sets) {
+    return scene_from_text(text, scratch / "scene.yaml", sets);
+  };
+  const Scene scene = scene_with({});
+  EXPECT_EQ(scene.time.end, 1.5);
+  EXPECT_EQ(period_of(scene.motion), 1.5);
+  const std::string resolved = resolved_yaml(scene);
+  EXPECT_EQ(resolved_yaml(scene_from_text(resolved, "elsewhere.yaml")), resolved);
+  const auto line = [&](const std::string& set) { return refusal_of([&] { scene_with({set}); }); };
+  EXPECT_EQ(line("motion.period=2"),
+            "--set motion.period: is the time of the last row of motion.path, 1.5: leave it out");
+  EXPECT_EQ(line("time.end=2"), "--set time.end: must not exceed the last time of motion.path, 1.5, found 2");
+  EXPECT_EQ(line("motion.final=[[1, 0, 0], [0, 1, 0], [0, 0, 1]]"),
+            "--set motion.final: does not come with motion.path, which says what F is at all times");
+  EXPECT_NE(line("motion.path=nowhere.csv").find("--set motion.path: no such file: '"), std::string::npos);
+  EXPECT_NE(line("motion={type: homogeneous}").find("motion.final: required and not given"), std::string::npos);
+  EXPECT_NE(
+      line("motion={type: rotating_stretch, stretch: 0.1, axis: [0, 0, 0]}").find("motion.axis: must not be zero"),
+      std::string::npos);
+}
+
+}  // namespace
+}  // namespace assay::drivers

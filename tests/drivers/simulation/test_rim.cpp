@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/simulation/rim.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "drivers/verbs.hpp"
+#include "tests/drivers/scratch_folder.hpp"
+
+namespace assay::drivers {
+namespace {
+
+TEST(Rim, ZonesEndWhereXiPassesAFront) {
+  const Vortex vortex;
+  const double fronts[] = {-1, 0.5};
+  const auto zones = zones_beyond(vortex, fronts);
+  ASSERT_EQ(zones.size(), 2u);  // xi > 0 on the inner half, < 0 on the outer one
+  for (const double R : {zones[0].lower, zones[0].upper}) EXPECT_NEAR(vortex.profile(R).xi, 0.5, 1e-9);
+  for (const double R : {zones[1].lower, zones[1].upper}) EXPECT_NEAR(vortex.profile(R).xi, -1, 1e-9);
+  EXPECT_LT(zones[0].upper, zones[1].lower);
+}
+
+TEST(Rim, FrontsFurtherOutDoNotCutAZone) {
+  const double fronts[] = {0.5, 1.5};
+  const auto zones = zones_beyond(Vortex{}, fronts);
+  ASSERT_EQ(zones.size(), 1u);
+  for (const double R : {zones[0].lower, zones[0].upper}) EXPECT_NEAR(Vortex{}.profile(R).xi, 0.5, 1e-9);
+}
+
+TEST(Rim, FrontsBeyondThePeakLeaveNoZone) {
+  const double fronts[] = {-50, 50};
+  EXPECT_TRUE(zones_beyond(Vortex{}, fronts).empty());
+}
+
+TEST(Rim, ASentenceOnlyBelowTwoCells) {
+  EXPECT_FALSE(narrow_rim_sentence({0.1, 1.99}).empty());
+  EXPECT_TRUE(narrow_rim_sentence({0.1, 2}).empty());
+}
+
+class RimOfARun : public testing::Test {
+ protected:
+  /// result.json's rim and what the run said on standard error.
+  std::pair<nlohmann::json, std::string> run_of(const std::string& material, const std::string& spacing) {
+    const ScratchFolder scratch;
+    RunOptions options;
+    options.scene = std::string(ASSAY_SOURCE_DIR) + "/configs/models/vortex_" + material + ".yaml";
+    options.out = scratch / "out";
+    options.threads = 1;
+    options.verbosity = Verbosity::quiet;
+    options.sets = {"grid.spacing=" + spacing, "expect={}", "time.end=0.5"};
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(run(options), 0);
+    const std::string said = testing::internal::GetCapturedStderr();
+    return {nlohmann::json::parse(bytes_of(options.out + "/result.json"))["rim"], said};
+  }
+};
+
+TEST_F(RimOfARun, CoarseGridsAreWarnedOfAndFineOnesAreNot) {
+  const auto [coarse, warned] = run_of("j2_multiplicative", "0.1");
+  const auto [fine, silent] = run_of("j2_multiplicative", "0.05");
+  EXPECT_NE(warned.find("warning: the plastic rim is"), std::string::npos) << warned;
+  EXPECT_EQ(silent.find("plastic rim"), std::string::npos) << silent;
+  EXPECT_LT(coarse["cells"].get<double>(), 2);
+  EXPECT_GE(fine["cells"].get<double>(), 2);
+  EXPECT_NEAR(coarse["width"].get<double>(), fine["width"].get<double>(), 1e-9);
+}
+
+TEST_F(RimOfARun, SmoothMaterialsHaveNone) {
+  const auto [rim, said] = run_of("neo_hookean", "0.1");
+  EXPECT_TRUE(rim["width"].is_null());
+  EXPECT_TRUE(rim["cells"].is_null());
+  EXPECT_EQ(said.find("rim"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace assay::drivers

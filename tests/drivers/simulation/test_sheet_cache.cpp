@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/simulation/sheet_cache.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "drivers/scene/scene_reader.hpp"
+#include "drivers/simulation/problem.hpp"
+#include "drivers/simulation/response_source.hpp"
+#include "harness/point_driver.hpp"
+#include "tests/drivers/scratch_folder.hpp"
+
+namespace assay::drivers {
+namespace {
+
+const char* const scene_text = R"(
+motion: {type: vortex, amplitude: {type: sine, peak: 0.05}}
+material: {adapter: j2_jaumann, parameters: {E: 1000, nu: 0.3, yield_stress: 10, hardening_modulus: 50}, density: 1000}
+force: {tolerance: 1.0e-4}
+)";
+
+class Cached : public testing::Test {
+ protected:
+  Cached() : scene_(read_scene(home_.write("cached.yaml", scene_text))) {
+    ::setenv("ASSAY_CACHE_HOME", (home_ / "cache").c_str(), 1);
+    std::string library;
+    material_ = material_of(scene_, library);
+    path_ = baseline_path(scene_);
+  }
+
+  std::shared_ptr<const Response> response() const { return response_of(scene_, material_, path_, 1); }
+  std::string file() const { return SheetCache(scene_, *material_, path_, 1).file(); }
+
+  ScratchFolder home_;
+  Scene scene_;
+  std::shared_ptr<const Material> material_;
+  Path path_;
+};
+
+TEST_F(Cached, ASheetIsMadeOnceAndIsTheSameFromDisk) {
+  const auto first = response(), second = response();
+  EXPECT_FALSE(first->sheet()->restored());
+  EXPECT_TRUE(second->sheet()->restored());
+  EXPECT_EQ(first->sheet()->points(), second->sheet()->points());
+  EXPECT_EQ(first->sheet()->error_tau(), second->sheet()->error_tau());
+  EXPECT_EQ(first->fronts(0.3), second->fronts(0.3));
+  for (const double t : {0.1, 0.5, 0.93}) {
+    Tensor tau[2], slope[2];
+    first->at(-1.7, t, tau[0], slope[0]);
+    second->at(-1.7, t, tau[1], slope[1]);
+    EXPECT_EQ(tau[0], tau[1]);
+    EXPECT_EQ(slope[0], slope[1]);
+  }
+}
+
+TEST_F(Cached, EverythingThatMattersIsInTheName) {
+  const std::string before = file();
+  EXPECT_EQ(file(), before);
+  scene_.force.tolerance = 1e-5;
+  EXPECT_NE(file(), before);
+  scene_.force.tolerance = 1e-4;
+  std::get<Vortex>(scene_.motion).amplitude.peak = 0.06;
+  path_ = baseline_path(scene_);
+  EXPECT_NE(file(), before);
+  std::get<Vortex>(scene_.motion).amplitude.peak = 0.05;
+  path_ = baseline_path(scene_);
+  EXPECT_EQ(file(), before);
+  scene_.material.parameters["yield_stress"] = 11;
+  std::string library;
+  material_ = material_of(scene_, library);
+  EXPECT_NE(file(), before);
+}
+
+TEST_F(Cached, ADamagedFileIsMadeAgain) {
+  response();
+  std::fstream damaged(file(), std::ios::in | std::ios::out | std::ios::binary);
+  damaged.seekp(200);
+  damaged.put('x');
+  damaged.close();
+  EXPECT_FALSE(SheetCache(scene_, *material_, path_, 1).load());
+  EXPECT_FALSE(response()->sheet()->restored());
+  EXPECT_TRUE(response()->sheet()->restored());
+  std::filesystem::resize_file(file(), 90);
+  EXPECT_FALSE(SheetCache(scene_, *material_, path_, 1).load());
+}
+
+TEST_F(Cached, NothingIsKeptWhereTheSceneSaysSoOrTheDiskDoesNot) {
+  scene_.force.cache = false;
+  response();
+  EXPECT_FALSE(std::filesystem::exists(home_ / "cache"));
+  scene_.force.cache = true;
+  home_.write("cache", "a file where the folder should be");
+  EXPECT_FALSE(response()->sheet()->restored());
+  EXPECT_FALSE(response()->sheet()->restored());
+}
+
+TEST_F(Cached, AFailureIsNotKept) {
+  scene_.material.adapter = ASSAY_BINARY_DIR "/tests/plugins/fails_when_sheared.so";
+  scene_.material.parameters = {{"modulus", 0.1}};  // which sets its limit
+  std::string library;
+  material_ = material_of(scene_, library);
+  EXPECT_THROW(response(), MaterialFailure);
+  EXPECT_FALSE(std::filesystem::exists(home_ / "cache"));
+}
+
+}  // namespace
+}  // namespace assay::drivers

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The vortex of every model under refinement: the scenes of configs/models at h = .1, .05, .025 [m].
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "drivers/verbs.hpp"
+#include "tests/drivers/scratch_folder.hpp"
+
+namespace assay::drivers {
+namespace {
+
+using Errors = std::array<double, 3>;
+
+Errors errors_of(const std::string& material, const std::vector<std::string>& more = {}) {
+  Errors found{};
+  const char* spacings[] = {"0.1", "0.05", "0.025"};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const ScratchFolder scratch;
+    RunOptions options;
+    options.scene = std::string(ASSAY_SOURCE_DIR) + "/configs/models/vortex_" + material + ".yaml";
+    options.out = scratch / "out";
+    options.threads = 1;
+    options.verbosity = Verbosity::quiet;
+    options.sets = {"expect={}", std::string("grid.spacing=") + spacings[k]};
+    options.sets.insert(options.sets.end(), more.begin(), more.end());
+    EXPECT_EQ(run(options), 0) << material;
+    const auto result = nlohmann::json::parse(bytes_of(options.out + "/result.json"));
+    EXPECT_EQ(result["outcome"], "completed") << material;
+    found[k] = result["error"]["l2_max"].get<double>();
+  }
+  return found;
+}
+
+/// Over both halvings of h.
+double order_of(const Errors& e) { return 0.5 * std::log2(e[0] / e[2]); }
+
+class LongSmoothModels : public testing::TestWithParam<const char*> {};
+
+TEST_P(LongSmoothModels, ConvergeAtTheOrderOfNeoHookean) {
+  static const double expected = order_of(errors_of("neo_hookean"));
+  EXPECT_GT(expected, 1.8);
+  EXPECT_NEAR(order_of(errors_of(GetParam())), expected, 0.3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, LongSmoothModels,
+                         testing::Values("saint_venant_kirchhoff", "mooney_rivlin", "orthotropic_cylindrical",
+                                         "hypoelastic_jaumann", "hypoelastic_green_naghdi", "hypoelastic_logarithmic",
+                                         "zener", "norton"));
+
+class LongModelsWithKinks : public testing::TestWithParam<const char*> {};
+
+TEST_P(LongModelsWithKinks, ConvergeMonotonically) {
+  const Errors e = errors_of(GetParam());
+  EXPECT_GT(e[0] / e[1], 2);
+  EXPECT_GT(e[1] / e[2], 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, LongModelsWithKinks,
+                         testing::Values("j2_jaumann", "j2_multiplicative", "drucker_prager", "damage"));
+
+// At the end of the motion its error falls at an order of 1.4 only; at T/2 at 1.9.
+TEST(LongModelOrders, TheFluidConvergesMonotonically) {
+  const Errors e = errors_of("compressible_fluid");
+  EXPECT_GT(e[0] / e[1], 2);
+  EXPECT_GT(e[1] / e[2], 2);
+}
+
+// Negative control: at courant 0.4 the material's steps, not the grid, make the error of a model that flows.
+TEST(LongModelOrders, FlowAtLongStepsFallsShortOfSecondOrder) {
+  EXPECT_LT(order_of(errors_of("norton", {"method.courant=0.4"})), order_of(errors_of("neo_hookean")) - 0.3);
+}
+
+}  // namespace
+}  // namespace assay::drivers

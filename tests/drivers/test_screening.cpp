@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/screening.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "drivers/verbs.hpp"
+#include "tests/drivers/process.hpp"
+#include "tests/drivers/scratch_folder.hpp"
+
+namespace assay::drivers {
+namespace {
+
+const std::string vortex_scene = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/vortex_cpdi.yaml";
+const std::string jaumann = "material={adapter: hypoelastic_jaumann, parameters: {E: 1e3, nu: 0.3}, density: 1000}";
+
+RunOptions quick_run(const std::string& out, std::vector<std::string> more) {
+  RunOptions options;
+  options.scene = vortex_scene;
+  options.out = out;
+  options.verbosity = Verbosity::quiet;
+  options.sets = {"grid.spacing=0.125", "expect={}", "force.tolerance=1e-6", jaumann, "time.end=0.1"};
+  options.sets.insert(options.sets.end(), more.begin(), more.end());
+  return options;
+}
+
+nlohmann::json result_in(const std::string& folder) { return nlohmann::json::parse(bytes_of(folder + "/result.json")); }
+
+/// Hypoelasticity loses strong ellipticity at gamma = pi/3; the paper's vortex reaches 7.07 per radian.
+constexpr double safe = std::numbers::pi / 3 / 7.0656;
+
+TEST(Screening, AMotionThatIsNoStableSolutionIsRefused) {
+  const ScratchFolder scratch;
+  const std::string out = scratch / "out";
+  EXPECT_EQ(run(quick_run(out, {})), 1);
+  const auto result = result_in(out);
+  EXPECT_EQ(result["outcome"], "refused");
+  EXPECT_TRUE(result["steps"].is_null());
+  EXPECT_EQ(result["screen"]["verdict"], "unstable");
+  EXPECT_NEAR(std::abs(result["screen"]["gamma"].get<double>()), std::numbers::pi / 3, 1e-2);
+  EXPECT_LT(result["screen"]["t"].get<double>(), 0.1);
+  EXPECT_LT(result["screen"]["smallest"].get<double>(), 0);
+  const std::string reason = result["reason"];
+  EXPECT_EQ(reason.find("this motion is not a stable solution for this model at this amplitude"), 0u) << reason;
+  EXPECT_NE(reason.find("hypoelastic_jaumann loses strong ellipticity at gamma = -1.0"), std::string::npos) << reason;
+  // expected, it is as it should be; the resolved scene and the report are there
+  EXPECT_EQ(run(quick_run(out, {"expect={outcome: refused, screen.verdict: unstable}"})), 0);
+  EXPECT_TRUE(std::filesystem::exists(out + "/resolved.yaml"));
+  EXPECT_TRUE(std::filesystem::exists(out + "/report.html"));
+}
+
+TEST(Screening, ItsLargestSafeAmplitudeIsRunAndALittleMoreIsNot) {
+  const ScratchFolder scratch;
+  const std::string out = scratch / "out";
+  EXPECT_EQ(run(quick_run(out, {"time.end=1"})), 1);
+  const double amplitude = result_in(out)["screen"]["largest_safe_amplitude"];
+  EXPECT_NEAR(amplitude, safe, 2e-3 * safe);
+  const auto outcome = [&](double peak) {
+    run(quick_run(out, {"motion.amplitude.peak=" + std::to_string(peak)}));
+    return result_in(out)["outcome"].get<std::string>();
+  };
+  // over the whole period at the small resolution of this test
+  const auto whole = [&](double peak) {
+    run(quick_run(out, {"time.end=1", "grid.spacing=0.25", "motion.amplitude.peak=" + std::to_string(peak)}));
+    return result_in(out);
+  };
+  EXPECT_EQ(whole(amplitude)["screen"]["verdict"], "stable");
+  EXPECT_EQ(whole(1.01 * amplitude)["outcome"], "refused");
+  EXPECT_EQ(outcome(amplitude), "completed");
+}
+
+TEST(Screening, CanBeOverruled) {
+  const ScratchFolder scratch;
+  const std::string out = scratch / "out";
+  run(quick_run(out, {"motion.allow_unstable=true", "time.end=0.06"}));
+  EXPECT_NE(result_in(out)["outcome"], "refused");
+  EXPECT_GT(result_in(out)["steps"].get<long>(), 0);
+  EXPECT_EQ(result_in(out)["screen"]["verdict"], "unstable");
+}
+
+TEST(Screening, SaysNothingOfAStableMotionButItsFigures) {
+  const ScratchFolder scratch;
+  const std::string out = scratch / "out";
+  EXPECT_EQ(run(quick_run(out, {"material={adapter: neo_hookean, parameters: {E: 1e3}, density: 1000}"})), 0);
+  const auto screen = result_in(out)["screen"];
+  EXPECT_EQ(screen["verdict"], "stable");
+  EXPECT_GT(screen["smallest"].get<double>(), 0.1);
+  for (const char* key : {"t", "xi", "gamma", "largest_safe_amplitude"}) EXPECT_TRUE(screen[key].is_null()) << key;
+  // without a body force the body does not move as the motion says
+  EXPECT_EQ(run(quick_run(out, {"force={response: none}"})), 0);
+  EXPECT_TRUE(result_in(out)["screen"]["verdict"].is_null());
+}
+
+TEST(Screening, EvalAndTabulateWarnAndGoOn) {
+  const ScratchFolder scratch;
+  const std::string points = scratch.write("points.csv", "X,Y,t\n1.1,0,0.75\n");
+  const std::vector<std::string> sets{"--set", jaumann, "--set", "expect={}", "--set", "force.tolerance=1e-6"};
+  const auto with = [&](std::vector<std::string> words, const std::string& more) {
+    words.insert(words.end(), sets.begin(), sets.end());
+    if (!more.empty()) words.insert(words.end(), {"--set", more});
+    return assay(words);
+  };
+  const std::vector<std::vector<std::string>> verbs{{"eval", vortex_scene, "--points", points},
+                                                    {"tabulate", vortex_scene, "-o", scratch / "out"}};
+  for (const auto& verb : verbs) {
+    const Ending warned = with(verb, "");
+    EXPECT_EQ(warned.status, 0) << warned.said;
+    EXPECT_NE(warned.said.find("warning: this motion is not a stable solution"), std::string::npos) << warned.said;
+    for (const char* quiet : {"motion.allow_unstable=true", "motion.amplitude.peak=0.1"}) {
+      EXPECT_EQ(with(verb, quiet).said.find("warning"), std::string::npos) << quiet;
+    }
+  }
+  const Ending explained = with({"explain", vortex_scene}, "");
+  EXPECT_EQ(explained.status, 0);
+  EXPECT_NE(explained.said.find("motion: unstable from gamma = "), std::string::npos) << explained.said;
+}
+
+TEST(Screening, SafeAmplitudesAreNeverRoundedUp) {
+  ScreenFigures figures;
+  figures.verdict = "unstable";
+  figures.t = 0.25, figures.xi = -1.5, figures.smallest = -0.1;
+  figures.largest_safe_amplitude = 0.148;
+  EXPECT_EQ(
+      instability_sentence(figures, "clay"),
+      "this motion is not a stable solution for this model at this amplitude: clay loses strong ellipticity at t = "
+      "0.25 s, xi = -1.5; largest safe amplitude 0.148");
+  figures.verdict = "neutral";
+  EXPECT_EQ(instability_sentence(figures, "water"), "");
+}
+
+}  // namespace
+}  // namespace assay::drivers

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Built-in models by their entries, for the tests of floors that know no registry.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "harness/material.hpp"
+
+extern "C" {
+const assay_material* assay_builtin_hypoelastic_green_naghdi(std::uint32_t host_major, std::uint32_t index);
+const assay_material* assay_builtin_hypoelastic_jaumann(std::uint32_t host_major, std::uint32_t index);
+const assay_material* assay_builtin_j2_jaumann(std::uint32_t host_major, std::uint32_t index);
+const assay_material* assay_builtin_orthotropic_cylindrical(std::uint32_t host_major, std::uint32_t index);
+const assay_material* assay_builtin_zener(std::uint32_t host_major, std::uint32_t index);
+}
+
+namespace assay {
+
+inline std::shared_ptr<const Material> builtin_material(assay_material_entry_function entry,
+                                                        const std::map<std::string, double>& parameters) {
+  return std::make_shared<const Material>(entry(ASSAY_ABI_MAJOR, 0), parameters);
+}
+
+}  // namespace assay

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/history.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "harness/vortex.hpp"
+#include "tests/harness/builtin_material.hpp"
+
+namespace assay {
+namespace {
+
+const Path cyclic = Vortex{0.75, 1.25, 2, {Amplitude::Type::sine, 0.1, 1.0}}.baseline();
+
+const std::map<std::string, double> elastic{{"E", 1000}, {"nu", 0.3}};
+const std::map<std::string, double> plastic{{"E", 1000}, {"nu", 0.3}, {"yield_stress", 10}, {"hardening_modulus", 20}};
+const std::map<std::string, double> viscous{{"E", 1000}, {"nu", 0.3}, {"viscous_ratio", 1.5}, {"relaxation_time", 0.3}};
+
+Tensor tau_at(const Course& course, double xi, double t, const HistoryOptions& options) {
+  History history(course, xi, options);
+  history.advance(t);
+  EXPECT_EQ(history.t(), t);
+  return history.tau();
+}
+
+TEST(History, AgreesBetweenIncrementsAndRates) {
+  for (const auto& [entry, parameters] :
+       {std::pair{&assay_builtin_hypoelastic_jaumann, elastic},
+        std::pair{&assay_builtin_hypoelastic_green_naghdi, elastic}, std::pair{&assay_builtin_zener, viscous}}) {
+    const auto material = builtin_material(entry, parameters);
+    const Course increments(*material, cyclic, 2, Form::increments), rates(*material, cyclic, 2, Form::rate);
+    EXPECT_TRUE(rates.by_rate && !increments.by_rate);
+    for (const double t : {0.2, 0.5, 0.9, 1.7}) {
+      const Tensor a = tau_at(increments, -2.2, t, {}), b = tau_at(rates, -2.2, t, {});
+      EXPECT_LT((a - b).norm(), 1e-9 * increments.scales.cauchy) << material->name() << " at " << t;
+    }
+  }
+}
+
+TEST(History, FindsTheTimesOfYielding) {
+  const auto material = builtin_material(assay_builtin_j2_jaumann, plastic);
+  const Course course(*material, cyclic, 1);
+  History history(course, 1.0, {.tolerance = 1e-12, .watch = true});
+  history.advance(1);
+  const std::vector<Branch>& branches = history.branches();
+  ASSERT_EQ(branches.size(), 4u);  // elastic, plastic, unloading at the reversal, plastic the other way
+  EXPECT_EQ(branches[0].begin, 0);
+  EXPECT_EQ(branches[2].begin, 0.5);
+  EXPECT_EQ(branches[0].regime, branches[2].regime);
+  EXPECT_EQ(branches[1].regime, branches[3].regime);
+  // Jaumann: sigma12 = mu sin gamma, sigma11 = -sigma22 = mu (cos gamma - 1): mises = sqrt(3) 2 mu sin(gamma / 2)
+  const double mu = 1000 / 2.6, gamma_y = 2 * std::asin(10 / (std::sqrt(3.0) * 2 * mu));
+  const double t_y = std::asin(gamma_y / (2 * 0.1)) / std::acos(-1.0);
+  EXPECT_NEAR(branches[1].begin, t_y, 1e-11);
+}
+
+TEST(History, GoesThroughKinksToItsTolerance) {
+  const auto material = builtin_material(assay_builtin_j2_jaumann, plastic);
+  const Course course(*material, cyclic, 1);
+  for (const double t : {0.3, 0.7, 0.95}) {
+    const Tensor precise = tau_at(course, 1.0, t, {.tolerance = 1e-12, .watch = true});
+    const Tensor loose = tau_at(course, 1.0, t, {.tolerance = 1e-7, .watch = true});
+    EXPECT_LT((precise - loose).norm(), 1e-5 * course.scales.cauchy);
+    EXPECT_GT((precise - loose).norm(), 0);
+  }
+}
+
+TEST(History, TakesFewStepsThroughStiffRates) {
+  const auto material = builtin_material(assay_builtin_zener,
+                                         {{"E", 1000}, {"nu", 0.3}, {"viscous_ratio", 1.5}, {"relaxation_time", 1e-6}});
+  const Course rates(*material, cyclic, 1, Form::rate), increments(*material, cyclic, 1, Form::increments);
+  History history(rates, 1.0, {.tolerance = 1e-9});
+  history.advance(0.9);
+  EXPECT_LT(history.calls(), 1000000);  // an explicit method needs some ten millions
+  EXPECT_LT((history.tau() - tau_at(increments, 1.0, 0.9, {.tolerance = 1e-10})).norm(), 1e-6 * rates.scales.cauchy);
+}
+
+TEST(History, NeverStepsOverAReversal) {
+  const auto material = builtin_material(assay_builtin_hypoelastic_jaumann, elastic);
+  const Course course(*material, cyclic, 3, Form::increments);
+  EXPECT_EQ(course.pieces, (std::vector<double>{0, 0.5, 1.5, 2.5, 3}));
+  EXPECT_EQ(course.piece_at(0.5).upper, 1.5);
+  EXPECT_EQ(course.piece_at(3).lower, 2.5);
+  // sigma depends on gamma alone here: the same after any number of cycles
+  const Tensor once = tau_at(course, 1.3, 0.25, {}), later = tau_at(course, 1.3, 2.25, {});
+  EXPECT_LT((once - later).norm(), 1e-9 * course.scales.cauchy);
+}
+
+}  // namespace
+}  // namespace assay
