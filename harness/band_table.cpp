@@ -24,14 +24,6 @@ struct Polynomials {
   std::vector<double> T, T_prime;
 };
 
-/// Values at Gauss nodes to coefficients along one direction: `count` values `stride` apart.
-void to_coefficients(double* values, std::size_t count, std::size_t stride) {
-  std::vector<double> line(count);
-  for (std::size_t k = 0; k < count; ++k) line[k] = values[k * stride];
-  line = chebyshev::gauss_coefficients(line);
-  for (std::size_t k = 0; k < count; ++k) values[k * stride] = line[k];
-}
-
 /// Breaks with every stretch divided into equal parts.
 std::vector<double> divided(const std::vector<double>& breaks, int parts) {
   std::vector<double> all;
@@ -88,6 +80,7 @@ void BandTable::sample(const Course& course, const HistoryOptions& options, cons
 /// Values to coefficients; leaves the components that are not zero.
 void BandTable::transform() {
   const std::size_t stretches = band_.stretches();
+  const chebyshev::GaussTransform along_xi(size_.nodes_in_xi), along_t(size_.nodes_in_t);
   double largest[9] = {};
   for (std::size_t i = 0; i < values_.size(); ++i) largest[i % 9] = std::max(largest[i % 9], std::abs(values_[i]));
   largest_ = *std::max_element(largest, largest + 9);
@@ -99,32 +92,36 @@ void BandTable::transform() {
     const auto [low, high] = std::minmax_element(row, row + n_x());
     moves_.push_back(*high - *low > still * band_.ray.breaks.back());
     if (moves_.back()) {
-      to_coefficients(row, n_x(), 1);
+      along_xi(row);
     } else {
       row[0] = 0.5 * (*low + *high);
       std::fill(row + 1, row + n_x(), 0.0);
     }
   }
   for (std::size_t line = 0; line < stretches * n_t(); ++line) {
-    for (std::size_t c = 0; c < 9; ++c) to_coefficients(&values_[line * n_x() * 9 + c], n_x(), 9);
+    for (std::size_t c = 0; c < 9; ++c) along_xi(&values_[line * n_x() * 9 + c], 9);
   }
   for (std::size_t i = 0; i < stretches; ++i) {
     for (std::size_t column = 0; column < n_x() * 9; ++column) {
-      to_coefficients(&values_[i * n_t() * n_x() * 9 + column], n_t(), n_x() * 9);
+      along_t(&values_[i * n_t() * n_x() * 9 + column], n_x() * 9);
     }
   }
   const std::size_t rows = values_.size() / 9;
   coefficients_.resize(rows * active_.size());
+  decay_xi_.assign(n_x(), 0.0);
+  decay_t_.assign(n_t(), 0.0);
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t a = 0; a < active_.size(); ++a) {
       const double value = values_[row * 9 + static_cast<std::size_t>(active_[a])];
       coefficients_[row * active_.size() + a] = value;
-      const std::size_t k = row % n_x(), j = row / n_x() % n_t();
-      if (k + 2 >= n_x()) tail_xi_ = std::max(tail_xi_, std::abs(value));
-      if (j + 2 >= n_t()) tail_t_ = std::max(tail_t_, std::abs(value));
+      double &of_xi = decay_xi_[row % n_x()], &of_t = decay_t_[row / n_x() % n_t()];
+      of_xi = std::max(of_xi, std::abs(value));
+      of_t = std::max(of_t, std::abs(value));
     }
   }
   values_ = {};
+  tail_xi_ = *std::max_element(decay_xi_.end() - 2, decay_xi_.end());
+  tail_t_ = *std::max_element(decay_t_.end() - 2, decay_t_.end());
   add_tail_of_breaks();
   find_break_ranges();
 }

@@ -54,6 +54,10 @@ class BandTable {
   double tail_in_xi() const { return tail_xi_; }
   double tail_in_t() const { return tail_t_; }
 
+  /// Largest coefficient of each number [Pa]: how fast the series converge. Only of a table that was sampled.
+  std::span<const double> decay_in_xi() const { return decay_xi_; }
+  std::span<const double> decay_in_t() const { return decay_t_; }
+
  private:
   void sample(const Course& course, const HistoryOptions& options, const Workers& workers);
   void transform();
@@ -73,6 +77,7 @@ class BandTable {
   std::vector<Interval> break_range_;
   std::vector<double> values_;        ///< [((stretch * n_t + j) * n_x + k) * 9 + c], while sampling
   std::vector<double> coefficients_;  ///< [((stretch * n_t + j) * n_x + k) * active + c]
+  std::vector<double> decay_xi_, decay_t_;
   double largest_ = 0, tail_xi_ = 0, tail_t_ = 0, noise_ = 0;
   std::int64_t calls_ = 0;
 };

@@ -82,18 +82,25 @@ std::vector<double> gauss_nodes(int n) {
   return points;
 }
 
-std::vector<double> gauss_coefficients(std::span<const double> values) {
-  const int n = static_cast<int>(values.size());
-  std::vector<double> c(values.size(), 0.0);
+GaussTransform::GaussTransform(int n) : n_(static_cast<std::size_t>(n)), matrix_(n_ * n_) {
   for (int k = 0; k < n; ++k) {
-    double sum = 0;
     for (int j = 0; j < n; ++j) {  // T_k(x_j), x_j = -cos(pi (2 j + 1) / 2 n), the argument reduced in integers
       const int turns = (k * (2 * (n - 1 - j) + 1)) % (4 * n);
-      sum += values[static_cast<std::size_t>(j)] * std::cos(std::numbers::pi * turns / (2.0 * n));
+      matrix_[static_cast<std::size_t>(k * n + j)] =
+          std::cos(std::numbers::pi * turns / (2.0 * n)) * (k == 0 ? 1.0 : 2.0) / n;
     }
-    c[static_cast<std::size_t>(k)] = sum * (k == 0 ? 1.0 : 2.0) / n;
   }
-  return c;
+}
+
+void GaussTransform::operator()(double* values, std::size_t stride) const {
+  thread_local std::vector<double> line;
+  line.resize(n_);
+  for (std::size_t j = 0; j < n_; ++j) line[j] = values[j * stride];
+  for (std::size_t k = 0; k < n_; ++k) {
+    double sum = 0;
+    for (std::size_t j = 0; j < n_; ++j) sum += matrix_[k * n_ + j] * line[j];
+    values[k * stride] = sum;
+  }
 }
 
 }  // namespace assay::chebyshev

@@ -27,7 +27,17 @@ void interpolation_weights(const Interval& interval, double point, std::span<dou
 /// n Gauss nodes in (0, 1), ascending: none on the ends.
 std::vector<double> gauss_nodes(int n);
 
-/// Coefficients on [0, 1] of sum c_k T_k(2 s - 1) from values at the Gauss nodes.
-std::vector<double> gauss_coefficients(std::span<const double> values);
+/// From values at the n Gauss nodes to the coefficients of sum c_k T_k(2 s - 1) on [0, 1], for any number of lines.
+class GaussTransform {
+ public:
+  explicit GaussTransform(int n);
+
+  /// `values` becomes the coefficients, in place; each is `stride` from the next.
+  void operator()(double* values, std::size_t stride = 1) const;
+
+ private:
+  std::size_t n_;
+  std::vector<double> matrix_;
+};
 
 }  // namespace assay::chebyshev

@@ -16,6 +16,7 @@ class History::Increments {
 
  private:
   enum class Outcome { accepted, inaccurate, regime_changes };
+  void evaluate(double to);
   Outcome attempt(double step);
   bool substeps(double step, int count);
   void increment(double t, double dt, const double* F0, const double* F1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "harness/history_forms.hpp"
@@ -12,7 +13,8 @@ namespace {
 constexpr double first_share = 1.0 / 16;    ///< of a piece: the first step to try
 constexpr double shortest_share = 1e-13;    ///< of the end: a step that needs to be shorter has failed
 constexpr double resolution_share = 4e-15;  ///< of the end: to which the time of a change of regime is found
-constexpr double tiny_share = 1e-4;         ///< of the end: a shorter step than this is hardly the cure for noise
+constexpr double shortest_lag = 1e-6;       ///< of a piece's part: increments this short are noise
+constexpr double past_the_least = 10;       ///< an error this many times the least: the least has been found
 constexpr double noisy_growth = 3;          ///< of a step that was taken although it is noisy
 constexpr double growing_noise = 1e-6;      ///< relative: a rate taken over ever shorter steps
 constexpr double largest_noise = 1e-10;     ///< relative: what may be a material's own rounding
@@ -31,8 +33,34 @@ History::Increments::Increments(History& history, const HistoryOptions& options)
   options_.watch = options.watch && history.course_->regimes.tells();
 }
 
+/// A material without state has no memory: the stress at `to` is found from increments that end there, as long as makes
+/// the least error.
+void History::Increments::evaluate(double to) {
+  const Interval piece = h_->course_->piece_at(h_->t_);
+  const double longest = to - piece.lower;
+  double least = std::numeric_limits<double>::infinity(), step = std::min(longest, first_share * piece.width());
+  std::vector<double> y;
+  for (; step >= shortest_lag * longest; step *= 0.5) {
+    h_->t_ = to - step;
+    const Outcome outcome = attempt(step);
+    if (best_error_ < least) {
+      least = best_error_;
+      y = best_;
+    }
+    if (outcome == Outcome::accepted || best_error_ > past_the_least * least) break;
+  }
+  if (y.empty()) {
+    substeps(step, 1);  // throws where it still fails
+    y = next_;
+  }
+  h_->y_ = y;
+  h_->t_ = to;
+  h_->error_ = std::max(h_->error_, least);
+}
+
 /// Within one piece of the path.
 void History::Increments::advance(double to) {
+  if (h_->course_->material->state_size() == 0) return evaluate(to);
   const Interval piece = h_->course_->piece_at(h_->t_);
   if (piece.lower != piece_begin_) {  // after a reversal any regime may begin
     piece_begin_ = piece.lower;
@@ -83,6 +111,7 @@ void History::Increments::advance(double to) {
 /// Leaves the end of the step in extrapolation_.best().
 History::Increments::Outcome History::Increments::attempt(double step) {
   extrapolation_.clear();
+  best_error_ = std::numeric_limits<double>::infinity();
   noisy_ = false;
   if (regime_new_) regime_known_ = false;  // nothing was accepted yet that could tell
   for (int count = 1; count <= Extrapolation::most_columns; ++count) {
@@ -102,12 +131,9 @@ History::Increments::Outcome History::Increments::attempt(double step) {
     const double rounding = rounding_margin * extrapolation_.rounding();
     if (count >= least_columns && extrapolation_.error() <= options_.tolerance + rounding) return Outcome::accepted;
   }
-  const bool no_better = best_error_ > 0.5 * failed_error_, worse = best_error_ > failed_error_;
-  const bool tiny = step < tiny_share * h_->course_->end && best_error_ < growing_noise;
-  const bool noise = tiny || (failed_error_ > 0 &&
-                              ((best_error_ < largest_noise && no_better) || (best_error_ < growing_noise && worse)));
-  noisy_ = noise;
-  return noise ? Outcome::accepted : Outcome::inaccurate;  // noise: a shorter step has not helped
+  const double no_better = best_error_ < largest_noise ? 0.5 : 1.0;
+  noisy_ = failed_error_ > 0 && best_error_ < growing_noise && best_error_ > no_better * failed_error_;
+  return noisy_ ? Outcome::accepted : Outcome::inaccurate;  // noise: a shorter step has not helped
 }
 
 /// From the accepted point over `step` in `count` increments; the result in next_. False where the regime changes.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
-#include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
 
@@ -18,13 +17,26 @@ using Vector = std::vector<double>;
 
 using Explicit = odeint::runge_kutta_fehlberg78<Vector>;
 
-constexpr double first_share = 1.0 / 64;  ///< of a piece: the first step to try
-constexpr double shortest_share = 1e-14;  ///< of the end
-/// Of a piece: the error estimate of 7(8) compares stages at the two ends of a step alone and is zero where the rates
-/// do not depend on the variables, so that steps would grow without bound.
-constexpr double longest_share = 1.0 / 16;
-constexpr double inside = 1e-13;  ///< of a piece: F' is taken this far inside its ends, where it may jump
-constexpr int most_steps = 4000;  ///< explicit, in one advance: beyond, the material is stiff
+constexpr double first_share = 1.0 / 64;    ///< of a piece: the first step to try
+constexpr double shortest_share = 1e-14;    ///< of the end
+constexpr double longest_share = 1.0 / 16;  ///< of a piece
+constexpr double inside = 1e-13;            ///< of a piece: F' is taken this far inside its ends, where it may jump
+constexpr int most_steps = 4000;            ///< explicit, in one advance: beyond, the material is stiff
+
+/// odeint's, and tells what it found: the largest estimated error of the step over the tolerance.
+class Checker : public odeint::default_error_checker<double, Explicit::algebra_type, Explicit::operations_type> {
+ public:
+  using Base = odeint::default_error_checker<double, Explicit::algebra_type, Explicit::operations_type>;
+  Checker(double tolerance, double& found) : Base(tolerance, 0.0), found_(&found) {}
+
+  template <class State, class Rate, class Errors, class Time>
+  double error(Explicit::algebra_type& algebra, const State& x, const Rate& x_rate, Errors& errors, Time dt) const {
+    return *found_ = Base::error(algebra, x, x_rate, errors, dt);
+  }
+
+ private:
+  double* found_;
+};
 
 }  // namespace
 
@@ -35,7 +47,7 @@ History::Rates::Rates(History& history, const HistoryOptions& options) : h_(&his
   physical_rate_.resize(scales_.size());
 }
 
-/// Rate of the scaled variables; the material gets l = F' F^-1.
+/// Rate of the scaled variables; the material gets l = F' F^-1. Nine more variables are F itself, F' = l F.
 void History::Rates::slope(const Vector& x, double t, Vector& x_rate) {
   const Material& material = *h_->course_->material;
   const double margin = inside * piece_.width();
@@ -44,16 +56,21 @@ void History::Rates::slope(const Vector& x, double t, Vector& x_rate) {
       h_->course_->path->at(h_->xi_, std::clamp(t, piece_.lower + margin, piece_.upper - margin)).F_rate * F.inverse();
   double F_components[9], l_components[9];
   for (int c = 0; c < 9; ++c) F_components[c] = component(F, c), l_components[c] = component(l, c);
-  for (std::size_t i = 0; i < x.size(); ++i) physical_[i] = x[i] * scales_[i];
+  const std::size_t n = scales_.size();
+  for (std::size_t i = 0; i < n; ++i) physical_[i] = x[i] * scales_[i];
   const auto* extension = material.extension<assay_rate>(ASSAY_EXTENSION_RATE);
   ++h_->calls_;
   const std::int32_t status = extension->rate(material.self(), t, 1, F_components, l_components, physical_.data(),
                                               physical_.data() + 9, physical_rate_.data(), physical_rate_.data() + 9);
   x_rate.resize(x.size());
   bool finite = true;
-  for (std::size_t i = 0; i < x.size(); ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
     x_rate[i] = physical_rate_[i] / scales_[i];
     finite = finite && std::isfinite(x_rate[i]);
+  }
+  if (x.size() > n) {
+    const Tensor F_rate = l * Eigen::Map<const Tensor>(&x[n]);
+    std::copy_n(F_rate.data(), 9, &x_rate[n]);
   }
   if (status == ASSAY_FAILED || !finite) {
     throw MaterialFailure(finite ? "its rate form failed" : "its rate form is not finite", h_->xi_, t);
@@ -69,9 +86,15 @@ void History::Rates::advance(double to) {
   for (std::size_t i = 0; i < scales_.size(); ++i) h_->y_[i] *= scales_[i];
 }
 
+/// The error estimate of 7(8) compares stages at the two ends of a step, and is zero where the rates do not depend on
+/// the variables. F is carried along, so that it sees how well the path is resolved.
 void History::Rates::advance_explicit(double to) {
-  auto stepper = odeint::make_controlled(options_.tolerance, 0.0, Explicit());
-  const auto system = [this](const Vector& x, Vector& x_rate, double t) { slope(x, t, x_rate); };
+  Vector x = h_->y_;
+  const Tensor F = h_->course_->path->deformation_gradient(h_->xi_, h_->t_);
+  x.insert(x.end(), F.data(), F.data() + 9);
+  double error = 0;  // of a step over the tolerance
+  odeint::controlled_runge_kutta<Explicit, Checker> stepper(Checker(options_.tolerance, error));
+  const auto system = [this](const Vector& at, Vector& at_rate, double t) { slope(at, t, at_rate); };
   const double shortest = shortest_share * h_->course_->end, longest = longest_share * piece_.width();
   int steps = 0;
   while (h_->t_ < to) {
@@ -80,9 +103,9 @@ void History::Rates::advance_explicit(double to) {
     const bool last = step_ >= 0.999 * left;
     double t = h_->t_, dt = last ? left : step_;
     const double tried = dt;
-    if (stepper.try_step(system, h_->y_, t, dt) == odeint::success) {
+    if (stepper.try_step(system, x, t, dt) == odeint::success) {
       h_->t_ = last ? to : t;
-      h_->error_ += options_.tolerance;
+      h_->error_ += error * options_.tolerance;
       step_ = last ? std::max(step_, dt) : dt;
     } else {
       step_ = dt;
@@ -90,9 +113,10 @@ void History::Rates::advance_explicit(double to) {
     }
     if (++steps > most_steps) {
       stiff_ = true;
-      return;
+      break;
     }
   }
+  std::copy_n(x.begin(), h_->y_.size(), h_->y_.begin());
 }
 
 void History::Rates::advance_stiff(double to) {

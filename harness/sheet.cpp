@@ -50,7 +50,7 @@ void cut_band(const BandTable& table, double t, std::vector<Slice::Range>& range
   const int n = table.size().nodes_in_xi;
   const std::size_t active = table.active().size();
   const std::vector<double> nodes = chebyshev::gauss_nodes(n);
-  std::vector<double> values(active), line(static_cast<std::size_t>(n));
+  const chebyshev::GaussTransform to_coefficients(n);
   for (std::size_t r = 0; r + 1 < places.size(); ++r) {
     const Interval s{places[r], places[r + 1]};
     if (s.width() < narrowest_range) continue;
@@ -60,9 +60,7 @@ void cut_band(const BandTable& table, double t, std::vector<Slice::Range>& range
       table.active_at(s.lower + nodes[k] * s.width(), t, stretch, std::span(&range.coefficients[k * active], active));
     }
     for (std::size_t c = 0; c < active; ++c) {
-      for (std::size_t k = 0; k < nodes.size(); ++k) line[k] = range.coefficients[k * active + c];
-      const std::vector<double> terms = chebyshev::gauss_coefficients(line);
-      for (std::size_t k = 0; k < nodes.size(); ++k) range.coefficients[k * active + c] = terms[k];
+      to_coefficients(&range.coefficients[c], active);
     }
     range.trim();
     ranges.push_back(std::move(range));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace assay {
 
@@ -12,13 +13,13 @@ namespace {
 constexpr double history_share = 1e-4;
 constexpr double best_history_tolerance = 1e-13, best_with_kinks = 1e-12;
 /// What is left out of the series of a table may cost tau, and d tau / d xi, this share of what is asked.
-constexpr double tau_share = 0.02, dtau_share = 0.03;
+constexpr double tau_share = 0.1, dtau_share = 0.1;
 constexpr double rounding_share = 1e-12;  ///< of tau: noise of the histories, which no series can follow
-constexpr double noise_share = 0.2;       ///< of the histories' estimated errors, which are bounds
 constexpr double asymptotic = 1e-6;       ///< of the largest tau: below, the tails of a series fall steadily
 constexpr double worthwhile = 0.2;        ///< refining has helped where it left this much of what was left out
 constexpr BandSize first_size{12, 10};
-constexpr double growth = 1.5;
+constexpr double least_growth = 1.3, most_growth = 3;
+constexpr int overlap = 6;       ///< a half of a stretch needs this many nodes more than half of its nodes
 constexpr int split_nodes = 40;  ///< a band or stretch that needs more is divided: two short series cost less than one
 constexpr int most_parts = 16;
 constexpr int most_halvings = 5;
@@ -26,7 +27,17 @@ constexpr double next_share = 0.05;  ///< of the shares, in a second round
 constexpr int most_rounds = 2;
 constexpr std::size_t most_strays = 16;  ///< histories that fit no band, each looked at in a new search for bands
 
-int grown(int nodes) { return static_cast<int>(std::ceil(growth * nodes)); }
+/// Nodes at which a series should have fallen to `goal`, from how fast its second half falls; never less than a little
+/// more than it has.
+int needed(std::span<const double> decay, double goal) {
+  const auto n = static_cast<double>(decay.size());
+  const std::size_t half = decay.size() / 2;
+  const double early = *std::max_element(decay.begin() + static_cast<std::ptrdiff_t>(half), decay.end());
+  const double tail = *std::max_element(decay.end() - 2, decay.end());
+  const double slope = std::log(early / tail) / (n - 2 - static_cast<double>(half));
+  const double more = std::log(tail / goal) / slope;
+  return static_cast<int>(std::ceil(std::clamp(n + more, least_growth * n, most_growth * n)));
+}
 
 HistoryOptions history_options(const SheetOptions& options, bool watch) {
   const double best = watch ? best_with_kinks : best_history_tolerance;
@@ -53,6 +64,9 @@ class Resolver {
 
   std::int64_t calls() const { return calls_; }
 
+  /// Whether the rounding of the histories, and not what was asked, set a goal: asking for more is in vain.
+  bool meets_noise() const { return meets_noise_; }
+
  private:
   BandTable tabulated(const Band& band, BandSize size) {
     BandTable table(course_, band, size, history_, course_.workers(options_.workers));
@@ -61,11 +75,13 @@ class Resolver {
   }
 
   /// Of tau's last coefficients [Pa]: a derivative multiplies them by their number.
-  double goal(const Band& band, int nodes, double noise) const {
+  double goal(const Band& band, int nodes, double noise) {
     const double of_tau = tau_share * tau_scale_;
     const double of_dtau = dtau_share * dtau_scale_ * band.map.xi.width() / (4.0 * nodes);
-    const double rounding = std::max(rounding_share, noise_share * noise) * tau_scale_;
-    return std::max(rounding, share_ * options_.tolerance * std::min(of_tau, of_dtau));
+    const double asked = share_ * options_.tolerance * std::min(of_tau, of_dtau);
+    const double rounding = std::max(rounding_share, noise) * tau_scale_;
+    meets_noise_ = meets_noise_ || rounding > asked;
+    return std::max(rounding, asked);
   }
 
   /// halvings: how often its band has been halved.
@@ -75,22 +91,24 @@ class Resolver {
       Band band = table.band();
       BandSize size = table.size();
       const double tail = std::max(table.tail_in_xi(), table.tail_in_t());
-      const bool long_in_xi = table.tail_in_xi() > goal(band, size.nodes_in_xi, table.noise());
-      const bool long_in_t = table.tail_in_t() > goal(band, table.any_moves() ? size.nodes_in_t : 4, table.noise());
+      const double goal_in_xi = goal(band, size.nodes_in_xi, table.noise());
+      const double goal_in_t = goal(band, table.any_moves() ? size.nodes_in_t : 4, table.noise());
+      const bool long_in_xi = table.tail_in_xi() > goal_in_xi, long_in_t = table.tail_in_t() > goal_in_t;
       const bool coarse = tail > asymptotic * table.largest();  // too coarse for its tails to tell anything
       const bool helps = before < 0 || coarse || tail < worthwhile * before;
       if ((!long_in_xi && !long_in_t) || !helps) return tables.push_back(std::move(table));
       before = tail;
-      if (long_in_xi) size.nodes_in_xi = grown(size.nodes_in_xi);
-      if (long_in_t) size.nodes_in_t = grown(size.nodes_in_t);
+      if (long_in_xi) size.nodes_in_xi = needed(table.decay_in_xi(), goal_in_xi);
+      if (long_in_t) size.nodes_in_t = needed(table.decay_in_t(), goal_in_t);
+      while (size.nodes_in_t > split_nodes && band.parts < most_parts) {
+        band.parts *= 2;
+        size.nodes_in_t = size.nodes_in_t / 2 + overlap;
+        before = -1;
+      }
       if (size.nodes_in_xi > split_nodes && halvings < most_halvings) {
         return refine_halves(band, size, tables, halvings + 1);
       }
-      if (size.nodes_in_t > split_nodes && band.parts < most_parts) {
-        band.parts *= 2;
-        size.nodes_in_t = split_nodes / 2;
-        before = -1;
-      } else if (std::max(size.nodes_in_xi, size.nodes_in_t) > options_.most_nodes) {
+      if (std::max(size.nodes_in_xi, size.nodes_in_t) > options_.most_nodes) {
         return tables.push_back(std::move(table));
       }
       table = tabulated(band, size);
@@ -112,21 +130,26 @@ class Resolver {
   const SheetOptions& options_;
   HistoryOptions history_;
   double tau_scale_ = 0, dtau_scale_ = 0, share_ = 1;
+  bool meets_noise_ = false;
   std::int64_t calls_ = 0;
 };
 
-/// Empty where the material's regimes cannot be followed.
-std::vector<BandTable> resolved_bands(const Course& course, const SheetOptions& options, bool watch, double share,
-                                      std::int64_t& calls) {
+struct ResolvedBands {
+  std::vector<BandTable> tables;  ///< empty where the material's regimes cannot be followed
+  bool meets_noise = false;
+};
+
+ResolvedBands resolved_bands(const Course& course, const SheetOptions& options, bool watch, double share,
+                             std::int64_t& calls) {
   const HistoryOptions history = history_options(options, watch);
   std::vector<double> strays;
   while (strays.size() <= most_strays) {
     Resolver resolver(course, options, history);
     try {
       const auto bands = find_bands(course, history, strays, course.workers(options.workers), calls);
-      std::vector<BandTable> tables = resolver.resolve(bands, share);
+      ResolvedBands resolved{resolver.resolve(bands, share), resolver.meets_noise()};
       calls += resolver.calls();
-      return tables;
+      return resolved;
     } catch (const StrayHistory& stray) {
       strays.push_back(stray.xi);
     } catch (const RegimesFlicker&) {
@@ -146,15 +169,15 @@ BuiltBands build(const Material& material, const Path& path, const SheetOptions&
   BuiltBands best;
   double share = 1;
   for (int round = 0; round < most_rounds; ++round, share *= next_share) {
-    std::vector<BandTable> tables = resolved_bands(course, options, watch, share, best.calls);
-    if (tables.empty()) break;
-    const SheetError error = error_of(tables, material, path, options, watch, best.calls);
+    ResolvedBands resolved = resolved_bands(course, options, watch, share, best.calls);
+    if (resolved.tables.empty()) break;
+    const SheetError error = error_of(resolved.tables, material, path, options, watch, best.calls);
     const bool better =
         best.tables.empty() || std::max(error.tau, error.dtau) < 0.7 * std::max(best.error.tau, best.error.dtau);
     if (!better) break;
-    best.tables = std::move(tables);
+    best.tables = std::move(resolved.tables);
     best.error = error;
-    if (reached(error, options)) break;
+    if (reached(error, options) || resolved.meets_noise) break;
   }
   return best;
 }

@@ -10,8 +10,10 @@ namespace {
 
 constexpr double places_in_s[] = {0.2113, 0.4603, 0.7274};  ///< of a band: irrational, so that no node family has them
 constexpr double places_in_t[] = {0.0937, 0.5361, 0.8999};  ///< of a stretch
-constexpr double stencil_share = 0.06;                      ///< of the distance to the band's nearest end
-constexpr std::size_t most_stretches = 16;                  ///< of a long history that are looked at
+/// Step of the differences, of the distance to the band's nearest end: a shorter one has less of a truncation error and
+/// more of the histories' own, which is large in increments.
+constexpr double stencil_of_rates = 0.03, stencil_of_increments = 0.06;
+constexpr std::size_t most_stretches = 16;  ///< of a long history that are looked at
 constexpr double weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
 constexpr int reach = 4;
 
@@ -25,10 +27,10 @@ struct Stencil {
   double error = 0;
 };
 
-Stencil lay_out(const BandTable& table, double place) {
+Stencil lay_out(const BandTable& table, double place, double share) {
   const Band& band = table.band();
   Stencil stencil{&table, band.map.xi_of(place), 0, {}, {}, 0, 0};
-  stencil.step = stencil_share * std::min(stencil.xi - band.map.xi.lower, band.map.xi.upper - stencil.xi);
+  stencil.step = share * std::min(stencil.xi - band.map.xi.lower, band.map.xi.upper - stencil.xi);
   const std::size_t stretches = band.stretches(), stride = (stretches + most_stretches - 1) / most_stretches;
   for (std::size_t i = 0; i < stretches; i += stride) {
     const double begin = table.break_at(i, place), width = table.break_at(i + 1, place) - begin;
@@ -37,10 +39,11 @@ Stencil lay_out(const BandTable& table, double place) {
   return stencil;
 }
 
-void integrate(const Course& course, const HistoryOptions& options, Stencil& stencil) {
+/// Along its middle by increments, whatever the form of the table; the neighbours by what is the most exact.
+void integrate(const Course& increments, const Course& neighbours, const HistoryOptions& options, Stencil& stencil) {
   stencil.tau.resize(stencil.times.size() * 9);
   for (int k = -reach; k <= reach; ++k) {
-    History history(course, stencil.xi + k * stencil.step, options);
+    History history(k == 0 ? increments : neighbours, stencil.xi + k * stencil.step, options);
     for (std::size_t row = 0; row < stencil.times.size(); ++row) {
       history.advance(std::max(history.t(), stencil.times[row]));
       stencil.tau[row * 9 + static_cast<std::size_t>(k + reach)] = history.tau();
@@ -77,15 +80,16 @@ void compare(const Stencil& stencil, SheetError& error) {
 
 SheetError error_of(const std::vector<BandTable>& tables, const Material& material, const Path& path,
                     const SheetOptions& options, bool watch, std::int64_t& calls) {
-  const Course course(material, path, options.end, Form::increments);
-  // d tau by differences multiplies the histories' own errors by about 1 / stencil_share
+  const Course increments(material, path, options.end, Form::increments);
+  const Course neighbours(material, path, options.end, watch ? Form::increments : Form::automatic);
+  const double share = neighbours.by_rate ? stencil_of_rates : stencil_of_increments;
   const HistoryOptions history{.tolerance = std::max(watch ? 1e-12 : 1e-13, 1e-6 * options.tolerance), .watch = watch};
   std::vector<Stencil> stencils;
   for (const BandTable& table : tables) {
-    for (const double place : places_in_s) stencils.push_back(lay_out(table, place));
+    for (const double place : places_in_s) stencils.push_back(lay_out(table, place, share));
   }
-  for_each_index(static_cast<int>(stencils.size()), course.workers(options.workers),
-                 [&](int k) { integrate(course, history, stencils[static_cast<std::size_t>(k)]); });
+  for_each_index(static_cast<int>(stencils.size()), increments.workers(options.workers),
+                 [&](int k) { integrate(increments, neighbours, history, stencils[static_cast<std::size_t>(k)]); });
   SheetError error;
   double history_error = 0;
   for (const Stencil& stencil : stencils) {

@@ -17,7 +17,8 @@ Location place_of(const std::string& parameter, const MaterialChoice& choice, co
 
 std::vector<std::string> parameter_names(const MaterialSource& source) {
   std::vector<std::string> names;
-  for (std::uint32_t i = 0; i < source.table->parameter_count; ++i) names.emplace_back(source.table->parameters[i].name);
+  for (std::uint32_t i = 0; i < source.table->parameter_count; ++i)
+    names.emplace_back(source.table->parameters[i].name);
   return names;
 }
 

@@ -9,6 +9,7 @@
 #include "harness/material.hpp"
 
 extern "C" {
+const assay_material* assay_builtin_compressible_fluid(std::uint32_t host_major, std::uint32_t index);
 const assay_material* assay_builtin_hypoelastic_green_naghdi(std::uint32_t host_major, std::uint32_t index);
 const assay_material* assay_builtin_hypoelastic_jaumann(std::uint32_t host_major, std::uint32_t index);
 const assay_material* assay_builtin_j2_jaumann(std::uint32_t host_major, std::uint32_t index);

@@ -57,6 +57,22 @@ TEST(Chebyshev, WeightsInterpolateAndAreExactAtNodes) {
   }
 }
 
+TEST(Chebyshev, TransformsLinesOfAnyStrideInPlace) {
+  const int n = 8;
+  std::vector<double> values(3 * n, -1), T(n), T_prime(n);
+  const auto s = gauss_nodes(n);
+  for (std::size_t k = 0; k < s.size(); ++k) values[3 * k + 1] = polynomial(s[k]);
+  GaussTransform transform(n);
+  transform(&values[1], 3);
+  for (const double at : {0.0, 0.3, 0.77, 1.0}) {
+    basis(2 * at - 1, T, T_prime);
+    double value = 0;
+    for (std::size_t k = 0; k < T.size(); ++k) value += values[3 * k + 1] * T[k];
+    EXPECT_NEAR(value, polynomial(at), 100 * round_off);
+  }
+  for (std::size_t k = 0; k < s.size(); ++k) EXPECT_EQ(values[3 * k], -1);
+}
+
 TEST(Chebyshev, AnIntervalWithoutWidthHasOneCoordinate) { EXPECT_EQ(reference_coordinate({1, 1}, 1), 0); }
 
 }  // namespace

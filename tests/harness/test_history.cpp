@@ -87,5 +87,63 @@ TEST(History, NeverStepsOverAReversal) {
   EXPECT_LT((once - later).norm(), 1e-9 * course.scales.cauchy);
 }
 
+// The viscous stress depends on the rate alone: no march, and no rounding over ever shorter increments.
+TEST(History, EvaluatesAMaterialWithoutMemoryWhereItIsAsked) {
+  const double K = 2000, eta = 300, xi = 1.3;
+  const auto material = builtin_material(assay_builtin_compressible_fluid,
+                                         {{"bulk_modulus", K}, {"viscosity", eta}, {"bulk_viscosity", 0}});
+  const Course course(*material, cyclic, 2);
+  History history(course, xi, {.tolerance = 1e-12});
+  for (const double t : {0.001, 0.2, 0.5001, 1.9}) {
+    const std::int64_t before = history.calls();
+    history.advance(t);
+    const double rate = cyclic.at(xi, t).F_rate(1, 0);  // simple shear: l = gamma' e2 (x) e1
+    EXPECT_NEAR(history.cauchy()(1, 0), eta * rate, 1e-9 * course.scales.cauchy) << t;
+    EXPECT_NEAR(history.cauchy()(0, 0), 0, 1e-9 * course.scales.cauchy) << t;
+    EXPECT_LT(history.calls() - before, 400) << t;
+  }
+  EXPECT_LT(history.error(), 1e-9);
+}
+
+/// Ten swings of a stretch without rotation: the rate of the stress does not depend on the stress.
+Path swinging_stretch() {
+  Path path = cyclic;
+  path.parameter = {0.1, 0.5};
+  path.direction = Tensor::Zero();
+  path.direction(0, 0) = 1;
+  path.reversals = [](double) { return std::vector<double>(); };
+  path.amplitude = [](double t) { return std::sin(20 * std::acos(-1.0) * t); };
+  path.amplitude_rate = [](double t) { return 20 * std::acos(-1.0) * std::cos(20 * std::acos(-1.0) * t); };
+  path.amplitude_range = [](double) { return Interval{-1, 1}; };
+  return path;
+}
+
+TEST(History, ResolvesRatesThatDependOnTimeAlone) {
+  const auto material = builtin_material(assay_builtin_hypoelastic_jaumann, elastic);
+  const Path path = swinging_stretch();
+  const Course course(*material, path, 1, Form::rate);
+  const double lambda = 1000 * 0.3 / (1.3 * 0.4), mu = 1000 / 2.6;
+  for (const double t : {0.13, 0.62, 0.97}) {
+    History history(course, 0.4, {.tolerance = 1e-12});
+    history.advance(t);
+    const double exact = (lambda + 2 * mu) * std::log(1 + path.eps(0.4, t));
+    EXPECT_NEAR(history.cauchy()(0, 0), exact, 1e-10 * course.scales.cauchy) << t;
+  }
+}
+
+// The estimated errors are what the steps have left, not the tolerance once for every step.
+TEST(History, StatesTheErrorOfRatesWithoutExaggeration) {
+  const auto material = builtin_material(assay_builtin_zener, viscous);
+  const Course course(*material, cyclic, 2, Form::rate);
+  History tight(course, -2.2, {.tolerance = 1e-14}), loose(course, -2.2, {.tolerance = 1e-7});
+  tight.advance(2);
+  loose.advance(2);
+  const double error = (tight.tau() - loose.tau()).norm() / course.scales.cauchy;
+  EXPECT_LT(error, loose.error());
+  History dense(course, -2.2, {.tolerance = 1e-12});
+  for (int k = 1; k <= 2000; ++k) dense.advance(0.001 * k);
+  EXPECT_LT(dense.error(), 1e-12);
+}
+
 }  // namespace
 }  // namespace assay

@@ -159,11 +159,8 @@ std::vector<ModelCase> all_model_cases() {
 
 std::vector<ModelCase> affordable_model_cases() {
   std::vector<ModelCase> cases;
-  bool has_norton = false;
   for (const ModelCase& c : all_model_cases()) {
-    if (c.model == "perzyna" || (c.model == "norton" && has_norton)) continue;
-    has_norton = has_norton || c.model == "norton";
-    cases.push_back(c);
+    if (c.model != "norton" || c.parameters.at("exponent") != 2) cases.push_back(c);
   }
   return cases;
 }

@@ -48,8 +48,11 @@ TEST_F(MaterialChoices, RefusesWithThePlaceOfTheParameter) {
       refused("{adapter: neo_hookean, density: 1}"),
       "f.yaml:2:21: material.parameters.E: required by material 'neo_hookean' and not given; must lie from 1e-300 to "
       "1e+300 [Pa]");
-  EXPECT_EQ(refused("{adapter: neo_hookean, parameters: {E: 1, mu: 2}, density: 1}"),
-            "f.yaml:2:57: material.parameters.mu: material 'neo_hookean' has no such parameter; known: E, nu");
+  EXPECT_EQ(
+      refused("{adapter: neo_hookean, parameters: {E: 1, mu: 2}, density: 1}"),
+      "f.yaml:2:57: material.parameters.mu: material 'neo_hookean' has no such parameter (nearest: nu); known: E, nu");
+  EXPECT_TRUE(refused("{adapter: neo_hookean, parameters: {shear_modulus: 2}, density: 1}")
+                  .ends_with("material 'neo_hookean' has no such parameter; known: E, nu"));
   EXPECT_TRUE(refused("{adapter: neo_hookean, parameters: {E: -1}, density: 1}")
                   .starts_with("f.yaml:2:50: material.parameters.E: must lie from 1e-300 to 1e+300 [Pa], found -1"));
   const std::string file =
