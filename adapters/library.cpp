@@ -72,8 +72,13 @@ const assay_material* table_of_library(const std::string& path, const std::strin
 }
 
 std::string file_of(const assay_material* table) {
-  Dl_info info{};
-  return dladdr(table, &info) != 0 && info.dli_fname ? info.dli_fname : "";
+  Dl_info info{}, own{};
+  if (dladdr(table, &info) == 0 || !info.dli_fname) return "";
+  // the loader knows the program by the word it was called with, which need not be a path
+  if (dladdr(reinterpret_cast<const void*>(&file_of), &own) != 0 && own.dli_fbase == info.dli_fbase) {
+    return "/proc/self/exe";
+  }
+  return info.dli_fname;
 }
 
 }  // namespace assay::adapters

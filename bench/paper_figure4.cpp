@@ -100,7 +100,7 @@ Drawing panel_of(const std::vector<Run>& runs, const std::string& basis, const s
 
 Drawing beside(Drawing left, const Drawing& right) {
   for (DrawingItem item : right.items) {
-    for (Point& point : item.points) point.x += left.width;
+    for (drivers::Point& point : item.points) point.x += left.width;
     left.items.push_back(std::move(item));
   }
   left.width += right.width;

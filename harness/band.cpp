@@ -93,6 +93,7 @@ Ray trace(const Course& course, double xi, const HistoryOptions& options, std::i
   History history(course, xi, options);
   history.advance(course.end);
   calls += history.calls();
+  if (history.flickers()) throw RegimesFlicker();
   Ray ray;
   for (const Branch& branch : history.branches()) {
     const bool reversal = std::find(course.pieces.begin(), course.pieces.end(), branch.begin) != course.pieces.end();

@@ -36,6 +36,9 @@ struct Band {
   std::size_t stretches() const { return ray.branches.size() * static_cast<std::size_t>(parts); }
 };
 
+/// Thrown where the regime of a history changes too often to be followed.
+struct RegimesFlicker {};
+
 /// Ascending, without gaps, over the path's parameter; xi = 0 parts two bands. `extra`: values of xi to look at besides
 /// the usual ones. Throws MaterialFailure, RegimesFlicker.
 std::vector<Band> find_bands(const Course& course, const HistoryOptions& options, std::vector<double> extra,

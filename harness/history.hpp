@@ -31,7 +31,7 @@ enum class Form {
 
 /// A material on a path, prepared for any number of histories.
 struct Course {
-  /// Finds the scales by coarse marches along the extreme histories. Throws MaterialFailure.
+  /// Finds the scales by coarse marches along the extreme histories.
   Course(const Material& material, const Path& path, double end, Form form = Form::automatic);
 
   const Material* material;
@@ -55,9 +55,6 @@ struct Branch {
   std::uint64_t regime = 0;
 };
 
-/// Thrown where the regime of a watched history changes too often to be followed.
-struct RegimesFlicker {};
-
 struct HistoryOptions {
   double tolerance = 1e-12;  ///< error of a step relative to the scales
   bool watch = false;        ///< find the times at which the regime changes
@@ -80,6 +77,7 @@ class History {
   Tensor tau() const;                                                ///< first Piola-Kirchhoff stress [Pa]
   std::span<const double> state() const;                             ///< components of the material's state
   const std::vector<Branch>& branches() const { return branches_; }  ///< watched: what began when, ascending
+  bool flickers() const { return flickers_; }    ///< watched, and the regime changed too often to be followed further
   double error() const { return error_; }        ///< sum of the estimated errors of all steps, relative
   std::int64_t calls() const { return calls_; }  ///< of `update` or `rate`
 
@@ -90,6 +88,7 @@ class History {
   double xi_, t_ = 0, error_ = 0;
   std::int64_t calls_ = 0;
   std::vector<Branch> branches_;
+  bool flickers_ = false;
   std::vector<double> y_;  ///< 9 components of the Cauchy stress, then the state
   std::unique_ptr<Increments> increments_;
   std::unique_ptr<Rates> rates_;

@@ -18,6 +18,7 @@ class History::Increments {
   enum class Outcome { accepted, inaccurate, regime_changes };
   void evaluate(double to);
   Outcome attempt(double step);
+  void begin_regime(double step);
   bool substeps(double step, int count);
   void increment(double t, double dt, const double* F0, const double* F1);
   void accept(double step);

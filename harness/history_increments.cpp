@@ -11,6 +11,7 @@ namespace assay {
 namespace {
 
 constexpr double first_share = 1.0 / 16;    ///< of a piece: the first step to try
+constexpr double begin_share = 1e-2;        ///< of a step: an increment that tells the regime at its beginning
 constexpr double shortest_share = 1e-13;    ///< of the end: a step that needs to be shorter has failed
 constexpr double resolution_share = 4e-15;  ///< of the end: to which the time of a change of regime is found
 constexpr double shortest_lag = 1e-6;       ///< of a piece's part: increments this short are noise
@@ -50,6 +51,7 @@ void History::Increments::evaluate(double to) {
     if (outcome == Outcome::accepted || best_error_ > past_the_least * least) break;
   }
   if (y.empty()) {
+    h_->t_ = to - step;
     substeps(step, 1);  // throws where it still fails
     y = next_;
   }
@@ -117,6 +119,7 @@ History::Increments::Outcome History::Increments::attempt(double step) {
   for (int count = 1; count <= Extrapolation::most_columns; ++count) {
     bool same_regime = false;
     try {
+      if (count == 1 && options_.watch && h_->t_ == piece_begin_) begin_regime(step);
       same_regime = substeps(step, count);
     } catch (const MaterialFailure&) {  // perhaps the step was too long for it
       if (step < shortest_share * h_->course_->end) throw;
@@ -134,6 +137,25 @@ History::Increments::Outcome History::Increments::attempt(double step) {
   const double no_better = best_error_ < largest_noise ? 0.5 : 1.0;
   noisy_ = failed_error_ > 0 && best_error_ < growing_noise && best_error_ > no_better * failed_error_;
   return noisy_ ? Outcome::accepted : Outcome::inaccurate;  // noise: a shorter step has not helped
+}
+
+/// The regime at the beginning of a piece. An increment that takes in a change says the same as one that was in the
+/// second regime from its beginning, and may be as exact: a regime other than rest is asked for twice. Only then, for
+/// at a reversal the rates vanish, and rounding would decide on the shorter one.
+void History::Increments::begin_regime(double step) {
+  const auto regime_within = [&](double dt) {
+    const Tensor F0 = h_->course_->path->deformation_gradient(h_->xi_, h_->t_);
+    const Tensor F1 = h_->course_->path->deformation_gradient(h_->xi_, h_->t_ + dt);
+    double before[9], after[9];
+    for (int c = 0; c < 9; ++c) before[c] = component(F0, c), after[c] = component(F1, c);
+    now_ = h_->y_;
+    next_.resize(now_.size());
+    increment(h_->t_, dt, before, after);
+    return h_->course_->regimes.of(now_.data() + 9, next_.data() + 9);
+  };
+  regime_ = regime_within(begin_share * step);
+  if (regime_ != 0 && regime_within(begin_share * begin_share * step) == 0) regime_ = 0;
+  regime_known_ = true;
 }
 
 /// From the accepted point over `step` in `count` increments; the result in next_. False where the regime changes.
@@ -183,7 +205,10 @@ void History::Increments::note_branch() {
   if (!regime_new_ || !options_.watch) return;
   h_->branches_.push_back({h_->t_, regime_});
   regime_new_ = false;
-  if (h_->branches_.size() > most_branches * h_->course_->pieces.size()) throw RegimesFlicker();
+  if (h_->branches_.size() > most_branches * h_->course_->pieces.size()) {
+    h_->flickers_ = true;
+    options_.watch = false;
+  }
 }
 
 /// Over the change of regime, which lies within the last bits before `bound`.

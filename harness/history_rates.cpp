@@ -38,6 +38,18 @@ class Checker : public odeint::default_error_checker<double, Explicit::algebra_t
   double* found_;
 };
 
+/// False where the step was too long: its error too large, or a stage so far off that the material fails there.
+template <class Stepper, class System>
+bool tried_step(Stepper& stepper, const System& system, Vector& x, double& t, double& dt, double shortest) {
+  try {
+    return stepper.try_step(system, x, t, dt) == odeint::success;
+  } catch (const MaterialFailure&) {
+    if (dt < shortest) throw;
+    dt *= 0.25;
+    return false;
+  }
+}
+
 }  // namespace
 
 History::Rates::Rates(History& history, const HistoryOptions& options) : h_(&history), options_(options) {
@@ -103,7 +115,7 @@ void History::Rates::advance_explicit(double to) {
     const bool last = step_ >= 0.999 * left;
     double t = h_->t_, dt = last ? left : step_;
     const double tried = dt;
-    if (stepper.try_step(system, x, t, dt) == odeint::success) {
+    if (tried_step(stepper, system, x, t, dt, shortest)) {
       h_->t_ = last ? to : t;
       h_->error_ += error * options_.tolerance;
       step_ = last ? std::max(step_, dt) : dt;

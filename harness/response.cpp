@@ -24,7 +24,9 @@ std::optional<ClosedForm> ClosedForm::of(std::shared_ptr<const Material> materia
 void ClosedForm::at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const {
   const double g = amplitude_(t), eps = xi * g;
   double values[9], slopes[9];
-  form_->tau(material_->self(), baseline_, 1, &eps, values, slopes);
+  if (form_->tau(material_->self(), baseline_, 1, &eps, values, slopes) == ASSAY_FAILED) {
+    throw MaterialFailure("its closed form failed", xi, t);
+  }
   for (int c = 0; c < 9; ++c) {
     component(tau, c) = values[c];
     component(dtau_dxi, c) = g * slopes[c];

@@ -13,7 +13,7 @@ namespace {
 constexpr double history_share = 1e-4;
 constexpr double best_history_tolerance = 1e-13, best_with_kinks = 1e-12;
 /// What is left out of the series of a table may cost tau, and d tau / d xi, this share of what is asked.
-constexpr double tau_share = 0.1, dtau_share = 0.1;
+constexpr double tau_share = 0.2, dtau_share = 0.5;
 constexpr double rounding_share = 1e-12;  ///< of tau: noise of the histories, which no series can follow
 constexpr double asymptotic = 1e-6;       ///< of the largest tau: below, the tails of a series fall steadily
 constexpr double worthwhile = 0.2;        ///< refining has helped where it left this much of what was left out
@@ -25,6 +25,8 @@ constexpr int most_parts = 16;
 constexpr int most_halvings = 5;
 constexpr double next_share = 0.05;  ///< of the shares, in a second round
 constexpr int most_rounds = 2;
+constexpr std::int64_t most_sampled =
+    1500000;  ///< values of tau in a round, shared by the bands: beyond, what is left is stated
 constexpr std::size_t most_strays = 16;  ///< histories that fit no band, each looked at in a new search for bands
 
 /// Nodes at which a series should have fallen to `goal`, from how fast its second half falls; never less than a little
@@ -44,6 +46,11 @@ HistoryOptions history_options(const SheetOptions& options, bool watch) {
   return {.tolerance = std::max(best, history_share * options.tolerance), .watch = watch};
 }
 
+/// Of tau, nine components each.
+std::int64_t values(const Band& band, BandSize size) {
+  return static_cast<std::int64_t>(band.stretches()) * size.nodes_in_xi * size.nodes_in_t;
+}
+
 /// Tables of bands, refined and divided until what their series leave out is small enough.
 class Resolver {
  public:
@@ -58,7 +65,10 @@ class Resolver {
       dtau_scale_ = std::max(dtau_scale_, first.back().steepest());
     }
     share_ = share;
-    for (BandTable& table : first) refine(std::move(table), tables);
+    for (BandTable& table : first) {
+      budget_ = sampled_ + most_sampled / static_cast<std::int64_t>(first.size());
+      refine(std::move(table), tables);
+    }
     return tables;
   }
 
@@ -71,13 +81,14 @@ class Resolver {
   BandTable tabulated(const Band& band, BandSize size) {
     BandTable table(course_, band, size, history_, course_.workers(options_.workers));
     calls_ += table.calls();
+    sampled_ += values(band, size);
     return table;
   }
 
-  /// Of tau's last coefficients [Pa]: a derivative multiplies them by their number.
+  /// Of tau's last coefficients [Pa]: a derivative multiplies them by up to their number squared.
   double goal(const Band& band, int nodes, double noise) {
     const double of_tau = tau_share * tau_scale_;
-    const double of_dtau = dtau_share * dtau_scale_ * band.map.xi.width() / (4.0 * nodes);
+    const double of_dtau = dtau_share * dtau_scale_ * band.map.xi.width() / (2.0 * nodes * nodes);
     const double asked = share_ * options_.tolerance * std::min(of_tau, of_dtau);
     const double rounding = std::max(rounding_share, noise) * tau_scale_;
     meets_noise_ = meets_noise_ || rounding > asked;
@@ -96,7 +107,7 @@ class Resolver {
       const bool long_in_xi = table.tail_in_xi() > goal_in_xi, long_in_t = table.tail_in_t() > goal_in_t;
       const bool coarse = tail > asymptotic * table.largest();  // too coarse for its tails to tell anything
       const bool helps = before < 0 || coarse || tail < worthwhile * before;
-      if ((!long_in_xi && !long_in_t) || !helps) return tables.push_back(std::move(table));
+      if ((!long_in_xi && !long_in_t) || !helps || sampled_ > budget_) return tables.push_back(std::move(table));
       before = tail;
       if (long_in_xi) size.nodes_in_xi = needed(table.decay_in_xi(), goal_in_xi);
       if (long_in_t) size.nodes_in_t = needed(table.decay_in_t(), goal_in_t);
@@ -108,7 +119,8 @@ class Resolver {
       if (size.nodes_in_xi > split_nodes && halvings < most_halvings) {
         return refine_halves(band, size, tables, halvings + 1);
       }
-      if (std::max(size.nodes_in_xi, size.nodes_in_t) > options_.most_nodes) {
+      if (std::max(size.nodes_in_xi, size.nodes_in_t) > options_.most_nodes ||
+          sampled_ + values(band, size) > budget_) {
         return tables.push_back(std::move(table));
       }
       table = tabulated(band, size);
@@ -131,7 +143,7 @@ class Resolver {
   HistoryOptions history_;
   double tau_scale_ = 0, dtau_scale_ = 0, share_ = 1;
   bool meets_noise_ = false;
-  std::int64_t calls_ = 0;
+  std::int64_t calls_ = 0, sampled_ = 0, budget_ = 0;
 };
 
 struct ResolvedBands {

@@ -76,6 +76,19 @@ void compare(const Stencil& stencil, SheetError& error) {
   }
 }
 
+/// What follows the last terms of the series, which is largest at the ends of a band and of a stretch, away from the
+/// places that are looked at. A derivative multiplies the term of number n by n^2 there.
+void add_tails(const std::vector<BandTable>& tables, SheetError& error) {
+  constexpr double rest = 2;  // of a series that falls by half from term to term, over its last term
+  for (const BandTable& table : tables) {
+    const double n = table.size().nodes_in_xi, width = table.band().map.xi.width(), largest = table.largest();
+    error.tau = std::max(error.tau, rest * (table.tail_in_xi() + table.tail_in_t()));
+    if (!(width > 0 && largest > 0)) continue;
+    const double of_xi = 2 * n * n / width * table.tail_in_xi(), of_t = table.tail_in_t() / largest * table.steepest();
+    error.dtau = std::max(error.dtau, std::min(of_xi + rest * of_t, error.dtau_scale));
+  }
+}
+
 }  // namespace
 
 SheetError error_of(const std::vector<BandTable>& tables, const Material& material, const Path& path,
@@ -97,6 +110,7 @@ SheetError error_of(const std::vector<BandTable>& tables, const Material& materi
     calls += stencil.calls;
     history_error = std::max(history_error, stencil.error);
   }
+  add_tails(tables, error);
   if (error.tau_scale > 0) error.tau /= error.tau_scale;
   if (error.dtau_scale > 0) error.dtau /= error.dtau_scale;
   error.tau += history_error;

@@ -81,8 +81,8 @@ void Slice::plane_tau(std::span<const double> xi, std::span<double> tau) const {
 std::vector<double> Slice::kinks() const {
   std::vector<double> kinks;
   for (std::size_t k = 0; k + 1 < ranges_.size(); ++k) {
-    const double end = ranges_[k].upper / (factor_ == 0 ? 1 : factor_);
-    if (end != 0) kinks.push_back(end);
+    const Range& range = ranges_[k];
+    if (range.s.upper < 1 || range.map.grazes_upper) kinks.push_back(range.upper / (factor_ == 0 ? 1 : factor_));
   }
   return kinks;
 }

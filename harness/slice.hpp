@@ -33,7 +33,7 @@ class Slice {
   /// tau 11, 12, 21, 22 of n values of xi: tau[c * n + i] [Pa].
   void plane_tau(std::span<const double> xi, std::span<double> tau) const;
 
-  /// Values of xi between two ranges, ascending, but 0.
+  /// Values of xi at which histories of two regimes meet, ascending. A border at which a band was divided is none.
   std::vector<double> kinks() const;
 
  private:

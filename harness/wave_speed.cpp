@@ -125,7 +125,8 @@ double fastest_wave(const TangentModulus& A, const Tensor& F, double density) {
 }
 
 double fastest_wave_on_path(const Material& material, const Path& given, double density, double end) {
-  const bool curve = material.path_independent();  // then every state is reached by straight loading
+  const bool curve =
+      material.path_independent() && given.straight();  // then every state is reached by straight loading
   const Path path = curve ? loading_path(given, end) : given;
   std::vector<double> xi, times, breaks{0};
   for (int k = 0; k < samples; ++k) xi.push_back(path.parameter.lower + path.parameter.width() * k / (samples - 1));

@@ -84,7 +84,7 @@ std::optional<std::size_t> MaterialBatches<Dim>::advance_deformation(std::size_t
     F[k] = s.column(Column::deformation_gradient, c) + begin;
     L[k] = s.column(Column::velocity_gradient, c) + begin;
     F1[k] = scratch.F1.data() + row_of<Dim>(c) * n;
-    if (reads_increment_) std::copy_n(F[k], n, scratch.F0.data() + row_of<Dim>(c) * n);
+    std::copy_n(F[k], n, scratch.F0.data() + row_of<Dim>(c) * n);
   }
   std::optional<std::size_t> inverted;
   for (std::size_t p = 0; p < n; ++p) {

@@ -116,15 +116,17 @@ struct Functions {
 
   static void update(void* self, const assay_step* step, std::size_t n, const double* state0, double* state1,
                      double* cauchy, std::int32_t* status, double*, char* message) {
+    bool failed = false;  // the message is the first failed point's
     for (std::size_t p = 0; p < n; ++p) {
       const State before = state_at(state0, n, p);
       State after = before;
       Tensor sigma = Tensor::Zero();
-      status[p] = guarded(message, [&] {
+      status[p] = guarded(failed ? nullptr : message, [&] {
         const IncrementOf<double> increment{step->t, step->dt, tensor_at(step->F0, n, p), tensor_at(step->F1, n, p)};
         if (!(determinant(increment.F1) > 0)) throw Failure{"det F <= 0"};
         sigma = model(self).template update<double>(increment, before.data(), after.data());
       });
+      failed = failed || status[p] == ASSAY_FAILED;
       put_tensor(sigma, cauchy, n, p);
       for (std::size_t c = 0; c < states; ++c) state1[c * n + p] = after[c];
     }

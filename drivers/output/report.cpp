@@ -214,6 +214,10 @@ std::string credibility(const Result& result) {
                                                 rounded_text(*result.sheet->error_b, 2) + " of the largest |b|");
     }
   }
+  if (result.rim) {
+    out += fact("Plastic rim at the peak", rounded_text(result.rim->width, 3) + "\u202fm wide, " +
+                                               rounded_text(result.rim->cells, 3) + " cells of the grid");
+  }
   out += fact("Drift of mass", figure(result.drift.mass, 2));
   out += fact("of momentum", figure(result.drift.momentum, 2));
   out += fact("of angular momentum", figure(result.drift.angular_momentum, 2));

@@ -38,18 +38,20 @@ void append(std::string& bytes, double value) {
   bytes.append(raw, sizeof value);
 }
 
-/// F of the family at some places, and where it turns: two paths that agree there are the same path.
+/// F of the family at some places and at every time at which it turns (of a table: at every row).
 std::string bytes_of(const Path& path, double end) {
   std::string bytes = path.name;
+  std::vector<double> times = path.reversals(end);
+  for (int j = 0; j < samples_in_t; ++j) times.push_back(end * j / (samples_in_t - 1));
   for (int i = 0; i < samples_in_xi; ++i) {
     const double xi = path.parameter.lower + path.parameter.width() * i / (samples_in_xi - 1);
     append(bytes, xi);
-    for (int j = 0; j < samples_in_t; ++j) {
-      const Tensor F = path.deformation_gradient(xi, end * j / (samples_in_t - 1));
+    for (const double t : times) {
+      const Tensor F = path.deformation_gradient(xi, t);
       for (int c = 0; c < 9; ++c) append(bytes, component(F, c));
     }
   }
-  for (const double t : path.reversals(end)) append(bytes, t);
+  for (const double t : times) append(bytes, t);
   for (const double d : path.material_direction) append(bytes, d);
   return bytes;
 }

@@ -19,6 +19,7 @@ Result sample() {
   result.particles = 5032;
   result.passes = {{"weights", 3, 96}, {"grid update", 1, 0}};
   result.sheet = SheetFigures{4225, 2e-11, 4e-10, 0.02};
+  result.rim = RimFigures{0.123, 2.46};
   result.expect = {{"error.l2_max", "below 0.07", "0.0633", true}};
   for (int i = 0; i <= 100; ++i) {
     const double t = i / 100.0, e = 0.06 * t * (1.6 - t);
@@ -96,6 +97,7 @@ TEST(Report, table_shows_half_period_period_and_maximum_with_its_time) {
                        "<th scope=\"row\">displacement, L<sub>2</sub></th><td>m</td><td>0.033</td><td>0.036</td>"
                        "<td>0.0384</td><td>0.8</td>"));
   EXPECT_TRUE(contains(page, "at t = 0.8"));
+  EXPECT_TRUE(contains(page, "2.46 cells of the grid"));
   EXPECT_TRUE(contains(page, "width:33.33%"));
 }
 

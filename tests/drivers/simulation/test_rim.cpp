@@ -8,6 +8,7 @@
 
 #include "drivers/verbs.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/harness/builtin_material.hpp"
 
 namespace assay::drivers {
 namespace {
@@ -39,6 +40,23 @@ TEST(Rim, ASentenceOnlyBelowTwoCells) {
   EXPECT_TRUE(narrow_rim_sentence({0.1, 2}).empty());
 }
 
+/// Mises' stress of the Jaumann rate in simple shear is sqrt(3) 2 mu sin(gamma / 2), and gamma = 2 xi g.
+TEST(Rim, EndsWhereJ2Yields) {
+  const double E = 1000, nu = 0.3, yield = 140, peak = 0.1, mu = E / (2 * (1 + nu)), h = 0.05;
+  const Vortex vortex{0.75, 1.25, 2, {Amplitude::Type::one_minus_cosine, peak, 1.0}};
+  const auto material = builtin_material(assay_builtin_j2_jaumann,
+                                         {{"E", E}, {"nu", nu}, {"yield_stress", yield}, {"hardening_modulus", 200}});
+  const Response response(Sheet(*material, vortex.baseline(), {.tolerance = 1e-6, .end = 1.0}));
+  const double xi = std::asin(yield / (std::sqrt(3.0) * 2 * mu)) / peak, fronts[] = {-xi, xi};
+  const auto zones = zones_beyond(vortex, fronts);
+  ASSERT_EQ(zones.size(), 2u);
+  const double width = std::min(zones[0].upper - zones[0].lower, zones[1].upper - zones[1].lower);
+  const auto rim = rim_of(response, vortex, h, 1.0);
+  ASSERT_TRUE(rim);
+  EXPECT_NEAR(rim->width, width, 1e-8);
+  EXPECT_NEAR(rim->cells, width / h, 1e-6);
+}
+
 class RimOfARun : public testing::Test {
  protected:
   /// result.json's rim and what the run said on standard error.
@@ -49,7 +67,7 @@ class RimOfARun : public testing::Test {
     options.out = scratch / "out";
     options.threads = 1;
     options.verbosity = Verbosity::quiet;
-    options.sets = {"grid.spacing=" + spacing, "expect={}", "time.end=0.5"};
+    options.sets = {"grid.spacing=" + spacing, "expect={}", "time.end=0.5", "force.tolerance=1e-4"};
     testing::internal::CaptureStderr();
     EXPECT_EQ(run(options), 0);
     const std::string said = testing::internal::GetCapturedStderr();
