@@ -9,7 +9,8 @@ namespace assay {
 
 namespace {
 
-constexpr int first_samples = 24;     ///< on each side of xi = 0: a band narrower than their distance may be missed
+constexpr int first_samples =
+    24;  ///< on each side of xi = 0, besides the ends: a band narrower than their distance may be missed
 constexpr double edge_share = 1e-12;  ///< of the parameter's range: to which the edges of bands are found
 constexpr int most_traces = 2000;     ///< in one gap between samples: beyond, bands are too many to be told apart
 
@@ -68,12 +69,14 @@ std::vector<double> sample_places(const Interval& range) {
       places.push_back(from + (to - from) * s);
     }
   };
+  places.push_back(range.lower);
   if (range.lower < 0 && range.upper > 0) {
     add(range.lower, 0);
     add(0, range.upper);
   } else {
     add(range.lower, range.upper);
   }
+  if (range.width() > 0) places.push_back(range.upper);
   return places;
 }
 
@@ -171,7 +174,7 @@ std::vector<Band> find_bands(const Course& course, const HistoryOptions& options
   const double narrowest = narrowest_share * range.width();
   for (std::size_t i = 0; i < n; ++i) {
     for (const Edge& edge : edges[i]) {
-      if (edge.xi() - begin < narrowest) continue;
+      if (edge.xi() - begin < narrowest || range.upper - edge.xi() < narrowest) continue;
       if (begin < 0 && edge.xi() > 0) close(0, false, edge.left.ray);
       close(edge.xi(), true, edge.left.ray);
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "harness/body_force.hpp"
 
@@ -31,7 +32,7 @@ double force_error(const Vortex& vortex, double density, const Sheet& sheet, dou
       largest_force = std::max(largest_force, std::hypot(b.r, b.theta));
       const double divergence = std::abs(profile.xi_prime) * dtau_error +
                                 (std::abs(g.value * profile.h_prime) + 2 / R) * tau_error;  // (26), (27)
-      largest_error = std::max(largest_error, divergence / density);
+      largest_error = std::max(largest_error, std::numbers::sqrt2 * divergence / density);  // both components
     }
   }
   return largest_force > 0 ? largest_error / largest_force : 0;

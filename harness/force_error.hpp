@@ -7,8 +7,8 @@
 
 namespace assay {
 
-/// Bound of the error of b at a point, (32) and (33) with the sheet's stated errors in tau and d tau / d xi, over the
-/// largest |b| of the ring until `end`. density: rho0 [kg/m^3].
+/// Estimate of the error of b at a point, (32) and (33) with the sheet's stated errors in tau and d tau / d xi, over
+/// the largest |b| of the ring until `end`. density: rho0 [kg/m^3].
 double force_error(const Vortex& vortex, double density, const Sheet& sheet, double end);
 
 }  // namespace assay

@@ -32,6 +32,7 @@ class History::Increments {
   double before_bound_ = 0;
   double best_error_ = 0;  ///< of the columns of this attempt
   std::vector<double> best_;
+  int jumps_ = 0;
   bool noisy_ = false;       ///< accepted, for a shorter step would not be better
   double failed_error_ = 0;  ///< of the attempt before, from the same point
   double piece_begin_ = -1;

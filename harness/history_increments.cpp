@@ -19,6 +19,7 @@ constexpr double past_the_least = 10;       ///< an error this many times the le
 constexpr double noisy_growth = 3;          ///< of a step that was taken although it is noisy
 constexpr double growing_noise = 1e-6;      ///< relative: a rate taken over ever shorter steps
 constexpr double largest_noise = 1e-10;     ///< relative: what may be a material's own rounding
+constexpr int most_jumps = 100;             ///< of a history: beyond, the material is no function of its arguments
 constexpr int least_columns = 3;            ///< two may agree by chance
 constexpr double rounding_margin = 4;       ///< results carry the rounding of many operations
 constexpr std::size_t most_branches = 24;   ///< a piece, on average: beyond, the regime flickers
@@ -87,6 +88,7 @@ void History::Increments::advance(double to) {
       case Outcome::inaccurate:
         step_ = 0.4 * step;
         if (step < shortest) {
+          if (++jumps_ > most_jumps) throw MaterialFailure("its increments do not converge", h_->xi_, h_->t_);
           substeps(step, 1);  // a jump: nothing better can be done
           h_->y_ = next_;
           h_->t_ += step;

@@ -162,13 +162,22 @@ bool all_finite(const double* v, std::size_t n) {
 }
 
 /// First of n points with a component that is not finite; n where there is none.
-std::size_t first_not_finite(const double* tensors, std::size_t n) {
+std::size_t first_not_finite(const double* values, std::size_t components, std::size_t n) {
   for (std::size_t p = 0; p < n; ++p) {
-    for (std::size_t c = 0; c < 9; ++c) {
-      if (!std::isfinite(tensors[c * n + p])) return p;
+    for (std::size_t c = 0; c < components; ++c) {
+      if (!std::isfinite(values[c * n + p])) return p;
     }
   }
   return n;
+}
+
+/// A foreign message on one line.
+std::string message_text(char* message) {
+  message[ASSAY_MESSAGE_SIZE - 1] = '\0';
+  for (char* at = message; *at; ++at) {
+    if (static_cast<unsigned char>(*at) < ' ') *at = ' ';
+  }
+  return message[0] ? message : "the material refused the step";
 }
 
 }  // namespace
@@ -185,14 +194,16 @@ UpdateReport Material::update(double t, double dt, std::size_t n, const double* 
   if (*worst < ASSAY_GOOD) {
     report.worst = *worst < ASSAY_DOUBTFUL ? ASSAY_FAILED : ASSAY_DOUBTFUL;
     report.worst_point = static_cast<std::size_t>(worst - status);
-    message[ASSAY_MESSAGE_SIZE - 1] = '\0';
-    report.message = message[0] ? message : "the material refused the step";
+    report.message = message_text(message);
   }
-  if (report.worst != ASSAY_FAILED && !all_finite(cauchy, 9 * n)) {
+  const auto require_finite = [&](const double* values, std::size_t components, const char* what) {
+    if (report.worst == ASSAY_FAILED || all_finite(values, components * n)) return;
     report.worst = ASSAY_FAILED;
-    report.worst_point = first_not_finite(cauchy, n);
-    report.message = "the material returned a stress that is not finite";
-  }
+    report.worst_point = first_not_finite(values, components, n);
+    report.message = std::string("the material returned a ") + what + " that is not finite";
+  };
+  require_finite(cauchy, 9, "stress");
+  require_finite(state1, state_size(), "state");
   return report;
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/simulation/sheet_cache.hpp"
 
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <numbers>
 #include <vector>
 
 #include "adapters/library.hpp"
@@ -42,7 +44,8 @@ void append(std::string& bytes, double value) {
 std::string bytes_of(const Path& path, double end) {
   std::string bytes = path.name;
   std::vector<double> times = path.reversals(end);
-  for (int j = 0; j < samples_in_t; ++j) times.push_back(end * j / (samples_in_t - 1));
+  // irrational shares of the end: equal ones may all fall on the zeros of a periodic amplitude
+  for (int j = 0; j < samples_in_t; ++j) times.push_back(end * std::fmod((j + 1) * std::numbers::phi, 1));
   for (int i = 0; i < samples_in_xi; ++i) {
     const double xi = path.parameter.lower + path.parameter.width() * i / (samples_in_xi - 1);
     append(bytes, xi);

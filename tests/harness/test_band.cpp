@@ -50,6 +50,21 @@ TEST(Bands, AreDividedWhereYieldingBeginsToExist) {
   EXPECT_EQ(bands.back().map.xi.upper, path.parameter.upper);
 }
 
+TEST(Bands, AreFoundAtTheVeryEndsOfTheRange) {
+  const Path path = Vortex{0.75, 1.25, 2, {Amplitude::Type::sine, 0.1, 1.0}}.baseline();
+  for (const double share : {0.97, 0.997, 0.9999}) {
+    const double mu = 1000 / 2.6, gamma_y = 0.2 * share * std::abs(path.parameter.lower);
+    const double yield = std::sqrt(3.0) * 2 * mu * std::sin(gamma_y / 2);
+    const auto material = builtin_material(
+        assay_builtin_j2_jaumann, {{"E", 1000}, {"nu", 0.3}, {"yield_stress", yield}, {"hardening_modulus", 10}});
+    const Course course(*material, path, 0.5, Form::increments);
+    std::int64_t calls = 0;
+    const std::vector<Band> bands = find_bands(course, {.tolerance = 1e-12, .watch = true}, {}, {}, calls);
+    EXPECT_NEAR(bands.front().map.xi.upper, share * path.parameter.lower, 1e-8) << share;
+    EXPECT_EQ(bands.front().stretches(), 2u) << share;
+  }
+}
+
 TEST(BandTable, FollowsTheFrontAndSurvivesPacking) {
   const Path path = Vortex{0.75, 1.25, 2, {Amplitude::Type::sine, 0.1, 1.0}}.baseline();
   const auto material = builtin_material(assay_builtin_j2_jaumann, plastic);

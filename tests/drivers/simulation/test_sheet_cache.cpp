@@ -67,6 +67,14 @@ TEST_F(Cached, EverythingThatMattersIsInTheName) {
   std::get<Vortex>(scene_.motion).amplitude.peak = 0.05;
   path_ = baseline_path(scene_);
   EXPECT_EQ(file(), before);
+  // of every period as much as of the first: equal times would all meet the zeros of g
+  scene_.time.end = 32;
+  std::get<Vortex>(scene_.motion).amplitude.type = Amplitude::Type::one_minus_cosine;
+  const auto of_peak = [&](double peak) {
+    std::get<Vortex>(scene_.motion).amplitude.peak = peak;
+    return SheetCache(scene_, *material_, baseline_path(scene_), 32).file();
+  };
+  EXPECT_NE(of_peak(0.02), of_peak(0.05));
   scene_.material.parameters["yield_stress"] = 11;
   std::string library;
   material_ = material_of(scene_, library);
