@@ -67,7 +67,8 @@ std::string instability_sentence(const ScreenFigures& screen, const std::string&
   return "this motion is not a stable solution for this model at this amplitude: " + material +
          " loses strong ellipticity at " + (screen.gamma ? "gamma = " + rounded_text(*screen.gamma, 3) + ", " : "") +
          "t = " + rounded_text(*screen.t, 3) + " s, xi = " + rounded_text(*screen.xi, 3) + "; largest safe amplitude " +
-         rounded_text(*screen.largest_safe_amplitude, 3);
+         rounded_text(*screen.largest_safe_amplitude, 3) + (screen.gamma ? "" : " of the path's") +
+         " (motion.allow_unstable: true overrides)";
 }
 
 std::string screen_sentence(const ScreenFigures& screen) {

@@ -36,11 +36,11 @@ std::string error_lines(const ErrorFigures& e) {
 }
 
 std::string work_line(const Result& r) {
-  return fmt::format("  {} steps of {} s, {} particles stepped; {} s, {} million particle-steps/s\n",
-                     r.steps ? grouped_text(*r.steps) : "-", figure(r.dt),
-                     r.moving_particles ? grouped_text(*r.moving_particles) : "-",
-                     rounded_text(r.setup_s + r.wall_s, 3),
-                     r.particle_steps_per_s ? rounded_text(*r.particle_steps_per_s * 1e-6, 3) : "-");
+  return fmt::format(
+      "  {} steps of {} s, {} particles stepped\n  {} s after {} s of set-up; {} million particle-steps/s\n",
+      r.steps ? grouped_text(*r.steps) : "-", figure(r.dt),
+      r.moving_particles ? grouped_text(*r.moving_particles) : "-", rounded_text(r.wall_s, 3),
+      rounded_text(r.setup_s, 3), r.particle_steps_per_s ? rounded_text(*r.particle_steps_per_s * 1e-6, 3) : "-");
 }
 
 std::string profile_lines(const Result& r) {

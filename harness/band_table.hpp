@@ -15,8 +15,8 @@ struct BandSize {
 
 class BandTable {
  public:
-  /// Samples histories at the nodes. Throws MaterialFailure; std::domain_error where a history at a node takes other
-  /// branches than the band's, with `stray` as its xi.
+  /// Samples histories at the nodes. Throws MaterialFailure; StrayHistory where a history at a node takes other
+  /// branches than the band's.
   BandTable(const Course& course, const Band& band, BandSize size, const HistoryOptions& options,
             const Workers& workers);
   /// From what `pack` has left.

@@ -112,7 +112,7 @@ void History::Increments::advance(double to) {
   }
 }
 
-/// Leaves the end of the step in extrapolation_.best().
+/// Leaves the end of the step in best_.
 History::Increments::Outcome History::Increments::attempt(double step) {
   extrapolation_.clear();
   best_error_ = std::numeric_limits<double>::infinity();

@@ -203,12 +203,15 @@ std::string fact(const std::string& name, const std::string& value) {
 std::string credibility(const Result& result) {
   std::string out = "<dl class=\"facts\">\n";
   if (result.sheet) {
-    out += fact("Response sheet", grouped_text(result.sheet->points) + " points, " +
-                                      (result.sheet->cached ? "read from disk in " : "made in ") +
-                                      rounded_text(result.sheet->wall_s, 3) + "\u202fs");
-    out += fact("Its error", rounded_text(result.sheet->error_tau, 2) + " in \u03c4, " +
-                                 rounded_text(result.sheet->error_dtau, 2) +
-                                 " in d\u03c4/d\u03be, of the largest component");
+    const bool shadow = !std::isfinite(result.sheet->error_dtau);
+    const std::string points = grouped_text(result.sheet->points);
+    out += shadow ? fact("Response", points + " shadow histories taken along")
+                  : fact("Response sheet", points + " points, " +
+                                               (result.sheet->cached ? "read from disk in " : "made in ") +
+                                               rounded_text(result.sheet->wall_s, 3) + "\u202fs");
+    const std::string of_slope = shadow ? "" : ", " + rounded_text(result.sheet->error_dtau, 2) + " in d\u03c4/d\u03be";
+    out += fact("Its error",
+                rounded_text(result.sheet->error_tau, 2) + " in \u03c4" + of_slope + ", of the largest component");
     if (result.sheet->error_b) {
       out += fact("What it costs and buys", rounded_text(result.sheet->wall_s, 2) + "\u202fs for an error of b of " +
                                                 rounded_text(*result.sheet->error_b, 2) + " of the largest |b|");

@@ -126,7 +126,7 @@ TEST(Screening, SafeAmplitudesAreNeverRoundedUp) {
   EXPECT_EQ(
       instability_sentence(figures, "clay"),
       "this motion is not a stable solution for this model at this amplitude: clay loses strong ellipticity at t = "
-      "0.25 s, xi = -1.5; largest safe amplitude 0.148");
+      "0.25 s, xi = -1.5; largest safe amplitude 0.148 of the path's (motion.allow_unstable: true overrides)");
   figures.verdict = "neutral";
   EXPECT_EQ(instability_sentence(figures, "water"), "");
 }

@@ -101,6 +101,15 @@ TEST(Report, table_shows_half_period_period_and_maximum_with_its_time) {
   EXPECT_TRUE(contains(page, "width:33.33%"));
 }
 
+TEST(Report, tells_shadow_points_from_a_sheet) {
+  Result result = sample();
+  result.sheet->error_dtau = std::numeric_limits<double>::quiet_NaN();
+  const std::string page = report_html(result, {1.0, {}, {}});
+  EXPECT_TRUE(contains(page, "shadow histories"));
+  EXPECT_FALSE(contains(page, "nan"));
+  EXPECT_FALSE(contains(page, "made in"));
+}
+
 TEST(Report, of_a_run_that_reached_nothing) {
   Result result;
   result.outcome = "refused";
