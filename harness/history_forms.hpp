@@ -22,6 +22,7 @@ class History::Increments {
   bool substeps(double step, int count);
   void increment(double t, double dt, const double* F0, const double* F1);
   void accept(double step);
+  void step_over(double to);
   void cross(double bound);
   void note_branch();
 
@@ -30,6 +31,7 @@ class History::Increments {
   double step_ = 0;   ///< to try next [s]
   double bound_ = 0;  ///< > t: a change of regime lies before this time
   double before_bound_ = 0;
+  double tie_ = 0;         ///< before the end of the piece [s]
   double best_error_ = 0;  ///< of the columns of this attempt
   std::vector<double> best_;
   int jumps_ = 0;

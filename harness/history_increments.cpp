@@ -19,10 +19,14 @@ constexpr double past_the_least = 10;       ///< an error this many times the le
 constexpr double noisy_growth = 3;          ///< of a step that was taken although it is noisy
 constexpr double growing_noise = 1e-6;      ///< relative: a rate taken over ever shorter steps
 constexpr double largest_noise = 1e-10;     ///< relative: what may be a material's own rounding
-constexpr int most_jumps = 100;             ///< of a history: beyond, the material is no function of its arguments
-constexpr int least_columns = 3;            ///< two may agree by chance
-constexpr double rounding_margin = 4;       ///< results carry the rounding of many operations
-constexpr std::size_t most_branches = 24;   ///< a piece, on average: beyond, the regime flickers
+/// Of a piece at whose end the path rests: a change of regime this near to it is none. Reloading meets the yield
+/// surface there exactly, and rounding would decide.
+constexpr double tie_share = 3e-6;
+constexpr double resting_share = 1e-4;     ///< of the rate of F in the middle of the piece
+constexpr int most_jumps = 100;            ///< of a history: beyond, the material is no function of its arguments
+constexpr int least_columns = 3;           ///< two may agree by chance
+constexpr double rounding_margin = 4;      ///< results carry the rounding of many operations
+constexpr std::size_t most_branches = 24;  ///< a piece, on average: beyond, the regime flickers
 
 /// How much longer the next step may be when this many columns sufficed.
 double growth(int columns) { return columns <= 3 ? 3 : columns == 4 ? 2 : columns == 5 ? 1.3 : 0.8; }
@@ -70,6 +74,10 @@ void History::Increments::advance(double to) {
     regime_known_ = false;
     regime_new_ = true;
     bound_ = 0;
+    const auto speed = [&](double t) { return h_->course_->path->at(h_->xi_, t).F_rate.norm(); };
+    const double before_end = piece.upper - tie_share * piece.width();
+    const bool rests = speed(before_end) < resting_share * speed(0.5 * (piece.lower + piece.upper));
+    tie_ = rests ? tie_share * piece.width() : 0;
     if (step_ == 0) step_ = first_share * piece.width();
   }
   const double shortest = shortest_share * h_->course_->end, resolution = resolution_share * h_->course_->end;
@@ -97,6 +105,10 @@ void History::Increments::advance(double to) {
         failed_error_ = extrapolation_.columns() >= least_columns ? best_error_ : 0;
         break;
       case Outcome::regime_changes:
+        if (piece.upper - h_->t_ <= tie_) {
+          step_over(to);
+          break;
+        }
         if (bound_ <= h_->t_) before_bound_ = step;
         bound_ = h_->t_ + step;
         step_ = 0.5 * step;
@@ -213,15 +225,20 @@ void History::Increments::note_branch() {
   }
 }
 
+/// In one increment, whatever the regime does.
+void History::Increments::step_over(double to) {
+  const bool watch = std::exchange(options_.watch, false);
+  substeps(to - h_->t_, 1);
+  options_.watch = watch;
+  h_->y_ = next_;
+  h_->t_ = to;
+  bound_ = 0;
+}
+
 /// Over the change of regime, which lies within the last bits before `bound`.
 void History::Increments::cross(double bound) {
   note_branch();
-  const bool watch = std::exchange(options_.watch, false);
-  substeps(bound - h_->t_, 1);
-  options_.watch = watch;
-  h_->y_ = next_;
-  h_->t_ = bound;
-  bound_ = 0;
+  step_over(bound);
   step_ = before_bound_;
   regime_known_ = false;
   regime_new_ = true;

@@ -13,6 +13,7 @@ constexpr double places_in_t[] = {0.0937, 0.5361, 0.8999};  ///< of a stretch
 /// Step of the differences, of the distance to the band's nearest end: a shorter one has less of a truncation error and
 /// more of the histories' own, which is large in increments.
 constexpr double stencil_of_rates = 0.03, stencil_of_increments = 0.06;
+constexpr double narrow_share = 1e-4;       ///< of the range of xi
 constexpr std::size_t most_stretches = 16;  ///< of a long history that are looked at
 constexpr double weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
 constexpr int reach = 4;
@@ -77,13 +78,14 @@ void compare(const Stencil& stencil, SheetError& error) {
 }
 
 /// What follows the last terms of the series, which is largest at the ends of a band and of a stretch, away from the
-/// places that are looked at. A derivative multiplies the term of number n by n^2 there.
-void add_tails(const std::vector<BandTable>& tables, SheetError& error) {
+/// places that are looked at. A derivative multiplies the term of number n by n^2 there. Of d tau / d xi not in bands
+/// that are nothing but fronts close to each other.
+void add_tails(const std::vector<BandTable>& tables, double range, SheetError& error) {
   constexpr double rest = 2;  // of a series that falls by half from term to term, over its last term
   for (const BandTable& table : tables) {
     const double n = table.size().nodes_in_xi, width = table.band().map.xi.width(), largest = table.largest();
     error.tau = std::max(error.tau, rest * (table.tail_in_xi() + table.tail_in_t()));
-    if (!(width > 0 && largest > 0)) continue;
+    if (!(width > narrow_share * range && largest > 0)) continue;
     const double of_xi = 2 * n * n / width * table.tail_in_xi(), of_t = table.tail_in_t() / largest * table.steepest();
     error.dtau = std::max(error.dtau, std::min(of_xi + rest * of_t, error.dtau_scale));
   }
@@ -110,7 +112,7 @@ SheetError error_of(const std::vector<BandTable>& tables, const Material& materi
     calls += stencil.calls;
     history_error = std::max(history_error, stencil.error);
   }
-  add_tails(tables, error);
+  add_tails(tables, path.parameter.width(), error);
   if (error.tau_scale > 0) error.tau /= error.tau_scale;
   if (error.dtau_scale > 0) error.dtau /= error.dtau_scale;
   error.tau += history_error;

@@ -36,8 +36,8 @@ TEST(ForceError, BoundsTheDifferenceToABetterSheet) {
   constexpr double between_places = 3;  // the error is stated from some places, and measured at others
   EXPECT_GT(largest / scale, 0);
   EXPECT_LT(largest / scale, between_places * force_error(vortex, density, coarse, 1));
-  EXPECT_LT(force_error(vortex, density, fine, 1), 1e-6);
-  EXPECT_LT(force_error(vortex, density, fine, 1), force_error(vortex, density, coarse, 1));
+  // five digits between what was asked of the sheets: at least two of them come through
+  EXPECT_LT(force_error(vortex, density, fine, 1), 0.01 * force_error(vortex, density, coarse, 1));
 }
 
 }  // namespace
