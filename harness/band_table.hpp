@@ -64,7 +64,7 @@ class BandTable {
   void add_tail_of_breaks();
   void find_break_ranges();
   const double* block(std::size_t stretch, std::size_t j) const {
-    return &coefficients_[((stretch * n_t() + j) * n_x()) * active_.size()];
+    return coefficients_.data() + (stretch * n_t() + j) * n_x() * active_.size();  // of zeros there may be none
   }
   std::size_t n_x() const { return static_cast<std::size_t>(size_.nodes_in_xi); }
   std::size_t n_t() const { return static_cast<std::size_t>(size_.nodes_in_t); }

@@ -26,7 +26,6 @@ class DeformationTable {
   /// The scene's own path is xi = 1. F = I + xi (F(t) - I) for xi in [lower, 1], where lower is the smallest of
   /// 0, 1/2, 3/4, 7/8 .. from which det F stays well above 0.
   Path baseline() const;
-  double own_parameter() const { return 1; }
 
   /// Times between the rows, each with its det F, to look for one that is not positive: 32 an interval.
   struct Determinant {

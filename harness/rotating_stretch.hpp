@@ -26,7 +26,6 @@ struct RotatingStretch {
   /// The scene's own path is xi = 1; xi in [0, 1] scales the stretch, Lambda = 1 + xi a s(t) with the shear
   /// k (Lambda - 1)/a, and leaves the rotation as it is.
   Path baseline() const;
-  double own_parameter() const { return 1; }
 };
 
 }  // namespace assay

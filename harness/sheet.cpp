@@ -57,7 +57,8 @@ void cut_band(const BandTable& table, double t, std::vector<Slice::Range>& range
     const std::size_t stretch = table.stretch_at(0.5 * (s.lower + s.upper), t);
     Slice::Range range{table.band().map, s, table.active(), std::vector<double>(active * nodes.size()), 0, 0};
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-      table.active_at(s.lower + nodes[k] * s.width(), t, stretch, std::span(&range.coefficients[k * active], active));
+      table.active_at(s.lower + nodes[k] * s.width(), t, stretch,
+                      std::span(range.coefficients).subspan(k * active, active));
     }
     for (std::size_t c = 0; c < active; ++c) {
       to_coefficients(&range.coefficients[c], active);
@@ -124,8 +125,6 @@ std::int64_t Sheet::points() const {
   }
   return sum;
 }
-
-int Sheet::bands() const { return is_curve() ? 1 : static_cast<int>(std::get<Bands>(table_).size()); }
 
 int Sheet::nodes_in_xi() const {
   if (const auto* curve = std::get_if<Curve>(&table_)) return curve->nodes();

@@ -47,7 +47,6 @@ class Sheet {
 
   bool is_curve() const { return std::holds_alternative<Curve>(table_); }
   std::int64_t points() const;  ///< nodes
-  int bands() const;            ///< 1 for a curve
   int nodes_in_xi() const;      ///< of all bands together; in eps for a curve
   int nodes_in_t() const;       ///< largest over the bands, all stretches together; 1 for a curve
   bool has_kinks() const;       ///< changes of regime were found

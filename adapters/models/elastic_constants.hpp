@@ -10,7 +10,6 @@
 namespace assay::models {
 
 inline constexpr double required = std::numeric_limits<double>::quiet_NaN();
-inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 inline constexpr double tiny = 1e-300, huge = 1e300;  ///< bounds of what must be positive and finite
 
 inline constexpr assay_parameter youngs_modulus{"E", "Pa", required, tiny, huge, "Young's modulus"};
