@@ -52,8 +52,8 @@ class OrthotropicCylindrical {
 
   template <class S>
   TensorOf<S> update(const IncrementOf<S>& step, const double* direction, S*) const {
-    const Tensor axes = axes_of(direction);
-    const TensorOf<S> turn = axes.template cast<S>();
+    TensorOf<S> turn;
+    turn = axes_of(direction).template cast<S>();
     const TensorOf<S> E = turn.transpose() * green_strain(step.F1) * turn;
     return push_forward(step.F1, TensorOf<S>(turn * stress(E) * turn.transpose()));
   }
