@@ -131,6 +131,27 @@ TEST(History, ResolvesRatesThatDependOnTimeAlone) {
   }
 }
 
+// Return mapping is exact across the yield point where the strain grows in proportion: no step may swallow it.
+TEST(History, FindsYieldingEarlyInAPieceThatGoesOnLoading) {
+  Path path = cyclic;
+  path.direction = Tensor::Zero();
+  path.direction(0, 0) = 1;
+  path.parameter = {0.001, 0.05};
+  path.reversals = [](double) { return std::vector<double>{0.25, 0.5, 0.75}; };
+  path.amplitude = [](double t) { return t; };
+  path.amplitude_rate = [](double) { return 1.0; };
+  path.amplitude_range = [](double end) { return Interval{0, end}; };
+  const auto material = builtin_material(assay_builtin_j2_jaumann, plastic);
+  const Course course(*material, path, 1, Form::increments);
+  const double mu = 1000 / 2.6, strain = std::expm1(10 / (2 * mu));  // mises = 2 mu ln(1 + eps)
+  for (const double yields : {0.76, 0.8, 0.9}) {
+    History history(course, strain / yields, {.tolerance = 1e-12, .watch = true});
+    history.advance(1);
+    ASSERT_EQ(history.branches().size(), 5u) << yields;
+    EXPECT_NEAR(history.branches()[4].begin, yields, 1e-10);
+  }
+}
+
 // The estimated errors are what the steps have left, not the tolerance once for every step.
 TEST(History, StatesTheErrorOfRatesWithoutExaggeration) {
   const auto material = builtin_material(assay_builtin_zener, viscous);
