@@ -2,6 +2,8 @@
 // One point of a model at chosen states of chosen paths: its derivatives, and the integration of its rate form.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include "tests/adapters/models/reference_integration.hpp"
 
 namespace assay::model_tests {
@@ -160,6 +162,36 @@ inline std::pair<double, double> closed_form_errors(const Material& material, in
       (8 * (form(eps + h, unused) - form(eps - h, unused)) - (form(eps + 2 * h, unused) - form(eps - 2 * h, unused))) /
       (12 * h);
   return {largest(tau - P) / largest(P), largest(differences - slope) / largest(slope)};
+}
+
+/// One step from rest without state.
+inline Point deformed(const Material& material, const Tensor& F) {
+  return stepped(material, 0, 1, Tensor::Identity(), F, material.initial_state(1));
+}
+
+/// The stress is the derivative of the energy, the tangent that of the stress, both objective; errors of 1e-4 are seen.
+inline void expect_hyperelastic(const Material& material) {
+  const Tensor F = stretched_and_turned(0.9, 0.5);
+  Point point = deformed(material, F);
+  EXPECT_LT(energy_error(material, F, point), 1e-10);
+  EXPECT_LT(tangent_error(material, 1, F, F, {}), 1e-6);
+  EXPECT_GT(tangent_error(material, 1, F, F, {}, 1e-4), 1e-6);
+  EXPECT_LT(objectivity_error(
+                material, [](double t) { return stretched_and_turned(t, 0.5); }, 0.9, 3),
+            1e-13);
+  point.cauchy(0, 1) *= 1.0001;
+  EXPECT_GT(energy_error(material, F, point), 1e-7);
+}
+
+/// Simple shear and uniaxial strain in compression, near rest and in tension.
+inline void expect_closed_forms(const Material& material) {
+  for (const int baseline : {ASSAY_BASELINE_SIMPLE_SHEAR, ASSAY_BASELINE_UNIAXIAL_STRAIN}) {
+    for (const double eps : {-0.6, 0.01, 1.7}) {
+      const auto [value, slope] = closed_form_errors(material, baseline, eps);
+      EXPECT_LT(value, 1e-12) << baseline << ' ' << eps;
+      EXPECT_LT(slope, 1e-10) << baseline << ' ' << eps;
+    }
+  }
 }
 
 }  // namespace assay::model_tests
