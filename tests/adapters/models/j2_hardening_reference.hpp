@@ -60,4 +60,31 @@ inline void expect_long_steps(const std::string& model) {
   }
 }
 
+/// Yield points and reversals fall inside steps, at another place in each level: the mean order over five halvings.
+/// exact(hardening, history): stress and p by the rate equations.
+template <class Exact>
+void expect_second_order(const std::string& model, const Hardening& h, const History& history, const Exact& exact,
+                         double finest) {
+  const Material material = material_of(model, h.parameters());
+  const auto end = exact(h, history);
+  ASSERT_GT(end.p, 0.1);
+  const auto errors = errors_under_refinement(material, history, end.stress, 100, 6);
+  EXPECT_GT(order_of(errors), 1.8);
+  EXPECT_LT(errors.back(), finest);
+  EXPECT_NEAR(marched(material, history.F, history.end, 3200).state[0], end.p, finest);
+}
+
+/// Each of five parameters, off by some per cent in the reference, leaves an error of more than `least`.
+template <class Exact>
+void expect_other_hardening_caught(const std::string& model, const History& history, const Exact& exact, double least) {
+  const Material material = material_of(model, Hardening{20, 30, 15, 12, 80}.parameters());
+  for (const Hardening& other :
+       {Hardening{20.1, 30, 15, 12, 80}, Hardening{20, 30.3, 15, 12, 80}, Hardening{20, 30, 15.2, 12, 80},
+        Hardening{20, 30, 15, 6, 80}, Hardening{20, 30, 15, 12, 81}}) {
+    const auto errors = errors_under_refinement(material, history, exact(other, history).stress, 400, 3);
+    EXPECT_GT(errors.back(), least);
+    EXPECT_LT(order_of(errors), 0.5);
+  }
+}
+
 }  // namespace assay::model_tests
