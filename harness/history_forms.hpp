@@ -8,7 +8,7 @@
 namespace assay {
 
 /// `update` with 1, 2, 3 ... sub-steps, extrapolated; the step length follows the estimated error. A step in which the
-/// regime changes is halved until the time of the change is known to the last bits.
+/// regime changes is halved until the time of the change is known.
 class History::Increments {
  public:
   Increments(History& history, const HistoryOptions& options);
@@ -17,13 +17,20 @@ class History::Increments {
  private:
   enum class Outcome { accepted, inaccurate, regime_changes };
   void evaluate(double to);
+  void begin_piece(const Interval& piece);
   Outcome attempt(double step);
-  void begin_regime(double step);
   bool substeps(double step, int count);
   void increment(double t, double dt, const double* F0, const double* F1);
   void accept(double step);
+  void shorten(double step, const Interval& piece);
+
+  // Changes of regime: history_regimes.cpp.
+  void begin_regime(double step);
+  void bound_by(double step);
+  void approach_bound(double to);
+  double longest_within(double width);
   void step_over(double to);
-  void cross(double bound);
+  void cross(double to);
   void note_branch();
 
   History* h_;
@@ -31,7 +38,9 @@ class History::Increments {
   double step_ = 0;   ///< to try next [s]
   double bound_ = 0;  ///< > t: a change of regime lies before this time
   double before_bound_ = 0;
-  double tie_ = 0;         ///< before the end of the piece [s]
+  bool located_ = false;   ///< the change before `bound` was already looked for by single increments
+  double resolution_;      ///< to which its time is found [s]
+  double tie_begin_ = 0;   ///< from here to the end of the piece a change of regime is none
   double best_error_ = 0;  ///< of the columns of this attempt
   std::vector<double> best_;
   int jumps_ = 0;

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "harness/history_forms.hpp"
 
@@ -10,23 +9,23 @@ namespace assay {
 
 namespace {
 
-constexpr double first_share = 1.0 / 16;    ///< of a piece: the first step to try
-constexpr double begin_share = 1e-2;        ///< of a step: an increment that tells the regime at its beginning
-constexpr double shortest_share = 1e-13;    ///< of the end: a step that needs to be shorter has failed
-constexpr double resolution_share = 4e-15;  ///< of the end: to which the time of a change of regime is found
-constexpr double shortest_lag = 1e-6;       ///< of a piece's part: increments this short are noise
-constexpr double past_the_least = 10;       ///< an error this many times the least: the least has been found
-constexpr double noisy_growth = 3;          ///< of a step that was taken although it is noisy
-constexpr double growing_noise = 1e-6;      ///< relative: a rate taken over ever shorter steps
-constexpr double largest_noise = 1e-10;     ///< relative: what may be a material's own rounding
+constexpr double first_share = 1.0 / 16;  ///< of a piece: the first step to try
+constexpr double shortest_share = 1e-13;  ///< of the end: a step that needs to be shorter has failed
+/// The time of a change of regime is found to this share of the tolerance, and to no better than the second, of the
+/// end.
+constexpr double resolution_share = 0.01, best_resolution = 4e-15;
+constexpr double shortest_lag = 1e-6;    ///< of a piece's part: increments this short are noise
+constexpr double past_the_least = 10;    ///< an error this many times the least: the least has been found
+constexpr double noisy_growth = 3;       ///< of a step that was taken although it is noisy
+constexpr double growing_noise = 1e-6;   ///< relative: a rate taken over ever shorter steps
+constexpr double largest_noise = 1e-10;  ///< relative: what may be a material's own rounding
 /// Of a piece at whose end the path rests: a change of regime this near to it is none. Reloading meets the yield
 /// surface there exactly, and rounding would decide.
 constexpr double tie_share = 3e-6;
-constexpr double resting_share = 1e-4;     ///< of the rate of F in the middle of the piece
-constexpr int most_jumps = 100;            ///< of a history: beyond, the material is no function of its arguments
-constexpr int least_columns = 3;           ///< two may agree by chance
-constexpr double rounding_margin = 4;      ///< results carry the rounding of many operations
-constexpr std::size_t most_branches = 24;  ///< a piece, on average: beyond, the regime flickers
+constexpr double resting_share = 1e-4;  ///< of the rate of F in the middle of the piece
+constexpr int most_jumps = 100;         ///< of a history: beyond, the material is no function of its arguments
+constexpr int least_columns = 3;        ///< two may agree by chance
+constexpr double rounding_margin = 4;   ///< results carry the rounding of many operations
 
 /// How much longer the next step may be when this many columns sufficed.
 double growth(int columns) { return columns <= 3 ? 3 : columns == 4 ? 2 : columns == 5 ? 1.3 : 0.8; }
@@ -37,6 +36,7 @@ History::Increments::Increments(History& history, const HistoryOptions& options)
   scales_.assign(9, history.course_->scales.cauchy);
   scales_.insert(scales_.end(), history.course_->scales.state.begin(), history.course_->scales.state.end());
   options_.watch = options.watch && history.course_->regimes.tells();
+  resolution_ = std::max(resolution_share * options.tolerance, best_resolution) * history.course_->end;
 }
 
 /// A material without state has no memory: the stress at `to` is found from increments that end there, as long as makes
@@ -69,18 +69,7 @@ void History::Increments::evaluate(double to) {
 void History::Increments::advance(double to) {
   if (h_->course_->material->state_size() == 0) return evaluate(to);
   const Interval piece = h_->course_->piece_at(h_->t_);
-  if (piece.lower != piece_begin_) {  // after a reversal any regime may begin
-    piece_begin_ = piece.lower;
-    regime_known_ = false;
-    regime_new_ = true;
-    bound_ = 0;
-    const auto speed = [&](double t) { return h_->course_->path->at(h_->xi_, t).F_rate.norm(); };
-    const double before_end = piece.upper - tie_share * piece.width();
-    const bool rests = speed(before_end) < resting_share * speed(0.5 * (piece.lower + piece.upper));
-    tie_ = rests ? tie_share * piece.width() : 0;
-    if (step_ == 0) step_ = first_share * piece.width();
-  }
-  const double shortest = shortest_share * h_->course_->end, resolution = resolution_share * h_->course_->end;
+  if (piece.lower != piece_begin_) begin_piece(piece);
   while (h_->t_ < to) {
     const double left = to - h_->t_;
     const double step = step_ >= 0.999 * left ? left : std::min(step_, 0.5 * left);
@@ -94,34 +83,43 @@ void History::Increments::advance(double to) {
         break;
       }
       case Outcome::inaccurate:
-        step_ = 0.4 * step;
-        if (step < shortest) {
-          if (++jumps_ > most_jumps) throw MaterialFailure("its increments do not converge", h_->xi_, h_->t_);
-          substeps(step, 1);  // a jump: nothing better can be done
-          h_->y_ = next_;
-          h_->t_ += step;
-          step_ = first_share * piece.width();
-        }
-        failed_error_ = extrapolation_.columns() >= least_columns ? best_error_ : 0;
+        shorten(step, piece);
         break;
       case Outcome::regime_changes:
-        if (piece.upper - h_->t_ <= tie_) {
+        if (h_->t_ >= tie_begin_) {
           step_over(to);
-          break;
+        } else {
+          bound_by(step);
         }
-        if (bound_ <= h_->t_) before_bound_ = step;
-        bound_ = h_->t_ + step;
-        step_ = 0.5 * step;
         break;
     }
-    if (bound_ > h_->t_) {
-      if (bound_ - h_->t_ <= resolution) {
-        cross(std::min(bound_, to));
-      } else {
-        step_ = std::min(step_, 0.5 * (bound_ - h_->t_));
-      }
-    }
+    if (bound_ > h_->t_) approach_bound(to);
   }
+}
+
+void History::Increments::begin_piece(const Interval& piece) {
+  piece_begin_ = piece.lower;
+  regime_known_ = false;  // after a reversal any regime may begin
+  regime_new_ = true;
+  bound_ = 0;
+  const auto speed = [&](double t) { return h_->course_->path->at(h_->xi_, t).F_rate.norm(); };
+  const double before_end = piece.upper - tie_share * piece.width();
+  const bool rests = speed(before_end) < resting_share * speed(0.5 * (piece.lower + piece.upper));
+  tie_begin_ = rests ? before_end : piece.upper;
+  if (step_ == 0) step_ = first_share * piece.width();
+}
+
+/// After a step that was not exact enough.
+void History::Increments::shorten(double step, const Interval& piece) {
+  step_ = 0.4 * step;
+  if (step < shortest_share * h_->course_->end) {
+    if (++jumps_ > most_jumps) throw MaterialFailure("its increments do not converge", h_->xi_, h_->t_);
+    substeps(step, 1);  // a jump: nothing better can be done
+    h_->y_ = next_;
+    h_->t_ += step;
+    step_ = first_share * piece.width();
+  }
+  failed_error_ = extrapolation_.columns() >= least_columns ? best_error_ : 0;
 }
 
 /// Leaves the end of the step in best_.
@@ -151,25 +149,6 @@ History::Increments::Outcome History::Increments::attempt(double step) {
   const double no_better = best_error_ < largest_noise ? 0.5 : 1.0;
   noisy_ = failed_error_ > 0 && best_error_ < growing_noise && best_error_ > no_better * failed_error_;
   return noisy_ ? Outcome::accepted : Outcome::inaccurate;  // noise: a shorter step has not helped
-}
-
-/// The regime at the beginning of a piece. An increment that takes in a change says the same as one that was in the
-/// second regime from its beginning, and may be as exact: a regime other than rest is asked for twice. Only then, for
-/// at a reversal the rates vanish, and rounding would decide on the shorter one.
-void History::Increments::begin_regime(double step) {
-  const auto regime_within = [&](double dt) {
-    const Tensor F0 = h_->course_->path->deformation_gradient(h_->xi_, h_->t_);
-    const Tensor F1 = h_->course_->path->deformation_gradient(h_->xi_, h_->t_ + dt);
-    double before[9], after[9];
-    for (int c = 0; c < 9; ++c) before[c] = component(F0, c), after[c] = component(F1, c);
-    now_ = h_->y_;
-    next_.resize(now_.size());
-    increment(h_->t_, dt, before, after);
-    return h_->course_->regimes.of(now_.data() + 9, next_.data() + 9);
-  };
-  regime_ = regime_within(begin_share * step);
-  if (regime_ != 0 && regime_within(begin_share * begin_share * step) == 0) regime_ = 0;
-  regime_known_ = true;
 }
 
 /// From the accepted point over `step` in `count` increments; the result in next_. False where the regime changes.
@@ -213,35 +192,6 @@ void History::Increments::accept(double step) {
   h_->y_ = best_;
   h_->t_ += step;
   h_->error_ += best_error_;
-}
-
-void History::Increments::note_branch() {
-  if (!regime_new_ || !options_.watch) return;
-  h_->branches_.push_back({h_->t_, regime_});
-  regime_new_ = false;
-  if (h_->branches_.size() > most_branches * h_->course_->pieces.size()) {
-    h_->flickers_ = true;
-    options_.watch = false;
-  }
-}
-
-/// In one increment, whatever the regime does.
-void History::Increments::step_over(double to) {
-  const bool watch = std::exchange(options_.watch, false);
-  substeps(to - h_->t_, 1);
-  options_.watch = watch;
-  h_->y_ = next_;
-  h_->t_ = to;
-  bound_ = 0;
-}
-
-/// Over the change of regime, which lies within the last bits before `bound`.
-void History::Increments::cross(double bound) {
-  note_branch();
-  step_over(bound);
-  step_ = before_bound_;
-  regime_known_ = false;
-  regime_new_ = true;
 }
 
 }  // namespace assay

@@ -98,7 +98,7 @@ SheetError error_of(const std::vector<BandTable>& tables, const Material& materi
   const Course increments(material, path, options.end, Form::increments);
   const Course neighbours(material, path, options.end, watch ? Form::increments : Form::automatic);
   const double share = neighbours.by_rate ? stencil_of_rates : stencil_of_increments;
-  const HistoryOptions history{.tolerance = std::max(watch ? 1e-12 : 1e-13, 1e-6 * options.tolerance), .watch = watch};
+  const HistoryOptions history{.tolerance = std::max(watch ? 1e-12 : 1e-13, 1e-5 * options.tolerance), .watch = watch};
   std::vector<Stencil> stencils;
   for (const BandTable& table : tables) {
     for (const double place : places_in_s) stencils.push_back(lay_out(table, place, share));

@@ -27,7 +27,7 @@ class CompressibleFluid {
     S mean = -pressure(determinant(step.F1));
     if (shear_ > 0 || bulk_ > 0) {
       const TensorOf<S> f = step.F1 * inverse(step.F0).template cast<S>();
-      const TensorOf<S> d = S(0.5 / step.dt) * logarithm(symmetric(TensorOf<S>(f * f.transpose())));  // ln(v) / dt
+      const TensorOf<S> d = S(0.5 / step.dt) * logarithm(left_cauchy_green(f));  // ln(v) / dt
       sigma = S(2 * shear_) * deviator(d);
       mean += S(bulk_) * trace(d);
     }

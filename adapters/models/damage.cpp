@@ -69,7 +69,7 @@ class Damage {
   TensorOf<S> undamaged_stress(const TensorOf<S>& F) const {
     using std::log;
     const S J = determinant(F), shear = S(elastic_.mu) / J, pressure = S(elastic_.lambda) * log(J) / J - shear;
-    TensorOf<S> sigma = shear * TensorOf<S>(F * F.transpose());
+    TensorOf<S> sigma = shear * left_cauchy_green(F);
     for (int i = 0; i < 3; ++i) sigma(i, i) += pressure;
     return sigma;
   }

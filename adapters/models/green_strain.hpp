@@ -9,15 +9,15 @@ namespace assay::models {
 
 template <class S>
 TensorOf<S> green_strain(const TensorOf<S>& F) {
-  TensorOf<S> E = F.transpose() * F;
+  TensorOf<S> E = right_cauchy_green(F);
   for (int i = 0; i < 3; ++i) E(i, i) -= S(1);
   return S(0.5) * E;
 }
 
 /// sigma = F S F^T / J [Pa].
 template <class S>
-TensorOf<S> push_forward(const TensorOf<S>& F, const TensorOf<S>& second_piola_kirchhoff) {
-  return symmetric(TensorOf<S>((S(1) / determinant(F)) * (F * second_piola_kirchhoff * F.transpose())));
+TensorOf<S> cauchy_of(const TensorOf<S>& F, const TensorOf<S>& second_piola_kirchhoff) {
+  return (S(1) / determinant(F)) * push_forward(F, second_piola_kirchhoff);
 }
 
 /// Exact first Piola-Kirchhoff stress P = F S of the baselines and its slope [Pa], where S11 = c11 E11, S22 = c12 E11,

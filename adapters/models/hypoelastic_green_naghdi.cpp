@@ -35,7 +35,7 @@ class HypoelasticGreenNaghdi {
     const TensorOf<S> strain = symmetric(TensorOf<S>(S(2) * (change * inverse(twice_middle))));
     const TensorOf<S> unrotated = symmetric_from(state0).template cast<S>() + elastic_.hooke(strain);
     put_symmetric(unrotated, state1);
-    return symmetric(TensorOf<S>(R1 * unrotated * R1.transpose()));
+    return push_forward(R1, unrotated);
   }
 
   void rate(double, const Tensor& F, const Tensor& l, const Tensor& cauchy, const double*, Tensor& cauchy_rate,

@@ -29,7 +29,7 @@ class HypoelasticJaumann {
     const TensorOf<S> r = rotation_of(f);
     const TensorOf<S> strain = logarithm(symmetric(TensorOf<S>(r.transpose() * f)));
     const TensorOf<S> turned = symmetric_from(state0).template cast<S>() + elastic_.hooke(strain);
-    TensorOf<S> sigma = symmetric(TensorOf<S>(r * turned * r.transpose()));
+    TensorOf<S> sigma = push_forward(r, turned);
     put_symmetric(sigma, state1);
     return sigma;
   }

@@ -43,7 +43,7 @@ class HypoelasticLogarithmic {
  private:
   template <class S>
   TensorOf<S> stress(const TensorOf<S>& F) const {
-    return elastic_.hooke(TensorOf<S>(S(0.5) * logarithm(symmetric(TensorOf<S>(F * F.transpose())))));
+    return elastic_.hooke(TensorOf<S>(S(0.5) * logarithm(left_cauchy_green(F))));
   }
 
   ElasticConstants elastic_;

@@ -50,8 +50,8 @@ class J2Jaumann {
       back += S(hardening_.back()) * amount * n;
       state1[0] = S(state0[0]) + S(root_two_thirds) * amount;
     }
-    stress = symmetric(TensorOf<S>(r * stress * r.transpose()));
-    back = r * back * r.transpose();
+    stress = push_forward(r, stress);
+    back = push_forward(r, back);
     put_symmetric(stress, state1 + 1);
     put_symmetric(back, state1 + 7);
     return stress;

@@ -40,11 +40,11 @@ class J2Multiplicative {
   TensorOf<S> update(const IncrementOf<S>& step, const double* state0, S* state1) const {
     const bool backed = flow_.backed();
     const TensorOf<S> R = backed ? rotation_of(step.F1) : TensorOf<S>(TensorOf<S>::Identity());
-    MultiplicativeStep<S> unrotated{(step.F0.transpose() * step.F0).template cast<S>(), step.F1,
+    MultiplicativeStep<S> unrotated{right_cauchy_green(step.F0).template cast<S>(), step.F1,
                                     symmetric_from(state0 + 1).template cast<S>(),
                                     symmetric_from(state0 + 7).template cast<S>(), S(state0[0])};
     if (backed) unrotated.G1 = symmetric(TensorOf<S>(R.transpose() * step.F1));
-    TensorOf<S> e = elastic_strain(unrotated.G1, unrotated.Cp_inverse);
+    TensorOf<S> e = logarithmic_strain(unrotated.G1, unrotated.Cp_inverse);
     if (value_of(flow_.excess_of(unrotated, e)) > flow_.tolerance(state0[0])) {
       const MultiplicativeEnd<S> end = flow_.end_of(unrotated, e);
       e = end.e;
@@ -53,7 +53,7 @@ class J2Multiplicative {
       put_symmetric(end.back, state1 + 7);
     }
     const TensorOf<S> sigma = elastic_.hooke(e) * (S(1) / determinant(step.F1));
-    return backed ? symmetric(TensorOf<S>(R * sigma * R.transpose())) : sigma;
+    return backed ? push_forward(R, sigma) : sigma;
   }
 
   /// In the frame of U; the logarithms are differentiated automatically.
@@ -83,7 +83,7 @@ class J2Multiplicative {
 
   /// Elastic energy kappa/2 (ln J)^2 + mu |dev e|^2.
   double energy(const Tensor& F, const double* now) const {
-    const Tensor e = elastic_strain(F, symmetric_from(now + 1)), shear = deviator(e);
+    const Tensor e = logarithmic_strain(F, symmetric_from(now + 1)), shear = deviator(e);
     return 0.5 * elastic_.kappa * trace(e) * trace(e) + elastic_.mu * contraction(shear, shear);
   }
 

@@ -18,12 +18,6 @@ struct FlowIncrement {
   FlowIncrement() { scalars.fill(S(0)); }
 };
 
-/// e = ln(F A F^T) / 2.
-template <class S>
-TensorOf<S> logarithmic_strain(const TensorOf<S>& F, const TensorOf<S>& A) {
-  return S(0.5) * logarithm(symmetric(TensorOf<S>(F * A * F.transpose())));
-}
-
 /// A = Cp^-1 (six components of the state) and the N scalars after it.
 template <class S, int N>
 struct FlowState {
@@ -80,8 +74,8 @@ FlowStep<S> flow_step(const IncrementOf<S>& step, const double* state0, S* state
     whole_e = logarithmic_strain(step.F1, before.A);
     if (rule.is_elastic(whole_e, before.scalars)) return {whole_e, false};
   }
-  const TensorOf<S> C0 = Tensor(step.F0.transpose() * step.F0).template cast<S>();
-  const TensorOf<S> C1 = step.F1.transpose() * step.F1;
+  const TensorOf<S> C0 = right_cauchy_green(step.F0).template cast<S>();
+  const TensorOf<S> C1 = right_cauchy_green(step.F1);
   const TensorOf<S> G = upper_root(TensorOf<S>(S(1 - g) * C0 + S(g) * C1));
   const TensorOf<S> early_e = logarithmic_strain(G, before.A);
   const FlowIncrement<S, N> early = rule(early_e, g * step.dt, before.scalars);
@@ -107,7 +101,7 @@ struct StrainAndRate {
 /// e and de/dt along the motion while nothing flows.
 inline StrainAndRate trial_strain(const Tensor& F, const Tensor& l, const Tensor& A) {
   using Along = Eigen::AutoDiffScalar<Eigen::Matrix<double, 1, 1>>;
-  const Tensor b = symmetric(Tensor(F * A * F.transpose())), slope = l * b + b * l.transpose();
+  const Tensor b = push_forward(F, A), slope = l * b + b * l.transpose();
   TensorOf<Along> moving;
   for (int i = 0; i < 9; ++i) moving.data()[i] = Along(b.data()[i], Eigen::Matrix<double, 1, 1>(slope.data()[i]));
   const TensorOf<Along> e = Along(0.5) * logarithm(moving);

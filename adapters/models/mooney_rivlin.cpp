@@ -27,7 +27,7 @@ class MooneyRivlin {
     using std::log;
     using std::pow;
     const S J = determinant(step.F1);
-    const TensorOf<S> b = pow(J, -2.0 / 3) * TensorOf<S>(step.F1 * step.F1.transpose());
+    const TensorOf<S> b = pow(J, -2.0 / 3) * left_cauchy_green(step.F1);
     const TensorOf<S> M = (S(c10_) + S(c01_) * trace(b)) * b - S(c01_) * TensorOf<S>(b * b);
     TensorOf<S> tau = S(2) * deviator(M);
     const S pressure = S(kappa_) * log(J);
@@ -37,7 +37,7 @@ class MooneyRivlin {
 
   double energy(const Tensor& F, const double*) const {
     const double J = determinant(F), ln_J = std::log(J);
-    const Tensor b = std::pow(J, -2.0 / 3) * (F * F.transpose());
+    const Tensor b = std::pow(J, -2.0 / 3) * left_cauchy_green(F);
     const double I1 = trace(b), I2 = 0.5 * (I1 * I1 - contraction(b, b));
     return c10_ * (I1 - 3) + c01_ * (I2 - 3) + 0.5 * kappa_ * ln_J * ln_J;
   }

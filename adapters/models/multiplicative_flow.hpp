@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One plastic step of j2_multiplicative, and the strains that it shares with the model.
+// One plastic step of j2_multiplicative.
 #pragma once
 
 #include "adapters/models/j2_hardening.hpp"
@@ -7,12 +7,6 @@
 #include "adapters/models/scalar_root.hpp"
 
 namespace assay::models {
-
-/// e = ln(b_e)/2, b_e = G Cp^-1 G^T.
-template <class S>
-TensorOf<S> elastic_strain(const TensorOf<S>& G, const TensorOf<S>& Cp_inverse) {
-  return S(0.5) * logarithm(symmetric(TensorOf<S>(G * Cp_inverse * G.transpose())));
-}
 
 /// A step from C0 to C1 = G1^T G1 with the state at its beginning. G1 is F1 itself, or U1 where there is a back stress,
 /// which is kept in the frame of U.
@@ -65,28 +59,26 @@ class MultiplicativeFlow {
     if (pieces == 1) return end_of_piece(step, trial);
     // Pieces of constant logarithmic stretching: C(x) = G0^T exp(x ln(f^T f)) G0 with f = G1 G0^-1.
     const TensorOf<S> G0 = upper_root(step.C0), f = step.G1 * inverse(G0);
-    const TensorOf<S> stretching = logarithm(symmetric(TensorOf<S>(f.transpose() * f)));
+    const TensorOf<S> stretching = logarithm(right_cauchy_green(f));
     MultiplicativeStep<S> piece = step;
     MultiplicativeEnd<S> end{trial, step.Cp_inverse, step.back, step.p};
     for (int i = 1; i <= pieces; ++i) {
       const S x(static_cast<double>(i) / pieces);
       if (i < pieces) {
         const TensorOf<S> part = exponential(TensorOf<S>(x * stretching));
-        piece.G1 = root_of(symmetric(TensorOf<S>(G0.transpose() * part * G0)));
+        piece.G1 = root_of(push_forward(TensorOf<S>(G0.transpose()), part));
       } else {
         piece.G1 = step.G1;
       }
-      const TensorOf<S> e = elastic_strain(piece.G1, piece.Cp_inverse);
+      const TensorOf<S> e = logarithmic_strain(piece.G1, piece.Cp_inverse);
       const bool flows = value_of(excess_of(piece, e)) > tolerance(value_of(piece.p));
       end = flows ? end_of_piece(piece, e) : MultiplicativeEnd<S>{e, piece.Cp_inverse, piece.back, piece.p};
-      piece = {piece.G1.transpose() * piece.G1, piece.G1, end.Cp_inverse, end.back, end.p};
+      piece = {right_cauchy_green(piece.G1), piece.G1, end.Cp_inverse, end.back, end.p};
     }
     return end;
   }
 
  private:
-  static constexpr int sweeps = 2;
-
   /// A configuration before any flow: deformation gradient, elastic strain, dev tau - beta, its norm - radius [Pa].
   template <class S>
   struct Place {
@@ -112,20 +104,16 @@ class MultiplicativeFlow {
       middle = place_at(step, S(S(0.5) * (S(1) + x)));
     }
     Flow<S> flow = flow_between(start, middle, end);
-    S amount = amount_of(step, flow, value_of(end.excess));
     // Without back stress the flow does not turn n, but for an error of second order.
-    for (int i = 0; backed() && i < sweeps; ++i) {
-      turn_to_middle(step, amount, flow);
-      amount = amount_of(step, flow, value_of(end.excess));
-    }
-    if (std::isnan(value_of(amount))) {  // too long a step for the middle: flow in the last configuration (Simo)
+    if (backed()) turn_to_middle(step, flow);
+    Return<S> back = return_along(step, flow);
+    if (std::isnan(value_of(back.amount))) {  // too long a step for the middle: flow in the last configuration (Simo)
       flow = flow_between(end, end, end);
-      amount = amount_of(step, flow, value_of(end.excess));
-      settled(value_of(amount));
+      back = return_along(step, flow);
+      settled(value_of(back.amount));
     }
-    const TensorOf<S> half = flow.from_reference * exponential(TensorOf<S>(S(-amount) * flow.D));
-    return {strain_after(flow, amount), symmetric(TensorOf<S>(half * half.transpose())), back_after(step, flow, amount),
-            S(S(step.p) + S(root_two_thirds) * amount)};
+    return {back.e, left_cauchy_green(TensorOf<S>(flow.from_reference * back.shrink)),
+            back_after(step, flow, back.amount), S(S(step.p) + S(root_two_thirds) * back.amount)};
   }
 
   /// Flow from b_e = V^2 at the deformation gradient G: Fe = V exp(-Lam D), D being n in the frame in which Fe begins,
@@ -133,13 +121,23 @@ class MultiplicativeFlow {
   template <class S>
   struct Flow {
     TensorOf<S> V, n, D, from_reference, to_end;
-    TensorOf<S> turn,
-        start;  // rotation from the frame of G to that of the end; dev tau - beta of the start there, weighted
+    TensorOf<S> turn;      // rotation from the frame of G to that of the end
+    TensorOf<S> start;     // dev tau - beta of the start in the frame of the end, weighted
+    TensorOf<S> n_at_end;  // n in the frame of the end
+    TensorOf<S> trial;     // dev tau - beta at the end without flow
+    S excess;              // its norm - radius
 
     Flow<double> values() const {
-      return {values_of(V),      values_of(n),    values_of(D),    values_of(from_reference),
-              values_of(to_end), values_of(turn), values_of(start)};
+      return {values_of(V),    values_of(n),     values_of(D),        values_of(from_reference), values_of(to_end),
+              values_of(turn), values_of(start), values_of(n_at_end), values_of(trial),          value_of(excess)};
     }
+  };
+
+  /// What an amount Lam of flow leaves: exp(-Lam D), and the elastic strain at the end.
+  template <class S>
+  struct Return {
+    S amount;
+    TensorOf<S> shrink, e;
   };
 
   template <class S>
@@ -155,14 +153,14 @@ class MultiplicativeFlow {
 
   template <class S>
   TensorOf<S> gradient_at(const MultiplicativeStep<S>& step, const S& x) const {
-    const TensorOf<S> C1 = step.G1.transpose() * step.G1;
+    const TensorOf<S> C1 = right_cauchy_green(step.G1);
     return root_of(symmetric(TensorOf<S>(step.C0 + x * (C1 - step.C0))));
   }
 
   template <class S>
   Place<S> place_at(const MultiplicativeStep<S>& step, const S& x) const {
     const TensorOf<S> G = gradient_at(step, x);
-    return place_of(step, G, elastic_strain(G, step.Cp_inverse));
+    return place_of(step, G, logarithmic_strain(G, step.Cp_inverse));
   }
 
   /// n is the mean normal of start and end, start turned to the frame of the end: with it a flow
@@ -174,8 +172,10 @@ class MultiplicativeFlow {
     Flow<S> flow;
     flow.turn = rotation_of(TensorOf<S>(end.G * inverse_G));
     const S trial = norm(end.from);
-    flow.start = weight_of_start(trial, S(trial - end.excess)) * (r * start.from * r.transpose());
-    flow.n = direction(TensorOf<S>(flow.start + end.from), flow.turn);
+    flow.start = weight_of_start(trial, S(trial - end.excess)) * push_forward(r, start.from);
+    flow.trial = end.from;
+    flow.excess = end.excess;
+    set_direction(TensorOf<S>(flow.start + end.from), flow);
     flow.D = flow.n;
     flow.V = exponential(middle.e);
     flow.from_reference = inverse_G * flow.V;
@@ -183,22 +183,21 @@ class MultiplicativeFlow {
     return flow;
   }
 
-  /// A / |A|, turned back.
+  /// n_at_end = A / |A|, n that turned back.
   template <class S>
-  static TensorOf<S> direction(const TensorOf<S>& A, const TensorOf<S>& turn) {
-    const TensorOf<S> n = turn.transpose() * A * turn;
-    return symmetric(TensorOf<S>(n * (S(1) / norm(n))));
+  static void set_direction(const TensorOf<S>& A, Flow<S>& flow) {
+    flow.n_at_end = A * (S(1) / norm(A));
+    flow.n = push_forward(TensorOf<S>(flow.turn.transpose()), flow.n_at_end);
   }
 
-  /// n with the end that this flow reaches, and D = R_h^T n R_h with Fe = V exp(-Lam D / 2) = V_h R_h.
+  /// n with the end that about this flow reaches, and D = R_h^T n R_h with Fe = V exp(-Lam D / 2) = V_h R_h.
   template <class S>
-  void turn_to_middle(const MultiplicativeStep<S>& step, const S& amount, Flow<S>& flow) const {
-    const S fallen = S(2 * elastic_.mu + hardening_.back()) * amount;
-    const TensorOf<S> reached = relative(strain_after(flow, amount), back_after(step, flow, amount));
-    const TensorOf<S> back_up = fallen * (flow.turn * flow.n * flow.turn.transpose());
-    flow.n = direction(TensorOf<S>(flow.start + reached + back_up), flow.turn);
+  void turn_to_middle(const MultiplicativeStep<S>& step, Flow<S>& flow) const {
+    const S amount = expected_amount(step, flow), fallen = S(2 * elastic_.mu + hardening_.back()) * amount;
+    const TensorOf<S> reached = relative(after(flow, amount).e, back_after(step, flow, amount));
+    set_direction(TensorOf<S>(flow.start + reached + fallen * flow.n_at_end), flow);
     const TensorOf<S> Fe = flow.V * exponential(TensorOf<S>(S(-0.5 * amount) * flow.D)), R = rotation_of(Fe);
-    flow.D = symmetric(TensorOf<S>(R.transpose() * flow.n * R));
+    flow.D = push_forward(TensorOf<S>(R.transpose()), flow.n);
   }
 
   /// Largest x in [0, 1] at which the step leaves the yield surface; 0 where it begins there, outwards. f_0, f_half,
@@ -217,14 +216,14 @@ class MultiplicativeFlow {
       f_low = excess(low);
       if (f_low > -10 * near) return 0;
     }
-    return settled(root_between(excess, low, f_low, 1, low + (1 - low) * f_low / (f_low - f_1), 0.2 * near));
+    const double slope = (f_1 - f_low) / (1 - low);
+    return settled(root_between(excess, low, 1, low - f_low / slope, slope, 0.2 * near));
   }
 
-  /// Elastic strain at the end of the step.
   template <class S>
-  static TensorOf<S> strain_after(const Flow<S>& flow, const S& amount) {
-    const TensorOf<S> shrink = exponential(TensorOf<S>(S(-2 * amount) * flow.D));
-    return S(0.5) * logarithm(symmetric(TensorOf<S>(flow.to_end * shrink * flow.to_end.transpose())));
+  static Return<S> after(const Flow<S>& flow, const S& amount) {
+    const TensorOf<S> shrink = exponential(TensorOf<S>(-amount * flow.D));
+    return {amount, shrink, S(0.5) * logarithm(left_cauchy_green(TensorOf<S>(flow.to_end * shrink)))};
   }
 
   template <class S>
@@ -234,20 +233,43 @@ class MultiplicativeFlow {
 
   /// |dev tau - beta| - radius at the end of the step [Pa].
   template <class S>
-  S excess_after(const MultiplicativeStep<S>& step, const Flow<S>& flow, const S& amount) const {
-    return norm(relative(strain_after(flow, amount), back_after(step, flow, amount))) -
-           hardening_.radius(S(step.p + S(root_two_thirds) * amount));
+  S excess_of(const MultiplicativeStep<S>& step, const Flow<S>& flow, const Return<S>& back) const {
+    return norm(relative(back.e, back_after(step, flow, back.amount))) -
+           hardening_.radius(S(step.p + S(root_two_thirds) * back.amount));
+  }
+
+  /// Lam, were the strains additive: |trial - s Lam n| = radius + k Lam, a quadratic equation. It errs by the square
+  /// of elastic strain times angle of flow.
+  template <class S>
+  S expected_amount(const MultiplicativeStep<S>& step, const Flow<S>& flow) const {
+    using std::sqrt;
+    const double s = 2 * elastic_.mu + hardening_.back(), k = hardening_.slope(value_of(step.p));
+    const S radius = hardening_.radius(step.p);
+    const S B = S(s) * contraction(flow.trial, flow.n_at_end) + S(k) * radius;
+    const S c = flow.excess * (flow.excess + S(2) * radius), discriminant = B * B - S(s * s - k * k) * c;
+    if (value_of(discriminant) <= 0) return flow.excess / S(s + k);
+    return c / (B + sqrt(discriminant));
   }
 
   /// NaN where no amount brings the end back to the yield surface.
   template <class S>
-  S amount_of(const MultiplicativeStep<S>& step, const Flow<S>& flow, double trial) const {
-    const auto values = step.values();
-    const auto flow_values = flow.values();
-    const auto excess = [&](double amount) { return excess_after(values, flow_values, amount); };
-    const double slope = 2 * elastic_.mu + hardening_.back() + hardening_.slope(values.p), guess = trial / slope;
-    const double amount = root_between(excess, 0, trial, 3 * guess, guess, 0.2 * tolerance(values.p));
-    return root_with_derivatives<S>(amount, amount, [&](const S& y) { return excess_after(step, flow, y); });
+  Return<S> return_along(const MultiplicativeStep<S>& step, const Flow<S>& flow) const {
+    if constexpr (std::is_same_v<S, double>) {
+      const double s = 2 * elastic_.mu + hardening_.back(), k = hardening_.slope(step.p);
+      const double guess = expected_amount(step, flow), falls = contraction(flow.trial, flow.n_at_end) - s * guess;
+      Return<double> back;
+      const auto excess = [&](double amount) {
+        back = after(flow, amount);
+        return excess_of(step, flow, back);
+      };
+      const double slope = -s * falls / (hardening_.radius(step.p) + k * guess) - k;
+      back.amount = root_between(excess, 0, 3 * flow.excess / (s + k), guess, slope, 0.2 * tolerance(step.p));
+      return back;
+    } else {
+      const double value = return_along(step.values(), flow.values()).amount;
+      const auto excess = [&](const S& amount) { return excess_of(step, flow, after(flow, amount)); };
+      return after(flow, root_with_derivatives<S>(value, value, excess));
+    }
   }
 
   static double settled(double root) {

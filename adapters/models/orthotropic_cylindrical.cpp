@@ -55,7 +55,7 @@ class OrthotropicCylindrical {
     TensorOf<S> turn;
     turn = axes_of(direction).template cast<S>();
     const TensorOf<S> E = turn.transpose() * green_strain(step.F1) * turn;
-    return push_forward(step.F1, TensorOf<S>(turn * stress(E) * turn.transpose()));
+    return cauchy_of(step.F1, push_forward(turn, stress(E)));
   }
 
   double energy(const Tensor& F, const double* direction) const {

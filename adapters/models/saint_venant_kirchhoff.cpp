@@ -18,7 +18,7 @@ class SaintVenantKirchhoff {
 
   template <class S>
   TensorOf<S> update(const IncrementOf<S>& step, const double*, S*) const {
-    return push_forward(step.F1, elastic_.hooke(green_strain(step.F1)));
+    return cauchy_of(step.F1, elastic_.hooke(green_strain(step.F1)));
   }
 
   double energy(const Tensor& F, const double*) const {

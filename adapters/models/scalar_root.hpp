@@ -10,22 +10,23 @@
 
 namespace assay::models {
 
-/// Where f falls or rises through 0 between low, f_low = f(low), and high (may be infinite), to |f| <= tolerance:
-/// secant steps from low and `guess`, bisection (doubling) where they leave the bracket. NaN where that does not
-/// settle.
+/// Where f goes through 0 in the sense of `slope` between low and high (may be infinite), to |f| <= tolerance, x being
+/// the last argument that f was given: from `guess` with that slope, then secant steps; bisection (doubling) where they
+/// leave the bracket. NaN where that does not settle.
 template <class Function>
-double root_between(const Function& f, double low, double f_low, double high, double guess, double tolerance) {
+double root_between(const Function& f, double low, double high, double guess, double slope, double tolerance) {
   constexpr int most = 200;
-  double before = low, f_before = f_low, x = guess;
-  const bool rises = f_before < 0;
+  const bool rises = slope > 0;
+  double x = guess, before = guess, f_before = 0;
   for (int i = 0; i < most; ++i) {
     const double f_x = f(x);
     if (std::abs(f_x) <= tolerance) return x;
     ((f_x < 0) == rises ? low : high) = x;
-    double next = x - f_x * (x - before) / (f_x - f_before);
+    if (i > 0) slope = (f_x - f_before) / (x - before);
+    double next = x - f_x / slope;
     if (!(next > low && next < high)) next = std::isinf(high) ? 2 * x : 0.5 * (low + high);
-    before = x, f_before = f_x;
     if (std::abs(next - x) <= 4e-16 * std::abs(x) && std::abs(f_x) <= 1e3 * tolerance) return x;
+    before = x, f_before = f_x;
     x = next;
   }
   return std::numeric_limits<double>::quiet_NaN();

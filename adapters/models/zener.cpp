@@ -53,7 +53,7 @@ class Zener {
   template <class S>
   static TensorOf<S> inverse_of_C(const TensorOf<S>& F) {
     const TensorOf<S> F_inverse = inverse(F);
-    return symmetric(TensorOf<S>(F_inverse * F_inverse.transpose()));
+    return left_cauchy_green(F_inverse);
   }
 
   /// J sigma = lambda ln J I + mu (b - I) + F S_v F^T.
@@ -61,10 +61,10 @@ class Zener {
   TensorOf<S> stress(const TensorOf<S>& F, const TensorOf<S>& S_v) const {
     using std::log;
     const S J = determinant(F);
-    TensorOf<S> kirchhoff = S(elastic_.mu) * (F * F.transpose()) + F * S_v * F.transpose();
+    TensorOf<S> kirchhoff = S(elastic_.mu) * left_cauchy_green(F) + push_forward(F, S_v);
     const S added = S(elastic_.lambda) * log(J) - S(elastic_.mu);
     for (int i = 0; i < 3; ++i) kirchhoff(i, i) += added;
-    return symmetric(TensorOf<S>(kirchhoff * (S(1) / J)));
+    return (S(1) / J) * kirchhoff;
   }
 
   ElasticConstants elastic_;

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the regime of a history in increments changes.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "harness/history_forms.hpp"
+
+namespace assay {
+
+namespace {
+
+constexpr double begin_share = 1e-2;  ///< of a step: an increment that tells the regime at its beginning
+/// Increments this short, times the cube root of the resolution, both shares of the end, err by less than that.
+constexpr double single_share = 0.1;
+constexpr std::size_t most_branches = 24;  ///< a piece, on average: beyond, the regime flickers
+
+}  // namespace
+
+/// The regime at the beginning of a piece. An increment that takes in a change says the same as one that was in the
+/// second regime from its beginning, and may be as exact: a regime other than rest is asked for twice. Only then, for
+/// at a reversal the rates vanish, and rounding would decide on the shorter one.
+void History::Increments::begin_regime(double step) {
+  const auto regime_within = [&](double dt) {
+    const Tensor F0 = h_->course_->path->deformation_gradient(h_->xi_, h_->t_);
+    const Tensor F1 = h_->course_->path->deformation_gradient(h_->xi_, h_->t_ + dt);
+    double before[9], after[9];
+    for (int c = 0; c < 9; ++c) before[c] = component(F0, c), after[c] = component(F1, c);
+    now_ = h_->y_;
+    next_.resize(now_.size());
+    increment(h_->t_, dt, before, after);
+    return h_->course_->regimes.of(now_.data() + 9, next_.data() + 9);
+  };
+  regime_ = regime_within(begin_share * step);
+  if (regime_ != 0 && regime_within(begin_share * begin_share * step) == 0) regime_ = 0;
+  regime_known_ = true;
+}
+
+/// A change of regime lies within `step` of the accepted point.
+void History::Increments::bound_by(double step) {
+  if (bound_ <= h_->t_) {
+    before_bound_ = step;
+    located_ = false;
+  }
+  bound_ = h_->t_ + step;
+  step_ = 0.5 * step;
+}
+
+/// Chooses the next step before a change of regime, or steps over it.
+void History::Increments::approach_bound(double to) {
+  const double width = bound_ - h_->t_, end = h_->course_->end;
+  if (width <= resolution_) return cross(to);
+  const bool single = width <= single_share * std::cbrt(resolution_ / end) * end;
+  if (!single || located_ || regime_new_) {
+    step_ = std::min(step_, 0.5 * width);
+    return;
+  }
+  located_ = true;
+  step_ = longest_within(width);
+  if (step_ == 0) cross(to);
+}
+
+/// The longest single increment that stays in the regime, by bisection; the bound moves next to it.
+double History::Increments::longest_within(double width) {
+  double low = 0, high = width;
+  while (high - low > resolution_) {
+    const double middle = 0.5 * (low + high);
+    bool within = false;
+    try {
+      within = substeps(middle, 1);
+    } catch (const MaterialFailure&) {  // as good as another regime
+    }
+    (within ? low : high) = middle;
+  }
+  bound_ = h_->t_ + high;
+  return low;
+}
+
+void History::Increments::note_branch() {
+  if (!regime_new_ || !options_.watch) return;
+  h_->branches_.push_back({h_->t_, regime_});
+  regime_new_ = false;
+  if (h_->branches_.size() > most_branches * h_->course_->pieces.size()) {
+    h_->flickers_ = true;
+    options_.watch = false;
+  }
+}
+
+/// In one increment, whatever the regime does.
+void History::Increments::step_over(double to) {
+  const bool watch = std::exchange(options_.watch, false);
+  substeps(to - h_->t_, 1);
+  options_.watch = watch;
+  h_->y_ = next_;
+  h_->t_ = to;
+  bound_ = 0;
+}
+
+/// Over the change of regime, which lies within the resolution before the bound.
+void History::Increments::cross(double to) {
+  if (bound_ > tie_begin_) return step_over(to);
+  note_branch();
+  step_over(std::min(bound_, to));
+  step_ = before_bound_;
+  regime_known_ = false;
+  regime_new_ = true;
+}
+
+}  // namespace assay
