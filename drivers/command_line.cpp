@@ -14,147 +14,16 @@
 #include "drivers/input_error.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/output/numbers.hpp"
-#include "drivers/verbs.hpp"
+#include "drivers/verb_arguments.hpp"
 
 namespace assay::drivers {
 
 namespace {
 
-/// Everything that any verb takes, as text.
-struct Arguments {
-  std::string scene, out, points, threads, material, file, name, remove;
-  std::vector<std::string> sets;
-  bool json = false, quiet = false, verbose = false;
-
-  Verbosity verbosity() const { return quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::normal; }
-  std::string folder() const { return out.empty() ? "results/" + std::filesystem::path(scene).stem().string() : out; }
-  int thread_count() const {
-    if (threads.empty()) return 1;
-    const auto count = parse_integer(threads);
-    if (!count || *count < 1 || *count > 4096) {
-      throw InputError({}, "--threads", "must be a whole number from 1 to 4096, found '" + one_line(threads, 60) + "'");
-    }
-    return static_cast<int>(*count);
-  }
-};
-
-struct Verb {
-  CLI::App* app = nullptr;
-  std::function<int()> act;
-};
-
 std::string version_text() {
   const Provenance built = build_information();
   return "assay " + built.version + "\ngit       " + built.git + "\ncompiler  " + built.compiler + "\nlibraries " +
          joined(built.libraries);
-}
-
-void add_scene(CLI::App& verb, Arguments& given) {
-  verb.add_option("SCENE", given.scene, "the scene, a YAML file")->required()->type_name("");
-  // Exactly one argument each, kept as it stands: bound to a vector, CLI11 would split "[a,b]" and empty "{}".
-  verb.add_option(
-          "--set",
-          [&given](const CLI::results_t& results) {
-            given.sets = results;
-            return true;
-          },
-          "replace a value of the scene; repeatable")
-      ->type_name("KEY.PATH=YAML")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->allow_extra_args(false);
-}
-
-CLI::App& add_verb(CLI::App& app, const std::string& name, const std::string& doc, const std::string& example) {
-  CLI::App& verb = *app.add_subcommand(name, doc);
-  verb.footer("\nExample:\n  " + example);
-  return verb;
-}
-
-void add_verbosity(CLI::App& app, Arguments& given) {
-  app.add_flag("--quiet", given.quiet, "no progress, no remarks");
-  app.add_flag("-v,--verbose", given.verbose, "say more");
-}
-
-void add_out(CLI::App& verb, Arguments& given, const std::string& type, const std::string& doc) {
-  const auto not_empty = [](const std::string& name) { return name.empty() ? "is an empty name" : std::string(); };
-  verb.add_option("-o", given.out, doc)->type_name(type)->check(not_empty, "");
-}
-
-std::vector<Verb> scene_verbs(CLI::App& app, Arguments& given) {
-  std::vector<Verb> verbs;
-  CLI::App& run_verb = add_verb(app, "run", "the full simulation of a scene",
-                                "assay run configs/paper/vortex_cpdi.yaml -o results/vortex \\\n"
-                                "      --set grid.spacing=0.025 --set 'expect={}'");
-  add_scene(run_verb, given);
-  add_out(run_verb, given, "DIR", "folder of the results (results/SCENE)");
-  run_verb.add_option("--threads", given.threads, "number of threads (1)")->type_name("N");
-  run_verb.add_flag("--json", given.json, "result.json on standard output");
-  verbs.push_back(
-      {&run_verb, [&given] {
-         return run({given.scene, given.folder(), given.sets, given.thread_count(), given.json, given.verbosity()});
-       }});
-
-  CLI::App& tabulate_verb = add_verb(app, "tabulate", "the point driver's sheet and curves",
-                                     "assay tabulate configs/paper/tabulate_neo_hookean.yaml -o results/sheet");
-  add_scene(tabulate_verb, given);
-  add_out(tabulate_verb, given, "DIR", "folder of the results (results/SCENE)");
-  tabulate_verb.add_option("--points", given.points, "also the response at xi,t of this file")->type_name("CSV");
-  tabulate_verb.add_flag("--json", given.json, "result.json on standard output");
-  verbs.push_back(
-      {&tabulate_verb, [&given] {
-         return tabulate({given.scene, given.folder(), given.sets, given.points, given.json, given.verbosity()});
-       }});
-
-  CLI::App& eval_verb = add_verb(app, "eval", "exact motion, stress and body force at points",
-                                 "assay eval scene.yaml --points X_Y_t.csv -o exact.csv");
-  add_scene(eval_verb, given);
-  eval_verb.add_option("--points", given.points, "reference points, columns X,Y,t")->type_name("CSV")->required();
-  add_out(eval_verb, given, "CSV", "the table (standard output)");
-  verbs.push_back({&eval_verb, [&given] {
-                     return eval({given.scene, given.points, given.out, given.sets, given.verbosity()});
-                   }});
-
-  CLI::App& explain_verb = add_verb(app, "explain", "passes, columns, bytes, steps; nothing is run",
-                                    "assay explain configs/paper/vortex_cpdi.yaml --json");
-  add_scene(explain_verb, given);
-  explain_verb.add_flag("--json", given.json, "as JSON");
-  verbs.push_back({&explain_verb, [&given] {
-                     return explain({given.scene, given.sets, given.json, given.verbosity()});
-                   }});
-  return verbs;
-}
-
-std::vector<Verb> material_verbs(CLI::App& app, Arguments& given) {
-  std::vector<Verb> verbs;
-  CLI::App& materials_verb = add_verb(app, "materials", "what is registered, or one material",
-                                      "assay materials neo_hookean\n  assay materials ./libmodel.so:name --json");
-  materials_verb.add_option("NAME", given.material, "name, library or description")->type_name("");
-  materials_verb.add_flag("--json", given.json, "as JSON");
-  verbs.push_back({&materials_verb, [&given] { return materials({given.material, given.json}); }});
-
-  CLI::App& register_verb =
-      add_verb(app, "register", "give a material library a name, after a probe",
-               "assay register ./libmodel.so --as soft_clay\n  assay register --remove soft_clay");
-  auto* file = register_verb.add_option("FILE", given.file, "library (or FILE.so:NAME), or a YAML description");
-  file->type_name("");
-  auto* as = register_verb.add_option("--as", given.name, "the name (default: the material's own)");
-  as->type_name("NAME");
-  register_verb.add_option("--remove", given.remove, "take a name out of the registry")
-      ->type_name("NAME")
-      ->excludes(file)
-      ->excludes(as);
-  verbs.push_back({&register_verb, [&given, file] {
-                     if (file->count() == 0 && given.remove.empty())
-                       throw InputError("assay register: takes FILE or --remove NAME");
-                     if (file->count() > 0 && given.file.empty()) throw InputError("assay register: FILE is empty");
-                     return register_material({given.file, given.name, given.remove, given.verbosity()});
-                   }});
-
-  CLI::App& schema_verb =
-      add_verb(app, "schema", "JSON Schema of scenes, for editors", "assay schema > scene.schema.json");
-  verbs.push_back({&schema_verb, [] { return schema(); }});
-  return verbs;
 }
 
 /// CLI11's error in our words: one line, the nearest option for a mistyped one.

@@ -63,6 +63,7 @@ struct ScreenFigures {
   std::string verdict;            ///< stable, unstable, neutral
   Figure t, xi, gamma;            ///< of the first loss of strong ellipticity [s], [1], [1]
   Figure smallest;                ///< eigenvalue of the acoustic tensor on the path, over the largest at rest [1]
+  int unjudged = 0;               ///< places just beyond which the material fails
   Figure largest_safe_amplitude;  ///< in the unit of the motion's peak, where it is not safe as it is
   double wall_s = 0;
 };

@@ -52,6 +52,7 @@ ScreenFigures screen_of(const Scene& scene, const Material& material, double end
   ScreenFigures figures;
   figures.verdict = name_of(found.verdict);
   figures.smallest = found.smallest;
+  figures.unjudged = found.unjudged;
   if (found.verdict == StabilityScreen::Verdict::unstable) {
     figures.t = found.t;
     figures.xi = found.xi;
@@ -75,7 +76,11 @@ std::string screen_sentence(const ScreenFigures& screen) {
   if (screen.verdict == "neutral") return "neutral: nothing resists a shear wave, as in a fluid";
   const std::string smallest =
       "smallest acoustic eigenvalue " + rounded_text(*screen.smallest, 3) + " of the largest at rest";
-  if (screen.verdict == "stable") return "stable: " + smallest;
+  if (screen.verdict == "stable") {
+    if (screen.unjudged == 0) return "stable: " + smallest;
+    return "stable as far as it was judged: " + smallest + "; the material fails just beyond " +
+           std::to_string(screen.unjudged) + " places of the path";
+  }
   return "unstable from " + (screen.gamma ? "gamma = " + rounded_text(*screen.gamma, 3) + ", " : "") +
          "t = " + rounded_text(*screen.t, 3) + " s: " + smallest + "; largest safe amplitude " +
          rounded_text(*screen.largest_safe_amplitude, 3);

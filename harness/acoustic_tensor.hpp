@@ -2,7 +2,7 @@
 // The acoustic tensor of a tangent modulus, and its extremes over all directions.
 #pragma once
 
-#include "harness/wave_speed.hpp"
+#include "harness/tangent_modulus.hpp"
 
 namespace assay {
 

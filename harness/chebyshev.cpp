@@ -38,11 +38,6 @@ std::vector<double> coefficients(std::span<const double> values) {
   return c;
 }
 
-double reference_coordinate(const Interval& interval, double point) {
-  if (interval.width() == 0) return 0;
-  return ((point - interval.lower) - (interval.upper - point)) / interval.width();
-}
-
 void basis(double x, std::span<double> T, std::span<double> T_prime) {
   const std::size_t n = T.size();
   for (std::size_t k = 0; k < n; ++k) {
@@ -54,23 +49,6 @@ void basis(double x, std::span<double> T, std::span<double> T_prime) {
       T_prime[k] = 2 * T[k - 1] + 2 * x * T_prime[k - 1] - T_prime[k - 2];
     }
   }
-}
-
-void interpolation_weights(const Interval& interval, double point, std::span<double> weights) {
-  const int n = static_cast<int>(weights.size());
-  const double x = reference_coordinate(interval, point);
-  double sum = 0;
-  for (int j = 0; j < n; ++j) {
-    const double distance = x - node(j, n);
-    if (distance == 0) {
-      for (auto& w : weights) w = 0;
-      weights[static_cast<std::size_t>(j)] = 1;
-      return;
-    }
-    const double end = j == 0 || j == n - 1 ? 0.5 : 1.0;
-    sum += weights[static_cast<std::size_t>(j)] = (j % 2 ? -end : end) / distance;
-  }
-  for (auto& w : weights) w /= sum;
 }
 
 std::vector<double> gauss_nodes(int n) {

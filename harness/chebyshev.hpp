@@ -15,14 +15,8 @@ std::vector<double> nodes(const Interval& interval, int n);
 /// Coefficients c_k of sum c_k T_k from values at `nodes`.
 std::vector<double> coefficients(std::span<const double> values);
 
-/// x in [-1, 1] of a point of the interval; 0 for an interval of no width.
-double reference_coordinate(const Interval& interval, double point);
-
 /// T_k(x) and T_k'(x) (per unit of x) for k = 0 .. n-1.
 void basis(double x, std::span<double> T, std::span<double> T_prime);
-
-/// Weights w_j with f(point) = sum w_j f(node_j): barycentric, exact at nodes.
-void interpolation_weights(const Interval& interval, double point, std::span<double> weights);
 
 /// n Gauss nodes in (0, 1), ascending: none on the ends.
 std::vector<double> gauss_nodes(int n);

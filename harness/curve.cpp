@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "harness/chebyshev.hpp"
+#include "harness/checked_update.hpp"
 
 namespace assay {
 
@@ -17,10 +18,7 @@ std::vector<double> tau_of_eps(const Material& material, const Path& loading, st
   for (std::size_t p = 0; p < n; ++p) {
     const Tensor F = loading.deformation_gradient(eps[p], 1);
     for (int c = 0; c < 9; ++c) F1[c] = component(F, c);
-    const UpdateReport report = material.update(0, 1, 1, F0, F1, state0.data(), state1.data(), cauchy);
-    if (report.worst == ASSAY_FAILED) {
-      throw MaterialFailure(report.message, eps[p], 1, failed_step(0, 1, 1, 0, F0, F1, state0.data(), state0.size()));
-    }
+    checked_update(material, eps[p], 0, 1, 1, F0, F1, state0.data(), state1.data(), cauchy);
     Tensor sigma;
     for (int c = 0; c < 9; ++c) component(sigma, c) = cauchy[c];
     const Tensor tau = first_piola_kirchhoff(sigma, F);
@@ -41,7 +39,9 @@ Curve::Curve(const Material& material, const Path& path, double end, int n) : am
     const auto terms = chebyshev::coefficients(std::span(tau).subspan(c * count, count));
     for (std::size_t k = 0; k < count; ++k) range_.coefficients[k * 9 + c] = terms[k];
   }
-  for (const double value : tau) largest_ = std::max(largest_, std::abs(value));
+  for (std::size_t i = 9 * (count - 2); i < 9 * count; ++i) {
+    tail_ = std::max(tail_, std::abs(range_.coefficients[i]));
+  }
   range_.trim();
 }
 

@@ -56,7 +56,7 @@ void DomainAverage::cuts_of(const Edge& edge, std::span<const double> radii, std
 void DomainAverage::split_at_fronts(const PlaneResponse& response, double t, double g) {
   std::vector<double> radii, radius, cuts;
   for (const double xi : response.fronts(t)) {
-    for (const double R : radii_of_xi(xi)) radii.push_back(R);
+    for (const double R : radii_of_xi_(xi)) radii.push_back(R);
   }
   if (radii.empty()) return;
   std::vector<BoundaryPoint> points;

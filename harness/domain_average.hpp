@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "harness/radii_of_xi.hpp"
 #include "harness/reference_domain.hpp"
 #include "harness/response.hpp"
 #include "harness/vortex.hpp"
@@ -35,8 +36,6 @@ class DomainAverage {
 
   std::size_t radii() const { return xi_.size(); }     ///< at which tau is asked for
   std::size_t edges() const { return edges_.size(); }  ///< that are integrated
-  /// Radii in the ring at which xi(R) takes a value, ascending [m].
-  std::vector<double> radii_of_xi(double xi) const;
 
  private:
   /// A point on a boundary: T.N dS = S_11 n1 e + S_12 n2 e + (S_21 n1 + S_22 n2) e', S = Q(alpha) tau,
@@ -72,7 +71,6 @@ class DomainAverage {
   void share_radii(std::vector<double>& radius);
   int lay_out_panels();
   void add_weights(const ReferenceDomains& domains);
-  void find_turning_radii();
   void rotate(double g, std::span<const double> h, std::span<const double> tau, std::span<Rotated> out) const;
   Point flux_of(std::span<const BoundaryPoint> points, std::span<const Rotated> S) const;
   void cuts_of(const Edge& edge, std::span<const double> radii, std::vector<double>& cuts) const;
@@ -84,15 +82,15 @@ class DomainAverage {
   Vortex vortex_;
   double density_;
   int gauss_points_;
+  RadiiOfXi radii_of_xi_;
   std::vector<ReferenceDomains::Place> places_;
   std::vector<Shape> shapes_;
   std::vector<Side> sides_;
   std::vector<Edge> edges_;
   std::vector<BoundaryPoint> points_;
-  std::vector<double> xi_, h_;   // of each distinct radius
-  std::vector<double> turning_;  // radii between which xi(R) is monotone, with ri and ro
-  std::vector<double> node_h_;   // h at the radial nodes of the acceleration
-  std::vector<Point> weights_;   // integral of X L_k(R) dA over a shape [m^3]
+  std::vector<double> xi_, h_;  // of each distinct radius
+  std::vector<double> node_h_;  // h at the radial nodes of the acceleration
+  std::vector<Point> weights_;  // integral of X L_k(R) dA over a shape [m^3]
   std::vector<double> tau_;
   std::vector<Rotated> rotated_;
   std::vector<Point> flux_;    // of each edge [N/m]

@@ -13,7 +13,6 @@ namespace assay {
 
 namespace {
 
-constexpr int xi_samples = 512;   ///< in which xi(R) is looked through for where it turns
 constexpr int panel_nodes = 7;    ///< of the acceleration's interpolation in R
 constexpr int fewest_panels = 8;  ///< across the ring
 
@@ -74,8 +73,7 @@ std::array<double, panel_nodes> lagrange(double x) {
 }  // namespace
 
 DomainAverage::DomainAverage(const Vortex& vortex, double density, const ReferenceDomains& domains, int gauss_points)
-    : vortex_(vortex), density_(density), gauss_points_(gauss_points), places_(domains.places) {
-  find_turning_radii();
+    : vortex_(vortex), density_(density), gauss_points_(gauss_points), radii_of_xi_(vortex), places_(domains.places) {
   add_edges(domains);
   add_weights(domains);
   tau_.resize(4 * xi_.size());
@@ -83,37 +81,6 @@ DomainAverage::DomainAverage(const Vortex& vortex, double density, const Referen
   flux_.resize(edges_.size());
   node_a_.resize(node_h_.size());
   force_.resize(shapes_.size());
-}
-
-void DomainAverage::find_turning_radii() {
-  const double ri = vortex_.inner, ro = vortex_.outer;
-  turning_.push_back(ri);
-  for (int i = 0; i < xi_samples; ++i) {
-    double low = ri + (ro - ri) * i / xi_samples, high = ri + (ro - ri) * (i + 1) / xi_samples;
-    const bool rises = vortex_.profile(low).xi_prime > 0;
-    if (rises == (vortex_.profile(high).xi_prime > 0)) continue;
-    for (int k = 0; k < 60; ++k) {
-      const double middle = 0.5 * (low + high);
-      ((vortex_.profile(middle).xi_prime > 0) == rises ? low : high) = middle;
-    }
-    turning_.push_back(low);
-  }
-  turning_.push_back(ro);
-}
-
-std::vector<double> DomainAverage::radii_of_xi(double xi) const {
-  std::vector<double> radii;
-  for (std::size_t k = 0; k + 1 < turning_.size(); ++k) {
-    double low = turning_[k], high = turning_[k + 1];
-    const bool below = vortex_.profile(low).xi < xi;
-    if (below == (vortex_.profile(high).xi < xi)) continue;
-    for (int pass = 0; pass < 60 && high - low > 1e-16; ++pass) {
-      const double middle = 0.5 * (low + high);
-      ((vortex_.profile(middle).xi < xi) == below ? low : high) = middle;
-    }
-    radii.push_back(0.5 * (low + high));
-  }
-  return radii;
 }
 
 /// Gauss points of the straight piece a b inside the ring; the normal points to the right of the way from a to b.

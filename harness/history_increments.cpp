@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "harness/checked_update.hpp"
 #include "harness/history_forms.hpp"
 
 namespace assay {
@@ -178,13 +179,8 @@ bool History::Increments::substeps(double step, int count) {
 }
 
 void History::Increments::increment(double t, double dt, const double* F0, const double* F1) {
-  const UpdateReport report =
-      h_->course_->material->update(t, dt, 1, F0, F1, now_.data() + 9, next_.data() + 9, next_.data());
   ++h_->calls_;
-  if (report.worst == ASSAY_FAILED) {
-    throw MaterialFailure(report.message, h_->xi_, t + dt,
-                          failed_step(t, dt, 1, 0, F0, F1, now_.data() + 9, now_.size() - 9));
-  }
+  checked_update(*h_->course_->material, h_->xi_, t, dt, 1, F0, F1, now_.data() + 9, next_.data() + 9, next_.data());
 }
 
 void History::Increments::accept(double step) {

@@ -213,45 +213,4 @@ BuiltBands build_bands(const Material& material, const Path& path, const SheetOp
   return built;
 }
 
-BuiltCurve build_curve(const Material& material, const Path& path, const SheetOptions& options) {
-  constexpr int first_nodes = 9;
-  constexpr double places[] = {0.0721, 0.2391, 0.4142, 0.6180, 0.8513, 0.9772};  // irrational: no node family has them
-  constexpr double step_share = 0.01;
-  constexpr double weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
-  const Path loading = loading_path(path, options.end);
-  const double width = loading.parameter.width(), step = step_share * width;
-  std::vector<double> eps;
-  for (const double place : places) {
-    for (int k = -4; k <= 4; ++k) eps.push_back(loading.parameter.lower + (0.05 + 0.9 * place) * width + k * step);
-  }
-  const std::size_t n = eps.size();
-  const std::vector<double> exact = tau_of_eps(material, loading, eps);
-  BuiltCurve built{Curve(material, path, options.end, first_nodes), {}, static_cast<std::int64_t>(n)};
-  for (int nodes = first_nodes; nodes <= options.most_nodes; nodes = 2 * nodes - 1) {
-    built.curve = Curve(material, path, options.end, nodes);
-    built.calls += nodes;
-    const Slice slice = built.curve.in_eps();
-    SheetError error;
-    for (std::size_t p = 4; p < n; p += 9) {
-      Tensor tau, slope;
-      slice.at(eps[p], tau, slope);
-      for (int c = 0; c < 9; ++c) {
-        const double* values = &exact[static_cast<std::size_t>(c) * n + p];
-        double difference = 0;
-        for (int k = 1; k <= 4; ++k) difference += weights[k - 1] * (values[k] - values[-k]);
-        difference = step > 0 ? difference / step : 0;
-        error.tau_scale = std::max(error.tau_scale, std::abs(values[0]));
-        error.dtau_scale = std::max(error.dtau_scale, std::abs(difference));
-        error.tau = std::max(error.tau, std::abs(component(tau, c) - values[0]));
-        error.dtau = std::max(error.dtau, std::abs(component(slope, c) - difference));
-      }
-    }
-    if (error.tau_scale > 0) error.tau /= error.tau_scale;
-    if (error.dtau_scale > 0) error.dtau /= error.dtau_scale;
-    built.error = error;
-    if (reached(error, options)) break;
-  }
-  return built;
-}
-
 }  // namespace assay

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/central_difference.hpp"
 #include "harness/sheet_build.hpp"
 
 namespace assay {
@@ -15,8 +16,7 @@ constexpr double places_in_t[] = {0.0937, 0.5361, 0.8999};  ///< of a stretch
 constexpr double stencil_of_rates = 0.03, stencil_of_increments = 0.06;
 constexpr double narrow_share = 1e-4;       ///< of the range of xi
 constexpr std::size_t most_stretches = 16;  ///< of a long history that are looked at
-constexpr double weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
-constexpr int reach = 4;
+constexpr int reach = central_reach;
 
 /// Where a band is looked at: nine neighbouring histories at ascending times.
 struct Stencil {
@@ -66,12 +66,12 @@ void compare(const Stencil& stencil, SheetError& error) {
   for (std::size_t row = 0; row < stencil.times.size(); ++row) {
     const double t = stencil.times[row];
     const Tensor* tau = &stencil.tau[row * 9 + reach];
-    Tensor value, slope, difference = Tensor::Zero();
+    Tensor value, slope;
     stencil.table->at(stencil.xi, t, value, slope);
     error.tau_scale = std::max(error.tau_scale, tau->cwiseAbs().maxCoeff());
     error.tau = std::max(error.tau, (value - *tau).cwiseAbs().maxCoeff());
     if (!in_one_stretch(stencil, t)) continue;
-    for (int k = 1; k <= reach; ++k) difference += weights[k - 1] / stencil.step * (tau[k] - tau[-k]);
+    const Tensor difference = central_difference([&](int k) { return tau[k]; }, stencil.step);
     error.dtau_scale = std::max(error.dtau_scale, difference.cwiseAbs().maxCoeff());
     error.dtau = std::max(error.dtau, (slope - difference).cwiseAbs().maxCoeff());
   }

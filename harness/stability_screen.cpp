@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "harness/acoustic_tensor.hpp"
 #include "harness/point_driver.hpp"
+#include "harness/stability_probe.hpp"
 
 namespace assay {
 
@@ -17,48 +17,18 @@ constexpr int fractions = 8;                ///< of the range of xi, on both sid
 constexpr int sections = 5;                 ///< of a bracket, again and again
 constexpr double bracket = 5e-4;            ///< relative, at which that ends
 constexpr double history_tolerance = 1e-5;  ///< of the states that are looked at
-constexpr double share_of_end = 1e-4;       ///< a usual step of an explicit run: dt at rest
-constexpr double backward = 1e-6;           ///< share of the end over which the direction of loading is taken
-constexpr double rest_difference = 1e-5;    ///< central: error about 1e-10, round-off about 1e-11
-constexpr double neutral_threshold = 1e-8;  ///< of the largest eigenvalue: what differences can tell from zero
-constexpr double coarse_noise = 1e-4;       ///< relative noise of fine differences from which coarse ones are taken
-
-/// Steps of strain. The state is settled first: a history's state is known to a tolerance, and only `update` itself
-/// puts it exactly on a yield surface. Then a step along the path, and differences small against it.
-struct Steps {
-  double settle, base, difference;
-};
-constexpr Steps fine{1e-4, 1e-6, 2e-8};
-constexpr Steps coarse{1e-2, 1e-2, 1e-3};  ///< for a model in single precision
-
-/// State and place at one point of a path.
-struct Place {
-  double xi, t;
-  std::vector<double> state;
-};
 
 /// One screening: what does not change from place to place.
 class Screen {
  public:
-  Screen(const Material& material, const Path& path, double end) : material_(material), path_(path), end_(end) {
-    breaks_ = path.reversals(end);
-    breaks_.insert(breaks_.begin(), 0.0);
-    breaks_.push_back(end);
-    double fastest = 0;
-    for (const double xi : {path.parameter.lower, path.parameter.upper}) {
-      for (std::size_t b = 0; b + 1 < breaks_.size(); ++b) {
-        const Tensor change = path.deformation_gradient(xi, breaks_[b + 1]) - path.deformation_gradient(xi, breaks_[b]);
-        fastest = std::max(fastest, change.norm() / (breaks_[b + 1] - breaks_[b]));
-      }
-    }
-    rate_ = fastest;
-  }
+  Screen(const Material& material, const Path& path, double end)
+      : material_(material), path_(path), probe_(material, path, end) {}
 
   StabilityScreen run() {
     StabilityScreen screen;
-    const AcousticExtreme rest = at_rest();
-    screen.smallest = scale_ > 0 ? rest.value / scale_ : 0;
-    if (std::abs(rest.value) <= noise_floor_) {
+    const AcousticExtreme& rest = probe_.at_rest();
+    screen.smallest = probe_.scale() > 0 ? rest.value / probe_.scale() : 0;
+    if (std::abs(rest.value) <= probe_.noise_floor()) {
       screen.verdict = StabilityScreen::Verdict::neutral;
       return screen;
     }
@@ -73,94 +43,35 @@ class Screen {
   }
 
  private:
-  /// The smallest eigenvalue at rest; the scale of all others, and what differences cannot tell from zero.
-  AcousticExtreme at_rest() {
-    const std::vector<double> state = material_.initial_state(1, {}, path_.material_direction);
-    const Tensor I = Tensor::Identity();
-    const double dt = share_of_end * end_;
-    const auto probed = [&](double step, double size) {
-      return probe_tangent_modulus(material_, 0, step, I, I, state, size);
-    };
-    const TangentModulus one = probed(dt, fine.difference), other = probed(dt, 3 * fine.difference);
-    const double noise = (one - other).norm() / one.norm();
-    if (!(noise < coarse_noise)) steps_ = coarse;
-    const double size = std::max(rest_difference, steps_.difference);
-    TangentModulus A = probed(dt, size);
-    noise_floor_ = neutral_threshold * largest_acoustic_eigenvalue(A).value;
-    if (steps_.difference == coarse.difference) {
-      noise_floor_ = std::max(noise_floor_, 10 * (A - probed(dt, 3 * size)).norm());
-    }
-    // A viscous stress adds A_v / dt: it carries no wave, and two steps tell it from an elastic one
-    if (material_.has(ASSAY_RATE_DEPENDENT)) A = 2 * probed(2 * dt, size) - A;
-    scale_ = largest_acoustic_eigenvalue(A).value;
-    return smallest_acoustic_eigenvalue(A);
-  }
-
-  /// Unit direction in which F moves on its way to the time t; zero where it stands still.
-  Tensor loading(double xi, double t) const {
-    const double before = std::max(0.0, t - backward * end_);
-    const Tensor change = path_.deformation_gradient(xi, t) - path_.deformation_gradient(xi, before);
-    const double size = change.norm();
-    return size > 1e-14 ? Tensor(change / size) : Tensor(Tensor::Zero());
-  }
-
-  /// Smallest eigenvalue on the branch on which the path loads.
-  AcousticExtreme at(const Place& place) const {
-    const Tensor F = path_.deformation_gradient(place.xi, place.t), along = loading(place.xi, place.t);
-    if (along.isZero(0)) return {scale_, Vector3::Zero()};
-    const double dt = rate_ > 0 ? 1 / rate_ : end_;  // per unit of strain
-    const Tensor start = F + steps_.settle * along;
-    const std::vector<double> state = settled_state(place, F, start, dt);
-    return smallest_acoustic_eigenvalue(probe_tangent_modulus(material_, place.t, steps_.base * dt, start,
-                                                              start + steps_.base * along, state, steps_.difference));
-  }
-
-  std::vector<double> settled_state(const Place& place, const Tensor& F, const Tensor& start, double dt) const {
-    if (place.state.empty()) return {};
-    double F0[9], F1[9], cauchy[9];
-    for (int c = 0; c < 9; ++c) F0[c] = component(F, c), F1[c] = component(start, c);
-    std::vector<double> state(place.state.size());
-    const double step = steps_.settle * dt;
-    const UpdateReport report = material_.update(place.t, step, 1, F0, F1, place.state.data(), state.data(), cauchy);
-    if (report.worst == ASSAY_FAILED) {
-      throw MaterialFailure(report.message, place.xi, place.t,
-                            failed_step(place.t, step, 1, 0, F0, F1, place.state.data(), state.size()));
-    }
-    return state;
-  }
-
   /// What was found at every time (rows) and xi.
   struct Scan {
     std::vector<double> xi, times;
     std::vector<std::vector<AcousticExtreme>> found;
+    int unjudged = 0;  ///< places at which nothing could be found; they count as stable
   };
   Scan scan(const std::vector<double>& xi, const std::vector<double>& times) const {
     DriverOptions options;
     options.tolerance = history_tolerance;
     const Histories h = integrate_histories(material_, path_, xi, times, options);
     Scan result{xi, times, {}};
-    Place place{};
-    place.state.resize(material_.state_size());
+    std::vector<double> state(material_.state_size());
     for (std::size_t row = 0; row < times.size(); ++row) {
       std::vector<AcousticExtreme>& found = result.found.emplace_back();
       for (std::size_t p = 0; p < xi.size(); ++p) {
-        for (std::size_t c = 0; c < place.state.size(); ++c) place.state[c] = h.points[row].state[c * xi.size() + p];
-        place.xi = xi[p], place.t = times[row];
-        try {
-          found.push_back(at(place));
-        } catch (MaterialFailure& failure) {
-          failure.xi = place.xi;
-          throw;
-        }
+        for (std::size_t c = 0; c < state.size(); ++c) state[c] = h.points[row].state[c * xi.size() + p];
+        const auto extreme = probe_.at(xi[p], times[row], state);
+        found.push_back(extreme.value_or(AcousticExtreme{probe_.scale(), Vector3::Zero()}));
+        if (!extreme) ++result.unjudged;
       }
     }
     return result;
   }
 
   std::vector<double> sampled_times() const {
+    const std::vector<double>& breaks = probe_.breaks();
     std::vector<double> times;
-    for (std::size_t b = 0; b + 1 < breaks_.size(); ++b) {
-      for (int k = 1; k <= samples; ++k) times.push_back(breaks_[b] + (breaks_[b + 1] - breaks_[b]) * k / samples);
+    for (std::size_t b = 0; b + 1 < breaks.size(); ++b) {
+      for (int k = 1; k <= samples; ++k) times.push_back(breaks[b] + (breaks[b + 1] - breaks[b]) * k / samples);
     }
     return times;
   }
@@ -184,9 +95,10 @@ class Screen {
   void follow(StabilityScreen& screen) const {
     const std::vector<double> shares = between(0, 1, fractions);
     const Scan whole = scan(shrunk(shares), sampled_times());
+    screen.unjudged = whole.unjudged;
     for (std::size_t row = 0; row < whole.times.size(); ++row) {
       for (std::size_t p = 0; p < whole.xi.size(); ++p) {
-        screen.smallest = std::min(screen.smallest, whole.found[row][p].value / scale_);
+        screen.smallest = std::min(screen.smallest, whole.found[row][p].value / probe_.scale());
       }
     }
     if (screen.smallest > 0) return;
@@ -248,12 +160,7 @@ class Screen {
 
   const Material& material_;
   const Path& path_;
-  double end_;
-  std::vector<double> breaks_;
-  double rate_ = 0;         ///< of F along the path [1/s]
-  double scale_ = 1;        ///< largest eigenvalue at rest [Pa]
-  double noise_floor_ = 0;  ///< [Pa]
-  Steps steps_ = fine;
+  StabilityProbe probe_;
 };
 
 }  // namespace

@@ -16,6 +16,9 @@ struct StabilityScreen {
   Verdict verdict = Verdict::stable;
   double smallest = 0;  ///< eigenvalue over the whole path, of a neutral material at rest; over the largest at rest [1]
 
+  /// Places of the path that were not judged: the material fails in a step a little beyond them.
+  int unjudged = 0;
+
   // The first loss, where unstable.
   double xi = 0, t = 0;              ///< [1], [s]
   Vector3 normal = Vector3::Zero();  ///< N of the wave that does not travel
@@ -24,7 +27,8 @@ struct StabilityScreen {
 
 /// Screens with A = dP/dF of the instantaneous loading branch, by differences of `update`, all xi of the path's range
 /// and 0 <= t <= end [s]. Models that soften or do not keep the normal rule are followed to their first loss like any
-/// other. Throws MaterialFailure.
+/// other. Throws MaterialFailure where a history
+/// fails.
 StabilityScreen screen_stability(const Material& material, const Path& path, double end);
 
 }  // namespace assay

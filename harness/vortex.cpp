@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/radii_of_xi.hpp"
+
 namespace assay {
 
 namespace {
@@ -11,8 +13,6 @@ namespace {
 /// Radii this close to ri or ro [relative] count as ri or ro: a point given on the edge must not fall outside by the
 /// rounding of sqrt(X^2 + Y^2).
 constexpr double edge_tolerance = 1e-14;
-
-constexpr int xi_samples = 512;
 
 }  // namespace
 
@@ -62,16 +62,8 @@ ExactState Vortex::at(const Vector3& X, double t) const {
 
 Interval Vortex::xi_range() const {
   Interval range;
-  const auto radius = [&](int i) { return inner + (outer - inner) * i / xi_samples; };
-  for (int i = 0; i < xi_samples; ++i) {
-    double low = radius(i), high = radius(i + 1);
-    const bool falls = profile(low).xi_prime > 0;
-    if (falls == (profile(high).xi_prime > 0)) continue;
-    for (int k = 0; k < 60; ++k) {  // bisection of xi' = 0
-      const double middle = 0.5 * (low + high);
-      ((profile(middle).xi_prime > 0) == falls ? low : high) = middle;
-    }
-    const double extreme = profile(low).xi;
+  for (const double R : turning_radii(*this)) {
+    const double extreme = profile(R).xi;
     range.lower = std::min(range.lower, extreme);
     range.upper = std::max(range.upper, extreme);
   }

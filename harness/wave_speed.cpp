@@ -1,29 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/wave_speed.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "harness/acoustic_tensor.hpp"
 #include "harness/point_driver.hpp"
 
 namespace assay {
 
 namespace {
 
-constexpr double difference = 1e-5;         ///< of F, central: error about 1e-10 relative, round-off about 1e-11
-constexpr int directions = 400;             ///< on the half sphere: neighbours 7 degrees apart, c within 1 %
 constexpr int samples = 9;                  ///< of xi, and of t in each piece
 constexpr double history_tolerance = 1e-3;  ///< of the states at which waves are looked at
 constexpr double share_of_end = 1e-4;       ///< the probing step's dt: a usual step of an explicit run
-
-/// Directions on the upper half sphere in a golden-angle spiral.
-Vector3 direction(int k) {
-  const double z = (k + 0.5) / directions, phi = k * std::numbers::pi * (3 - std::sqrt(5.0));
-  const double r = std::sqrt(1 - z * z);
-  return {r * std::cos(phi), r * std::sin(phi), z};
-}
 
 double own_wave_speed(const Material& material, const assay_wave_speed& extension, double density, const Histories& h,
                       const Path& path) {
@@ -66,62 +56,12 @@ double probed_wave_speed(const Material& material, double density, double dt, co
 
 }  // namespace
 
-TangentModulus probe_tangent_modulus(const Material& material, double t, double dt, const Tensor& F,
-                                     const std::vector<double>& state0) {
-  return probe_tangent_modulus(material, t, dt, F, F, state0, difference);
-}
-
-TangentModulus probe_tangent_modulus(const Material& material, double t, double dt, const Tensor& F0, const Tensor& F1,
-                                     const std::vector<double>& state0, double size) {
-  constexpr std::size_t n = 18;  // points of the batch: 2 j and 2 j + 1 on the two sides in component j
-  const std::size_t states = state0.size();
-  std::vector<double> before(9 * n), after(9 * n), cauchy(9 * n), history(states * n), unused(states * n);
-  for (std::size_t p = 0; p < n; ++p) {
-    for (std::size_t c = 0; c < 9; ++c) {
-      before[c * n + p] = component(F0, static_cast<int>(c));
-      after[c * n + p] = component(F1, static_cast<int>(c)) + (c == p / 2 ? (p % 2 ? size : -size) : 0);
-    }
-    for (std::size_t c = 0; c < states; ++c) history[c * n + p] = state0[c];
-  }
-  const UpdateReport report =
-      material.update(t, dt, n, before.data(), after.data(), history.data(), unused.data(), cauchy.data());
-  if (report.worst == ASSAY_FAILED) {
-    throw MaterialFailure(
-        report.message, 0, t,
-        failed_step(t, dt, n, report.worst_point, before.data(), after.data(), history.data(), states));
-  }
-  const auto stress = [&](std::size_t p) {
-    Tensor sigma, F;
-    for (std::size_t c = 0; c < 9; ++c) {
-      component(sigma, static_cast<int>(c)) = cauchy[c * n + p];
-      component(F, static_cast<int>(c)) = after[c * n + p];
-    }
-    return first_piola_kirchhoff(sigma, F);
-  };
-  TangentModulus A;
-  for (std::size_t j = 0; j < 9; ++j) {
-    const Tensor slope = (stress(2 * j + 1) - stress(2 * j)) / (after[j * n + 2 * j + 1] - after[j * n + 2 * j]);
-    for (int i = 0; i < 9; ++i) A(i, static_cast<int>(j)) = component(slope, i);
-  }
-  return A;
-}
-
 double fastest_wave(const TangentModulus& A, const Tensor& F, double density) {
-  double largest = 0;
-  for (int k = 0; k < directions; ++k) {
-    const Vector3 N = F.transpose() * direction(k);
-    Tensor Q = Tensor::Zero();
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) {
-        for (int a = 0; a < 3; ++a) {
-          for (int b = 0; b < 3; ++b) Q(i, j) += A(3 * i + a, 3 * j + b) * N(a) * N(b);
-        }
-      }
-    }
-    const Eigen::SelfAdjointEigenSolver<Tensor> solver(0.5 * (Q + Q.transpose()), Eigen::EigenvaluesOnly);
-    largest = std::max(largest, solver.eigenvalues()(2));
+  TangentModulus pushed;  // N.A.N = n.pushed.n
+  for (int i = 0; i < 9; i += 3) {
+    for (int k = 0; k < 9; k += 3) pushed.block<3, 3>(i, k) = F * A.block<3, 3>(i, k) * F.transpose();
   }
-  return std::sqrt(largest / density);
+  return std::sqrt(std::max(0.0, largest_acoustic_eigenvalue(pushed).value) / density);
 }
 
 double fastest_wave_on_path(const Material& material, const Path& given, double density, double end) {

@@ -5,81 +5,16 @@
 #include <cmath>
 #include <cstdint>
 
+#include "drivers/output/html.hpp"
 #include "drivers/output/number_format.hpp"
+#include "drivers/output/report_sections.hpp"
 #include "drivers/output/report_style.hpp"
 
 namespace assay::drivers {
 
+using namespace html;
+
 namespace {
-
-constexpr const char* none = "\u2013";  // a figure that was not reached
-
-std::string figure(const Figure& value, int digits = 4) {
-  return value && std::isfinite(*value) ? rounded_text(*value, digits) : none;
-}
-
-std::string with_unit(const std::string& text, const std::string& unit) {
-  return text == none || unit.empty() ? text : text + "\u202f" + unit;
-}
-
-std::string element(const std::string& tag, const std::string& content) {
-  return "<" + tag + ">" + content + "</" + tag.substr(0, tag.find(' ')) + ">";
-}
-
-std::string section(const std::string& title, const std::string& content) {
-  return "<section>\n" + element("h2", title) + "\n" + content + "</section>\n";
-}
-
-/// Cells are HTML; the first of a row is its header.
-std::string table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows) {
-  std::string out = "<div class=\"wide\"><table><thead><tr>";
-  for (const std::string& cell : head) out += element("th scope=\"col\"", cell);
-  out += "</tr></thead><tbody>\n";
-  for (const auto& row : rows) {
-    out += "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      out += i == 0 ? element("th scope=\"row\"", row[i]) : row[i].starts_with("<td") ? row[i] : element("td", row[i]);
-    }
-    out += "</tr>\n";
-  }
-  return out + "</tbody></table></div>\n";
-}
-
-const ErrorSample* sample_at(const std::vector<ErrorSample>& history, double t) {
-  for (const ErrorSample& sample : history) {
-    if (std::abs(sample.t - t) <= 1e-6 * std::abs(t)) return &sample;
-  }
-  return nullptr;
-}
-
-/// One line of the table of errors: a field, a norm.
-struct Norm {
-  const char* name;
-  const char* unit;
-  double (*of)(const ErrorSample&);
-};
-
-constexpr Norm norms[] = {
-    {"displacement, L<sub>2</sub>", "m", [](const ErrorSample& s) { return s.displacement.l2; }},
-    {"displacement, L<sub>\u221e</sub>", "m", [](const ErrorSample& s) { return s.displacement.linf; }},
-    {"displacement, (36) over all particles", "m", [](const ErrorSample& s) { return s.rms36; }},
-    {"velocity, L<sub>2</sub>", "m/s", [](const ErrorSample& s) { return s.velocity.l2; }},
-    {"velocity, L<sub>\u221e</sub>", "m/s", [](const ErrorSample& s) { return s.velocity.linf; }},
-    {"deformation gradient, L<sub>2</sub>", "1", [](const ErrorSample& s) { return s.deformation_gradient.l2; }},
-    {"deformation gradient, L<sub>\u221e</sub>", "1", [](const ErrorSample& s) { return s.deformation_gradient.linf; }},
-    {"Jacobian, L<sub>2</sub>", "1", [](const ErrorSample& s) { return s.jacobian.l2; }},
-    {"Jacobian, L<sub>\u221e</sub>", "1", [](const ErrorSample& s) { return s.jacobian.linf; }},
-    {"Cauchy stress, L<sub>2</sub>", "Pa", [](const ErrorSample& s) { return s.stress.l2; }},
-    {"Cauchy stress, L<sub>\u221e</sub>", "Pa", [](const ErrorSample& s) { return s.stress.linf; }},
-};
-
-const ErrorSample* largest(const std::vector<ErrorSample>& history, const Norm& norm) {
-  const ErrorSample* out = nullptr;
-  for (const ErrorSample& sample : history) {
-    if (std::isfinite(norm.of(sample)) && (!out || norm.of(sample) > norm.of(*out))) out = &sample;
-  }
-  return out;
-}
 
 std::string verdict(const Result& result) {
   const auto failed = std::count_if(result.expect.begin(), result.expect.end(), [](const auto& e) { return !e.holds; });
@@ -109,7 +44,7 @@ std::string tile(const std::string& name, const std::string& value, const std::s
 std::string count(const std::optional<std::int64_t>& value) { return value ? grouped_text(*value) : none; }
 
 std::string key_figures(const Result& result) {
-  const ErrorSample* worst = largest(result.history, norms[0]);
+  const ErrorSample* worst = worst_displacement(result.history);
   const std::string when = worst && result.error.l2_max ? "at t = " + rounded_text(worst->t, 4) + "\u202fs" : "";
   std::string out = "<dl class=\"figures\">\n";
   out += tile("Largest L<sub>2</sub> error of u", with_unit(figure(result.error.l2_max), "m"), when);
@@ -157,105 +92,7 @@ std::string pictures(const ReportContent& content) {
   return out.empty() ? out : section("Particles", out);
 }
 
-std::string error_table(const Result& result, double period) {
-  if (result.history.empty()) return {};
-  const ErrorSample* half = sample_at(result.history, period / 2);
-  const ErrorSample* end = sample_at(result.history, period);
-  std::vector<std::vector<std::string>> rows;
-  for (const Norm& norm : norms) {
-    const ErrorSample* worst = largest(result.history, norm);
-    const auto cell = [&](const ErrorSample* at) { return at ? figure(norm.of(*at)) : none; };
-    rows.push_back(
-        {norm.name, norm.unit, cell(half), cell(end), cell(worst), worst ? rounded_text(worst->t, 4) : none});
-  }
-  return table({"error of", "unit", "at T/2", "at T", "maximum", "at t [s]"}, rows) +
-         "<p><small>L<sub>2</sub>: volume-weighted over the particles that the exact motion moves; L<sub>\u221e</sub>: "
-         "the worst of them.</small></p>\n";
-}
-
-std::string history(const Result& result, const ReportContent& content) {
-  if (result.history.empty()) return {};
-  return section("Errors over time", "<figure>" + svg(error_history_plot(result.history)) + "</figure>\n" +
-                                         error_table(result, content.period));
-}
-
-std::string profile(const Result& result) {
-  if (result.passes.empty()) return {};
-  double most = 0, total = 0;
-  for (const PassFigures& pass : result.passes) {
-    most = std::max(most, pass.seconds);
-    total += pass.seconds;
-  }
-  std::vector<std::vector<std::string>> rows;
-  for (const PassFigures& pass : result.passes) {
-    const double width = most > 0 ? 100 * pass.seconds / most : 0, share = total > 0 ? 100 * pass.seconds / total : 0;
-    rows.push_back({escaped(pass.name), rounded_text(pass.seconds, 3), rounded_text(share, 3) + "\u202f%",
-                    pass.bytes_per_particle > 0 ? rounded_text(pass.bytes_per_particle, 4) : none,
-                    "<td class=\"bar\"><i style=\"width:" + rounded_text(width, 4) + "%\"></i></td>"});
-  }
-  return section("Where the time went", table({"pass", "seconds", "share", "bytes a particle", ""}, rows));
-}
-
-std::string fact(const std::string& name, const std::string& value) {
-  return element("dt", name) + element("dd", value.empty() ? none : value) + "\n";
-}
-
-std::string credibility(const Result& result) {
-  std::string out = "<dl class=\"facts\">\n";
-  if (result.sheet) {
-    const bool shadow = !std::isfinite(result.sheet->error_dtau);
-    const std::string points = grouped_text(result.sheet->points);
-    out += shadow ? fact("Response", points + " shadow histories taken along")
-                  : fact("Response sheet", points + " points, " +
-                                               (result.sheet->cached ? "read from disk in " : "made in ") +
-                                               rounded_text(result.sheet->wall_s, 3) + "\u202fs");
-    const std::string of_slope = shadow ? "" : ", " + rounded_text(result.sheet->error_dtau, 2) + " in d\u03c4/d\u03be";
-    out += fact("Its error",
-                rounded_text(result.sheet->error_tau, 2) + " in \u03c4" + of_slope + ", of the largest component");
-    if (result.sheet->error_b) {
-      out += fact("What it costs and buys", rounded_text(result.sheet->wall_s, 2) + "\u202fs for an error of b of " +
-                                                rounded_text(*result.sheet->error_b, 2) + " of the largest |b|");
-    }
-  }
-  if (result.rim) {
-    out += fact("Plastic rim at the peak", rounded_text(result.rim->width, 3) + "\u202fm wide, " +
-                                               rounded_text(result.rim->cells, 3) + " cells of the grid");
-  }
-  out += fact("Drift of mass", figure(result.drift.mass, 2));
-  out += fact("of momentum", figure(result.drift.momentum, 2));
-  out += fact("of angular momentum", figure(result.drift.angular_momentum, 2));
-  out += fact("of energy", figure(result.drift.energy, 2));
-  return section("What else was checked", out + "</dl>\n");
-}
-
-std::string provenance(const Result& result) {
-  const Provenance& from = result.provenance;
-  std::string libraries;
-  for (const std::string& library : from.libraries) libraries += (libraries.empty() ? "" : ", ") + escaped(library);
-  std::string out = "<dl class=\"facts\">\n" + fact("assay", escaped(from.version)) +
-                    fact("Commit", escaped(from.git)) + fact("Compiler", escaped(from.compiler)) +
-                    fact("Flags", escaped(from.flags)) + fact("Libraries", libraries) +
-                    fact("SHA-256 of the scene", escaped(from.scene_sha256));
-  out += fact("Time", rounded_text(result.setup_s, 3) + "\u202fs set-up, " + rounded_text(result.wall_s, 3) +
-                          "\u202fs wall, " + rounded_text(result.cpu_s, 3) + "\u202fs processor");
-  const double mebibytes = static_cast<double>(result.peak_rss_bytes) / (1024.0 * 1024.0);
-  out += fact("Memory", result.peak_rss_bytes > 0 ? rounded_text(mebibytes, 4) + "\u202fMiB at most" : none);
-  return section("Where it comes from", out + "</dl>\n");
-}
-
 }  // namespace
-
-LinePlot error_history_plot(const std::vector<ErrorSample>& history) {
-  Series l2{"L_{2}", {}, {}}, linf{"L_{\u221e}", {}, {}}, rms{"(36), all particles", {}, {}};
-  rms.dashed = true;
-  for (const ErrorSample& sample : history) {
-    for (Series* series : {&l2, &linf, &rms}) series->x.push_back(sample.t);
-    l2.y.push_back(sample.displacement.l2);
-    linf.y.push_back(sample.displacement.linf);
-    rms.y.push_back(sample.rms36);
-  }
-  return {"Error of the displacement", "t [s]", "error [m]", false, true, {l2, linf, rms}};
-}
 
 std::string report_html(const Result& result, const ReportContent& content) {
   const std::string title = escaped(result.title.empty() ? "assay run" : result.title);
@@ -265,27 +102,13 @@ std::string report_html(const Result& result, const ReportContent& content) {
       element("title", title) + "\n<style>" + report_style + "</style>\n</head>\n<body>\n<main>\n" +
       element("h1", title) + "\n";
   if (!result.subject.empty()) out += element("p", escaped(result.subject)) + "\n";
-  out += verdict(result) + key_figures(result) + expectations(result) + pictures(content) + history(result, content);
-  out += profile(result) + credibility(result) + provenance(result);
+  out += verdict(result) + key_figures(result) + expectations(result) + pictures(content) +
+         errors_section(result, content.period);
+  out += profile_section(result) + credibility_section(result) + provenance_section(result);
   if (!content.resolved_scene.empty()) {
     out += section("The scene, with every default", element("pre", escaped(content.resolved_scene)) + "\n");
   }
   return out + "</main>\n</body>\n</html>\n";
-}
-
-std::string base64(std::string_view bytes) {
-  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  out.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t word = 0;
-    const std::size_t have = std::min<std::size_t>(3, bytes.size() - i);
-    for (std::size_t k = 0; k < 3; ++k) {
-      word = word << 8 | (k < have ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) out += k <= have ? digits[word >> (18 - 6 * k) & 63] : '=';
-  }
-  return out;
 }
 
 }  // namespace assay::drivers

@@ -28,7 +28,4 @@ LinePlot error_history_plot(const std::vector<ErrorSample>& history);
 /// The page. First the verdict, then pictures and plots, then every figure, then where it comes from.
 std::string report_html(const Result& result, const ReportContent& content);
 
-/// RFC 4648.
-std::string base64(std::string_view bytes);
-
 }  // namespace assay::drivers

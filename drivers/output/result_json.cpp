@@ -64,6 +64,7 @@ Json screen(const std::optional<ScreenFigures>& found) {
   out["xi"] = figure(figures.xi);
   out["gamma"] = figure(figures.gamma);
   out["smallest"] = figure(figures.smallest);
+  out["unjudged"] = found ? Json(figures.unjudged) : Json(nullptr);
   out["largest_safe_amplitude"] = figure(figures.largest_safe_amplitude);
   out["wall_s"] = found ? figure(figures.wall_s) : Json(nullptr);
   return out;

@@ -6,22 +6,11 @@
 #include <limits>
 
 #include "drivers/output/number_format.hpp"
+#include "harness/radii_of_xi.hpp"
 
 namespace assay::drivers {
 
 namespace {
-
-constexpr int scanned = 4096;  // radii; narrower zones are not seen
-
-/// Where a zone ends between R0, which is in it as `inside` says, and R1, which is not.
-template <typename Beyond>
-double edge_between(double R0, double R1, bool inside, const Beyond& beyond) {
-  for (int k = 0; k < 60; ++k) {
-    const double middle = 0.5 * (R0 + R1);
-    (beyond(middle) == inside ? R0 : R1) = middle;
-  }
-  return 0.5 * (R0 + R1);
-}
 
 /// The time of the largest |g| in 0 .. end: at a reversal or at an end.
 double time_of_peak(const Amplitude& amplitude, double end) {
@@ -40,23 +29,17 @@ std::vector<Interval> zones_beyond(const Vortex& vortex, std::span<const double>
     if (front < 0) first.lower = std::max(first.lower, front);
     if (front > 0) first.upper = std::min(first.upper, front);
   }
-  const auto beyond = [&](double R) {
-    const double xi = vortex.profile(R).xi;
-    return xi < first.lower || xi > first.upper;
-  };
+  std::vector<double> edges{vortex.inner};
+  const RadiiOfXi radii_of_xi(vortex);
+  for (const double front : {first.lower, first.upper}) {
+    for (const double R : radii_of_xi(front)) edges.push_back(R);
+  }
+  edges.push_back(vortex.outer);
+  std::sort(edges.begin(), edges.end());
   std::vector<Interval> zones;
-  double R0 = vortex.inner;  // xi = 0: in the first regime, as at the outer edge
-  for (int i = 1; i <= scanned; ++i) {
-    const double R1 = vortex.inner + (vortex.outer - vortex.inner) * i / scanned;
-    if (beyond(R0) != beyond(R1)) {
-      const double edge = edge_between(R0, R1, beyond(R0), beyond);
-      if (beyond(R1)) {
-        zones.push_back({edge, edge});
-      } else {
-        zones.back().upper = edge;
-      }
-    }
-    R0 = R1;
+  for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
+    const double xi = vortex.profile(0.5 * (edges[k] + edges[k + 1])).xi;
+    if (xi < first.lower || xi > first.upper) zones.push_back({edges[k], edges[k + 1]});
   }
   return zones;
 }

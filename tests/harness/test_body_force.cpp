@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 
+#include "harness/central_difference.hpp"
 #include "tests/harness/elastic_material.hpp"
 
 namespace assay {
@@ -59,15 +60,11 @@ Tensor piola_at(const Case& c, const Vector3& X, double t) {
 
 /// DIV(T) (2) in Cartesian components by eighth-order central differences of the full two-dimensional field.
 Vector3 divergence_by_differences(const Case& c, const Vector3& X, double t) {
-  constexpr double weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
   const double step = 2e-3 * (c.vortex.outer - c.vortex.inner);
   Vector3 divergence = Vector3::Zero();
   for (int j = 0; j < 2; ++j) {
-    for (int k = 1; k <= 4; ++k) {
-      Vector3 shift = Vector3::Zero();
-      shift(j) = k * step;
-      divergence += weights[k - 1] / step * (piola_at(c, X + shift, t) - piola_at(c, X - shift, t)).col(j);
-    }
+    divergence +=
+        central_difference([&](int k) { return piola_at(c, X + k * step * Vector3::Unit(j), t); }, step).col(j);
   }
   return divergence;
 }

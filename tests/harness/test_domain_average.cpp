@@ -268,8 +268,9 @@ TEST(DomainAverage, EdgesSplitAtFrontsConvergeAndUnsplitOnesDoNot) {
   const Vortex vortex = paper_vortex();
   const MadeUp model{.kink = 2000};
   const DomainAverage average(vortex, density, {});
-  std::vector<double> radii = average.radii_of_xi(model.front);
-  for (const double R : average.radii_of_xi(-model.front)) radii.push_back(R);
+  const RadiiOfXi radii_of_xi(vortex);
+  std::vector<double> radii = radii_of_xi(model.front);
+  for (const double R : radii_of_xi(-model.front)) radii.push_back(R);
   ASSERT_EQ(radii.size(), 4u);
   for (const double R : radii) EXPECT_NEAR(std::abs(vortex.profile(R).xi), model.front, 1e-12);
   const auto at_front = [&](const Rectangle& r) {

@@ -30,8 +30,8 @@ Tensor piola_at(const ModelCase& c, const Vortex& vortex, const Vector3& X, doub
 Vector3 force_by_differences(const ModelCase& c, const Vortex& vortex, const Vector3& X, double t, double step) {
   Vector3 divergence = Vector3::Zero();
   for (int j = 0; j < 2; ++j) {
-    const auto P = [&](double by) { return piola_at(c, vortex, X + by * Vector3::Unit(j), t); };
-    divergence += central_difference(P, step, Tensor(Tensor::Zero())).col(j);
+    const auto P = [&](int k) { return piola_at(c, vortex, X + k * step * Vector3::Unit(j), t); };
+    divergence += central_difference(P, step).col(j);
   }
   return vortex.at(X, t).a - divergence / density;
 }
@@ -75,13 +75,14 @@ struct ForceDifference {
 
 /// (21) of the paper: d tau / d eps along the history of the point, times g.
 Tensor naive_slope(const Sheet& sheet, const Vortex& vortex, double xi, double t) {
-  const auto tau_at = [&](double by) {
+  constexpr double step = 1e-4;
+  const auto tau_at = [&](int k) {
     Tensor tau, dtau;
-    sheet.at(xi, t + by, tau, dtau);
+    sheet.at(xi, t + k * step, tau, dtau);
     return tau;
   };
   const AmplitudeValue g = vortex.amplitude.at(t);
-  return central_difference(tau_at, 1e-4, Tensor(Tensor::Zero())) * (g.value / (xi * g.rate));
+  return central_difference(tau_at, step) * (g.value / (xi * g.rate));
 }
 
 ForceDifference force_difference(const ModelCase& c, const Setting& setting, const Sheet& sheet,

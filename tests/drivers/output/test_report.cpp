@@ -8,6 +8,8 @@
 #include <limits>
 #include <vector>
 
+#include "drivers/output/html.hpp"
+
 namespace assay::drivers {
 namespace {
 
@@ -51,12 +53,12 @@ void expect_well_formed(const std::string& page) {
 }
 
 TEST(Report, base64_of_rfc_4648) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
+  EXPECT_EQ(html::base64(""), "");
+  EXPECT_EQ(html::base64("f"), "Zg==");
+  EXPECT_EQ(html::base64("fo"), "Zm8=");
+  EXPECT_EQ(html::base64("foo"), "Zm9v");
+  EXPECT_EQ(html::base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(html::base64("\xff\xfe\xfd"), "//79");
 }
 
 TEST(Report, is_self_contained_and_well_formed) {

@@ -2,6 +2,7 @@
 // The equations of j2_multiplicative.
 #pragma once
 
+#include "harness/central_difference.hpp"
 #include "tests/adapters/models/j2_hardening_reference.hpp"
 #include "tests/adapters/models/reference_integration.hpp"
 
@@ -30,11 +31,8 @@ inline double norm_rate(const Hardening& hardening, const Values& y, const Tenso
     nine(tensor_of(&y[0]) + h * b_rate, z.data());
     return surface_of(hardening, z, R).from.norm();
   };
-  constexpr double weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
   const double h = 2e-3 / (1 + b_rate.norm());
-  double sum = 0;
-  for (int k = 1; k <= 4; ++k) sum += weights[k - 1] / h * (size(k * h) - size(-k * h));
-  return sum;
+  return central_difference([&](int k) { return size(k * h); }, h);
 }
 
 struct Rates {

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/stability_probe.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/checked_update.hpp"
+
+namespace assay {
+
+namespace {
+
+constexpr double share_of_end = 1e-4;       ///< a usual step of an explicit run: dt at rest
+constexpr double backward = 1e-6;           ///< share of the end over which the direction of loading is taken
+constexpr double rest_difference = 1e-5;    ///< central: error about 1e-10, round-off about 1e-11
+constexpr double neutral_threshold = 1e-8;  ///< of the largest eigenvalue: what differences can tell from zero
+constexpr double coarse_noise = 1e-4;       ///< relative noise of fine differences from which coarse ones are taken
+
+}  // namespace
+
+StabilityProbe::StabilityProbe(const Material& material, const Path& path, double end)
+    : material_(material), path_(path), end_(end) {
+  breaks_ = path.reversals(end);
+  breaks_.insert(breaks_.begin(), 0.0);
+  breaks_.push_back(end);
+  double fastest = 0;
+  for (const double xi : {path.parameter.lower, path.parameter.upper}) {
+    for (std::size_t b = 0; b + 1 < breaks_.size(); ++b) {
+      const Tensor change = path.deformation_gradient(xi, breaks_[b + 1]) - path.deformation_gradient(xi, breaks_[b]);
+      fastest = std::max(fastest, change.norm() / (breaks_[b + 1] - breaks_[b]));
+    }
+  }
+  rate_ = fastest;
+  look_at_rest();
+}
+
+/// The smallest eigenvalue at rest; the scale of all others, and what differences cannot tell from zero.
+void StabilityProbe::look_at_rest() {
+  const std::vector<double> state = material_.initial_state(1, {}, path_.material_direction);
+  const Tensor I = Tensor::Identity();
+  const double dt = share_of_end * end_;
+  const auto probed = [&](double step, double size) {
+    return probe_tangent_modulus(material_, 0, step, I, I, state, size);
+  };
+  const TangentModulus one = probed(dt, fine.difference), other = probed(dt, 3 * fine.difference);
+  const double noise = (one - other).norm() / one.norm();
+  if (!(noise < coarse_noise)) steps_ = coarse;
+  const double size = std::max(rest_difference, steps_.difference);
+  TangentModulus A = probed(dt, size);
+  noise_floor_ = neutral_threshold * largest_acoustic_eigenvalue(A).value;
+  if (steps_.difference == coarse.difference) {
+    noise_floor_ = std::max(noise_floor_, 10 * (A - probed(dt, 3 * size)).norm());
+  }
+  // A viscous stress adds A_v / dt: it carries no wave, and two steps tell it from an elastic one
+  if (material_.has(ASSAY_RATE_DEPENDENT)) A = 2 * probed(2 * dt, size) - A;
+  scale_ = largest_acoustic_eigenvalue(A).value;
+  rest_ = smallest_acoustic_eigenvalue(A);
+}
+
+/// Unit direction in which F moves on its way to the time t; zero where it stands still.
+Tensor StabilityProbe::loading(double xi, double t) const {
+  const double before = std::max(0.0, t - backward * end_);
+  const Tensor change = path_.deformation_gradient(xi, t) - path_.deformation_gradient(xi, before);
+  const double size = change.norm();
+  return size > 1e-14 ? Tensor(change / size) : Tensor(Tensor::Zero());
+}
+
+std::optional<AcousticExtreme> StabilityProbe::at(double xi, double t, const std::vector<double>& state) const {
+  const Tensor F = path_.deformation_gradient(xi, t), along = loading(xi, t);
+  if (along.isZero(0)) return AcousticExtreme{scale_, Vector3::Zero()};
+  const double dt = rate_ > 0 ? 1 / rate_ : end_;  // per unit of strain
+  const Tensor start = F + steps_.settle * along;
+  try {
+    return smallest_acoustic_eigenvalue(
+        probe_tangent_modulus(material_, t, steps_.base * dt, start, start + steps_.base * along,
+                              settled_state(xi, t, state, F, start, dt), steps_.difference));
+  } catch (const MaterialFailure&) {
+    return std::nullopt;
+  }
+}
+
+std::vector<double> StabilityProbe::settled_state(double xi, double t, const std::vector<double>& state,
+                                                  const Tensor& F, const Tensor& start, double dt) const {
+  if (state.empty()) return {};
+  double F0[9], F1[9], cauchy[9];
+  for (int c = 0; c < 9; ++c) F0[c] = component(F, c), F1[c] = component(start, c);
+  std::vector<double> settled(state.size());
+  checked_update(material_, xi, t, steps_.settle * dt, 1, F0, F1, state.data(), settled.data(), cauchy);
+  return settled;
+}
+
+}  // namespace assay
