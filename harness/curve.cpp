@@ -9,6 +9,25 @@
 
 namespace assay {
 
+namespace {
+
+/// What follows the last terms of a series of nine components, falling on as from its third quarter to its fourth.
+double rest_of(std::span<const double> coefficients) {
+  constexpr double margin = 4;  // terms that fold back onto the nodes; algebraic decay, which slows down
+  const std::size_t terms = coefficients.size() / 9, quarter = terms / 4;
+  const auto largest = [&](std::size_t begin, std::size_t end) {
+    double size = 0;
+    for (std::size_t i = 9 * begin; i < 9 * end; ++i) size = std::max(size, std::abs(coefficients[i]));
+    return size;
+  };
+  const double early = largest(terms - 2 * quarter, terms - quarter), late = largest(terms - quarter, terms);
+  if (late == 0) return 0;
+  const double fall = std::min(1.0, late / early), ratio = std::pow(fall, 1 / static_cast<double>(quarter));
+  return margin * late * fall * std::min(static_cast<double>(terms), 1 / (1 - ratio));
+}
+
+}  // namespace
+
 std::vector<double> tau_of_eps(const Material& material, const Path& loading, std::span<const double> eps) {
   const std::size_t n = eps.size();
   std::vector<double> all(9 * n);
@@ -39,9 +58,7 @@ Curve::Curve(const Material& material, const Path& path, double end, int n) : am
     const auto terms = chebyshev::coefficients(std::span(tau).subspan(c * count, count));
     for (std::size_t k = 0; k < count; ++k) range_.coefficients[k * 9 + c] = terms[k];
   }
-  for (std::size_t i = 9 * (count - 2); i < 9 * count; ++i) {
-    tail_ = std::max(tail_, std::abs(range_.coefficients[i]));
-  }
+  left_out_ = rest_of(range_.coefficients);
   range_.trim();
 }
 

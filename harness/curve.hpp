@@ -21,13 +21,13 @@ class Curve {
   Slice in_eps() const { return Slice({range_}); }  ///< tau and d tau / d eps
   int nodes() const { return nodes_; }
   Interval eps() const { return range_.map.xi; }
-  double tail() const { return tail_; }  ///< largest of the last two terms of the series [Pa]
+  double left_out() const { return left_out_; }  ///< by the series, as its last terms tell [Pa]
 
  private:
   std::function<double(double)> amplitude_;
   Slice::Range range_;
   int nodes_ = 0;
-  double tail_ = 0;
+  double left_out_ = 0;
 };
 
 /// tau of one step from rest to each eps, 9 * n [Pa].

@@ -13,7 +13,6 @@ constexpr int first_nodes = 9;
 /// Of the range of eps: irrational, so that no node family has them.
 constexpr double places[] = {0.0721, 0.2391, 0.4142, 0.6180, 0.8513, 0.9772};
 constexpr double step_share = 0.01;  ///< of the range: step of the differences
-constexpr double rest = 2;           ///< of a series that falls by half from term to term, over its last term
 constexpr std::size_t stencil = 2 * central_reach + 1;
 
 /// tau and d tau / d eps at the places, from steps of the material itself.
@@ -58,9 +57,9 @@ SheetError error_of(const Curve& curve, const Reference& reference) {
     error.tau = std::max(error.tau, (tau - reference.tau[i]).cwiseAbs().maxCoeff());
     error.dtau = std::max(error.dtau, (slope - reference.slope[i]).cwiseAbs().maxCoeff());
   }
-  error.tau = std::max(error.tau, rest * curve.tail());
+  error.tau = std::max(error.tau, curve.left_out());
   const double n = curve.nodes(), width = curve.eps().width();
-  if (width > 0) error.dtau = std::max(error.dtau, std::min(2 * n * n / width * curve.tail(), error.dtau_scale));
+  if (width > 0) error.dtau = std::max(error.dtau, std::min(2 * n * n / width * curve.left_out(), error.dtau_scale));
   if (error.tau_scale > 0) error.tau /= error.tau_scale;
   if (error.dtau_scale > 0) error.dtau /= error.dtau_scale;
   return error;

@@ -14,11 +14,13 @@
 
 namespace assay::drivers {
 
-/// Starts `assay WORDS...` with standard output and error in this file; `before` acts in the child.
+/// Starts `assay WORDS...`, called as if found in PATH, with standard output and error in this file; `before` acts in
+/// the child.
 inline pid_t start_assay(const std::vector<std::string>& words, const std::string& said,
                          const std::function<void()>& before = {}) {
   const std::string program = ASSAY_BINARY_DIR "/assay";
-  std::vector<char*> argv{const_cast<char*>(program.c_str())};
+  std::string name = "assay";
+  std::vector<char*> argv{name.data()};
   for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
   const pid_t child = ::fork();

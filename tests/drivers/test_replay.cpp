@@ -62,6 +62,8 @@ TEST(Replay, OfARunIsLeftBeforeAndDuringTheSteps) {
   expect_the_same_failure(out, "deformed beyond its limit");
   const Replay replay = read_replay(out + "/replay.yaml");
   EXPECT_NEAR(replay.step.t + replay.step.dt, result["t"].get<double>(), 1e-12);
+  // F0 is the step's own, though this material looks at F1 alone
+  EXPECT_LT((replay.step.F1 - replay.step.F0).norm(), 0.1 * (replay.step.F1 - Tensor::Identity()).norm());
   EXPECT_NE(bytes_of(out + "/report.html").find("replay.yaml"), std::string::npos);
   // a run that does not fail leaves none, and takes the old one away
   EXPECT_EQ(run(quick_run(out, {"time.end=0.05"})), 0);

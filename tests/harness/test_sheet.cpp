@@ -9,35 +9,14 @@
 #include "harness/point_driver.hpp"
 #include "harness/response.hpp"
 #include "harness/vortex.hpp"
+#include "tests/harness/bilinear_material.hpp"
+#include "tests/harness/builtin_material.hpp"
 #include "tests/harness/elastic_material.hpp"
 #include "tests/harness/jaumann_material.hpp"
+#include "tests/harness/sheet_difference.hpp"
 
 namespace assay {
 namespace {
-
-struct Difference {
-  double tau = 0, dtau = 0;
-};
-
-/// Against a closed form at places off any node, relative to the largest component.
-template <class Exact>
-Difference largest_difference(const Sheet& sheet, const Path& path, double end, const Exact& exact) {
-  Difference d;
-  double tau_scale = 0, dtau_scale = 0;
-  for (int i = 0; i < 23; ++i) {
-    for (int j = 0; j < 29; ++j) {
-      const double xi = path.parameter.lower + path.parameter.width() * (i + 0.37) / 23, t = end * (j + 0.61) / 29;
-      Tensor tau, dtau, tau_exact, dtau_exact;
-      sheet.slice(t).at(xi, tau, dtau);
-      exact(xi, t, tau_exact, dtau_exact);
-      d.tau = std::max(d.tau, (tau - tau_exact).cwiseAbs().maxCoeff());
-      d.dtau = std::max(d.dtau, (dtau - dtau_exact).cwiseAbs().maxCoeff());
-      tau_scale = std::max(tau_scale, tau_exact.cwiseAbs().maxCoeff());
-      dtau_scale = std::max(dtau_scale, dtau_exact.cwiseAbs().maxCoeff());
-    }
-  }
-  return {d.tau / tau_scale, d.dtau / dtau_scale};
-}
 
 TEST(Sheet, IsTheClosedFormOfElasticityOnBothBaselines) {
   Homogeneous stretch;
@@ -53,25 +32,6 @@ TEST(Sheet, IsTheClosedFormOfElasticityOnBothBaselines) {
     EXPECT_LT(d.dtau, 1e-10) << path.name;
     EXPECT_LT(sheet.error_tau(), 1e-11);
   }
-}
-
-/// Jaumann hypoelasticity: sigma12 = mu sin gamma; the increments need sub-stepping, the slope is known too.
-void jaumann(const Path& path, double xi, double t, Tensor& tau, Tensor& dtau) {
-  const double mu = 1e3 / 2.6, g = path.amplitude(t), gamma = 2 * xi * g;
-  const auto at = [&](double s12, double s11) {
-    Tensor sigma = Tensor::Zero();
-    sigma(0, 1) = sigma(1, 0) = s12;
-    sigma(0, 0) = s11;
-    sigma(1, 1) = -s11;
-    return sigma;
-  };
-  const Tensor sigma = at(mu * std::sin(gamma), mu * (std::cos(gamma) - 1));
-  const Tensor slope = at(mu * std::cos(gamma), -mu * std::sin(gamma));
-  Tensor inverse_transpose = Tensor::Identity(), change = Tensor::Zero();
-  inverse_transpose(0, 1) = -gamma;  // F^-T, J = 1
-  change(0, 1) = -1;
-  tau = sigma * inverse_transpose;
-  dtau = 2 * g * (slope * inverse_transpose + sigma * change);
 }
 
 TEST(Sheet, StatesItsErrorForAMaterialWithHistory) {
@@ -102,6 +62,38 @@ TEST(Sheet, OfAPathIndependentMaterialIsACurveThatHoldsForAllTimes) {
   }
   const Path brief = Vortex{0.75, 1.25, 2, {Amplitude::Type::sine, 0.1, 1.0}}.baseline();
   EXPECT_FALSE(Sheet(*jaumann_material(), brief, {.tolerance = 1e-4, .end = 1}).is_curve());
+}
+
+/// A bilinear elastic solid's kink lies between the places at which a curve is compared with the material.
+TEST(Sheet, OfACurveWithAKinkStatesWhatItLacks) {
+  const auto bilinear = bilinear_material(0.113);
+  const Path path = Vortex{0.75, 1.25, 2, {Amplitude::Type::sine, 0.1, 1.0}}.baseline();
+  const Sheet sheet(*bilinear, path, {.tolerance = 1e-8, .end = 1});
+  ASSERT_TRUE(sheet.is_curve());
+  EXPECT_GT(sheet.error_tau(), 1e-5);
+  double largest = 0, scale = 0;
+  for (double xi = path.parameter.lower; xi < path.parameter.upper; xi += 0.003 * path.parameter.width()) {
+    Tensor tau, dtau;
+    sheet.slice(0.5).at(xi, tau, dtau);
+    const double exact = bilinear_stress(0.113, 2 * xi * 0.1);
+    largest = std::max(largest, std::abs(tau(1, 0) - exact));
+    scale = std::max(scale, std::abs(exact));
+  }
+  EXPECT_LT(largest / scale, 3 * sheet.error_tau());
+  EXPECT_GT(largest / scale, 1e-5);
+}
+
+/// 50 radians of shear, stress by its sine: the range is halved, and a half is not a kink.
+TEST(Sheet, OfASmoothMaterialHasNoKinksHoweverFinelyItIsDivided) {
+  const Path path = Vortex{0.75, 1.25, 2, {Amplitude::Type::one_minus_cosine, 7, 1.0}}.baseline();
+  const Sheet sheet(*builtin_material(assay_builtin_hypoelastic_jaumann, {{"E", 1e3}, {"nu", 0.3}}), path,
+                    {.tolerance = 1e-6, .end = 0.5});
+  EXPECT_GT(sheet.nodes_in_xi(), 80);
+  EXPECT_FALSE(sheet.has_kinks());
+  EXPECT_TRUE(sheet.slice(0.4).kinks().empty());
+  const Difference d = largest_difference(
+      sheet, path, 0.5, [&](double xi, double t, Tensor& tau, Tensor& dtau) { jaumann(path, xi, t, tau, dtau); });
+  EXPECT_LT(d.tau, 1e-5);
 }
 
 TEST(Sheet, ServesPathsThatNeverLoad) {

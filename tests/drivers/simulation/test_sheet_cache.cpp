@@ -5,11 +5,13 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "harness/point_driver.hpp"
+#include "tests/drivers/process.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
 namespace assay::drivers {
@@ -102,6 +104,16 @@ TEST_F(Cached, NothingIsKeptWhereTheSceneSaysSoOrTheDiskDoesNot) {
   home_.write("cache", "a file where the folder should be");
   EXPECT_FALSE(response()->sheet()->restored());
   EXPECT_FALSE(response()->sheet()->restored());
+}
+
+/// The library of a built-in model is the program, whatever name it was called by.
+TEST_F(Cached, ASheetOfABuiltInModelIsKeptByAProgramThatPathFinds) {
+  for (const bool cached : {false, true}) {
+    const Ending ending = assay({"tabulate", home_ / "cached.yaml", "--json", "--quiet", "-o", home_ / "out"});
+    ASSERT_EQ(ending.status, 0) << ending.said;
+    const auto result = nlohmann::json::parse(ending.said.substr(ending.said.find('{')));
+    EXPECT_EQ(result["sheet"]["cached"].get<bool>(), cached);
+  }
 }
 
 TEST_F(Cached, AFailureIsNotKept) {
