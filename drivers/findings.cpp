@@ -13,20 +13,25 @@
 
 namespace assay::drivers {
 
-void record_sheet(const Response& response, double seconds, Result& result) {
+void record_sheet(const Scene& scene, const Response& response, double seconds, Result& result) {
   const Sheet* sheet = response.sheet();
   if (!sheet) return;
-  result.sheet = SheetFigures{sheet->points(), sheet->error_tau(), sheet->error_dtau(), {}, seconds, sheet->restored()};
+  SheetFigures figures{sheet->points(), sheet->error_tau(), sheet->error_dtau(), {}, seconds};
+  figures.cached = sheet->restored();
+  figures.asked = scene.force.tolerance;
+  result.sheet = figures;
   if (!sheet->restored()) result.material_calls += sheet->material_calls();
 }
 
-void record_shadow(const Response& response, Result& result) {
+void record_shadow(const Scene& scene, const Response& response, Result& result) {
   const Shadow* points = response.shadow();
   if (!points) return;
-  result.sheet = SheetFigures{};
-  result.sheet->points = points->radii();
-  result.sheet->error_tau = points->error();
-  result.sheet->error_dtau = std::numeric_limits<double>::quiet_NaN();  // not known: null in the file
+  SheetFigures figures;
+  figures.points = points->radii();
+  figures.error_tau = points->error();
+  figures.shadow = true;
+  figures.asked = scene.force.tolerance;
+  result.sheet = figures;
   result.material_calls += points->calls();
 }
 

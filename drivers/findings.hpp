@@ -11,10 +11,10 @@
 namespace assay::drivers {
 
 /// Size and error of the sheet, seconds it took; nothing where the response is a closed form.
-void record_sheet(const Response& response, double seconds, Result& result);
+void record_sheet(const Scene& scene, const Response& response, double seconds, Result& result);
 
 /// Number and error of the shadow points, once the run is over; nothing where the response is something else.
-void record_shadow(const Response& response, Result& result);
+void record_shadow(const Scene& scene, const Response& response, Result& result);
 
 /// What the sheet's error does to the body force of the vortex.
 void record_force_error(const Scene& scene, const Response& response, Result& result);

@@ -6,6 +6,7 @@
 
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
+#include "drivers/output/wrapped_text.hpp"
 #include "harness/point_driver.hpp"
 
 namespace assay::drivers {
@@ -80,13 +81,15 @@ std::string references_text(const ReferenceFigures& references, const std::strin
   std::string text;
   const auto line = [&](const char* name, const Figure& difference) {
     if (difference) {
-      text += std::string("  reference: ") + name + ", largest difference " + rounded_text(*difference, 2) + "\n";
+      text += wrapped(std::string("reference: ") + name + ", largest difference " + rounded_text(*difference, 2), "  ",
+                      "    ");
     }
   };
   line("the material's closed form", references.closed_form);
   line("its rate form by Boost.Odeint against its increments", references.rate_form);
   if (!text.empty()) return text;
-  return "  reference: none; this material offers no closed form of " + path_name + " and no smooth rate form\n";
+  return wrapped("reference: none; this material offers no closed form of " + path_name + " and no smooth rate form",
+                 "  ", "    ");
 }
 
 }  // namespace assay::drivers

@@ -42,7 +42,7 @@ std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& opt
   if (problem.setup.body_force) {
     response = response_of(problem.scene, problem.material, baseline_path(problem.scene), problem.scene.time.end,
                            problem.setup.threads, true);
-    record_sheet(*response, seconds_since(start), result);
+    record_sheet(problem.scene, *response, seconds_since(start), result);
     record_force_error(problem.scene, *response, result);
     record_rim(problem, *response, result);
   }
@@ -50,7 +50,7 @@ std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& opt
   Snapshots snapshots(problem, folder);
   Progress progress(problem.scene.title, options.verbosity == Verbosity::quiet);
   simulate(problem, response, snapshots, progress, result);
-  if (response) record_shadow(*response, result);
+  if (response) record_shadow(problem.scene, *response, result);
   result.cpu_s = cpu_seconds();
   result.peak_rss_bytes = peak_memory();  // before pictures are drawn
   std::vector<ReportPicture> pictures;

@@ -39,14 +39,13 @@ std::vector<Expectation> expected_here(const Scene& scene) {
 }
 
 std::string summary(const Tabulation& tab, const Result& result, const std::string& folder) {
-  std::string text = fmt::format("{}: {} on {}, {}\n", result.title.empty() ? "tabulate" : result.title,
-                                 tab.material->name(), tab.path.name, result.outcome);
+  std::string text = wrapped(fmt::format("{}: {} on {}, {}", result.title.empty() ? "tabulate" : result.title,
+                                         tab.material->name(), tab.path.name, result.outcome),
+                             "", "  ");
   if (!result.reason.empty()) text += wrapped(result.reason, "  ", "  ");
   if (!result.replay.empty()) text += "  the failing step is in " + result.replay + "\n";
   if (result.sheet) {
-    text += fmt::format("  sheet: {} points, error {} of tau, {} of d tau/d xi, {} s\n",
-                        grouped_text(result.sheet->points), rounded_text(result.sheet->error_tau, 2),
-                        rounded_text(result.sheet->error_dtau, 2), rounded_text(result.sheet->wall_s, 2));
+    text += sheet_text(*result.sheet);
     text += references_text(result.reference, tab.path.name);
   }
   return text + expectations_text(result) + "results in " + folder + "\n";
@@ -93,7 +92,7 @@ int tabulate(const TabulateOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
     tab.response = response_of(scene, tab.material, tab.path, tab.end);
-    record_sheet(*tab.response, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+    record_sheet(scene, *tab.response, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
                  result);
     result.t = tab.end;
     result.reference = references_of(tab.material, tab.path, *tab.response, tab.end);

@@ -13,33 +13,63 @@ namespace assay::drivers {
 
 namespace {
 
-constexpr int sheet_rows = 41;              ///< values of xi and of t in sheet.csv
-constexpr int curve_points = 201;           ///< values of eps in curve.csv
-constexpr int written[] = {0, 1, 3, 4, 8};  ///< components 11, 12, 21, 22, 33
+constexpr int sheet_rows = 41;     ///< values of xi and of t in sheet.csv
+constexpr int curve_points = 201;  ///< values of eps in curve.csv
+/// "11" and so on.
+std::string name_of(int component) { return std::to_string(component / 3 + 1) + std::to_string(component % 3 + 1); }
 
-std::vector<std::string> component_columns(const std::string& before, const std::string& after) {
-  std::vector<std::string> names;
-  for (const char* c : {"11", "12", "21", "22", "33"}) names.push_back(before + c + after);
-  return names;
-}
-
-CsvText sheet_table() {
-  std::vector<std::string> names{"xi", "t", "gamma"};
-  for (const auto& list : {component_columns("tau", ""), component_columns("dtau", "_dxi")}) {
-    names.insert(names.end(), list.begin(), list.end());
+/// Whether the path shears out of the plane.
+bool leaves_the_plane(const Tabulation& tab) {
+  const auto shears = [](const Tensor& F) { return F(0, 2) != 0 || F(1, 2) != 0 || F(2, 0) != 0 || F(2, 1) != 0; };
+  if (tab.path.straight()) return shears(tab.path.direction);
+  for (int k = 0; k < sheet_rows; ++k) {
+    const double t = tab.end * k / (sheet_rows - 1);
+    if (shears(tab.path.deformation_gradient(tab.path.parameter.lower, t))) return true;
+    if (shears(tab.path.deformation_gradient(tab.path.parameter.upper, t))) return true;
   }
-  return CsvText(names);
+  return false;
 }
 
-void add_row(const Tabulation& tab, double xi, double t, CsvText& csv) {
-  stop_if_interrupted();
-  Tensor tau, slope;
-  tab.response->at(xi, t, tau, slope);
-  std::vector<double> row{xi, t, tab.path.deformation_gradient(xi, t)(1, 0)};
-  for (const int c : written) row.push_back(component(tau, c));
-  for (const int c : written) row.push_back(component(slope, c));
-  csv.row(row);
+/// Components that are written: those of the plane, or all.
+std::vector<int> written_of(const Tabulation& tab) {
+  if (leaves_the_plane(tab)) return {0, 1, 2, 3, 4, 5, 6, 7, 8};
+  return {0, 1, 3, 4, 8};
 }
+
+void add_component_columns(const std::vector<int>& components, const std::string& slope,
+                           std::vector<std::string>& names) {
+  for (const int c : components) names.push_back("tau" + name_of(c));
+  for (const int c : components) names.push_back("dtau" + name_of(c) + slope);
+}
+
+/// Rows of the sheet.
+class SheetTable {
+ public:
+  explicit SheetTable(const Tabulation& tab) : tab_(tab), written_(written_of(tab)), csv_(columns(written_)) {}
+
+  void add(double xi, double t) {
+    stop_if_interrupted();
+    Tensor tau, slope;
+    tab_.response->at(xi, t, tau, slope);
+    std::vector<double> row{xi, t, tab_.path.deformation_gradient(xi, t)(1, 0)};
+    for (const int c : written_) row.push_back(component(tau, c));
+    for (const int c : written_) row.push_back(component(slope, c));
+    csv_.row(row);
+  }
+
+  std::string text() const { return csv_.text(); }
+
+ private:
+  static std::vector<std::string> columns(const std::vector<int>& written) {
+    std::vector<std::string> names{"xi", "t", "gamma"};
+    add_component_columns(written, "_dxi", names);
+    return names;
+  }
+
+  const Tabulation& tab_;
+  std::vector<int> written_;
+  CsvText csv_;
+};
 
 /// The time at which |g| is first largest: there tau(xi, t) against eps = xi g is the curve of first loading.
 double time_of_first_peak(const Path& path, double end, double period) {
@@ -82,24 +112,26 @@ void cover(const std::vector<SheetPoint>& points, const std::string& file, Tabul
 }
 
 std::string regular_sheet(const Tabulation& tab) {
-  CsvText csv = sheet_table();
+  SheetTable table(tab);
   for (int j = 0; j < sheet_rows; ++j) {
     for (int i = 0; i < sheet_rows; ++i) {
-      add_row(tab, tab.path.parameter.lower + tab.path.parameter.width() * i / (sheet_rows - 1),
-              tab.end * j / (sheet_rows - 1), csv);
+      table.add(tab.path.parameter.lower + tab.path.parameter.width() * i / (sheet_rows - 1),
+                tab.end * j / (sheet_rows - 1));
     }
   }
-  return csv.text();
+  return table.text();
 }
 
 std::string sheet_at(const Tabulation& tab, const std::vector<SheetPoint>& points) {
-  CsvText csv = sheet_table();
-  for (const SheetPoint& point : points) add_row(tab, point.xi, point.t, csv);
-  return csv.text();
+  SheetTable table(tab);
+  for (const SheetPoint& point : points) table.add(point.xi, point.t);
+  return table.text();
 }
 
 Curve curve_of(const Tabulation& tab) {
-  Curve curve{tab.path.straight(), {}, std::vector<std::vector<double>>(5), std::vector<std::vector<double>>(5)};
+  Curve curve{tab.path.straight(), written_of(tab), {}, {}, {}};
+  curve.tau.resize(curve.components.size());
+  curve.slope.resize(curve.components.size());
   const double peak = curve.of_eps ? time_of_first_peak(tab.path, tab.end, tab.period) : 0;
   const double g = curve.of_eps ? tab.path.amplitude(peak) : 1;
   for (int i = 0; i < curve_points; ++i) {
@@ -110,9 +142,9 @@ Curve curve_of(const Tabulation& tab) {
     Tensor tau, slope;
     tab.response->at(xi, t, tau, slope);
     curve.x.push_back(curve.of_eps ? xi * g : t);
-    for (std::size_t c = 0; c < 5; ++c) {
-      curve.tau[c].push_back(component(tau, written[c]));
-      curve.slope[c].push_back(component(slope, written[c]) / g);
+    for (std::size_t c = 0; c < curve.components.size(); ++c) {
+      curve.tau[c].push_back(component(tau, curve.components[c]));
+      curve.slope[c].push_back(component(slope, curve.components[c]) / g);
     }
   }
   return curve;
@@ -120,9 +152,7 @@ Curve curve_of(const Tabulation& tab) {
 
 std::string curve_csv(const Curve& curve) {
   std::vector<std::string> names{curve.of_eps ? "eps" : "t"};
-  for (const auto& list : {component_columns("tau", ""), component_columns("dtau", curve.of_eps ? "_deps" : "_dxi")}) {
-    names.insert(names.end(), list.begin(), list.end());
-  }
+  add_component_columns(curve.components, curve.of_eps ? "_deps" : "_dxi", names);
   CsvText csv(names);
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
     std::vector<double> row{curve.x[i]};
@@ -140,10 +170,10 @@ LinePlot plot_of(const Curve& curve, const std::vector<std::vector<double>>& val
   plot.title = title;
   plot.x_label = curve.of_eps ? "ε [1]" : "t [s]";
   plot.y_label = symbol + " [Pa]";
-  const char* names[] = {"11", "12", "21", "22", "33"};
-  for (std::size_t c = 0; c < 5; ++c) {
-    plot.series.push_back({names[c], curve.x, values[c], true, false,
-                           c == 2 || c == 3});  // 12 = 21 and 11 = 22 lie on another in many models
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const int c = curve.components[k];  // below the diagonal, and 22, lie on another in many models
+    const bool dashed = c == 3 || c == 4 || c == 6 || c == 7;
+    plot.series.push_back({name_of(c), curve.x, values[k], true, false, dashed});
   }
   return plot;
 }

@@ -36,15 +36,16 @@ std::string sheet_at(const Tabulation& tab, const std::vector<SheetPoint>& point
 /// the curve of first loading, with d tau / d eps; else the history of the largest xi over t, with (d tau / d xi)_t.
 struct Curve {
   bool of_eps = true;
+  std::vector<int> components;  ///< 0 .. 8, row-major: those of the plane, all where the path leaves it
   std::vector<double> x;
-  std::vector<std::vector<double>> tau, slope;  ///< of each written component
+  std::vector<std::vector<double>> tau, slope;  ///< of each of them
 };
 Curve curve_of(const Tabulation& tab);
 
 /// curve.csv of a curve over eps, history.csv of one over t.
 std::string curve_csv(const Curve& curve);
 
-/// The five components. `values`: of the curve; `symbol`: what they are.
+/// `values`: of the curve; `symbol`: what they are.
 LinePlot plot_of(const Curve& curve, const std::vector<std::vector<double>>& values, const std::string& symbol,
                  const std::string& title);
 

@@ -58,18 +58,22 @@ std::string summary_of(const Result& result) {
   return result.expect.empty() ? "NOTHING WAS EXPECTED" : "AS EXPECTED";
 }
 
-std::string sheet_line(const SheetFigures& sheet) {
-  const std::string of_b = sheet.error_b ? fmt::format(", {} of b", rounded_text(*sheet.error_b, 2)) : "";
-  if (!std::isfinite(sheet.error_dtau)) {
-    return fmt::format("  shadow: {} histories taken along, error {} of tau\n", grouped_text(sheet.points),
-                       rounded_text(sheet.error_tau, 2));
-  }
-  return fmt::format("  sheet: {} points, error {} of tau, {} of d tau/d xi{}, {} s{}\n", grouped_text(sheet.points),
-                     rounded_text(sheet.error_tau, 2), rounded_text(sheet.error_dtau, 2), of_b,
-                     rounded_text(sheet.wall_s, 2), sheet.cached ? " from disk" : "");
-}
-
 }  // namespace
+
+std::string sheet_text(const SheetFigures& sheet) {
+  const bool missed = std::max(sheet.error_tau, sheet.error_dtau.value_or(0)) > sheet.asked;
+  const std::string asked = missed ? " (asked: " + rounded_text(sheet.asked, 2) + ")" : "";
+  if (sheet.shadow) {
+    return fmt::format("  shadow: {} histories taken along, error {} of tau{}\n", grouped_text(sheet.points),
+                       rounded_text(sheet.error_tau, 2), asked);
+  }
+  const std::string of_b = sheet.error_b ? fmt::format(", {} of b", rounded_text(*sheet.error_b, 2)) : "";
+  return wrapped(
+      fmt::format("sheet: {} points, error {} of tau, {} of d tau/d xi{}{}, {} s{}", grouped_text(sheet.points),
+                  rounded_text(sheet.error_tau, 2), rounded_text(*sheet.error_dtau, 2), of_b, asked,
+                  rounded_text(sheet.wall_s, 2), sheet.cached ? " from disk" : ""),
+      "  ", "    ");
+}
 
 std::string expectations_text(const Result& result) {
   std::string text;
@@ -88,7 +92,7 @@ std::string verdict_text(const Result& result, const std::string& folder, bool w
   if (!result.replay.empty()) text += "  the failing step is in " + result.replay + "\n";
   if (result.error.l2_max) text += error_lines(result.error);
   if (result.steps) text += work_line(result);
-  if (result.sheet) text += sheet_line(*result.sheet);
+  if (result.sheet) text += sheet_text(*result.sheet);
   if (result.rim) {
     text += fmt::format("  plastic rim: {} m wide, {} cells{}\n", rounded_text(result.rim->width, 3),
                         rounded_text(result.rim->cells, 2), result.rim->cells < fewest_rim_cells ? ": too few" : "");

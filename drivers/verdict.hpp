@@ -11,6 +11,9 @@ namespace assay::drivers {
 /// Outcome, error figures, speed, [the profile,] expectations, and where the results lie.
 std::string verdict_text(const Result& result, const std::string& folder, bool with_profile = false);
 
+/// Size, time and errors of the response, and what was asked where that is missed.
+std::string sheet_text(const SheetFigures& sheet);
+
 /// The expectations, a line each, "holds" or "FAILS" first.
 std::string expectations_text(const Result& result);
 

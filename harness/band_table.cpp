@@ -122,7 +122,7 @@ void BandTable::transform() {
   values_ = {};
   tail_xi_ = *std::max_element(decay_xi_.end() - 2, decay_xi_.end());
   tail_t_ = *std::max_element(decay_t_.end() - 2, decay_t_.end());
-  add_tail_of_breaks();
+  find_tail_of_breaks();
   find_break_ranges();
 }
 
@@ -139,7 +139,7 @@ void BandTable::find_break_ranges() {
 }
 
 /// An error of a break's time moves tau by its rate in the stretches beside it.
-void BandTable::add_tail_of_breaks() {
+void BandTable::find_tail_of_breaks() {
   const std::size_t stretches = band_.stretches();
   for (std::size_t i = 1; i < stretches; ++i) {
     if (!moves_[i]) continue;
@@ -147,7 +147,7 @@ void BandTable::add_tail_of_breaks() {
     for (std::size_t k = n_x() - 2; k < n_x(); ++k) tail = std::max(tail, std::abs(breaks_[i * n_x() + k]));
     const double at = break_at(i, 0.5);
     const double width = std::min(at - break_at(i - 1, 0.5), break_at(i + 1, 0.5) - at);
-    if (width > 0) tail_xi_ = std::max(tail_xi_, tail / width * largest_);
+    if (width > 0) tail_breaks_ = std::max(tail_breaks_, tail / width * largest_);
   }
 }
 

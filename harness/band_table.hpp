@@ -52,6 +52,7 @@ class BandTable {
 
   /// Largest of the last coefficients in xi, and in t: what the table has not resolved [Pa].
   double tail_in_xi() const { return tail_xi_; }
+  double tail_of_breaks() const { return tail_breaks_; }  ///< what theirs may make of tau [Pa]
   double tail_in_t() const { return tail_t_; }
 
   /// Largest coefficient of each number [Pa]: how fast the series converge. Only of a table that was sampled.
@@ -61,7 +62,7 @@ class BandTable {
  private:
   void sample(const Course& course, const HistoryOptions& options, const Workers& workers);
   void transform();
-  void add_tail_of_breaks();
+  void find_tail_of_breaks();
   void find_break_ranges();
   const double* block(std::size_t stretch, std::size_t j) const {
     return coefficients_.data() + (stretch * n_t() + j) * n_x() * active_.size();  // of zeros there may be none
@@ -78,7 +79,7 @@ class BandTable {
   std::vector<double> values_;        ///< [((stretch * n_t + j) * n_x + k) * 9 + c], while sampling
   std::vector<double> coefficients_;  ///< [((stretch * n_t + j) * n_x + k) * active + c]
   std::vector<double> decay_xi_, decay_t_;
-  double largest_ = 0, tail_xi_ = 0, tail_t_ = 0, noise_ = 0;
+  double largest_ = 0, tail_xi_ = 0, tail_t_ = 0, tail_breaks_ = 0, noise_ = 0;
   std::int64_t calls_ = 0;
 };
 

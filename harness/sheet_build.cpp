@@ -101,10 +101,11 @@ class Resolver {
     while (true) {
       Band band = table.band();
       BandSize size = table.size();
-      const double tail = std::max(table.tail_in_xi(), table.tail_in_t());
+      const double tail_in_xi = std::max(table.tail_in_xi(), table.tail_of_breaks());
+      const double tail = std::max(tail_in_xi, table.tail_in_t());
       const double goal_in_xi = goal(band, size.nodes_in_xi, table.noise());
       const double goal_in_t = goal(band, table.any_moves() ? size.nodes_in_t : 4, table.noise());
-      const bool long_in_xi = table.tail_in_xi() > goal_in_xi, long_in_t = table.tail_in_t() > goal_in_t;
+      const bool long_in_xi = tail_in_xi > goal_in_xi, long_in_t = table.tail_in_t() > goal_in_t;
       const bool coarse = tail > asymptotic * table.largest();  // too coarse for its tails to tell anything
       const bool helps = before < 0 || coarse || tail < worthwhile * before;
       if ((!long_in_xi && !long_in_t) || !helps || sampled_ > budget_) return tables.push_back(std::move(table));

@@ -9,7 +9,8 @@ namespace assay {
 
 namespace {
 
-constexpr double places_in_s[] = {0.2113, 0.4603, 0.7274};  ///< of a band: irrational, so that no node family has them
+/// Of a band: irrational, so that no node family has them. Near its ends the motion of breaks is hardest to follow.
+constexpr double places_in_s[] = {0.0971, 0.2113, 0.4603, 0.7274, 0.9123};
 constexpr double places_in_t[] = {0.0937, 0.5361, 0.8999};  ///< of a stretch
 /// Step of the differences, of the distance to the band's nearest end: a shorter one has less of a truncation error and
 /// more of the histories' own, which is large in increments.
@@ -81,7 +82,7 @@ void compare(const Stencil& stencil, SheetError& error) {
 /// places that are looked at. A derivative multiplies the term of number n by n^2 there. Of d tau / d xi not in bands
 /// that are nothing but fronts close to each other.
 void add_tails(const std::vector<BandTable>& tables, double range, SheetError& error) {
-  constexpr double rest = 2;  // of a series that falls by half from term to term, over its last term
+  constexpr double rest = 4;  // of a series that falls by a quarter from term to term, over its last term
   for (const BandTable& table : tables) {
     const double n = table.size().nodes_in_xi, width = table.band().map.xi.width(), largest = table.largest();
     error.tau = std::max(error.tau, rest * (table.tail_in_xi() + table.tail_in_t()));

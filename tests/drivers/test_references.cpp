@@ -64,7 +64,7 @@ TEST(References, AWrongRateFormShows) {
 
 TEST(References, NoneIsSaid) {
   EXPECT_EQ(references_text({}, "table"),
-            "  reference: none; this material offers no closed form of table and no smooth rate form\n");
+            "  reference: none; this material offers no closed form of table and no smooth\n    rate form\n");
 }
 
 }  // namespace

@@ -105,6 +105,37 @@ TEST(Tabulate, AnswersPointsOfAModelWithMemoryByItsEquations) {
   }
 }
 
+/// A path that shears out of the plane has stress there: P F^T is symmetric only with all nine components.
+TEST(Tabulate, WritesAllComponentsWhereThePathLeavesThePlane) {
+  const ScratchFolder scratch;
+  const std::string scene = scratch.write(
+      "scene.yaml",
+      "motion: {type: homogeneous, final: [[1, 0, 0.4], [0, 1, 0.2], [0, 0, 1]], period: 1}\ntime: {end: 1.0}\n"
+      "material: {adapter: neo_hookean, parameters: {E: 1000, nu: 0.3}, density: 1}\n");
+  const std::string out = scratch / "out";
+  const Ending ending = assay({"tabulate", scene, "-o", out});
+  ASSERT_EQ(ending.status, 0) << ending.said;
+  const auto columns = [](const std::string& before, const std::string& after) {
+    std::vector<std::string> names;
+    for (const char* c : {"11", "12", "13", "21", "22", "23", "31", "32", "33"}) names.push_back(before + c + after);
+    return names;
+  };
+  std::vector<std::string> names{"xi", "t", "gamma"};
+  for (const auto& list : {columns("tau", ""), columns("dtau", "_dxi")}) {
+    names.insert(names.end(), list.begin(), list.end());
+  }
+  const CsvTable sheet = read_csv(bytes_of(out + "/sheet.csv"), "sheet.csv", names);
+  const double mu = 1000 / 2.6;
+  double largest = 0;
+  for (std::size_t i = 0; i < sheet.rows(); ++i) {
+    const double g = (*sheet.column("xi"))[i] * (*sheet.column("t"))[i];
+    EXPECT_NEAR((*sheet.column("tau13"))[i], mu * 0.4 * g, 1e-9 * mu);  // mu (F - F^-T), J = 1
+    EXPECT_NEAR((*sheet.column("tau32"))[i], mu * 0.2 * g, 1e-9 * mu);
+    largest = std::max(largest, std::abs(g));
+  }
+  EXPECT_GT(largest, 0.9);
+}
+
 TEST(Tabulate, CurveOfUniaxialStrainIsThePapers) {
   const ScratchFolder scratch;
   const std::string out = scratch / "out";
