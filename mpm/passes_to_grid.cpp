@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/passes_to_grid.hpp"
 
-#include "mpm/basis_cpdi.hpp"
-#include "mpm/basis_linear.hpp"
-#include "mpm/basis_ugimp.hpp"
+#include "mpm/bases.hpp"
 #include "mpm/blocks.hpp"
 #include "mpm/column_access.hpp"
 
@@ -145,11 +143,6 @@ Pass<Dim> force_pass(bool with_body_force) {
   template Pass<DIM> particles_to_grid_pass<BASIS<DIM>, DIM>(bool); \
   template Pass<DIM> force_pass<BASIS<DIM>, DIM>(bool);
 
-ASSAY_PASSES(LinearBasis, 2)
-ASSAY_PASSES(LinearBasis, 3)
-ASSAY_PASSES(UgimpBasis, 2)
-ASSAY_PASSES(UgimpBasis, 3)
-ASSAY_PASSES(CpdiBasis, 2)
-ASSAY_PASSES(CpdiBasis, 3)
+ASSAY_FOR_EACH_BASIS(ASSAY_PASSES)
 
 }  // namespace assay::mpm

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/passes_to_particles.hpp"
 
-#include "mpm/basis_cpdi.hpp"
-#include "mpm/basis_linear.hpp"
-#include "mpm/basis_ugimp.hpp"
+#include "mpm/bases.hpp"
 #include "mpm/blocks.hpp"
 #include "mpm/column_access.hpp"
 
@@ -110,11 +108,6 @@ Pass<Dim> velocity_gradient_pass() {
   template Pass<DIM> grid_to_particles_pass<BASIS<DIM>, DIM>(Transfer, bool, bool); \
   template Pass<DIM> velocity_gradient_pass<BASIS<DIM>, DIM>();
 
-ASSAY_PASSES(LinearBasis, 2)
-ASSAY_PASSES(LinearBasis, 3)
-ASSAY_PASSES(UgimpBasis, 2)
-ASSAY_PASSES(UgimpBasis, 3)
-ASSAY_PASSES(CpdiBasis, 2)
-ASSAY_PASSES(CpdiBasis, 3)
+ASSAY_FOR_EACH_BASIS(ASSAY_PASSES)
 
 }  // namespace assay::mpm

@@ -96,12 +96,10 @@ class DruckerPrager {
     return elastic_.hooke(e);
   }
 
-  /// sqrt(J2) = mu sqrt(2 dev e : dev e) [Pa]; its slope is not defined at zero and given as zero.
+  /// sqrt(J2) = mu sqrt(2 dev e : dev e) [Pa].
   template <class S>
   S root_J2(const TensorOf<S>& shape) const {
-    using std::sqrt;
-    const S square = contraction(shape, shape);
-    return value_of(square) > 0 ? S(S(1.4142135623730950488 * elastic_.mu) * sqrt(square)) : S(0);
+    return S(1.4142135623730950488 * elastic_.mu) * norm(shape);
   }
 
   template <class S>

@@ -27,13 +27,6 @@ inline constexpr assay_parameter j2_parameters[] = {youngs_modulus,    poissons_
 
 inline constexpr double root_two_thirds = 0.81649658092772603273;
 
-/// |A|, sqrt(A : A).
-template <class S>
-S norm(const TensorOf<S>& A) {
-  using std::sqrt;
-  return sqrt(contraction(A, A));
-}
-
 /// Weight of the start in the mean normal n ~ weight start + trial (weight 1: Rice and Tracey 1973, the midpoint rule).
 /// A step well beyond the size of the yield surface leans to the trial (radial return), or an error of direction would
 /// swing from side to side undamped.

@@ -77,6 +77,14 @@ S contraction(const TensorOf<S>& A, const TensorOf<S>& B) {
   return sum;
 }
 
+/// |A| = sqrt(A : A); its slope is not defined at zero and given as zero.
+template <class S>
+S norm(const TensorOf<S>& A) {
+  using std::sqrt;
+  const S square = contraction(A, A);
+  return value_of(square) > 0 ? S(sqrt(square)) : S(0);
+}
+
 template <class S>
 TensorOf<S> symmetric(const TensorOf<S>& A) {
   return S(0.5) * (A + A.transpose());

@@ -118,12 +118,10 @@ class PowerLawFlow {
     return sigma;
   }
 
-  /// sqrt(3/2) |2 mu dev e| [Pa]; its slope is not defined at zero and given as zero.
+  /// sqrt(3/2) |2 mu dev e| [Pa].
   template <class S>
   S equivalent_stress(const TensorOf<S>& shape) const {
-    using std::sqrt;
-    const S square = contraction(shape, shape);
-    return value_of(square) > 0 ? S(S(2.4494897427831780982 * elastic.mu) * sqrt(square)) : S(0);
+    return S(2.4494897427831780982 * elastic.mu) * norm(shape);
   }
 
   /// f_trial - f [Pa]. The starting point bounds f from above by at most a factor of two, and the equation is convex:

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/verbs.hpp"
+#include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
 namespace assay::drivers {
@@ -12,25 +13,13 @@ namespace {
 
 /// error.l2_max of a moderate vortex that starts from rest, at h = .1, .05, .025 [m].
 std::array<double, 3> errors(const char* body, const char* evaluation) {
-  const ScratchFolder scratch;
   std::array<double, 3> found{};
   const char* spacings[] = {"grid.spacing=0.1", "grid.spacing=0.05", "grid.spacing=0.025"};
   for (std::size_t k = 0; k < 3; ++k) {
-    RunOptions options;
-    options.scene = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/vortex_cpdi.yaml";
-    options.out = scratch / "out";
-    options.threads = 1;
-    options.verbosity = Verbosity::quiet;
-    options.sets = {"motion.amplitude={type: one_minus_cosine, peak: 0.3}",
-                    "expect={}",
-                    "output={particles: 0}",
-                    "output.pictures=false",
-                    "output.report=false",
-                    body,
-                    evaluation,
-                    spacings[k]};
-    EXPECT_EQ(run(options), 0) << body;
-    found[k] = nlohmann::json::parse(bytes_of(options.out + "/result.json"))["error"]["l2_max"].get<double>();
+    const auto result = result_of_run("paper/vortex_cpdi",
+                                      {"motion.amplitude={type: one_minus_cosine, peak: 0.3}", "output={particles: 0}",
+                                       "output.pictures=false", "output.report=false", body, evaluation, spacings[k]});
+    found[k] = result["error"]["l2_max"].get<double>();
   }
   return found;
 }

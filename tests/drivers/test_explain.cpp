@@ -5,6 +5,7 @@
 #include <set>
 
 #include "drivers/verbs.hpp"
+#include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
 namespace assay::drivers {
@@ -25,16 +26,9 @@ nlohmann::json explained(std::vector<std::string> sets) {
   return nlohmann::json::parse(testing::internal::GetCapturedStdout());
 }
 
-nlohmann::json profiled(std::vector<std::string> sets, const ScratchFolder& scratch) {
+nlohmann::json profiled(std::vector<std::string> sets) {
   sets.insert(sets.begin(), coarse.begin(), coarse.end());
-  RunOptions options;
-  options.scene = scene;
-  options.out = scratch / "out";
-  options.sets = sets;
-  options.threads = 1;
-  options.verbosity = Verbosity::quiet;
-  EXPECT_EQ(run(options), 0);
-  return nlohmann::json::parse(bytes_of(options.out + "/result.json"))["passes"];
+  return result_of_run("paper/vortex_cpdi", sets)["passes"];
 }
 
 std::set<std::string> names(const nlohmann::json& list) {
@@ -50,7 +44,6 @@ struct Effect {
 };
 
 TEST(Explain, AnEffectThatIsNotCalledForHasNoPassColumnOrByteAndTheProfileAgrees) {
-  const ScratchFolder scratch;
   for (const Effect& effect : {Effect{"force={response: none}", "body_force", "body_force"},
                                Effect{"output.accounts=false", "accounts", nullptr},
                                Effect{"body={domain: ring, outside: free}", "hold_nodes", nullptr}}) {
@@ -59,8 +52,8 @@ TEST(Explain, AnEffectThatIsNotCalledForHasNoPassColumnOrByteAndTheProfileAgrees
     const auto full = explained(with), less = explained(without);
     EXPECT_TRUE(names(full["passes"]).contains(effect.pass));
     EXPECT_FALSE(names(less["passes"]).contains(effect.pass));
-    EXPECT_TRUE(names(profiled(with, scratch)).contains(effect.pass));
-    EXPECT_FALSE(names(profiled(without, scratch)).contains(effect.pass));
+    EXPECT_TRUE(names(profiled(with)).contains(effect.pass));
+    EXPECT_FALSE(names(profiled(without)).contains(effect.pass));
     if (!effect.column) continue;
     EXPECT_TRUE(names(full["columns"]).contains(effect.column));
     EXPECT_FALSE(names(less["columns"]).contains(effect.column));
@@ -69,10 +62,9 @@ TEST(Explain, AnEffectThatIsNotCalledForHasNoPassColumnOrByteAndTheProfileAgrees
 }
 
 TEST(Explain, TellsThePassesThatTheRunProfilesInTheirOrder) {
-  const ScratchFolder scratch;
   for (const char* update : {"usl", "usf", "musl"}) {
     const std::vector<std::string> sets{std::string("method.update=") + update};
-    const auto told = explained(sets)["passes"], found = profiled(sets, scratch);
+    const auto told = explained(sets)["passes"], found = profiled(sets);
     const auto observers = explained(sets)["observers"];
     ASSERT_EQ(found.size(), told.size() + observers.size());
     for (std::size_t k = 0; k < observers.size(); ++k) {

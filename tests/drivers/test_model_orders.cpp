@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/verbs.hpp"
+#include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
 namespace assay::drivers {
@@ -18,16 +19,9 @@ Errors errors_of(const std::string& material, const std::vector<std::string>& mo
   Errors found{};
   const char* spacings[] = {"0.1", "0.05", "0.025"};
   for (std::size_t k = 0; k < 3; ++k) {
-    const ScratchFolder scratch;
-    RunOptions options;
-    options.scene = std::string(ASSAY_SOURCE_DIR) + "/configs/models/vortex_" + material + ".yaml";
-    options.out = scratch / "out";
-    options.threads = 1;
-    options.verbosity = Verbosity::quiet;
-    options.sets = {"expect={}", std::string("grid.spacing=") + spacings[k]};
-    options.sets.insert(options.sets.end(), more.begin(), more.end());
-    EXPECT_EQ(run(options), 0) << material;
-    const auto result = nlohmann::json::parse(bytes_of(options.out + "/result.json"));
+    std::vector<std::string> sets{std::string("grid.spacing=") + spacings[k]};
+    sets.insert(sets.end(), more.begin(), more.end());
+    const auto result = result_of_run("models/vortex_" + material, sets);
     EXPECT_EQ(result["outcome"], "completed") << material;
     found[k] = result["error"]["l2_max"].get<double>();
   }

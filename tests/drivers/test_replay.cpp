@@ -12,6 +12,7 @@
 #include "drivers/input_error.hpp"
 #include "drivers/verbs.hpp"
 #include "tests/drivers/process.hpp"
+#include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/registry_fixture.hpp"
 #include "tests/drivers/scene_text.hpp"
@@ -20,20 +21,14 @@
 namespace assay::drivers {
 namespace {
 
-const std::string vortex_scene = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/vortex_cpdi.yaml";
-
 std::string fails_when_sheared() {
   return "material={adapter: " + plugins + "fails_when_sheared.so, parameters: {modulus: 1000}, density: 1000}";
 }
 
-RunOptions quick_run(const std::string& out, std::vector<std::string> more) {
-  RunOptions options;
-  options.scene = vortex_scene;
-  options.out = out;
-  options.verbosity = Verbosity::quiet;
-  options.sets = {"grid.spacing=0.125", "expect={}", "motion.allow_unstable=true"};
-  options.sets.insert(options.sets.end(), more.begin(), more.end());
-  return options;
+RunOptions quick_run(const std::string& out, const std::vector<std::string>& more) {
+  std::vector<std::string> sets{"grid.spacing=0.125", "motion.allow_unstable=true"};
+  sets.insert(sets.end(), more.begin(), more.end());
+  return quiet_run("paper/vortex_cpdi", out, sets);
 }
 
 /// Taken again the step fails with the same words; of a smaller one it does not.

@@ -6,26 +6,18 @@
 #include "drivers/input_error.hpp"
 #include "drivers/output/csv.hpp"
 #include "drivers/verbs.hpp"
+#include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
 namespace assay::drivers {
 namespace {
 
-const std::string scene = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/vortex_cpdi.yaml";
-
 /// The paper's vortex on a coarse grid, short and silent.
-RunOptions quick(const std::string& out, std::vector<std::string> more = {}) {
-  RunOptions options;
-  options.scene = scene;
-  options.out = out;
-  options.threads = 1;
-  options.verbosity = Verbosity::quiet;
-  options.sets = {"grid.spacing=0.125", "expect={}", "output.particles=2"};
-  options.sets.insert(options.sets.end(), more.begin(), more.end());
-  return options;
+RunOptions quick(const std::string& out, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> sets{"grid.spacing=0.125", "output.particles=2"};
+  sets.insert(sets.end(), more.begin(), more.end());
+  return quiet_run("paper/vortex_cpdi", out, sets);
 }
-
-nlohmann::json result_in(const std::string& folder) { return nlohmann::json::parse(bytes_of(folder + "/result.json")); }
 
 TEST(Run, LeavesACompleteResult) {
   const ScratchFolder scratch;

@@ -9,6 +9,7 @@
 
 #include "drivers/verbs.hpp"
 #include "tests/drivers/process.hpp"
+#include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
 namespace assay::drivers {
@@ -17,17 +18,11 @@ namespace {
 const std::string vortex_scene = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/vortex_cpdi.yaml";
 const std::string jaumann = "material={adapter: hypoelastic_jaumann, parameters: {E: 1e3, nu: 0.3}, density: 1000}";
 
-RunOptions quick_run(const std::string& out, std::vector<std::string> more) {
-  RunOptions options;
-  options.scene = vortex_scene;
-  options.out = out;
-  options.verbosity = Verbosity::quiet;
-  options.sets = {"grid.spacing=0.125", "expect={}", "force.tolerance=1e-6", jaumann, "time.end=0.1"};
-  options.sets.insert(options.sets.end(), more.begin(), more.end());
-  return options;
+RunOptions quick_run(const std::string& out, const std::vector<std::string>& more) {
+  std::vector<std::string> sets{"grid.spacing=0.125", "force.tolerance=1e-6", jaumann, "time.end=0.1"};
+  sets.insert(sets.end(), more.begin(), more.end());
+  return quiet_run("paper/vortex_cpdi", out, sets);
 }
-
-nlohmann::json result_in(const std::string& folder) { return nlohmann::json::parse(bytes_of(folder + "/result.json")); }
 
 /// Hypoelasticity loses strong ellipticity at gamma = pi/3; the paper's vortex reaches 7.07 per radian.
 constexpr double safe = std::numbers::pi / 3 / 7.0656;

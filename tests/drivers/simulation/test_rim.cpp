@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/verbs.hpp"
+#include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/harness/builtin_material.hpp"
 
@@ -61,17 +62,10 @@ class RimOfARun : public testing::Test {
  protected:
   /// result.json's rim and what the run said on standard error.
   std::pair<nlohmann::json, std::string> run_of(const std::string& material, const std::string& spacing) {
-    const ScratchFolder scratch;
-    RunOptions options;
-    options.scene = std::string(ASSAY_SOURCE_DIR) + "/configs/models/vortex_" + material + ".yaml";
-    options.out = scratch / "out";
-    options.threads = 1;
-    options.verbosity = Verbosity::quiet;
-    options.sets = {"grid.spacing=" + spacing, "expect={}", "time.end=0.5", "force.tolerance=1e-4"};
     testing::internal::CaptureStderr();
-    EXPECT_EQ(run(options), 0);
-    const std::string said = testing::internal::GetCapturedStderr();
-    return {nlohmann::json::parse(bytes_of(options.out + "/result.json"))["rim"], said};
+    const auto result =
+        result_of_run("models/vortex_" + material, {"grid.spacing=" + spacing, "time.end=0.5", "force.tolerance=1e-4"});
+    return {result["rim"], testing::internal::GetCapturedStderr()};
   }
 };
 

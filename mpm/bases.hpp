@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every basis, for the passes that are compiled once for each of them.
+#pragma once
+
+#include "mpm/basis_cpdi.hpp"
+#include "mpm/basis_linear.hpp"
+#include "mpm/basis_ugimp.hpp"
+
+#define ASSAY_FOR_EACH_BASIS(PASSES) \
+  PASSES(LinearBasis, 2)             \
+  PASSES(LinearBasis, 3)             \
+  PASSES(UgimpBasis, 2)              \
+  PASSES(UgimpBasis, 3)              \
+  PASSES(CpdiBasis, 2)               \
+  PASSES(CpdiBasis, 3)
