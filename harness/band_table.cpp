@@ -14,6 +14,8 @@ namespace {
 constexpr double still = 1e-13;
 /// A component of tau below this share of the largest is zero.
 constexpr double inactive = 1e-15;
+/// Of the range of xi: this near to an edge a history may be of the band beyond it.
+constexpr double edge_noise = 1e-7;
 
 /// T_k(2 s - 1) and their derivatives with respect to s.
 struct Polynomials {
@@ -55,7 +57,12 @@ void BandTable::sample(const Course& course, const HistoryOptions& options, cons
     const double xi = band_.map.xi_of(s[k]);
     Ray ray = band_.ray;
     if (options.watch) ray = trace(course, xi, options, calls[k]);
-    if (ray.branches != band_.ray.branches) throw StrayHistory{xi};
+    if (ray.branches != band_.ray.branches) {
+      // Next to an edge rounding decides between its two sides.
+      const double distance = std::min(xi - band_.map.xi.lower, band_.map.xi.upper - xi);
+      if (distance > edge_noise * course.path->parameter.width()) throw StrayHistory{xi};
+      ray = band_.ray;
+    }
     ray.breaks = divided(ray.breaks, band_.parts);
     for (std::size_t i = 0; i <= stretches; ++i) breaks_[i * n_x() + k] = ray.breaks[i];
     History history(course, xi, {.tolerance = options.tolerance, .watch = false});

@@ -29,6 +29,9 @@ class History::Increments {
   void bound_by(double step);
   void approach_bound(double to);
   double longest_within(double width);
+  std::uint64_t regime_between(const std::vector<double>& y, double t, double dt, const Tensor& F0, const Tensor& F1);
+  double last_change() const;
+  bool stays(const std::vector<double>& y, double t);
   void step_over(double to);
   void cross(double to);
   void note_branch();
@@ -38,6 +41,7 @@ class History::Increments {
   double step_ = 0;   ///< to try next [s]
   double bound_ = 0;  ///< > t: a change of regime lies before this time
   double before_bound_ = 0;
+  double over_ = 0;        ///< up to this time a change of regime is stepped over
   bool located_ = false;   ///< the change before `bound` was already looked for by single increments
   double resolution_;      ///< to which its time is found [s]
   double tie_begin_ = 0;   ///< from here to the end of the piece a change of regime is none
@@ -46,7 +50,8 @@ class History::Increments {
   int jumps_ = 0;
   bool noisy_ = false;       ///< accepted, for a shorter step would not be better
   double failed_error_ = 0;  ///< of the attempt before, from the same point
-  double piece_begin_ = -1;
+  double piece_begin_ = -1, piece_end_ = -1;
+  double lag_ = 0;  ///< an increment this long tells whether a regime goes on; 0 where the material tells it itself [s]
   bool regime_known_ = false, regime_new_ = false;
   std::uint64_t regime_ = 0;
   Extrapolation extrapolation_;

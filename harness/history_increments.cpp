@@ -18,6 +18,7 @@ constexpr double resolution_share = 0.01, best_resolution = 4e-15;
 constexpr double shortest_lag = 1e-6;    ///< of a piece's part: increments this short are noise
 constexpr double past_the_least = 10;    ///< an error this many times the least: the least has been found
 constexpr double noisy_growth = 3;       ///< of a step that was taken although it is noisy
+constexpr double lag_share = 1e-4;       ///< of a piece: an increment that tells whether a regime goes on
 constexpr double growing_noise = 1e-6;   ///< relative: a rate taken over ever shorter steps
 constexpr double largest_noise = 1e-10;  ///< relative: what may be a material's own rounding
 /// Of a piece at whose end the path rests: a change of regime this near to it is none. Reloading meets the yield
@@ -72,6 +73,10 @@ void History::Increments::advance(double to) {
   const Interval piece = h_->course_->piece_at(h_->t_);
   if (piece.lower != piece_begin_) begin_piece(piece);
   while (h_->t_ < to) {
+    if (h_->t_ < over_) {
+      step_over(std::min(over_, to));
+      continue;
+    }
     const double left = to - h_->t_;
     const double step = step_ >= 0.999 * left ? left : std::min(step_, 0.5 * left);
     switch (attempt(step)) {
@@ -87,7 +92,7 @@ void History::Increments::advance(double to) {
         shorten(step, piece);
         break;
       case Outcome::regime_changes:
-        if (h_->t_ >= tie_begin_) {
+        if (h_->t_ >= last_change()) {
           step_over(to);
         } else {
           bound_by(step);
@@ -100,9 +105,11 @@ void History::Increments::advance(double to) {
 
 void History::Increments::begin_piece(const Interval& piece) {
   piece_begin_ = piece.lower;
+  piece_end_ = piece.upper;
+  lag_ = h_->course_->regimes.named() ? 0 : lag_share * piece.width();
   regime_known_ = false;  // after a reversal any regime may begin
   regime_new_ = true;
-  bound_ = 0;
+  bound_ = over_ = 0;
   const auto speed = [&](double t) { return h_->course_->path->at(h_->xi_, t).F_rate.norm(); };
   const double before_end = piece.upper - tie_share * piece.width();
   const bool rests = speed(before_end) < resting_share * speed(0.5 * (piece.lower + piece.upper));
@@ -145,7 +152,9 @@ History::Increments::Outcome History::Increments::attempt(double step) {
       best_ = extrapolation_.best();
     }
     const double rounding = rounding_margin * extrapolation_.rounding();
-    if (count >= least_columns && extrapolation_.error() <= options_.tolerance + rounding) return Outcome::accepted;
+    if (count >= least_columns && extrapolation_.error() <= options_.tolerance + rounding) {
+      return stays(best_, h_->t_ + step) ? Outcome::accepted : Outcome::regime_changes;
+    }
   }
   const double no_better = best_error_ < largest_noise ? 0.5 : 1.0;
   noisy_ = failed_error_ > 0 && best_error_ < growing_noise && best_error_ > no_better * failed_error_;

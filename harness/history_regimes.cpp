@@ -13,27 +13,48 @@ namespace {
 constexpr double begin_share = 1e-2;  ///< of a step: an increment that tells the regime at its beginning
 /// Increments this short, times the cube root of the resolution, both shares of the end, err by less than that.
 constexpr double single_share = 0.1;
+constexpr double telling = 100;            ///< an increment of F this many times the tolerance tells a regime
 constexpr std::size_t most_branches = 24;  ///< a piece, on average: beyond, the regime flickers
 
 }  // namespace
+
+/// Of one increment from y.
+std::uint64_t History::Increments::regime_between(const std::vector<double>& y, double t, double dt, const Tensor& F0,
+                                                  const Tensor& F1) {
+  double before[9], after[9];
+  for (int c = 0; c < 9; ++c) before[c] = component(F0, c), after[c] = component(F1, c);
+  now_ = y;
+  next_.resize(now_.size());
+  increment(t, dt, before, after);
+  return h_->course_->regimes.of(now_.data() + 9, next_.data() + 9);
+}
 
 /// The regime at the beginning of a piece. An increment that takes in a change says the same as one that was in the
 /// second regime from its beginning, and may be as exact: a regime other than rest is asked for twice. Only then, for
 /// at a reversal the rates vanish, and rounding would decide on the shorter one.
 void History::Increments::begin_regime(double step) {
   const auto regime_within = [&](double dt) {
-    const Tensor F0 = h_->course_->path->deformation_gradient(h_->xi_, h_->t_);
-    const Tensor F1 = h_->course_->path->deformation_gradient(h_->xi_, h_->t_ + dt);
-    double before[9], after[9];
-    for (int c = 0; c < 9; ++c) before[c] = component(F0, c), after[c] = component(F1, c);
-    now_ = h_->y_;
-    next_.resize(now_.size());
-    increment(h_->t_, dt, before, after);
-    return h_->course_->regimes.of(now_.data() + 9, next_.data() + 9);
+    return regime_between(h_->y_, h_->t_, dt, h_->course_->path->deformation_gradient(h_->xi_, h_->t_),
+                          h_->course_->path->deformation_gradient(h_->xi_, h_->t_ + dt));
   };
   regime_ = regime_within(begin_share * step);
   if (regime_ != 0 && regime_within(begin_share * begin_share * step) == 0) regime_ = 0;
   regime_known_ = true;
+}
+
+/// The time in this piece beyond which a change of regime is none.
+double History::Increments::last_change() const {
+  return regime_ == 0 ? tie_begin_ : std::min(tie_begin_, piece_end_ - lag_);
+}
+
+/// Whether what begins at y and t is in the same regime. A step over the end of plastic loading is plastic as a whole:
+/// only a short increment behind it tells. A short increment of a state that is known to a tolerance tells nothing.
+bool History::Increments::stays(const std::vector<double>& y, double t) {
+  if (!options_.watch || lag_ == 0 || regime_ == 0 || t + lag_ > piece_end_) return true;
+  const Tensor F0 = h_->course_->path->deformation_gradient(h_->xi_, t);
+  const Tensor F1 = h_->course_->path->deformation_gradient(h_->xi_, t + lag_);
+  if ((F1 - F0).norm() < telling * options_.tolerance) return true;
+  return regime_between(y, t, lag_, F0, F1) == regime_;
 }
 
 /// A change of regime lies within `step` of the accepted point.
@@ -68,6 +89,10 @@ double History::Increments::longest_within(double width) {
     bool within = false;
     try {
       within = substeps(middle, 1);
+      if (within) {
+        const std::vector<double> reached = next_;
+        within = stays(reached, h_->t_ + middle);
+      }
     } catch (const MaterialFailure&) {  // as good as another regime
     }
     (within ? low : high) = middle;
@@ -98,9 +123,10 @@ void History::Increments::step_over(double to) {
 
 /// Over the change of regime, which lies within the resolution before the bound.
 void History::Increments::cross(double to) {
-  if (bound_ > tie_begin_) return step_over(to);
+  if (bound_ > last_change()) return step_over(to);
   note_branch();
-  step_over(std::min(bound_, to));
+  over_ = std::min(bound_ + (regime_ == 0 ? 0 : lag_), piece_end_);
+  step_over(std::min(over_, to));
   step_ = before_bound_;
   regime_known_ = false;
   regime_new_ = true;

@@ -19,6 +19,9 @@ class RegimeReader {
   /// Whether the state has anything that could tell.
   bool tells() const { return !watched_.empty(); }
 
+  /// Whether a variable of unit "regime" does.
+  bool named() const { return named_; }
+
   /// Of one point's step, components of the state in declared order.
   std::uint64_t of(const double* state0, const double* state1) const;
 

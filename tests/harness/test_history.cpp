@@ -153,6 +153,27 @@ TEST(History, FindsYieldingEarlyInAPieceThatGoesOnLoading) {
 }
 
 // The estimated errors are what the steps have left, not the tolerance once for every step.
+/// Large shear turns the stress, and plastic loading ends within a piece. A step over that end is plastic as a whole:
+/// found too late by a share of the step, the times would scatter from one xi to the next.
+TEST(History, FindsWherePlasticLoadingEndsWithoutAReversal) {
+  const Path turning = Vortex{0.75, 1.25, 2, {Amplitude::Type::sine, 1.0, 1.0}}.baseline();
+  const auto material = builtin_material(
+      assay_builtin_j2_jaumann,
+      {{"E", 1000}, {"nu", 0.3}, {"yield_stress", 140}, {"hardening_modulus", 200}, {"kinematic_modulus", 50}});
+  const Course course(*material, turning, 1);
+  std::vector<double> ends;
+  for (int k = 0; k <= 4; ++k) {
+    History history(course, -3.53 + 0.005 * k, {.tolerance = 1e-12, .watch = true});
+    history.advance(1);
+    const std::vector<Branch>& branches = history.branches();
+    ASSERT_EQ(branches.size(), 5u) << k;  // elastic, plastic, unloading at the reversal, plastic, elastic
+    EXPECT_EQ(branches[4].regime, branches[0].regime);
+    ends.push_back(branches[4].begin);
+  }
+  EXPECT_GT(ends[4] - ends[0], 1e-3);
+  EXPECT_NEAR(ends[0] - 4 * ends[1] + 6 * ends[2] - 4 * ends[3] + ends[4], 0, 1e-6);
+}
+
 TEST(History, StatesTheErrorOfRatesWithoutExaggeration) {
   const auto material = builtin_material(assay_builtin_zener, viscous);
   const Course course(*material, cyclic, 2, Form::rate);
