@@ -262,8 +262,9 @@ class MultiplicativeFlow {
         back = after(flow, amount);
         return excess_of(step, flow, back);
       };
-      const double slope = -s * falls / (hardening_.radius(step.p) + k * guess) - k;
-      back.amount = root_between(excess, 0, 3 * flow.excess / (s + k), guess, slope, 0.2 * tolerance(step.p));
+      const double slope = -s * falls / (hardening_.radius(step.p) + k * guess) - k, least_fall = -0.1 * (s + k);
+      back.amount = root_between(excess, 0, 3 * flow.excess / (s + k), guess, slope < least_fall ? slope : least_fall,
+                                 0.2 * tolerance(step.p));
       return back;
     } else {
       const double value = return_along(step.values(), flow.values()).amount;
