@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
-#include <filesystem>
-#include <functional>
 #include <iostream>
 
 #include "drivers/build_information.hpp"

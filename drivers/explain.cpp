@@ -150,7 +150,7 @@ std::string json_text(const Problem& problem, const Composition& c, const Respon
   } else {
     json["sheet"] = nullptr;
   }
-  json["screen"] = {{"verdict", screen.verdict}, {"smallest", *screen.smallest}};
+  json["screen"] = {{"verdict", screen.verdict}, {"smallest", *screen.smallest}, {"unjudged", screen.unjudged}};
   if (screen.largest_safe_amplitude) json["screen"]["largest_safe_amplitude"] = *screen.largest_safe_amplitude;
   return json.dump(2) + "\n";
 }

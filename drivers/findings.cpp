@@ -2,7 +2,6 @@
 #include "drivers/findings.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "drivers/input_error.hpp"
 #include "drivers/output/number_format.hpp"

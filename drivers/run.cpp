@@ -63,6 +63,7 @@ bool admitted(const Problem& problem, Result& result) {
   const Scene& scene = problem.scene;
   if (!problem.setup.body_force) return true;  // then the body does not move as the motion says
   result.screen = screen_of(scene, *problem.material, scene.time.end);
+  if (result.screen->unjudged > 0) std::fprintf(stderr, "warning: %s\n", screen_sentence(*result.screen).c_str());
   const std::string sentence = instability_sentence(*result.screen, problem.material->name());
   if (sentence.empty() || scene.allow_unstable) return true;
   result.outcome = "refused";

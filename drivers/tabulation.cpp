@@ -15,17 +15,20 @@ namespace {
 
 constexpr int sheet_rows = 41;     ///< values of xi and of t in sheet.csv
 constexpr int curve_points = 201;  ///< values of eps in curve.csv
+
 /// "11" and so on.
 std::string name_of(int component) { return std::to_string(component / 3 + 1) + std::to_string(component % 3 + 1); }
 
-/// Whether the path shears out of the plane.
+/// Whether the path shears out of the plane, or the material answers with stress there.
 bool leaves_the_plane(const Tabulation& tab) {
-  const auto shears = [](const Tensor& F) { return F(0, 2) != 0 || F(1, 2) != 0 || F(2, 0) != 0 || F(2, 1) != 0; };
-  if (tab.path.straight()) return shears(tab.path.direction);
+  const auto leaves = [](const Tensor& A) { return A(0, 2) != 0 || A(1, 2) != 0 || A(2, 0) != 0 || A(2, 1) != 0; };
   for (int k = 0; k < sheet_rows; ++k) {
     const double t = tab.end * k / (sheet_rows - 1);
-    if (shears(tab.path.deformation_gradient(tab.path.parameter.lower, t))) return true;
-    if (shears(tab.path.deformation_gradient(tab.path.parameter.upper, t))) return true;
+    for (const double xi : {tab.path.parameter.lower, tab.path.parameter.upper}) {
+      Tensor tau, slope;
+      tab.response->at(xi, t, tau, slope);
+      if (leaves(tab.path.deformation_gradient(xi, t)) || leaves(tau)) return true;
+    }
   }
   return false;
 }

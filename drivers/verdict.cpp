@@ -2,7 +2,6 @@
 #include "drivers/verdict.hpp"
 
 #include <fmt/core.h>
-#include <cmath>
 
 #include "drivers/findings.hpp"
 #include "drivers/output/number_format.hpp"
@@ -61,7 +60,7 @@ std::string summary_of(const Result& result) {
 }  // namespace
 
 std::string sheet_text(const SheetFigures& sheet) {
-  const bool missed = std::max(sheet.error_tau, sheet.error_dtau.value_or(0)) > sheet.asked;
+  const bool missed = !(sheet.error_tau <= sheet.asked) || !(sheet.error_dtau.value_or(0) <= sheet.asked);
   const std::string asked = missed ? " (asked: " + rounded_text(sheet.asked, 2) + ")" : "";
   if (sheet.shadow) {
     return fmt::format("  shadow: {} histories taken along, error {} of tau{}\n", grouped_text(sheet.points),

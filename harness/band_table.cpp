@@ -58,10 +58,12 @@ void BandTable::sample(const Course& course, const HistoryOptions& options, cons
     Ray ray = band_.ray;
     if (options.watch) ray = trace(course, xi, options, calls[k]);
     if (ray.branches != band_.ray.branches) {
-      // Next to an edge rounding decides between its two sides.
-      const double distance = std::min(xi - band_.map.xi.lower, band_.map.xi.upper - xi);
-      if (distance > edge_noise * course.path->parameter.width()) throw StrayHistory{xi};
-      ray = band_.ray;
+      // Next to an edge rounding decides between its two sides: the breaks are those a little further in.
+      const double from_lower = xi - band_.map.xi.lower, from_upper = band_.map.xi.upper - xi;
+      const double noise = edge_noise * course.path->parameter.width();
+      if (std::min(from_lower, from_upper) > noise) throw StrayHistory{xi};
+      ray = trace(course, from_lower < from_upper ? xi + noise : xi - noise, options, calls[k]);
+      if (ray.branches != band_.ray.branches) throw StrayHistory{xi};
     }
     ray.breaks = divided(ray.breaks, band_.parts);
     for (std::size_t i = 0; i <= stretches; ++i) breaks_[i * n_x() + k] = ray.breaks[i];

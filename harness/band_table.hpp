@@ -50,7 +50,7 @@ class BandTable {
   std::int64_t calls() const { return calls_; }
   double noise() const { return noise_; }  ///< estimated error of its histories, relative to the largest stress
 
-  /// Largest of the last coefficients in xi, and in t: what the table has not resolved [Pa].
+  /// Largest of the last coefficients of tau in xi, and in t [Pa].
   double tail_in_xi() const { return tail_xi_; }
   double tail_of_breaks() const { return tail_breaks_; }  ///< what theirs may make of tau [Pa]
   double tail_in_t() const { return tail_t_; }

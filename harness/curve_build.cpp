@@ -70,15 +70,19 @@ SheetError error_of(const Curve& curve, const Reference& reference) {
 BuiltCurve build_curve(const Material& material, const Path& path, const SheetOptions& options) {
   const Reference reference = reference_of(material, loading_path(path, options.end));
   const auto probed = static_cast<std::int64_t>(stencil * reference.eps.size());
-  BuiltCurve built{Curve(material, path, options.end, first_nodes), {}, probed + first_nodes};
-  built.error = error_of(built.curve, reference);
+  BuiltCurve best{Curve(material, path, options.end, first_nodes), {}, probed + first_nodes};
+  best.error = error_of(best.curve, reference);
+  const auto larger = [](const SheetError& error) { return std::max(error.tau, error.dtau); };
   for (int nodes = 2 * first_nodes - 1; nodes <= options.most_nodes; nodes = 2 * nodes - 1) {
-    if (built.error.tau <= options.tolerance && built.error.dtau <= options.tolerance) break;
-    built.curve = Curve(material, path, options.end, nodes);
-    built.calls += nodes;
-    built.error = error_of(built.curve, reference);
+    if (larger(best.error) <= options.tolerance) break;
+    Curve finer(material, path, options.end, nodes);
+    best.calls += nodes;
+    const SheetError error = error_of(finer, reference);
+    if (larger(error) >= larger(best.error)) continue;  // more nodes follow a material's rounding more closely
+    best.curve = std::move(finer);
+    best.error = error;
   }
-  return built;
+  return best;
 }
 
 }  // namespace assay

@@ -8,7 +8,7 @@
 namespace assay {
 
 /// `update` with 1, 2, 3 ... sub-steps, extrapolated; the step length follows the estimated error. A step in which the
-/// regime changes is halved until the time of the change is known.
+/// regime changes is halved, then bisected by single increments, until the time of the change is known.
 class History::Increments {
  public:
   Increments(History& history, const HistoryOptions& options);
@@ -39,7 +39,7 @@ class History::Increments {
   History* h_;
   HistoryOptions options_;
   double step_ = 0;   ///< to try next [s]
-  double bound_ = 0;  ///< > t: a change of regime lies before this time
+  double bound_ = 0;  ///< > t: a change of regime lies before this time, or before the lag behind it
   double before_bound_ = 0;
   double over_ = 0;        ///< up to this time a change of regime is stepped over
   bool located_ = false;   ///< the change before `bound` was already looked for by single increments
@@ -49,7 +49,7 @@ class History::Increments {
   std::vector<double> best_;
   int jumps_ = 0;
   bool noisy_ = false;       ///< accepted, for a shorter step would not be better
-  double failed_error_ = 0;  ///< of the attempt before, from the same point
+  double failed_error_ = 0;  ///< of the attempt before that was not exact enough
   double piece_begin_ = -1, piece_end_ = -1;
   double lag_ = 0;  ///< an increment this long tells whether a regime goes on; 0 where the material tells it itself [s]
   bool regime_known_ = false, regime_new_ = false;

@@ -54,7 +54,11 @@ bool History::Increments::stays(const std::vector<double>& y, double t) {
   const Tensor F0 = h_->course_->path->deformation_gradient(h_->xi_, t);
   const Tensor F1 = h_->course_->path->deformation_gradient(h_->xi_, t + lag_);
   if ((F1 - F0).norm() < telling * options_.tolerance) return true;
-  return regime_between(y, t, lag_, F0, F1) == regime_;
+  try {
+    return regime_between(y, t, lag_, F0, F1) == regime_;
+  } catch (const MaterialFailure&) {  // the next step will find it
+    return true;
+  }
 }
 
 /// A change of regime lies within `step` of the accepted point.
@@ -111,12 +115,18 @@ void History::Increments::note_branch() {
   }
 }
 
-/// In one increment, whatever the regime does.
+/// Whatever the regime does: in one increment, or extrapolated where that is longer than the resolution.
 void History::Increments::step_over(double to) {
+  const double step = to - h_->t_;
   const bool watch = std::exchange(options_.watch, false);
-  substeps(to - h_->t_, 1);
+  extrapolation_.clear();
+  for (int count = 1; count <= (step > resolution_ ? 3 : 1); ++count) {
+    substeps(step, count);
+    extrapolation_.add(next_, scales_);
+  }
   options_.watch = watch;
-  h_->y_ = next_;
+  h_->y_ = extrapolation_.columns() > 1 ? extrapolation_.best() : next_;
+  if (extrapolation_.columns() > 1) h_->error_ += extrapolation_.error();
   h_->t_ = to;
   bound_ = 0;
 }

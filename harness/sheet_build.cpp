@@ -36,6 +36,7 @@ int needed(std::span<const double> decay, double goal) {
   const std::size_t half = decay.size() / 2;
   const double early = *std::max_element(decay.begin() + static_cast<std::ptrdiff_t>(half), decay.end());
   const double tail = *std::max_element(decay.end() - 2, decay.end());
+  if (!(tail > goal)) return static_cast<int>(std::ceil(least_growth * n));  // the breaks need more, not tau
   const double slope = std::log(early / tail) / (n - 2 - static_cast<double>(half));
   const double more = std::log(tail / goal) / slope;
   return static_cast<int>(std::ceil(std::clamp(n + more, least_growth * n, most_growth * n)));

@@ -80,7 +80,8 @@ void compare(const Stencil& stencil, SheetError& error) {
 
 /// What follows the last terms of the series, which is largest at the ends of a band and of a stretch, away from the
 /// places that are looked at. A derivative multiplies the term of number n by n^2 there. Of d tau / d xi not in bands
-/// that are nothing but fronts close to each other.
+/// that are nothing but fronts close to each other. What the series of the breaks leave out is not bounded here but
+/// seen at the places: rounding of their times keeps those terms large.
 void add_tails(const std::vector<BandTable>& tables, double range, SheetError& error) {
   constexpr double rest = 4;  // of a series that falls by a quarter from term to term, over its last term
   for (const BandTable& table : tables) {

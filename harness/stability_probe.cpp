@@ -65,18 +65,14 @@ Tensor StabilityProbe::loading(double xi, double t) const {
   return size > 1e-14 ? Tensor(change / size) : Tensor(Tensor::Zero());
 }
 
-std::optional<AcousticExtreme> StabilityProbe::at(double xi, double t, const std::vector<double>& state) const {
+AcousticExtreme StabilityProbe::at(double xi, double t, const std::vector<double>& state) const {
   const Tensor F = path_.deformation_gradient(xi, t), along = loading(xi, t);
-  if (along.isZero(0)) return AcousticExtreme{scale_, Vector3::Zero()};
+  if (along.isZero(0)) return {scale_, Vector3::Zero()};
   const double dt = rate_ > 0 ? 1 / rate_ : end_;  // per unit of strain
   const Tensor start = F + steps_.settle * along;
-  try {
-    return smallest_acoustic_eigenvalue(
-        probe_tangent_modulus(material_, t, steps_.base * dt, start, start + steps_.base * along,
-                              settled_state(xi, t, state, F, start, dt), steps_.difference));
-  } catch (const MaterialFailure&) {
-    return std::nullopt;
-  }
+  return smallest_acoustic_eigenvalue(
+      probe_tangent_modulus(material_, t, steps_.base * dt, start, start + steps_.base * along,
+                            settled_state(xi, t, state, F, start, dt), steps_.difference));
 }
 
 std::vector<double> StabilityProbe::settled_state(double xi, double t, const std::vector<double>& state,

@@ -2,7 +2,6 @@
 // The smallest acoustic eigenvalue of a material at one place of a path, on the branch on which the path loads.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "harness/acoustic_tensor.hpp"
@@ -13,7 +12,7 @@ namespace assay {
 /// By differences of `update`, whose size suits the material: found at rest.
 class StabilityProbe {
  public:
-  /// On 0 .. end [s]. Throws MaterialFailure.
+  /// On 0 .. end [s]. Throws MaterialFailure where the material fails at rest.
   StabilityProbe(const Material& material, const Path& path, double end);
 
   const AcousticExtreme& at_rest() const { return rest_; }       ///< the smallest eigenvalue
@@ -21,9 +20,9 @@ class StabilityProbe {
   double noise_floor() const { return noise_floor_; }            ///< what differences cannot tell from zero [Pa]
   const std::vector<double>& breaks() const { return breaks_; }  ///< 0, reversals, end [s]
 
-  /// The smallest eigenvalue at (xi, t) with the state there; the scale where the path stands still; nothing where the
-  /// material fails in the probe's own steps, which go a little beyond the path.
-  std::optional<AcousticExtreme> at(double xi, double t, const std::vector<double>& state) const;
+  /// The smallest eigenvalue at (xi, t) with the state there; the scale where the path stands still. The probe's own
+  /// steps go a little beyond the path: throws MaterialFailure where the material fails in them.
+  AcousticExtreme at(double xi, double t, const std::vector<double>& state) const;
 
  private:
   /// Steps of strain. The state is settled first: a history's state is known to a tolerance, and only `update` itself

@@ -59,9 +59,13 @@ class Screen {
       std::vector<AcousticExtreme>& found = result.found.emplace_back();
       for (std::size_t p = 0; p < xi.size(); ++p) {
         for (std::size_t c = 0; c < state.size(); ++c) state[c] = h.points[row].state[c * xi.size() + p];
-        const auto extreme = probe_.at(xi[p], times[row], state);
-        found.push_back(extreme.value_or(AcousticExtreme{probe_.scale(), Vector3::Zero()}));
-        if (!extreme) ++result.unjudged;
+        try {
+          found.push_back(probe_.at(xi[p], times[row], state));
+        } catch (MaterialFailure& failure) {
+          failure.xi = xi[p];
+          if (++result.unjudged == static_cast<int>(xi.size() * times.size())) throw;  // nothing can be judged
+          found.push_back({probe_.scale(), Vector3::Zero()});
+        }
       }
     }
     return result;

@@ -27,8 +27,8 @@ struct StabilityScreen {
 
 /// Screens with A = dP/dF of the instantaneous loading branch, by differences of `update`, all xi of the path's range
 /// and 0 <= t <= end [s]. Models that soften or do not keep the normal rule are followed to their first loss like any
-/// other. Throws MaterialFailure where a history
-/// fails.
+/// other. Throws MaterialFailure where the material
+/// fails at rest, along the path, or just beyond every place of it.
 StabilityScreen screen_stability(const Material& material, const Path& path, double end);
 
 }  // namespace assay

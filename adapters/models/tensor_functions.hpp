@@ -102,7 +102,7 @@ TensorOf<S> exponential(TensorOf<S> A) {
   }();
   int squarings = 0;
   double size = std::sqrt(square_of_size(A));
-  for (; size > near; size *= 0.5) ++squarings;
+  for (; size > near && std::isfinite(size); size *= 0.5) ++squarings;
   A *= S(std::ldexp(1.0, -squarings));
   int terms = 2;
   for (double left_out = size; left_out > 1e-18 && terms < most_terms; ++terms) left_out *= size / terms;

@@ -2,7 +2,6 @@
 #include "drivers/output/report.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include "drivers/output/html.hpp"

@@ -2,7 +2,6 @@
 #include "drivers/output/report_sections.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "drivers/output/html.hpp"
 #include "drivers/output/number_format.hpp"

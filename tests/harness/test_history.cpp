@@ -152,7 +152,6 @@ TEST(History, FindsYieldingEarlyInAPieceThatGoesOnLoading) {
   }
 }
 
-// The estimated errors are what the steps have left, not the tolerance once for every step.
 /// Large shear turns the stress, and plastic loading ends within a piece. A step over that end is plastic as a whole:
 /// found too late by a share of the step, the times would scatter from one xi to the next.
 TEST(History, FindsWherePlasticLoadingEndsWithoutAReversal) {
@@ -174,6 +173,7 @@ TEST(History, FindsWherePlasticLoadingEndsWithoutAReversal) {
   EXPECT_NEAR(ends[0] - 4 * ends[1] + 6 * ends[2] - 4 * ends[3] + ends[4], 0, 1e-6);
 }
 
+/// The estimated errors are what the steps have left, not the tolerance once for every step.
 TEST(History, StatesTheErrorOfRatesWithoutExaggeration) {
   const auto material = builtin_material(assay_builtin_zener, viscous);
   const Course course(*material, cyclic, 2, Form::rate);

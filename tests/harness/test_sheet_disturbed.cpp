@@ -5,6 +5,7 @@
 #include "harness/history.hpp"
 #include "harness/vortex.hpp"
 #include "tests/harness/disturbed_material.hpp"
+#include "tests/harness/elastic_material.hpp"
 #include "tests/harness/sheet_difference.hpp"
 
 namespace assay {
@@ -27,6 +28,25 @@ TEST(Disturbed, NoiseOfIncrementsIsStatedAndDoesNotStopASheet) {
     EXPECT_LT(d.tau, std::max(1e-8, 1e4 * noise)) << noise;
     EXPECT_LT(d.tau, 10 * sheet.error_tau()) << noise;
   }
+}
+
+/// A curve through the rounding of single precision: more nodes would only follow it more closely.
+TEST(Disturbed, ACurveOfAMaterialInSinglePrecisionKeepsTheBestOfItsErrors) {
+  static const assay_material table = [] {
+    assay_material t = *assay_builtin_neo_hookean(ASSAY_ABI_MAJOR, 0);
+    t.update = [](void* self, const assay_step* step, std::size_t n, const double* state0, double* state1,
+                  double* cauchy, std::int32_t* status, double* dt_factor, char* message) {
+      assay_builtin_neo_hookean(ASSAY_ABI_MAJOR, 0)
+          ->update(self, step, n, state0, state1, cauchy, status, dt_factor, message);
+      for (std::size_t i = 0; i < 9 * n; ++i) cauchy[i] = static_cast<float>(cauchy[i]);
+    };
+    return t;
+  }();
+  const Sheet sheet(Material(&table, {{"E", 1e3}, {"nu", 0.3}}), path, {.tolerance = 1e-9, .end = 1});
+  ASSERT_TRUE(sheet.is_curve());
+  EXPECT_GT(sheet.error_tau(), 1e-9);
+  EXPECT_LT(sheet.error_tau(), 1e-5);
+  EXPECT_LT(sheet.error_dtau(), 1e-2);
 }
 
 TEST(Disturbed, AMaterialThatIsNoFunctionOfItsArgumentsIsRefused) {
