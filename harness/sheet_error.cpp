@@ -114,6 +114,7 @@ SheetError error_of(const std::vector<BandTable>& tables, const Material& materi
     calls += stencil.calls;
     history_error = std::max(history_error, stencil.error);
   }
+  for (const BandTable& table : tables) history_error = std::max(history_error, table.noise());
   add_tails(tables, path.parameter.width(), error);
   if (error.tau_scale > 0) error.tau /= error.tau_scale;
   if (error.dtau_scale > 0) error.dtau /= error.dtau_scale;
