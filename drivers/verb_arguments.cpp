@@ -38,6 +38,12 @@ void add_out(CLI::App& verb, Arguments& given, const std::string& type, const st
   verb.add_option("-o", given.out, doc)->type_name(type)->check(not_empty, "");
 }
 
+/// What a verb takes that leaves a folder of results.
+void add_results(CLI::App& verb, Arguments& given) {
+  add_out(verb, given, "DIR", "folder of the results (results/SCENE)");
+  verb.add_flag("--json", given.json, "result.json on standard output");
+}
+
 }  // namespace
 
 std::string Arguments::folder() const {
@@ -64,9 +70,8 @@ std::vector<Verb> scene_verbs(CLI::App& app, Arguments& given) {
                                 "assay run configs/paper/vortex_cpdi.yaml -o results/vortex \\\n"
                                 "      --set grid.spacing=0.025 --set 'expect={}'");
   add_scene(run_verb, given);
-  add_out(run_verb, given, "DIR", "folder of the results (results/SCENE)");
   run_verb.add_option("--threads", given.threads, "number of threads (1)")->type_name("N");
-  run_verb.add_flag("--json", given.json, "result.json on standard output");
+  add_results(run_verb, given);
   verbs.push_back(
       {&run_verb, [&given] {
          return run({given.scene, given.folder(), given.sets, given.thread_count(), given.json, given.verbosity()});
@@ -75,9 +80,8 @@ std::vector<Verb> scene_verbs(CLI::App& app, Arguments& given) {
   CLI::App& tabulate_verb = add_verb(app, "tabulate", "the point driver's sheet and curves",
                                      "assay tabulate configs/paper/tabulate_neo_hookean.yaml -o results/sheet");
   add_scene(tabulate_verb, given);
-  add_out(tabulate_verb, given, "DIR", "folder of the results (results/SCENE)");
   tabulate_verb.add_option("--points", given.points, "also the response at xi,t of this file")->type_name("CSV");
-  tabulate_verb.add_flag("--json", given.json, "result.json on standard output");
+  add_results(tabulate_verb, given);
   verbs.push_back(
       {&tabulate_verb, [&given] {
          return tabulate({given.scene, given.folder(), given.sets, given.points, given.json, given.verbosity()});

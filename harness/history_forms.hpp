@@ -15,6 +15,7 @@ class History::Increments {
   void advance(double to);
 
  private:
+  static constexpr int least_columns = 3;  ///< two may agree by chance
   enum class Outcome { accepted, inaccurate, regime_changes };
   void evaluate(double to);
   void begin_piece(const Interval& piece);

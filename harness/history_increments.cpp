@@ -26,7 +26,6 @@ constexpr double largest_noise = 1e-10;  ///< relative: what may be a material's
 constexpr double tie_share = 3e-6;
 constexpr double resting_share = 1e-4;  ///< of the rate of F in the middle of the piece
 constexpr int most_jumps = 100;         ///< of a history: beyond, the material is no function of its arguments
-constexpr int least_columns = 3;        ///< two may agree by chance
 constexpr double rounding_margin = 4;   ///< results carry the rounding of many operations
 
 /// How much longer the next step may be when this many columns sufficed.

@@ -92,11 +92,7 @@ double History::Increments::longest_within(double width) {
     const double middle = 0.5 * (low + high);
     bool within = false;
     try {
-      within = substeps(middle, 1);
-      if (within) {
-        const std::vector<double> reached = next_;
-        within = stays(reached, h_->t_ + middle);
-      }
+      within = substeps(middle, 1) && stays(next_, h_->t_ + middle);
     } catch (const MaterialFailure&) {  // as good as another regime
     }
     (within ? low : high) = middle;
@@ -120,13 +116,14 @@ void History::Increments::step_over(double to) {
   const double step = to - h_->t_;
   const bool watch = std::exchange(options_.watch, false);
   extrapolation_.clear();
-  for (int count = 1; count <= (step > resolution_ ? 3 : 1); ++count) {
+  const int columns = step > resolution_ ? least_columns : 1;
+  for (int count = 1; count <= columns; ++count) {
     substeps(step, count);
     extrapolation_.add(next_, scales_);
   }
   options_.watch = watch;
-  h_->y_ = extrapolation_.columns() > 1 ? extrapolation_.best() : next_;
-  if (extrapolation_.columns() > 1) h_->error_ += extrapolation_.error();
+  h_->y_ = columns > 1 ? extrapolation_.best() : next_;
+  if (columns > 1) h_->error_ += extrapolation_.error();
   h_->t_ = to;
   bound_ = 0;
 }
