@@ -9,81 +9,113 @@ namespace assay {
 
 namespace {
 
-/// How much the extrapolation to column j enlarges the rounding of the results: sum of |weights|.
-double enlargement(int j, int power) {
+constexpr int most = Extrapolation::most_columns;
+
+enum class Series { every_power, from_second, even_powers };
+constexpr Series all_series[] = {Series::every_power, Series::from_second, Series::even_powers};
+
+/// Weights of the results first .. last (last + 1 sub-steps) in the extrapolated one; zero elsewhere.
+std::array<double, most> weights(Series series, int first, int last) {
+  std::array<double, most> w{};
+  const auto x = [&](int i) { return std::pow(i + 1.0, series == Series::even_powers ? -2 : -1); };
   double sum = 0;
-  for (int i = 0; i <= j; ++i) {
+  for (int i = first; i <= last; ++i) {
     double weight = 1;
-    for (int k = 0; k <= j; ++k) {
-      if (k != i) weight /= 1 - std::pow(static_cast<double>(k + 1) / (i + 1), power);
+    for (int k = first; k <= last; ++k) {
+      if (k != i) weight *= x(k) / (x(k) - x(i));
     }
-    sum += std::abs(weight);
+    const auto at = static_cast<std::size_t>(i);
+    w[at] = series == Series::from_second ? weight / x(i) : weight;
+    sum += w[at];
   }
+  for (double& weight : w) weight /= sum;  // 1 already but for from_second
+  return w;
+}
+
+/// What weights make of the error (1/n)^power of n sub-steps.
+double left_of(const std::array<double, most>& w, int power) {
+  double sum = 0;
+  for (int i = 0; i < most; ++i) sum += w[static_cast<std::size_t>(i)] * std::pow(i + 1.0, -power);
   return sum;
 }
 
-/// Everything that depends on column and power alone.
-struct Factors {
-  double difference[Extrapolation::most_columns][Extrapolation::most_columns] = {};  ///< [j][k]
-  double enlargement[Extrapolation::most_columns] = {};
+/// With the results 0 .. column.
+struct Column {
+  std::array<double, most> value;   ///< weights of the extrapolated result
+  std::array<double, most> change;  ///< of its difference from the one without the coarsest result
+  double margin = 1;                ///< error over the size of `change`
+  double enlargement = 0;           ///< of rounding: sum of |weights|
 };
 
-const Factors& factors_of(int power) {
-  static const std::array<Factors, 2> table = [] {
-    std::array<Factors, 2> all;
-    for (int q = 1; q <= 2; ++q) {
-      Factors& f = all[static_cast<std::size_t>(q - 1)];
-      for (int j = 0; j < Extrapolation::most_columns; ++j) {
-        f.enlargement[j] = enlargement(j, q);
-        for (int k = 1; k <= j; ++k) f.difference[j][k] = 1 / (std::pow((j + 1.0) / (j + 1 - k), q) - 1);
-      }
+Column column_of(Series series, int last) {
+  Column c{weights(series, 0, last), weights(series, 1, last)};
+  if (series == Series::even_powers) {
+    const double left = left_of(c.value, 3), before = left_of(c.change, 3);
+    c.margin = std::max(1.0, std::abs(left / (left - before)));
+  }
+  for (std::size_t i = 0; i < c.value.size(); ++i) {
+    c.change[i] = c.value[i] - c.change[i];
+    c.enlargement += std::abs(c.value[i]);
+  }
+  return c;
+}
+
+const Column& column(Series series, int last) {
+  static const auto table = [] {
+    std::array<std::array<Column, most>, std::size(all_series)> all;
+    for (const Series s : all_series) {
+      for (int j = 1; j < most; ++j) all[static_cast<std::size_t>(s)][static_cast<std::size_t>(j)] = column_of(s, j);
     }
     return all;
   }();
-  return table[static_cast<std::size_t>(power - 1)];
+  return table[static_cast<std::size_t>(series)][static_cast<std::size_t>(last)];
+}
+
+double largest(std::span<const double> values, std::span<const double> scales) {
+  double found = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) found = std::max(found, std::abs(values[i]) / scales[i]);
+  return found;
 }
 
 }  // namespace
 
 /// (1 - 1/4) / (1/4 - 1/9) = 5.4 for errors in h^2, (1 - 1/2) / (1/2 - 1/3) = 3 for errors in h.
-bool Extrapolation::even_powers() const {
+bool Extrapolation::second_order() const {
   constexpr double between = 4.2, rounding = 1e-14;
   return rows_ >= 3 && (first_change_ > between * second_change_ || first_change_ < rounding);
 }
 
 void Extrapolation::add(std::span<const double> result, std::span<const double> scales) {
-  const int j = rows_++;
-  if (j == 1 || j == 2) {
-    double& change = j == 1 ? first_change_ : second_change_;
-    change = 0;
-    const auto& before = last_[0][0];  // the result of one sub-step fewer
-    for (std::size_t i = 0; i < result.size(); ++i) {
-      change = std::max(change, std::abs(result[i] - before[i]) / scales[i]);
-    }
-  }
+  const int last = rows_++;
+  const auto& newest = results_[static_cast<std::size_t>(last)];
+  results_[static_cast<std::size_t>(last)].assign(result.begin(), result.end());
   error_ = std::numeric_limits<double>::infinity();
-  for (int power = 1; power <= 2; ++power) {
-    const Factors& factors = factors_of(power);
-    Row& last = last_[static_cast<std::size_t>(power - 1)];
-    next_[0].assign(result.begin(), result.end());
-    double error = std::numeric_limits<double>::infinity();
-    for (int k = 1; k <= j; ++k) {
-      const auto& before = next_[static_cast<std::size_t>(k - 1)];
-      const auto& above = last[static_cast<std::size_t>(k - 1)];
-      auto& value = next_[static_cast<std::size_t>(k)];
-      value.resize(before.size());
-      const double factor = factors.difference[j][k];
-      error = 0;
-      for (std::size_t i = 0; i < value.size(); ++i) {
-        value[i] = before[i] + factor * (before[i] - above[i]);
-        error = std::max(error, std::abs(value[i] - before[i]) / scales[i]);
+  rounding_ = std::numeric_limits<double>::epsilon();
+  best_ = newest;
+  if (last == 0) return;
+  change_.resize(result.size());
+  if (last <= 2) {
+    const auto& before = results_[static_cast<std::size_t>(last) - 1];
+    for (std::size_t i = 0; i < result.size(); ++i) change_[i] = newest[i] - before[i];
+    (last == 1 ? first_change_ : second_change_) = largest(change_, scales);
+  }
+  for (const Series series : all_series) {
+    if (series != Series::every_power && !second_order()) break;
+    const Column& c = column(series, last);
+    value_ = newest;
+    std::fill(change_.begin(), change_.end(), 0.0);
+    for (std::size_t row = 0; row < static_cast<std::size_t>(last); ++row) {
+      for (std::size_t i = 0; i < result.size(); ++i) {
+        const double difference = results_[row][i] - newest[i];  // small: less rounding than the results themselves
+        value_[i] += c.value[row] * difference;
+        change_[i] += c.change[row] * difference;
       }
     }
-    for (int k = 0; k <= j; ++k) last[static_cast<std::size_t>(k)].swap(next_[static_cast<std::size_t>(k)]);
-    if (j == 0 || (error < error_ && (power == 1 || even_powers()))) {
+    const double error = c.margin * largest(change_, scales);
+    if (error < error_) {
       error_ = error;
-      rounding_ = std::numeric_limits<double>::epsilon() * factors.enlargement[j];
-      best_ = last[static_cast<std::size_t>(j)];
+      rounding_ = std::numeric_limits<double>::epsilon() * c.enlargement;
+      best_.swap(value_);
     }
   }
 }

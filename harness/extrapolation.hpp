@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Extrapolation of results of 1, 2, 3 ... sub-steps to a step of length zero (Aitken and Neville; Hairer, Norsett and
-// Wanner, Solving Ordinary Differential Equations I, II.9).
+// Extrapolation of results of 1, 2, 3 ... sub-steps to a step of length zero (Hairer, Norsett and Wanner, Solving
+// Ordinary Differential Equations I, II.9).
 #pragma once
 
 #include <array>
@@ -9,8 +9,9 @@
 
 namespace assay {
 
-/// A tableau for errors in powers of h, and one for errors in powers of h^2, which a symmetric increment has. It is not
-/// known of a foreign increment, so both are kept; the latter counts where the results of 1, 2, 3 sub-steps approach
+/// Which powers of the length h of a sub-step an increment errs by is not known of a foreign one. Three series are
+/// kept, and the one with the least error counts: h, h^2, h^3 ...; of a second order increment h^2, h^3, h^4 ...; of
+/// one that is symmetric in time h^2, h^4, h^6 ... The last two only where the results of 1, 2, 3 sub-steps approach
 /// each other like 1, 1/4, 1/9.
 class Extrapolation {
  public:
@@ -22,21 +23,22 @@ class Extrapolation {
   void add(std::span<const double> result, std::span<const double> scales);
 
   int columns() const { return rows_; }
-  double error() const { return error_; }  ///< estimated, relative; infinite with one column
+  /// Estimated, relative; infinite with one column. Of h^2, h^4 ... it is right even where an odd power is what is
+  /// left.
+  double error() const { return error_; }
   /// What rounding of the results leaves, relative, whatever the number of columns.
   double rounding() const { return rounding_; }
   const std::vector<double>& best() const { return best_; }
 
  private:
-  using Row = std::array<std::vector<double>, most_columns>;
   int rows_ = 0;
-  std::array<Row, 2> last_;  ///< of the tableau of h, and of h^2
-  Row next_;
+  std::array<std::vector<double>, most_columns> results_;
+  std::vector<double> value_, change_;
   double first_change_ = 0, second_change_ = 0;  ///< from 1 to 2, and from 2 to 3 sub-steps, relative
   double error_ = 0, rounding_ = 0;
   std::vector<double> best_;
 
-  bool even_powers() const;
+  bool second_order() const;
 };
 
 }  // namespace assay

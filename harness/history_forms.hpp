@@ -30,7 +30,7 @@ class History::Increments {
   void bound_by(double step);
   void approach_bound(double to);
   double longest_within(double width);
-  std::uint64_t regime_between(const std::vector<double>& y, double t, double dt, const Tensor& F0, const Tensor& F1);
+  std::uint64_t regime_between(const std::vector<double>& y, double t, double dt);
   double last_change() const;
   bool stays(const std::vector<double>& y, double t);
   void step_over(double to);
@@ -50,7 +50,8 @@ class History::Increments {
   std::vector<double> best_;
   int jumps_ = 0;
   bool noisy_ = false;       ///< accepted, for a shorter step would not be better
-  double failed_error_ = 0;  ///< of the attempt before that was not exact enough
+  /// Of the two attempts before that were not exact enough; one alone may have been lucky.
+  std::array<double, 2> failed_errors_{};
   double piece_begin_ = -1, piece_end_ = -1;
   double lag_ = 0;  ///< an increment this long tells whether a regime goes on; 0 where the material tells it itself [s]
   bool regime_known_ = false, regime_new_ = false;

@@ -10,14 +10,15 @@ namespace assay {
 
 namespace {
 
-constexpr double first_share = 1.0 / 16;  ///< of a piece: the first step to try
-constexpr double shortest_share = 1e-13;  ///< of the end: a step that needs to be shorter has failed
+constexpr double first_share = 1.0 / 16;    ///< of a piece: the first step to try
+constexpr double least_first_share = 1e-3;  ///< of a piece: what was short at the end of one need not be in the next
+constexpr double shortest_share = 1e-13;    ///< of the end: a step that needs to be shorter has failed
 /// The time of a change of regime is found to this share of the tolerance, and to no better than the second, of the
 /// end.
 constexpr double resolution_share = 0.01, best_resolution = 4e-15;
 constexpr double shortest_lag = 1e-6;    ///< of a piece's part: increments this short are noise
 constexpr double past_the_least = 10;    ///< an error this many times the least: the least has been found
-constexpr double noisy_growth = 3;       ///< of a step that was taken although it is noisy
+constexpr double noisy_growth = 20;      ///< of a step that was taken although it is noisy: at least two shortenings
 constexpr double lag_share = 1e-4;       ///< of a piece: an increment that tells whether a regime goes on
 constexpr double growing_noise = 1e-6;   ///< relative: a rate taken over ever shorter steps
 constexpr double largest_noise = 1e-10;  ///< relative: what may be a material's own rounding
@@ -80,7 +81,7 @@ void History::Increments::advance(double to) {
     const double step = step_ >= 0.999 * left ? left : std::min(step_, 0.5 * left);
     switch (attempt(step)) {
       case Outcome::accepted: {
-        failed_error_ = 0;
+        failed_errors_ = {};
         accept(step);
         const double grown = noisy_ ? noisy_growth * step : growth(extrapolation_.columns()) * step;
         step_ = step < step_ ? std::max(step_, grown) : grown;  // a step cut short by `to` says little
@@ -113,7 +114,7 @@ void History::Increments::begin_piece(const Interval& piece) {
   const double before_end = piece.upper - tie_share * piece.width();
   const bool rests = speed(before_end) < resting_share * speed(0.5 * (piece.lower + piece.upper));
   tie_begin_ = rests ? before_end : piece.upper;
-  if (step_ == 0) step_ = first_share * piece.width();
+  step_ = step_ == 0 ? first_share * piece.width() : std::max(step_, least_first_share * piece.width());
 }
 
 /// After a step that was not exact enough.
@@ -126,7 +127,7 @@ void History::Increments::shorten(double step, const Interval& piece) {
     h_->t_ += step;
     step_ = first_share * piece.width();
   }
-  failed_error_ = extrapolation_.columns() >= least_columns ? best_error_ : 0;
+  failed_errors_ = {failed_errors_[1], extrapolation_.columns() >= least_columns ? best_error_ : 0};
 }
 
 /// Leaves the end of the step in best_.
@@ -156,8 +157,9 @@ History::Increments::Outcome History::Increments::attempt(double step) {
     }
   }
   const double no_better = best_error_ < largest_noise ? 0.5 : 1.0;
-  noisy_ = failed_error_ > 0 && best_error_ < growing_noise && best_error_ > no_better * failed_error_;
-  return noisy_ ? Outcome::accepted : Outcome::inaccurate;  // noise: a shorter step has not helped
+  const double failed = failed_errors_[0] > 0 ? std::max(failed_errors_[0], failed_errors_[1]) : 0;
+  noisy_ = failed > 0 && best_error_ < growing_noise && best_error_ > no_better * failed;
+  return noisy_ ? Outcome::accepted : Outcome::inaccurate;  // noise: shorter steps have not helped
 }
 
 /// From the accepted point over `step` in `count` increments; the result in next_. False where the regime changes.

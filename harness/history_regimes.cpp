@@ -19,8 +19,9 @@ constexpr std::size_t most_branches = 24;  ///< a piece, on average: beyond, the
 }  // namespace
 
 /// Of one increment from y.
-std::uint64_t History::Increments::regime_between(const std::vector<double>& y, double t, double dt, const Tensor& F0,
-                                                  const Tensor& F1) {
+std::uint64_t History::Increments::regime_between(const std::vector<double>& y, double t, double dt) {
+  const Tensor F0 = h_->course_->path->deformation_gradient(h_->xi_, t);
+  const Tensor F1 = h_->course_->path->deformation_gradient(h_->xi_, t + dt);
   double before[9], after[9];
   for (int c = 0; c < 9; ++c) before[c] = component(F0, c), after[c] = component(F1, c);
   now_ = y;
@@ -33,10 +34,7 @@ std::uint64_t History::Increments::regime_between(const std::vector<double>& y, 
 /// second regime from its beginning, and may be as exact: a regime other than rest is asked for twice. Only then, for
 /// at a reversal the rates vanish, and rounding would decide on the shorter one.
 void History::Increments::begin_regime(double step) {
-  const auto regime_within = [&](double dt) {
-    return regime_between(h_->y_, h_->t_, dt, h_->course_->path->deformation_gradient(h_->xi_, h_->t_),
-                          h_->course_->path->deformation_gradient(h_->xi_, h_->t_ + dt));
-  };
+  const auto regime_within = [&](double dt) { return regime_between(h_->y_, h_->t_, dt); };
   regime_ = regime_within(begin_share * step);
   if (regime_ != 0 && regime_within(begin_share * begin_share * step) == 0) regime_ = 0;
   regime_known_ = true;
@@ -51,11 +49,11 @@ double History::Increments::last_change() const {
 /// only a short increment behind it tells. A short increment of a state that is known to a tolerance tells nothing.
 bool History::Increments::stays(const std::vector<double>& y, double t) {
   if (!options_.watch || lag_ == 0 || regime_ == 0 || t + lag_ > piece_end_) return true;
-  const Tensor F0 = h_->course_->path->deformation_gradient(h_->xi_, t);
-  const Tensor F1 = h_->course_->path->deformation_gradient(h_->xi_, t + lag_);
-  if ((F1 - F0).norm() < telling * options_.tolerance) return true;
+  const Path& path = *h_->course_->path;
+  const Tensor change = path.deformation_gradient(h_->xi_, t + lag_) - path.deformation_gradient(h_->xi_, t);
+  if (change.norm() < telling * options_.tolerance) return true;
   try {
-    return regime_between(y, t, lag_, F0, F1) == regime_;
+    return regime_between(y, t, lag_) == regime_;
   } catch (const MaterialFailure&) {  // the next step will find it
     return true;
   }
@@ -130,11 +128,11 @@ void History::Increments::step_over(double to) {
 
 /// Over the change of regime, which lies within the resolution before the bound.
 void History::Increments::cross(double to) {
+  step_ = before_bound_;
   if (bound_ > last_change()) return step_over(to);
   note_branch();
   over_ = std::min(bound_ + (regime_ == 0 ? 0 : lag_), piece_end_);
   step_over(std::min(over_, to));
-  step_ = before_bound_;
   regime_known_ = false;
   regime_new_ = true;
 }
