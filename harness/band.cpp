@@ -145,7 +145,7 @@ double BandMap::slope(double s) const {
 std::vector<Band> find_bands(const Course& course, const HistoryOptions& options, std::vector<double> extra,
                              const Workers& workers, std::int64_t& calls) {
   const Interval range = course.path->parameter;
-  if (!options.watch || !course.regimes.tells()) return unwatched_bands(course);
+  if (!options.watch || !course.tells()) return unwatched_bands(course);
   std::vector<double> places = sample_places(range);
   places.insert(places.end(), extra.begin(), extra.end());
   std::sort(places.begin(), places.end());

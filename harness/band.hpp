@@ -32,7 +32,7 @@ struct BandMap {
 struct Band {
   BandMap map;
   Ray ray;        ///< of one history inside: times differ from xi to xi, the order does not
-  int parts = 1;  ///< equal parts into which a table divides every stretch of the ray
+  int parts = 1;  ///< into which a table divides every stretch of the ray
   std::size_t stretches() const { return ray.branches.size() * static_cast<std::size_t>(parts); }
 };
 

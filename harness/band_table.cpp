@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "harness/chebyshev.hpp"
 
@@ -26,11 +27,15 @@ struct Polynomials {
   std::vector<double> T, T_prime;
 };
 
-/// Breaks with every stretch divided into equal parts.
+/// Breaks with every stretch divided into parts, the shortest at its ends: there the motion begins or stops, or a kink
+/// is not far.
 std::vector<double> divided(const std::vector<double>& breaks, int parts) {
   std::vector<double> all;
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-    for (int k = 0; k < parts; ++k) all.push_back(breaks[i] + (breaks[i + 1] - breaks[i]) * k / parts);
+    for (int k = 0; k < parts; ++k) {
+      const double share = std::pow(std::sin(0.5 * std::numbers::pi * k / parts), 2);
+      all.push_back(breaks[i] + (breaks[i + 1] - breaks[i]) * share);
+    }
   }
   all.push_back(breaks.back());
   return all;

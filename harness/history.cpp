@@ -42,8 +42,8 @@ void share_largest(std::vector<double>& values, std::size_t begin, std::size_t e
 
 }  // namespace
 
-Course::Course(const Material& m, const Path& p, double last, Form form)
-    : material(&m), path(&p), end(last), regimes(m.table()) {
+Course::Course(const Material& m, const Path& p, double last, Form form, Telling by)
+    : material(&m), path(&p), end(last), regimes(m.table()), telling(by) {
   const bool has_rate = m.extension<assay_rate>(ASSAY_EXTENSION_RATE) != nullptr;
   by_rate = has_rate && (form == Form::rate || (form == Form::automatic && !m.has(ASSAY_NON_SMOOTH)));
   pieces = {0};

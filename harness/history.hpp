@@ -29,21 +29,35 @@ enum class Form {
   rate         ///< extension assay.rate/1, by Boost.Odeint
 };
 
+/// What tells that the regime of a history changes.
+enum class Telling {
+  state,  ///< the material's state (regime.hpp)
+  /// The sign of s : d, s = dev sigma, d = sym(Fdot F^-1). Where it changes s passes near zero, and a flow that goes as
+  /// |s|^(n-1) s, n no odd number, is nearly not smooth.
+  power
+};
+
 /// A material on a path, prepared for any number of histories.
 struct Course {
   /// Finds the scales by coarse marches along the extreme histories.
-  Course(const Material& material, const Path& path, double end, Form form = Form::automatic);
+  Course(const Material& material, const Path& path, double end, Form form = Form::automatic,
+         Telling telling = Telling::state);
 
   const Material* material;
   const Path* path;
-  double end;                  ///< [s]
-  bool by_rate;                ///< the form that was chosen
-  RegimeReader regimes;        ///< of the material
+  double end;            ///< [s]
+  bool by_rate;          ///< the form that was chosen
+  RegimeReader regimes;  ///< of the material
+  Telling telling;
   std::vector<double> pieces;  ///< 0, reversals of the path, end
   HistoryScales scales;
 
   /// No more threads than the material stands.
   Workers workers(Workers wanted) const;
+
+  /// Whether anything tells changes of regime; whether at the end of a step it tells what lies behind it.
+  bool tells() const { return telling == Telling::power || regimes.tells(); }
+  bool tells_at_once() const { return telling == Telling::power || regimes.named(); }
 
   /// The piece that contains t; its beginning where t is a reversal.
   Interval piece_at(double t) const;

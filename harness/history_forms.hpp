@@ -30,6 +30,7 @@ class History::Increments {
   void bound_by(double step);
   void approach_bound(double to);
   double longest_within(double width);
+  std::uint64_t regime_of_increment(const double* before, const double* after) const;
   std::uint64_t regime_between(const std::vector<double>& y, double t, double dt);
   double last_change() const;
   bool stays(const std::vector<double>& y, double t);
@@ -49,7 +50,7 @@ class History::Increments {
   double best_error_ = 0;  ///< of the columns of this attempt
   std::vector<double> best_;
   int jumps_ = 0;
-  bool noisy_ = false;       ///< accepted, for a shorter step would not be better
+  bool noisy_ = false;  ///< accepted, for a shorter step would not be better
   /// Of the two attempts before that were not exact enough; one alone may have been lucky.
   std::array<double, 2> failed_errors_{};
   double piece_begin_ = -1, piece_end_ = -1;

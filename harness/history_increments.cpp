@@ -25,6 +25,8 @@ constexpr double largest_noise = 1e-10;  ///< relative: what may be a material's
 /// Of a piece at whose end the path rests: a change of regime this near to it is none. Reloading meets the yield
 /// surface there exactly, and rounding would decide.
 constexpr double tie_share = 3e-6;
+/// Of a piece at whose end a change of the sign of the power is none: the flow behind it is too slow to matter.
+constexpr double slow_share = 1e-2;
 constexpr double resting_share = 1e-4;  ///< of the rate of F in the middle of the piece
 constexpr int most_jumps = 100;         ///< of a history: beyond, the material is no function of its arguments
 constexpr double rounding_margin = 4;   ///< results carry the rounding of many operations
@@ -37,7 +39,7 @@ double growth(int columns) { return columns <= 3 ? 3 : columns == 4 ? 2 : column
 History::Increments::Increments(History& history, const HistoryOptions& options) : h_(&history), options_(options) {
   scales_.assign(9, history.course_->scales.cauchy);
   scales_.insert(scales_.end(), history.course_->scales.state.begin(), history.course_->scales.state.end());
-  options_.watch = options.watch && history.course_->regimes.tells();
+  options_.watch = options.watch && history.course_->tells();
   resolution_ = std::max(resolution_share * options.tolerance, best_resolution) * history.course_->end;
 }
 
@@ -106,7 +108,7 @@ void History::Increments::advance(double to) {
 void History::Increments::begin_piece(const Interval& piece) {
   piece_begin_ = piece.lower;
   piece_end_ = piece.upper;
-  lag_ = h_->course_->regimes.named() ? 0 : lag_share * piece.width();
+  lag_ = h_->course_->tells_at_once() ? 0 : lag_share * piece.width();
   regime_known_ = false;  // after a reversal any regime may begin
   regime_new_ = true;
   bound_ = over_ = 0;
@@ -114,6 +116,7 @@ void History::Increments::begin_piece(const Interval& piece) {
   const double before_end = piece.upper - tie_share * piece.width();
   const bool rests = speed(before_end) < resting_share * speed(0.5 * (piece.lower + piece.upper));
   tie_begin_ = rests ? before_end : piece.upper;
+  if (h_->course_->telling == Telling::power) tie_begin_ = piece.upper - slow_share * piece.width();
   step_ = step_ == 0 ? first_share * piece.width() : std::max(step_, least_first_share * piece.width());
 }
 
@@ -177,7 +180,7 @@ bool History::Increments::substeps(double step, int count) {
     const auto k = static_cast<std::size_t>(j);
     increment(h_->t_ + step * j / count, step / count, F_[k].data(), F_[k + 1].data());
     if (!options_.watch) continue;
-    const std::uint64_t regime = course.regimes.of(now_.data() + 9, next_.data() + 9);
+    const std::uint64_t regime = regime_of_increment(F_[k].data(), F_[k + 1].data());
     if (!regime_known_) {
       regime_known_ = true;
       regime_ = regime;

@@ -18,6 +18,21 @@ constexpr std::size_t most_branches = 24;  ///< a piece, on average: beyond, the
 
 }  // namespace
 
+/// Of the increment from now_ to next_.
+std::uint64_t History::Increments::regime_of_increment(const double* before, const double* after) const {
+  const Course& course = *h_->course_;
+  if (course.telling == Telling::state) return course.regimes.of(now_.data() + 9, next_.data() + 9);
+  Tensor F0, F1, s;
+  for (int c = 0; c < 9; ++c) {
+    component(F0, c) = before[c];
+    component(F1, c) = after[c];
+    component(s, c) = next_[static_cast<std::size_t>(c)];
+  }
+  s.diagonal().array() -= s.trace() / 3;
+  const Tensor step = (F1 - F0) * F1.inverse();
+  return s.cwiseProduct(step + step.transpose()).sum() > 0 ? 1 : 0;
+}
+
 /// Of one increment from y.
 std::uint64_t History::Increments::regime_between(const std::vector<double>& y, double t, double dt) {
   const Tensor F0 = h_->course_->path->deformation_gradient(h_->xi_, t);
@@ -27,7 +42,7 @@ std::uint64_t History::Increments::regime_between(const std::vector<double>& y, 
   now_ = y;
   next_.resize(now_.size());
   increment(t, dt, before, after);
-  return h_->course_->regimes.of(now_.data() + 9, next_.data() + 9);
+  return regime_of_increment(before, after);
 }
 
 /// The regime at the beginning of a piece. An increment that takes in a change says the same as one that was in the

@@ -68,6 +68,12 @@ void cut_band(const BandTable& table, double t, std::vector<Slice::Range>& range
   }
 }
 
+bool any_front(const std::vector<BandTable>& tables) {
+  return std::any_of(tables.begin(), tables.end(), [](const BandTable& table) {
+    return table.any_moves() || table.band().map.grazes_lower || table.band().map.grazes_upper;
+  });
+}
+
 }  // namespace
 
 Sheet::Sheet(const Material& material, const Path& path, const SheetOptions& options) : table_(Bands()) {
@@ -78,6 +84,7 @@ Sheet::Sheet(const Material& material, const Path& path, const SheetOptions& opt
     calls_ = built.calls;
   } else {
     BuiltBands built = build_bands(material, path, options);
+    kinks_ = built.watch == Telling::state && any_front(built.tables);
     table_ = std::move(built.tables);
     error_ = built.error;
     calls_ = built.calls;
@@ -87,16 +94,17 @@ Sheet::Sheet(const Material& material, const Path& path, const SheetOptions& opt
 Sheet::Sheet(std::span<const double> in) : table_(Bands()), restored_(true) {
   error_ = {in[0], in[1], in[2], in[3]};
   calls_ = static_cast<std::int64_t>(in[4]);
-  const auto count = static_cast<std::size_t>(in[5]);
-  in = in.subspan(6);
+  kinks_ = in[5] != 0;
+  const auto count = static_cast<std::size_t>(in[6]);
+  in = in.subspan(7);
   for (std::size_t k = 0; k < count; ++k) std::get<Bands>(table_).emplace_back(in);
 }
 
 std::vector<double> Sheet::pack() const {
   if (is_curve()) return {};
   const auto& tables = std::get<Bands>(table_);
-  std::vector<double> out{error_.tau,        error_.dtau,    error_.tau_scale,
-                          error_.dtau_scale, double(calls_), double(tables.size())};
+  std::vector<double> out{error_.tau,     error_.dtau,        error_.tau_scale,     error_.dtau_scale,
+                          double(calls_), kinks_ ? 1.0 : 0.0, double(tables.size())};
   for (const BandTable& table : tables) table.pack(out);
   return out;
 }
@@ -140,14 +148,6 @@ int Sheet::nodes_in_t() const {
     most = std::max(most, table.size().nodes_in_t * static_cast<int>(table.band().stretches()));
   }
   return most;
-}
-
-bool Sheet::has_kinks() const {
-  if (is_curve()) return false;
-  const auto& tables = std::get<Bands>(table_);
-  return std::any_of(tables.begin(), tables.end(), [](const BandTable& table) {
-    return table.any_moves() || table.band().map.grazes_lower || table.band().map.grazes_upper;
-  });
 }
 
 }  // namespace assay

@@ -46,10 +46,10 @@ class Sheet {
   Slice slice(double t) const;
 
   bool is_curve() const { return std::holds_alternative<Curve>(table_); }
-  std::int64_t points() const;  ///< nodes
-  int nodes_in_xi() const;      ///< of all bands together; in eps for a curve
-  int nodes_in_t() const;       ///< largest over the bands, all stretches together; 1 for a curve
-  bool has_kinks() const;       ///< changes of regime were found
+  std::int64_t points() const;               ///< nodes
+  int nodes_in_xi() const;                   ///< of all bands together; in eps for a curve
+  int nodes_in_t() const;                    ///< largest over the bands, all stretches together; 1 for a curve
+  bool has_kinks() const { return kinks_; }  ///< changes of the material's regime were found
   const SheetError& error() const { return error_; }
   double error_tau() const { return error_.tau; }
   double error_dtau() const { return error_.dtau; }
@@ -60,7 +60,7 @@ class Sheet {
   std::variant<Curve, Bands> table_;
   SheetError error_;
   std::int64_t calls_ = 0;
-  bool restored_ = false;
+  bool restored_ = false, kinks_ = false;
 };
 
 }  // namespace assay

@@ -11,6 +11,7 @@ namespace {
 
 /// Steps of the histories under a sheet are this much better than the sheet is asked to be.
 constexpr double history_share = 1e-4;
+constexpr double share_by_power = 1e-5;  ///< where their error would hide the last terms of series that fall slowly
 constexpr double best_history_tolerance = 1e-13, best_with_kinks = 1e-12;
 /// What is left out of the series of a table may cost tau, and d tau / d xi, this share of what is asked.
 constexpr double tau_share = 0.2, dtau_share = 0.5;
@@ -25,8 +26,9 @@ constexpr int most_parts = 16;
 constexpr int most_halvings = 5;
 constexpr double next_share = 0.05;  ///< of the shares, in a second round
 constexpr int most_rounds = 2;
-constexpr std::int64_t most_sampled =
-    1500000;  ///< values of tau in a round, shared by the bands: beyond, what is left is stated
+/// Values of tau in a round, shared by the bands: beyond, what is left is stated. And where another build may be
+/// better.
+constexpr std::int64_t most_sampled = 1500000, first_sampled = 250000;
 constexpr std::size_t most_strays = 16;  ///< histories that fit no band, each looked at in a new search for bands
 
 /// Nodes at which a series should have fallen to `goal`, from how fast its second half falls; never less than a little
@@ -42,9 +44,10 @@ int needed(std::span<const double> decay, double goal) {
   return static_cast<int>(std::ceil(std::clamp(n + more, least_growth * n, most_growth * n)));
 }
 
-HistoryOptions history_options(const SheetOptions& options, bool watch) {
-  const double best = watch ? best_with_kinks : best_history_tolerance;
-  return {.tolerance = std::max(best, history_share * options.tolerance), .watch = watch};
+HistoryOptions history_options(const SheetOptions& options, Watch watch) {
+  const double best = watch == Telling::state ? best_with_kinks : best_history_tolerance;
+  const double share = watch == Telling::power ? share_by_power : history_share;
+  return {.tolerance = std::max(best, share * options.tolerance), .watch = watch.has_value()};
 }
 
 /// Of tau, nine components each.
@@ -55,8 +58,8 @@ std::int64_t values(const Band& band, BandSize size) {
 /// Tables of bands, refined and divided until what their series leave out is small enough.
 class Resolver {
  public:
-  Resolver(const Course& course, const SheetOptions& options, const HistoryOptions& history)
-      : course_(course), options_(options), history_(history) {}
+  Resolver(const Course& course, const SheetOptions& options, const HistoryOptions& history, std::int64_t most)
+      : course_(course), options_(options), history_(history), most_(most) {}
 
   std::vector<BandTable> resolve(const std::vector<Band>& bands, double share) {
     std::vector<BandTable> first, tables;
@@ -67,7 +70,7 @@ class Resolver {
     }
     share_ = share;
     for (BandTable& table : first) {
-      budget_ = sampled_ + most_sampled / static_cast<std::int64_t>(first.size());
+      budget_ = sampled_ + most_ / static_cast<std::int64_t>(first.size());
       refine(std::move(table), tables);
     }
     return tables;
@@ -134,6 +137,7 @@ class Resolver {
     Band lower = band, upper = band;
     lower.map.xi.upper = upper.map.xi.lower = middle;
     lower.map.grazes_upper = upper.map.grazes_lower = false;
+    lower.parts = upper.parts = std::max(1, band.parts / 4);
     size.nodes_in_xi = split_nodes / 2;
     size.nodes_in_t = std::min(size.nodes_in_t, split_nodes);
     refine(tabulated(lower, size), tables, halvings);
@@ -143,6 +147,7 @@ class Resolver {
   const Course& course_;
   const SheetOptions& options_;
   HistoryOptions history_;
+  std::int64_t most_;  ///< values of tau
   double tau_scale_ = 0, dtau_scale_ = 0, share_ = 1;
   bool meets_noise_ = false;
   std::int64_t calls_ = 0, sampled_ = 0, budget_ = 0;
@@ -153,12 +158,19 @@ struct ResolvedBands {
   bool meets_noise = false;
 };
 
-ResolvedBands resolved_bands(const Course& course, const SheetOptions& options, bool watch, double share,
+/// How one sheet is built.
+struct Attempt {
+  Watch watch;
+  bool suffices = true;  ///< even where it does not reach what is asked, if no other was better
+  std::int64_t most = most_sampled;
+};
+
+ResolvedBands resolved_bands(const Course& course, const SheetOptions& options, const Attempt& attempt, double share,
                              std::int64_t& calls) {
-  const HistoryOptions history = history_options(options, watch);
+  const HistoryOptions history = history_options(options, attempt.watch);
   std::vector<double> strays;
   while (strays.size() <= most_strays) {
-    Resolver resolver(course, options, history);
+    Resolver resolver(course, options, history, attempt.most);
     try {
       const auto bands = find_bands(course, history, strays, course.workers(options.workers), calls);
       ResolvedBands resolved{resolver.resolve(bands, share), resolver.meets_noise()};
@@ -177,18 +189,21 @@ bool reached(const SheetError& error, const SheetOptions& options) {
   return error.tau <= options.tolerance && error.dtau <= options.tolerance;
 }
 
+double worst(const BuiltBands& built) { return std::max(built.error.tau, built.error.dtau); }
+
 /// Refines as long as it helps.
-BuiltBands build(const Material& material, const Path& path, const SheetOptions& options, bool watch) {
-  const Course course(material, path, options.end, watch ? Form::increments : Form::automatic);
+BuiltBands build(const Material& material, const Path& path, const SheetOptions& options, const Attempt& attempt) {
+  const Watch& watch = attempt.watch;
+  const Course course(material, path, options.end, watch ? Form::increments : Form::automatic,
+                      watch.value_or(Telling::state));
   BuiltBands best;
+  best.watch = watch;
   double share = 1;
   for (int round = 0; round < most_rounds; ++round, share *= next_share) {
-    ResolvedBands resolved = resolved_bands(course, options, watch, share, best.calls);
+    ResolvedBands resolved = resolved_bands(course, options, attempt, share, best.calls);
     if (resolved.tables.empty()) break;
     const SheetError error = error_of(resolved.tables, material, path, options, watch, best.calls);
-    const bool better =
-        best.tables.empty() || std::max(error.tau, error.dtau) < 0.7 * std::max(best.error.tau, best.error.dtau);
-    if (!better) break;
+    if (!best.tables.empty() && !(std::max(error.tau, error.dtau) < 0.7 * worst(best))) break;
     best.tables = std::move(resolved.tables);
     best.error = error;
     if (reached(error, options) || resolved.meets_noise) break;
@@ -196,23 +211,32 @@ BuiltBands build(const Material& material, const Path& path, const SheetOptions&
   return best;
 }
 
+/// Ways to build a sheet, the likeliest first. A material that declares
+/// kinks may have regimes that flicker and cannot be followed; one that does not may be less smooth than it says.
+std::vector<Attempt> attempts(const Material& material) {
+  const bool tells = RegimeReader(material.table()).tells();
+  if (material.has(ASSAY_NON_SMOOTH) && tells) return {{.watch = Telling::state}, {.watch = {}}};
+  if (material.has(ASSAY_RATE_DEPENDENT) && material.state_size() > 0) {
+    return {{.watch = {}, .suffices = false, .most = first_sampled}, {.watch = Telling::power}, {.watch = {}}};
+  }
+  if (tells) return {{.watch = {}, .suffices = false}, {.watch = Telling::state}};
+  return {{.watch = {}}};
+}
+
 }  // namespace
 
 BuiltBands build_bands(const Material& material, const Path& path, const SheetOptions& options) {
-  const RegimeReader regimes(material.table());
-  const bool declared = material.has(ASSAY_NON_SMOOTH) && regimes.tells();
-  BuiltBands built = build(material, path, options, declared);
-  const bool settled = !built.tables.empty() && (declared || reached(built.error, options) || !regimes.tells());
-  if (settled) return built;
-  // not as smooth as it says; or its regimes flicker and cannot be followed
-  BuiltBands other = build(material, path, options, !declared);
-  other.calls += built.calls;
-  const bool better = built.tables.empty() ||
-                      (!other.tables.empty() &&
-                       std::max(other.error.tau, other.error.dtau) < std::max(built.error.tau, built.error.dtau));
-  if (better) return other;
-  built.calls = other.calls;
-  return built;
+  BuiltBands best;
+  std::int64_t calls = 0;
+  for (const Attempt& attempt : attempts(material)) {
+    BuiltBands built = build(material, path, options, attempt);
+    calls += built.calls;
+    const bool better = best.tables.empty() || (!built.tables.empty() && worst(built) < worst(best));
+    if (better) best = std::move(built);
+    if (!best.tables.empty() && (reached(best.error, options) || (better && attempt.suffices))) break;
+  }
+  best.calls = calls;
+  return best;
 }
 
 }  // namespace assay

@@ -2,6 +2,8 @@
 // How a sheet is refined, and how its error is found out.
 #pragma once
 
+#include <optional>
+
 #include "harness/sheet.hpp"
 
 namespace assay {
@@ -14,9 +16,13 @@ struct BuiltCurve {
 };
 BuiltCurve build_curve(const Material& material, const Path& path, const SheetOptions& options);
 
+/// By what changes of regime are told, if they are looked for.
+using Watch = std::optional<Telling>;
+
 /// Band tables refined to the tolerance.
 struct BuiltBands {
   std::vector<BandTable> tables;
+  Watch watch;  ///< how their breaks were found
   SheetError error;
   std::int64_t calls = 0;
 };
@@ -25,6 +31,6 @@ BuiltBands build_bands(const Material& material, const Path& path, const SheetOp
 /// Against histories off the nodes, integrated in increments even where the tables come from the rate form: tau
 /// directly, d tau / d xi by eighth-order central differences between histories of one band in one stretch.
 SheetError error_of(const std::vector<BandTable>& tables, const Material& material, const Path& path,
-                    const SheetOptions& options, bool watch, std::int64_t& calls);
+                    const SheetOptions& options, Watch watch, std::int64_t& calls);
 
 }  // namespace assay

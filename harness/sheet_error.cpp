@@ -96,11 +96,13 @@ void add_tails(const std::vector<BandTable>& tables, double range, SheetError& e
 }  // namespace
 
 SheetError error_of(const std::vector<BandTable>& tables, const Material& material, const Path& path,
-                    const SheetOptions& options, bool watch, std::int64_t& calls) {
-  const Course increments(material, path, options.end, Form::increments);
-  const Course neighbours(material, path, options.end, watch ? Form::increments : Form::automatic);
+                    const SheetOptions& options, Watch watch, std::int64_t& calls) {
+  const Telling telling = watch.value_or(Telling::state);
+  const Course increments(material, path, options.end, Form::increments, telling);
+  const Course neighbours(material, path, options.end, watch ? Form::increments : Form::automatic, telling);
   const double share = neighbours.by_rate ? stencil_of_rates : stencil_of_increments;
-  const HistoryOptions history{.tolerance = std::max(watch ? 1e-12 : 1e-13, 1e-5 * options.tolerance), .watch = watch};
+  const HistoryOptions history{.tolerance = std::max(watch ? 1e-12 : 1e-13, 1e-5 * options.tolerance),
+                               .watch = watch.has_value()};
   std::vector<Stencil> stencils;
   for (const BandTable& table : tables) {
     for (const double place : places_in_s) stencils.push_back(lay_out(table, place, share));

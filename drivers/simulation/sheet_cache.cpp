@@ -17,7 +17,7 @@ namespace assay::drivers {
 
 namespace {
 
-constexpr std::string_view signature = "assay sheet 1\n";
+constexpr std::string_view signature = "assay sheet 2\n";
 constexpr std::size_t hash_length = 64;
 constexpr std::size_t largest_file = std::size_t{4} << 30;
 constexpr int samples_in_xi = 5, samples_in_t = 33;  ///< of the path, for the hash

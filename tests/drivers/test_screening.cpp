@@ -113,6 +113,21 @@ TEST(Screening, EvalAndTabulateWarnAndGoOn) {
   EXPECT_NE(explained.said.find("motion: unstable from gamma = "), std::string::npos) << explained.said;
 }
 
+/// A material that ends just beyond the path: stable as far as it was judged, with a warning, and the run goes on.
+TEST(Screening, WarnsOfPlacesThatItCouldNotJudge) {
+  const ScratchFolder scratch;
+  const std::string out = scratch / "out", plugin = ASSAY_BINARY_DIR "/tests/plugins/fails_midway.so";
+  const double peak = (0.4 - 4e-5) / 7.0656;  // the material refuses |gamma| > 0.4
+  const Ending ending = assay({"run", vortex_scene, "-o", out, "--set", "grid.spacing=0.125", "--set", "expect={}",
+                               "--set", "motion.amplitude.peak=" + std::to_string(peak), "--set",
+                               "material={adapter: " + plugin + ", density: 1000}"});
+  const auto result = result_in(out);
+  EXPECT_EQ(result["screen"]["verdict"], "stable");
+  EXPECT_GT(result["screen"]["unjudged"].get<int>(), 0);
+  EXPECT_NE(ending.said.find("warning: stable as far as it was judged"), std::string::npos) << ending.said;
+  EXPECT_NE(ending.said.find("the material fails just beyond"), std::string::npos) << ending.said;
+}
+
 TEST(Screening, SafeAmplitudesAreNeverRoundedUp) {
   ScreenFigures figures;
   figures.verdict = "unstable";

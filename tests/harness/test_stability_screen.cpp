@@ -227,5 +227,23 @@ TEST(StabilityScreen, CountsPlacesJustBeyondWhichTheMaterialFails) {
   EXPECT_EQ(screen_stability(*jaumann_material(), vortex_path(0.05), 1).unjudged, 0);
 }
 
+/// One that stands the path and nothing beside it: then the screen says why it cannot judge.
+TEST(StabilityScreen, PassesOnTheFailureOfAMaterialThatNowhereStandsItsSteps) {
+  static const assay_material table = [] {
+    assay_material t = *assay_builtin_neo_hookean(ASSAY_ABI_MAJOR, 0);
+    t.extension = nullptr;
+    t.update = [](void* self, const assay_step* step, std::size_t n, const double* state0, double* state1,
+                  double* cauchy, std::int32_t* status, double* dt_factor, char* message) {
+      assay_builtin_neo_hookean(ASSAY_ABI_MAJOR, 0)
+          ->update(self, step, n, state0, state1, cauchy, status, dt_factor, message);
+      for (std::size_t p = 0; p < n; ++p) {
+        if (std::abs(step->F1[p] - 1) > 1e-12) status[p] = ASSAY_FAILED;  // F11, 1 along the path
+      }
+    };
+    return t;
+  }();
+  EXPECT_THROW(screen_stability(Material(&table, {{"E", 1e3}, {"nu", 0.3}}), vortex_path(0.05), 1), MaterialFailure);
+}
+
 }  // namespace
 }  // namespace assay

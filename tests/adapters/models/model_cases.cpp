@@ -153,16 +153,9 @@ std::vector<ModelCase> all_model_cases() {
   add_cone(all, {3000, 0.2, 30, 0.15, 0.15, 0}, 0.05);
   add_damage(all, {1000, 0.3, 2, 15, 0.9}, 0.3);
   add_damage(all, {4e4, 0.4, 100, 2000, 0.7}, 0.2);
+  add_viscoplastic(all, {1000, 0.3, 0, 0, 0.5, 30, 4.5}, 0.2);
   number(all);
   return all;
-}
-
-std::vector<ModelCase> affordable_model_cases() {
-  std::vector<ModelCase> cases;
-  for (const ModelCase& c : all_model_cases()) {
-    if (c.model != "norton" || c.parameters.at("exponent") != 2) cases.push_back(c);
-  }
-  return cases;
 }
 
 }  // namespace assay::model_tests

@@ -26,7 +26,4 @@ std::ostream& operator<<(std::ostream& out, const ModelCase& c);
 std::vector<ModelCase> quick_model_cases();
 std::vector<ModelCase> all_model_cases();
 
-/// All but the flow laws of higher powers, which take minutes each.
-std::vector<ModelCase> affordable_model_cases();
-
 }  // namespace assay::model_tests

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
+#include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
@@ -20,6 +21,17 @@ inline void integrate(const Equations& equations, Values& y, double from, double
   if (!(to > from)) return;
   auto stepper = odeint::make_controlled<odeint::runge_kutta_fehlberg78<Values>>(1e-12, 1e-12);
   odeint::integrate_adaptive(stepper, equations, y, from, to, (to - from) / first_steps);
+}
+
+/// By Bulirsch and Stoer's extrapolation: for equations that are nearly not smooth somewhere. Fehlberg's estimate, which
+/// compares two stages at the ends of a step, does not see that.
+inline void integrate_by_extrapolation(const Equations& equations, Values& y, double from, double to, int pieces) {
+  namespace odeint = boost::numeric::odeint;
+  odeint::bulirsch_stoer<Values> stepper(1e-13, 1e-13);
+  for (int k = 0; k < pieces; ++k) {
+    const double begin = from + (to - from) * k / pieces, end = from + (to - from) * (k + 1) / pieces;
+    odeint::integrate_adaptive(stepper, equations, y, begin, end, end - begin);
+  }
 }
 
 /// Equations with two regimes. `wants_plastic(y, t, plastic)`: > 0 where the plastic regime holds from here on.

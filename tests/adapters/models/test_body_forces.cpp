@@ -133,7 +133,7 @@ TEST_P(LongBodyForceOfEveryModel, BalancesTheDivergenceOfTheFullField) {
   expect_balance(GetParam(), Amplitude::Type::sine, 8);
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, LongBodyForceOfEveryModel, testing::ValuesIn(affordable_model_cases()),
+INSTANTIATE_TEST_SUITE_P(Models, LongBodyForceOfEveryModel, testing::ValuesIn(all_model_cases()),
                          [](const auto& instance) { return instance.param.name; });
 
 ModelCase case_of(const std::vector<ModelCase>& cases, const std::string& model) {

@@ -46,7 +46,7 @@ inline Point viscoplastic_point(const Viscoplasticity& c, const History& history
     const auto flows = [&](const Values& z, double t, bool) { return overstress(c, history, z, t); };
     integrate(Switching{viscoplastic_equations(c, history, false), flowing, flows}, y, 0, history.end, pieces);
   } else {
-    integrate_in_pieces(flowing, y, 0, history.end, pieces);
+    integrate_by_extrapolation(flowing, y, 0, history.end, pieces);
   }
   const double J = history.F(history.end).determinant();
   return {kirchhoff(c, tensor_of(y.data()), J) / J, {y[9]}};
