@@ -23,8 +23,8 @@ inline void integrate(const Equations& equations, Values& y, double from, double
   odeint::integrate_adaptive(stepper, equations, y, from, to, (to - from) / first_steps);
 }
 
-/// By Bulirsch and Stoer's extrapolation: for equations that are nearly not smooth somewhere. Fehlberg's estimate, which
-/// compares two stages at the ends of a step, does not see that.
+/// By Bulirsch and Stoer's extrapolation: for equations that are nearly not smooth somewhere. Fehlberg's estimate,
+/// which compares two stages at the ends of a step, does not see that.
 inline void integrate_by_extrapolation(const Equations& equations, Values& y, double from, double to, int pieces) {
   namespace odeint = boost::numeric::odeint;
   odeint::bulirsch_stoer<Values> stepper(1e-13, 1e-13);

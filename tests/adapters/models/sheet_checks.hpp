@@ -72,8 +72,8 @@ struct SheetDifference {
   }
 };
 
-/// d/dxi of f(xi + by) at by = 0 by differences, whose step is shortened until a shorter one says the same to `same`, if
-/// that is ever so.
+/// d/dxi of f(xi + by) at by = 0 by differences, whose step is shortened until a shorter one says the same to `same`,
+/// if that is ever so.
 template <class F>
 Tensor settled_difference(const F& f, double step, double same) {
   constexpr int most = 4;
