@@ -2,7 +2,7 @@
 # bash completion for assay
 _assay() {
   local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]} verb= word
-  local verbs='run tabulate eval explain materials register schema'
+  local verbs='run tabulate eval explain check materials register schema'
   COMPREPLY=()
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     if [[ " $verbs " == *" $word "* ]]; then
@@ -15,7 +15,7 @@ _assay() {
     return
   fi
   case $prev in
-    -o)
+    -o | --junit)
       mapfile -t COMPREPLY < <(compgen -f -- "$cur")
       compopt -o filenames
       return
@@ -25,7 +25,7 @@ _assay() {
       compopt -o filenames
       return
       ;;
-    --set | --as | --remove) return ;;
+    --set | --as | --remove | --parameters) return ;;
     --threads)
       mapfile -t COMPREPLY < <(compgen -W "1 2 4 8 16" -- "$cur")
       return
@@ -37,6 +37,7 @@ _assay() {
     tabulate) options+=' -o --set --points --json' ;;
     eval) options+=' -o --set --points' ;;
     explain) options+=' --set --json' ;;
+    check) options+=' --parameters --json --junit --quick' ;;
     materials) options+=' --json' ;;
     register) options+=' --as --remove' ;;
   esac
@@ -49,7 +50,7 @@ _assay() {
     run | tabulate | eval | explain)
       mapfile -t COMPREPLY < <(compgen -f -X '!*.y*ml' -- "$cur"; compgen -d -- "$cur")
       ;;
-    register | materials)
+    register | materials | check)
       mapfile -t COMPREPLY < <(compgen -f -X '!*.@(so|yaml|yml)' -- "$cur"; compgen -d -- "$cur")
       ;;
   esac

@@ -108,6 +108,18 @@ std::vector<Verb> scene_verbs(CLI::App& app, Arguments& given) {
 
 std::vector<Verb> material_verbs(CLI::App& app, Arguments& given) {
   std::vector<Verb> verbs;
+  CLI::App& check_verb = add_verb(app, "check", "frame indifference and the whole battery, of one material",
+                                  "assay check ./libmodel.so --parameters E=1e3,nu=0.3 --junit check.xml");
+  check_verb.add_option("MATERIAL", given.material, "name, library, description or scene")->required()->type_name("");
+  check_verb.add_option("--parameters", given.parameters, "in place of the defaults")->type_name("NAME=NUMBER,...");
+  check_verb.add_option("--json", given.json_file, "verdicts and diagnosis (- for standard output)")->type_name("FILE");
+  check_verb.add_option("--junit", given.junit_file, "the same for CI, JUnit's XML")->type_name("FILE");
+  check_verb.add_flag("--quick", given.quick, "fewer steps and states");
+  verbs.push_back({&check_verb, [&given] {
+                     return check({given.material, given.parameters, given.json_file, given.junit_file, given.quick,
+                                   given.verbosity()});
+                   }});
+
   CLI::App& materials_verb = add_verb(app, "materials", "what is registered, or one material",
                                       "assay materials neo_hookean\n  assay materials ./libmodel.so:name --json");
   materials_verb.add_option("NAME", given.material, "name, library or description")->type_name("");

@@ -16,9 +16,9 @@ namespace assay::drivers {
 
 /// Everything that any verb takes, as text.
 struct Arguments {
-  std::string scene, out, points, threads, material, file, name, remove;
+  std::string scene, out, points, threads, material, file, name, remove, parameters, json_file, junit_file;
   std::vector<std::string> sets;
-  bool json = false, quiet = false, verbose = false;
+  bool json = false, quick = false, quiet = false, verbose = false;
 
   Verbosity verbosity() const { return quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::normal; }
   std::string folder() const;  ///< of the results
@@ -34,7 +34,7 @@ struct Verb {
 /// Adds run, tabulate, eval and explain. `given` outlives the verbs.
 std::vector<Verb> scene_verbs(CLI::App& app, Arguments& given);
 
-/// Adds materials, register and schema.
+/// Adds check, materials, register and schema.
 std::vector<Verb> material_verbs(CLI::App& app, Arguments& given);
 
 /// --quiet and --verbose.

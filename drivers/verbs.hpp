@@ -44,6 +44,15 @@ struct ExplainOptions {
   Verbosity verbosity = Verbosity::normal;
 };
 
+struct CheckOptions {
+  std::string material;    ///< registered name, library, description or scene
+  std::string parameters;  ///< "E=1e3,nu=0.3"
+  std::string json;        ///< file; "-": standard output; empty: none
+  std::string junit;       ///< the same
+  bool quick = false;
+  Verbosity verbosity = Verbosity::normal;
+};
+
 struct MaterialsOptions {
   std::string name;  ///< registered name, library or description; empty: all that is registered
   bool json = false;
@@ -60,6 +69,7 @@ int run(const RunOptions& options);
 int tabulate(const TabulateOptions& options);
 int eval(const EvalOptions& options);
 int explain(const ExplainOptions& options);
+int check(const CheckOptions& options);
 int materials(const MaterialsOptions& options);
 int register_material(const RegisterOptions& options);
 int schema();

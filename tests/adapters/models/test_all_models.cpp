@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "harness/check/battery.hpp"
 #include "tests/adapters/models/properties.hpp"
 
 namespace assay::model_tests {
@@ -103,6 +104,13 @@ TEST_P(EveryModel, IsFreeOfStressAtRest) { expect_below(rest_error(material_), 1
 
 TEST_P(EveryModel, TellsElasticStepsFromOthers) {
   expect_below(regime_error(material_), 0, material_.has(ASSAY_NON_SMOOTH));
+}
+
+TEST_P(EveryModel, PassesTheBattery) {
+  for (const bool quick : {true, false}) {
+    const check::Report report = check::run_battery(material_, {.quick = quick});
+    for (const check::Diagnosis& d : report.diagnosis) ADD_FAILURE() << d.cause << ": " << d.sentence;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, EveryModel, testing::ValuesIn(variants()),

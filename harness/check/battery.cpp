@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/check/battery.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "harness/check/calls.hpp"
+#include "harness/check/derivatives.hpp"
+#include "harness/check/diagnosis.hpp"
+#include "harness/check/elasticity.hpp"
+#include "harness/check/repeated_stretch.hpp"
+#include "harness/check/rest.hpp"
+#include "harness/check/rotation.hpp"
+#include "harness/check/steps.hpp"
+
+namespace assay::check {
+
+namespace {
+
+/// A failure of the material where its twin stands the same: a finding with the step that fails.
+TestResult refused(const char* id, const char* cause, const MaterialFailure& failure) {
+  TestResult result{
+      .id = id, .verdict = Verdict::fail, .cause = cause, .sentence = failure.what(), .step = failure.step};
+  if (result.sentence.empty()) result.sentence = "the model refuses a step without a word";
+  return result;
+}
+
+/// One test of the list.
+struct Entry {
+  const char* id;
+  const char* cause_of_failure;  ///< where the material refuses a step
+  std::function<TestResult(const Specimen&, Evidence&)> run;
+};
+
+template <class Test>
+std::function<TestResult(const Specimen&, Evidence&)> plain(Test test) {
+  return [test](const Specimen& specimen, Evidence&) { return test(specimen); };
+}
+
+/// A test of rotation whose finding the diagnosis looks at.
+template <class Test>
+std::function<TestResult(const Specimen&, Evidence&)> kept(RotationFinding Evidence::*place, Test test) {
+  return [=](const Specimen& specimen, Evidence& evidence) {
+    evidence.*place = test(specimen);
+    return (evidence.*place).result;
+  };
+}
+
+/// Without these nothing else can be judged.
+std::vector<Entry> first_entries() {
+  return {{"calls.repeated", causes::hidden_state, plain(repeated_calls)},
+          {"clock", causes::clock, plain(clock_independence)},
+          {"continuity", causes::no_convergence, plain(continuity)}};
+}
+
+std::vector<Entry> entries() {
+  const auto turning = [](When when) { return [when](const Specimen& s) { return rotation(s, when); }; };
+  return {
+      {"rest", causes::refuses, plain(stress_at_rest)},
+      {"zero_increment", causes::refuses, plain(zero_increment)},
+      {"elasticity.components", causes::refuses, plain(shear_components)},
+      {"elasticity.shear", causes::refuses, plain(shear_modulus)},
+      {"rotation.constant", causes::not_indifferent, plain(constant_rotation)},
+      {"basis", causes::not_indifferent, plain(change_of_basis)},
+      {"isotropy", causes::not_isotropic, plain(isotropy)},
+      {"rotation.at_rest", causes::not_indifferent, kept(&Evidence::at_rest, rotation_at_rest)},
+      {"rotation.before", causes::not_indifferent, kept(&Evidence::before, turning(When::before))},
+      {"rotation.during", causes::not_indifferent, kept(&Evidence::during, turning(When::during))},
+      {"rotation.after", causes::not_indifferent, kept(&Evidence::after, turning(When::after))},
+      {"rotation.fixed_stretch", causes::not_indifferent, kept(&Evidence::fixed, rotation_at_fixed_stretch)},
+      {"rotation.revolutions", causes::not_indifferent, plain(revolutions)},
+      {"rotation.state", causes::not_indifferent, kept(&Evidence::state, rotation_of_state)},
+      {"stretches.nearly_equal", causes::repeated_stretch, plain(nearly_equal_stretches)},
+      {"stretches.turning", causes::repeated_stretch, plain(rotation_at_equal_stretches)},
+      {"initial_stress", causes::initial_stress, plain(initial_stress)},
+      {"step_halving", causes::no_convergence, plain(step_halving)},
+      {"tangent", causes::tangent_wrong, plain(tangent)},
+      {"energy", causes::energy, plain(energy)},
+      {"dissipation", causes::dissipation, plain(dissipation)},
+      {"calls.senseless", causes::not_a_number, plain(senseless_deformation)},
+  };
+}
+
+/// The tests of a list, as far as `report` allows.
+void take(const std::vector<Entry>& list, const Specimen& specimen, Evidence& evidence, Report& report) {
+  for (const Entry& entry : list) {
+    try {
+      report.tests.push_back(entry.run(specimen, evidence));
+    } catch (const MaterialFailure& failure) {
+      report.tests.push_back(refused(entry.id, entry.cause_of_failure, failure));
+    }
+  }
+}
+
+bool any_failed(const Report& report) {
+  return std::any_of(report.tests.begin(), report.tests.end(),
+                     [](const TestResult& test) { return test.verdict == Verdict::fail; });
+}
+
+/// The rest of the battery where the first tests have failed.
+void leave(const std::vector<Entry>& list, const std::string& cause, Report& report) {
+  for (const Entry& entry : list) {
+    report.tests.push_back({.id = entry.id,
+                            .verdict = Verdict::not_applicable,
+                            .sentence = "cannot be judged before this is cured: " + cause});
+  }
+}
+
+bool has_tensors(const assay_material& table) {
+  return std::any_of(table.state, table.state + table.state_count,
+                     [](const auto& variable) { return variable.kind != ASSAY_SCALAR; });
+}
+
+/// A step to three stretches that differ.
+bool stands_different_stretches(const Material& material) {
+  try {
+    stepped(material, 0, 1, Tensor::Identity(), stretch(1e-3, 0.2), state_at_rest(material));
+    return true;
+  } catch (const MaterialFailure&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+Report run_battery(const Material& material, const Options& options) {
+  Report report;
+  Evidence evidence;
+  evidence.has_tensors = has_tensors(material.table());
+  report.tests.push_back(guarded_arrays(material));
+  try {
+    if (!any_failed(report)) {
+      const Specimen specimen = examine(material, options);
+      take(first_entries(), specimen, evidence, report);
+      if (!any_failed(report)) take(entries(), specimen, evidence, report);
+    }
+  } catch (const MaterialFailure& failure) {
+    const bool elsewhere = stands_different_stretches(material);
+    report.tests.push_back(refused("loading", elsewhere ? causes::repeated_stretch : causes::refuses, failure));
+    if (elsewhere) report.tests.back().sentence += ": where principal stretches are equal, and only there";
+  }
+  report.diagnosis = diagnose(report.tests, evidence);
+  std::vector<Entry> all = first_entries();
+  for (Entry& entry : entries()) all.push_back(std::move(entry));
+  std::erase_if(all, [&](const Entry& entry) {
+    return std::any_of(report.tests.begin(), report.tests.end(), [&](const auto& test) { return test.id == entry.id; });
+  });
+  if (!all.empty()) leave(all, report.diagnosis.front().cause, report);
+  return report;
+}
+
+}  // namespace assay::check

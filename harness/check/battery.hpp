@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The battery of tests that any material model must stand: frame indifference above all, and what else can be judged
+// without knowing its equations.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/failed_step.hpp"
+#include "harness/material.hpp"
+
+namespace assay::check {
+
+enum class Verdict { pass, fail, not_applicable };
+
+/// One test of the battery. Errors are relative: of stresses to the largest of the history that is compared.
+struct TestResult {
+  std::string id;  ///< "rotation.during"
+  Verdict verdict = Verdict::pass;
+  std::optional<double> measure = {};    ///< what was found; null where nothing was measured
+  std::optional<double> threshold = {};  ///< largest measure that passes
+  std::optional<double> order = {};  ///< at which the measure falls with the step; null where it does not depend on it
+  std::string cause = {};            ///< of `causes`; empty where nothing is wrong
+  std::string sentence = {};         ///< one plain sentence
+  std::optional<FailedStep> step = {};  ///< where a call of `update` failed, or its result was wrong
+};
+
+/// What is wrong with the model, from all tests together.
+struct Diagnosis {
+  std::string cause, sentence;
+};
+
+struct Report {
+  std::vector<TestResult> tests;
+  std::vector<Diagnosis> diagnosis;  ///< the most telling first; empty where every test passes
+  bool passes() const { return diagnosis.empty(); }
+};
+
+struct Options {
+  bool quick = false;  ///< fewer steps and states: a fraction of a second
+};
+
+/// Runs every test. A material that cannot be loaded at all ends as a single failed test "loading".
+Report run_battery(const Material& material, const Options& options = {});
+
+/// The causes that a diagnosis can name.
+namespace causes {
+inline constexpr const char* rotation_missing = "increment rotation missing";
+inline constexpr const char* wrong_spin = "wrong spin";
+inline constexpr const char* explicit_spin = "explicit spin grows stress";
+inline constexpr const char* state_not_rotated = "state variable not rotated";
+inline constexpr const char* components_swapped = "components 13 and 23 swapped";
+inline constexpr const char* shear_factor = "shear factor 2";
+inline constexpr const char* small_strain = "small-strain law used at finite strain";
+inline constexpr const char* not_isotropic = "material not isotropic as declared";
+inline constexpr const char* repeated_stretch = "unstable at repeated principal stress";
+inline constexpr const char* tangent_convention = "tangent of another convention";
+inline constexpr const char* tangent_wrong = "tangent wrong";
+inline constexpr const char* hidden_state = "hidden state";
+inline constexpr const char* clock = "clock";
+inline constexpr const char* overrun = "overrun";
+inline constexpr const char* not_indifferent = "not frame-indifferent";
+inline constexpr const char* stress_at_rest = "stress at rest";
+inline constexpr const char* initial_stress = "initial stress not carried";
+inline constexpr const char* drifts = "changes at zero strain increment";
+inline constexpr const char* no_convergence = "does not converge with the step";
+inline constexpr const char* energy = "energy not consistent with stress";
+inline constexpr const char* dissipation = "negative dissipation";
+inline constexpr const char* not_a_number = "numbers out of nothing";
+inline constexpr const char* refuses = "refuses a step";
+}  // namespace causes
+
+/// All of them, in the order in which a diagnosis lists them.
+const std::vector<std::string>& all_causes();
+
+}  // namespace assay::check

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/check/calls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "harness/check/judge.hpp"
+
+namespace assay::check {
+
+namespace {
+
+/// Steps from several states: what a batch is made of, component-major.
+struct Steps {
+  std::size_t n, size;
+  std::vector<double> F0, F1, state0;
+  double t, dt;
+};
+
+Steps steps_along(const Specimen& specimen, std::size_t n) {
+  const Material& material = *specimen.material;
+  const std::size_t size = material.state_size();
+  Steps steps{n, size, std::vector<double>(9 * n), std::vector<double>(9 * n), std::vector<double>(size * n), 0, 0};
+  std::vector<double> state = state_at_rest(material);
+  steps.dt = 1.0 / static_cast<double>(n);
+  const auto F = [&](std::size_t k) {
+    const double s = static_cast<double>(k) / static_cast<double>(n);
+    return Tensor(turn(1.3 * s) * stretch(specimen.amplitude, s));
+  };
+  for (std::size_t p = 0; p < n; ++p) {
+    const Tensor before = F(p), after = F(p + 1);
+    for (int c = 0; c < 9; ++c) {
+      steps.F0[static_cast<std::size_t>(c) * n + p] = component(before, c);
+      steps.F1[static_cast<std::size_t>(c) * n + p] = component(after, c);
+    }
+    for (std::size_t c = 0; c < size; ++c) steps.state0[c * n + p] = state[c];
+    state = stepped(material, 0, steps.dt, before, after, state).state;
+  }
+  return steps;
+}
+
+/// Stress and state of a point after its step, one after the other.
+using Result = std::vector<double>;
+
+Result alone(const Material& material, const Steps& steps, std::size_t p) {
+  double F0[9], F1[9];
+  std::vector<double> state0(steps.size);
+  for (std::size_t c = 0; c < 9; ++c) F0[c] = steps.F0[c * steps.n + p], F1[c] = steps.F1[c * steps.n + p];
+  for (std::size_t c = 0; c < steps.size; ++c) state0[c] = steps.state0[c * steps.n + p];
+  Result result(9 + steps.size);
+  material.update(steps.t, steps.dt, 1, F0, F1, state0.data(), result.data() + 9, result.data());
+  return result;
+}
+
+std::vector<Result> together(const Material& material, const Steps& steps) {
+  std::vector<double> cauchy(9 * steps.n), state1(steps.size * steps.n);
+  material.update(steps.t, steps.dt, steps.n, steps.F0.data(), steps.F1.data(), steps.state0.data(), state1.data(),
+                  cauchy.data());
+  std::vector<Result> results(steps.n, Result(9 + steps.size));
+  for (std::size_t p = 0; p < steps.n; ++p) {
+    for (std::size_t c = 0; c < 9; ++c) results[p][c] = cauchy[c * steps.n + p];
+    for (std::size_t c = 0; c < steps.size; ++c) results[p][9 + c] = state1[c * steps.n + p];
+  }
+  return results;
+}
+
+/// Relative to the largest stress; of the state each component to its own largest.
+class Comparison {
+ public:
+  explicit Comparison(const std::vector<Result>& expected) : expected_(expected), scales_(expected[0].size(), 0.0) {
+    for (const Result& result : expected) {
+      for (std::size_t c = 0; c < result.size(); ++c) scales_[c] = std::max(scales_[c], std::abs(result[c]));
+    }
+    const double stress = *std::max_element(scales_.begin(), scales_.begin() + 9);
+    std::fill(scales_.begin(), scales_.begin() + 9, stress);
+  }
+
+  double difference(std::size_t p, const Result& found) const {
+    double worst = 0;
+    for (std::size_t c = 0; c < found.size(); ++c) {
+      const double d = std::abs(found[c] - expected_[p][c]) / (scales_[c] > 0 ? scales_[c] : 1);
+      worst = d <= worst ? worst : std::isfinite(d) ? d : INFINITY;
+    }
+    return worst;
+  }
+
+ private:
+  const std::vector<Result>& expected_;
+  std::vector<double> scales_;
+};
+
+}  // namespace
+
+TestResult repeated_calls(const Specimen& specimen) {
+  constexpr double most = 1e-12;  // vectorised and scalar code may differ in the last bits
+  const Material& material = *specimen.material;
+  const Steps steps = steps_along(specimen, specimen.options.quick ? 12 : 40);
+  std::vector<Result> first;
+  for (std::size_t p = 0; p < steps.n; ++p) first.push_back(alone(material, steps, p));
+  const Comparison with(first);
+  double worst = 0;
+  std::string how;
+  const auto note = [&](double difference, const char* what) {
+    if (difference <= worst) return;
+    worst = difference;
+    how = what;
+  };
+  for (std::size_t p = steps.n; p-- > 0;)
+    note(with.difference(p, alone(material, steps, p)), "taken again, backwards,");
+  for (std::size_t p = 0; p < steps.n; ++p) {
+    note(with.difference(p, alone(material, steps, p)), "taken twice");
+    note(with.difference(p, alone(material, steps, p)), "taken twice");
+  }
+  const std::vector<Result> batch = together(material, steps);
+  for (std::size_t p = 0; p < steps.n; ++p) note(with.difference(p, batch[p]), "taken in a batch");
+  const Material other = material.clone();
+  for (std::size_t p = 0; p < steps.n; p += 3) note(with.difference(p, alone(other, steps, p)), "of another instance");
+  TestResult result{.id = "calls.repeated", .measure = worst, .threshold = most};
+  result.sentence = "a step taken again, in another order, in a batch or of another instance is the same";
+  if (worst <= most) return result;
+  result.verdict = Verdict::fail;
+  result.cause = causes::hidden_state;
+  result.sentence = "the same step " + how + " differs by " + rounded(worst) + ": something is kept outside the state";
+  return result;
+}
+
+namespace {
+
+constexpr std::size_t guard = 256;  ///< elements on either side
+
+/// An array with guard words around it, all of one value.
+template <class T>
+class Guarded {
+ public:
+  Guarded(std::size_t used, T mark) : all_(used + 2 * guard, mark), used_(used), mark_(mark) {}
+
+  T* data() { return all_.data() + guard; }
+  bool broken() const {
+    const auto differs = [&](T v) { return v != mark_; };
+    return std::any_of(all_.begin(), all_.begin() + guard, differs) ||
+           std::any_of(all_.end() - static_cast<std::ptrdiff_t>(guard), all_.end(), differs);
+  }
+  bool unwritten() const {
+    return std::find(all_.begin() + guard, all_.end() - static_cast<std::ptrdiff_t>(guard), mark_) !=
+           all_.end() - static_cast<std::ptrdiff_t>(guard);
+  }
+
+ private:
+  std::vector<T> all_;
+  std::size_t used_;
+  T mark_;
+};
+
+/// What `update` does wrong to its arrays in a step of n points from rest, or empty.
+std::string misdeed(const Material& material, std::size_t n) {
+  constexpr double mark = -7.25e77, shear = 1e-5;
+  const std::size_t size = material.state_size();
+  std::vector<double> F0(9 * n, 0.0), F1(9 * n);
+  for (const std::size_t c : {0u, 4u, 8u}) std::fill_n(F0.begin() + static_cast<std::ptrdiff_t>(c * n), n, 1.0);
+  F1 = F0;
+  std::fill_n(F1.begin() + static_cast<std::ptrdiff_t>(n), n, shear);
+  const std::vector<double> state0 = material.initial_state(n), given[] = {F0, F1, state0};
+  Guarded<double> cauchy(9 * n, mark), state1(size * n, mark), factor(1, 1.0);
+  Guarded<std::int32_t> status(n, -77);
+  Guarded<char> message(ASSAY_MESSAGE_SIZE, 0);
+  const assay_step step{0, 1, F0.data(), F1.data()};
+  material.table().update(material.self(), &step, n, state0.data(), state1.data(), cauchy.data(), status.data(),
+                          factor.data(), message.data());
+  if (cauchy.broken()) return "it writes beyond the stress";
+  if (state1.broken()) return "it writes beyond the state that it declares";
+  if (status.broken()) return "it writes beyond the status of the points";
+  if (message.broken()) return "it writes beyond the message";
+  if (factor.broken()) return "it writes beyond dt_factor";
+  if (given[0] != F0 || given[1] != F1 || given[2] != state0) return "it writes into what it is given";
+  if (cauchy.unwritten()) return "it leaves components of the stress unwritten";
+  if (state1.unwritten()) return "it leaves components of the state unwritten";
+  if (status.unwritten()) return "it leaves the status of points unwritten";
+  return {};
+}
+
+}  // namespace
+
+TestResult guarded_arrays(const Material& material) {
+  TestResult result{.id = "calls.arrays", .measure = 0, .threshold = 0};
+  result.sentence = "nothing is written beyond the arrays, and all that is asked for is";
+  for (const std::size_t n : {1u, 7u}) {
+    const std::string what = misdeed(material, n);
+    if (what.empty()) continue;
+    result.measure = 1;
+    result.verdict = Verdict::fail;
+    result.cause = causes::overrun;
+    result.sentence = what;
+    break;
+  }
+  return result;
+}
+
+TestResult senseless_deformation(const Specimen& specimen) {
+  const Material& material = *specimen.material;
+  const Tensor I = Tensor::Identity();
+  TestResult result{.id = "calls.senseless", .measure = 0, .threshold = 0};
+  const auto answered = [&](double value, int place) {
+    Tensor F = I;
+    component(F, place) = value;
+    try {
+      return stepped(material, 0, 1, I, F, state_at_rest(material)).cauchy.allFinite();
+    } catch (const MaterialFailure&) {
+      return false;
+    }
+  };
+  const bool of_nothing = answered(std::numeric_limits<double>::quiet_NaN(), 1);
+  const bool of_infinity = answered(std::numeric_limits<double>::infinity(), 0), inverted = answered(-0.5, 8);
+  result.sentence =
+      of_infinity ? "an infinite F has a finite stress; one that is no number is refused"
+      : inverted  ? "a body turned inside out, det F < 0, has a stress; F that is no number or infinite is refused"
+                  : "F that is no number, infinite or turned inside out is refused";
+  if (!of_nothing) return result;
+  result.measure = 1;
+  result.verdict = Verdict::fail;
+  result.cause = causes::not_a_number;
+  result.sentence = "an F that is no number has a finite stress: the error of the caller is hidden";
+  return result;
+}
+
+}  // namespace assay::check

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/check/derivatives.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/check/judge.hpp"
+#include "harness/check/tangent_conventions.hpp"
+
+namespace assay::check {
+
+namespace {
+
+/// A step in the middle of a history that turns.
+struct Sample {
+  double t, dt;
+  Tensor F0, F1;
+  std::vector<double> state0;
+  Point end;
+};
+
+std::vector<Sample> samples_of(const Specimen& specimen) {
+  const Material& material = *specimen.material;
+  const int steps = specimen.options.quick ? 20 : 60;
+  const auto F = [&](int k) {
+    const double s = static_cast<double>(k) / steps;
+    return Tensor(turn(1.3 * s) * stretch(specimen.amplitude, s));
+  };
+  std::vector<Sample> samples;
+  Point now{Tensor::Zero(), state_at_rest(material)};
+  for (int k = 0; k < steps; ++k) {
+    const double dt = 1.0 / steps;
+    Sample sample{k * dt, dt, F(k), F(k + 1), now.state, {}};
+    now = sample.end = stepped(material, sample.t, dt, sample.F0, sample.F1, now.state);
+    if (k % 7 == 3) samples.push_back(std::move(sample));
+  }
+  return samples;
+}
+
+/// d f / d F by central differences of fourth order, `f` a stress: [row of f][column of F].
+template <class F>
+Tangent by_differences(const F& f, const Tensor& at, double h) {
+  Tangent slope;
+  for (int column = 0; column < 9; ++column) {
+    const auto moved = [&](double by) {
+      Tensor changed = at;
+      component(changed, column) += by;
+      return f(changed);
+    };
+    const Tensor d = (8 * (moved(h) - moved(-h)) - (moved(2 * h) - moved(-2 * h))) / (12 * h);
+    for (int row = 0; row < 9; ++row) slope(row, column) = component(d, row);
+  }
+  return slope;
+}
+
+double apart(const Tangent& a, const Tangent& b) {
+  const double d = (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
+  return std::isfinite(d) ? d : INFINITY;
+}
+
+Tangent offered(const Material& material, const assay_tangent& form, const Sample& s) {
+  double F0[9], F1[9], found[81];
+  for (int c = 0; c < 9; ++c) F0[c] = component(s.F0, c), F1[c] = component(s.F1, c);
+  std::fill(found, found + 81, NAN);
+  const assay_step step{s.t, s.dt, F0, F1};
+  Tangent result;
+  if (form.tangent(material.self(), &step, 1, s.state0.data(), found) == ASSAY_FAILED) found[0] = NAN;
+  for (int row = 0; row < 9; ++row) {
+    for (int column = 0; column < 9; ++column) result(row, column) = found[9 * row + column];
+  }
+  return result;
+}
+
+TestResult not_offered(const char* id, const char* what) {
+  return {.id = id, .verdict = Verdict::not_applicable, .sentence = std::string("the model offers no ") + what};
+}
+
+}  // namespace
+
+TestResult tangent(const Specimen& specimen) {
+  constexpr double most = 1e-4, alike = 1e-3, kink = 1e-5;
+  const Material& material = *specimen.material;
+  const auto* form = material.extension<assay_tangent>(ASSAY_EXTENSION_TANGENT);
+  if (!form) return not_offered("tangent", "tangent");
+  double worst = 0;
+  std::vector<double> of_conventions;
+  std::vector<std::string> names;
+  for (const Sample& s : samples_of(specimen)) {
+    const auto stress = [&](const Tensor& F) { return stepped(material, s.t, s.dt, s.F0, F, s.state0).cauchy; };
+    const Tangent expected = by_differences(stress, s.F1, 1e-5);
+    if (apart(by_differences(stress, s.F1, 2.5e-6), expected) > kink) continue;  // the step ends at a kink
+    const Tangent found = offered(material, *form, s);
+    worst = std::max(worst, apart(found, expected));
+    std::size_t k = 0;
+    for (const auto& [name, other] : other_conventions(expected, s.end.cauchy, s.F1)) {
+      if (k == of_conventions.size()) of_conventions.push_back(0), names.push_back(name);
+      of_conventions[k] = std::max(of_conventions[k], apart(found, other));
+      ++k;
+    }
+  }
+  TestResult result{.id = "tangent", .measure = worst, .threshold = most};
+  result.sentence = "the tangent is the derivative of the stress, to " + rounded(worst);
+  if (worst <= most) return result;
+  result.verdict = Verdict::fail;
+  result.cause = causes::tangent_wrong;
+  result.sentence = "the tangent is wrong by " + rounded(100 * worst) + " % of its largest component";
+  const auto least = std::min_element(of_conventions.begin(), of_conventions.end());
+  if (least == of_conventions.end() || *least > alike) return result;
+  result.cause = causes::tangent_convention;
+  result.sentence = "the tangent is " + names[static_cast<std::size_t>(least - of_conventions.begin())] +
+                    ", not d sigma / d F1 in row-major order";
+  return result;
+}
+
+TestResult energy(const Specimen& specimen) {
+  constexpr double most = 1e-5;
+  const Material& material = *specimen.material;
+  const auto* form = material.extension<assay_energy>(ASSAY_EXTENSION_ENERGY);
+  if (!form) return not_offered("energy", "energy");
+  double worst = 0, scale = 0;
+  for (const Sample& s : samples_of(specimen)) {
+    // Held for a step: without a rate of deformation the stress is that of the energy.
+    const Point held = stepped(material, s.t + s.dt, s.dt, s.F1, s.F1, s.end.state);
+    Tensor P;
+    for (int c = 0; c < 9; ++c) {
+      const auto W = [&](double by) {
+        double F[9], value = NAN;
+        for (int k = 0; k < 9; ++k) F[k] = component(s.F1, k) + (k == c ? by : 0);
+        return form->energy(material.self(), 1, F, held.state.data(), &value) == ASSAY_FAILED ? NAN : value;
+      };
+      const double h = 1e-4;
+      component(P, c) = (8 * (W(h) - W(-h)) - (W(2 * h) - W(-2 * h))) / (12 * h);
+    }
+    scale = std::max(scale, P.cwiseAbs().maxCoeff());
+    const double error = distance(P, first_piola_kirchhoff(held.cauchy, s.F1));
+    worst = std::isfinite(error) ? std::max(worst, error) : INFINITY;
+  }
+  worst /= scale;
+  TestResult result{.id = "energy", .measure = worst, .threshold = most};
+  result.verdict = worst <= most ? Verdict::pass : Verdict::fail;
+  result.sentence = worst <= most ? "the stress is the derivative of the energy, to " + rounded(worst)
+                                  : "stress and derivative of the energy differ by " + rounded(worst);
+  if (worst > most) result.cause = causes::energy;
+  return result;
+}
+
+TestResult dissipation(const Specimen& specimen) {
+  constexpr double most = 1e-3;  // of the work done: what steps of finite length leave
+  const Material& material = *specimen.material;
+  const auto* form = material.extension<assay_energy>(ASSAY_EXTENSION_ENERGY);
+  if (!form) return not_offered("dissipation", "energy, so that what is stored is not known");
+  const int steps = 4 * specimen.steps();
+  Point now{Tensor::Zero(), state_at_rest(material)};
+  Tensor F0 = Tensor::Identity(), P0 = Tensor::Zero();
+  const auto W = [&](const Tensor& F, const std::vector<double>& state) {
+    double nine[9], value = NAN;
+    for (int c = 0; c < 9; ++c) nine[c] = component(F, c);
+    return form->energy(material.self(), 1, nine, state.data(), &value) == ASSAY_FAILED ? NAN : value;
+  };
+  const double stored_at_rest = W(F0, now.state);
+  double work = 0, most_work = 0, lost = 0, peak = 0, worst = 0;
+  for (int k = 0; k < steps; ++k) {
+    const Tensor F1 = stretch(specimen.amplitude, (k + 1.0) / steps);
+    now = stepped(material, static_cast<double>(k) / steps, 1.0 / steps, F0, F1, now.state);
+    const Tensor P1 = first_piola_kirchhoff(now.cauchy, F1);
+    const double done = 0.5 * (P0 + P1).cwiseProduct(F1 - F0).sum();
+    work += done;
+    most_work += std::abs(done);
+    lost = work - (W(F1, now.state) - stored_at_rest);
+    peak = std::max(peak, lost);
+    worst = std::max(worst, peak - lost);  // what has come back of what was lost
+    F0 = F1, P0 = P1;
+  }
+  worst = std::isfinite(lost) ? worst / most_work : INFINITY;
+  TestResult result{.id = "dissipation", .measure = worst, .threshold = most};
+  result.verdict = worst <= most ? Verdict::pass : Verdict::fail;
+  result.sentence = worst <= most ? "work is stored or lost, and none comes out of nothing"
+                                  : rounded(100 * worst) + " % of the work comes out of nothing";
+  if (worst > most) result.cause = causes::dissipation;
+  return result;
+}
+
+}  // namespace assay::check

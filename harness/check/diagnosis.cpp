@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/check/diagnosis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace assay::check {
+
+namespace {
+
+/// Tests that one mistake about rotations, stiffness or spectra fails as a whole.
+constexpr const char* of_frames[] = {
+    "elasticity.components", "elasticity.shear",  "isotropy",        "rotation.constant", "basis",
+    "rotation.at_rest",      "rotation.before",   "rotation.during", "rotation.after",    "rotation.fixed_stretch",
+    "rotation.revolutions",  "stretches.turning", "initial_stress"};
+
+class Diagnostician {
+ public:
+  Diagnostician(std::vector<TestResult>& tests, const Evidence& evidence) : tests_(tests), evidence_(evidence) {}
+
+  std::vector<Diagnosis> run() {
+    const std::optional<Diagnosis> components = of("elasticity.components"), shear = of("elasticity.shear");
+    if (failed("rest")) explain(*of("rest"));
+    if (failed("stretches.nearly_equal")) explain(*of("stretches.nearly_equal"));
+    if (components && !explained_) explain(*components);
+    if (shear && (!explained_ || components)) explain(*shear);
+    if (const auto carried = of("initial_stress"); carried && carried->cause == causes::components_swapped) {
+      explain(*carried);
+    }
+    if (!explained_) of_rotation();
+    if (failed("isotropy")) of_isotropy();
+    for (const TestResult& test : tests_) {
+      if (test.verdict != Verdict::fail) continue;
+      if (test.cause.empty() || (explained_ && is_of_frames(test.id))) continue;
+      if (!found_.empty() && test.cause == causes::no_convergence) continue;  // the weakest of all
+      add({test.cause, test.sentence});
+    }
+    for (TestResult& test : tests_) {
+      if (test.verdict == Verdict::fail && (test.cause.empty() || (explained_ && is_of_frames(test.id)))) {
+        test.cause = found_.empty() ? causes::not_indifferent : found_.front().cause;
+      }
+    }
+    if (found_.empty()) {
+      for (const TestResult& test : tests_) {
+        if (test.verdict == Verdict::fail) add({test.cause, test.sentence});
+      }
+    }
+    return found_;
+  }
+
+ private:
+  static bool is_of_frames(const std::string& id) {
+    return std::any_of(std::begin(of_frames), std::end(of_frames), [&](const char* each) { return id == each; });
+  }
+
+  const TestResult* find(const std::string& id) const {
+    const auto found = std::find_if(tests_.begin(), tests_.end(), [&](const TestResult& t) { return t.id == id; });
+    return found == tests_.end() ? nullptr : &*found;
+  }
+
+  bool failed(const std::string& id) const { return find(id) && find(id)->verdict == Verdict::fail; }
+
+  std::optional<Diagnosis> of(const std::string& id) const {
+    if (!failed(id)) return std::nullopt;
+    return Diagnosis{find(id)->cause, find(id)->sentence};
+  }
+
+  void add(const Diagnosis& diagnosis) {
+    const auto same = [&](const Diagnosis& d) { return d.cause == diagnosis.cause; };
+    if (std::none_of(found_.begin(), found_.end(), same)) found_.push_back(diagnosis);
+  }
+
+  void explain(const Diagnosis& diagnosis) {
+    explained_ = true;
+    add(diagnosis);
+  }
+
+  /// A law without a tensor in its state has no spin that could be wrong.
+  const char* not_turned() const { return evidence_.has_tensors ? causes::wrong_spin : causes::not_indifferent; }
+
+  void of_rotation() {
+    constexpr double small_strain_within = 0.1;
+    if (failed("rotation.at_rest") && std::abs(evidence_.at_rest.small_strain - 1) < small_strain_within) {
+      return explain({causes::small_strain,
+                      "a body that only turns by Q is stressed as by the strain sym(Q - I): the strain is not one of "
+                      "finite deformation"});
+    }
+    if (failed("rotation.fixed_stretch")) return of_fixed_stretch();
+    if (failed("rotation.after") || failed("rotation.during")) {
+      if (!evidence_.state.left_behind.empty()) {
+        return explain({causes::state_not_rotated, "the stress turns with the body, but " +
+                                                       evidence_.state.left_behind +
+                                                       " of the state does not, and the loads after that show it"});
+      }
+    }
+    if (failed("rotation.revolutions")) {
+      return explain({causes::explicit_spin, find("rotation.revolutions")->sentence});
+    }
+    for (const char* id : {"rotation.during", "rotation.after", "rotation.before", "rotation.at_rest"}) {
+      if (failed(id)) return explain({not_turned(), find(id)->sentence});
+    }
+    for (const char* id : {"rotation.constant", "basis"}) {
+      if (failed(id) && !(std::string(id) == "basis" && failed("isotropy"))) {
+        return explain({causes::not_indifferent, find(id)->sentence});
+      }
+    }
+  }
+
+  /// The stress of a stretched body that turns: left where it was, turned by another angle, or by about the right one
+  /// in steps that are not rotations.
+  void of_fixed_stretch() {
+    constexpr double unmoved = 0.02;
+    const RotationFinding& fixed = evidence_.fixed;
+    if (fixed.turned && std::abs(*fixed.turned) <= unmoved) {
+      return explain({causes::rotation_missing, "the stress of a stretched body that turns stays where it was"});
+    }
+    if (fixed.falls || (fixed.turned && std::abs(*fixed.turned - 1) <= unmoved)) {
+      return explain(
+          {causes::explicit_spin, "the stress is turned in steps that are no rotations: " + fixed.result.sentence});
+    }
+    if (fixed.turned) {
+      char times[32];
+      std::snprintf(times, sizeof times, "%.2g", *fixed.turned);
+      return explain({causes::wrong_spin,
+                      std::string("the stress turns by ") + times + " times the angle by which the body turns"});
+    }
+    explain({not_turned(), fixed.result.sentence});
+  }
+
+  void of_isotropy() {
+    if (explained_ && failed("rotation.constant")) return;
+    if (!found_.empty() && explained_) return;
+    explained_ = explained_ || failed("basis");
+    add({causes::not_isotropic,
+         "a body that was turned before it is loaded answers otherwise: " + find("isotropy")->sentence});
+  }
+
+  std::vector<TestResult>& tests_;
+  const Evidence& evidence_;
+  std::vector<Diagnosis> found_;
+  bool explained_ = false;  ///< what the tests of frames have found
+};
+
+}  // namespace
+
+const std::vector<std::string>& all_causes() {
+  static const std::vector<std::string> all{causes::components_swapped,
+                                            causes::shear_factor,
+                                            causes::small_strain,
+                                            causes::rotation_missing,
+                                            causes::wrong_spin,
+                                            causes::explicit_spin,
+                                            causes::state_not_rotated,
+                                            causes::not_isotropic,
+                                            causes::repeated_stretch,
+                                            causes::tangent_convention,
+                                            causes::tangent_wrong,
+                                            causes::hidden_state,
+                                            causes::clock,
+                                            causes::overrun,
+                                            causes::not_indifferent,
+                                            causes::stress_at_rest,
+                                            causes::initial_stress,
+                                            causes::drifts,
+                                            causes::no_convergence,
+                                            causes::energy,
+                                            causes::dissipation,
+                                            causes::not_a_number,
+                                            causes::refuses};
+  return all;
+}
+
+std::vector<Diagnosis> diagnose(std::vector<TestResult>& tests, const Evidence& evidence) {
+  return Diagnostician(tests, evidence).run();
+}
+
+}  // namespace assay::check

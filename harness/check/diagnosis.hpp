@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From verdicts to causes: which one defect explains what the tests have found.
+#pragma once
+
+#include "harness/check/rotation.hpp"
+
+namespace assay::check {
+
+/// What the tests of rotation tell beyond their verdicts.
+struct Evidence {
+  RotationFinding at_rest, before, during, after, fixed, state;
+  bool has_tensors = false;  ///< the state has something that a spin could turn
+};
+
+/// Fills in the cause of failed tests that have none, and lists the causes; none for one that follows from another.
+std::vector<Diagnosis> diagnose(std::vector<TestResult>& tests, const Evidence& evidence);
+
+}  // namespace assay::check

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the stiffness at rest tells of a material that says it is isotropic.
+#pragma once
+
+#include "harness/check/specimen.hpp"
+
+namespace assay::check {
+
+/// Shears couple to their own stress alone: 13 to 13, 23 to 23. Fails with `components_swapped` where they are
+/// exchanged.
+TestResult shear_components(const Specimen& specimen);
+
+/// The shear modulus follows from the axial stiffness: sigma_12 = (C11 - C12) eps_12. Fails with `shear_factor` where
+/// it is twice or half that.
+TestResult shear_modulus(const Specimen& specimen);
+
+}  // namespace assay::check

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/check/march.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "harness/checked_update.hpp"
+
+namespace assay::check {
+
+Point stepped(const Material& material, double t, double dt, const Tensor& F0, const Tensor& F1,
+              const std::vector<double>& state0) {
+  double before[9], after[9], sigma[9];
+  for (int c = 0; c < 9; ++c) before[c] = component(F0, c), after[c] = component(F1, c);
+  Point end{Tensor::Zero(), std::vector<double>(state0.size())};
+  checked_update(material, 0, t, dt, 1, before, after, state0.data(), end.state.data(), sigma);
+  for (int c = 0; c < 9; ++c) component(end.cauchy, c) = sigma[c];
+  return end;
+}
+
+March march(const Material& material, const Loading& loading, const MarchOptions& options) {
+  March result;
+  Point now{Tensor::Zero(), options.state};
+  Tensor F0 = loading.F(0);
+  const double dt = options.phase_length / options.steps;
+  for (int phase = 0; phase < loading.phases; ++phase) {
+    for (int k = 0; k < options.steps; ++k) {
+      const Tensor F1 = loading.F(phase + (k + 1.0) / options.steps);
+      const double t = options.begin + options.phase_length * phase + dt * k;
+      now = stepped(material, t, dt, F0, F1, now.state);
+      result.largest = std::max(result.largest, now.cauchy.cwiseAbs().maxCoeff());
+      F0 = F1;
+    }
+    result.marks.push_back(now);
+  }
+  return result;
+}
+
+std::vector<double> state_at_rest(const Material& material, const Vector3& direction) {
+  return material.initial_state(1, {}, std::vector<double>{direction.x(), direction.y(), direction.z()});
+}
+
+Tensor turn(double angle) { return Eigen::AngleAxisd(angle, Vector3(1, 2, 3).normalized()).toRotationMatrix(); }
+
+}  // namespace assay::check

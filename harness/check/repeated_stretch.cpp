@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/check/repeated_stretch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/check/judge.hpp"
+
+namespace assay::check {
+
+namespace {
+
+/// Noise of a spectral form in double precision is up to 1e-8 where its stretches differ by 1e-8; a wrong limit is of
+/// order one.
+constexpr double most_change = 1e-4;
+constexpr double per_difference = 1e3;  ///< of stress, relative, over a difference of stretches
+
+constexpr double differences[] = {1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6};
+
+/// Equal stretches along two axes, or three, that are no axes of the frame.
+Tensor equal_stretches(double amplitude, bool three, double difference) {
+  const double other = three ? amplitude : -0.5 * amplitude;
+  const Vector3 stretches(1 + amplitude, 1 + amplitude + difference, 1 + other - (three ? difference : 0));
+  return rotated(turn(0.7), stretches.asDiagonal());
+}
+
+Tensor stress_at(const Specimen& specimen, bool three, double difference) {
+  const double a = specimen.amplitude;
+  const Loading loading{[=](double t) { return equal_stretches(a * t, three, difference * t); }, 1};
+  const Material& material = *specimen.material;
+  return march(material, loading, {.steps = 5, .state = state_at_rest(material)}).marks[0].cauchy;
+}
+
+}  // namespace
+
+TestResult nearly_equal_stretches(const Specimen& specimen) {
+  TestResult result{.id = "stretches.nearly_equal", .threshold = most_change};
+  double worst = 0, at = 0;
+  for (const bool three : {false, true}) {
+    const Tensor equal = stress_at(specimen, three, 0);
+    const double scale = std::max(equal.cwiseAbs().maxCoeff(), 1e-6 * specimen.modulus * specimen.amplitude);
+    for (const double difference : differences) {
+      const double change = distance(stress_at(specimen, three, difference), equal) / scale;
+      const double excess = std::max(0.0, change - per_difference * difference / specimen.amplitude);
+      if (!(excess <= worst)) worst = excess, at = difference;
+    }
+  }
+  result.measure = worst;
+  result.verdict = worst <= most_change ? Verdict::pass : Verdict::fail;
+  if (result.verdict == Verdict::fail) result.cause = causes::repeated_stretch;
+  result.sentence = worst <= most_change ? "stretches that nearly agree give nearly the same stress"
+                                         : "stretches that differ by " + rounded(at) + " change the stress by " +
+                                               rounded(worst) + " of itself";
+  return result;
+}
+
+TestResult rotation_at_equal_stretches(const Specimen& specimen) {
+  constexpr double angle = 2.3;
+  const Material& material = *specimen.material;
+  TestResult result{.id = "stretches.turning", .threshold = most_change};
+  double worst = 0;
+  for (const bool three : {false, true}) {
+    const double a = specimen.amplitude;
+    const auto F = [=](double t) { return equal_stretches(a * std::min(t, 1.0), three, 0); };
+    const Loading still{F, 2};
+    const Loading seen{[=](double t) { return Tensor(turn(angle * std::max(0.0, t - 1)) * F(t)); }, 2};
+    const MarchOptions options{.steps = specimen.steps() / 2, .state = state_at_rest(material)};
+    const March first = march(material, still, options), second = march(material, seen, options);
+    const Tensor back = rotated(turn(-angle), second.marks[1].cauchy);
+    worst = std::max(worst, distance(back, first.marks[1].cauchy) / first.largest);
+  }
+  result.measure = worst;
+  result.verdict = worst <= most_change ? Verdict::pass : Verdict::fail;
+  if (result.verdict == Verdict::fail) result.cause = causes::repeated_stretch;
+  result.sentence = "a body with equal stretches that turns: " +
+                    (worst <= exact_error ? std::string("exact") : "off by " + rounded(worst));
+  return result;
+}
+
+}  // namespace assay::check

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Two or three principal stretches that are equal, or nearly so: where a spectral form divides by their difference.
+#pragma once
+
+#include "harness/check/specimen.hpp"
+
+namespace assay::check {
+
+/// Stretches that differ by 0, 1e-15, ... 1e-4 along axes of any direction: the stress changes no more than they do.
+TestResult nearly_equal_stretches(const Specimen& specimen);
+
+/// A rotation at equal stretches, as rotation_at_fixed_stretch.
+TestResult rotation_at_equal_stretches(const Specimen& specimen);
+
+}  // namespace assay::check

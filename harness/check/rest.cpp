@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/check/rest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "harness/check/judge.hpp"
+
+namespace assay::check {
+
+TestResult stress_at_rest(const Specimen& specimen) {
+  constexpr double most = 1e-9;  // of the modulus
+  const Tensor I = Tensor::Identity();
+  const Material& material = *specimen.material;
+  const Point rest = stepped(material, 0, 1, I, I, state_at_rest(material));
+  const double measure = rest.cauchy.cwiseAbs().maxCoeff() / specimen.modulus;
+  TestResult result{.id = "rest", .measure = measure, .threshold = most};
+  result.sentence = "stress over modulus of a body that was never deformed: " + rounded(measure);
+  if (measure <= most) return result;
+  result.verdict = Verdict::fail;
+  result.cause = causes::stress_at_rest;
+  return result;
+}
+
+TestResult zero_increment(const Specimen& specimen) {
+  TestResult result{.id = "zero_increment"};
+  if (specimen.rate_dependent()) {
+    result.verdict = Verdict::not_applicable;
+    result.sentence = "the model relaxes: a step in time without deformation may change it";
+    return result;
+  }
+  const Material& material = *specimen.material;
+  const double a = specimen.amplitude;
+  std::array<double, 3> errors{};
+  for (int k = 0; k < 3; ++k) {
+    const Loading loading{[a](double t) { return stretch(a, 0.3 * t); }, 1};
+    const March loaded = march(material, loading, {.steps = specimen.steps() << k, .state = state_at_rest(material)});
+    const Tensor F = loading.F(1);
+    Point now = loaded.marks[0];
+    for (int repeat = 0; repeat < 3; ++repeat) now = stepped(material, 1, 0.01, F, F, now.state);
+    errors[static_cast<std::size_t>(k)] = distance(now.cauchy, loaded.marks[0].cauchy) / loaded.largest;
+  }
+  const Limit limit = limit_of(errors);
+  result.measure = limit.value;
+  result.threshold = converging_limit;
+  result.order = limit.order;
+  result.verdict = limit.passes() ? Verdict::pass : Verdict::fail;
+  if (result.verdict == Verdict::fail) result.cause = causes::drifts;
+  result.sentence = "three steps without deformation: " + how(limit, errors, specimen.steps());
+  return result;
+}
+
+namespace {
+
+constexpr double carried_within = 1e-6;  ///< relative
+constexpr double turning_angle = 2.3;    ///< [rad]
+
+Tensor with_13_and_23_exchanged(Tensor A) {
+  std::swap(A(0, 2), A(1, 2));
+  std::swap(A(2, 0), A(2, 1));
+  return A;
+}
+
+std::vector<double> state_under(const Material& material, const Tensor& sigma) {
+  std::vector<double> nine(9);
+  for (int c = 0; c < 9; ++c) nine[static_cast<std::size_t>(c)] = component(sigma, c);
+  return material.initial_state(1, nine);
+}
+
+/// What is left of an initial stress, and what of it turns with the body.
+struct Carried {
+  double still, turned;  ///< errors, relative
+  bool ignored;          ///< as if there were none
+  bool swapped;          ///< 13 and 23 have changed places
+};
+
+Carried carried(const Specimen& specimen, const Tensor& sigma) {
+  const Material& material = *specimen.material;
+  const Tensor I = Tensor::Identity();
+  const double length = specimen.rate_dependent() ? 1e-9 : 1, scale = sigma.cwiseAbs().maxCoeff();
+  const std::vector<double> state = state_under(material, sigma);
+  const Tensor found = stepped(material, 0, length, I, I, state).cauchy;
+  const Loading turning{[](double t) { return turn(turning_angle * t); }, 1};
+  const March seen = march(material, turning, {.steps = specimen.steps(), .phase_length = length, .state = state});
+  return {distance(found, sigma) / scale, distance(seen.marks[0].cauchy, rotated(turn(turning_angle), found)) / scale,
+          found.cwiseAbs().maxCoeff() < carried_within * scale,
+          distance(found, with_13_and_23_exchanged(sigma)) < carried_within * scale};
+}
+
+}  // namespace
+
+TestResult initial_stress(const Specimen& specimen) {
+  constexpr double shares[] = {1e-3, 1e-4, 1e-5, 1e-6};  // of the modulus: it may yield
+  TestResult result{.id = "initial_stress", .verdict = Verdict::not_applicable};
+  result.sentence = "the model starts free of stress alone";
+  if (specimen.material->state_size() == 0) return result;
+  Tensor shape;
+  shape << -1, 0.3, -0.2, 0.3, -0.6, 0.1, -0.2, 0.1, -0.8;
+  Carried best{INFINITY, INFINITY, true, false};
+  for (const double share : shares) {
+    try {
+      const Carried now = carried(specimen, share * specimen.modulus * shape);
+      if (now.still < best.still) best = now;
+    } catch (const MaterialFailure&) {  // a smaller one, perhaps
+    } catch (const std::runtime_error&) {
+      return result;  // refused, as it may be
+    }
+  }
+  if (best.ignored) {
+    result.sentence = "the model takes no notice of an initial stress: let initial_state return ASSAY_FAILED for one";
+    return result;
+  }
+  result.measure = std::max(best.still, best.turned);
+  result.threshold = carried_within;
+  const bool holds = *result.measure <= carried_within;
+  result.verdict = holds ? Verdict::pass : Verdict::fail;
+  if (!holds) result.cause = best.swapped ? causes::components_swapped : causes::initial_stress;
+  result.sentence = holds ? "an initial stress is carried and turns with the body, to " + rounded(*result.measure)
+                    : best.swapped ? "a step without deformation exchanges 13 and 23 of an initial stress"
+                    : best.still > carried_within
+                        ? "a step without deformation changes an initial stress by " + rounded(best.still) + " of it"
+                        : "an initial stress does not turn with the body: off by " + rounded(best.turned);
+  return result;
+}
+
+}  // namespace assay::check

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where nothing is deformed, or nothing more, nothing must happen.
+#pragma once
+
+#include "harness/check/specimen.hpp"
+
+namespace assay::check {
+
+/// F = I leaves no stress.
+TestResult stress_at_rest(const Specimen& specimen);
+
+/// A step with F1 = F0 after loading changes neither stress nor state of a rate-independent model.
+TestResult zero_increment(const Specimen& specimen);
+
+/// initial_state takes a stress, a step without deformation returns it, and it turns with the body.
+TestResult initial_stress(const Specimen& specimen);
+
+}  // namespace assay::check

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/check/rotation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "harness/check/state_variable.hpp"
+
+namespace assay::check {
+
+namespace {
+
+constexpr double angle = 2.3;         ///< [rad], no fraction of a turn
+constexpr double spins_alike = 2e-2;  ///< relative: stress turned by a multiple of the angle, and stress found
+
+using AngleOf = std::function<double(double)>;
+
+double ramp(double from, double to, double t) { return std::clamp((t - from) / (to - from), 0.0, 1.0); }
+
+Loading turning(const Loading& loading, const AngleOf& angle_at) {
+  return {[=](double t) { return Tensor(turn(angle_at(t)) * loading.F(t)); }, loading.phases};
+}
+
+/// The largest over the phases' ends, relative to the largest stress of the history at rest.
+double error_between(const March& still, const March& seen, const AngleOf& angle_at) {
+  double error = 0;
+  for (std::size_t k = 0; k < still.marks.size(); ++k) {
+    const Tensor Q = turn(angle_at(static_cast<double>(k) + 1));
+    error = std::max(error, distance(rotated(Q.transpose(), seen.marks[k].cauchy), still.marks[k].cauchy));
+  }
+  return error / still.largest;
+}
+
+struct Twins {
+  March still, seen;
+};
+
+Twins march_twins(const Specimen& specimen, const Loading& loading, const AngleOf& angle_at, int steps) {
+  MarchOptions options{.steps = steps, .state = state_at_rest(*specimen.material)};
+  Twins twins;
+  twins.still = march(*specimen.material, loading, options);
+  twins.seen = march(*specimen.material, turning(loading, angle_at), options);
+  return twins;
+}
+
+/// By how many times `angle` about (1, 2, 3) `found` is turned from `unturned`; null where by none.
+std::optional<double> turned_by(const Tensor& found, const Tensor& unturned) {
+  const double scale = unturned.cwiseAbs().maxCoeff();
+  const auto miss = [&](double k) { return distance(rotated(turn(k * angle), unturned), found) / scale; };
+  constexpr double range = 2.5, step = 0.01;
+  double best = 0;
+  for (double k = -range; k <= range; k += step) {
+    if (miss(k) < miss(best)) best = k;
+  }
+  return miss(best) < spins_alike ? std::optional(best) : std::nullopt;
+}
+
+/// Out, and back and beyond in the second phase.
+Loading out_and_back(const Specimen& specimen) {
+  return {[a = specimen.amplitude](double t) { return stretch(a, 0.5 * t); }, 2};
+}
+
+struct Case {
+  const char* id;
+  const char* words;
+  Loading loading;
+  AngleOf angle_at;
+};
+
+Case case_of(const Specimen& specimen, When when) {
+  const double a = specimen.amplitude;
+  switch (when) {
+    case When::before:
+      return {"rotation.before",
+              "a body that turns before it is loaded",
+              {[a](double t) { return stretch(a, 0.5 * std::max(0.0, t - 1)); }, 3},
+              [](double t) { return angle * ramp(0, 1, t); }};
+    case When::during:
+      return {"rotation.during", "a body that turns while it is loaded", out_and_back(specimen),
+              [](double t) { return angle * ramp(0, 2, t); }};
+    case When::after:
+      break;
+  }
+  return {"rotation.after",
+          "a body that turns between two loads",
+          {[a](double t) { return stretch(a, 0.5 * (ramp(0, 1, t) + ramp(2, 3, t))); }, 3},
+          [](double t) { return angle * ramp(1, 2, t); }};
+}
+
+TestResult exact_twin(const Specimen& specimen, const char* id, const Loading& still, const Loading& seen,
+                      const Tensor& Q, const Vector3& direction, const std::string& words) {
+  const Material& material = *specimen.material;
+  const int steps = specimen.steps();
+  const March a = march(material, still, {.steps = steps, .state = state_at_rest(material)});
+  const March b = march(material, seen, {.steps = steps, .state = state_at_rest(material, direction)});
+  double error = 0;
+  for (std::size_t k = 0; k < a.marks.size(); ++k) {
+    error = std::max(error, distance(rotated(Q.transpose(), b.marks[k].cauchy), a.marks[k].cauchy) / a.largest);
+  }
+  TestResult result{.id = id, .measure = error, .threshold = own_precision};
+  result.verdict = error <= own_precision ? Verdict::pass : Verdict::fail;
+  result.sentence = words + (error <= exact_error     ? ": exact"
+                             : error <= own_precision ? ": to the model's own precision, " + rounded(error)
+                                                      : ": off by " + rounded(error) + " of the largest stress");
+  return result;
+}
+
+}  // namespace
+
+TestResult constant_rotation(const Specimen& specimen) {
+  const Tensor Q = turn(angle);
+  const Loading still = out_and_back(specimen);
+  const Loading seen{[=](double t) { return Tensor(Q * still.F(t)); }, still.phases};
+  return exact_twin(specimen, "rotation.constant", still, seen, Q, Vector3::UnitX(),
+                    "the same history in a frame that is turned once for all");
+}
+
+TestResult change_of_basis(const Specimen& specimen) {
+  const assay_material& table = specimen.material->table();
+  const bool directed = std::any_of(table.state, table.state + table.state_count,
+                                    [](const auto& variable) { return variable.role == ASSAY_ROLE_DIRECTION; });
+  if (!specimen.isotropic() && !directed) {
+    return {.id = "basis",
+            .verdict = Verdict::not_applicable,
+            .sentence = "the axes of the material are its own: no direction is declared that could turn along"};
+  }
+  const Tensor Q = directed ? rotation_about_z(angle) : turn(angle);  // the third axis may be fixed
+  const Loading still = out_and_back(specimen);
+  const Loading seen{[=](double t) { return rotated(Q, still.F(t)); }, still.phases};
+  return exact_twin(specimen, "basis", still, seen, Q, Q * Vector3::UnitX(), "body and frame turned together");
+}
+
+TestResult isotropy(const Specimen& specimen) {
+  if (!specimen.isotropic()) {
+    return {
+        .id = "isotropy", .verdict = Verdict::not_applicable, .sentence = "the model does not claim to be isotropic"};
+  }
+  const Tensor Q = turn(angle);
+  const Loading still = out_and_back(specimen);
+  const Loading seen{[=](double t) { return Tensor(still.F(t) * Q.transpose()); }, still.phases};
+  return exact_twin(specimen, "isotropy", still, seen, Tensor::Identity(), Vector3::UnitX(),
+                    "the same history of a body that was turned before");
+}
+
+RotationFinding rotation(const Specimen& specimen, When when) {
+  const Case c = case_of(specimen, when);
+  std::array<double, 3> errors{};
+  for (int k = 0; k < 3; ++k) {
+    const Twins twins = march_twins(specimen, c.loading, c.angle_at, specimen.steps() << k);
+    errors[static_cast<std::size_t>(k)] = error_between(twins.still, twins.seen, c.angle_at);
+  }
+  const Limit limit = limit_of(errors);
+  RotationFinding finding{{.id = c.id, .measure = limit.value, .threshold = converging_limit, .order = limit.order}};
+  finding.result.verdict = limit.passes() ? Verdict::pass : Verdict::fail;
+  finding.result.sentence = std::string(c.words) + ": " + how(limit, errors, specimen.steps());
+  finding.falls = limit.order.has_value();
+  return finding;
+}
+
+RotationFinding rotation_at_fixed_stretch(const Specimen& specimen) {
+  const double a = specimen.amplitude;
+  const Loading loading{[a](double t) { return stretch(a, 0.5 * std::min(t, 1.0)); }, 2};
+  const AngleOf angle_at = [](double t) { return angle * ramp(1, 2, t); };
+  std::array<double, 3> errors{};
+  Twins twins;
+  for (int k = 0; k < 3; ++k) {
+    twins = march_twins(specimen, loading, angle_at, (specimen.steps() / 4) << k);
+    errors[static_cast<std::size_t>(k)] = error_between(twins.still, twins.seen, angle_at);
+  }
+  const double worst = *std::max_element(errors.begin(), errors.end());
+  const Limit limit = limit_of(errors);
+  RotationFinding finding{{.id = "rotation.fixed_stretch", .measure = worst, .threshold = own_precision}};
+  finding.result.order = limit.order;
+  finding.result.verdict = worst <= own_precision ? Verdict::pass : Verdict::fail;
+  finding.result.sentence = "a stretched body that turns: " + how(limit, errors, specimen.steps() / 4);
+  finding.falls = limit.order.has_value();
+  if (worst > own_precision) finding.turned = turned_by(twins.seen.marks[1].cauchy, twins.still.marks[1].cauchy);
+  return finding;
+}
+
+TestResult revolutions(const Specimen& specimen) {
+  constexpr int steps = 16;
+  const int turns = specimen.options.quick ? 10 : 50;
+  const double a = specimen.amplitude;
+  const Loading loading{[a](double t) { return stretch(a, 0.5 * std::min(t, 1.0)); }, 1 + turns};
+  const AngleOf angle_at = [](double t) { return 2 * std::numbers::pi * std::max(0.0, t - 1); };
+  const Twins twins = march_twins(specimen, loading, angle_at, steps);
+  const double still = twins.still.marks.back().cauchy.norm(), seen = twins.seen.marks.back().cauchy.norm();
+  const double growth = std::abs(seen - still) / std::max(still, 1e-6 * twins.still.largest);
+  constexpr double most = 1e-3;  // 800 steps in single precision
+  TestResult result{.id = "rotation.revolutions", .measure = growth, .threshold = most};
+  result.verdict = growth <= most ? Verdict::pass : Verdict::fail;
+  result.sentence =
+      std::to_string(turns) + " revolutions of a stretched body in steps of 22.5 degrees: the stress " +
+      (growth <= most ? "keeps its size, to " + rounded(growth) : "is " + rounded(seen / still) + " times what it was");
+  return result;
+}
+
+RotationFinding rotation_at_rest(const Specimen& specimen) {
+  constexpr double small_angle = 3e-3;  // [rad], its square half a strain at which most materials are elastic
+  const Material& material = *specimen.material;
+  std::array<double, 3> errors{};
+  for (int k = 0; k < 3; ++k) {
+    const Loading loading{[](double t) { return turn(angle * t); }, 1};
+    const March turned = march(material, loading, {.steps = specimen.steps() << k, .state = state_at_rest(material)});
+    errors[static_cast<std::size_t>(k)] = turned.largest / specimen.modulus;
+  }
+  const Limit limit = limit_of(errors);
+  RotationFinding finding{{.id = "rotation.at_rest", .measure = limit.value, .threshold = converging_limit}};
+  finding.result.order = limit.order;
+  finding.result.verdict = limit.passes() ? Verdict::pass : Verdict::fail;
+  finding.result.sentence = "stress over modulus of a body that turns and is not loaded: " + rounded(errors[2]);
+  finding.falls = limit.order.has_value();
+  const Loading little{[](double t) { return turn(small_angle * t); }, 1};
+  const Tensor found =
+      march(material, little, {.steps = specimen.steps(), .state = state_at_rest(material)}).marks[0].cauchy;
+  const Tensor mistaken = stress_of(specimen.stiffness, turn(small_angle) - Tensor::Identity());
+  finding.small_strain = found.cwiseProduct(mistaken).sum() / mistaken.squaredNorm();
+  return finding;
+}
+
+RotationFinding rotation_of_state(const Specimen& specimen) {
+  constexpr double same = 1e-3, trifle = 1e-10;
+  const double a = specimen.amplitude;
+  const Loading loading{[a](double t) { return stretch(a, 0.5 * std::min(t, 1.0)); }, 2};
+  const Twins twins = march_twins(
+      specimen, loading, [](double t) { return angle * ramp(1, 2, t); }, specimen.steps());
+  RotationFinding finding{{.id = "rotation.state", .threshold = same}};
+  const assay_material& table = specimen.material->table();
+  double worst = 0;
+  std::size_t at = 0;
+  bool any = false;
+  for (std::uint32_t v = 0; v < table.state_count; ++v) {
+    const int size = components_of_kind(table.state[v].kind);
+    const auto value = [&](const March& m) { return Variable(table.state[v].kind, &m.marks[1].state[at]); };
+    const Variable still = value(twins.still), seen = value(twins.seen), turned = still.turned(turn(angle));
+    at += static_cast<std::size_t>(size);
+    const double scale = still.largest();
+    if (size == 1 || !(scale > trifle) || still.distance(turned) < same * scale) continue;  // a sphere says nothing
+    any = true;
+    if (table.state[v].role == ASSAY_ROLE_PLAIN) worst = std::max(worst, seen.distance(turned) / scale);
+    if (seen.distance(still) < same * scale) {
+      finding.left_behind += (finding.left_behind.empty() ? "" : ", ") + std::string(table.state[v].name);
+    }
+  }
+  finding.result.verdict = any ? Verdict::pass : Verdict::not_applicable;
+  if (any) finding.result.measure = worst;
+  finding.result.sentence = !any ? "the state has no tensor or vector that could turn"
+                            : worst <= same
+                                ? "tensors of the state turn with the body, or are declared to turn by themselves"
+                                : "a tensor of the state does not turn as its role says; no defect where the stress "
+                                  "is right: declare ASSAY_ROLE_ROTATES_ITSELF";
+  return finding;
+}
+
+}  // namespace assay::check

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Frame indifference: a history and the same history seen from a frame that turns.
+#pragma once
+
+#include "harness/check/judge.hpp"
+#include "harness/check/specimen.hpp"
+
+namespace assay::check {
+
+/// A test, and what else it tells the diagnosis.
+struct RotationFinding {
+  TestResult result;
+  /// Of the stress that was found: it is turned by this many times the frame's angle. Null where it is not turned as a
+  /// whole, or rightly.
+  std::optional<double> turned = {};
+  bool falls = false;  ///< the error falls with the step
+  /// At rest: stress over that of the strain sym(Q - I), which a small-strain law takes for one.
+  double small_strain = 0;
+  std::string left_behind = {};  ///< names of tensors and vectors of the state that have not turned with the stress
+};
+
+/// Orientation of the frame from the beginning on; sigma = Q sigma_0 Q^T.
+TestResult constant_rotation(const Specimen& specimen);
+
+/// Body and frame turned: F' = Q F Q^T.
+TestResult change_of_basis(const Specimen& specimen);
+
+/// The body alone turned before it is loaded: F' = F Q^T, sigma' = sigma for isotropic materials.
+TestResult isotropy(const Specimen& specimen);
+
+/// At rest, while it is loaded, and between loads, by 2.3 rad about (1, 2, 3).
+enum class When { before, during, after };
+RotationFinding rotation(const Specimen& specimen, When when);
+
+/// The frame turns while the stretch is held: exact for any increment that keeps rotations apart.
+RotationFinding rotation_at_fixed_stretch(const Specimen& specimen);
+
+/// Many revolutions at fixed stretch must not change the size of the stress.
+TestResult revolutions(const Specimen& specimen);
+
+/// A rigid rotation from rest leaves no stress.
+RotationFinding rotation_at_rest(const Specimen& specimen);
+
+/// The tensors and vectors of the state after a rotation at fixed stretch. One that did not turn is no defect by
+/// itself: a model may keep it in a frame of its own.
+RotationFinding rotation_of_state(const Specimen& specimen);
+
+}  // namespace assay::check

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/check/specimen.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace assay::check {
+
+namespace {
+
+constexpr double largest_amplitude = 0.15, least_amplitude = 1e-6;
+constexpr double probe = 1e-5;          ///< strain of the probes from rest: most materials yield later
+constexpr double linear_within = 1e-2;  ///< relative: between probes of one and of two sizes
+constexpr std::array<std::array<int, 2>, 6> places{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
+
+/// By central differences of single steps from rest.
+Stiffness stiffness_by(const Material& material, double size) {
+  Stiffness result;
+  const std::vector<double> rest = state_at_rest(material);
+  for (int column = 0; column < 6; ++column) {
+    const int i = places[static_cast<std::size_t>(column)][0], j = places[static_cast<std::size_t>(column)][1];
+    const auto stress = [&](double strain) {
+      Tensor F = Tensor::Identity();
+      F(i, j) += strain;
+      if (i != j) F(j, i) += strain;
+      return stepped(material, 0, 1, Tensor::Identity(), F, rest).cauchy;
+    };
+    const Tensor slope = (stress(size) - stress(-size)) / (2 * size);
+    for (int row = 0; row < 6; ++row) {
+      const auto [k, l] = places[static_cast<std::size_t>(row)];
+      result(row, column) = slope(k, l);
+    }
+  }
+  return result;
+}
+
+void load(const Material& material, double amplitude, int steps) {
+  const Loading loading{[&](double t) { return stretch(amplitude, t); }, 1};
+  march(material, loading, {.steps = steps, .state = state_at_rest(material)});
+}
+
+/// The largest amplitude, halved from the first, that the material stands. Throws MaterialFailure where it stands none.
+double amplitude_of(const Material& material, int steps) {
+  for (double amplitude = largest_amplitude;; amplitude *= 0.5) {
+    try {
+      load(material, amplitude, steps);
+      return amplitude;
+    } catch (const MaterialFailure&) {
+      if (amplitude < least_amplitude) throw;
+    }
+  }
+}
+
+}  // namespace
+
+Tensor stretch(double amplitude, double s) {
+  Tensor A, B;
+  A << 1, 0.4, -0.3, 0.4, -0.5, 0.2, -0.3, 0.2, 0.3;
+  B << -0.2, 0.5, 0.1, 0.5, 0.6, -0.4, 0.1, -0.4, -0.3;
+  return Tensor::Identity() + amplitude * (std::sin(1.5 * std::numbers::pi * s) * A + s * s * B);
+}
+
+Specimen examine(const Material& material, const Options& options) {
+  Specimen specimen{&material, options};
+  specimen.stiffness = stiffness_by(material, probe);
+  specimen.modulus = specimen.stiffness.cwiseAbs().maxCoeff();
+  const Stiffness half = stiffness_by(material, 0.5 * probe);
+  specimen.linear = (half - specimen.stiffness).cwiseAbs().maxCoeff() < linear_within * specimen.modulus;
+  specimen.amplitude = amplitude_of(material, specimen.steps());
+  return specimen;
+}
+
+Tensor stress_of(const Stiffness& stiffness, const Tensor& H) {
+  Eigen::Matrix<double, 6, 1> strain;
+  for (int c = 0; c < 6; ++c) {
+    const auto [i, j] = places[static_cast<std::size_t>(c)];
+    strain(c) = 0.5 * (H(i, j) + H(j, i));
+  }
+  const Eigen::Matrix<double, 6, 1> stress = stiffness * strain;
+  Tensor sigma;
+  for (int c = 0; c < 6; ++c) {
+    const auto [i, j] = places[static_cast<std::size_t>(c)];
+    sigma(i, j) = sigma(j, i) = stress(c);
+  }
+  return sigma;
+}
+
+}  // namespace assay::check

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is found out about a material before it is tested: its stiffness at rest, and how far it can be loaded.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "harness/check/battery.hpp"
+#include "harness/check/march.hpp"
+
+namespace assay::check {
+
+/// d sigma / d eps at rest [Pa], rows and columns 11, 22, 33, 12, 13, 23; shear columns for the tensor component.
+using Stiffness = Eigen::Matrix<double, 6, 6>;
+
+struct Specimen {
+  const Material* material;
+  Options options;
+  Stiffness stiffness = Stiffness::Zero();
+  double modulus = 0;    ///< largest component of `stiffness` [Pa]
+  bool linear = false;   ///< its response to small strains from rest is
+  double amplitude = 0;  ///< of strain, that the material stands along `loading`
+
+  bool isotropic() const { return material->table().symmetry == ASSAY_ISOTROPIC; }
+  bool rate_dependent() const { return material->has(ASSAY_RATE_DEPENDENT); }
+  int steps() const { return options.quick ? 40 : 100; }
+};
+
+/// Throws MaterialFailure where the material cannot be loaded at all.
+Specimen examine(const Material& material, const Options& options);
+
+/// sigma of a small strain sym(H) [Pa].
+Tensor stress_of(const Stiffness& stiffness, const Tensor& H);
+
+/// A stretch along turning axes, out, back and beyond: 0 <= s <= 1, F = I at 0.
+Tensor stretch(double amplitude, double s);
+
+}  // namespace assay::check

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/check/tangent_conventions.hpp"
+
+#include <Eigen/LU>
+
+namespace assay::check {
+
+namespace {
+
+int at(int i, int j) { return 3 * i + j; }
+
+/// d (J sigma) / d F over J: d sigma / d F + sigma F^-T.
+Tangent kirchhoff_over_J(const Tangent& A, const Tensor& sigma, const Tensor& F) {
+  const Tensor inverse = F.inverse();
+  Tangent result = A;
+  for (int row = 0; row < 9; ++row) {
+    for (int k = 0; k < 3; ++k) {
+      for (int L = 0; L < 3; ++L) result(row, at(k, L)) += component(sigma, row) * inverse(L, k);
+    }
+  }
+  return result;
+}
+
+/// To increments l = dF F^-1: a_ijkl = A_ijkL F_lL.
+Tangent spatial(const Tangent& A, const Tensor& F) {
+  Tangent result = Tangent::Zero();
+  for (int row = 0; row < 9; ++row) {
+    for (int k = 0; k < 3; ++k) {
+      for (int l = 0; l < 3; ++l) {
+        for (int L = 0; L < 3; ++L) result(row, at(k, l)) += A(row, at(k, L)) * F(l, L);
+      }
+    }
+  }
+  return result;
+}
+
+/// The part for symmetric l.
+Tangent of_strain(const Tangent& a) {
+  Tangent result;
+  for (int row = 0; row < 9; ++row) {
+    for (int k = 0; k < 3; ++k) {
+      for (int l = 0; l < 3; ++l) result(row, at(k, l)) = 0.5 * (a(row, at(k, l)) + a(row, at(l, k)));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, Tangent>> other_conventions(const Tangent& A, const Tensor& sigma, const Tensor& F) {
+  const double J = F.determinant();
+  const Tensor inverse = F.inverse();
+  const Tangent tau_over_J = kirchhoff_over_J(A, sigma, F);
+  Tangent columns, piola = Tangent::Zero();
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      for (int row = 0; row < 9; ++row) columns(row, at(i, j)) = A(row, at(j, i));
+    }
+  }
+  // P = tau F^-T: dP_iJ = dtau_im F^-1_Jm - tau_im F^-1_Jk dF_kL F^-1_Lm
+  for (int i = 0; i < 3; ++i) {
+    for (int jj = 0; jj < 3; ++jj) {
+      for (int k = 0; k < 3; ++k) {
+        for (int L = 0; L < 3; ++L) {
+          double value = 0;
+          for (int m = 0; m < 3; ++m) {
+            value +=
+                J * (tau_over_J(at(i, m), at(k, L)) * inverse(jj, m) - sigma(i, m) * inverse(jj, k) * inverse(L, m));
+          }
+          piola(at(i, jj), at(k, L)) = value;
+        }
+      }
+    }
+  }
+  const Tangent plain = of_strain(spatial(A, F)), jaumann = of_strain(spatial(tau_over_J, F));
+  return {{"transposed", A.transpose()},
+          {"d sigma / d F with the indices of F exchanged (column-major)", columns},
+          {"d (J sigma) / d F, of the Kirchhoff stress", J * tau_over_J},
+          {"d P / d F, of the first Piola-Kirchhoff stress", piola},
+          {"d sigma / d eps, of a strain in the current configuration", plain},
+          {"the modulus of the Jaumann rate of J sigma, over J (Abaqus)", jaumann}};
+}
+
+}  // namespace assay::check

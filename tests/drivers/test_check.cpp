@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "drivers/check_report.hpp"
+#include "drivers/scene/yaml_reader.hpp"
+#include "tests/drivers/process.hpp"
+#include "tests/drivers/refusal.hpp"
+#include "tests/drivers/scratch_folder.hpp"
+
+namespace assay::drivers {
+namespace {
+
+const std::string plugins = ASSAY_BINARY_DIR "/tests/plugins/";
+
+/// `assay check` with these words; what it prints goes to a file of the scratch folder.
+int checked(const std::vector<std::string>& words, std::string* said = nullptr) {
+  std::vector<std::string> all{"check"};
+  all.insert(all.end(), words.begin(), words.end());
+  const Ending ending = assay(all);
+  if (said) *said = ending.said;
+  return ending.status;
+}
+
+TEST(Check, PassesABuiltInModelAndSaysItInJsonAndJUnit) {
+  const ScratchFolder scratch;
+  const std::string json = scratch / "check.json", junit = scratch / "check.xml";
+  EXPECT_EQ(
+      checked({"zener", "--parameters", "E=1e3,relaxation_time=0.5", "--quick", "--json", json, "--junit", junit}), 0);
+  const auto found = nlohmann::json::parse(read_bytes(json));
+  EXPECT_EQ(found["material"], "zener");
+  EXPECT_EQ(found["verdict"], "pass");
+  EXPECT_EQ(found["parameters"]["E"], 1e3);
+  EXPECT_TRUE(found["diagnosis"].empty());
+  std::set<std::string> ids;
+  for (const auto& test : found["tests"]) {
+    ids.insert(test["id"].get<std::string>());
+    for (const char* key : {"verdict", "measure", "threshold", "order", "cause"})
+      EXPECT_TRUE(test.contains(key)) << key;
+    EXPECT_TRUE(test["cause"].is_null());
+  }
+  EXPECT_EQ(ids.count("rotation.during"), 1u);
+  const std::string xml = read_bytes(junit);
+  EXPECT_NE(xml.find("<testsuite name=\"assay check zener\""), std::string::npos) << xml;
+  EXPECT_NE(xml.find("name=\"rotation.during\""), std::string::npos);
+  EXPECT_EQ(xml.find("<failure"), std::string::npos);
+}
+
+TEST(Check, TakesSceneDescriptionAndLibrary) {
+  const ScratchFolder scratch;
+  EXPECT_EQ(checked({ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml", "--quick"}), 0);
+  const std::string description = scratch.write("clay.yaml", "library: " + plugins + "frozen_1_0.so\n");
+  for (const std::string& material : {plugins + "frozen_1_0.so", description}) {
+    std::string said;
+    EXPECT_NE(checked({material, "--quick"}, &said), 2) << said;
+  }
+}
+
+TEST(Check, RefusesBadInputInOneLine) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"neo_hookean"}, "E"},
+      {{"neo_hookeen"}, "neo_hookean"},
+      {{"neo_hookean", "--parameters", "E"}, "NAME=NUMBER"},
+      {{"neo_hookean", "--parameters", "E=1,E=2"}, "twice"},
+      {{"neo_hookean", "--parameters", "F=1"}, "F"},
+      {{}, "MATERIAL"}};
+  for (const auto& [words, part] : cases) {
+    std::string said;
+    EXPECT_EQ(checked(words, &said), 2) << part;
+    EXPECT_NE(said.find(part), std::string::npos) << said;
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+  }
+}
+
+CheckedMaterial broken() {
+  CheckedMaterial checked{"clay", "", {{"E", 1e3}}, {}, 0.25};
+  checked.report.tests = {{.id = "rest", .measure = 0.0, .threshold = 1e-9, .sentence = "nothing"},
+                          {.id = "rotation.fixed_stretch",
+                           .verdict = check::Verdict::fail,
+                           .measure = 0.15,
+                           .threshold = 2e-5,
+                           .cause = check::causes::rotation_missing,
+                           .sentence = "the stress <stays> & \"waits\""},
+                          {.id = "tangent", .verdict = check::Verdict::not_applicable, .sentence = "none is offered"}};
+  checked.report.diagnosis = {{check::causes::rotation_missing, "the stress <stays> & \"waits\""}};
+  return checked;
+}
+
+TEST(CheckReport, JUnitShowsTheCauseInTheMessage) {
+  const std::string xml = check_junit(broken());
+  EXPECT_NE(xml.find("<testsuites tests=\"3\" failures=\"1\" errors=\"0\" time=\"0.25\">"), std::string::npos) << xml;
+  EXPECT_NE(xml.find("skipped=\"1\""), std::string::npos);
+  EXPECT_NE(xml.find("<failure message=\"increment rotation missing: the stress &lt;stays&gt; &amp; "
+                     "&quot;waits&quot;\" type=\"increment rotation missing\">"),
+            std::string::npos)
+      << xml;
+  EXPECT_NE(xml.find("<skipped message=\"none is offered\"/>"), std::string::npos);
+}
+
+TEST(CheckReport, TextFitsEightyColumnsAndEndsWithTheDiagnosis) {
+  for (const Verbosity verbosity : {Verbosity::quiet, Verbosity::normal, Verbosity::verbose}) {
+    std::istringstream page(check_text(broken(), verbosity));
+    std::string line, last;
+    for (; std::getline(page, line); last = line) EXPECT_LE(line.size(), 80u) << line;
+    EXPECT_EQ(last, "    the stress <stays> & \"waits\"");
+  }
+  EXPECT_EQ(check_text(broken(), Verbosity::quiet).find("rest"), std::string::npos);
+}
+
+TEST(CheckReport, JsonHasNoNumberForWhatIsInfinite) {
+  CheckedMaterial checked = broken();
+  checked.report.tests[1].measure = INFINITY;
+  const auto found = nlohmann::json::parse(check_json(checked));
+  EXPECT_EQ(found["verdict"], "fail");
+  EXPECT_TRUE(found["tests"][1]["measure"].is_null());
+  EXPECT_EQ(found["tests"][1]["cause"], "increment rotation missing");
+  EXPECT_EQ(found["tests"][2]["verdict"], "n/a");
+  EXPECT_EQ(found["diagnosis"][0]["cause"], "increment rotation missing");
+}
+
+}  // namespace
+}  // namespace assay::drivers
