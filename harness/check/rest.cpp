@@ -39,7 +39,8 @@ TestResult zero_increment(const Specimen& specimen) {
     const Tensor F = loading.F(1);
     Point now = loaded.marks[0];
     for (int repeat = 0; repeat < 3; ++repeat) now = stepped(material, 1, 0.01, F, F, now.state);
-    errors[static_cast<std::size_t>(k)] = distance(now.cauchy, loaded.marks[0].cauchy) / loaded.largest;
+    errors[static_cast<std::size_t>(k)] =
+        distance(now.cauchy, loaded.marks[0].cauchy) / std::max(loaded.largest, specimen.least_stress());
   }
   const Limit limit = limit_of(errors);
   result.measure = limit.value;

@@ -23,13 +23,13 @@ Loading turning(const Loading& loading, const AngleOf& angle_at) {
 }
 
 /// The largest over the phases' ends, relative to the largest stress of the history at rest.
-double error_between(const March& still, const March& seen, const AngleOf& angle_at) {
+double error_between(const Specimen& specimen, const March& still, const March& seen, const AngleOf& angle_at) {
   double error = 0;
   for (std::size_t k = 0; k < still.marks.size(); ++k) {
     const Tensor Q = turn(angle_at(static_cast<double>(k) + 1));
     error = std::max(error, distance(rotated(Q.transpose(), seen.marks[k].cauchy), still.marks[k].cauchy));
   }
-  return error / still.largest;
+  return error / std::max(still.largest, specimen.least_stress());
 }
 
 struct Twins {
@@ -94,9 +94,10 @@ TestResult exact_twin(const Specimen& specimen, const char* id, const Loading& s
   const int steps = specimen.steps();
   const March a = march(material, still, {.steps = steps, .state = state_at_rest(material)});
   const March b = march(material, seen, {.steps = steps, .state = state_at_rest(material, direction)});
+  const double scale = std::max(a.largest, specimen.least_stress());
   double error = 0;
   for (std::size_t k = 0; k < a.marks.size(); ++k) {
-    error = std::max(error, distance(rotated(Q.transpose(), b.marks[k].cauchy), a.marks[k].cauchy) / a.largest);
+    error = std::max(error, distance(rotated(Q.transpose(), b.marks[k].cauchy), a.marks[k].cauchy) / scale);
   }
   TestResult result{.id = id, .measure = error, .threshold = own_precision};
   result.verdict = error <= own_precision ? Verdict::pass : Verdict::fail;
@@ -148,7 +149,7 @@ RotationFinding rotation(const Specimen& specimen, When when) {
   std::array<double, 3> errors{};
   for (int k = 0; k < 3; ++k) {
     const Twins twins = march_twins(specimen, c.loading, c.angle_at, specimen.steps() << k);
-    errors[static_cast<std::size_t>(k)] = error_between(twins.still, twins.seen, c.angle_at);
+    errors[static_cast<std::size_t>(k)] = error_between(specimen, twins.still, twins.seen, c.angle_at);
   }
   const Limit limit = limit_of(errors);
   RotationFinding finding{{.id = c.id, .measure = limit.value, .threshold = converging_limit, .order = limit.order}};
@@ -166,7 +167,7 @@ RotationFinding rotation_at_fixed_stretch(const Specimen& specimen) {
   Twins twins;
   for (int k = 0; k < 3; ++k) {
     twins = march_twins(specimen, loading, angle_at, (specimen.steps() / 4) << k);
-    errors[static_cast<std::size_t>(k)] = error_between(twins.still, twins.seen, angle_at);
+    errors[static_cast<std::size_t>(k)] = error_between(specimen, twins.still, twins.seen, angle_at);
   }
   const double worst = *std::max_element(errors.begin(), errors.end());
   const Limit limit = limit_of(errors);
@@ -187,7 +188,7 @@ TestResult revolutions(const Specimen& specimen) {
   const AngleOf angle_at = [](double t) { return 2 * std::numbers::pi * std::max(0.0, t - 1); };
   const Twins twins = march_twins(specimen, loading, angle_at, steps);
   const double still = twins.still.marks.back().cauchy.norm(), seen = twins.seen.marks.back().cauchy.norm();
-  const double growth = std::abs(seen - still) / std::max(still, 1e-6 * twins.still.largest);
+  const double growth = std::abs(seen - still) / std::max({still, 1e-6 * twins.still.largest, specimen.least_stress()});
   constexpr double most = 1e-3;  // 800 steps in single precision
   TestResult result{.id = "rotation.revolutions", .measure = growth, .threshold = most};
   result.verdict = growth <= most ? Verdict::pass : Verdict::fail;

@@ -22,6 +22,8 @@ struct Specimen {
 
   bool isotropic() const { return material->table().symmetry == ASSAY_ISOTROPIC; }
   bool rate_dependent() const { return material->has(ASSAY_RATE_DEPENDENT); }
+  /// Stress [Pa] below which a difference is measured against this: a material may have none along a whole history.
+  double least_stress() const { return 1e-9 * modulus * amplitude; }
   int steps() const { return options.quick ? 40 : 100; }
 };
 

@@ -18,7 +18,7 @@ Tensor stress_after(const Specimen& specimen, int steps, double length, double b
   const Material& material = *specimen.material;
   const March found = march(material, out_and_back(specimen),
                             {.steps = steps, .phase_length = length, .begin = begin, .state = state_at_rest(material)});
-  largest = found.largest;
+  largest = std::max(found.largest, specimen.least_stress());
   return found.marks[0].cauchy;
 }
 
@@ -38,7 +38,8 @@ TestResult continuity(const Specimen& specimen) {
     const Tensor expected = stress(F);
     for (const double change : {1e-14, 1e-12, 1e-10, 1e-8}) {
       const Tensor moved = stress(F + change * stretch(1, s));
-      const double error = distance(moved, expected) / expected.cwiseAbs().maxCoeff();
+      const double error =
+          distance(moved, expected) / std::max(expected.cwiseAbs().maxCoeff(), specimen.least_stress());
       const double excess = error - per_change * change / specimen.amplitude;
       if (!(excess <= worst)) worst = std::isfinite(excess) ? excess : INFINITY, at = change;
     }
