@@ -108,7 +108,7 @@ std::vector<Verb> scene_verbs(CLI::App& app, Arguments& given) {
 
 std::vector<Verb> material_verbs(CLI::App& app, Arguments& given) {
   std::vector<Verb> verbs;
-  CLI::App& check_verb = add_verb(app, "check", "frame indifference and the whole battery, of one material",
+  CLI::App& check_verb = add_verb(app, "check", "whether a material is frame-indifferent, and more",
                                   "assay check ./libmodel.so --parameters E=1e3,nu=0.3 --junit check.xml");
   check_verb.add_option("MATERIAL", given.material, "name, library, description or scene")->required()->type_name("");
   check_verb.add_option("--parameters", given.parameters, "in place of the defaults")->type_name("NAME=NUMBER,...");
