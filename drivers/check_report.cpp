@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/output/number_format.hpp"
+#include "drivers/output/wrapped_text.hpp"
+#include "drivers/picture/drawing.hpp"
 
 namespace assay::drivers {
 
@@ -23,25 +25,6 @@ std::string padded(std::string text, std::size_t width) {
 std::string figure(const std::optional<double>& value) {
   if (!value) return "-";
   return std::isinf(*value) ? "infinite" : rounded_text(*value, 2);
-}
-
-/// Broken between words so that no line is longer than 80; `indent` before each.
-std::string wrapped(const std::string& text, const std::string& indent) {
-  constexpr std::size_t width = 80;
-  std::string page, line;
-  const auto flush = [&] {
-    if (!line.empty()) page += indent + line + "\n";
-    line.clear();
-  };
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
-    if (!line.empty() && indent.size() + line.size() + 1 + word.size() > width) flush();
-    line += (line.empty() ? "" : " ") + word;
-    begin = end + 1;
-  }
-  flush();
-  return page;
 }
 
 std::string row(const std::string& id, const std::string& verdict, const std::string& measure,
@@ -67,31 +50,6 @@ std::string summary(const CheckedMaterial& checked) {
 
 Json number(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
-
-/// Text in an attribute or an element; what XML cannot hold becomes '?'.
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += byte < 0x20 ? '?' : c;
-    }
-  }
-  return out;
 }
 
 std::string attribute(const char* name, const std::string& value) {
@@ -124,14 +82,15 @@ std::string check_text(const CheckedMaterial& checked, Verbosity verbosity) {
     for (const TestResult& test : checked.report.tests) {
       page += row(test.id, test.verdict == Verdict::fail ? "FAIL" : verdict_name(test.verdict), figure(test.measure),
                   figure(test.threshold), figure(test.order));
-      if (verbosity == Verbosity::verbose || test.verdict == Verdict::fail) page += wrapped(test.sentence, "    ");
+      if (verbosity == Verbosity::verbose || test.verdict == Verdict::fail)
+        page += wrapped(test.sentence, "    ", "    ");
     }
     page += "\n";
   }
   page += summary(checked);
   for (const check::Diagnosis& d : checked.report.diagnosis) {
-    page += wrapped("diagnosis: " + d.cause, "");
-    page += wrapped(d.sentence, "    ");
+    page += wrapped(d.cause, "diagnosis: ", "");
+    page += wrapped(d.sentence, "    ", "    ");
   }
   return page;
 }

@@ -207,4 +207,10 @@ UpdateReport Material::update(double t, double dt, std::size_t n, const double* 
   return report;
 }
 
+bool has_direction(const assay_material& table) {
+  return std::any_of(table.state, table.state + table.state_count, [](const assay_state_variable& variable) {
+    return variable.role == ASSAY_ROLE_DIRECTION && variable.kind == ASSAY_VECTOR;
+  });
+}
+
 }  // namespace assay

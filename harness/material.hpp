@@ -94,4 +94,7 @@ class Material {
 /// Components of a state variable of that kind: 1, 3, 6, 9; 0 for an unknown kind.
 int components_of_kind(std::int32_t kind);
 
+/// Whether the host has to fill in a direction of the material.
+bool has_direction(const assay_material& table);
+
 }  // namespace assay

@@ -60,16 +60,6 @@ ResolvedMaterial resolve_material(const MaterialChoice& given) {
   return {std::move(material), std::move(choice), source.library};
 }
 
-namespace {
-
-bool has_direction(const assay_material& table) {
-  return std::any_of(table.state, table.state + table.state_count, [](const assay_state_variable& variable) {
-    return variable.role == ASSAY_ROLE_DIRECTION && variable.kind == ASSAY_VECTOR;
-  });
-}
-
-}  // namespace
-
 ResolvedMaterial resolve_material(const Scene& scene) {
   ResolvedMaterial resolved = resolve_material(scene.material);
   if (std::holds_alternative<Vortex>(scene.motion) && resolved.material.table().symmetry == ASSAY_ANISOTROPIC) {

@@ -54,7 +54,7 @@ std::vector<Entry> first_entries() {
 }
 
 std::vector<Entry> entries() {
-  const auto turning = [](When when) { return [when](const Specimen& s) { return rotation(s, when); }; };
+  const auto turning = [](When when) { return plain([when](const Specimen& s) { return rotation(s, when); }); };
   return {
       {"rest", causes::refuses, plain(stress_at_rest)},
       {"zero_increment", causes::refuses, plain(zero_increment)},
@@ -64,9 +64,9 @@ std::vector<Entry> entries() {
       {"basis", causes::not_indifferent, plain(change_of_basis)},
       {"isotropy", causes::not_isotropic, plain(isotropy)},
       {"rotation.at_rest", causes::not_indifferent, kept(&Evidence::at_rest, rotation_at_rest)},
-      {"rotation.before", causes::not_indifferent, kept(&Evidence::before, turning(When::before))},
-      {"rotation.during", causes::not_indifferent, kept(&Evidence::during, turning(When::during))},
-      {"rotation.after", causes::not_indifferent, kept(&Evidence::after, turning(When::after))},
+      {"rotation.before", causes::not_indifferent, turning(When::before)},
+      {"rotation.during", causes::not_indifferent, turning(When::during)},
+      {"rotation.after", causes::not_indifferent, turning(When::after)},
       {"rotation.fixed_stretch", causes::not_indifferent, kept(&Evidence::fixed, rotation_at_fixed_stretch)},
       {"rotation.revolutions", causes::not_indifferent, plain(revolutions)},
       {"rotation.state", causes::not_indifferent, kept(&Evidence::state, rotation_of_state)},

@@ -134,7 +134,7 @@ constexpr std::size_t guard = 256;  ///< elements on either side
 template <class T>
 class Guarded {
  public:
-  Guarded(std::size_t used, T mark) : all_(used + 2 * guard, mark), used_(used), mark_(mark) {}
+  Guarded(std::size_t used, T mark) : all_(used + 2 * guard, mark), mark_(mark) {}
 
   T* data() { return all_.data() + guard; }
   bool broken() const {
@@ -149,7 +149,6 @@ class Guarded {
 
  private:
   std::vector<T> all_;
-  std::size_t used_;
   T mark_;
 };
 

@@ -71,6 +71,13 @@ Tangent offered(const Material& material, const assay_tangent& form, const Sampl
   return result;
 }
 
+/// Energy [J/m^3]; no number where the model fails.
+double stored(const Material& material, const assay_energy& form, const Tensor& F, const std::vector<double>& state) {
+  double nine[9], value = NAN;
+  for (int c = 0; c < 9; ++c) nine[c] = component(F, c);
+  return form.energy(material.self(), 1, nine, state.data(), &value) == ASSAY_FAILED ? NAN : value;
+}
+
 TestResult not_offered(const char* id, const char* what) {
   return {.id = id, .verdict = Verdict::not_applicable, .sentence = std::string("the model offers no ") + what};
 }
@@ -124,9 +131,9 @@ TestResult energy(const Specimen& specimen) {
     Tensor P;
     for (int c = 0; c < 9; ++c) {
       const auto W = [&](double by) {
-        double F[9], value = NAN;
-        for (int k = 0; k < 9; ++k) F[k] = component(s.F1, k) + (k == c ? by : 0);
-        return form->energy(material.self(), 1, F, held.state.data(), &value) == ASSAY_FAILED ? NAN : value;
+        Tensor F = s.F1;
+        component(F, c) += by;
+        return stored(material, *form, F, held.state);
       };
       const double h = 1e-4;
       component(P, c) = (8 * (W(h) - W(-h)) - (W(2 * h) - W(-2 * h))) / (12 * h);
@@ -152,12 +159,7 @@ TestResult dissipation(const Specimen& specimen) {
   const int steps = 4 * specimen.steps();
   Point now{Tensor::Zero(), state_at_rest(material)};
   Tensor F0 = Tensor::Identity(), P0 = Tensor::Zero();
-  const auto W = [&](const Tensor& F, const std::vector<double>& state) {
-    double nine[9], value = NAN;
-    for (int c = 0; c < 9; ++c) nine[c] = component(F, c);
-    return form->energy(material.self(), 1, nine, state.data(), &value) == ASSAY_FAILED ? NAN : value;
-  };
-  const double stored_at_rest = W(F0, now.state);
+  const double stored_at_rest = stored(material, *form, F0, now.state);
   double work = 0, most_work = 0, lost = 0, peak = 0, worst = 0;
   for (int k = 0; k < steps; ++k) {
     const Tensor F1 = stretch(specimen.amplitude, (k + 1.0) / steps);
@@ -166,7 +168,7 @@ TestResult dissipation(const Specimen& specimen) {
     const double done = 0.5 * (P0 + P1).cwiseProduct(F1 - F0).sum();
     work += done;
     most_work += std::abs(done);
-    lost = work - (W(F1, now.state) - stored_at_rest);
+    lost = work - (stored(material, *form, F1, now.state) - stored_at_rest);
     peak = std::max(peak, lost);
     worst = std::max(worst, peak - lost);  // what has come back of what was lost
     F0 = F1, P0 = P1;

@@ -8,7 +8,7 @@ namespace assay::check {
 
 /// What the tests of rotation tell beyond their verdicts.
 struct Evidence {
-  RotationFinding at_rest, before, during, after, fixed, state;
+  RotationFinding at_rest, fixed, state;
   bool has_tensors = false;  ///< the state has something that a spin could turn
 };
 

@@ -118,9 +118,7 @@ TestResult constant_rotation(const Specimen& specimen) {
 }
 
 TestResult change_of_basis(const Specimen& specimen) {
-  const assay_material& table = specimen.material->table();
-  const bool directed = std::any_of(table.state, table.state + table.state_count,
-                                    [](const auto& variable) { return variable.role == ASSAY_ROLE_DIRECTION; });
+  const bool directed = has_direction(specimen.material->table());
   if (!specimen.isotropic() && !directed) {
     return {.id = "basis",
             .verdict = Verdict::not_applicable,
@@ -144,7 +142,7 @@ TestResult isotropy(const Specimen& specimen) {
                     "the same history of a body that was turned before");
 }
 
-RotationFinding rotation(const Specimen& specimen, When when) {
+TestResult rotation(const Specimen& specimen, When when) {
   const Case c = case_of(specimen, when);
   std::array<double, 3> errors{};
   for (int k = 0; k < 3; ++k) {
@@ -152,11 +150,10 @@ RotationFinding rotation(const Specimen& specimen, When when) {
     errors[static_cast<std::size_t>(k)] = error_between(specimen, twins.still, twins.seen, c.angle_at);
   }
   const Limit limit = limit_of(errors);
-  RotationFinding finding{{.id = c.id, .measure = limit.value, .threshold = converging_limit, .order = limit.order}};
-  finding.result.verdict = limit.passes() ? Verdict::pass : Verdict::fail;
-  finding.result.sentence = std::string(c.words) + ": " + how(limit, errors, specimen.steps());
-  finding.falls = limit.order.has_value();
-  return finding;
+  TestResult result{.id = c.id, .measure = limit.value, .threshold = converging_limit, .order = limit.order};
+  result.verdict = limit.passes() ? Verdict::pass : Verdict::fail;
+  result.sentence = std::string(c.words) + ": " + how(limit, errors, specimen.steps());
+  return result;
 }
 
 RotationFinding rotation_at_fixed_stretch(const Specimen& specimen) {
@@ -212,7 +209,6 @@ RotationFinding rotation_at_rest(const Specimen& specimen) {
   finding.result.order = limit.order;
   finding.result.verdict = limit.passes() ? Verdict::pass : Verdict::fail;
   finding.result.sentence = "stress over modulus of a body that turns and is not loaded: " + rounded(errors[2]);
-  finding.falls = limit.order.has_value();
   const Loading little{[](double t) { return turn(small_angle * t); }, 1};
   const Tensor found =
       march(material, little, {.steps = specimen.steps(), .state = state_at_rest(material)}).marks[0].cauchy;

@@ -30,7 +30,7 @@ TestResult isotropy(const Specimen& specimen);
 
 /// At rest, while it is loaded, and between loads, by 2.3 rad about (1, 2, 3).
 enum class When { before, during, after };
-RotationFinding rotation(const Specimen& specimen, When when);
+TestResult rotation(const Specimen& specimen, When when);
 
 /// The frame turns while the stretch is held: exact for any increment that keeps rotations apart.
 RotationFinding rotation_at_fixed_stretch(const Specimen& specimen);

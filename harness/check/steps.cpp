@@ -10,13 +10,13 @@ namespace assay::check {
 
 namespace {
 
-Loading out_and_back(const Specimen& specimen) {
+Loading whole_way(const Specimen& specimen) {
   return {[a = specimen.amplitude](double t) { return stretch(a, t); }, 1};
 }
 
 Tensor stress_after(const Specimen& specimen, int steps, double length, double begin, double& largest) {
   const Material& material = *specimen.material;
-  const March found = march(material, out_and_back(specimen),
+  const March found = march(material, whole_way(specimen),
                             {.steps = steps, .phase_length = length, .begin = begin, .state = state_at_rest(material)});
   largest = std::max(found.largest, specimen.least_stress());
   return found.marks[0].cauchy;
