@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "harness/check/arrays.hpp"
 #include "harness/check/calls.hpp"
 #include "harness/check/derivatives.hpp"
 #include "harness/check/diagnosis.hpp"
@@ -11,6 +12,7 @@
 #include "harness/check/repeated_stretch.hpp"
 #include "harness/check/rest.hpp"
 #include "harness/check/rotation.hpp"
+#include "harness/check/stability.hpp"
 #include "harness/check/steps.hpp"
 
 namespace assay::check {
@@ -67,6 +69,7 @@ std::vector<Entry> entries() {
       {"rotation.before", causes::not_indifferent, turning(When::before)},
       {"rotation.during", causes::not_indifferent, turning(When::during)},
       {"rotation.after", causes::not_indifferent, turning(When::after)},
+      {"rotation.apex", causes::repeated_stretch, plain(rotation_at_apex)},
       {"rotation.fixed_stretch", causes::not_indifferent, kept(&Evidence::fixed, rotation_at_fixed_stretch)},
       {"rotation.revolutions", causes::not_indifferent, plain(revolutions)},
       {"rotation.state", causes::not_indifferent, kept(&Evidence::state, rotation_of_state)},
@@ -77,6 +80,7 @@ std::vector<Entry> entries() {
       {"tangent", causes::tangent_wrong, plain(tangent)},
       {"energy", causes::energy, plain(energy)},
       {"dissipation", causes::dissipation, plain(dissipation)},
+      {"ellipticity", causes::refuses, plain(ellipticity)},
       {"calls.senseless", causes::not_a_number, plain(senseless_deformation)},
   };
 }
@@ -114,11 +118,21 @@ bool has_tensors(const assay_material& table) {
 /// A step to three stretches that differ.
 bool stands_different_stretches(const Material& material) {
   try {
-    stepped(material, 0, 1, Tensor::Identity(), stretch(1e-3, 0.2), state_at_rest(material));
+    stepped(material, 0, 1, Tensor::Identity(), stretch(1e-3, 0.2), state_at_rest(material, 0));
     return true;
-  } catch (const MaterialFailure&) {
+  } catch (const std::runtime_error&) {
     return false;
   }
+}
+
+/// A material that cannot be loaded at all.
+TestResult not_loaded(const Material& material, const std::runtime_error& error) {
+  const auto* failure = dynamic_cast<const MaterialFailure*>(&error);
+  if (!failure) return {.id = "loading", .verdict = Verdict::fail, .cause = causes::refuses, .sentence = error.what()};
+  const bool elsewhere = stands_different_stretches(material);
+  TestResult result = refused("loading", elsewhere ? causes::repeated_stretch : causes::refuses, *failure);
+  if (elsewhere) result.sentence += ": where principal stretches are equal, and only there";
+  return result;
 }
 
 }  // namespace
@@ -127,17 +141,15 @@ Report run_battery(const Material& material, const Options& options) {
   Report report;
   Evidence evidence;
   evidence.has_tensors = has_tensors(material.table());
-  report.tests.push_back(guarded_arrays(material));
+  report.tests.push_back(guarded_arrays(material, options));
   try {
     if (!any_failed(report)) {
       const Specimen specimen = examine(material, options);
       take(first_entries(), specimen, evidence, report);
       if (!any_failed(report)) take(entries(), specimen, evidence, report);
     }
-  } catch (const MaterialFailure& failure) {
-    const bool elsewhere = stands_different_stretches(material);
-    report.tests.push_back(refused("loading", elsewhere ? causes::repeated_stretch : causes::refuses, failure));
-    if (elsewhere) report.tests.back().sentence += ": where principal stretches are equal, and only there";
+  } catch (const std::runtime_error& error) {
+    report.tests.push_back(not_loaded(material, error));
   }
   report.diagnosis = diagnose(report.tests, evidence);
   std::vector<Entry> all = first_entries();

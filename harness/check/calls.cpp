@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "harness/check/judge.hpp"
@@ -23,7 +22,7 @@ Steps steps_along(const Specimen& specimen, std::size_t n) {
   const Material& material = *specimen.material;
   const std::size_t size = material.state_size();
   Steps steps{n, size, std::vector<double>(9 * n), std::vector<double>(9 * n), std::vector<double>(size * n), 0, 0};
-  std::vector<double> state = state_at_rest(material);
+  std::vector<double> state = specimen.rest_state();
   steps.dt = 1.0 / static_cast<double>(n);
   const auto F = [&](std::size_t k) {
     const double s = static_cast<double>(k) / static_cast<double>(n);
@@ -126,76 +125,6 @@ TestResult repeated_calls(const Specimen& specimen) {
   return result;
 }
 
-namespace {
-
-constexpr std::size_t guard = 256;  ///< elements on either side
-
-/// An array with guard words around it, all of one value.
-template <class T>
-class Guarded {
- public:
-  Guarded(std::size_t used, T mark) : all_(used + 2 * guard, mark), mark_(mark) {}
-
-  T* data() { return all_.data() + guard; }
-  bool broken() const {
-    const auto differs = [&](T v) { return v != mark_; };
-    return std::any_of(all_.begin(), all_.begin() + guard, differs) ||
-           std::any_of(all_.end() - static_cast<std::ptrdiff_t>(guard), all_.end(), differs);
-  }
-  bool unwritten() const {
-    return std::find(all_.begin() + guard, all_.end() - static_cast<std::ptrdiff_t>(guard), mark_) !=
-           all_.end() - static_cast<std::ptrdiff_t>(guard);
-  }
-
- private:
-  std::vector<T> all_;
-  T mark_;
-};
-
-/// What `update` does wrong to its arrays in a step of n points from rest, or empty.
-std::string misdeed(const Material& material, std::size_t n) {
-  constexpr double mark = -7.25e77, shear = 1e-5;
-  const std::size_t size = material.state_size();
-  std::vector<double> F0(9 * n, 0.0), F1(9 * n);
-  for (const std::size_t c : {0u, 4u, 8u}) std::fill_n(F0.begin() + static_cast<std::ptrdiff_t>(c * n), n, 1.0);
-  F1 = F0;
-  std::fill_n(F1.begin() + static_cast<std::ptrdiff_t>(n), n, shear);
-  const std::vector<double> state0 = material.initial_state(n), given[] = {F0, F1, state0};
-  Guarded<double> cauchy(9 * n, mark), state1(size * n, mark), factor(1, 1.0);
-  Guarded<std::int32_t> status(n, -77);
-  Guarded<char> message(ASSAY_MESSAGE_SIZE, 0);
-  const assay_step step{0, 1, F0.data(), F1.data()};
-  material.table().update(material.self(), &step, n, state0.data(), state1.data(), cauchy.data(), status.data(),
-                          factor.data(), message.data());
-  if (cauchy.broken()) return "it writes beyond the stress";
-  if (state1.broken()) return "it writes beyond the state that it declares";
-  if (status.broken()) return "it writes beyond the status of the points";
-  if (message.broken()) return "it writes beyond the message";
-  if (factor.broken()) return "it writes beyond dt_factor";
-  if (given[0] != F0 || given[1] != F1 || given[2] != state0) return "it writes into what it is given";
-  if (cauchy.unwritten()) return "it leaves components of the stress unwritten";
-  if (state1.unwritten()) return "it leaves components of the state unwritten";
-  if (status.unwritten()) return "it leaves the status of points unwritten";
-  return {};
-}
-
-}  // namespace
-
-TestResult guarded_arrays(const Material& material) {
-  TestResult result{.id = "calls.arrays", .measure = 0, .threshold = 0};
-  result.sentence = "nothing is written beyond the arrays, and all that is asked for is";
-  for (const std::size_t n : {1u, 7u}) {
-    const std::string what = misdeed(material, n);
-    if (what.empty()) continue;
-    result.measure = 1;
-    result.verdict = Verdict::fail;
-    result.cause = causes::overrun;
-    result.sentence = what;
-    break;
-  }
-  return result;
-}
-
 TestResult senseless_deformation(const Specimen& specimen) {
   const Material& material = *specimen.material;
   const Tensor I = Tensor::Identity();
@@ -204,7 +133,7 @@ TestResult senseless_deformation(const Specimen& specimen) {
     Tensor F = I;
     component(F, place) = value;
     try {
-      return stepped(material, 0, 1, I, F, state_at_rest(material)).cauchy.allFinite();
+      return stepped(material, 0, 1, I, F, specimen.rest_state()).cauchy.allFinite();
     } catch (const MaterialFailure&) {
       return false;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// That `update` is a pure function of its arguments, keeps to its arrays, and knows what is no number.
+// That `update` is a pure function of its arguments, and knows what is no number.
 #pragma once
 
 #include "harness/check/specimen.hpp"
@@ -8,10 +8,6 @@ namespace assay::check {
 
 /// The same step again, after others, in a batch, in another order, and of another instance, gives the same.
 TestResult repeated_calls(const Specimen& specimen);
-
-/// Nothing is written beyond the arrays, nor into what is given; every component of the results is written. To be taken
-/// first: other tests trust the arrays.
-TestResult guarded_arrays(const Material& material);
 
 /// F that is not a number, infinite, or turned inside out is refused or comes back as no number; nothing worse.
 TestResult senseless_deformation(const Specimen& specimen);

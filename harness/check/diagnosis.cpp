@@ -11,9 +11,9 @@ namespace {
 
 /// Tests that one mistake about rotations, stiffness or spectra fails as a whole.
 constexpr const char* of_frames[] = {
-    "elasticity.components", "elasticity.shear",  "isotropy",        "rotation.constant", "basis",
-    "rotation.at_rest",      "rotation.before",   "rotation.during", "rotation.after",    "rotation.fixed_stretch",
-    "rotation.revolutions",  "stretches.turning", "initial_stress"};
+    "elasticity.components",  "elasticity.shear",     "isotropy",          "rotation.constant", "basis",
+    "rotation.at_rest",       "rotation.before",      "rotation.during",   "rotation.after",    "rotation.apex",
+    "rotation.fixed_stretch", "rotation.revolutions", "stretches.turning", "initial_stress"};
 
 class Diagnostician {
  public:
@@ -124,6 +124,10 @@ class Diagnostician {
       std::snprintf(times, sizeof times, "%.2g", *fixed.turned);
       return explain({causes::wrong_spin,
                       std::string("the stress turns by ") + times + " times the angle by which the body turns"});
+    }
+    if (!evidence_.state.left_behind.empty()) {
+      return explain({causes::state_not_rotated, "of the state of a body that turns, " + evidence_.state.left_behind +
+                                                     " does not turn along, and the stress is wrong by that"});
     }
     explain({not_turned(), fixed.result.sentence});
   }

@@ -27,6 +27,7 @@ March march(const Material& material, const Loading& loading, const MarchOptions
     for (int k = 0; k < options.steps; ++k) {
       const Tensor F1 = loading.F(phase + (k + 1.0) / options.steps);
       const double t = options.begin + options.phase_length * phase + dt * k;
+      if (phase + 1 == loading.phases && k + 1 == options.steps) result.last = {t, dt, F0, F1, now.state};
       now = stepped(material, t, dt, F0, F1, now.state);
       result.largest = std::max(result.largest, now.cauchy.cwiseAbs().maxCoeff());
       F0 = F1;
@@ -36,8 +37,10 @@ March march(const Material& material, const Loading& loading, const MarchOptions
   return result;
 }
 
-std::vector<double> state_at_rest(const Material& material, const Vector3& direction) {
-  return material.initial_state(1, {}, std::vector<double>{direction.x(), direction.y(), direction.z()});
+std::vector<double> state_at_rest(const Material& material, double pressure, const Vector3& direction) {
+  std::vector<double> cauchy(9, 0.0);
+  for (const std::size_t c : {0u, 4u, 8u}) cauchy[c] = -pressure;
+  return material.initial_state(1, cauchy, std::vector<double>{direction.x(), direction.y(), direction.z()});
 }
 
 Tensor turn(double angle) { return Eigen::AngleAxisd(angle, Vector3(1, 2, 3).normalized()).toRotationMatrix(); }

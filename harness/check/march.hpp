@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "harness/failed_step.hpp"
 #include "harness/material.hpp"
 #include "harness/material_failure.hpp"
 #include "harness/tensor.hpp"
@@ -23,10 +24,11 @@ struct Point {
   std::vector<double> state;
 };
 
-/// Points at the end of each phase, and the largest component of stress on the way [Pa].
+/// Points at the end of each phase, the largest component of stress on the way [Pa], and the last step taken.
 struct March {
   std::vector<Point> marks;
   double largest = 0;
+  FailedStep last;
 };
 
 struct MarchOptions {
@@ -43,8 +45,10 @@ Point stepped(const Material& material, double t, double dt, const Tensor& F0, c
 /// Throws MaterialFailure.
 March march(const Material& material, const Loading& loading, const MarchOptions& options);
 
-/// State at rest, free of stress, of a material whose direction, if it has one, is `direction`.
-std::vector<double> state_at_rest(const Material& material, const Vector3& direction = Vector3::UnitX());
+/// State at rest under a pressure [Pa] of a material whose direction, if it has one, is `direction`. Throws
+/// std::runtime_error where the material cannot carry that.
+std::vector<double> state_at_rest(const Material& material, double pressure,
+                                  const Vector3& direction = Vector3::UnitX());
 
 /// The largest |component| of A - B.
 inline double distance(const Tensor& A, const Tensor& B) { return (A - B).cwiseAbs().maxCoeff(); }

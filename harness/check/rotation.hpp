@@ -28,9 +28,13 @@ TestResult change_of_basis(const Specimen& specimen);
 /// The body alone turned before it is loaded: F' = F Q^T, sigma' = sigma for isotropic materials.
 TestResult isotropy(const Specimen& specimen);
 
-/// At rest, while it is loaded, and between loads, by 2.3 rad about (1, 2, 3).
-enum class When { before, during, after };
+/// Before, while and after it is loaded, and after an expansion that may have come to an apex, by 2.3 rad about
+/// (1, 2, 3).
+enum class When { before, during, after, apex };
 TestResult rotation(const Specimen& specimen, When when);
+
+/// When::apex at an amplitude that the material stands, if there is one.
+TestResult rotation_at_apex(const Specimen& specimen);
 
 /// The frame turns while the stretch is held: exact for any increment that keeps rotations apart.
 RotationFinding rotation_at_fixed_stretch(const Specimen& specimen);

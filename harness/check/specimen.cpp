@@ -20,9 +20,11 @@ struct Probes {
   double one_sided = 0;                 ///< the largest difference between tension and compression, over the strain
 };
 
-Probes probes_of(const Material& material, double size) {
+/// About rest under a pressure [Pa].
+Probes probes_of(const Material& material, double pressure, double size) {
+  const std::vector<double> rest = state_at_rest(material, pressure);
+  const Tensor at_rest = -pressure * Tensor::Identity();
   Probes probes;
-  const std::vector<double> rest = state_at_rest(material);
   for (int column = 0; column < 6; ++column) {
     const int i = places[static_cast<std::size_t>(column)][0], j = places[static_cast<std::size_t>(column)][1];
     const auto stress = [&](double strain) {
@@ -32,7 +34,7 @@ Probes probes_of(const Material& material, double size) {
       return stepped(material, 0, 1, Tensor::Identity(), F, rest).cauchy;
     };
     const Tensor there = stress(size), back = stress(-size), slope = (there - back) / (2 * size);
-    probes.one_sided = std::max(probes.one_sided, (there + back).cwiseAbs().maxCoeff() / (2 * size));
+    probes.one_sided = std::max(probes.one_sided, (there + back - 2 * at_rest).cwiseAbs().maxCoeff() / (2 * size));
     for (int row = 0; row < 6; ++row) {
       const auto [k, l] = places[static_cast<std::size_t>(row)];
       probes.slope(row, column) = slope(k, l);
@@ -41,20 +43,25 @@ Probes probes_of(const Material& material, double size) {
   return probes;
 }
 
-void load(const Material& material, double amplitude, int steps) {
-  const Loading loading{[&](double t) { return stretch(amplitude, t); }, 1};
-  march(material, loading, {.steps = steps, .state = state_at_rest(material)});
-}
-
 /// The largest amplitude, halved from the first, that the material stands. Throws MaterialFailure where it stands none.
-double amplitude_of(const Material& material, int steps) {
+double amplitude_of(const Specimen& specimen) {
   for (double amplitude = largest_amplitude;; amplitude *= 0.5) {
+    const Loading loading{[&](double t) { return stretch(amplitude, t); }, 1};
     try {
-      load(material, amplitude, steps);
+      march(*specimen.material, loading, {.steps = specimen.steps(), .state = specimen.rest_state()});
       return amplitude;
     } catch (const MaterialFailure&) {
       if (amplitude < least_amplitude) throw;
     }
+  }
+}
+
+bool carries(const Material& material, double pressure) {
+  try {
+    state_at_rest(material, pressure);
+    return true;
+  } catch (const std::runtime_error&) {
+    return false;
   }
 }
 
@@ -67,14 +74,25 @@ Tensor stretch(double amplitude, double s) {
   return Tensor::Identity() + amplitude * (std::sin(1.5 * std::numbers::pi * s) * A + s * s * B);
 }
 
+double pressure_at_rest(const Material& material) {
+  const auto stiff = [&](double pressure) {
+    return carries(material, pressure) && probes_of(material, pressure, probe).slope.cwiseAbs().maxCoeff() != 0;
+  };
+  constexpr double pressures[] = {0, 1e5, 1e4, 1e6, 1e3, 1e7, 1e2, 1e8, 10, 1e9, 1};  // [Pa]
+  const auto* found = std::find_if(std::begin(pressures), std::end(pressures), stiff);
+  return found == std::end(pressures) ? 0 : *found;
+}
+
 Specimen examine(const Material& material, const Options& options) {
   Specimen specimen{&material, options};
-  const Probes whole = probes_of(material, probe), half = probes_of(material, 0.5 * probe);
+  specimen.pressure = pressure_at_rest(material);
+  const Probes whole = probes_of(material, specimen.pressure, probe);
+  const Probes half = probes_of(material, specimen.pressure, 0.5 * probe);
   specimen.stiffness = whole.slope;
   specimen.modulus = specimen.stiffness.cwiseAbs().maxCoeff();
   const double change = (half.slope - whole.slope).cwiseAbs().maxCoeff();
   specimen.linear = std::max(change, whole.one_sided) < linear_within * specimen.modulus;
-  specimen.amplitude = amplitude_of(material, specimen.steps());
+  specimen.amplitude = amplitude_of(specimen);
   return specimen;
 }
 

@@ -19,6 +19,11 @@ struct Specimen {
   double modulus = 0;    ///< largest component of `stiffness` [Pa]
   bool linear = false;   ///< its response to small strains from rest is
   double amplitude = 0;  ///< of strain, that the material stands along `loading`
+  double pressure = 0;   ///< at rest [Pa]: some soils have no stiffness, or no state, without one
+
+  std::vector<double> rest_state(const Vector3& direction = Vector3::UnitX()) const {
+    return state_at_rest(*material, pressure, direction);
+  }
 
   bool isotropic() const { return material->table().symmetry == ASSAY_ISOTROPIC; }
   bool rate_dependent() const { return material->has(ASSAY_RATE_DEPENDENT); }
@@ -26,6 +31,10 @@ struct Specimen {
   double least_stress() const { return 1e-9 * modulus * amplitude; }
   int steps() const { return options.quick ? 40 : 100; }
 };
+
+/// The first of some pressures [Pa], 0 before all, under which the material can be at rest and is stiff; 0 where there
+/// is none. Throws MaterialFailure.
+double pressure_at_rest(const Material& material);
 
 /// Throws MaterialFailure where the material cannot be loaded at all.
 Specimen examine(const Material& material, const Options& options);

@@ -17,7 +17,7 @@ Loading whole_way(const Specimen& specimen) {
 Tensor stress_after(const Specimen& specimen, int steps, double length, double begin, double& largest) {
   const Material& material = *specimen.material;
   const March found = march(material, whole_way(specimen),
-                            {.steps = steps, .phase_length = length, .begin = begin, .state = state_at_rest(material)});
+                            {.steps = steps, .phase_length = length, .begin = begin, .state = specimen.rest_state()});
   largest = std::max(found.largest, specimen.least_stress());
   return found.marks[0].cauchy;
 }
@@ -27,7 +27,7 @@ Tensor stress_after(const Specimen& specimen, int steps, double length, double b
 TestResult continuity(const Specimen& specimen) {
   constexpr double most = 1e-4, per_change = 1e3;
   const Material& material = *specimen.material;
-  const std::vector<double> rest = state_at_rest(material);
+  const std::vector<double> rest = specimen.rest_state();
   TestResult result{.id = "continuity", .threshold = most};
   double worst = 0, at = 0;
   for (const double s : {0.11, 0.23, 0.37}) {
@@ -95,6 +95,24 @@ TestResult clock_independence(const Specimen& specimen) {
   if (!specimen.rate_dependent()) {
     for (const double dt : {1e-9, 1e-6, 1e-3, 1.0}) {
       compare(dt * steps, 0, expected, "a step of " + rounded(dt) + " s, of a model that declares no rate dependence,");
+    }
+  }
+  for (const double s : {0.2, 0.6}) {  // from a loaded state, whose clock may have been set to anything
+    const Loading loading = {[&](double t) { return stretch(specimen.amplitude, s * t); }, 1};
+    const March loaded = march(*specimen.material, loading, {.steps = steps, .state = specimen.rest_state()});
+    const Tensor F0 = loading.F(1), F1 = loading.F(1 + 1.0 / steps);
+    const auto at = [&](double t) {
+      return stepped(*specimen.material, t, 1.0 / steps, F0, F1, loaded.marks[0].state).cauchy;
+    };
+    const Tensor usual = at(1);
+    for (const double t : {0.0, 1e-7, 1e6}) {
+      const double error = distance(at(t), usual) / largest;
+      if (error <= worst && std::isfinite(error)) continue;
+      worst = std::isfinite(error) ? error : INFINITY;
+      if (worst > most) {
+        sentence = "the same step of a loaded body at t = " + rounded(t) + " s and at 1 s differs by " +
+                   rounded(worst) + " of the stress";
+      }
     }
   }
   TestResult result{.id = "clock", .measure = worst, .threshold = most};
