@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay check`: the battery of model tests, for people, for scripts and for CI.
 #include <chrono>
-#include <cstdio>
 #include <iostream>
+#include <thread>
 
-#include "drivers/check_report.hpp"
+#include "drivers/check_material.hpp"
+#include "drivers/check_replay.hpp"
 #include "drivers/interrupt.hpp"
-#include "drivers/material/material_choice.hpp"
 #include "drivers/material/material_path.hpp"
+#include "drivers/material/registry.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/whole_file.hpp"
+#include "drivers/progress.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/scene/yaml_reader.hpp"
 #include "drivers/verbs.hpp"
@@ -59,26 +61,108 @@ ResolvedMaterial material_to_check(const CheckOptions& options) {
   return resolve_material(choice);
 }
 
+/// At what its author shows it, where its parameters have no default; `given` before all, as far as it takes them.
+ResolvedMaterial registered_material(const std::string& name, const std::map<std::string, double>& given) {
+  const MaterialSource source = find_material(name, {}, "");
+  const assay_material& table = *source.table;
+  const auto* example =
+      table.extension ? static_cast<const assay_example*>(table.extension(ASSAY_EXTENSION_EXAMPLE)) : nullptr;
+  MaterialChoice choice;
+  choice.adapter = name;
+  choice.density = source.density.value_or(1);
+  for (std::uint32_t i = 0; i < table.parameter_count; ++i) {
+    const std::string parameter = table.parameters[i].name;
+    const auto found = given.find(parameter);
+    if (found != given.end()) {
+      choice.parameters[parameter] = found->second;
+    } else if (example && source.parameters.count(parameter) == 0) {
+      choice.parameters[parameter] = example->parameters[i];
+    }
+  }
+  return resolve_material(choice);
+}
+
+CheckSettings settings_of(const CheckOptions& options) { return {options.quick, {}, options.out}; }
+
+CheckProcesses processes_for(const CheckOptions& options) {
+  constexpr double quick_limit = 120, full_limit = 900;  // [s]
+  return {.at_once = static_cast<int>(std::max(1u, std::thread::hardware_concurrency())),
+          .limit_s = options.quick ? quick_limit : full_limit};
+}
+
+CheckedMaterial check_one(const CheckOptions& options) {
+  const ResolvedMaterial resolved = material_to_check(options);
+  watch_interrupts();
+  const CheckSettings settings = settings_of(options);
+  const CheckTask task{options.material, [&](const CheckReporter& reporter) {
+                         return check_material(resolved, options.material, settings, reporter);
+                       }};
+  CheckedMaterial checked = check_in_processes({task}, processes_for(options)).front();
+  leave_replay_of_the_end(checked, settings);
+  return checked;
+}
+
+std::vector<CheckedMaterial> check_all(const CheckOptions& options) {
+  const std::map<std::string, double> given = parameters_in(options.parameters);
+  const CheckSettings settings = settings_of(options);
+  const std::vector<RegisteredName> names = registered_names();
+  watch_interrupts();
+  std::vector<CheckTask> tasks;
+  for (const RegisteredName& registered : names) {
+    tasks.push_back({registered.name, [&, name = registered.name](const CheckReporter& reporter) {
+                       return check_material(registered_material(name, given), name, settings, reporter);
+                     }});
+  }
+  Progress progress("check", options.verbosity == Verbosity::quiet);
+  CheckProcesses how = processes_for(options);
+  how.progress = [&](std::size_t done) {
+    progress.update(static_cast<double>(done) / static_cast<double>(tasks.size()),
+                    std::to_string(done) + " of " + std::to_string(tasks.size()) + " materials");
+  };
+  std::vector<CheckedMaterial> all = check_in_processes(tasks, how);
+  progress.finish();
+  for (CheckedMaterial& checked : all) leave_replay_of_the_end(checked, settings);
+  return all;
+}
+
+/// To files or standard output; whether standard output was taken.
+bool write_reports(const CheckOptions& options, const std::string& json, const std::string& junit) {
+  bool taken = false;
+  for (const auto& [file, text] : {std::pair(&options.json, &json), std::pair(&options.junit, &junit)}) {
+    if (file->empty()) continue;
+    if (*file == "-") {
+      std::cout << *text;
+      taken = true;
+    } else {
+      write_file(*file, *text);
+    }
+  }
+  return taken;
+}
+
+int status_of(const CheckedMaterial& checked) { return checked.passes() ? 0 : checked.error.empty() ? 1 : 2; }
+
 }  // namespace
 
 int check(const CheckOptions& options) {
-  const ResolvedMaterial resolved = material_to_check(options);
-  watch_interrupts();
-  const auto start = std::chrono::steady_clock::now();
-  CheckedMaterial checked{options.material, resolved.library, {}, {}, 0};
-  for (std::uint32_t i = 0; i < resolved.material.table().parameter_count; ++i) {
-    checked.parameters.emplace_back(resolved.material.table().parameters[i].name, resolved.material.parameters()[i]);
+  if (!options.replay.empty()) return check_replay(options);
+  if (!options.all) {
+    const CheckedMaterial checked = check_one(options);
+    if (!checked.error.empty()) throw SystemError(checked.error);
+    if (!write_reports(options, check_json(checked), check_junit({checked}))) {
+      std::cout << check_text(checked, options.verbosity);
+    }
+    return status_of(checked);
   }
-  checked.report = check::run_battery(resolved.material, {.quick = options.quick});
-  checked.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  stop_if_interrupted();
-  const bool json_on_output = options.json == "-", junit_on_output = options.junit == "-";
-  if (!options.json.empty() && !json_on_output) write_file(options.json, check_json(checked));
-  if (!options.junit.empty() && !junit_on_output) write_file(options.junit, check_junit(checked));
-  if (json_on_output) std::cout << check_json(checked);
-  if (junit_on_output) std::cout << check_junit(checked);
-  if (!json_on_output && !junit_on_output) std::cout << check_text(checked, options.verbosity);
-  return checked.report.passes() ? 0 : 1;
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<CheckedMaterial> all = check_all(options);
+  const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!write_reports(options, check_json(all), check_junit(all))) std::cout << check_text(all, wall_s);
+  int status = 0;
+  for (const CheckedMaterial& checked : all) {
+    if (status != 1 && !checked.passes()) status = status_of(checked);
+  }
+  return status;
 }
 
 }  // namespace assay::drivers

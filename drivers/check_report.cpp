@@ -56,17 +56,8 @@ std::string attribute(const char* name, const std::string& value) {
   return std::string(" ") + name + "=\"" + escaped(value) + "\"";
 }
 
-std::string test_case(const CheckedMaterial& checked, const TestResult& test) {
-  const std::string head = "    <testcase" + attribute("classname", "assay.check." + checked.name) +
-                           attribute("name", test.id) + attribute("time", "0");
-  if (test.verdict == Verdict::pass) return head + "/>\n";
-  if (test.verdict == Verdict::not_applicable) {
-    return head + ">\n      <skipped" + attribute("message", test.sentence) + "/>\n    </testcase>\n";
-  }
-  return head + ">\n      <failure" + attribute("message", test.cause + ": " + test.sentence) +
-         attribute("type", test.cause) + ">" +
-         escaped("measured " + figure(test.measure) + ", at most " + figure(test.threshold)) +
-         "</failure>\n    </testcase>\n";
+std::string overall(const CheckedMaterial& checked) {
+  return !checked.error.empty() ? "error" : checked.report.passes() ? "pass" : "fail";
 }
 
 }  // namespace
@@ -92,44 +83,167 @@ std::string check_text(const CheckedMaterial& checked, Verbosity verbosity) {
     page += wrapped(d.cause, "diagnosis: ", "");
     page += wrapped(d.sentence, "    ", "    ");
   }
+  for (const auto& [test, file] : checked.replays) page += "replay: " + file + "\n";
   return page;
 }
 
-std::string check_json(const CheckedMaterial& checked) {
+std::string check_text(const std::vector<CheckedMaterial>& all, double wall_s) {
+  std::string page = row("material", "verdict", "passed", "failed", "n/a");
+  std::size_t passed = 0;
+  for (const CheckedMaterial& checked : all) {
+    const check::Report& report = checked.report;
+    passed += checked.passes() ? 1 : 0;
+    page += row(checked.name, overall(checked) == "fail" ? "FAIL" : overall(checked),
+                std::to_string(count_of(report, Verdict::pass)), std::to_string(count_of(report, Verdict::fail)),
+                std::to_string(count_of(report, Verdict::not_applicable)));
+    if (!checked.error.empty()) page += wrapped(checked.error, "    ", "    ");
+    for (const check::Diagnosis& d : report.diagnosis) page += wrapped(d.cause + ": " + d.sentence, "    ", "      ");
+    for (const auto& [test, file] : checked.replays) page += "    replay: " + file + "\n";
+  }
+  return page + "\n" + std::to_string(passed) + " of " + std::to_string(all.size()) + " materials pass, in " +
+         rounded_text(wall_s, 2) + " s\n";
+}
+
+namespace {
+
+Json json_of(const CheckedMaterial& checked) {
   Json out;
   out["material"] = checked.name;
   out["library"] = checked.library.empty() ? Json(nullptr) : Json(checked.library);
+  out["model"] = checked.model.empty() ? Json(nullptr) : Json(checked.model);
   out["parameters"] = Json::object();
   for (const auto& [name, value] : checked.parameters) out["parameters"][name] = number(value);
-  out["verdict"] = checked.report.passes() ? "pass" : "fail";
+  out["verdict"] = overall(checked);
+  out["error"] = checked.error.empty() ? Json(nullptr) : Json(checked.error);
+  out["wall_s"] = number(checked.wall_s);
   out["diagnosis"] = Json::array();
   for (const check::Diagnosis& d : checked.report.diagnosis) {
     out["diagnosis"].push_back({{"cause", d.cause}, {"sentence", d.sentence}});
   }
   out["tests"] = Json::array();
   for (const TestResult& test : checked.report.tests) {
+    const auto replay = checked.replays.find(test.id);
     out["tests"].push_back({{"id", test.id},
                             {"verdict", verdict_name(test.verdict)},
                             {"measure", number(test.measure)},
                             {"threshold", number(test.threshold)},
                             {"order", number(test.order)},
                             {"cause", test.cause.empty() ? Json(nullptr) : Json(test.cause)},
-                            {"sentence", test.sentence}});
+                            {"sentence", test.sentence},
+                            {"replay", replay == checked.replays.end() ? Json(nullptr) : Json(replay->second)}});
   }
-  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return out;
 }
 
-std::string check_junit(const CheckedMaterial& checked) {
+std::string written(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+std::string text_in(const Json& value) { return value.is_null() ? std::string() : value.get<std::string>(); }
+
+std::optional<double> number_in(const Json& value) {
+  return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+}
+
+TestResult test_in(const Json& test) {
+  const std::string verdict = test.at("verdict");
+  const bool measured = !test.at("measure").is_null();
+  const bool infinite = !measured && verdict == "fail" && !test.at("threshold").is_null();
+  return {.id = test.at("id"),
+          .verdict = verdict == "pass"   ? Verdict::pass
+                     : verdict == "fail" ? Verdict::fail
+                                         : Verdict::not_applicable,
+          .measure = infinite ? std::optional<double>(INFINITY) : number_in(test.at("measure")),
+          .threshold = number_in(test.at("threshold")),
+          .order = number_in(test.at("order")),
+          .cause = text_in(test.at("cause")),
+          .sentence = test.at("sentence")};
+}
+
+}  // namespace
+
+std::string check_json(const CheckedMaterial& checked) { return written(json_of(checked)); }
+
+std::string check_json(const std::vector<CheckedMaterial>& all) {
+  Json out;
+  const auto any = [&](const char* verdict) {
+    return std::any_of(all.begin(), all.end(), [&](const auto& checked) { return overall(checked) == verdict; });
+  };
+  out["verdict"] = any("fail") ? "fail" : any("error") ? "error" : "pass";
+  out["materials"] = Json::array();
+  for (const CheckedMaterial& checked : all) out["materials"].push_back(json_of(checked));
+  return written(out);
+}
+
+std::optional<CheckedMaterial> checked_of_json(const std::string& text) {
+  const Json found = Json::parse(text, nullptr, false);
+  if (found.is_discarded()) return std::nullopt;
+  CheckedMaterial checked;
+  checked.name = found.at("material");
+  checked.library = text_in(found.at("library"));
+  for (const auto& [name, value] : found.at("parameters").items()) {
+    checked.parameters.emplace_back(name, number_in(value).value_or(NAN));
+  }
+  checked.model = text_in(found.at("model"));
+  checked.error = text_in(found.at("error"));
+  checked.wall_s = number_in(found.at("wall_s")).value_or(0);
+  for (const Json& d : found.at("diagnosis")) checked.report.diagnosis.push_back({d.at("cause"), d.at("sentence")});
+  for (const Json& test : found.at("tests")) {
+    checked.report.tests.push_back(test_in(test));
+    if (!test.at("replay").is_null()) checked.replays[test.at("id")] = test.at("replay");
+  }
+  return checked;
+}
+
+namespace {
+
+std::string test_case(const CheckedMaterial& checked, const TestResult& test) {
+  const std::string head = "    <testcase" + attribute("classname", "assay.check." + checked.name) +
+                           attribute("name", test.id) + attribute("time", "0");
+  if (test.verdict == Verdict::pass) return head + "/>\n";
+  if (test.verdict == Verdict::not_applicable) {
+    return head + ">\n      <skipped" + attribute("message", test.sentence) + "/>\n    </testcase>\n";
+  }
+  return head + ">\n      <failure" + attribute("message", test.cause + ": " + test.sentence) +
+         attribute("type", test.cause) + ">" +
+         escaped("measured " + figure(test.measure) + ", at most " + figure(test.threshold)) +
+         "</failure>\n    </testcase>\n";
+}
+
+std::string suite(const CheckedMaterial& checked) {
   const check::Report& report = checked.report;
-  const std::string counts = attribute("tests", std::to_string(report.tests.size())) +
-                             attribute("failures", std::to_string(count_of(report, Verdict::fail))) +
-                             attribute("errors", "0");
-  const std::string skipped = attribute("skipped", std::to_string(count_of(report, Verdict::not_applicable)));
-  const std::string time = attribute("time", rounded_text(checked.wall_s, 3));
-  std::string page = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + counts + time + ">\n";
-  page += "  <testsuite" + attribute("name", "assay check " + checked.name) + counts + skipped + time + ">\n";
+  const bool broken = !checked.error.empty();
+  std::string page = "  <testsuite" + attribute("name", "assay check " + checked.name) +
+                     attribute("tests", std::to_string(report.tests.size() + (broken ? 1 : 0))) +
+                     attribute("failures", std::to_string(count_of(report, Verdict::fail))) +
+                     attribute("errors", broken ? "1" : "0") +
+                     attribute("skipped", std::to_string(count_of(report, Verdict::not_applicable))) +
+                     attribute("time", rounded_text(checked.wall_s, 3)) + ">\n";
   for (const TestResult& test : report.tests) page += test_case(checked, test);
-  return page + "  </testsuite>\n</testsuites>\n";
+  if (broken) {
+    page += "    <testcase" + attribute("classname", "assay.check." + checked.name) + attribute("name", "loading") +
+            attribute("time", "0") + ">\n      <error" + attribute("message", checked.error) +
+            attribute("type", "not checked") + "/>\n    </testcase>\n";
+  }
+  return page + "  </testsuite>\n";
+}
+
+}  // namespace
+
+std::string check_junit(const std::vector<CheckedMaterial>& all) {
+  std::size_t tests = 0, errors = 0;
+  int failures = 0;
+  double time = 0;
+  std::string suites;
+  for (const CheckedMaterial& checked : all) {
+    const bool broken = !checked.error.empty();
+    tests += checked.report.tests.size() + (broken ? 1 : 0);
+    errors += broken ? 1 : 0;
+    failures += count_of(checked.report, Verdict::fail);
+    time += checked.wall_s;
+    suites += suite(checked);
+  }
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + attribute("tests", std::to_string(tests)) +
+         attribute("failures", std::to_string(failures)) + attribute("errors", std::to_string(errors)) +
+         attribute("time", rounded_text(time, 3)) + ">\n" + suites + "</testsuites>\n";
 }
 
 }  // namespace assay::drivers

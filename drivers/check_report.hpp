@@ -2,6 +2,8 @@
 // What the battery has found, as text of 80 columns, JSON and JUnit's XML.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,20 +16,34 @@ namespace assay::drivers {
 struct CheckedMaterial {
   std::string name;     ///< as it was asked for
   std::string library;  ///< empty: built in
-  std::vector<std::pair<std::string, double>> parameters;
-  check::Report report;
+  std::vector<std::pair<std::string, double>> parameters = {};
+  check::Report report = {};
   double wall_s = 0;
+  std::string model = {};                           ///< the name of its table
+  std::string error = {};                           ///< why it was not checked; empty: it was
+  std::map<std::string, std::string> replays = {};  ///< of a failed test's id: the file that takes it again
+
+  bool passes() const { return error.empty() && report.passes(); }
 };
 
 /// A table of the tests and the diagnosis; every sentence with Verbosity::verbose, the diagnosis alone with quiet.
 std::string check_text(const CheckedMaterial& checked, Verbosity verbosity);
 
-/// {material, library, parameters, verdict, diagnosis: [{cause, sentence}], tests: [{id, verdict, measure, threshold,
-/// order, cause, sentence}]}; figures that were not found, or are infinite, are null.
+/// One line for each, the causes below, and how many passed.
+std::string check_text(const std::vector<CheckedMaterial>& all, double wall_s);
+
+/// {material, library, parameters, verdict, wall_s, error, diagnosis: [{cause, sentence}], tests: [{id, verdict,
+/// measure, threshold, order, cause, sentence, replay}]}; figures that were not found, or are infinite, are null.
 std::string check_json(const CheckedMaterial& checked);
 
-/// One test suite; the message of a failure is "cause: sentence".
-std::string check_junit(const CheckedMaterial& checked);
+/// {verdict, materials: [as above]}.
+std::string check_json(const std::vector<CheckedMaterial>& all);
+
+/// What check_json has made; none where it is not whole.
+std::optional<CheckedMaterial> checked_of_json(const std::string& text);
+
+/// One test suite for each; the message of a failure is "cause: sentence".
+std::string check_junit(const std::vector<CheckedMaterial>& all);
 
 /// "pass", "fail", "n/a".
 const char* verdict_name(check::Verdict verdict);

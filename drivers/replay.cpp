@@ -48,6 +48,11 @@ std::string state_text(const assay_material& table, const std::vector<double>& s
   return text;
 }
 
+std::string step_text(const assay_material& table, const FailedStep& step) {
+  return "t: " + yaml_number(step.t) + "\ndt: " + yaml_number(step.dt) + "\n" + "F0: " + tensor_text(step.F0) +
+         "\nF1: " + tensor_text(step.F1) + "\n" + state_text(table, step.state0);
+}
+
 const Tree& required(const Tree& map, const std::string& prefix, const std::string& key) {
   const Tree* found = map.find(key);
   if (!found) throw InputError(map.where, key_path(prefix, key), "required and not given");
@@ -97,11 +102,24 @@ std::vector<double> state_of(const Tree& root, const assay_material& table) {
   return state;
 }
 
+FailedStep step_of(const Tree& root, const assay_material& table) {
+  FailedStep step;
+  step.t = any_number(required(root, "", "t"), "t");
+  step.dt = any_number(required(root, "", "dt"), "dt");
+  step.F0 = tensor_of(root, "F0");
+  step.F1 = tensor_of(root, "F1");
+  step.state0 = state_of(root, table);
+  return step;
+}
+
 }  // namespace
 
 Replay replay_of(const Scene& scene, const FailedStep& step, const std::string& reason) {
-  const ResolvedMaterial resolved = resolve_material(scene.material);
-  Replay replay{scene.material.adapter, resolved.choice.parameters, {}, step, reason};
+  return replay_of(resolve_material(scene.material), step, reason);
+}
+
+Replay replay_of(const ResolvedMaterial& resolved, const std::optional<FailedStep>& step, const std::string& reason) {
+  Replay replay{resolved.choice.adapter, resolved.choice.parameters, {}, step, reason};
   if (!resolved.library.empty()) {
     constexpr std::size_t largest_library = std::size_t{4} << 30;
     replay.material = resolved.library + ":" + resolved.material.name();
@@ -112,23 +130,23 @@ Replay replay_of(const Scene& scene, const FailedStep& step, const std::string& 
 
 std::string replay_yaml(const Replay& replay) {
   const Material material = material_of(replay);
-  std::string text = "# The step at which a material failed: F0 and state0 at t, F1 at t + dt; SI units.\n";
+  std::string text =
+      "# What a material failed: F0 and state0 at t, F1 at t + dt; SI units. Again: assay check --replay\n";
   text += "material: " + yaml_scalar(replay.material) + "\nparameters:";
   if (replay.parameters.empty()) text += " {}";
   text += "\n";
   for (const auto& [name, value] : replay.parameters)
     text += "  " + yaml_scalar(name) + ": " + number_text(value) + "\n";
   text += "library_sha256: " + (replay.library_sha256.empty() ? "null" : replay.library_sha256) + "\n";
-  text += "t: " + yaml_number(replay.step.t) + "\ndt: " + yaml_number(replay.step.dt) + "\n";
-  text += "F0: " + tensor_text(replay.step.F0) + "\nF1: " + tensor_text(replay.step.F1) + "\n";
-  text += state_text(material.table(), replay.step.state0);
+  if (!replay.test.empty()) text += "test: " + replay.test + "\nquick: " + (replay.quick ? "true" : "false") + "\n";
+  if (replay.step) text += step_text(material.table(), *replay.step);
   return text + "reason: " + yaml_scalar(one_line(replay.reason)) + "\n";
 }
 
 Replay read_replay(const std::string& file) {
   const Tree root = read_yaml(read_bytes(file), file);
-  const std::vector<std::string> known{"material", "parameters", "library_sha256", "t",     "dt",
-                                       "F0",       "F1",         "state0",         "reason"};
+  const std::vector<std::string> known{"material", "parameters", "library_sha256", "t",    "dt",   "F0",
+                                       "F1",       "state0",     "reason",         "test", "quick"};
   require_map(root, "", joined(known));
   refuse_unknown_keys(root, "", known);
   Replay replay;
@@ -140,21 +158,21 @@ Replay read_replay(const std::string& file) {
   }
   const Tree* hash = root.find("library_sha256");
   if (hash && hash->kind == Tree::Kind::scalar) replay.library_sha256 = hash->text;
-  replay.step.t = any_number(required(root, "", "t"), "t");
-  replay.step.dt = any_number(required(root, "", "dt"), "dt");
-  replay.step.F0 = tensor_of(root, "F0");
-  replay.step.F1 = tensor_of(root, "F1");
-  replay.step.state0 = state_of(root, material_of(replay).table());
+  if (const Tree* test = root.find("test")) replay.test = text_value(*test, "test");
+  if (const Tree* quick = root.find("quick")) replay.quick = boolean_value(*quick, "quick");
+  if (replay.test.empty() || root.find("t")) replay.step = step_of(root, material_of(replay).table());
   if (const Tree* reason = root.find("reason")) replay.reason = text_value(*reason, "reason");
   return replay;
 }
 
-Material material_of(const Replay& replay) {
+Material material_of(const Replay& replay) { return std::move(resolved_of(replay).material); }
+
+ResolvedMaterial resolved_of(const Replay& replay) {
   MaterialChoice choice;
   choice.adapter = replay.material;
   choice.parameters = replay.parameters;
   choice.density = 1;  // a replay needs none
-  return std::move(resolve_material(choice).material);
+  return resolve_material(choice);
 }
 
 UpdateReport take_again(const Material& material, const FailedStep& step) {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// replay.yaml: the one step of one point at which a material failed, to be taken again alone.
+// replay.yaml: the one step of one point at which a material failed, or the test that it failed, to be taken again
+// alone.
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
+#include "drivers/material/material_choice.hpp"
 #include "drivers/result.hpp"
 #include "drivers/scene/scene.hpp"
 #include "harness/failed_step.hpp"
@@ -16,9 +19,14 @@ struct Replay {
   std::string material;  ///< as find_material takes it: a name, or `library:name` with the library's absolute path
   std::map<std::string, double> parameters;  ///< all of them
   std::string library_sha256;                ///< of the shared library; empty: built in
-  FailedStep step;
-  std::string reason;  ///< one sentence
+  std::optional<FailedStep> step;            ///< none of a test in which the process ended
+  std::string reason;                        ///< one sentence
+  std::string test = {};                     ///< id of the test of `check` that failed; empty: none
+  bool quick = false;                        ///< whether it was the test of `check --quick`
 };
+
+/// Of that material. Throws InputError where its library is gone.
+Replay replay_of(const ResolvedMaterial& material, const std::optional<FailedStep>& step, const std::string& reason);
 
 /// The step of a result in which the scene's material failed. Throws InputError where the material is gone.
 Replay replay_of(const Scene& scene, const FailedStep& step, const std::string& reason);
@@ -29,6 +37,9 @@ std::string replay_yaml(const Replay& replay);
 
 /// Throws InputError: no such file, not a replay, a material that is not found or has another state.
 Replay read_replay(const std::string& file);
+
+/// The same with where it was found.
+ResolvedMaterial resolved_of(const Replay& replay);
 
 /// The material of a replay. Throws InputError where it is not found.
 Material material_of(const Replay& replay);

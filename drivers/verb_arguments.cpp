@@ -110,14 +110,22 @@ std::vector<Verb> material_verbs(CLI::App& app, Arguments& given) {
   std::vector<Verb> verbs;
   CLI::App& check_verb = add_verb(app, "check", "whether a material is frame-indifferent, and more",
                                   "assay check ./libmodel.so --parameters E=1e3,nu=0.3 --junit check.xml");
-  check_verb.add_option("MATERIAL", given.material, "name, library, description or scene")->required()->type_name("");
+  auto* checked = check_verb.add_option("MATERIAL", given.material, "name, library, description or scene");
+  checked->type_name("");
+  auto* all = check_verb.add_flag("--all", given.all, "everything that is registered, in parallel")->excludes(checked);
+  auto* replay = check_verb.add_option("--replay", given.replay, "a failure again, alone")->excludes(checked);
+  replay->type_name("FILE")->excludes(all);
   check_verb.add_option("--parameters", given.parameters, "in place of the defaults")->type_name("NAME=NUMBER,...");
   check_verb.add_option("--json", given.json_file, "verdicts and diagnosis (- for standard output)")->type_name("FILE");
   check_verb.add_option("--junit", given.junit_file, "the same for CI, JUnit's XML")->type_name("FILE");
   check_verb.add_flag("--quick", given.quick, "fewer steps and states");
+  add_out(check_verb, given, "DIR", "folder of the replay files of failures (results/check)");
   verbs.push_back({&check_verb, [&given] {
-                     return check({given.material, given.parameters, given.json_file, given.junit_file, given.quick,
-                                   given.verbosity()});
+                     if (given.material.empty() && given.replay.empty() && !given.all)
+                       throw InputError("assay check: takes MATERIAL, --all or --replay FILE");
+                     return check({given.material, given.parameters, given.json_file, given.junit_file,
+                                   given.out.empty() ? "results/check" : given.out, given.replay, given.all,
+                                   given.quick, given.verbosity()});
                    }});
 
   CLI::App& materials_verb = add_verb(app, "materials", "what is registered, or one material",

@@ -16,9 +16,9 @@ namespace assay::drivers {
 
 /// Everything that any verb takes, as text.
 struct Arguments {
-  std::string scene, out, points, threads, material, file, name, remove, parameters, json_file, junit_file;
+  std::string scene, out, points, threads, material, file, name, remove, parameters, json_file, junit_file, replay;
   std::vector<std::string> sets;
-  bool json = false, quick = false, quiet = false, verbose = false;
+  bool json = false, quick = false, all = false, quiet = false, verbose = false;
 
   Verbosity verbosity() const { return quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::normal; }
   std::string folder() const;  ///< of the results

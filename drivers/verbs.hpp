@@ -49,6 +49,9 @@ struct CheckOptions {
   std::string parameters;  ///< "E=1e3,nu=0.3"
   std::string json;        ///< file; "-": standard output; empty: none
   std::string junit;       ///< the same
+  std::string out;         ///< folder of the replay files
+  std::string replay;      ///< file of a failure to be taken again, in place of a material
+  bool all = false;        ///< everything that is registered, in place of a material
   bool quick = false;
   Verbosity verbosity = Verbosity::normal;
 };

@@ -168,6 +168,14 @@ typedef struct assay_closed_form {
   int32_t (*tau)(void *self, int32_t baseline, size_t n, const double *eps, double *tau, double *dtau_deps);
 } assay_closed_form;
 
+/* Values of all parameters, in declared order, at which the model shows what it does (yields, relaxes, breaks): for
+ * whoever tries a model whose parameters have no default. */
+#define ASSAY_EXTENSION_EXAMPLE "assay.example/1"
+typedef struct assay_example {
+  uint32_t struct_size;
+  const double *parameters;
+} assay_example;
+
 #ifdef __cplusplus
 }
 #endif

@@ -17,6 +17,7 @@ class CompressibleFluid {
       {"viscosity", "Pa s", 0, 0, huge, "shear viscosity"},
       {"bulk_viscosity", "Pa s", 0, 0, huge, "volume viscosity"},
       {"exponent", "1", 1, 1, 100, "exponent of the pressure law; 7 for water (Tait)"}};
+  static constexpr double example[] = {500, 3, 2, 7};
 
   explicit CompressibleFluid(const double* p) : modulus_(p[0]), shear_(p[1]), bulk_(p[2]), exponent_(p[3]) {}
 

@@ -21,6 +21,7 @@ class DruckerPrager {
       {"friction", "1", required, 0, 0.577350269, "slope of the cone in (I1, sqrt(J2))"},
       {"dilatancy", "1", 0, 0, 0.577350269, "slope of the flow potential, at most friction"},
       {"hardening_modulus", "Pa", 0, 0, huge, "dk/dp; above 0 it needs dilatancy > 0 or friction = 0"}};
+  static constexpr double example[] = {1e3, 0.3, 15, 0.2, 0.1, 20};
   static constexpr assay_state_variable state[] = {
       {"inverse_plastic_metric", "1", ASSAY_SYMMETRIC_TENSOR, ASSAY_ROLE_ROTATES_ITSELF,
        "Cp^-1 in the reference configuration, b_e = F Cp^-1 F^T"},

@@ -16,6 +16,7 @@ class HypoelasticGreenNaghdi {
   static constexpr int symmetry = ASSAY_ISOTROPIC;
   static constexpr std::uint32_t flags = ASSAY_USES_INCREMENT;
   static constexpr assay_parameter parameters[] = {youngs_modulus, poissons_ratio};
+  static constexpr double example[] = {1e3, 0.3};
   static constexpr assay_state_variable state[] = {{"unrotated_stress", "Pa", ASSAY_SYMMETRIC_TENSOR,
                                                     ASSAY_ROLE_ROTATES_ITSELF,
                                                     "R^T sigma R at the beginning of the step, F = R U"}};

@@ -14,6 +14,7 @@ class HypoelasticJaumann {
   static constexpr int symmetry = ASSAY_ISOTROPIC;
   static constexpr std::uint32_t flags = ASSAY_USES_INCREMENT;
   static constexpr assay_parameter parameters[] = {youngs_modulus, poissons_ratio};
+  static constexpr double example[] = {1e3, 0.3};
   static constexpr assay_state_variable state[] = {
       {"stress", "Pa", ASSAY_SYMMETRIC_TENSOR, ASSAY_ROLE_PLAIN, "Cauchy stress at the beginning of the step"}};
 

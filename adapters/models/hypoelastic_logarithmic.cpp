@@ -16,6 +16,7 @@ class HypoelasticLogarithmic {
   static constexpr int symmetry = ASSAY_ISOTROPIC;
   static constexpr std::uint32_t flags = 0;
   static constexpr assay_parameter parameters[] = {youngs_modulus, poissons_ratio};
+  static constexpr double example[] = {1e3, 0.3};
 
   explicit HypoelasticLogarithmic(const double* p) : elastic_(p[0], p[1]) {}
 

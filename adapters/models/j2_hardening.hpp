@@ -24,6 +24,7 @@ inline constexpr assay_parameter kinematic_modulus{
 inline constexpr assay_parameter j2_parameters[] = {youngs_modulus,    poissons_ratio,    yield_stress,
                                                     hardening_modulus, saturation_stress, saturation_rate,
                                                     kinematic_modulus};
+inline constexpr double j2_example[] = {1e3, 0.3, 20, 30, 15, 12, 80};
 
 inline constexpr double root_two_thirds = 0.81649658092772603273;
 

@@ -16,6 +16,7 @@ class J2Jaumann {
   static constexpr int symmetry = ASSAY_ISOTROPIC;
   static constexpr std::uint32_t flags = ASSAY_NON_SMOOTH | ASSAY_USES_INCREMENT;
   static constexpr auto& parameters = j2_parameters;
+  static constexpr auto& example = j2_example;
   static constexpr assay_state_variable state[] = {
       {"plastic_strain", "1", ASSAY_SCALAR, ASSAY_ROLE_PLAIN, "equivalent plastic strain p"},
       {"stress", "Pa", ASSAY_SYMMETRIC_TENSOR, ASSAY_ROLE_PLAIN, "Cauchy stress at the beginning of the step"},

@@ -19,6 +19,7 @@ class J2Multiplicative {
   static constexpr int symmetry = ASSAY_ISOTROPIC;
   static constexpr std::uint32_t flags = ASSAY_NON_SMOOTH | ASSAY_USES_INCREMENT;
   static constexpr auto& parameters = j2_parameters;
+  static constexpr auto& example = j2_example;
   static constexpr assay_state_variable state[] = {
       {"plastic_strain", "1", ASSAY_SCALAR, ASSAY_ROLE_PLAIN, "equivalent plastic strain p"},
       {"inverse_plastic_metric", "1", ASSAY_SYMMETRIC_TENSOR, ASSAY_ROLE_ROTATES_ITSELF, "Cp^-1 = (Fp^T Fp)^-1"},

@@ -18,6 +18,7 @@ class MooneyRivlin {
       {"c10", "Pa", required, tiny, huge, "coefficient of I1bar - 3; the shear modulus is 2 (c10 + c01)"},
       {"c01", "Pa", 0, 0, huge, "coefficient of I2bar - 3"},
       {"bulk_modulus", "Pa", required, tiny, huge, "bulk modulus kappa"}};
+  static constexpr double example[] = {120, 40, 800};
 
   explicit MooneyRivlin(const double* p) : c10_(p[0]), c01_(p[1]), kappa_(p[2]) {}
 

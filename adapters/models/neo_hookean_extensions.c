@@ -88,6 +88,9 @@ const void *neo_hookean_extension(const char *id) {
   static const assay_energy energy_table = {sizeof(assay_energy), energy};
   static const assay_wave_speed speed_table = {sizeof(assay_wave_speed), wave_speed};
   static const assay_closed_form closed_form_table = {sizeof(assay_closed_form), closed_form};
+  static const double example[] = {1e3, 0.3};
+  static const assay_example example_table = {sizeof(assay_example), example};
+  if (strcmp(id, ASSAY_EXTENSION_EXAMPLE) == 0) return &example_table;
   if (strcmp(id, ASSAY_EXTENSION_ENERGY) == 0) return &energy_table;
   if (strcmp(id, ASSAY_EXTENSION_WAVE_SPEED) == 0) return &speed_table;
   if (strcmp(id, ASSAY_EXTENSION_CLOSED_FORM) == 0) return &closed_form_table;

@@ -14,6 +14,7 @@ class Norton : public PowerLawFlow<false> {
   static constexpr std::uint32_t flags = ASSAY_RATE_DEPENDENT | ASSAY_USES_INCREMENT;
   static constexpr assay_parameter parameters[] = {youngs_modulus, poissons_ratio, reference_rate, reference_stress,
                                                    rate_exponent};
+  static constexpr double example[] = {1e3, 0.3, 0.5, 30, 3};
   static constexpr assay_state_variable state[] = {inverse_plastic_metric, viscoplastic_strain};
 
   explicit Norton(const double* p) : PowerLawFlow{{p[0], p[1]}, p[2], p[3], p[4]} {}

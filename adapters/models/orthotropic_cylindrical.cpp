@@ -24,6 +24,7 @@ class OrthotropicCylindrical {
       {"G_rt", "Pa", required, tiny, huge, "shear modulus of the plane r-t"},
       {"G_rz", "Pa", required, tiny, huge, "shear modulus of the plane r-z"},
       {"G_tz", "Pa", required, tiny, huge, "shear modulus of the plane t-z"}};
+  static constexpr double example[] = {1000, 1500, 700, 0.2, 0.25, 0.3, 350, 300, 400};
   static constexpr assay_state_variable state[] = {
       {"direction", "1", ASSAY_VECTOR, ASSAY_ROLE_DIRECTION, "reference direction r, a unit vector normal to E3"}};
 

@@ -20,6 +20,7 @@ class Perzyna : public PowerLawFlow<true> {
       reference_rate,
       reference_stress,
       rate_exponent};
+  static constexpr double example[] = {1e3, 0.3, 20, 30, 0.5, 30, 3};
   static constexpr assay_state_variable state[] = {inverse_plastic_metric, viscoplastic_strain, flow_regime};
 
   explicit Perzyna(const double* p) : PowerLawFlow{{p[0], p[1]}, p[4], p[5], p[6], p[2], p[3]} {}

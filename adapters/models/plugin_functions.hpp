@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <iterator>
 
 #include "adapters/models/tensor_functions.hpp"
 #include "harness/assay_material.h"
@@ -197,6 +198,11 @@ struct Functions {
     if constexpr (requires { &Model::wave_speed; }) {
       static const assay_wave_speed speed_table{sizeof(assay_wave_speed), wave_speed};
       if (is(ASSAY_EXTENSION_WAVE_SPEED)) return &speed_table;
+    }
+    if constexpr (requires { Model::example; }) {
+      static_assert(std::size(Model::example) == std::size(Model::parameters));
+      static const assay_example example_table{sizeof(assay_example), Model::example};
+      if (is(ASSAY_EXTENSION_EXAMPLE)) return &example_table;
     }
     if constexpr (requires { &Model::closed_form; }) {
       static const assay_closed_form form_table{sizeof(assay_closed_form), closed_form};

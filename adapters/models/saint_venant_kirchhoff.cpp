@@ -13,6 +13,7 @@ class SaintVenantKirchhoff {
   static constexpr int symmetry = ASSAY_ISOTROPIC;
   static constexpr std::uint32_t flags = 0;
   static constexpr assay_parameter parameters[] = {youngs_modulus, poissons_ratio};
+  static constexpr double example[] = {1e3, 0.3};
 
   explicit SaintVenantKirchhoff(const double* p) : elastic_(p[0], p[1]) {}
 

@@ -19,6 +19,7 @@ class Zener {
       poissons_ratio,
       {"viscous_ratio", "1", 1.0, 0.0, huge, "instantaneous shear modulus over mu, minus 1"},
       {"relaxation_time", "s", required, tiny, huge, "relaxation time of the viscous stress"}};
+  static constexpr double example[] = {1e3, 0.3, 1.5, 0.3};
   static constexpr assay_state_variable state[] = {
       {"viscous_stress", "Pa", ASSAY_SYMMETRIC_TENSOR, ASSAY_ROLE_ROTATES_ITSELF,
        "second Piola-Kirchhoff stress of the Maxwell element at the beginning of the step"}};

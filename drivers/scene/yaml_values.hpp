@@ -26,7 +26,7 @@ double number_value(const Tree& tree, const std::string& key, const Range& range
 bool boolean_value(const Tree& tree, const std::string& key);
 /// Any scalar as it stands.
 std::string text_value(const Tree& tree, const std::string& key);
-/// One of `known`.
+
 std::string choice_value(const Tree& tree, const std::string& key, const std::vector<std::string>& known);
 /// Exactly `rows` rows of `columns` numbers, row by row; one row is a plain sequence.
 std::vector<double> numbers_value(const Tree& tree, const std::string& key, std::size_t rows, std::size_t columns,

@@ -87,7 +87,10 @@ std::vector<Entry> entries() {
 
 /// The tests of a list, as far as `report` allows.
 void take(const std::vector<Entry>& list, const Specimen& specimen, Evidence& evidence, Report& report) {
+  const Options& options = specimen.options;
   for (const Entry& entry : list) {
+    if (!options.only.empty() && options.only != entry.id) continue;
+    if (options.begins) options.begins(entry.id);
     try {
       report.tests.push_back(entry.run(specimen, evidence));
     } catch (const MaterialFailure& failure) {
@@ -141,9 +144,11 @@ Report run_battery(const Material& material, const Options& options) {
   Report report;
   Evidence evidence;
   evidence.has_tensors = has_tensors(material.table());
+  if (options.begins) options.begins("calls.arrays");
   report.tests.push_back(guarded_arrays(material, options));
   try {
     if (!any_failed(report)) {
+      if (options.begins) options.begins("loading");
       const Specimen specimen = examine(material, options);
       take(first_entries(), specimen, evidence, report);
       if (!any_failed(report)) take(entries(), specimen, evidence, report);
@@ -152,6 +157,7 @@ Report run_battery(const Material& material, const Options& options) {
     report.tests.push_back(not_loaded(material, error));
   }
   report.diagnosis = diagnose(report.tests, evidence);
+  if (!options.only.empty()) return report;
   std::vector<Entry> all = first_entries();
   for (Entry& entry : entries()) all.push_back(std::move(entry));
   std::erase_if(all, [&](const Entry& entry) {

@@ -3,6 +3,7 @@
 // without knowing its equations.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,7 +39,9 @@ struct Report {
 };
 
 struct Options {
-  bool quick = false;  ///< fewer steps and states: a fraction of a second
+  bool quick = false;     ///< fewer steps and states: a fraction of a second
+  std::string only = {};  ///< id of the one test that is wanted, besides those that it stands on; empty: all
+  std::function<void(const std::string& id)> begins = {};  ///< told before each test
 };
 
 /// Runs every test. A material that cannot be loaded at all ends as a single failed test "loading".
@@ -69,6 +72,8 @@ inline constexpr const char* energy = "energy not consistent with stress";
 inline constexpr const char* dissipation = "negative dissipation";
 inline constexpr const char* not_a_number = "numbers out of nothing";
 inline constexpr const char* refuses = "refuses a step";
+inline constexpr const char* ends_process = "ends the process";
+inline constexpr const char* other_stress = "vortex does not converge";
 }  // namespace causes
 
 /// All of them, in the order in which a diagnosis lists them.

@@ -171,7 +171,9 @@ const std::vector<std::string>& all_causes() {
                                             causes::energy,
                                             causes::dissipation,
                                             causes::not_a_number,
-                                            causes::refuses};
+                                            causes::refuses,
+                                            causes::ends_process,
+                                            causes::other_stress};
   return all;
 }
 

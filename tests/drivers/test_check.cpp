@@ -77,7 +77,7 @@ TEST(Check, RefusesBadInputInOneLine) {
 }
 
 CheckedMaterial broken() {
-  CheckedMaterial checked{"clay", "", {{"E", 1e3}}, {}, 0.25};
+  CheckedMaterial checked{"clay", "", {{"E", 1e3}}, {}, 0.25, "clay"};
   checked.report.tests = {{.id = "rest", .measure = 0.0, .threshold = 1e-9, .sentence = "nothing"},
                           {.id = "rotation.fixed_stretch",
                            .verdict = check::Verdict::fail,
@@ -91,7 +91,7 @@ CheckedMaterial broken() {
 }
 
 TEST(CheckReport, JUnitShowsTheCauseInTheMessage) {
-  const std::string xml = check_junit(broken());
+  const std::string xml = check_junit({broken()});
   EXPECT_NE(xml.find("<testsuites tests=\"3\" failures=\"1\" errors=\"0\" time=\"0.25\">"), std::string::npos) << xml;
   EXPECT_NE(xml.find("skipped=\"1\""), std::string::npos);
   EXPECT_NE(xml.find("<failure message=\"increment rotation missing: the stress &lt;stays&gt; &amp; "

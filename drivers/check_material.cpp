@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/check_material.hpp"
+
+#include <chrono>
+#include <filesystem>
+
+#include "drivers/output/whole_file.hpp"
+#include "drivers/replay.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "FOLDER/clay.rotation.during.yaml"
+std::string replay_file(const std::string& folder, const std::string& model, const std::string& test) {
+  return (fs::path(folder) / (model + "." + test + ".yaml")).string();
+}
+
+void write_replay(const std::string& file, const Replay& replay) {
+  std::error_code error;
+  fs::create_directories(fs::path(file).parent_path(), error);
+  if (error) fail(fs::path(file).parent_path(), "cannot be made", error);
+  write_file(file, replay_yaml(replay));
+}
+
+void leave_replays(const ResolvedMaterial& material, CheckedMaterial& checked, const CheckSettings& settings) {
+  for (const check::TestResult& test : checked.report.tests) {
+    if (test.verdict != check::Verdict::fail) continue;
+    Replay replay = replay_of(material, test.step, test.cause + ": " + test.sentence);
+    replay.test = test.id;
+    replay.quick = settings.quick;
+    const std::string file = replay_file(settings.folder, material.material.name(), test.id);
+    write_replay(file, replay);
+    checked.replays[test.id] = file;
+  }
+}
+
+}  // namespace
+
+CheckedMaterial check_material(const ResolvedMaterial& material, const std::string& name, const CheckSettings& settings,
+                               const CheckReporter& reporter) {
+  const auto start = std::chrono::steady_clock::now();
+  CheckedMaterial checked;
+  checked.name = name;
+  checked.library = material.library;
+  checked.model = material.material.name();
+  for (std::uint32_t i = 0; i < material.material.table().parameter_count; ++i) {
+    checked.parameters.emplace_back(material.material.table().parameters[i].name, material.material.parameters()[i]);
+  }
+  reporter.material(checked);
+  checked.report = check::run_battery(material.material,
+                                      {.quick = settings.quick, .only = settings.only, .begins = reporter.begins});
+  checked.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!settings.folder.empty()) leave_replays(material, checked, settings);
+  return checked;
+}
+
+void leave_replay_of_the_end(CheckedMaterial& checked, const CheckSettings& settings) {
+  if (settings.folder.empty() || checked.model.empty() || checked.report.diagnosis.empty()) return;
+  if (!checked.replays.empty()) return;
+  const check::TestResult& test = checked.report.tests.front();
+  Replay replay;
+  replay.material = checked.library.empty() ? checked.model : checked.library + ":" + checked.model;
+  for (const auto& [parameter, value] : checked.parameters) replay.parameters[parameter] = value;
+  replay.test = test.id;
+  replay.quick = settings.quick;
+  replay.reason = test.cause + ": " + test.sentence;
+  const std::string file = replay_file(settings.folder, checked.model, test.id);
+  write_replay(file, replay);
+  checked.replays[test.id] = file;
+}
+
+}  // namespace assay::drivers

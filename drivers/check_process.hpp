@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The battery in processes of its own: a model that crashes, exits or never comes back costs one verdict.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "drivers/check_report.hpp"
+
+namespace assay::drivers {
+
+/// What is told on the way: which material it is, before its first test, and the id of every test that begins.
+struct CheckReporter {
+  std::function<void(const CheckedMaterial&)> material;
+  std::function<void(const std::string& id)> begins;
+};
+
+struct CheckTask {
+  std::string name;  ///< of the material, for a report that does not come
+  std::function<CheckedMaterial(const CheckReporter& reporter)> run;
+};
+
+struct CheckProcesses {
+  int at_once = 1;
+  double limit_s = 600;                                 ///< for each
+  std::function<void(std::size_t done)> progress = {};  ///< whenever one has ended
+};
+
+/// Each task in a process of its own, in the order given. One that ends without a report has failed the test in which
+/// it ended. Throws Interrupted, SystemError.
+std::vector<CheckedMaterial> check_in_processes(const std::vector<CheckTask>& tasks, const CheckProcesses& how);
+
+}  // namespace assay::drivers

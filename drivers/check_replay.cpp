@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/check_replay.hpp"
+
+#include <cmath>
+#include <iostream>
+
+#include "drivers/check_material.hpp"
+#include "drivers/interrupt.hpp"
+#include "drivers/output/number_format.hpp"
+#include "drivers/output/whole_file.hpp"
+#include "drivers/replay.hpp"
+#include "harness/checked_update.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+/// The step alone: "step".
+check::TestResult step_again(const Material& material, const FailedStep& step) {
+  check::TestResult result{.id = "step", .verdict = check::Verdict::fail, .step = step};
+  double F0[9], F1[9], cauchy[9];
+  for (int c = 0; c < 9; ++c) F0[c] = component(step.F0, c), F1[c] = component(step.F1, c);
+  std::vector<double> state1(step.state0.size());
+  const UpdateReport report = material.update(step.t, step.dt, 1, F0, F1, step.state0.data(), state1.data(), cauchy);
+  if (report.worst == ASSAY_FAILED) {
+    result.cause = check::causes::refuses;
+    result.sentence = "the step fails again: " + report.message;
+    return result;
+  }
+  result.verdict = check::Verdict::pass;
+  result.sentence = "the step is taken; stress 11, 22, 33, 12, 13, 23 [Pa]:";
+  for (const int c : {0, 4, 8, 1, 2, 5}) result.sentence += " " + rounded_text(cauchy[c], 6);
+  return result;
+}
+
+CheckedMaterial again(const Replay& replay, const ResolvedMaterial& resolved, const CheckReporter& reporter) {
+  CheckedMaterial checked;
+  if (!replay.test.empty()) {
+    checked = check_material(resolved, replay.material, {replay.quick, replay.test, {}}, reporter);
+    std::erase_if(checked.report.tests,
+                  [&](const auto& test) { return test.id != replay.test && test.verdict != check::Verdict::fail; });
+  } else {
+    checked.name = replay.material;
+    checked.library = resolved.library;
+  }
+  if (!replay.step) return checked;
+  reporter.begins("step");
+  check::TestResult step = step_again(resolved.material, *replay.step);
+  if (step.verdict == check::Verdict::fail) checked.report.diagnosis.push_back({step.cause, step.sentence});
+  checked.report.tests.insert(checked.report.tests.begin(), std::move(step));
+  return checked;
+}
+
+}  // namespace
+
+int check_replay(const CheckOptions& options) {
+  const Replay replay = read_replay(options.replay);
+  const ResolvedMaterial resolved = resolved_of(replay);
+  if (replay_of(resolved, {}, "").library_sha256 != replay.library_sha256 && options.verbosity != Verbosity::quiet) {
+    std::cerr << "warning: " << resolved.library << " is not the library of the failure: it has changed\n";
+  }
+  watch_interrupts();
+  const CheckTask task{replay.material,
+                       [&](const CheckReporter& reporter) { return again(replay, resolved, reporter); }};
+  const CheckedMaterial checked = check_in_processes({task}, {}).front();
+  if (options.json == "-") {
+    std::cout << check_json(checked);
+  } else {
+    if (!options.json.empty()) write_file(options.json, check_json(checked));
+    std::cout << "it was: " << replay.reason << "\n\n" << check_text(checked, Verbosity::verbose);
+  }
+  if (!checked.error.empty()) throw SystemError(checked.error);
+  return checked.passes() ? 0 : 1;
+}
+
+}  // namespace assay::drivers
