@@ -6,8 +6,18 @@
 
 namespace assay::check {
 
-/// Along a loading, in batches of several sizes: nothing is written beyond the arrays, nor into what is given, and
-/// every component of the results is written. To be taken first: other tests trust the arrays.
-TestResult guarded_arrays(const Material& material, const Options& options);
+/// Stress and state of one point after each step of a loading.
+using History = std::vector<std::vector<double>>;
+
+/// Along loadings, in batches of several sizes: nothing is written beyond the arrays, nor into what is given, and every
+/// component of the results is written. To be taken first: other tests trust the arrays. `first`: what the very first
+/// calls of the process give, for amplitudes_of_first.
+TestResult guarded_arrays(const Material& material, const Options& options, std::vector<History>& first);
+
+/// From small to large.
+inline constexpr double amplitudes_of_first[] = {1e-5, 1e-3, 1e-2, 0.15};
+
+/// One of these again.
+History history(const Material& material, double amplitude);
 
 }  // namespace assay::check

@@ -50,7 +50,8 @@ std::function<TestResult(const Specimen&, Evidence&)> kept(RotationFinding Evide
 
 /// Without these nothing else can be judged.
 std::vector<Entry> first_entries() {
-  return {{"calls.repeated", causes::hidden_state, plain(repeated_calls)},
+  return {{"calls.repeated", causes::hidden_state,
+           [](const Specimen& specimen, Evidence& evidence) { return repeated_calls(specimen, evidence.first); }},
           {"clock", causes::clock, plain(clock_independence)},
           {"continuity", causes::no_convergence, plain(continuity)}};
 }
@@ -145,13 +146,16 @@ Report run_battery(const Material& material, const Options& options) {
   Evidence evidence;
   evidence.has_tensors = has_tensors(material.table());
   if (options.begins) options.begins("calls.arrays");
-  report.tests.push_back(guarded_arrays(material, options));
+  report.tests.push_back(guarded_arrays(material, options, evidence.first));
   try {
     if (!any_failed(report)) {
       if (options.begins) options.begins("loading");
       const Specimen specimen = examine(material, options);
       take(first_entries(), specimen, evidence, report);
-      if (!any_failed(report)) take(entries(), specimen, evidence, report);
+      if (!any_failed(report)) {
+        evidence.turned = turned_step(specimen);
+        take(entries(), specimen, evidence, report);
+      }
     }
   } catch (const std::runtime_error& error) {
     report.tests.push_back(not_loaded(material, error));

@@ -2,12 +2,14 @@
 // That `update` is a pure function of its arguments, and knows what is no number.
 #pragma once
 
+#include "harness/check/arrays.hpp"
 #include "harness/check/specimen.hpp"
 
 namespace assay::check {
 
-/// The same step again, after others, in a batch, in another order, and of another instance, gives the same.
-TestResult repeated_calls(const Specimen& specimen);
+/// The same step again, after others, in a batch, in another order, and of another instance, gives the same; so do the
+/// histories that were the first of the process.
+TestResult repeated_calls(const Specimen& specimen, const std::vector<History>& first);
 
 /// F that is not a number, infinite, or turned inside out is refused or comes back as no number; nothing worse.
 TestResult senseless_deformation(const Specimen& specimen);

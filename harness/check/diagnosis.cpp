@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "harness/check/judge.hpp"
+
 namespace assay::check {
 
 namespace {
@@ -86,6 +88,7 @@ class Diagnostician {
                       "a body that only turns by Q is stressed as by the strain sym(Q - I): the strain is not one of "
                       "finite deformation"});
     }
+    if (of_turned_step()) return;
     if (failed("rotation.fixed_stretch")) return of_fixed_stretch();
     if (failed("rotation.after") || failed("rotation.during")) {
       if (!evidence_.state.left_behind.empty()) {
@@ -107,6 +110,43 @@ class Diagnostician {
     }
   }
 
+  static Diagnosis of_variable(const TurnedVariable& variable, Turned how) {
+    const std::string name = variable.is_stress ? "the stress" : "'" + variable.name + "' of the state";
+    switch (how) {
+      case Turned::with_13_and_23_exchanged:
+        return {causes::components_swapped, "components 13 and 23 of " + name + " change places when the body turns"};
+      case Turned::with_shear_factor:
+        return {causes::shear_factor, "the shear components of " + name + " are doubled or halved when it is turned"};
+      case Turned::not_at_all:
+        return {variable.is_stress ? causes::rotation_missing : causes::state_not_rotated,
+                name + " stays where it was when the body turns, and what follows takes it for a tensor"};
+      default:
+        return {causes::wrong_spin, name + " turns by " + rounded(variable.times) + " times the angle of the body"};
+    }
+  }
+
+  /// A single step tells which tensor it is; the stress before all others.
+  bool of_turned_step() {
+    if (!evidence_.turned) return false;
+    const TurnedStep& step = *evidence_.turned;
+    if (step.stress != Turned::rightly) {
+      explain(of_variable({"", true, step.stress, 1}, step.stress));
+      return true;
+    }
+    std::optional<Diagnosis> found;
+    for (const TurnedVariable& variable : step.carried) {
+      const auto same = [&](const TurnedVariable& other) { return other.name == variable.name; };
+      const auto taken = std::find_if(step.taken.begin(), step.taken.end(), same);
+      const Turned as = taken == step.taken.end() ? Turned::rightly : taken->how;
+      const bool own_frame = as == Turned::not_at_all, misread = as != Turned::rightly && !own_frame;
+      const Turned how = misread ? as : variable.how;
+      if (how == Turned::rightly || how == Turned::otherwise || (own_frame && how == Turned::not_at_all)) continue;
+      if (!found || variable.is_stress) found = of_variable(variable, how);
+    }
+    if (found) explain(*found);
+    return found.has_value();
+  }
+
   /// The stress of a stretched body that turns: left where it was, turned by another angle, or by about the right one
   /// in steps that are not rotations.
   void of_fixed_stretch() {
@@ -115,7 +155,8 @@ class Diagnostician {
     if (fixed.turned && std::abs(*fixed.turned) <= unmoved) {
       return explain({causes::rotation_missing, "the stress of a stretched body that turns stays where it was"});
     }
-    if (fixed.falls || (fixed.turned && std::abs(*fixed.turned - 1) <= unmoved)) {
+    if (failed("rotation.constant")) return explain({causes::not_indifferent, find("rotation.constant")->sentence});
+    if (fixed.falls) {
       return explain(
           {causes::explicit_spin, "the stress is turned in steps that are no rotations: " + fixed.result.sentence});
     }

@@ -2,14 +2,18 @@
 // From verdicts to causes: which one defect explains what the tests have found.
 #pragma once
 
+#include "harness/check/arrays.hpp"
 #include "harness/check/rotation.hpp"
+#include "harness/check/turned_step.hpp"
 
 namespace assay::check {
 
 /// What the tests of rotation tell beyond their verdicts.
 struct Evidence {
   RotationFinding at_rest, fixed, state;
-  bool has_tensors = false;  ///< the state has something that a spin could turn
+  std::optional<TurnedStep> turned;
+  std::vector<History> first;  ///< of the process
+  bool has_tensors = false;    ///< the state has something that a spin could turn
 };
 
 /// Fills in the cause of failed tests that have none, and lists the causes; none for one that follows from another.

@@ -278,7 +278,7 @@ RotationFinding rotation_of_state(const Specimen& specimen) {
     if (size == 1 || !(scale > trifle) || still.distance(turned) < same * scale) continue;  // a sphere says nothing
     any = true;
     if (table.state[v].role == ASSAY_ROLE_PLAIN) worst = std::max(worst, seen.distance(turned) / scale);
-    if (seen.distance(still) < same * scale) {
+    if (table.state[v].role == ASSAY_ROLE_PLAIN && seen.distance(still) < same * scale) {
       finding.left_behind += (finding.left_behind.empty() ? "" : ", ") + std::string(table.state[v].name);
     }
   }

@@ -11,8 +11,9 @@ namespace assay::check {
 namespace {
 
 constexpr double largest_amplitude = 0.15, least_amplitude = 1e-6;
-constexpr double probe = 1e-5;          ///< strain of the probes from rest: most materials yield later
-constexpr double linear_within = 1e-3;  ///< relative: between probes of one and of two sizes
+constexpr double largest_under_pressure = 0.01;  ///< soils come apart soon
+constexpr double probe = 1e-5;                   ///< strain of the probes from rest: most materials yield later
+constexpr double linear_within = 1e-3;           ///< relative: between probes of one and of two sizes
 constexpr std::array<std::array<int, 2>, 6> places{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
 
 struct Probes {
@@ -44,11 +45,11 @@ Probes probes_of(const Material& material, double pressure, double size) {
 }
 
 /// The largest amplitude, halved from the first, that the material stands. Throws MaterialFailure where it stands none.
-double amplitude_of(const Specimen& specimen) {
-  for (double amplitude = largest_amplitude;; amplitude *= 0.5) {
+double amplitude_of(const Specimen& specimen, double& largest) {
+  for (double amplitude = specimen.pressure > 0 ? largest_under_pressure : largest_amplitude;; amplitude *= 0.5) {
     const Loading loading{[&](double t) { return stretch(amplitude, t); }, 1};
     try {
-      march(*specimen.material, loading, {.steps = specimen.steps(), .state = specimen.rest_state()});
+      largest = march(*specimen.material, loading, {.steps = specimen.steps(), .state = specimen.rest_state()}).largest;
       return amplitude;
     } catch (const MaterialFailure&) {
       if (amplitude < least_amplitude) throw;
@@ -92,7 +93,10 @@ Specimen examine(const Material& material, const Options& options) {
   specimen.modulus = specimen.stiffness.cwiseAbs().maxCoeff();
   const double change = (half.slope - whole.slope).cwiseAbs().maxCoeff();
   specimen.linear = std::max(change, whole.one_sided) < linear_within * specimen.modulus;
-  specimen.amplitude = amplitude_of(specimen);
+  double largest = 0;
+  specimen.amplitude = amplitude_of(specimen, largest);
+  // one that relaxes within the step of a probe has no stiffness there
+  if (specimen.rate_dependent()) specimen.modulus = std::max(specimen.modulus, largest / specimen.amplitude);
   return specimen;
 }
 

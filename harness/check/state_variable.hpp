@@ -2,37 +2,74 @@
 // A state variable of one point as what it is: a number, a vector or a tensor.
 #pragma once
 
+#include <utility>
+
 #include "harness/material.hpp"
 #include "harness/tensor.hpp"
 
 namespace assay::check {
 
+/// 13 and 23 in each other's place.
+inline Tensor exchanged(Tensor A) {
+  std::swap(A(0, 2), A(1, 2));
+  std::swap(A(2, 0), A(2, 1));
+  return A;
+}
+
+/// Shear components times a factor.
+inline Tensor sheared(Tensor A, double factor) {
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) A(i, j) *= i == j ? 1 : factor;
+  }
+  return A;
+}
+
 class Variable {
  public:
   /// kind: ASSAY_SCALAR, ASSAY_VECTOR, ASSAY_SYMMETRIC_TENSOR (11, 22, 33, 12, 13, 23) or ASSAY_TENSOR, row-major.
   Variable(std::int32_t kind, const double* components) : kind_(kind) {
-    constexpr int place[] = {0, 4, 8, 1, 2, 5}, mirror[] = {0, 4, 8, 3, 6, 7};
     for (int c = 0; c < components_of_kind(kind); ++c) {
-      if (kind == ASSAY_SYMMETRIC_TENSOR) {
-        component(value_, place[c]) = component(value_, mirror[c]) = components[c];
-      } else {
-        component(value_, kind == ASSAY_VECTOR ? 3 * c : c) = components[c];  // a vector: the first column
-      }
+      component(value_, place(c)) = components[c];
+      if (kind == ASSAY_SYMMETRIC_TENSOR) component(value_, mirror(c)) = components[c];
     }
+  }
+
+  /// As they lie in the state.
+  void write(double* components) const {
+    for (int c = 0; c < components_of_kind(kind_); ++c) components[c] = component(value_, place(c));
   }
 
   /// As the frame sees it after a rotation.
   Variable turned(const Tensor& Q) const {
     Variable result = *this;
     if (kind_ == ASSAY_VECTOR) result.value_ = Q * value_;
-    if (kind_ == ASSAY_TENSOR || kind_ == ASSAY_SYMMETRIC_TENSOR) result.value_ = Q * value_ * Q.transpose();
+    if (is_tensor()) result.value_ = Q * value_ * Q.transpose();
     return result;
   }
 
+  /// Another value of the same kind.
+  Variable with(const Tensor& value) const {
+    Variable result = *this;
+    result.value_ = value;
+    return result;
+  }
+
+  bool is_tensor() const { return kind_ == ASSAY_TENSOR || kind_ == ASSAY_SYMMETRIC_TENSOR; }
+  const Tensor& value() const { return value_; }  ///< a vector: the first column
   double largest() const { return value_.cwiseAbs().maxCoeff(); }
   double distance(const Variable& other) const { return (value_ - other.value_).cwiseAbs().maxCoeff(); }
 
  private:
+  /// Component of the tensor that component c of the variable is.
+  int place(int c) const {
+    constexpr int symmetric[] = {0, 4, 8, 1, 2, 5};
+    return kind_ == ASSAY_SYMMETRIC_TENSOR ? symmetric[c] : kind_ == ASSAY_VECTOR ? 3 * c : c;
+  }
+  static int mirror(int c) {
+    constexpr int symmetric[] = {0, 4, 8, 3, 6, 7};
+    return symmetric[c];
+  }
+
   std::int32_t kind_;
   Tensor value_ = Tensor::Zero();
 };

@@ -45,6 +45,37 @@ Tangent of_strain(const Tangent& a) {
   return result;
 }
 
+/// d S / d F with S = F^-1 P.
+Tangent of_second_piola(const Tangent& piola, const Tensor& P, const Tensor& F) {
+  const Tensor inverse = F.inverse();
+  Tangent result;
+  for (int c = 0; c < 9; ++c) {
+    Tensor dF = Tensor::Zero(), dP;
+    component(dF, c) = 1;
+    for (int r = 0; r < 9; ++r) component(dP, r) = piola(r, c);
+    const Tensor dS = inverse * (dP - dF * inverse * P);
+    for (int r = 0; r < 9; ++r) result(r, c) = component(dS, r);
+  }
+  return result;
+}
+
+/// d S / d E from d S / d F: dF = F^-T dE has that symmetric strain.
+Tangent of_green_strain(const Tangent& dS_dF, const Tensor& F) {
+  const Tensor inverse_transposed = F.inverse().transpose();
+  Tangent result;
+  for (int c = 0; c < 9; ++c) {
+    Tensor dE = Tensor::Zero();
+    component(dE, c) += 0.5;
+    dE = (dE + dE.transpose()).eval();
+    const Tensor dF = inverse_transposed * dE;
+    for (int r = 0; r < 9; ++r) {
+      result(r, c) = 0;
+      for (int k = 0; k < 9; ++k) result(r, c) += dS_dF(r, k) * component(dF, k);
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, Tangent>> other_conventions(const Tangent& A, const Tensor& sigma, const Tensor& F) {
@@ -73,12 +104,17 @@ std::vector<std::pair<std::string, Tangent>> other_conventions(const Tangent& A,
     }
   }
   const Tangent plain = of_strain(spatial(A, F)), jaumann = of_strain(spatial(tau_over_J, F));
+  const Tangent second_piola = of_second_piola(piola, J * sigma * inverse.transpose(), F);
   return {{"transposed", A.transpose()},
           {"d sigma / d F with the indices of F exchanged (column-major)", columns},
           {"d (J sigma) / d F, of the Kirchhoff stress", J * tau_over_J},
           {"d P / d F, of the first Piola-Kirchhoff stress", piola},
           {"d sigma / d eps, of a strain in the current configuration", plain},
-          {"the modulus of the Jaumann rate of J sigma, over J (Abaqus)", jaumann}};
+          {"the modulus of the Jaumann rate of J sigma, over J (Abaqus)", jaumann},
+          {"d (J sigma) / d F over J, of the Kirchhoff stress", tau_over_J},
+          {"d sigma / d l, of a displacement in the current configuration", spatial(A, F)},
+          {"d S / d F, of the second Piola-Kirchhoff stress", second_piola},
+          {"d S / d E, of the second Piola-Kirchhoff stress and the Green strain", of_green_strain(second_piola, F)}};
 }
 
 }  // namespace assay::check

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/check/turned_step.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "harness/check/judge.hpp"
+#include "harness/check/state_variable.hpp"
+
+namespace assay::check {
+
+namespace {
+
+constexpr double large_turn = 2.3, small_turn = 0.1;  ///< [rad]
+constexpr double alike = 0.02;      ///< of the largest component: a step may be second order in the turn
+constexpr double explained = 1e-3;  ///< of an error that an assumption leaves
+constexpr double trifle = 1e-10;
+
+/// A tensor or vector of the state that has to turn.
+struct Place {
+  std::string name;
+  std::int32_t kind;
+  std::size_t at;
+
+  Variable in(const std::vector<double>& state) const { return {kind, &state[at]}; }
+};
+
+std::vector<Place> places_of(const Material& material) {
+  const assay_material& table = material.table();
+  std::vector<Place> places;
+  std::size_t at = 0;
+  for (std::uint32_t v = 0; v < table.state_count; ++v) {
+    const assay_state_variable& variable = table.state[v];
+    if (variable.kind != ASSAY_SCALAR && variable.role == ASSAY_ROLE_PLAIN) {
+      places.push_back({variable.name, variable.kind, at});
+    }
+    at += static_cast<std::size_t>(components_of_kind(variable.kind));
+  }
+  return places;
+}
+
+/// How `found` has come out of `before` in a turn of the body.
+TurnedVariable carried(const Variable& before, const Variable& found) {
+  const double scale = before.largest();
+  const Variable right = before.turned(turn(small_turn));
+  const auto is = [&](const Variable& v) { return found.distance(v) < alike * scale; };
+  TurnedVariable result;
+  if (is(right)) return result;
+  if (is(before)) return {{}, false, Turned::not_at_all, 0};
+  if (before.is_tensor() && (is(right.with(exchanged(right.value()))) || is(before.with(exchanged(before.value()))))) {
+    return {{}, false, Turned::with_13_and_23_exchanged, 1};
+  }
+  for (const double factor : {2.0, 0.5}) {
+    if (!before.is_tensor()) break;
+    const Variable meant = before.with(sheared(before.value(), factor)).turned(turn(small_turn));
+    if (is(meant.with(sheared(meant.value(), 1 / factor)))) return {{}, false, Turned::with_shear_factor, 1};
+  }
+  constexpr double range = 2.5, step = 0.01;
+  double best = 1;
+  const auto miss = [&](double times) { return found.distance(before.turned(turn(times * small_turn))); };
+  for (double times = -range; times <= range; times += step) {
+    if (miss(times) < miss(best)) best = times;
+  }
+  if (miss(best) > alike * scale) return {{}, false, Turned::otherwise, 1};
+  if (std::abs(best) <= 0.1) return {{}, false, Turned::not_at_all, 0};
+  return {{}, false, Turned::by_another_angle, best};
+}
+
+bool proportional(const Tensor& a, const Tensor& b) {
+  const double share = a.cwiseProduct(b).sum() / b.squaredNorm();
+  return std::isfinite(share) && distance(a, share * b) < 1e-3 * a.cwiseAbs().maxCoeff();
+}
+
+/// A loaded point, and the lengths of its steps [s].
+struct Loaded {
+  Tensor F;
+  Point point;
+  double length, instant;
+};
+
+Loaded loaded(const Specimen& specimen, double s) {
+  const double a = specimen.amplitude;
+  const Loading loading{[=](double t) { return stretch(a, s * t); }, 1};
+  const March found = march(*specimen.material, loading, {.steps = specimen.steps(), .state = specimen.rest_state()});
+  const double length = 1.0 / specimen.steps();
+  return {loading.F(1), found.marks[0], length, specimen.rate_dependent() ? 1e-9 : length};
+}
+
+/// In a turn of the loaded body.
+std::vector<TurnedVariable> carried_variables(const Specimen& specimen, const Loaded& from) {
+  const Material& material = *specimen.material;
+  const Tensor Q = turn(small_turn);
+  const Point held = stepped(material, 1, from.instant, from.F, from.F, from.point.state);
+  const Point seen = stepped(material, 1, from.instant, from.F, Q * from.F, from.point.state);
+  std::vector<TurnedVariable> all;
+  for (const Place& place : places_of(material)) {
+    const Variable before = place.in(held.state);
+    if (!(before.largest() > trifle) || before.distance(before.turned(Q)) < alike * before.largest()) continue;
+    all.push_back(carried(before, place.in(seen.state)));
+    all.back().name = place.name;
+    all.back().is_stress = before.is_tensor() && proportional(before.value(), held.cauchy);
+  }
+  return all;
+}
+
+/// What components of the state or of the stress are taken for; the first two are no defect.
+enum class As { tensor, own_frame, exchanged, half_shear, double_shear, count };
+
+Tensor read_as(As as, const Tensor& A) {
+  return as == As::exchanged      ? exchanged(A)
+         : as == As::half_shear   ? sheared(A, 0.5)
+         : as == As::double_shear ? sheared(A, 2)
+                                  : A;
+}
+
+Tensor written_as(As as, const Tensor& A) {
+  return as == As::exchanged      ? exchanged(A)
+         : as == As::half_shear   ? sheared(A, 2)
+         : as == As::double_shear ? sheared(A, 0.5)
+                                  : A;
+}
+
+Turned defect_of(As as) {
+  return as == As::tensor      ? Turned::rightly
+         : as == As::own_frame ? Turned::not_at_all
+         : as == As::exchanged ? Turned::with_13_and_23_exchanged
+                               : Turned::with_shear_factor;
+}
+
+/// One loading step from a state and from the same state turned.
+class Assumptions {
+ public:
+  Assumptions(const Specimen& specimen, const Loaded& from, double s)
+      : material_(*specimen.material), from_(from), places_(places_of(material_)) {
+    constexpr double further = 0.02;
+    F1_ = stretch(specimen.amplitude, s + further);
+    expected_ = step(from.F, F1_, from.point.state).cauchy;
+    scale_ = std::max(expected_.cwiseAbs().maxCoeff(), specimen.least_stress());
+    places_.resize(std::min(places_.size(), most_));
+  }
+
+  /// Of the stress, if each variable is what it is assumed to be, and so is the stress.
+  double error(const std::vector<As>& variables, As output) const {
+    const Tensor Q = turn(large_turn);
+    std::vector<double> state = from_.point.state;
+    for (std::size_t v = 0; v < places_.size(); ++v) {
+      if (variables[v] == As::own_frame) continue;
+      const Variable stored = places_[v].in(state);
+      const Variable meant = stored.is_tensor() ? stored.with(read_as(variables[v], stored.value())) : stored;
+      const Variable turned = meant.turned(Q);
+      (stored.is_tensor() ? turned.with(written_as(variables[v], turned.value())) : turned)
+          .write(&state[places_[v].at]);
+    }
+    const Tensor seen = step(Q * from_.F, Q * F1_, state).cauchy;
+    return distance(rotated(Q.transpose(), read_as(output, seen)), read_as(output, expected_)) / scale_;
+  }
+
+  const std::vector<Place>& places() const { return places_; }
+
+ private:
+  static constexpr std::size_t most_ = 4;  ///< variables, each with five assumptions
+
+  Point step(const Tensor& F0, const Tensor& F1, const std::vector<double>& state) const {
+    return stepped(material_, 1, from_.length, F0, F1, state);
+  }
+
+  const Material& material_;
+  const Loaded& from_;
+  std::vector<Place> places_;
+  Tensor F1_, expected_;
+  double scale_;
+};
+
+/// The least unlikely assumptions that explain the error.
+void explain(const Assumptions& assumptions, TurnedStep& found) {
+  const std::size_t count = assumptions.places().size();
+  const auto kinds = static_cast<std::size_t>(As::count);
+  std::size_t all = 1;
+  for (std::size_t v = 0; v < count; ++v) all *= kinds;
+  double least_cost = INFINITY;
+  for (std::size_t code = 0; code < all; ++code) {
+    std::vector<As> variables(count);
+    double cost = 0;
+    for (std::size_t v = 0, rest = code; v < count; ++v, rest /= kinds) {
+      variables[v] = static_cast<As>(rest % kinds);
+      cost += variables[v] == As::tensor ? 0 : variables[v] == As::own_frame ? 1 : 2;
+    }
+    for (const As output : {As::tensor, As::exchanged, As::half_shear, As::double_shear}) {
+      const double with_output = cost + (output == As::tensor ? 0 : 1.5);
+      if (with_output >= least_cost || assumptions.error(variables, output) > explained * found.error) continue;
+      least_cost = with_output;
+      found.stress = defect_of(output);
+      found.taken.clear();
+      for (std::size_t v = 0; v < count; ++v) {
+        found.taken.push_back({assumptions.places()[v].name, false, defect_of(variables[v]), 1});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<TurnedStep> turned_step(const Specimen& specimen) {
+  constexpr double s = 0.2;  // of the loading, on its way out
+  try {
+    const Loaded from = loaded(specimen, s);
+    TurnedStep found;
+    found.carried = carried_variables(specimen, from);
+    const Assumptions assumptions(specimen, from, s);
+    found.error = assumptions.error(std::vector<As>(assumptions.places().size(), As::tensor), As::tensor);
+    if (found.error > own_precision) explain(assumptions, found);
+    return found;
+  } catch (const MaterialFailure&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace assay::check

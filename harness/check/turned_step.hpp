@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One step, seen from a turned frame: which tensor of the state does not turn as it should, and how it does.
+#pragma once
+
+#include <optional>
+
+#include "harness/check/specimen.hpp"
+
+namespace assay::check {
+
+/// How a tensor or vector of the state, or the stress, is treated by `update`.
+enum class Turned {
+  rightly,
+  not_at_all,
+  by_another_angle,
+  with_13_and_23_exchanged,
+  with_shear_factor,
+  otherwise,
+};
+
+struct TurnedVariable {
+  std::string name;
+  bool is_stress = false;  ///< proportional to the Cauchy stress
+  Turned how = Turned::rightly;
+  double times = 1;  ///< by_another_angle: of the body's
+};
+
+struct TurnedStep {
+  double error = 0;                     ///< of the stress of one step from a turned state, relative
+  Turned stress = Turned::rightly;      ///< the defect of the output that explains the error
+  std::vector<TurnedVariable> carried;  ///< in a step in which a loaded body turns and is not deformed
+  std::vector<TurnedVariable> taken;    ///< in a loading from a turned state: as what they are read
+};
+
+/// Of states along the loading; nothing where the material fails.
+std::optional<TurnedStep> turned_step(const Specimen& specimen);
+
+}  // namespace assay::check
