@@ -18,19 +18,22 @@ namespace {
 constexpr double most_periods = 1000;  ///< of one history
 
 /// Stress and body force of the vortex (20), (31).
-ExactStress stress_of(const Vortex& vortex, const Response& response, double density, const ReferencePoint& point,
+ExactStress stress_of(const Vortex& vortex, const Response& response, double density, const Vector3& X, double t,
                       const Tensor& F) {
-  const Vector3 X(point.X, point.Y, point.Z);
   const double R = std::hypot(X.x(), X.y());
   Tensor tau, dtau_dxi;
-  response.at(vortex.profile(R).xi, point.t, tau, dtau_dxi);
+  response.at(vortex.profile(R).xi, t, tau, dtau_dxi);
   ExactStress stress;
-  stress.first_piola_kirchhoff = rotated_to(vortex, X, point.t, tau);
+  stress.first_piola_kirchhoff = rotated_to(vortex, X, t, tau);
   stress.cauchy = cauchy_stress(stress.first_piola_kirchhoff, F);
-  const Polar b = body_force(vortex, density, R, point.t, tau, dtau_dxi);
-  const double theta = std::atan2(X.y(), X.x()) + vortex.amplitude.at(point.t).value * vortex.profile(R).h;
+  const Polar b = body_force(vortex, density, R, t, tau, dtau_dxi);
+  const double theta = std::atan2(X.y(), X.x()) + vortex.amplitude.at(t).value * vortex.profile(R).h;
   stress.body_force = rotation_about_z(theta) * Vector3(b.r, b.theta, 0);  // (31), (25)
   return stress;
+}
+
+ExactPoint seen_from(const Frame& frame, const ExactPoint& point, double t) {
+  return {frame.seen(point.state, t), frame.seen(point.stress, point.state, t)};
 }
 
 /// tau of one history at the times of the points [Pa].
@@ -101,13 +104,15 @@ std::vector<ExactPoint> exact_points(const Scene& scene, const std::shared_ptr<c
   std::vector<ExactPoint> out;
   for (std::size_t i = 0; i < points.size(); ++i) {
     stop_if_interrupted();
-    const ReferencePoint& point = points[i];
-    ExactPoint exact{state_at(scene.motion, Vector3(point.X, point.Y, point.Z), point.t), {}};
+    const double t = points[i].t;
+    Vector3 X(points[i].X, points[i].Y, points[i].Z);
+    if (scene.frame) X = scene.frame->body_point(X);
+    ExactPoint exact{state_at(scene.motion, X, t), {}};
     if (vortex)
-      exact.stress = stress_of(*vortex, *response, scene.material.density, point, exact.state.F);
+      exact.stress = stress_of(*vortex, *response, scene.material.density, X, t, exact.state.F);
     else  // P = tau, b = a
       exact.stress = {tau[i], cauchy_stress(tau[i], exact.state.F), exact.state.a};
-    out.push_back(exact);
+    out.push_back(scene.frame ? seen_from(*scene.frame, exact, t) : exact);
   }
   return out;
 }

@@ -98,6 +98,10 @@ std::string steps_text(const Problem& problem) {
       rounded_text(problem.dt, 4), rounded_text(problem.wave_speed, 4), rounded_text(problem.particle_speed, 4));
 }
 
+std::string frame_line(const Problem& problem) {
+  return problem.scene.frame ? wrapped(frame_text(*problem.scene.frame), "frame: ", "  ") : "";
+}
+
 std::string sheet_text(const Response* response) {
   if (!response) return "no body force\n";
   const Sheet* sheet = response->sheet();
@@ -169,7 +173,7 @@ int explain(const ExplainOptions& options) {
     const ScreenFigures screen = screen_of(problem.scene, *problem.material, problem.scene.time.end);
     const std::string text = options.json ? json_text(problem, c, response.get(), screen)
                                           : passes_text(c) + observers_text(problem) + memory_text(problem, c) +
-                                                steps_text(problem) + sheet_text(response.get()) +
+                                                steps_text(problem) + frame_line(problem) + sheet_text(response.get()) +
                                                 wrapped(screen_sentence(screen), "motion: ", "  ");
     std::fputs(text.c_str(), stdout);
     return 0;

@@ -86,7 +86,7 @@ std::string expectations_text(const Result& result) {
 std::string verdict_text(const Result& result, const std::string& folder, bool with_profile) {
   std::string text = (result.title.empty() ? "" : result.title + ": ") + result.outcome;
   text += result.t ? fmt::format(" at t = {} s\n", figure(result.t)) : "\n";
-  if (!result.subject.empty()) text += "  " + result.subject + "\n";
+  if (!result.subject.empty()) text += wrapped(result.subject, "  ", "    ");
   if (!result.reason.empty()) text += wrapped(result.reason, "  ", "  ");
   if (!result.replay.empty()) text += "  the failing step is in " + result.replay + "\n";
   if (result.error.l2_max) text += error_lines(result.error);

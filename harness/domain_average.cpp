@@ -95,8 +95,9 @@ std::vector<DomainAverage::Rotated> DomainAverage::rotated_at(const PlaneRespons
 
 /// f of a = X f (29) at the radial nodes.
 void DomainAverage::accelerations(const AmplitudeValue& g) {
-  for (std::size_t k = 0; k < node_h_.size(); ++k) {
-    const double h = node_h_[k], c = std::cos(g.value * h), s = std::sin(g.value * h);
+  const std::span<const double> node_h = moments_.node_h();
+  for (std::size_t k = 0; k < node_h.size(); ++k) {
+    const double h = node_h[k], c = std::cos(g.value * h), s = std::sin(g.value * h);
     const double along = -std::pow(g.rate * h, 2), across = g.acceleration * h;  // along x and E_z x x
     node_a_[k] = {along * c - across * s, along * s + across * c};
   }
@@ -113,18 +114,13 @@ void DomainAverage::evaluate(const PlaneResponse& response, double t, std::span<
   accelerations(g);
   for (std::size_t k = 0; k < shapes_.size(); ++k) {
     const Shape& shape = shapes_[k];
-    Point flux{}, inertia{};
+    Point flux{};
     for (std::uint32_t i = shape.sides_begin; i < shape.sides_end; ++i) {
       const Point& f = flux_[sides_[i].edge];
       flux[0] += sides_[i].sign * f[0];
       flux[1] += sides_[i].sign * f[1];
     }
-    const Point* a = node_a_.data() + shape.node;
-    for (std::uint32_t i = shape.weights_begin; i < shape.weights_end; ++i, ++a) {
-      const Point& w = weights_[i];
-      inertia[0] += (*a)[0] * w[0] - (*a)[1] * w[1];
-      inertia[1] += (*a)[0] * w[1] + (*a)[1] * w[0];
-    }
+    const Point inertia = moments_.integral(k, node_a_);
     for (std::size_t d = 0; d < 2; ++d) force_[k][d] = (inertia[d] - flux[d] / density_) / shape.volume;
   }
   for (std::size_t p = 0; p < places_.size(); ++p) {

@@ -14,6 +14,7 @@
 #include "harness/radii_of_xi.hpp"
 #include "harness/reference_domain.hpp"
 #include "harness/response.hpp"
+#include "harness/ring_moments.hpp"
 #include "harness/vortex.hpp"
 
 namespace assay {
@@ -56,7 +57,6 @@ class DomainAverage {
   };
   struct Shape {
     std::uint32_t sides_begin = 0, sides_end = 0;
-    std::uint32_t weights_begin = 0, weights_end = 0, node = 0;  ///< weights of nodes from `node` on
     double volume = 0;
   };
   struct Rotated {  // S = Q(alpha) tau at a radius, row-major
@@ -69,8 +69,6 @@ class DomainAverage {
   void add_points(const Point& a, const Point& b, std::vector<BoundaryPoint>& points,
                   std::vector<double>& radius) const;
   void share_radii(std::vector<double>& radius);
-  int lay_out_panels();
-  void add_weights(const ReferenceDomains& domains);
   void rotate(double g, std::span<const double> h, std::span<const double> tau, std::span<Rotated> out) const;
   Point flux_of(std::span<const BoundaryPoint> points, std::span<const Rotated> S) const;
   void cuts_of(const Edge& edge, std::span<const double> radii, std::vector<double>& cuts) const;
@@ -84,13 +82,12 @@ class DomainAverage {
   int gauss_points_;
   RadiiOfXi radii_of_xi_;
   std::vector<ReferenceDomains::Place> places_;
+  RingMoments moments_;
   std::vector<Shape> shapes_;
   std::vector<Side> sides_;
   std::vector<Edge> edges_;
   std::vector<BoundaryPoint> points_;
   std::vector<double> xi_, h_;  // of each distinct radius
-  std::vector<double> node_h_;  // h at the radial nodes of the acceleration
-  std::vector<Point> weights_;  // integral of X L_k(R) dA over a shape [m^3]
   std::vector<double> tau_;
   std::vector<Rotated> rotated_;
   std::vector<Point> flux_;    // of each edge [N/m]

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 #include <unordered_map>
-#include <utility>
 
 #include "harness/domain_average.hpp"
 #include "harness/gauss.hpp"
@@ -12,9 +11,6 @@
 namespace assay {
 
 namespace {
-
-constexpr int panel_nodes = 7;    ///< of the acceleration's interpolation in R
-constexpr int fewest_panels = 8;  ///< across the ring
 
 std::span<const GaussPoint> rule_of(int points) {
   switch (points) {
@@ -45,41 +41,20 @@ double nearest_radius(const Point& a, const Point& b) {
   return std::hypot(a[0] + s * dx, a[1] + s * dy);
 }
 
-/// Lagrange weights of the panel's nodes at x in [-1, 1].
-std::array<double, panel_nodes> lagrange(double x) {
-  const auto& node = gauss_rule<panel_nodes>();
-  static const std::array<double, panel_nodes> scale = [&] {
-    std::array<double, panel_nodes> factors;
-    factors.fill(1);
-    for (std::size_t i = 0; i < panel_nodes; ++i) {
-      for (std::size_t j = 0; j < panel_nodes; ++j) {
-        if (j != i) factors[i] /= node[i].at - node[j].at;
-      }
-    }
-    return factors;
-  }();
-  std::array<double, panel_nodes> weight = scale;
-  double left = 1, right = 1;  // products of x - node[j] on both sides of i
-  for (std::size_t i = 0; i < panel_nodes; ++i) {
-    weight[i] *= left;
-    left *= x - node[i].at;
-    const std::size_t k = panel_nodes - 1 - i;
-    weight[k] *= right;
-    right *= x - node[k].at;
-  }
-  return weight;
-}
-
 }  // namespace
 
 DomainAverage::DomainAverage(const Vortex& vortex, double density, const ReferenceDomains& domains, int gauss_points)
-    : vortex_(vortex), density_(density), gauss_points_(gauss_points), radii_of_xi_(vortex), places_(domains.places) {
+    : vortex_(vortex),
+      density_(density),
+      gauss_points_(gauss_points),
+      radii_of_xi_(vortex),
+      places_(domains.places),
+      moments_(vortex, domains) {
   add_edges(domains);
-  add_weights(domains);
   tau_.resize(4 * xi_.size());
   rotated_.resize(xi_.size());
   flux_.resize(edges_.size());
-  node_a_.resize(node_h_.size());
+  node_a_.resize(moments_.node_h().size());
   force_.resize(shapes_.size());
 }
 
@@ -150,48 +125,6 @@ void DomainAverage::share_radii(std::vector<double>& radius) {
     const Vortex::Profile profile = vortex_.profile(R);
     xi_.push_back(profile.xi);
     h_.push_back(profile.h);
-  }
-}
-
-/// The acceleration (29) is X f(R, t): f is interpolated between radial nodes that all shapes share, in panels no wider
-/// than a whole domain.
-int DomainAverage::lay_out_panels() {
-  const double ri = vortex_.inner, width = vortex_.outer - vortex_.inner;
-  double largest_volume = 0;
-  for (const Shape& shape : shapes_) largest_volume = std::max(largest_volume, shape.volume);
-  double panel = width / fewest_panels;
-  if (largest_volume > 0) panel = std::min(panel, std::sqrt(largest_volume));
-  const int panels = static_cast<int>(std::ceil(width / panel - 1e-9));
-  for (int k = 0; k < panels; ++k) {
-    for (const GaussPoint& node : gauss_rule<panel_nodes>()) {
-      node_h_.push_back(vortex_.profile(ri + width * (k + 0.5 * (1 + node.at)) / panels).h);
-    }
-  }
-  return panels;
-}
-
-/// The integral of X times each node's polynomial, over every shape.
-void DomainAverage::add_weights(const ReferenceDomains& domains) {
-  const int panels = lay_out_panels();
-  const double ri = vortex_.inner, scale = panels / (vortex_.outer - vortex_.inner);
-  std::vector<Point> sums(node_h_.size(), Point{});
-  for (std::size_t k = 0; k < shapes_.size(); ++k) {
-    std::size_t low = sums.size(), high = 0;
-    for_each_area_point(domains.shapes[k].boundary, [&](const Point& X, double w) {
-      const double at = (std::hypot(X[0], X[1]) - ri) * scale;
-      const int panel = std::clamp(static_cast<int>(at), 0, panels - 1);
-      const auto value = lagrange(2 * (at - panel) - 1);
-      const auto first = static_cast<std::size_t>(panel * panel_nodes);
-      low = std::min(low, first), high = std::max(high, first + panel_nodes);
-      for (std::size_t i = 0; i < panel_nodes; ++i) {
-        for (std::size_t d = 0; d < 2; ++d) sums[first + i][d] += w * value[i] * X[d];
-      }
-    });
-    Shape& shape = shapes_[k];
-    shape.weights_begin = static_cast<std::uint32_t>(weights_.size());
-    shape.node = static_cast<std::uint32_t>(std::min(low, high));
-    for (std::size_t i = low; i < high; ++i) weights_.push_back(std::exchange(sums[i], Point{}));
-    shape.weights_end = static_cast<std::uint32_t>(weights_.size());
   }
 }
 

@@ -54,6 +54,7 @@ std::vector<Pass<Dim>> compose_with(const Setup<Dim>& setup) {
   };
   if constexpr (Dim == 2) {
     if (body_force) add(body_force_pass<Dim>(setup.evaluation));
+    if (body_force && setup.frame && setup.frame->spin != 0) add(moving_frame_pass<Dim>(setup.evaluation));
   }
   add(weights_pass<B, Dim>(!setup.seeds.half_edges.empty()));
   add(particles_to_grid_pass<B, Dim>(setup.hold_outside));

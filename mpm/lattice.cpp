@@ -117,6 +117,47 @@ Seeds<2> polar_lattice(const Annulus& ring, double spacing, const std::array<int
   return seeds;
 }
 
+ReferenceDomains rectangles_of(const Seeds<2>& seeds, const Annulus& ring) {
+  std::vector<Rectangle> rectangles(seeds.size());
+  for (std::size_t p = 0; p < seeds.size(); ++p) {
+    for (std::size_t d = 0; d < 2; ++d) {
+      const double half = seeds.half_size[d], X = seeds.X[d][p], odd = std::round(X / half);
+      const bool on_lattice = std::abs(X - odd * half) <= 1e-12 * std::abs(X);
+      rectangles[p].lower[d] = on_lattice ? (odd - 1) * half : X - half;
+      rectangles[p].upper[d] = on_lattice ? (odd + 1) * half : X + half;
+    }
+  }
+  return domains_of(rectangles, ring, false);
+}
+
+void turn(Seeds<2>& seeds, double angle, bool half_edges) {
+  const ReferenceDomains::Place by{0, std::cos(angle), std::sin(angle)};
+  if (seeds.domains) {
+    ReferenceDomains domains = *seeds.domains;
+    for (auto& place : domains.places) {
+      const Point direction = by.turned({place.cos_turn, place.sin_turn});
+      place.cos_turn = direction[0], place.sin_turn = direction[1];
+    }
+    seeds.domains = std::make_shared<const ReferenceDomains>(std::move(domains));
+  }
+  if (half_edges && seeds.half_edges.empty()) {
+    seeds.half_edges.assign(seeds.size(), {seeds.half_size[0], 0, 0, seeds.half_size[1]});
+  }
+  for (auto& H : seeds.half_edges) {
+    const Point first = by.turned({H[0], H[2]}), second = by.turned({H[1], H[3]});
+    H = {first[0], second[0], first[1], second[1]};
+  }
+  for (std::size_t p = 0; p < seeds.size(); ++p) {
+    const Point X = by.turned({seeds.X[0][p], seeds.X[1][p]});
+    seeds.X[0][p] = X[0], seeds.X[1][p] = X[1];
+  }
+  for (auto& X : seeds.held) X = by.turned(X);
+  if (!half_edges && seeds.half_size[0] != seeds.half_size[1]) {
+    seeds.half_size.fill(0.5 * std::sqrt(seeds.volume()));
+  }
+  seeds.angle += angle;
+}
+
 GridGeometry<2> grid_around(const std::array<double, 2>& lower, const std::array<double, 2>& upper, double spacing,
                             int margin) {
   GridGeometry<2> grid;

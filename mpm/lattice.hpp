@@ -28,6 +28,14 @@ Seeds<2> clipped_lattice(const Annulus& ring, double spacing, const std::array<i
 /// little less.
 Seeds<2> polar_lattice(const Annulus& ring, double spacing, const std::array<int, 2>& per_cell);
 
+/// Rectangles half_size around the particles; neighbours share corners to the last bit where they stand on a lattice.
+ReferenceDomains rectangles_of(const Seeds<2>& seeds, const Annulus& ring);
+
+/// Turns the body about the origin: its particles, and the domains that the body force is averaged over where there
+/// are any. With half_edges the basis is given turned domains; without, its boxes stay along the axes and keep their
+/// volume.
+void turn(Seeds<2>& seeds, double angle, bool half_edges);
+
 /// Grid with nodes at multiples of h that covers the box and `margin` cells on each side.
 GridGeometry<2> grid_around(const std::array<double, 2>& lower, const std::array<double, 2>& upper, double spacing,
                             int margin);

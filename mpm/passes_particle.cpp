@@ -6,32 +6,23 @@
 #include <mutex>
 
 #include "harness/domain_average.hpp"
+#include "harness/frame_force.hpp"
 #include "mpm/blocks.hpp"
+#include "mpm/lattice.hpp"
 #include "mpm/material_batch.hpp"
 
 namespace assay::mpm {
 
 namespace {
 
-/// Rectangles half_size around the particles; neighbours share corners to the last bit where they stand on a lattice.
-ReferenceDomains rectangles_of(const Seeds<2>& seeds, const Vortex& vortex) {
-  std::vector<Rectangle> rectangles(seeds.size());
-  for (std::size_t p = 0; p < seeds.size(); ++p) {
-    for (std::size_t d = 0; d < 2; ++d) {
-      const double half = seeds.half_size[d], X = seeds.X[d][p], odd = std::round(X / half);
-      const bool on_lattice = std::abs(X - odd * half) <= 1e-12 * std::abs(X);
-      rectangles[p].lower[d] = on_lattice ? (odd - 1) * half : X - half;
-      rectangles[p].upper[d] = on_lattice ? (odd + 1) * half : X + half;
-    }
-  }
-  return domains_of(rectangles, {vortex.inner, vortex.outer}, false);
+ReferenceDomains domains_of_setup(const Setup<2>& setup) {
+  const auto& vortex = std::get<Vortex>(*setup.motion);
+  return setup.seeds.domains ? *setup.seeds.domains : rectangles_of(setup.seeds, {vortex.inner, vortex.outer});
 }
 
 Kernel averaged_kernel(State<2>& s) {
   const auto& vortex = std::get<Vortex>(*s.setup.motion);
-  const Seeds<2>& seeds = s.setup.seeds;
-  auto field = std::make_shared<DomainAverage>(vortex, s.setup.density,
-                                               seeds.domains ? *seeds.domains : rectangles_of(seeds, vortex));
+  auto field = std::make_shared<DomainAverage>(vortex, s.setup.density, domains_of_setup(s.setup));
   return [&s, field](const Instant& now) {
     field->evaluate(*s.setup.response, now.t, std::span(s.column(Column::body_force, 0), s.particles),
                     std::span(s.column(Column::body_force, 1), s.particles));
@@ -62,6 +53,30 @@ Pass<Dim> body_force_pass(Evaluation evaluation) {
     return [&s, field, n](const Instant& now) {
       field->evaluate(*s.setup.response, now.t, std::span(s.column(Column::body_force, 0), n),
                       std::span(s.column(Column::body_force, 1), n));
+    };
+  };
+  return pass;
+}
+
+template <int Dim>
+Pass<Dim> moving_frame_pass(Evaluation evaluation) {
+  Pass<Dim> pass;
+  pass.name = "moving_frame";
+  pass.doc = "b turned into the spinning frame, with its Coriolis and centrifugal terms";
+  pass.called_for_by = "frame.spin";
+  pass.reads = {Column::reference_position, Column::body_force};
+  pass.writes = {Column::body_force};
+  pass.bind = [evaluation](State<Dim>& s) -> Kernel {
+    const auto& vortex = std::get<Vortex>(*s.setup.motion);
+    const double spin = s.setup.frame->spin;
+    const std::span X(s.column(Column::reference_position, 0), s.particles),
+        Y(s.column(Column::reference_position, 1), s.particles);
+    auto force = evaluation == Evaluation::point
+                     ? std::make_shared<FrameForce>(vortex, spin, X, Y)
+                     : std::make_shared<FrameForce>(vortex, spin, X, Y, domains_of_setup(s.setup));
+    return [&s, force](const Instant& now) {
+      force->apply(now.t, std::span(s.column(Column::body_force, 0), s.particles),
+                   std::span(s.column(Column::body_force, 1), s.particles));
     };
   };
   return pass;
@@ -175,6 +190,7 @@ Pass<Dim> accounts_pass(bool with_body_force) {
 
 // The vortex's body force lives in the plane; three dimensions serve the property tests of transfer and stress.
 template Pass<2> body_force_pass<2>(Evaluation);
+template Pass<2> moving_frame_pass<2>(Evaluation);
 template Pass<2> stress_pass<2>(bool, bool);
 template Pass<3> stress_pass<3>(bool, bool);
 template Pass<2> accounts_pass<2>(bool);

@@ -11,6 +11,10 @@ namespace assay::mpm {
 template <int Dim>
 Pass<Dim> body_force_pass(Evaluation evaluation);
 
+/// Of a frame that spins: turns b into it and adds the Coriolis and centrifugal terms.
+template <int Dim>
+Pass<Dim> moving_frame_pass(Evaluation evaluation);
+
 /// F <- (I + dt L) F, then the material's update in batches; finds det F <= 0 and failed points.
 template <int Dim>
 Pass<Dim> stress_pass(bool with_history, bool reads_increment);

@@ -56,13 +56,16 @@ Pass<Dim> weights_pass(bool domains_differ) {
 template <class B, int Dim>
 std::vector<double> mass_of_held(const State<Dim>& s) {
   const Seeds<Dim>& seeds = s.setup.seeds;
-  Mat<Dim> identity{};
-  for (std::size_t d = 0; d < Dim; ++d) identity[d * Dim + d] = 1;
+  const Tensor turn = rotation_about_z(seeds.angle);  // of the domain, as a rigid motion would turn it
+  Mat<Dim> F{};
+  for (std::size_t i = 0; i < Dim; ++i) {
+    for (std::size_t d = 0; d < Dim; ++d) F[i * Dim + d] = turn(static_cast<int>(i), static_cast<int>(d));
+  }
   GridField<1> mass;
   mass.allocate(s.setup.grid.nodes());
   B basis(s.setup.grid, seeds.half_size, 1);
   for (const auto& X : seeds.held) {
-    if (basis.place(0, X, identity)) basis.template scatter<1, 0>(0, {s.setup.density * seeds.volume()}, {}, mass);
+    if (basis.place(0, X, F)) basis.template scatter<1, 0>(0, {s.setup.density * seeds.volume()}, {}, mass);
   }
   return std::vector<double>(mass.data(), mass.data() + mass.nodes());
 }

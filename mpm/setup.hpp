@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "harness/body_force.hpp"
+#include "harness/frame.hpp"
 #include "harness/material.hpp"
 #include "harness/motion.hpp"
 #include "harness/reference_domain.hpp"
@@ -44,6 +45,7 @@ struct Seeds {
   /// What the body force is averaged over; null: half_size around each particle.
   std::shared_ptr<const ReferenceDomains> domains;
   std::vector<std::array<double, Dim>> held;  ///< reference positions of particles that never move [m]
+  double angle = 0;                           ///< by which the lattice is turned against the grid, about E_z [rad]
   std::size_t size() const { return X[0].size(); }
   double volume() const {  ///< reference volume of a particle whose domain is half_size around it [m^Dim]
     double product = 1;
@@ -70,6 +72,7 @@ struct Setup {
   Evaluation evaluation = Evaluation::point;
   std::shared_ptr<const Response> response;  ///< what b is made of; needed to run, not to compose
   std::optional<Motion> motion;              ///< gives the initial velocity; null: at rest
+  std::optional<Frame> frame;                ///< from which the motion is seen; null: the body's own
   bool hold_outside = false;                 ///< nodes and particles outside the vortex's ring are held
   bool accounts = false;                     ///< momentum and energy accounts
   int threads = 1;

@@ -6,6 +6,16 @@
 
 namespace assay::mpm {
 
+namespace {
+
+template <int Dim>
+Vector3 initial_velocity(const Setup<Dim>& setup, const Vector3& X) {
+  if (!setup.frame) return state_at(*setup.motion, X, 0).v;
+  return setup.frame->seen(state_at(*setup.motion, setup.frame->body_point(X), 0), 0).v;
+}
+
+}  // namespace
+
 template <int Dim>
 Simulation<Dim>::Simulation(Setup<Dim> setup) : state_(std::move(setup)) {
   const auto passes = compose(state_.setup);
@@ -56,7 +66,7 @@ void Simulation<Dim>::fill() {
     s.column(Column::volume)[p] = volume;
     if (s.has(Column::domain)) fill_domain(p);
     if (!s.setup.motion) continue;
-    const Vector3 v = state_at(*s.setup.motion, X, 0).v;
+    const Vector3 v = initial_velocity(s.setup, X);
     for (int d = 0; d < Dim; ++d) s.column(Column::velocity, d)[p] = v(d);
   }
 }

@@ -100,6 +100,20 @@ std::vector<Key> stretch_keys() {
   };
 }
 
+std::vector<Key> frame_keys() {
+  using enum KeyType;
+  const std::vector<std::string> of_vortex{"vortex"};
+  return {
+      {"frame.angle", number, "by which body and motion are turned against the grid, about E_z [rad]",
+       GET(s.frame ? Value(s.frame->angle) : Value()), SET(s.frame->angle = real(v)), {}, {}, false, {}, of_vortex},
+      {"frame.spin", number, "w: the whole motion turns by w t more [rad/s]",
+       GET(s.frame ? Value(s.frame->spin) : Value()), SET(s.frame->spin = real(v)), {}, {}, false, {}, of_vortex},
+      {"frame.velocity", pair, "of the whole motion [m/s]",
+       GET(s.frame ? pair_of({s.frame->velocity.x(), s.frame->velocity.y()}) : Value()),
+       SET((s.frame->velocity = {two(v)[0], two(v)[1], 0})), {}, {}, false, {}, of_vortex},
+  };
+}
+
 }  // namespace
 
 std::vector<Key> motion_keys() {
@@ -123,6 +137,7 @@ std::vector<Key> motion_keys() {
   keys.push_back({"motion.allow_unstable", boolean,
                   "run a motion that is not a stable solution for the model: it is refused otherwise",
                   GET(s.allow_unstable), SET(s.allow_unstable = std::get<bool>(v))});
+  for (const Key& key : frame_keys()) keys.push_back(key);
   return keys;
 }
 

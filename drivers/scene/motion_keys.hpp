@@ -6,7 +6,7 @@
 
 namespace assay::drivers {
 
-/// title and motion.*, in the order in which they are read and written.
+/// title, motion.* and frame.*, in the order in which they are read and written.
 std::vector<Key> motion_keys();
 
 }  // namespace assay::drivers

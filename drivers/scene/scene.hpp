@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drivers/input_error.hpp"
+#include "harness/frame.hpp"
 #include "harness/motion.hpp"
 #include "mpm/method.hpp"
 
@@ -98,6 +99,7 @@ struct Scene {
   std::string file;    ///< as given on the command line
   std::string sha256;  ///< of the file's bytes
   Motion motion;
+  std::optional<Frame> frame;  ///< from which the motion is seen; absent: the body's own
   bool allow_unstable = false;
   MaterialChoice material;
   Body body;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "drivers/output/numbers.hpp"
+#include "drivers/scene/body_box.hpp"
 #include "drivers/scene/scene_keys.hpp"
 
 namespace assay::drivers {
@@ -106,13 +107,25 @@ void check_grid(const Scene& scene, const Where& where) {
   }
   if (!grid.lower) return;
   check_corners(*grid.lower, *grid.upper, "grid", where);
-  const auto* vortex = std::get_if<Vortex>(&scene.motion);
-  const bool ring = vortex && scene.body.domain == Body::Domain::ring;
+  const Box body = swept_box(scene);
   for (std::size_t i = 0; i < 2; ++i) {
-    const double lower = ring ? -vortex->outer : scene.body.lower[i],
-                 upper = ring ? vortex->outer : scene.body.upper[i];
-    if ((*grid.lower)[i] <= lower && (*grid.upper)[i] >= upper) continue;
-    refuse(where, "grid.lower", "the grid must contain the body: particles would lie outside");
+    if ((*grid.lower)[i] <= body.lower[i] && (*grid.upper)[i] >= body.upper[i]) continue;
+    const std::string way = scene.frame && scene.frame->moves() ? " on all of its way" : "";
+    refuse(where, "grid.lower", "the grid must contain the body" + way + ": particles would lie outside");
+  }
+}
+
+void check_frame(const Scene& scene, const Where& where) {
+  if (!std::holds_alternative<Vortex>(scene.motion)) {
+    refuse(where, "frame", "serves the vortex, and motion.type is " + motion_type(scene));
+  }
+  const Frame& frame = *scene.frame;
+  if (frame.moves() && scene.body.outside == Body::Outside::held) {
+    refuse(where, frame.spin != 0 ? "frame.spin" : "frame.velocity",
+           "moves the ring over the grid, whose nodes around it are held: take body.outside: free or a ring alone");
+  }
+  if (frame.spin != 0 && scene.force.response == ForceChoice::Response::none) {
+    refuse(where, "frame.spin", "needs the body force, of which Coriolis' and the centrifugal one are parts");
   }
 }
 
@@ -129,6 +142,7 @@ void check_scene(const Scene& scene, const std::function<Location(const std::str
   }
   check_body(scene, where);
   if (scene.method && !scene.grid) refuse(where, "grid", "required by method and not given");
+  if (scene.frame) check_frame(scene, where);
   if (scene.grid) check_grid(scene, where);
   if (scene.time.step && *scene.time.step > scene.time.end) {
     refuse(where, "time.step", "must not exceed time.end, found " + number_text(*scene.time.step));

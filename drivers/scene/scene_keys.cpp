@@ -142,6 +142,8 @@ const std::vector<Section>& scene_sections() {
   static const std::vector<Section> sections{
       {"motion", "the manufactured motion", true},
       {"motion.amplitude", "g(t)"},
+      {"frame", "the frame from which the vortex is seen; absent: the body's own", false, true,
+       [](Scene& s) { s.frame.emplace(); }},
       {"material", "the constitutive model", true},
       {"material.parameters", "parameters of the material by name, SI units", false, false, nullptr, true},
       {"body", "the particles"},

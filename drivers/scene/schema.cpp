@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 /// Every kind of scene, with the optional parts present: what the table's keys are asked for their defaults.
 std::vector<Scene> kinds_of_scene() {
   Scene ring, square, box, stretch;
-  ring.grid.emplace(), ring.method.emplace();
+  ring.grid.emplace(), ring.method.emplace(), ring.frame.emplace();
   square = ring;
   square.motion = Homogeneous{};
   square.body.domain = Body::Domain::square;

@@ -38,6 +38,7 @@ FieldError of(const NormAccumulator& norm) { return {norm.l2(), norm.linf()}; }
 
 ErrorSampler::ErrorSampler(const Problem& problem, std::shared_ptr<const Response> response, const mpm::State<2>& state)
     : vortex_(problem.vortex()),
+      frame_(problem.scene.frame.value_or(Frame{})),
       response_(std::move(response)),
       points_(std::span(state.column(Column::reference_position, 0), state.particles),
               std::span(state.column(Column::reference_position, 1), state.particles)),
@@ -55,9 +56,9 @@ void ErrorSampler::update_rings(double t) {
   const AmplitudeValue g = vortex_.amplitude.at(t);
   for (std::size_t k = 0; k < rings_.size(); ++k) {
     const double h = vortex_.profile(points_.radius[k]).h;
-    rings_[k].cos_alpha = std::cos(g.value * h);
-    rings_[k].sin_alpha = std::sin(g.value * h);
-    rings_[k].omega = g.rate * h;
+    rings_[k].cos_alpha = std::cos(g.value * h + frame_.spin * t);
+    rings_[k].sin_alpha = std::sin(g.value * h + frame_.spin * t);
+    rings_[k].omega = g.rate * h + frame_.spin;
     rings_[k].gamma = 2 * g.value * xi_[k];
   }
   response_->at_time(t, xi_, [&](std::size_t k, const Tensor& tau, const Tensor&) {
@@ -71,6 +72,8 @@ void ErrorSampler::update_rings(double t) {
 
 ErrorSample ErrorSampler::sample(const mpm::State<2>& s, double t) {
   update_rings(t);
+  const double cos_spin = std::cos(frame_.spin * t), sin_spin = std::sin(frame_.spin * t);
+  const double c_x = frame_.velocity.x(), c_y = frame_.velocity.y();
   NormAccumulator u, v, F, J, stress, exact, all;
   for (std::size_t p = 0; p < s.particles; ++p) {
     const RingState& ring = rings_[points_.ring[p]];
@@ -86,15 +89,16 @@ ErrorSample ErrorSampler::sample(const mpm::State<2>& s, double t) {
     const auto sigma_at = [&](int c) { return s.column(Column::stress, c)[p]; };
     const Matrix2 F_p{F_at(0), F_at(1), F_at(2), F_at(3)};
     const double volume = s.column(Column::volume)[p];
-    const double du2 = square(s.column(Column::position, 0)[p] - x) + square(s.column(Column::position, 1)[p] - y);
+    const double du2 = square(s.column(Column::position, 0)[p] - (x + c_x * t)) +
+                       square(s.column(Column::position, 1)[p] - (y + c_y * t));
     displacement_error_[p] = std::sqrt(du2);
     shear_[p] = (transposed(r) * F_p * q).a21;
     all.add(1, du2);
     if (!moves_[points_.ring[p]]) continue;
     u.add(volume, du2);
-    exact.add(volume, square(x - X) + square(y - Y));
-    v.add(volume, square(s.column(Column::velocity, 0)[p] + ring.omega * y) +
-                      square(s.column(Column::velocity, 1)[p] - ring.omega * x));  // (28)
+    exact.add(volume, square(cos_spin * x + sin_spin * y - X) + square(cos_spin * y - sin_spin * x - Y));
+    v.add(volume, square(s.column(Column::velocity, 0)[p] + ring.omega * y - c_x) +
+                      square(s.column(Column::velocity, 1)[p] - ring.omega * x - c_y));  // (28)
     F.add(volume, distance2(F_p, F_exact));
     J.add(volume, square(F_p.a11 * F_p.a22 - F_p.a12 * F_p.a21 - 1));
     stress.add(volume, distance2({sigma_at(0), sigma_at(1), sigma_at(2), sigma_at(3)}, sigma_exact) +

@@ -9,7 +9,8 @@
 
 namespace assay::drivers {
 
-/// Exact fields of the vortex at the particles' reference points, computed once for each radius and time.
+/// Exact fields of the vortex at the particles' reference points, computed once for each radius and time. To a frame
+/// that spins every ring turns by spin t more; its angle is in the reference points.
 class ErrorSampler {
  public:
   ErrorSampler(const Problem& problem, std::shared_ptr<const Response> response, const mpm::State<2>& state);
@@ -21,7 +22,7 @@ class ErrorSampler {
   const std::vector<double>& displacement_error() const { return displacement_error_; }
   /// Shear gamma of each particle's own F in its ring's baseline, component 21 of r^T F q (17), at that time [1].
   const std::vector<double>& shear() const { return shear_; }
-  /// L2 norm of the exact displacement at that time, over the particles that move [m].
+  /// L2 norm of the exact displacement at that time, over the particles that move, in the body's own frame [m].
   double exact_displacement() const { return exact_displacement_; }
 
  private:
@@ -32,6 +33,7 @@ class ErrorSampler {
   void update_rings(double t);
 
   Vortex vortex_;
+  Frame frame_;
   std::shared_ptr<const Response> response_;
   RingPoints points_;
   std::vector<double> xi_;

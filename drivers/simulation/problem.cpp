@@ -6,6 +6,7 @@
 
 #include "drivers/material/material_choice.hpp"
 #include "drivers/output/number_format.hpp"
+#include "drivers/scene/body_box.hpp"
 #include "drivers/simulation/seeds.hpp"
 #include "harness/wave_speed.hpp"
 #include "mpm/lattice.hpp"
@@ -19,14 +20,15 @@ constexpr int speed_samples = 400;
 constexpr double wave_periods = 4;                     ///< in which the fastest wave is looked for
 constexpr double most_steps = 1e15;                    ///< beyond, step times would not be told apart
 constexpr double cell_bytes = 420, sector_bytes = 90;  ///< that averaging over a particle's domain takes (measured)
+constexpr double spin_bytes = 120;    ///< that a spinning frame's force takes, its means included (counted)
 constexpr double whole_steps = 1e-9;  ///< a number of steps this close to a whole one [relative] is that one
 
 mpm::GridGeometry<2> grid_of(const Scene& scene) {
   const GridChoice& grid = *scene.grid;
-  if (!grid.lower)
-    return mpm::grid_around(body_corner(scene, false), body_corner(scene, true), grid.spacing, grid_margin);
+  const Box body = swept_box(scene);
+  if (!grid.lower) return mpm::grid_around(body.lower, body.upper, grid.spacing, grid_margin);
   for (std::size_t d = 0; d < 2; ++d) {
-    if ((*grid.lower)[d] > body_corner(scene, false)[d] || (*grid.upper)[d] < body_corner(scene, true)[d]) {
+    if ((*grid.lower)[d] > body.lower[d] || (*grid.upper)[d] < body.upper[d]) {
       throw InputError(scene.place("grid"), "grid",
                        "particles of the body lie outside the grid, whose corners are [" +
                            rounded_text((*grid.lower)[0], 6) + ", " + rounded_text((*grid.lower)[1], 6) + "] and [" +
@@ -45,6 +47,14 @@ double fastest_particle(const Vortex& vortex, double end) {
     rate = std::max(rate, std::abs(vortex.amplitude.at(s * std::min(end, vortex.amplitude.period)).rate));
   }
   return profile * rate;  // (28)
+}
+
+/// What a frame adds to it: its spin at the farthest particle, and its velocity.
+double fastest_of_frame(const Frame& frame, const mpm::Seeds<2>& seeds) {
+  double farthest = 0;
+  for (std::size_t p = 0; p < seeds.size(); ++p)
+    farthest = std::max(farthest, std::hypot(seeds.X[0][p], seeds.X[1][p]));
+  return std::abs(frame.spin) * farthest + frame.velocity.norm();
 }
 
 /// Equal steps that also meet T/2 where the end is a multiple of it: the error is asked for there.
@@ -93,11 +103,11 @@ void check_limits(const Problem& problem) {
 void check_sizes(const Scene& scene) {
   constexpr double most = 2e9;  // particles and nodes are counted in 32 bits
   const GridChoice& grid = *scene.grid;
+  const Box body = body_box(scene), swept = swept_box(scene);
   double particles = 1, nodes = 1;
   for (std::size_t d = 0; d < 2; ++d) {
-    const double lower = body_corner(scene, false)[d], upper = body_corner(scene, true)[d];
-    particles *= (upper - lower) / grid.spacing * scene.body.per_cell[d];
-    const double width = grid.lower ? (*grid.upper)[d] - (*grid.lower)[d] : upper - lower;
+    particles *= (body.upper[d] - body.lower[d]) / grid.spacing * scene.body.per_cell[d];
+    const double width = grid.lower ? (*grid.upper)[d] - (*grid.lower)[d] : swept.upper[d] - swept.lower[d];
     nodes *= width / grid.spacing + 2 * grid_margin + 2;
   }
   const auto check = [&](double count, double bytes_each, const std::string& key, const std::string& what) {
@@ -129,6 +139,16 @@ void require_runnable(const Scene& scene) {
 
 }  // namespace
 
+std::string frame_text(const Frame& frame) {
+  const Vector3& c = frame.velocity;
+  std::string text;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+  if (frame.angle != 0) add("turned by " + rounded_text(frame.angle, 4) + " rad");
+  if (frame.spin != 0) add("spin " + rounded_text(frame.spin, 4) + " rad/s");
+  if (c != Vector3::Zero()) add("velocity (" + rounded_text(c.x(), 4) + ", " + rounded_text(c.y(), 4) + ") m/s");
+  return text.empty() ? "the body's own" : text;
+}
+
 std::string Problem::subject() const {
   const char* bases[] = {"linear", "ugimp", "cpdi"};
   const char* transfers[] = {"pic", "flip"};
@@ -136,7 +156,8 @@ std::string Problem::subject() const {
   return material->name() + "; " + bases[static_cast<int>(setup.basis)] + ", " +
          transfers[static_cast<int>(setup.transfer)] + ", " + updates[static_cast<int>(setup.update)] +
          "; h = " + rounded_text(scene.grid->spacing, 4) + " m; " + std::to_string(scene.body.per_cell[0]) + "x" +
-         std::to_string(scene.body.per_cell[1]) + " a cell; amplitude " + rounded_text(vortex().amplitude.peak, 4);
+         std::to_string(scene.body.per_cell[1]) + " a cell; amplitude " + rounded_text(vortex().amplitude.peak, 4) +
+         (scene.frame ? "; frame: " + frame_text(*scene.frame) : "");
 }
 
 double Problem::estimated_bytes() const {
@@ -151,6 +172,7 @@ double Problem::estimated_bytes() const {
   if (setup.seeds.domains || setup.evaluation == mpm::Evaluation::domain_average) {
     bytes += stepped * (scene.body.lattice == Body::Lattice::polar ? sector_bytes : cell_bytes);
   }
+  if (setup.frame && setup.frame->spin != 0) bytes += stepped * spin_bytes;
   if (setup.body_force && scene.output.pictures) bytes += stepped * 2 * 9 * sizeof(double);  // two frames
   return bytes;
 }
@@ -180,6 +202,7 @@ Problem assemble(const Scene& scene, int threads) {
   setup.body_force = scene.force.response != ForceChoice::Response::none;
   setup.evaluation = scene.force.evaluation;
   setup.motion = scene.motion;
+  setup.frame = scene.frame;
   setup.hold_outside = scene.body.domain != Body::Domain::ring && scene.body.outside == Body::Outside::held;
   setup.accounts = scene.output.accounts;
   setup.threads = threads;
@@ -190,6 +213,7 @@ Problem assemble(const Scene& scene, int threads) {
   const double watched = std::min(scene.time.end, wave_periods * period_of(scene.motion));
   problem.wave_speed = fastest_wave_on_path(*problem.material, path, density, watched);
   problem.particle_speed = fastest_particle(problem.vortex(), scene.time.end);
+  if (scene.frame) problem.particle_speed += fastest_of_frame(*scene.frame, setup.seeds);
   plan_steps(problem);
   check_limits(problem);
   return problem;

@@ -30,6 +30,9 @@ struct Problem {
   double estimated_bytes() const;
 };
 
+/// "turned by 0.7 rad, spin 1.3 rad/s, velocity (0.4, -0.2) m/s", of which what is zero is left out.
+std::string frame_text(const Frame& frame);
+
 /// The material alone, as the point driver needs it. Throws InputError.
 std::shared_ptr<const Material> material_of(Scene& scene, std::string& library);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/scene/body_box.hpp"
 #include "mpm/lattice.hpp"
 
 namespace assay::drivers {
@@ -26,15 +27,8 @@ bool partly_inside(const Scene& scene, const std::array<double, 2>& X) {
          std::hypot(farthest[0], farthest[1]) > vortex.inner * (1 + edge_rounding);
 }
 
-}  // namespace
-
-std::array<double, 2> body_corner(const Scene& scene, bool upper) {
-  if (scene.body.domain != Body::Domain::ring) return upper ? scene.body.upper : scene.body.lower;
-  const double outer = std::get<Vortex>(scene.motion).outer;
-  return upper ? std::array{outer, outer} : std::array{-outer, -outer};
-}
-
-mpm::Seeds<2> seeds_of(const Scene& scene) {
+/// Of the body in its own frame.
+mpm::Seeds<2> own_seeds_of(const Scene& scene) {
   const auto& vortex = std::get<Vortex>(scene.motion);
   const Body& body = scene.body;
   const double h = scene.grid->spacing;
@@ -50,7 +44,21 @@ mpm::Seeds<2> seeds_of(const Scene& scene) {
     if (body.outside == Body::Outside::free || (averaged && partly_inside(scene, X))) return mpm::Fate::stepped;
     return mpm::Fate::held;
   };
-  return mpm::cartesian_lattice(body_corner(scene, false), body_corner(scene, true), h, body.per_cell, fate);
+  const Box box = body_box(scene);
+  return mpm::cartesian_lattice(box.lower, box.upper, h, body.per_cell, fate);
+}
+
+}  // namespace
+
+mpm::Seeds<2> seeds_of(const Scene& scene) {
+  mpm::Seeds<2> seeds = own_seeds_of(scene);
+  if (!scene.frame || scene.frame->angle == 0) return seeds;
+  const auto& vortex = std::get<Vortex>(scene.motion);
+  if (!seeds.domains && scene.force.evaluation == ForceChoice::Evaluation::domain_average) {
+    seeds.domains = std::make_shared<const ReferenceDomains>(mpm::rectangles_of(seeds, {vortex.inner, vortex.outer}));
+  }
+  mpm::turn(seeds, scene.frame->angle, scene.method->basis == Method::Basis::cpdi);
+  return seeds;
 }
 
 }  // namespace assay::drivers

@@ -7,11 +7,9 @@
 
 namespace assay::drivers {
 
-/// Lower or upper corner of the box around the body [m].
-std::array<double, 2> body_corner(const Scene& scene, bool upper);
-
 /// Of a scene of the vortex with a grid. On a square or box whose outside is held, a particle is stepped where its
 /// centre lies in the ring; with an averaged force, also where only a part of its cell does: it bears a share of it.
+/// A frame's angle turns them all; uGIMP's boxes stay along the axes.
 mpm::Seeds<2> seeds_of(const Scene& scene);
 
 }  // namespace assay::drivers

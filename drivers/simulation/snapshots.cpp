@@ -66,6 +66,10 @@ ParticleFrame Snapshots::frame_of(const mpm::State<2>& s, double t) const {
   const double *x = s.column(Column::position, 0), *y = s.column(Column::position, 1);
   frame.x.assign(x, x + s.particles);
   frame.y.assign(y, y + s.particles);
+  if (const auto& seen = problem_->scene.frame) {  // pictures follow the body's centre
+    for (double& at : frame.x) at -= seen->velocity.x() * t;
+    for (double& at : frame.y) at -= seen->velocity.y() * t;
+  }
   for (auto* edge : {&frame.r1x, &frame.r1y, &frame.r2x, &frame.r2y}) edge->resize(s.particles);
   for (std::size_t p = 0; p < s.particles; ++p) {
     std::array<double, 4> H{seeds.half_size[0], 0, 0, seeds.half_size[1]};

@@ -97,6 +97,7 @@ TEST(Explain, CountsWhatTheRunCounts) {
 TEST(Explain, TextFitsATerminal) {
   ExplainOptions options;
   options.scene = scene;
+  options.sets = {"frame={angle: -0.71234, spin: -1.31234, velocity: [-0.41234, -0.21234]}"};
   testing::internal::CaptureStdout();
   ASSERT_EQ(explain(options), 0);
   std::string line;

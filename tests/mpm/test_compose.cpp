@@ -51,6 +51,11 @@ TEST(Compose, AnEffectIsAPassMoreAndNothingElse) {
   setup.body_force = true;
   EXPECT_EQ(names_of(compose(setup)), (Names{"body_force", "weights", "particles_to_grid", "grid_forces", "grid_update",
                                              "grid_to_particles", "stress"}));
+  setup.frame = Frame{0.7, 0, {0.4, -0.2, 0}};
+  EXPECT_EQ(names_of(compose(setup)).size(), 7u) << "only a frame that spins has forces";
+  setup.frame->spin = 1.3;
+  EXPECT_EQ(names_of(compose(setup))[1], "moving_frame");
+  setup.frame.reset();
   setup.accounts = setup.hold_outside = true;
   EXPECT_EQ(names_of(compose(setup)), (Names{"body_force", "weights", "particles_to_grid", "grid_forces", "grid_update",
                                              "hold_nodes", "grid_to_particles", "accounts", "stress"}));

@@ -164,6 +164,43 @@ TEST(PolarLattice, StandsOnCirclesAtTheCentroidsOfItsSectors) {
   for (std::size_t d = 0; d < 2; ++d) EXPECT_NEAR(first[d], 0, 1e-14);
 }
 
+/// Turned particles stand where the domains of the averaged force are, and the basis's domains turn with them.
+TEST(Turn, TakesParticlesAndDomainsAlong) {
+  for (Seeds<2> seeds : {clipped_lattice(ring, 0.1, {2, 3}), polar_lattice(ring, 0.1, {2, 2})}) {
+    const Seeds<2> before = seeds;
+    turn(seeds, 0.7, true);
+    const double c = std::cos(0.7), s = std::sin(0.7);
+    EXPECT_EQ(seeds.volumes, before.volumes);
+    ASSERT_EQ(seeds.half_edges.size(), seeds.size());
+    for (std::size_t p = 0; p < seeds.size(); ++p) {
+      EXPECT_NEAR(seeds.X[0][p], c * before.X[0][p] - s * before.X[1][p], 1e-15);
+      EXPECT_NEAR(seeds.X[1][p], s * before.X[0][p] + c * before.X[1][p], 1e-15);
+      const auto& place = seeds.domains->places[p];
+      const Point centroid = place.turned(moments_of(seeds.domains->shapes[place.shape].boundary).centroid);
+      EXPECT_NEAR(seeds.X[0][p], centroid[0], 1e-13);
+      EXPECT_NEAR(seeds.X[1][p], centroid[1], 1e-13);
+      const std::array<double, 4> H = before.half_edges.empty()
+                                          ? std::array{before.half_size[0], 0.0, 0.0, before.half_size[1]}
+                                          : before.half_edges[p];
+      const std::array<double, 4> turned{c * H[0] - s * H[2], c * H[1] - s * H[3], s * H[0] + c * H[2],
+                                         s * H[1] + c * H[3]};
+      for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(seeds.half_edges[p][k], turned[k], 1e-16);
+    }
+  }
+}
+
+TEST(Turn, BoxesAlongTheAxesKeepTheirVolume) {
+  Seeds<2> seeds = vortex_setup(5, {}, {2, 2}).seeds, oblong = vortex_setup(5, {}, {2, 3}).seeds;
+  const auto half = seeds.half_size;
+  const double volume = oblong.volume();
+  turn(seeds, 0.7, false);
+  turn(oblong, 0.7, false);
+  EXPECT_TRUE(seeds.half_edges.empty());
+  EXPECT_EQ(seeds.half_size, half);
+  EXPECT_EQ(oblong.half_size[0], oblong.half_size[1]);
+  EXPECT_NEAR(oblong.volume(), volume, 1e-15 * volume);
+}
+
 TEST(Lattice, TheGridHasItsNodesAtMultiplesOfTheSpacing) {
   const auto grid = grid_around({-1.5, -0.3}, {1.5, 0.31}, 0.1, 4);
   EXPECT_EQ(grid.first, (std::array<std::int32_t, 2>{-19, -7}));

@@ -116,6 +116,34 @@ TEST(Simulation, TheAveragedForceOfALatticeIsThatOfItsCells) {
   }
 }
 
+/// Against the frame's own formula, which knows nothing of the turns by which b is made: positions after a while, and
+/// velocities at the start.
+TEST(Simulation, FollowsTheMotionThatAFrameSees) {
+  const Frame frame{0.7, 1.3, {0.4, -0.2, 0}};
+  for (const bool averaged : {false, true}) {
+    mpm::Setup<2> own = averaged ? averaged_setup(5, false) : vortex_setup(5), seen = own;
+    turn(seen.seeds, frame.angle, true);
+    seen.frame = frame;
+    Simulation<2> resting(own), moving(seen);
+    const State<2>& s = moving.state();
+    const auto exact = [&](std::size_t p, double t) {
+      const Vector3 X(s.column(Column::reference_position, 0)[p], s.column(Column::reference_position, 1)[p], 0);
+      return frame.seen(state_at(*seen.motion, frame.body_point(X), t), t);
+    };
+    const auto vector = [&](Column column, std::size_t p) {
+      return Vector3(s.column(column, 0)[p], s.column(column, 1)[p], 0);
+    };
+    for (std::size_t p = 0; p < s.particles; ++p) {
+      EXPECT_LT((vector(Column::velocity, p) - exact(p, 0).v).norm(), 1e-14);
+    }
+    run(resting, 200);
+    run(moving, 200);
+    double sum = 0;
+    for (std::size_t p = 0; p < s.particles; ++p) sum += (vector(Column::position, p) - exact(p, 0.2).x).squaredNorm();
+    EXPECT_LT(std::sqrt(sum / static_cast<double>(s.particles)), 1.3 * displacement_error(resting.state(), 0.2));
+  }
+}
+
 TEST(Simulation, WithoutAMotionStartsAndStaysAtRest) {
   Simulation<2> simulation(block_setup<2>({}));
   run(simulation, 10);

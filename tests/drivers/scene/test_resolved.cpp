@@ -61,6 +61,8 @@ TEST(Resolved, SettingsReadBack) {
                                           "material.parameters={'a b': 1, '1': 2, 'null': 3}",
                                           "expect={reason: 'x: y', t: {between: [0.1, 0.2]}}",
                                           "method={basis: linear}",
+                                          "frame={angle: 0.7, spin: 1.3, velocity: [0.4, -0.2]}",
+                                          "frame.angle=-1e-3",
                                           "limits.particle_steps=1e300",
                                           "material.density=4.9406564584124654e-300",
                                           "output={pictures: false, particles: 0}",
@@ -86,7 +88,8 @@ TEST(Resolved, RandomNumbersReadBack) {
 
 TEST(Resolved, HoldsEveryKeyThatApplies) {
   Scene scene = scene_from_text(
-      scene_text("grid: {spacing: .1, lower: [-2, -2], upper: [2, 2]}\nmethod: {}\ntime: {step: .1}\n"), "f");
+      scene_text("grid: {spacing: .1, lower: [-2, -2], upper: [2, 2]}\nmethod: {}\ntime: {step: .1}\nframe: {}\n"),
+      "f");
   scene.material.direction = {0.0, 1.0, 0.0};  // of a model that has one
   const std::string text = resolved_yaml(scene);
   const Tree root = read_yaml(text, "resolved");

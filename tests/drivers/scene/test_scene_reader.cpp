@@ -109,7 +109,8 @@ TEST(SceneReader, EveryShippedSceneIsRead) {
 
 TEST(SceneReader, RefusesUnknownKeysWithTheNearest) {
   EXPECT_EQ(refused_extra("grdi: {spacing: 1}\n"),
-            "f.yaml:3:1: grdi: unknown key (nearest: grid); known: title, motion, material, body, grid, method, force, "
+            "f.yaml:3:1: grdi: unknown key (nearest: grid); known: title, motion, frame, material, body, grid, method, "
+            "force, "
             "time, output, limits, expect");
   EXPECT_EQ(refused_extra("grid: {spacng: 1}\n"),
             "f.yaml:3:8: grid.spacng: unknown key (nearest: spacing); known: spacing, lower, upper");
@@ -224,6 +225,37 @@ TEST(SceneReader, RefusesWhatDoesNotFitTogether) {
   EXPECT_TRUE(
       has(refused(homogeneous_text("grid: {spacing: .1}\nmethod: {}"), {"motion.final=[[1,0,0],[0,1,0],[0,0,1.1]]"}),
           "plane strain"));
+}
+
+TEST(SceneReader, ReadsAFrameAndRefusesOneThatCannotBe) {
+  const Scene s = scene_from_text(scene_text("frame: {angle: 0.7, spin: -1.3, velocity: [0.4, -0.2]}\n"), "f.yaml");
+  EXPECT_EQ(s.frame->angle, 0.7);
+  EXPECT_EQ(s.frame->spin, -1.3);
+  EXPECT_EQ(s.frame->velocity, Vector3(0.4, -0.2, 0));
+  EXPECT_FALSE(scene_from_text(scene_text(), "f.yaml").frame);
+  EXPECT_FALSE(scene_from_text(scene_text("frame: {}\n"), "f.yaml").frame->moves());
+  EXPECT_EQ(refused(homogeneous_text("frame: {angle: 1}\n")),
+            "f.yaml:3:16: frame.angle: does not belong to motion.type homogeneous");
+  EXPECT_EQ(refused(homogeneous_text("frame: {}\n")),
+            "f.yaml:3:8: frame: serves the vortex, and motion.type is homogeneous");
+  const std::string held = "body: {domain: square}\n";
+  EXPECT_EQ(refused_extra(held + "frame: {angle: 1}\n"), "accepted");
+  EXPECT_TRUE(has(refused_extra(held + "frame: {spin: 1}\n"), "f.yaml:4:15: frame.spin: moves the ring over the grid"));
+  EXPECT_TRUE(has(refused_extra(held + "frame: {velocity: [0, 1]}\n"), "frame.velocity: moves the ring over the grid"));
+  EXPECT_EQ(refused(scene_text(held + "frame: {spin: 1}\n"), {"body.outside=free"}), "accepted");
+  EXPECT_TRUE(has(refused_extra("frame: {spin: 1}\nforce: {response: none}\n"), "frame.spin: needs the body force"));
+  EXPECT_TRUE(has(refused_extra("frame: {angle: .nan}\n"), "frame.angle: must be a finite number"));
+}
+
+TEST(SceneReader, TheGridMustContainTheBodyOnAllItsWay) {
+  const std::string grid = "grid: {spacing: .1, lower: [-1.3, -1.3], upper: [1.3, 1.3]}\n";
+  EXPECT_EQ(refused_extra(grid + "frame: {angle: 1, spin: 3}\n"), "accepted") << "a ring stays itself";
+  EXPECT_TRUE(has(refused_extra(grid + "frame: {velocity: [0.1, 0]}\n"), "must contain the body on all of its way"));
+  EXPECT_EQ(refused(scene_text(grid + "frame: {velocity: [0.1, 0]}\n"), {"time.end=0.4"}), "accepted");
+  const std::string square = "body: {domain: square, outside: free, lower: [-1.3, -1.3], upper: [1.3, 1.3]}\n";
+  EXPECT_EQ(refused_extra(grid + square), "accepted");
+  EXPECT_TRUE(has(refused_extra(grid + square + "frame: {angle: 0.1}\n"), "particles would lie outside"));
+  EXPECT_TRUE(has(refused_extra(grid + square + "frame: {spin: 0.1}\n"), "particles would lie outside"));
 }
 
 TEST(SceneReader, PathsAreRelativeToTheSceneOrTheWorkingDirectory) {

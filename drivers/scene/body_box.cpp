@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/scene/body_box.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace assay::drivers {
+
+namespace {
+
+/// Of the body turned by the frame: a ring stays itself, and what spins sweeps the circle of its farthest corner.
+Box turned_box(const Scene& scene, const Frame& frame) {
+  const Box own = body_box(scene);
+  if (scene.body.domain == Body::Domain::ring || (frame.angle == 0 && frame.spin == 0)) return own;
+  Box box;
+  double farthest = 0;
+  for (const double x : {own.lower[0], own.upper[0]}) {
+    for (const double y : {own.lower[1], own.upper[1]}) {
+      const Vector3 corner = frame.rotation(0) * Vector3(x, y, 0);
+      farthest = std::max(farthest, std::hypot(x, y));
+      for (std::size_t d = 0; d < 2; ++d) {
+        box.lower[d] = std::min(box.lower[d], corner[static_cast<int>(d)]);  // the ring around the origin is inside
+        box.upper[d] = std::max(box.upper[d], corner[static_cast<int>(d)]);
+      }
+    }
+  }
+  if (frame.spin != 0) box.lower.fill(-farthest), box.upper.fill(farthest);
+  return box;
+}
+
+}  // namespace
+
+Box body_box(const Scene& scene) {
+  if (scene.body.domain != Body::Domain::ring) return {scene.body.lower, scene.body.upper};
+  const double outer = std::get<Vortex>(scene.motion).outer;
+  return {{-outer, -outer}, {outer, outer}};
+}
+
+Box swept_box(const Scene& scene) {
+  if (!scene.frame) return body_box(scene);
+  Box box = turned_box(scene, *scene.frame);
+  for (std::size_t d = 0; d < 2; ++d) {
+    const double way = scene.frame->velocity[static_cast<int>(d)] * scene.time.end;
+    box.lower[d] += std::min(0.0, way);
+    box.upper[d] += std::max(0.0, way);
+  }
+  return box;
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Integrals of X f(R) over the part in the ring of each of many reference domains, for any function f of the radius.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "harness/reference_domain.hpp"
+#include "harness/vortex.hpp"
+
+namespace assay {
+
+class RingMoments {
+ public:
+  RingMoments(const Vortex& vortex, const ReferenceDomains& domains);
+
+  /// h at the radial nodes between which f is interpolated.
+  std::span<const double> node_h() const { return node_h_; }
+
+  /// Integral over a shape of X f(R) dA. f: at the nodes, its parts along X and E_z x X.
+  Point integral(std::size_t shape, std::span<const Point> f) const;
+
+ private:
+  struct Range {
+    std::uint32_t begin = 0, end = 0, node = 0;  ///< weights of nodes from `node` on
+  };
+  int lay_out_panels(const Vortex& vortex, const ReferenceDomains& domains);
+
+  std::vector<double> node_h_;
+  std::vector<Point> weights_;  // integral of X L_k(R) dA over a shape [m^3]
+  std::vector<Range> ranges_;   // of each shape
+};
+
+}  // namespace assay
