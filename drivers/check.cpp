@@ -62,6 +62,7 @@ ResolvedMaterial material_to_check(const CheckOptions& options) {
 }  // namespace
 
 int check(const CheckOptions& options) {
+  if (options.methods) return check_methods(options);
   const ResolvedMaterial resolved = material_to_check(options);
   watch_interrupts();
   const auto start = std::chrono::steady_clock::now();

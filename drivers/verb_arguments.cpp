@@ -110,14 +110,21 @@ std::vector<Verb> material_verbs(CLI::App& app, Arguments& given) {
   std::vector<Verb> verbs;
   CLI::App& check_verb = add_verb(app, "check", "whether a material is frame-indifferent, and more",
                                   "assay check ./libmodel.so --parameters E=1e3,nu=0.3 --junit check.xml");
-  check_verb.add_option("MATERIAL", given.material, "name, library, description or scene")->required()->type_name("");
-  check_verb.add_option("--parameters", given.parameters, "in place of the defaults")->type_name("NAME=NUMBER,...");
+  auto* checked = check_verb.add_option("MATERIAL", given.material, "name, library, description or scene");
+  checked->type_name("");
+  auto* parameters = check_verb.add_option("--parameters", given.parameters, "in place of the defaults");
+  parameters->type_name("NAME=NUMBER,...");
+  check_verb.add_flag("--methods", given.methods, "patch tests of the particle methods, no MATERIAL")
+      ->excludes(checked)
+      ->excludes(parameters);
   check_verb.add_option("--json", given.json_file, "verdicts and diagnosis (- for standard output)")->type_name("FILE");
   check_verb.add_option("--junit", given.junit_file, "the same for CI, JUnit's XML")->type_name("FILE");
   check_verb.add_flag("--quick", given.quick, "fewer steps and states");
-  verbs.push_back({&check_verb, [&given] {
+  verbs.push_back({&check_verb, [&given, checked] {
+                     if (checked->count() == 0 && !given.methods)
+                       throw InputError("assay check: takes MATERIAL or --methods");
                      return check({given.material, given.parameters, given.json_file, given.junit_file, given.quick,
-                                   given.verbosity()});
+                                   given.verbosity(), given.methods});
                    }});
 
   CLI::App& materials_verb = add_verb(app, "materials", "what is registered, or one material",

@@ -51,6 +51,7 @@ struct CheckOptions {
   std::string junit;       ///< the same
   bool quick = false;
   Verbosity verbosity = Verbosity::normal;
+  bool methods = false;  ///< the patch tests of the particle method, in place of a material
 };
 
 struct MaterialsOptions {
@@ -70,6 +71,7 @@ int tabulate(const TabulateOptions& options);
 int eval(const EvalOptions& options);
 int explain(const ExplainOptions& options);
 int check(const CheckOptions& options);
+int check_methods(const CheckOptions& options);
 int materials(const MaterialsOptions& options);
 int register_material(const RegisterOptions& options);
 int schema();

@@ -7,8 +7,10 @@
 namespace assay::mpm {
 
 template <int Dim>
-Simulation<Dim>::Simulation(Setup<Dim> setup) : state_(std::move(setup)) {
-  const auto passes = compose(state_.setup);
+Simulation<Dim>::Simulation(Setup<Dim> setup) : Simulation(setup, compose(setup)) {}
+
+template <int Dim>
+Simulation<Dim>::Simulation(Setup<Dim> setup, const std::vector<Pass<Dim>>& passes) : state_(std::move(setup)) {
   allocate(passes);
   fill();
   if (state_.setup.hold_outside) hold_outside();
