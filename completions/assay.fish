@@ -19,6 +19,7 @@ complete -c assay -n "__fish_seen_subcommand_from check" -l parameters -x -d 'NA
 complete -c assay -n "__fish_seen_subcommand_from check" -l json -r -F -d 'Verdicts as JSON'
 complete -c assay -n "__fish_seen_subcommand_from check" -l junit -r -F -d 'Verdicts for CI'
 complete -c assay -n "__fish_seen_subcommand_from check" -l quick -d 'Fewer steps'
+complete -c assay -n "__fish_seen_subcommand_from check" -l methods -d 'The particle methods'
 complete -c assay -n "__fish_seen_subcommand_from register" -l as -x -d 'Name'
 complete -c assay -n "__fish_seen_subcommand_from register" -l remove -x -d 'Take a name out'
 complete -c assay -s v -l verbose -d 'Say more'

@@ -11,7 +11,7 @@ namespace assay::mpm {
 
 namespace {
 
-constexpr double jitter = 0.3;  ///< of the distance between particles
+constexpr double jitter = 0.3;  ///< of the distance between particles, and of the cuts between rows and columns
 constexpr std::array<double, 2> shift{0.31830988618379067, -0.43429448190325182};  ///< of h: 1/pi, -lg e
 
 }  // namespace
@@ -33,10 +33,33 @@ double time_step(const Bench& bench, int across, double speed) {
   return courant / (across * (bench.wave_speed + speed));
 }
 
+Seeds<2> graded_seeds(int across) {
+  const int along = 2 * across;
+  const double distance = 1.0 / along;
+  Noise noise;
+  std::array<std::vector<double>, 2> cuts;
+  for (auto& cut : cuts) {
+    for (int k = 0; k <= along; ++k) cut.push_back(k * distance - 0.5);
+    for (std::size_t k = 1; k + 1 < cut.size(); ++k) cut[k] += jitter * distance * noise();
+  }
+  Seeds<2> seeds;
+  seeds.half_size.fill(0.5 * distance);
+  for (std::size_t j = 1; j < cuts[1].size(); ++j) {
+    for (std::size_t i = 1; i < cuts[0].size(); ++i) {
+      const double width = cuts[0][i] - cuts[0][i - 1], height = cuts[1][j] - cuts[1][j - 1];
+      seeds.X[0].push_back(cuts[0][i - 1] + 0.5 * width);
+      seeds.X[1].push_back(cuts[1][j - 1] + 0.5 * height);
+      seeds.volumes.push_back(width * height);
+      seeds.half_edges.push_back({0.5 * width, 0, 0, 0.5 * height});
+    }
+  }
+  return seeds;
+}
+
 Mat<2> homogeneous_deformation() { return {1.07, 0.21, -0.04, 0.93}; }
 
 void arrange(State<2>& s, Arrangement arrangement) {
-  const bool is_deformed = arrangement == Arrangement::deformed || arrangement == Arrangement::jittered;
+  const bool is_deformed = arrangement != Arrangement::seeded && arrangement != Arrangement::shifted;
   const Mat<2> F = is_deformed ? homogeneous_deformation() : Mat<2>{1, 0, 0, 1};
   Noise noise;
   for (std::size_t p = 0; p < s.particles; ++p) {

@@ -47,10 +47,14 @@ enum class Arrangement {
   seeded,    ///< as seeded, cell by cell
   shifted,   ///< that lattice moved by an irrational part of a cell
   deformed,  ///< stretched and sheared by `homogeneous_deformation`: the domains are parallelograms without gaps
+  graded,    ///< deformed, and rows and columns of unequal width: the same without gaps, from `graded_seeds`
   jittered,  ///< deformed, and each particle moved by up to 0.3 of its distance to the next
 };
 
-/// F of `deformed` and `jittered`: stretches, shear and rotation.
+/// The square cut into rows and columns whose widths differ by up to 0.6 of themselves, each rectangle a particle.
+Seeds<2> graded_seeds(int across);
+
+/// F of the last three: stretches, shear and rotation.
 Mat<2> homogeneous_deformation();
 
 /// Positions and F of the state, the same F for all particles.

@@ -45,7 +45,8 @@ Pass<2> prescribed_stress(const Stress& sigma) {
 
 /// Largest inner force over the largest stress times h.
 double inner_force(const Method& method, const Bench& bench, Arrangement arrangement, int across) {
-  const Setup<2> setup = patch_setup(method, bench, across);
+  Setup<2> setup = patch_setup(method, bench, across);
+  if (arrangement == Arrangement::graded) setup.seeds = graded_seeds(across);
   const double h = setup.grid.spacing;
   Stress sigma = stress_at(*bench.material, homogeneous_deformation());
   auto passes = bench.passes(setup);
@@ -77,6 +78,7 @@ std::vector<check::TestResult> constant_stress(const Method& method, const Bench
       {Arrangement::seeded, "stress.seeded", "particles as seeded"},
       {Arrangement::shifted, "stress.shifted", "the lattice moved by a part of a cell"},
       {Arrangement::deformed, "stress.deformed", "stretched and sheared, domains still without gaps"},
+      {Arrangement::graded, "stress.graded", "the same, rows and columns of unequal width"},
       {Arrangement::jittered, "stress.jittered", "particles moved by up to 0.3 of their distance"}};
   std::vector<check::TestResult> results;
   for (const auto& [arrangement, id, what] : cases) {

@@ -29,7 +29,7 @@ std::vector<check::TestResult> translation(const Method& method, const Bench& be
 /// Rigid rotation by an irrational angle under the body force that it needs: errors of displacement, F and J.
 std::vector<check::TestResult> rotation(const Method& method, const Bench& bench);
 
-/// Internal force at inner nodes of a body under constant stress, in four arrangements of the particles.
+/// Internal force at inner nodes of a body under constant stress, in five arrangements of the particles.
 std::vector<check::TestResult> constant_stress(const Method& method, const Bench& bench);
 
 /// Sum of the weights, of their gradients, and of both with the nodes' positions, on an irregular set.

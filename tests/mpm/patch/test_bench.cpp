@@ -59,6 +59,23 @@ TEST(PatchBench, ArrangementsAreWhatTheySay) {
   EXPECT_LE(jittered[1] - jittered[0], 0.6 * distance);
 }
 
+TEST(PatchBench, GradedSeedsFillTheSquareWithUnequalRectangles) {
+  const Seeds<2> seeds = graded_seeds(8);
+  ASSERT_EQ(seeds.size(), 256u);
+  double volume = 0, smallest = 1, largest = 0, moment = 0;
+  for (std::size_t p = 0; p < seeds.size(); ++p) {
+    volume += seeds.volume(p);
+    moment += seeds.volume(p) * seeds.X[0][p];
+    smallest = std::min(smallest, seeds.half_edges[p][0]);
+    largest = std::max(largest, seeds.half_edges[p][3]);
+  }
+  EXPECT_NEAR(volume, 1, 1e-14);
+  EXPECT_NEAR(moment, 0, 1e-14);
+  EXPECT_GT(smallest, 0.4 * seeds.half_size[0]);
+  EXPECT_LT(smallest, 0.8 * seeds.half_size[0]);
+  EXPECT_GT(largest, 1.2 * seeds.half_size[1]);
+}
+
 TEST(PatchBench, PassesAreInsertedBehindAndInPlaceOfAllOfThatName) {
   std::vector<Pass<2>> passes(3);
   passes[0].name = passes[2].name = "a";
