@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/check_report.hpp"
+#include "drivers/input_error.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/wrapped_text.hpp"
 
@@ -60,6 +61,24 @@ std::int64_t count_of(const CheckedMethods& checked, Verdict verdict) {
   return count;
 }
 
+/// What is not promised and why, each reason once.
+std::string reasons(const CheckedMethods& checked) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> found;  // reason, ids
+  for (const auto& report : checked.methods) {
+    for (const TestResult& test : report.tests) {
+      const std::string reason = exemption(report.method, test.id);
+      if (reason.empty()) continue;
+      auto known = std::find_if(found.begin(), found.end(), [&](const auto& each) { return each.first == reason; });
+      if (known == found.end()) known = found.insert(found.end(), {reason, {}});
+      auto& ids = known->second;
+      if (std::find(ids.begin(), ids.end(), test.id) == ids.end()) ids.push_back(test.id);
+    }
+  }
+  std::string page;
+  for (const auto& [reason, ids] : found) page += wrapped(joined(ids) + ": " + reason, "n/a  ", "     ");
+  return page;
+}
+
 Json number(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
@@ -92,7 +111,7 @@ std::string methods_text(const CheckedMethods& checked, Verbosity verbosity) {
   if (verbosity != Verbosity::quiet) {
     page += row("method", "test", "verdict", "measured", "at most", "order");
     for (const auto& report : checked.methods) page += rows_of(report, verbosity);
-    page += "\n";
+    page += "\n" + reasons(checked);
   }
   return page + "methods: " + (checked.passes() ? "pass" : "FAIL") + "; " + std::to_string(checked.methods.size()) +
          " methods, " + std::to_string(count_of(checked, Verdict::pass)) + " tests passed, " +

@@ -16,8 +16,8 @@ struct CheckedMethods {
   bool passes() const;
 };
 
-/// One row a method and test. The sentence of what fails; every sentence with Verbosity::verbose, the last line alone
-/// with quiet.
+/// One row a method and test, and why something is not promised. The sentence of what fails; every sentence with
+/// Verbosity::verbose, the last line alone with quiet.
 std::string methods_text(const CheckedMethods& checked, Verbosity verbosity);
 
 /// {methods, verdict, tests: [{method, basis, formulation, transfer, update, mass, id, verdict, measure, threshold,

@@ -42,7 +42,7 @@ struct Readback {
 Readback read_back(const Method& method, const Bench& bench, const Vec<2>& v, const Mat<2>& A) {
   const Setup<2> setup = patch_setup(method, bench, bench.quick ? 8 : 32);
   auto passes = bench.passes(setup);
-  for (const char* name : {"grid_velocity", "grid_update"}) insert_after(passes, name, prescribed_velocity(v, A));
+  insert_after(passes, {"grid_velocity", "grid_update"}, prescribed_velocity(v, A));
   Simulation<2> simulation(setup, passes);
   State<2>& s = simulation.state();
   arrange(s, Arrangement::jittered);

@@ -83,11 +83,13 @@ TEST(PatchBench, PassesAreInsertedBehindAndInPlaceOfAllOfThatName) {
   Pass<2> probe, other;
   probe.name = "probe";
   other.name = "other";
-  insert_after(passes, "a", probe);
+  insert_after(passes, {"a", "c"}, probe);
   replace(passes, "b", other);
   std::string names;
   for (const auto& pass : passes) names += pass.name + " ";
   EXPECT_EQ(names, "a probe other a probe ");
+  EXPECT_THROW(insert_after(passes, {"b"}, probe), std::logic_error);
+  EXPECT_THROW(replace(passes, "b", probe), std::logic_error);
 }
 
 TEST(PatchBench, JudgesWhatIsPromisedAndTellsTheRest) {

@@ -33,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(Method, EveryPatchedMethod, testing::ValuesIn(all_metho
 TEST_P(EveryPatchedMethod, KeepsWhatItPromisesAndTellsTheRest) {
   const MethodReport report = run_patch_tests(GetParam(), quick_bench());
   EXPECT_TRUE(report.passes());
-  EXPECT_EQ(report.tests.size(), 13u);
+  EXPECT_EQ(report.tests.size(), 14u);
   std::set<std::string> ids;
   for (const auto& test : report.tests) {
     EXPECT_TRUE(ids.insert(test.id).second) << test.id;
@@ -63,8 +63,8 @@ TEST(PatchMethods, ListEveryCombinationOnce) {
 // What holds for all: partition of unity, linear fields, uniform motion, momentum, stress of a regular lattice.
 TEST(PatchMethods, NoneIsExemptFromTheEssentials) {
   for (const Method& method : all_methods()) {
-    for (const char* id :
-         {"weights.unity", "weights.linear", "translation", "stress.seeded", "stress.shifted", "momentum.linear"}) {
+    for (const char* id : {"weights.unity", "weights.linear", "translation", "stress.seeded", "stress.shifted",
+                           "stress.total", "momentum.linear"}) {
       EXPECT_EQ(exemption(method, id), "") << name_of(method) << " " << id;
     }
   }
@@ -201,6 +201,34 @@ std::vector<Defect> defects() {
        scale_all(Column::stress, 5, 0, 7),
        {linear, ugimp, cpdi},
        {"stress.seeded", "stress.shifted"}},
+      {"there is no force",
+       "grid_forces",
+       false,
+       [](State<2>& s, const Instant&) { s.force.zero(); },
+       {linear, ugimp, cpdi, pic},
+       {"stress.total"}},
+      {"the force has the other sign",
+       "grid_forces",
+       false,
+       [](State<2>& s, const Instant&) {
+         for (std::size_t i = 0; i < s.force.nodes(); ++i) {
+           for (std::size_t d = 0; d < 2; ++d) s.force.node(i)[d] *= -1;
+         }
+       },
+       {linear, cpdi},
+       {"stress.total"}},
+      {"the volume is that of the reference",
+       "grid_forces",
+       true,
+       [](State<2>& s, const Instant&) {
+         for (std::size_t p = 0; p < s.particles; ++p) {
+           const double* F[4];
+           for (int c = 0; c < 4; ++c) F[c] = s.column(Column::deformation_gradient, c) + p;
+           s.column(Column::volume)[p] = s.setup.seeds.volume(p) / (*F[0] * *F[3] - *F[1] * *F[2]);
+         }
+       },
+       {linear, cpdi, cpdi_usf},
+       {"stress.total"}},
       {"the body force is halved",
        "body_force",
        false,
