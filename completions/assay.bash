@@ -37,7 +37,7 @@ _assay() {
     tabulate) options+=' -o --set --points --json' ;;
     eval) options+=' -o --set --points' ;;
     explain) options+=' --set --json' ;;
-    check) options+=' --parameters --json --junit --quick' ;;
+    check) options+=' --parameters --json --junit --quick --methods --all --replay -o' ;;
     materials) options+=' --json' ;;
     register) options+=' --as --remove' ;;
   esac

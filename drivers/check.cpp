@@ -145,6 +145,7 @@ int status_of(const CheckedMaterial& checked) { return checked.passes() ? 0 : ch
 }  // namespace
 
 int check(const CheckOptions& options) {
+  if (options.methods) return check_methods(options);
   if (!options.replay.empty()) return check_replay(options);
   if (!options.all) {
     const CheckedMaterial checked = check_one(options);

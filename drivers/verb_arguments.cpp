@@ -115,17 +115,20 @@ std::vector<Verb> material_verbs(CLI::App& app, Arguments& given) {
   auto* all = check_verb.add_flag("--all", given.all, "everything that is registered, in parallel")->excludes(checked);
   auto* replay = check_verb.add_option("--replay", given.replay, "a failure again, alone")->excludes(checked);
   replay->type_name("FILE")->excludes(all);
-  check_verb.add_option("--parameters", given.parameters, "in place of the defaults")->type_name("NAME=NUMBER,...");
+  auto* parameters = check_verb.add_option("--parameters", given.parameters, "in place of the defaults");
+  parameters->type_name("NAME=NUMBER,...");
+  auto* methods = check_verb.add_flag("--methods", given.methods, "patch tests of the particle methods, no MATERIAL");
+  for (CLI::Option* other : {checked, parameters, all, replay}) methods->excludes(other);
   check_verb.add_option("--json", given.json_file, "verdicts and diagnosis (- for standard output)")->type_name("FILE");
   check_verb.add_option("--junit", given.junit_file, "the same for CI, JUnit's XML")->type_name("FILE");
   check_verb.add_flag("--quick", given.quick, "fewer steps and states");
   add_out(check_verb, given, "DIR", "folder of the replay files of failures (results/check)");
-  verbs.push_back({&check_verb, [&given] {
-                     if (given.material.empty() && given.replay.empty() && !given.all)
-                       throw InputError("assay check: takes MATERIAL, --all or --replay FILE");
+  verbs.push_back({&check_verb, [&given, checked] {
+                     if (checked->count() == 0 && given.replay.empty() && !given.all && !given.methods)
+                       throw InputError("assay check: takes MATERIAL, --all, --methods or --replay FILE");
                      return check({given.material, given.parameters, given.json_file, given.junit_file,
                                    given.out.empty() ? "results/check" : given.out, given.replay, given.all,
-                                   given.quick, given.verbosity()});
+                                   given.quick, given.verbosity(), given.methods});
                    }});
 
   CLI::App& materials_verb = add_verb(app, "materials", "what is registered, or one material",

@@ -18,7 +18,7 @@ namespace assay::drivers {
 struct Arguments {
   std::string scene, out, points, threads, material, file, name, remove, parameters, json_file, junit_file, replay;
   std::vector<std::string> sets;
-  bool json = false, quick = false, all = false, quiet = false, verbose = false;
+  bool json = false, quick = false, all = false, methods = false, quiet = false, verbose = false;
 
   Verbosity verbosity() const { return quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::normal; }
   std::string folder() const;  ///< of the results

@@ -54,6 +54,7 @@ struct CheckOptions {
   bool all = false;        ///< everything that is registered, in place of a material
   bool quick = false;
   Verbosity verbosity = Verbosity::normal;
+  bool methods = false;  ///< the patch tests of the particle method, in place of a material
 };
 
 struct MaterialsOptions {
@@ -73,6 +74,7 @@ int tabulate(const TabulateOptions& options);
 int eval(const EvalOptions& options);
 int explain(const ExplainOptions& options);
 int check(const CheckOptions& options);
+int check_methods(const CheckOptions& options);
 int materials(const MaterialsOptions& options);
 int register_material(const RegisterOptions& options);
 int schema();

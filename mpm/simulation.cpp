@@ -17,8 +17,10 @@ Vector3 initial_velocity(const Setup<Dim>& setup, const Vector3& X) {
 }  // namespace
 
 template <int Dim>
-Simulation<Dim>::Simulation(Setup<Dim> setup) : state_(std::move(setup)) {
-  const auto passes = compose(state_.setup);
+Simulation<Dim>::Simulation(Setup<Dim> setup) : Simulation(setup, compose(setup)) {}
+
+template <int Dim>
+Simulation<Dim>::Simulation(Setup<Dim> setup, const std::vector<Pass<Dim>>& passes) : state_(std::move(setup)) {
   allocate(passes);
   fill();
   if (state_.setup.hold_outside) hold_outside();

@@ -20,6 +20,8 @@ template <int Dim>
 class Simulation {
  public:
   explicit Simulation(Setup<Dim> setup);
+  /// The same with a list of passes of one's own: those of compose(setup), more or others.
+  Simulation(Setup<Dim> setup, const std::vector<Pass<Dim>>& passes);
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 

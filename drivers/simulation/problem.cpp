@@ -10,6 +10,7 @@
 #include "drivers/simulation/seeds.hpp"
 #include "harness/wave_speed.hpp"
 #include "mpm/lattice.hpp"
+#include "mpm/patch/methods.hpp"
 
 namespace assay::drivers {
 
@@ -150,11 +151,8 @@ std::string frame_text(const Frame& frame) {
 }
 
 std::string Problem::subject() const {
-  const char* bases[] = {"linear", "ugimp", "cpdi"};
-  const char* transfers[] = {"pic", "flip"};
-  const char* updates[] = {"usf", "usl", "musl"};
-  return material->name() + "; " + bases[static_cast<int>(setup.basis)] + ", " +
-         transfers[static_cast<int>(setup.transfer)] + ", " + updates[static_cast<int>(setup.update)] +
+  const mpm::MethodNames names = mpm::names_of({setup.basis, setup.transfer, setup.update});
+  return material->name() + "; " + names.basis + ", " + names.transfer + ", " + names.update +
          "; h = " + rounded_text(scene.grid->spacing, 4) + " m; " + std::to_string(scene.body.per_cell[0]) + "x" +
          std::to_string(scene.body.per_cell[1]) + " a cell; amplitude " + rounded_text(vortex().amplitude.peak, 4) +
          (scene.frame ? "; frame: " + frame_text(*scene.frame) : "");

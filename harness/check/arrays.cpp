@@ -2,6 +2,7 @@
 #include "harness/check/arrays.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 
@@ -54,6 +55,11 @@ std::vector<double> repeated_vector(const Vector3& v, std::size_t n) {
   return all;
 }
 
+/// Bit for bit: a state may hold what is no number.
+bool same(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0);
+}
+
 /// What a material does wrong to its arrays, or empty; and where it has come to.
 struct Deed {
   std::string wrong;
@@ -92,7 +98,8 @@ Deed step(const Material& material, std::size_t n, double t, const Tensor& befor
   if (status.broken()) return ends("it writes beyond the status of the points");
   if (message.broken()) return ends("it writes beyond the message");
   if (factor.broken()) return ends("it writes beyond dt_factor");
-  if (given[0] != F0 || given[1] != F1 || given[2] != state0) return ends("it writes into what it is given");
+  if (!same(given[0], F0) || !same(given[1], F1) || !same(given[2], state0))
+    return ends("it writes into what it is given");
   if (status.unwritten()) return ends("it leaves the status of points unwritten");
   if (std::count(found.begin(), found.end(), ASSAY_FAILED) != 0) return ends("");
   if (cauchy.unwritten()) return ends("it leaves components of the stress unwritten");
@@ -122,10 +129,15 @@ std::string misdeed(const Material& material, std::size_t n, Course course, doub
 
 /// In one batch after another, and what it is.
 std::string misdeed_in_batches(const Material& material, bool quick) {
+  using Clock = std::chrono::steady_clock;
+  constexpr auto slow = std::chrono::milliseconds(300);  // a model that takes so long for a few points is not asked for
+  const Clock::time_point start = Clock::now();
   for (const std::size_t n : {std::size_t{1}, std::size_t{7}, std::size_t{64}, std::size_t{ASSAY_BATCH_MAX}}) {
+    if (n > 1 && Clock::now() - start > slow) break;
     const int steps = n < 64 ? usual_steps : n == 64 ? usual_steps / 2 : quick ? 2 : 5;
     for (const Course course : {turning_stretch, expansion}) {
       for (const double amplitude : {1e-2, 0.15}) {
+        if (n == ASSAY_BATCH_MAX && (course != turning_stretch || amplitude < 0.1)) continue;
         const std::string what = misdeed(material, n, course, amplitude, steps);
         if (!what.empty()) return what + " in a step of " + std::to_string(n) + (n == 1 ? " point" : " points");
       }

@@ -60,6 +60,7 @@ std::vector<Entry> entries() {
   const auto turning = [](When when) { return plain([when](const Specimen& s) { return rotation(s, when); }); };
   return {
       {"rest", causes::refuses, plain(stress_at_rest)},
+      {"symmetry", causes::not_indifferent, plain(symmetry)},
       {"zero_increment", causes::refuses, plain(zero_increment)},
       {"elasticity.components", causes::refuses, plain(shear_components)},
       {"elasticity.shear", causes::refuses, plain(shear_modulus)},

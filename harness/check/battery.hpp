@@ -72,6 +72,7 @@ inline constexpr const char* energy = "energy not consistent with stress";
 inline constexpr const char* dissipation = "negative dissipation";
 inline constexpr const char* not_a_number = "numbers out of nothing";
 inline constexpr const char* refuses = "refuses a step";
+inline constexpr const char* not_symmetric = "stress not symmetric";
 inline constexpr const char* ends_process = "ends the process";
 inline constexpr const char* other_stress = "vortex does not converge";
 }  // namespace causes

@@ -94,53 +94,79 @@ class Comparison {
 
 }  // namespace
 
-TestResult repeated_calls(const Specimen& specimen, const std::vector<History>& first_histories) {
-  constexpr double most = 1e-12;  // vectorised and scalar code may differ in the last bits
-  const Material& material = *specimen.material;
-  Steps steps;
-  try {
-    steps = steps_along(specimen, specimen.options.quick ? 12 : 40);
-  } catch (const MaterialFailure&) {
-    return {.id = "calls.repeated",
-            .verdict = Verdict::not_applicable,
-            .sentence = "the material fails where it is loaded while it turns: see the tests of rotation"};
-  }
-  std::vector<Result> first;
-  for (std::size_t p = 0; p < steps.n; ++p) first.push_back(alone(material, steps, p));
-  const Comparison with(first);
+namespace {
+
+/// The largest difference that was found, and where.
+struct Difference {
   double worst = 0;
   std::string how;
-  const auto note = [&](double difference, const char* what) {
-    if (difference <= worst) return;
-    worst = difference;
-    how = what;
-  };
-  for (std::size_t p = steps.n; p-- > 0;)
-    note(with.difference(p, alone(material, steps, p)), "taken again, backwards,");
-  for (std::size_t p = 0; p < steps.n; ++p) {
-    note(with.difference(p, alone(material, steps, p)), "taken twice");
-    note(with.difference(p, alone(material, steps, p)), "taken twice");
+  void note(double difference, const char* what) {
+    if (difference > worst) worst = difference, how = what;
   }
-  const std::vector<Result> batch = together(material, steps);
-  for (std::size_t p = 0; p < steps.n; ++p) note(with.difference(p, batch[p]), "taken in a batch");
-  const Material other = material.clone();
-  for (std::size_t p = 0; p < steps.n; p += 3) note(with.difference(p, alone(other, steps, p)), "of another instance");
-  for (int again = 0; again < 2; ++again) {  // small after large
-    for (std::size_t k = 0; k < first_histories.size(); ++k) {
+};
+
+/// The first histories of the process again, small after large.
+void compare_histories(const Material& material, const std::vector<History>& first, Difference& difference) {
+  constexpr const char* what = "of a history that was the first of the process";
+  for (int again = 0; again < 2; ++again) {
+    for (std::size_t k = 0; k < first.size(); ++k) {
       const History found = history(material, amplitudes_of_first[k]);
-      const Comparison with_first(first_histories[k]);
-      if (found.size() != first_histories[k].size()) note(1, "of a history that was the first of the process");
-      for (std::size_t p = 0; p < std::min(found.size(), first_histories[k].size()); ++p) {
-        note(with_first.difference(p, found[p]), "of a history that was the first of the process");
+      const Comparison with(first[k]);
+      if (found.size() != first[k].size()) difference.note(1, what);
+      for (std::size_t p = 0; p < std::min(found.size(), first[k].size()); ++p) {
+        difference.note(with.difference(p, found[p]), what);
       }
     }
   }
-  TestResult result{.id = "calls.repeated", .measure = worst, .threshold = most};
+}
+
+/// Steps in other orders, in a batch, after larger loads, of another instance.
+void compare_steps(const Material& material, const Steps& steps, Difference& difference) {
+  const auto one_by_one = [&] {
+    std::vector<Result> results;
+    for (std::size_t p = 0; p < steps.n; ++p) results.push_back(alone(material, steps, p));
+    return results;
+  };
+  history(material, std::begin(amplitudes_of_first)[0]);
+  const std::vector<Result> first = one_by_one();
+  const Comparison with(first);
+  for (std::size_t p = steps.n; p-- > 0;) {
+    difference.note(with.difference(p, alone(material, steps, p)), "taken again, backwards,");
+  }
+  for (std::size_t p = 0; p < steps.n; ++p) {
+    difference.note(with.difference(p, alone(material, steps, p)), "taken twice");
+    difference.note(with.difference(p, alone(material, steps, p)), "taken twice");
+  }
+  history(material, std::end(amplitudes_of_first)[-1]);
+  const std::vector<Result> later = one_by_one(), batch = together(material, steps);
+  for (std::size_t p = 0; p < steps.n; ++p) {
+    difference.note(with.difference(p, later[p]), "taken after a larger load");
+    difference.note(with.difference(p, batch[p]), "taken in a batch");
+  }
+  const Material other = material.clone();
+  for (std::size_t p = 0; p < steps.n; p += 3) {
+    difference.note(with.difference(p, alone(other, steps, p)), "of another instance");
+  }
+}
+
+}  // namespace
+
+TestResult repeated_calls(const Specimen& specimen, const std::vector<History>& first) {
+  constexpr double most = 1e-12;  // vectorised and scalar code may differ in the last bits
+  const Material& material = *specimen.material;
+  Difference difference;
+  compare_histories(material, first, difference);
+  try {
+    compare_steps(material, steps_along(specimen, specimen.options.quick ? 12 : 40), difference);
+  } catch (const MaterialFailure&) {  // where it is loaded while it turns: the tests of rotation tell
+  }
+  TestResult result{.id = "calls.repeated", .measure = difference.worst, .threshold = most};
   result.sentence = "a step taken again, in another order, in a batch or of another instance is the same";
-  if (worst <= most) return result;
+  if (difference.worst <= most) return result;
   result.verdict = Verdict::fail;
   result.cause = causes::hidden_state;
-  result.sentence = "the same step " + how + " differs by " + rounded(worst) + ": something is kept outside the state";
+  result.sentence = "the same step " + difference.how + " differs by " + rounded(difference.worst) +
+                    ": something is kept outside the state";
   return result;
 }
 

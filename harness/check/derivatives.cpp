@@ -54,6 +54,7 @@ Tangent by_differences(const F& f, const Tensor& at, double h) {
 }
 
 double apart(const Tangent& a, const Tangent& b) {
+  if (!a.allFinite() || !b.allFinite()) return INFINITY;
   const double d = (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
   return std::isfinite(d) ? d : INFINITY;
 }

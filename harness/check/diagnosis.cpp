@@ -127,13 +127,18 @@ class Diagnostician {
 
   /// A single step tells which tensor it is; the stress before all others.
   bool of_turned_step() {
-    if (!evidence_.turned) return false;
+    const bool turning_fails = std::any_of(tests_.begin(), tests_.end(), [](const TestResult& test) {
+      const bool turns = test.id.rfind("rotation.", 0) == 0 || test.id == "basis" || test.id == "stretches.turning";
+      return test.verdict == Verdict::fail && turns;
+    });
+    if (!turning_fails || !evidence_.turned) return false;
     const TurnedStep& step = *evidence_.turned;
     if (step.stress != Turned::rightly) {
       explain(of_variable({"", true, step.stress, 1}, step.stress));
       return true;
     }
     std::optional<Diagnosis> found;
+    double farthest = -1;
     for (const TurnedVariable& variable : step.carried) {
       const auto same = [&](const TurnedVariable& other) { return other.name == variable.name; };
       const auto taken = std::find_if(step.taken.begin(), step.taken.end(), same);
@@ -141,10 +146,27 @@ class Diagnostician {
       const bool own_frame = as == Turned::not_at_all, misread = as != Turned::rightly && !own_frame;
       const Turned how = misread ? as : variable.how;
       if (how == Turned::rightly || how == Turned::otherwise || (own_frame && how == Turned::not_at_all)) continue;
-      if (!found || variable.is_stress) found = of_variable(variable, how);
+      const double far = variable.is_stress ? INFINITY : std::abs(variable.times - 1);
+      if (far <= farthest) continue;
+      farthest = far;
+      found = of_variable(variable, how);
     }
+    if (!found) found = of_what_is_left(step);
     if (found) explain(*found);
     return found.has_value();
+  }
+
+  /// Beside a stress that turns rightly, something that turns in no way that has a name.
+  static std::optional<Diagnosis> of_what_is_left(const TurnedStep& step) {
+    bool stress_is_right = false;
+    const TurnedVariable* other = nullptr;
+    for (const TurnedVariable& variable : step.carried) {
+      if (variable.is_stress && variable.how == Turned::rightly) stress_is_right = true;
+      if (!variable.is_stress && variable.how == Turned::otherwise) other = &variable;
+    }
+    if (!stress_is_right || !other) return std::nullopt;
+    return Diagnosis{causes::state_not_rotated,
+                     "the stress turns with the body, but '" + other->name + "' of the state does not"};
   }
 
   /// The stress of a stretched body that turns: left where it was, turned by another angle, or by about the right one
@@ -213,6 +235,7 @@ const std::vector<std::string>& all_causes() {
                                             causes::dissipation,
                                             causes::not_a_number,
                                             causes::refuses,
+                                            causes::not_symmetric,
                                             causes::ends_process,
                                             causes::other_stress};
   return all;

@@ -10,8 +10,9 @@
 
 namespace assay::check {
 
-inline constexpr double exact_error = 1e-11;   ///< rounding of a history in double precision
-inline constexpr double own_precision = 2e-5;  ///< of a model that computes in single precision
+inline constexpr double exact_error = 1e-11;    ///< rounding of a history in double precision
+inline constexpr double own_precision = 2e-5;   ///< of a model that computes in single precision
+inline constexpr double turn_precision = 1e-4;  ///< of such a model after the steps of a turn
 inline constexpr double converging_limit =
     5e-3;                               ///< of correct increments at most 8e-5 is left, of wrong ones at least 4e-2
 inline constexpr double falling = 1.3;  ///< (e1 - e2) / (e2 - e3) of errors that have a limit to be found

@@ -57,7 +57,9 @@ TestResult nearly_equal_stretches(const Specimen& specimen) {
     const double scale = std::max(largest, 1e-6 * specimen.modulus * amplitude);
     for (const double difference : differences) {
       const double change = distance(stress_at(specimen, amplitude, three, difference), equal) / scale;
-      const double excess = std::max(0.0, change - per_difference * difference / amplitude);
+      double excess = std::max(0.0, change - per_difference * difference / amplitude);
+      // of a fluid that is expanded the rate has no shear: any, however small, may bring a finite stress
+      if (three && specimen.rate_dependent() && excess < 1) excess = 0;
       if (!(excess <= worst)) worst = excess, at = difference;
     }
   }

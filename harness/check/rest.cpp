@@ -24,6 +24,34 @@ TestResult stress_at_rest(const Specimen& specimen) {
   return result;
 }
 
+TestResult symmetry(const Specimen& specimen) {
+  constexpr double of_deviator = 0.05, significant = 1e-4;  // single precision leaves 1e-7 of the largest component
+  const int steps = specimen.steps();
+  Point now{Tensor::Zero(), specimen.rest_state()};
+  Tensor F0 = Tensor::Identity();
+  double largest = specimen.least_stress(), deviator = 0, skew = 0;
+  for (int k = 0; k < steps; ++k) {
+    const double s = (k + 1.0) / steps;
+    const Tensor F1 = turn(2 * s) * stretch(specimen.amplitude, s);
+    now = stepped(*specimen.material, 1.0 * k / steps, 1.0 / steps, F0, F1, now.state);
+    const Tensor dev = now.cauchy - now.cauchy.trace() / 3 * Tensor::Identity();
+    largest = std::max(largest, now.cauchy.cwiseAbs().maxCoeff());
+    deviator = std::max(deviator, dev.cwiseAbs().maxCoeff());
+    skew = std::max(skew, distance(now.cauchy, now.cauchy.transpose()));
+    F0 = F1;
+  }
+  TestResult result{.id = "symmetry", .measure = skew / largest, .threshold = own_precision};
+  if (deviator > significant * largest && skew > of_deviator * deviator) {  // beside a large pressure
+    result.measure = skew / deviator;
+    result.threshold = of_deviator;
+  }
+  result.verdict = *result.measure <= *result.threshold ? Verdict::pass : Verdict::fail;
+  result.sentence =
+      "sigma - sigma^T over the stress, of a body that turns while it is loaded: " + rounded(*result.measure);
+  if (result.verdict == Verdict::fail) result.cause = causes::not_symmetric;
+  return result;
+}
+
 TestResult zero_increment(const Specimen& specimen) {
   TestResult result{.id = "zero_increment"};
   if (specimen.rate_dependent()) {

@@ -32,7 +32,7 @@ double RigidTurn::worst() const { return *std::max_element(errors_.begin(), erro
 
 TestResult RigidTurn::judged(const char* id, const std::string& words, int steps) const {
   const Limit limit = limit_of(errors_);
-  TestResult result{.id = id, .measure = worst(), .threshold = own_precision, .order = limit.order};
+  TestResult result{.id = id, .measure = worst(), .threshold = turn_precision, .order = limit.order};
   result.verdict = passes() ? Verdict::pass : Verdict::fail;
   result.sentence = words + ": " + how(limit, errors_, steps);
   if (exact() || !limit.passes()) return result;

@@ -18,8 +18,8 @@ class RigidTurn {
 
   /// Exact at every number of steps; or turned by an angle that converges, the principal values kept at every one.
   bool passes() const { return exact() || (limit_of(errors_).passes() && keeps_size()); }
-  bool exact() const { return worst() <= own_precision; }
-  bool keeps_size() const { return change_of_size_ <= own_precision; }  ///< in steps that are rotations
+  bool exact() const { return worst() <= turn_precision; }
+  bool keeps_size() const { return change_of_size_ <= turn_precision; }  ///< in steps that are rotations
 
   /// Measure, threshold, order, verdict and sentence, after `words`. steps: N.
   TestResult judged(const char* id, const std::string& words, int steps) const;

@@ -21,8 +21,8 @@ struct Probes {
   double one_sided = 0;                 ///< the largest difference between tension and compression, over the strain
 };
 
-/// About rest under a pressure [Pa].
-Probes probes_of(const Material& material, double pressure, double size) {
+/// About rest under a pressure [Pa], by steps of that length [s].
+Probes probes_of(const Material& material, double pressure, double size, double length) {
   const std::vector<double> rest = state_at_rest(material, pressure);
   const Tensor at_rest = -pressure * Tensor::Identity();
   Probes probes;
@@ -32,7 +32,7 @@ Probes probes_of(const Material& material, double pressure, double size) {
       Tensor F = Tensor::Identity();
       F(i, j) += strain;
       if (i != j) F(j, i) += strain;
-      return stepped(material, 0, 1, Tensor::Identity(), F, rest).cauchy;
+      return stepped(material, 0, length, Tensor::Identity(), F, rest).cauchy;
     };
     const Tensor there = stress(size), back = stress(-size), slope = (there - back) / (2 * size);
     probes.one_sided = std::max(probes.one_sided, (there + back - 2 * at_rest).cwiseAbs().maxCoeff() / (2 * size));
@@ -45,16 +45,27 @@ Probes probes_of(const Material& material, double pressure, double size) {
 }
 
 /// The largest amplitude, halved from the first, that the material stands. Throws MaterialFailure where it stands none.
-double amplitude_of(const Specimen& specimen, double& largest) {
+double amplitude_of(const Specimen& specimen) {
   for (double amplitude = specimen.pressure > 0 ? largest_under_pressure : largest_amplitude;; amplitude *= 0.5) {
     const Loading loading{[&](double t) { return stretch(amplitude, t); }, 1};
     try {
-      largest = march(*specimen.material, loading, {.steps = specimen.steps(), .state = specimen.rest_state()}).largest;
+      march(*specimen.material, loading, {.steps = specimen.steps() / 4, .state = specimen.rest_state()});
       return amplitude;
     } catch (const MaterialFailure&) {
       if (amplitude < least_amplitude) throw;
     }
   }
+}
+
+/// Of what relaxes so short [s] that it does not, which shows by a stiffness that is the same in a shorter one.
+double length_of_probes(const Specimen& specimen) {
+  constexpr double brief = 1e-6, briefer = 1e-9, alike = 0.1;
+  if (!specimen.rate_dependent()) return 1;
+  const auto stiffness = [&](double length) {
+    return probes_of(*specimen.material, specimen.pressure, probe, length).slope.cwiseAbs().maxCoeff();
+  };
+  const double one = stiffness(brief), other = stiffness(briefer);
+  return std::abs(one - other) < alike * one ? briefer : 1;
 }
 
 bool carries(const Material& material, double pressure) {
@@ -77,7 +88,7 @@ Tensor stretch(double amplitude, double s) {
 
 double pressure_at_rest(const Material& material) {
   const auto stiff = [&](double pressure) {
-    return carries(material, pressure) && probes_of(material, pressure, probe).slope.cwiseAbs().maxCoeff() != 0;
+    return carries(material, pressure) && probes_of(material, pressure, probe, 1).slope.cwiseAbs().maxCoeff() != 0;
   };
   constexpr double pressures[] = {0, 1e5, 1e4, 1e6, 1e3, 1e7, 1e2, 1e8, 10, 1e9, 1};  // [Pa]
   const auto* found = std::find_if(std::begin(pressures), std::end(pressures), stiff);
@@ -87,16 +98,14 @@ double pressure_at_rest(const Material& material) {
 Specimen examine(const Material& material, const Options& options) {
   Specimen specimen{&material, options};
   specimen.pressure = pressure_at_rest(material);
-  const Probes whole = probes_of(material, specimen.pressure, probe);
-  const Probes half = probes_of(material, specimen.pressure, 0.5 * probe);
+  const double length = length_of_probes(specimen);
+  const Probes whole = probes_of(material, specimen.pressure, probe, length);
+  const Probes half = probes_of(material, specimen.pressure, 0.5 * probe, length);
   specimen.stiffness = whole.slope;
   specimen.modulus = specimen.stiffness.cwiseAbs().maxCoeff();
   const double change = (half.slope - whole.slope).cwiseAbs().maxCoeff();
   specimen.linear = std::max(change, whole.one_sided) < linear_within * specimen.modulus;
-  double largest = 0;
-  specimen.amplitude = amplitude_of(specimen, largest);
-  // one that relaxes within the step of a probe has no stiffness there
-  if (specimen.rate_dependent()) specimen.modulus = std::max(specimen.modulus, largest / specimen.amplitude);
+  specimen.amplitude = amplitude_of(specimen);
   return specimen;
 }
 

@@ -2,8 +2,8 @@
 #include "harness/check/turned_step.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
 #include "harness/check/judge.hpp"
 #include "harness/check/state_variable.hpp"
@@ -12,9 +12,9 @@ namespace assay::check {
 
 namespace {
 
-constexpr double large_turn = 2.3, small_turn = 0.1;  ///< [rad]
-constexpr double alike = 0.02;      ///< of the largest component: a step may be second order in the turn
-constexpr double explained = 1e-3;  ///< of an error that an assumption leaves
+constexpr double large_turn = 2.3, small_turn = 0.02;  ///< [rad]
+constexpr double alike = 0.2 * small_turn;  ///< of the largest component: a step may be second order in the turn
+constexpr double explained = 1e-3;          ///< of an error that an assumption leaves
 constexpr double trifle = 1e-10;
 
 /// A tensor or vector of the state that has to turn.
@@ -40,31 +40,50 @@ std::vector<Place> places_of(const Material& material) {
   return places;
 }
 
-/// How `found` has come out of `before` in a turn of the body.
-TurnedVariable carried(const Variable& before, const Variable& found) {
-  const double scale = before.largest();
-  const Variable right = before.turned(turn(small_turn));
-  const auto is = [&](const Variable& v) { return found.distance(v) < alike * scale; };
-  TurnedVariable result;
-  if (is(right)) return result;
-  if (is(before)) return {{}, false, Turned::not_at_all, 0};
-  if (before.is_tensor() && (is(right.with(exchanged(right.value()))) || is(before.with(exchanged(before.value()))))) {
-    return {{}, false, Turned::with_13_and_23_exchanged, 1};
+/// A tensor without its sphere, which does not turn.
+Variable without_sphere(const Variable& v) {
+  if (!v.is_tensor()) return v;
+  return v.with(v.value() - v.value().trace() / 3 * Tensor::Identity());
+}
+
+/// An assumption about what became of a variable in a turn of the body.
+struct Fate {
+  Turned how;
+  double times;
+  Variable expected;
+};
+
+std::vector<Fate> fates_of(const Variable& before) {
+  const Tensor Q = turn(small_turn);
+  const Variable right = before.turned(Q);
+  std::vector<Fate> fates{{Turned::rightly, 1, right}, {Turned::not_at_all, 0, before}};
+  if (before.is_tensor()) {
+    for (const Variable& each : {right, before}) {
+      fates.push_back({Turned::with_13_and_23_exchanged, 1, each.with(exchanged(each.value()))});
+    }
+    const Variable misread = before.with(exchanged(before.value())).turned(Q);
+    fates.push_back({Turned::with_13_and_23_exchanged, 1, misread.with(exchanged(misread.value()))});
+    for (const double factor : {2.0, 0.5}) {
+      const Variable meant = before.with(sheared(before.value(), factor)).turned(Q);
+      fates.push_back({Turned::with_shear_factor, 1, meant.with(sheared(meant.value(), 1 / factor))});
+    }
   }
-  for (const double factor : {2.0, 0.5}) {
-    if (!before.is_tensor()) break;
-    const Variable meant = before.with(sheared(before.value(), factor)).turned(turn(small_turn));
-    if (is(meant.with(sheared(meant.value(), 1 / factor)))) return {{}, false, Turned::with_shear_factor, 1};
-  }
-  constexpr double range = 2.5, step = 0.01;
-  double best = 1;
-  const auto miss = [&](double times) { return found.distance(before.turned(turn(times * small_turn))); };
+  constexpr double range = 2.5, step = 0.01, no_turn = 0.1;
   for (double times = -range; times <= range; times += step) {
-    if (miss(times) < miss(best)) best = times;
+    if (std::abs(times) < no_turn || std::abs(times - 1) < no_turn) continue;
+    fates.push_back({Turned::by_another_angle, times, before.turned(turn(times * small_turn))});
   }
-  if (miss(best) > alike * scale) return {{}, false, Turned::otherwise, 1};
-  if (std::abs(best) <= 0.1) return {{}, false, Turned::not_at_all, 0};
-  return {{}, false, Turned::by_another_angle, best};
+  return fates;
+}
+
+/// How `found` has come out of `before` in a turn of the body, and by how much that misses it, relative.
+std::pair<TurnedVariable, double> carried(const Variable& before, const Variable& found) {
+  std::pair<TurnedVariable, double> best{{{}, false, Turned::otherwise, 1}, alike};
+  for (const Fate& fate : fates_of(before)) {
+    const double miss = found.distance(fate.expected) / before.largest();
+    if (miss < 0.5 * best.second) best = {{{}, false, fate.how, fate.times}, miss};  // the first are the likelier ones
+  }
+  return best;
 }
 
 bool proportional(const Tensor& a, const Tensor& b) {
@@ -87,19 +106,33 @@ Loaded loaded(const Specimen& specimen, double s) {
   return {loading.F(1), found.marks[0], length, specimen.rate_dependent() ? 1e-9 : length};
 }
 
-/// In a turn of the loaded body.
-std::vector<TurnedVariable> carried_variables(const Specimen& specimen, const Loaded& from) {
+/// In a turn of a loaded body, and of one that has been unloaded a little, so that the turn makes nothing flow: what
+/// fits best.
+std::vector<TurnedVariable> carried_variables(const Specimen& specimen, const Loaded& from, double s) {
   const Material& material = *specimen.material;
   const Tensor Q = turn(small_turn);
-  const Point held = stepped(material, 1, from.instant, from.F, from.F, from.point.state);
-  const Point seen = stepped(material, 1, from.instant, from.F, Q * from.F, from.point.state);
+  const std::vector<Place> places = places_of(material);
   std::vector<TurnedVariable> all;
-  for (const Place& place : places_of(material)) {
-    const Variable before = place.in(held.state);
-    if (!(before.largest() > trifle) || before.distance(before.turned(Q)) < alike * before.largest()) continue;
-    all.push_back(carried(before, place.in(seen.state)));
-    all.back().name = place.name;
-    all.back().is_stress = before.is_tensor() && proportional(before.value(), held.cauchy);
+  std::vector<double> misses;
+  for (const Place& place : places) {
+    all.push_back({place.name, false, Turned::otherwise, 1});
+    misses.push_back(INFINITY);
+  }
+  for (const double back : {0.0, 2e-3, 1e-2, 3e-2}) {
+    const Tensor F = stretch(specimen.amplitude, s - back);
+    const std::vector<double> state = stepped(material, 1, from.instant, from.F, F, from.point.state).state;
+    const Point held = stepped(material, 1, from.instant, F, F, state);
+    const Point seen = stepped(material, 1, from.instant, F, Q * F, state);
+    for (std::size_t v = 0; v < places.size(); ++v) {
+      const Variable whole = places[v].in(held.state), before = without_sphere(whole);
+      if (!(whole.largest() > trifle) || before.largest() < 1e-6 * whole.largest()) continue;
+      const auto [found, miss] = carried(before, without_sphere(places[v].in(seen.state)));
+      if (!(miss < 0.5 * misses[v])) continue;
+      misses[v] = miss;
+      all[v].how = found.how;
+      all[v].times = found.times;
+      all[v].is_stress = before.is_tensor() && proportional(whole.value(), held.cauchy);
+    }
   }
   return all;
 }
@@ -206,7 +239,7 @@ std::optional<TurnedStep> turned_step(const Specimen& specimen) {
   try {
     const Loaded from = loaded(specimen, s);
     TurnedStep found;
-    found.carried = carried_variables(specimen, from);
+    found.carried = carried_variables(specimen, from, s);
     const Assumptions assumptions(specimen, from, s);
     found.error = assumptions.error(std::vector<As>(assumptions.places().size(), As::tensor), As::tensor);
     if (found.error > own_precision) explain(assumptions, found);

@@ -89,7 +89,7 @@ TEST(Replay, OfAHistoryThatFailsMidwayNamesThePlaceAndCachesNothing) {
     EXPECT_GT(replay.step->t + replay.step->dt, 0);
     EXPECT_LT(replay.step->t + replay.step->dt, 0.5);  // on the way up
     EXPECT_GT(std::abs(replay.step->F1(1, 0)), 4e-4 * std::stod(modulus));
-    EXPECT_EQ(take_again(material_of(replay), replay.step).worst, ASSAY_FAILED);
+    EXPECT_EQ(take_again(material_of(replay), *replay.step).worst, ASSAY_FAILED);
     EXPECT_FALSE(kept()) << modulus;
   }
   EXPECT_EQ(run(quick_run(out, material("1000", "0.02"))), 0);

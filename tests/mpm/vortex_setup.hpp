@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "mpm/lattice.hpp"
+#include "mpm/patch/methods.hpp"
 #include "mpm/simulation.hpp"
 #include "tests/harness/elastic_material.hpp"
 
@@ -21,11 +22,7 @@ struct Way {
 
 inline std::vector<Way> every_way() {
   std::vector<Way> ways;
-  for (const Basis basis : {Basis::linear, Basis::ugimp, Basis::cpdi}) {
-    for (const Transfer transfer : {Transfer::pic, Transfer::flip}) {
-      for (const Update update : {Update::usf, Update::usl, Update::musl}) ways.push_back({basis, transfer, update});
-    }
-  }
+  for (const Method& method : all_methods()) ways.push_back({method.basis, method.transfer, method.update});
   return ways;
 }
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `assay check --methods`: the patch tests of every particle method that can be composed.
+#include <chrono>
+#include <iostream>
+
+#include "adapters/builtin.hpp"
+#include "drivers/interrupt.hpp"
+#include "drivers/methods_report.hpp"
+#include "drivers/output/whole_file.hpp"
+#include "drivers/verbs.hpp"
+
+namespace assay::drivers {
+
+int check_methods(const CheckOptions& options) {
+  watch_interrupts();
+  const auto start = std::chrono::steady_clock::now();
+  CheckedMethods checked;
+  const auto material = std::make_shared<const Material>(adapters::builtin_table("neo_hookean"),
+                                                         std::map<std::string, double>{{"E", 1e3}, {"nu", 0.3}});
+  const mpm::Bench bench = mpm::bench_of(material, options.quick);
+  for (const mpm::Method& method : mpm::all_methods()) {
+    stop_if_interrupted();
+    checked.methods.push_back(mpm::run_patch_tests(method, bench));
+  }
+  checked.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  stop_if_interrupted();
+  const bool json_on_output = options.json == "-", junit_on_output = options.junit == "-";
+  if (!options.json.empty() && !json_on_output) write_file(options.json, methods_json(checked));
+  if (!options.junit.empty() && !junit_on_output) write_file(options.junit, methods_junit(checked));
+  if (json_on_output) std::cout << methods_json(checked);
+  if (junit_on_output) std::cout << methods_junit(checked);
+  if (!json_on_output && !junit_on_output) std::cout << methods_text(checked, options.verbosity);
+  return checked.passes() ? 0 : 1;
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/methods_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "drivers/check_report.hpp"
+#include "drivers/input_error.hpp"
+#include "drivers/output/number_format.hpp"
+#include "drivers/output/wrapped_text.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using check::TestResult;
+using check::Verdict;
+
+std::string padded(std::string text, std::size_t width) {
+  text.resize(std::max(text.size(), width), ' ');
+  return text;
+}
+
+std::string figure(const std::optional<double>& value) {
+  if (!value) return "-";
+  return std::isinf(*value) ? "infinite" : rounded_text(*value, 2);
+}
+
+/// To a tenth, as much as two grids tell.
+std::string order_text(const std::optional<double>& order) {
+  return order ? rounded_text(std::round(10 * *order) / 10 + 0.0, 3) : "-";
+}
+
+std::string row(const std::string& method, const std::string& id, const std::string& verdict,
+                const std::string& measure, const std::string& threshold, const std::string& order) {
+  std::string line =
+      padded(method, 18) + padded(id, 23) + padded(verdict, 9) + padded(measure, 11) + padded(threshold, 10) + order;
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
+std::string rows_of(const mpm::MethodReport& report, Verbosity verbosity) {
+  std::string page;
+  for (const TestResult& test : report.tests) {
+    page += row(name_of(report.method), test.id, test.verdict == Verdict::fail ? "FAIL" : verdict_name(test.verdict),
+                figure(test.measure), figure(test.threshold), order_text(test.order));
+    if (verbosity == Verbosity::verbose || test.verdict == Verdict::fail)
+      page += wrapped(test.sentence, "    ", "    ");
+  }
+  return page;
+}
+
+std::int64_t count_of(const CheckedMethods& checked, Verdict verdict) {
+  std::int64_t count = 0;
+  for (const auto& report : checked.methods) {
+    count += std::count_if(report.tests.begin(), report.tests.end(),
+                           [&](const TestResult& test) { return test.verdict == verdict; });
+  }
+  return count;
+}
+
+/// What is not promised and why, each reason once.
+std::string reasons(const CheckedMethods& checked) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> found;  // reason, ids
+  for (const auto& report : checked.methods) {
+    for (const TestResult& test : report.tests) {
+      const std::string reason = exemption(report.method, test.id);
+      if (reason.empty()) continue;
+      auto known = std::find_if(found.begin(), found.end(), [&](const auto& each) { return each.first == reason; });
+      if (known == found.end()) known = found.insert(found.end(), {reason, {}});
+      auto& ids = known->second;
+      if (std::find(ids.begin(), ids.end(), test.id) == ids.end()) ids.push_back(test.id);
+    }
+  }
+  std::string page;
+  for (const auto& [reason, ids] : found) page += wrapped(joined(ids) + ": " + reason, "n/a  ", "     ");
+  return page;
+}
+
+Json number(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+Json json_of(const mpm::Method& method, const TestResult& test) {
+  const mpm::MethodNames names = names_of(method);
+  return {{"method", name_of(method)},
+          {"basis", names.basis},
+          {"formulation", names.formulation},
+          {"transfer", names.transfer},
+          {"update", names.update},
+          {"mass", names.mass},
+          {"id", test.id},
+          {"verdict", verdict_name(test.verdict)},
+          {"measure", number(test.measure)},
+          {"threshold", number(test.threshold)},
+          {"order", number(test.order)},
+          {"cause", test.cause.empty() ? Json(nullptr) : Json(test.cause)},
+          {"sentence", test.sentence}};
+}
+
+}  // namespace
+
+bool CheckedMethods::passes() const {
+  return std::all_of(methods.begin(), methods.end(), [](const auto& report) { return report.passes(); });
+}
+
+std::string methods_text(const CheckedMethods& checked, Verbosity verbosity) {
+  std::string page;
+  if (verbosity != Verbosity::quiet) {
+    page += row("method", "test", "verdict", "measured", "at most", "order");
+    for (const auto& report : checked.methods) page += rows_of(report, verbosity);
+    page += "\n" + reasons(checked);
+  }
+  return page + "methods: " + (checked.passes() ? "pass" : "FAIL") + "; " + std::to_string(checked.methods.size()) +
+         " methods, " + std::to_string(count_of(checked, Verdict::pass)) + " tests passed, " +
+         std::to_string(count_of(checked, Verdict::fail)) + " failed, " +
+         std::to_string(count_of(checked, Verdict::not_applicable)) + " not promised\n";
+}
+
+std::string methods_json(const CheckedMethods& checked) {
+  Json out;
+  out["methods"] = Json::array();
+  for (const auto& report : checked.methods) out["methods"].push_back(name_of(report.method));
+  out["verdict"] = checked.passes() ? "pass" : "fail";
+  out["tests"] = Json::array();
+  for (const auto& report : checked.methods) {
+    for (const TestResult& test : report.tests) out["tests"].push_back(json_of(report.method, test));
+  }
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string methods_junit(const CheckedMethods& checked) {
+  CheckedMaterial all;
+  all.name = "methods";
+  all.wall_s = checked.wall_s;
+  for (const auto& report : checked.methods) {
+    for (TestResult test : report.tests) {
+      test.id = name_of(report.method) + " " + test.id;
+      all.report.tests.push_back(std::move(test));
+    }
+  }
+  return check_junit({all});
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/patch/bench.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "mpm/lattice.hpp"
+
+namespace assay::mpm {
+
+namespace {
+
+constexpr double jitter = 0.3;  ///< of the distance between particles, and of the cuts between rows and columns
+constexpr std::array<double, 2> shift{0.31830988618379067, -0.43429448190325182};  ///< of h: 1/pi, -lg e
+
+}  // namespace
+
+Setup<2> patch_setup(const Method& method, const Bench& bench, int across) {
+  Setup<2> setup;
+  const double h = 1.0 / across;
+  setup.basis = method.basis;
+  setup.transfer = method.transfer;
+  setup.update = method.update;
+  setup.grid = grid_around({-0.5, -0.5}, {0.5, 0.5}, h, across);
+  setup.seeds = cartesian_lattice({-0.5, -0.5}, {0.5, 0.5}, h, {2, 2}, [](const auto&) { return Fate::stepped; });
+  setup.density = bench.density;
+  setup.material = bench.material;
+  return setup;
+}
+
+double time_step(const Bench& bench, int across, double speed) {
+  return courant / (across * (bench.wave_speed + speed));
+}
+
+Seeds<2> graded_seeds(int across) {
+  const int along = 2 * across;
+  const double distance = 1.0 / along;
+  Noise noise;
+  std::array<std::vector<double>, 2> cuts;
+  for (auto& cut : cuts) {
+    for (int k = 0; k <= along; ++k) cut.push_back(k * distance - 0.5);
+    for (std::size_t k = 1; k + 1 < cut.size(); ++k) cut[k] += jitter * distance * noise();
+  }
+  Seeds<2> seeds;
+  seeds.half_size.fill(0.5 * distance);
+  for (std::size_t j = 1; j < cuts[1].size(); ++j) {
+    for (std::size_t i = 1; i < cuts[0].size(); ++i) {
+      const double width = cuts[0][i] - cuts[0][i - 1], height = cuts[1][j] - cuts[1][j - 1];
+      seeds.X[0].push_back(cuts[0][i - 1] + 0.5 * width);
+      seeds.X[1].push_back(cuts[1][j - 1] + 0.5 * height);
+      seeds.volumes.push_back(width * height);
+      seeds.half_edges.push_back({0.5 * width, 0, 0, 0.5 * height});
+    }
+  }
+  return seeds;
+}
+
+Mat<2> homogeneous_deformation() { return {1.07, 0.21, -0.04, 0.93}; }
+
+void arrange(State<2>& s, Arrangement arrangement) {
+  const bool is_deformed = arrangement != Arrangement::seeded && arrangement != Arrangement::shifted;
+  const Mat<2> F = is_deformed ? homogeneous_deformation() : Mat<2>{1, 0, 0, 1};
+  Noise noise;
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    for (int d = 0; d < 2; ++d) {
+      const auto row = static_cast<std::size_t>(2 * d);
+      double x =
+          F[row] * s.column(Column::reference_position, 0)[p] + F[row + 1] * s.column(Column::reference_position, 1)[p];
+      if (arrangement == Arrangement::shifted) x += shift[row / 2] * s.setup.grid.spacing;
+      if (arrangement == Arrangement::jittered) x += 2 * jitter * s.setup.seeds.half_size[row / 2] * noise();
+      s.column(Column::position, d)[p] = x;
+    }
+    for (int c = 0; c < 4; ++c) s.column(Column::deformation_gradient, c)[p] = F[static_cast<std::size_t>(c)];
+  }
+}
+
+std::array<double, stress_components<2>> stress_at(const Material& material, const Mat<2>& F) {
+  const std::array<double, 9> tensor{F[0], F[1], 0, F[2], F[3], 0, 0, 0, 1};
+  std::array<double, 9> sigma{};
+  material.update(0, 1, 1, tensor.data(), tensor.data(), nullptr, nullptr, sigma.data());
+  return {sigma[0], sigma[1], sigma[3], sigma[4], sigma[8]};
+}
+
+void insert_after(std::vector<Pass<2>>& passes, const std::vector<std::string_view>& names, const Pass<2>& probe) {
+  const std::size_t before = passes.size();
+  for (std::size_t k = 0; k < passes.size(); ++k) {
+    if (std::find(names.begin(), names.end(), passes[k].name) == names.end()) continue;
+    passes.insert(passes.begin() + static_cast<std::ptrdiff_t>(++k), probe);
+  }
+  if (passes.size() == before) throw std::logic_error("no pass " + std::string(names.front()) + " in a step");
+}
+
+void replace(std::vector<Pass<2>>& passes, std::string_view name, const Pass<2>& other) {
+  bool found = false;
+  for (Pass<2>& pass : passes) {
+    if (pass.name == name) pass = other, found = true;
+  }
+  if (!found) throw std::logic_error("no pass " + std::string(name) + " in a step");
+}
+
+Momentum momentum_of(const State<2>& s) {
+  Momentum sum;
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    const double m = s.column(Column::mass)[p];
+    const double x = s.column(Column::position, 0)[p], y = s.column(Column::position, 1)[p];
+    const double vx = s.column(Column::velocity, 0)[p], vy = s.column(Column::velocity, 1)[p];
+    sum.linear[0] += m * vx;
+    sum.linear[1] += m * vy;
+    sum.angular += m * (x * vy - y * vx);
+    sum.scale += m * std::hypot(vx, vy);
+    sum.angular_scale += m * std::hypot(x, y) * std::hypot(vx, vy);
+  }
+  return sum;
+}
+
+check::TestResult judged(const Method& method, const std::string& id, const Figure& figure, double threshold,
+                         const std::string& broken) {
+  check::TestResult result{.id = id, .order = figure.order, .sentence = figure.sentence};
+  if (!std::isnan(figure.measure)) result.measure = figure.measure;
+  const std::string reason = exemption(method, id);
+  if (!reason.empty()) {
+    result.verdict = check::Verdict::not_applicable;
+    result.sentence += "; not promised: " + reason;
+    return result;
+  }
+  result.threshold = threshold;
+  if (!(figure.measure <= threshold)) {
+    result.verdict = check::Verdict::fail;
+    result.cause = broken;
+  }
+  return result;
+}
+
+std::string digits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", value);
+  return text;
+}
+
+}  // namespace assay::mpm

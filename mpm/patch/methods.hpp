@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The methods that compose() can make today, and what each of them promises. A later method is added here.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mpm/method.hpp"
+
+namespace assay::mpm {
+
+/// One way through all choices. There is one formulation, updated Lagrangian, and one mass, lumped.
+struct Method {
+  Basis basis = Basis::cpdi;
+  Transfer transfer = Transfer::flip;
+  Update update = Update::usl;
+};
+
+/// Every combination that can be composed.
+std::vector<Method> all_methods();
+
+/// The choices as a scene writes them.
+struct MethodNames {
+  std::string basis, formulation, transfer, update, mass;
+};
+MethodNames names_of(const Method& method);
+
+/// "cpdi/flip/usl".
+std::string name_of(const Method& method);
+
+/// Why the method does not promise what the patch test of that id measures; empty where it does, and is judged by it.
+std::string exemption(const Method& method, const std::string& test);
+
+}  // namespace assay::mpm

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "drivers/methods_report.hpp"
+#include "tests/drivers/process.hpp"
+
+namespace assay::drivers {
+namespace {
+
+TEST(CheckMethods, RunsEveryMethodAndSaysItInJsonAndJUnit) {
+  const ScratchFolder scratch;
+  const std::string json = scratch / "methods.json", junit = scratch / "methods.xml";
+  const Ending ending = assay({"check", "--methods", "--quick", "--json", json, "--junit", junit});
+  EXPECT_EQ(ending.status, 0) << ending.said;
+  const auto found = nlohmann::json::parse(bytes_of(json));
+  EXPECT_EQ(found["verdict"], "pass");
+  ASSERT_EQ(found["methods"].size(), mpm::all_methods().size());
+  std::set<std::string> rows, ids;
+  for (const auto& test : found["tests"]) {
+    for (const char* key : {"method", "basis", "formulation", "transfer", "update", "mass", "id", "verdict", "measure",
+                            "threshold", "order", "cause", "sentence"}) {
+      EXPECT_TRUE(test.contains(key)) << key;
+    }
+    EXPECT_NE(test["verdict"], "fail");
+    ids.insert(test["id"].get<std::string>());
+    rows.insert(test["method"].get<std::string>() + " " + test["id"].get<std::string>());
+  }
+  EXPECT_EQ(rows.size(), found["tests"].size());
+  EXPECT_EQ(rows.size(), found["methods"].size() * ids.size());
+  EXPECT_EQ(ids.count("translation"), 1u);
+  const std::string xml = bytes_of(junit);
+  EXPECT_NE(xml.find("<testsuite name=\"assay check methods\""), std::string::npos);
+  EXPECT_NE(xml.find("name=\"cpdi/flip/usl rotation.volume\""), std::string::npos);
+  EXPECT_EQ(xml.find("<failure"), std::string::npos);
+  EXPECT_NE(xml.find("not promised: "), std::string::npos);
+
+  std::istringstream page(ending.said);
+  std::string line;
+  for (std::getline(page, line); std::getline(page, line) && !line.empty();) {
+    std::istringstream words(line);
+    std::string method, id;
+    words >> method >> id;
+    EXPECT_EQ(rows.erase(method + " " + id), 1u) << line;
+  }
+  EXPECT_TRUE(rows.empty());
+  EXPECT_NE(ending.said.find("\nn/a  stress.jittered: domains of CPDI"), std::string::npos) << ending.said;
+}
+
+TEST(CheckMethods, WritesJsonAloneOnStandardOutput) {
+  const Ending ending = assay({"check", "--methods", "--quick", "--json", "-"});
+  EXPECT_EQ(ending.status, 0);
+  EXPECT_TRUE(nlohmann::json::parse(ending.said)["tests"].is_array());
+}
+
+TEST(CheckMethods, TakesNoMaterial) {
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{"neo_hookean"}, {"--parameters", "E=1"}, {"neo_hookean", "--parameters", "E=1"}}) {
+    std::vector<std::string> words{"check", "--methods"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Ending ending = assay(words);
+    EXPECT_EQ(ending.status, 2);
+    EXPECT_NE(ending.said.find("--methods"), std::string::npos) << ending.said;
+    EXPECT_EQ(std::count(ending.said.begin(), ending.said.end(), '\n'), 1) << ending.said;
+  }
+}
+
+CheckedMethods broken() {
+  mpm::MethodReport report{{}, {}};
+  report.tests = {{.id = "weights.unity", .measure = 1e-16, .threshold = 1e-13, .sentence = "fine"},
+                  {.id = "rotation.displacement",
+                   .verdict = check::Verdict::fail,
+                   .measure = INFINITY,
+                   .threshold = 0.004,
+                   .order = -0.04,
+                   .cause = "does <not> fall",
+                   .sentence = "unstable & gone"},
+                  {.id = "stress.jittered",
+                   .verdict = check::Verdict::not_applicable,
+                   .measure = 0.48,
+                   .sentence = "large; not promised: holes"}};
+  return {{report}, 0.5};
+}
+
+TEST(MethodsReport, TextFitsEightyColumnsAndShowsWhatFails) {
+  EXPECT_FALSE(broken().passes());
+  for (const Verbosity verbosity : {Verbosity::quiet, Verbosity::normal, Verbosity::verbose}) {
+    const std::string text = methods_text(broken(), verbosity);
+    std::istringstream page(text);
+    std::string line, last;
+    for (; std::getline(page, line); last = line) EXPECT_LE(line.size(), 80u) << line;
+    EXPECT_EQ(last, "methods: FAIL; 1 methods, 1 tests passed, 1 failed, 1 not promised");
+    EXPECT_EQ(text.find("unstable & gone") != std::string::npos, verbosity != Verbosity::quiet);
+    EXPECT_EQ(text.find("holes") != std::string::npos, verbosity == Verbosity::verbose);
+  }
+  const std::string text = methods_text(broken(), Verbosity::normal);
+  EXPECT_NE(text.find("cpdi/flip/usl     rotation.displacement  FAIL     infinite   0.004     0\n"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("cpdi/flip/usl     stress.jittered        n/a      0.48       -         -\n"), std::string::npos)
+      << text;
+}
+
+TEST(MethodsReport, JsonHasNoNumberForWhatIsInfiniteAndJUnitNamesTheCause) {
+  const auto found = nlohmann::json::parse(methods_json(broken()));
+  EXPECT_EQ(found["verdict"], "fail");
+  EXPECT_TRUE(found["tests"][1]["measure"].is_null());
+  EXPECT_EQ(found["tests"][1]["cause"], "does <not> fall");
+  EXPECT_EQ(found["tests"][2]["verdict"], "n/a");
+  EXPECT_EQ(found["tests"][2]["measure"], 0.48);
+  EXPECT_EQ(found["tests"][0]["formulation"], "updated_lagrangian");
+  EXPECT_EQ(found["tests"][0]["mass"], "lumped");
+  const std::string xml = methods_junit(broken());
+  EXPECT_NE(xml.find("tests=\"3\" failures=\"1\" errors=\"0\" time=\"0.5\""), std::string::npos) << xml;
+  EXPECT_NE(xml.find("<failure message=\"does &lt;not&gt; fall: unstable &amp; gone\""), std::string::npos) << xml;
+}
+
+}  // namespace
+}  // namespace assay::drivers

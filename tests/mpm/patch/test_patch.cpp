@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every method stands the patch tests, and a defect that is planted into the passes of a step does not.
+#include "mpm/patch/patch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "mpm/basis_linear.hpp"
+#include "mpm/basis_ugimp.hpp"
+#include "tests/harness/elastic_material.hpp"
+
+namespace assay::mpm {
+namespace {
+
+Bench quick_bench() { return bench_of(elastic_material(), true); }
+
+std::set<std::string> failed(const MethodReport& report) {
+  std::set<std::string> ids;
+  for (const auto& test : report.tests) {
+    if (test.verdict == check::Verdict::fail) ids.insert(test.id);
+  }
+  return ids;
+}
+
+struct EveryPatchedMethod : testing::TestWithParam<Method> {};
+std::string patched_name(const testing::TestParamInfo<Method>& info) {
+  const MethodNames names = names_of(info.param);
+  return names.basis + "_" + names.transfer + "_" + names.update;
+}
+INSTANTIATE_TEST_SUITE_P(Method, EveryPatchedMethod, testing::ValuesIn(all_methods()), patched_name);
+
+TEST_P(EveryPatchedMethod, KeepsWhatItPromisesAndTellsTheRest) {
+  const MethodReport report = run_patch_tests(GetParam(), quick_bench());
+  EXPECT_TRUE(report.passes());
+  EXPECT_EQ(report.tests.size(), 14u);
+  std::set<std::string> ids;
+  for (const auto& test : report.tests) {
+    EXPECT_TRUE(ids.insert(test.id).second) << test.id;
+    ASSERT_TRUE(test.measure) << test.id << ": " << test.sentence;
+    EXPECT_FALSE(test.sentence.empty()) << test.id;
+    EXPECT_TRUE(test.cause.empty()) << test.id;
+    const bool promised = test.verdict == check::Verdict::pass;
+    EXPECT_EQ(promised, exemption(GetParam(), test.id).empty()) << test.id;
+    EXPECT_EQ(promised, test.threshold.has_value()) << test.id;
+    EXPECT_EQ(promised, test.sentence.find("not promised: ") == std::string::npos) << test.sentence;
+    // rounding, or an error that falls, with a margin
+    const double share = test.id.starts_with("rotation.") ? 0.9 : 0.1;
+    if (promised) {
+      EXPECT_LT(*test.measure, share * *test.threshold) << test.id;
+    }
+  }
+}
+
+TEST(PatchMethods, ListEveryCombinationOnce) {
+  std::set<std::string> names;
+  for (const Method& method : all_methods()) names.insert(name_of(method));
+  EXPECT_EQ(names.size(), 18u);
+  EXPECT_EQ(all_methods().size(), names.size());
+  EXPECT_EQ(names.count("cpdi/flip/usl"), 1u);
+}
+
+// What holds for all: partition of unity, linear fields, uniform motion, momentum, stress of a regular lattice.
+TEST(PatchMethods, NoneIsExemptFromTheEssentials) {
+  for (const Method& method : all_methods()) {
+    for (const char* id : {"weights.unity", "weights.linear", "translation", "stress.seeded", "stress.shifted",
+                           "stress.total", "momentum.linear"}) {
+      EXPECT_EQ(exemption(method, id), "") << name_of(method) << " " << id;
+    }
+  }
+}
+
+/// A defect: a pass put behind another one, or before it.
+struct Defect {
+  const char* name;
+  const char* at;  ///< the pass it is put to
+  bool before = false;
+  std::function<void(State<2>&, const Instant&)> act;
+  std::vector<Method> methods;
+  std::set<std::string> must_fail;
+};
+
+Pass<2> pass_of(const Defect& defect) {
+  Pass<2> pass;
+  pass.name = defect.name;
+  pass.bind = [act = defect.act](State<2>& s) -> Kernel { return [&s, act](const Instant& now) { act(s, now); }; };
+  return pass;
+}
+
+/// The bench of a method with the defect in every step.
+Bench broken_bench(const Defect& defect) {
+  Bench bench = quick_bench();
+  bench.passes = [defect](const Setup<2>& setup) {
+    auto passes = compose(setup);
+    for (std::size_t k = 0; k < passes.size(); ++k) {
+      if (passes[k].name != defect.at) continue;
+      passes.insert(passes.begin() + static_cast<std::ptrdiff_t>(k + (defect.before ? 0 : 1)), pass_of(defect));
+      ++k;
+    }
+    return passes;
+  };
+  return bench;
+}
+
+/// The stored weights of a basis, for whoever wants to spoil them.
+template <class B>
+struct Opened : B {
+  static auto& weights(State<2>& s) { return static_cast<B*>(s.basis.get())->*(&Opened::weights_); }
+};
+
+template <class Act>
+void for_each_weight(State<2>& s, const Act& act) {
+  if (s.setup.basis == Basis::linear) {
+    for (auto& w : Opened<LinearBasis<2>>::weights(s)) act(w);
+  } else {
+    for (auto& w : Opened<UgimpBasis<2>>::weights(s)) act(w);
+  }
+}
+
+void transpose(State<2>& s, Column column) {
+  for (std::size_t p = 0; p < s.particles; ++p) std::swap(s.column(column, 1)[p], s.column(column, 2)[p]);
+}
+
+const Method linear{Basis::linear, Transfer::flip, Update::usl}, ugimp{Basis::ugimp, Transfer::flip, Update::usl},
+    cpdi{Basis::cpdi, Transfer::flip, Update::usl}, cpdi_usf{Basis::cpdi, Transfer::flip, Update::usf},
+    pic{Basis::ugimp, Transfer::pic, Update::musl};
+
+std::vector<Defect> defects() {
+  const auto scale_all = [](Column column, int components, double factor, std::size_t every) {
+    return [=](State<2>& s, const Instant&) {
+      for (int c = 0; c < components; ++c) {
+        for (std::size_t p = 0; p < s.particles; p += every) s.column(column, c)[p] *= factor;
+      }
+    };
+  };
+  return {
+      {"a weight is missing",
+       "weights",
+       false,
+       [](State<2>& s, const Instant&) { for_each_weight(s, [](auto& w) { w.value[0].back() = 0; }); },
+       {linear, ugimp},
+       {"weights.unity", "weights.linear", "translation"}},
+      {"the gradient has the other sign",
+       "weights",
+       false,
+       [](State<2>& s, const Instant&) {
+         for_each_weight(s, [](auto& w) {
+           for (auto& along : w.slope) {
+             for (double& slope : along) slope = -slope;
+           }
+         });
+       },
+       {linear, ugimp},
+       {"weights.linear"}},
+      {"the gradient of one node is missing",
+       "weights",
+       false,
+       [](State<2>& s, const Instant&) { for_each_weight(s, [](auto& w) { w.slope[1].front() = 0; }); },
+       {linear, ugimp},
+       {"weights.unity", "weights.linear", "translation", "stress.seeded"}},
+      {"CPDI convects its domains with F transposed",
+       "weights",
+       true,
+       [](State<2>& s, const Instant&) { transpose(s, Column::deformation_gradient); },
+       {cpdi, cpdi_usf},
+       {"stress.deformed", "stress.graded"}},
+      {"a node's mass is wrong",
+       "particles_to_grid",
+       false,
+       [](State<2>& s, const Instant&) {
+         for (std::size_t i = 0; i < s.inertia.nodes(); i += 5) s.inertia.node(i)[0] *= 1.001;
+       },
+       {linear, ugimp, cpdi, cpdi_usf},
+       {"momentum.linear", "translation"}},
+      {"nodes of little mass are left out",
+       "particles_to_grid",
+       false,
+       [](State<2>& s, const Instant&) {
+         const double least = 1e-2 * s.setup.density * s.setup.grid.spacing * s.setup.grid.spacing;
+         for (std::size_t i = 0; i < s.inertia.nodes(); ++i) {
+           if (s.inertia.node(i)[0] < least) std::fill_n(s.inertia.node(i), 3, 0.0);
+         }
+       },
+       {linear, ugimp, cpdi, pic},
+       {"momentum.linear", "translation"}},
+      {"L is transposed",
+       "grid_to_particles",
+       false,
+       [](State<2>& s, const Instant&) { transpose(s, Column::velocity_gradient); },
+       {linear, ugimp, cpdi},
+       {"weights.linear"}},
+      {"a turning body forgets to turn F",
+       "velocity_gradient",
+       false,
+       [](State<2>& s, const Instant&) { transpose(s, Column::velocity_gradient); },
+       {cpdi_usf},
+       {"weights.linear", "rotation.deformation"}},
+      {"every seventh particle gives no force",
+       "grid_forces",
+       true,
+       scale_all(Column::stress, 5, 0, 7),
+       {linear, ugimp, cpdi},
+       {"stress.seeded", "stress.shifted"}},
+      {"there is no force",
+       "grid_forces",
+       false,
+       [](State<2>& s, const Instant&) { s.force.zero(); },
+       {linear, ugimp, cpdi, pic},
+       {"stress.total"}},
+      {"the force has the other sign",
+       "grid_forces",
+       false,
+       [](State<2>& s, const Instant&) {
+         for (std::size_t i = 0; i < s.force.nodes(); ++i) {
+           for (std::size_t d = 0; d < 2; ++d) s.force.node(i)[d] *= -1;
+         }
+       },
+       {linear, cpdi},
+       {"stress.total"}},
+      {"the volume is that of the reference",
+       "grid_forces",
+       true,
+       [](State<2>& s, const Instant&) {
+         for (std::size_t p = 0; p < s.particles; ++p) {
+           const double* F[4];
+           for (int c = 0; c < 4; ++c) F[c] = s.column(Column::deformation_gradient, c) + p;
+           s.column(Column::volume)[p] = s.setup.seeds.volume(p) / (*F[0] * *F[3] - *F[1] * *F[2]);
+         }
+       },
+       {linear, cpdi, cpdi_usf},
+       {"stress.total"}},
+      {"the body force is halved",
+       "body_force",
+       false,
+       scale_all(Column::body_force, 2, 0.5, 1),
+       {ugimp, cpdi},
+       {"rotation.displacement", "rotation.deformation"}},
+      {"the acceleration counts twice",
+       "grid_update",
+       false,
+       [](State<2>& s, const Instant&) {
+         for (std::size_t i = 0; i < s.motion.nodes(); ++i) {
+           for (std::size_t d = 2; d < 4; ++d) s.motion.node(i)[d] *= 2;
+         }
+       },
+       {ugimp, cpdi},
+       {"rotation.displacement"}},
+      {"some velocity is lost",
+       "grid_to_particles",
+       false,
+       scale_all(Column::velocity, 2, 1 - 1e-9, 3),
+       {linear, ugimp, cpdi, pic},
+       {"momentum.linear", "translation"}},
+  };
+}
+
+TEST(PatchTests, CatchEveryPlantedDefect) {
+  for (Defect& defect : defects()) {
+    for (const Method& method : defect.methods) {
+      const std::string where = std::string(defect.name) + ", " + name_of(method);
+      const auto report = run_patch_tests(method, broken_bench(defect));
+      EXPECT_FALSE(report.passes()) << where;
+      const auto found = failed(report);
+      for (const std::string& id : defect.must_fail) EXPECT_EQ(found.count(id), 1u) << where << ": " << id;
+      for (const auto& test : report.tests) {
+        EXPECT_EQ(test.cause.empty(), test.verdict != check::Verdict::fail) << where << ": " << test.id;
+      }
+    }
+  }
+}
+
+// A run that dies is a figure without bound, and fails where the method promises the test.
+TEST(PatchTests, ARunThatEndsEarlyFails) {
+  Defect defect{"the particles leave",
+                "grid_to_particles",
+                false,
+                [](State<2>& s, const Instant&) { s.column(Column::position, 0)[0] = 1e6; },
+                {},
+                {}};
+  const auto report = run_patch_tests(cpdi, broken_bench(defect));
+  for (const auto& test : report.tests) {
+    if (test.id != "translation" && !test.id.starts_with("rotation.")) continue;
+    EXPECT_EQ(test.verdict, check::Verdict::fail) << test.id;
+    EXPECT_EQ(test.measure, INFINITY) << test.id;
+    EXPECT_NE(test.sentence.find("left the grid"), std::string::npos) << test.sentence;
+  }
+}
+
+}  // namespace
+}  // namespace assay::mpm
