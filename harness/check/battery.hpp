@@ -74,7 +74,7 @@ inline constexpr const char* not_a_number = "numbers out of nothing";
 inline constexpr const char* refuses = "refuses a step";
 inline constexpr const char* not_symmetric = "stress not symmetric";
 inline constexpr const char* ends_process = "ends the process";
-inline constexpr const char* other_stress = "vortex does not converge";
+inline constexpr const char* other_stress = "vortex not reproduced";
 }  // namespace causes
 
 /// All of them, in the order in which a diagnosis lists them.
