@@ -30,4 +30,4 @@ configure_package_config_file(cmake/assay-config.cmake.in ${PROJECT_BINARY_DIR}/
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/assay-config-version.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/package/assay-config.cmake ${PROJECT_BINARY_DIR}/package/assay-config-version.cmake
-  cmake/assay_add_material.cmake cmake/check_material_entry.cmake DESTINATION ${package_dir})
+  cmake/assay_add_material.cmake cmake/assay_add_material_test.cmake cmake/check_material_entry.cmake DESTINATION ${package_dir})

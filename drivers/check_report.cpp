@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "drivers/output/number_format.hpp"
@@ -195,6 +197,23 @@ std::optional<CheckedMaterial> checked_of_json(const std::string& text) {
 
 namespace {
 
+/// [s], as a decimal: schemas know no exponents.
+std::string decimal(double seconds) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.3f", seconds);
+  return text;
+}
+
+/// "2026-11-20T22:38:27", UTC.
+std::string timestamp() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  char text[32];
+  gmtime_r(&now, &utc);
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", &utc);
+  return text;
+}
+
 std::string test_case(const CheckedMaterial& checked, const TestResult& test) {
   const std::string head = "    <testcase" + attribute("classname", "assay.check." + checked.name) +
                            attribute("name", test.id) + attribute("time", "0");
@@ -202,48 +221,48 @@ std::string test_case(const CheckedMaterial& checked, const TestResult& test) {
   if (test.verdict == Verdict::not_applicable) {
     return head + ">\n      <skipped" + attribute("message", test.sentence) + "/>\n    </testcase>\n";
   }
+  const auto replay = checked.replays.find(test.id);
   return head + ">\n      <failure" + attribute("message", test.cause + ": " + test.sentence) +
          attribute("type", test.cause) + ">" +
-         escaped("measured " + figure(test.measure) + ", at most " + figure(test.threshold)) +
+         escaped("measured " + figure(test.measure) + ", at most " + figure(test.threshold) +
+                 (replay == checked.replays.end() ? "" : "; again: assay check --replay " + replay->second)) +
          "</failure>\n    </testcase>\n";
 }
 
-std::string suite(const CheckedMaterial& checked) {
+std::string error_case(const CheckedMaterial& checked) {
+  return "    <testcase" + attribute("classname", "assay.check." + checked.name) + attribute("name", "loading") +
+         attribute("time", "0") + ">\n      <error" + attribute("message", checked.error) +
+         attribute("type", "not checked") + "/>\n    </testcase>\n";
+}
+
+/// In the order and with the attributes that Ant's schema and that of Jenkins ask for.
+std::string suite(const CheckedMaterial& checked, std::size_t id) {
   const check::Report& report = checked.report;
   const bool broken = !checked.error.empty();
-  std::string page = "  <testsuite" + attribute("name", "assay check " + checked.name) +
-                     attribute("tests", std::to_string(report.tests.size() + (broken ? 1 : 0))) +
-                     attribute("failures", std::to_string(count_of(report, Verdict::fail))) +
-                     attribute("errors", broken ? "1" : "0") +
-                     attribute("skipped", std::to_string(count_of(report, Verdict::not_applicable))) +
-                     attribute("time", rounded_text(checked.wall_s, 3)) + ">\n";
-  for (const TestResult& test : report.tests) page += test_case(checked, test);
-  if (broken) {
-    page += "    <testcase" + attribute("classname", "assay.check." + checked.name) + attribute("name", "loading") +
-            attribute("time", "0") + ">\n      <error" + attribute("message", checked.error) +
-            attribute("type", "not checked") + "/>\n    </testcase>\n";
+  std::string page =
+      "  <testsuite" + attribute("name", "assay check " + checked.name) + attribute("package", "assay.check") +
+      attribute("id", std::to_string(id)) + attribute("timestamp", timestamp()) + attribute("hostname", "localhost") +
+      attribute("tests", std::to_string(report.tests.size() + (broken ? 1 : 0))) +
+      attribute("failures", std::to_string(count_of(report, Verdict::fail))) + attribute("errors", broken ? "1" : "0") +
+      attribute("skipped", std::to_string(count_of(report, Verdict::not_applicable))) +
+      attribute("time", decimal(checked.wall_s)) + ">\n    <properties>\n";
+  for (const auto& [name, value] : checked.parameters) {
+    page += "      <property" + attribute("name", name) + attribute("value", rounded_text(value, 17)) + "/>\n";
   }
-  return page + "  </testsuite>\n";
+  page += "    </properties>\n";
+  for (const TestResult& test : report.tests) page += test_case(checked, test);
+  if (broken) page += error_case(checked);
+  std::string told;
+  for (const check::Diagnosis& d : report.diagnosis) told += d.cause + ": " + d.sentence + "\n";
+  return page + "    <system-out>" + escaped(told) + "</system-out>\n    <system-err/>\n  </testsuite>\n";
 }
 
 }  // namespace
 
 std::string check_junit(const std::vector<CheckedMaterial>& all) {
-  std::size_t tests = 0, errors = 0;
-  int failures = 0;
-  double time = 0;
-  std::string suites;
-  for (const CheckedMaterial& checked : all) {
-    const bool broken = !checked.error.empty();
-    tests += checked.report.tests.size() + (broken ? 1 : 0);
-    errors += broken ? 1 : 0;
-    failures += count_of(checked.report, Verdict::fail);
-    time += checked.wall_s;
-    suites += suite(checked);
-  }
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + attribute("tests", std::to_string(tests)) +
-         attribute("failures", std::to_string(failures)) + attribute("errors", std::to_string(errors)) +
-         attribute("time", rounded_text(time, 3)) + ">\n" + suites + "</testsuites>\n";
+  std::string page = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+  for (std::size_t id = 0; id < all.size(); ++id) page += suite(all[id], id);
+  return page + "</testsuites>\n";
 }
 
 }  // namespace assay::drivers

@@ -39,6 +39,17 @@ run(1 "does not export assay_material_entry" ${CMAKE_COMMAND} --build ${work}/bu
 run(0 "downstream_kirchhoff" ${prefix}/bin/assay materials ${work}/build/kirchhoff.so)
 run(0 "downstream_ideal_gas" ${prefix}/bin/assay materials ${work}/build/ideal_gas.so)
 
+set(tests ${CMAKE_CTEST_COMMAND} --test-dir ${work}/build --output-on-failure)
+run(0 "4 tests passed|100% tests passed" ${tests} -LE must_fail)
+run(1 "diagnosis: increment rotation missing" ${tests} -L must_fail)
+foreach(file IN ITEMS kirchhoff.check.xml must_fail.check.xml must_fail.check/downstream_unturned.rotation.during.yaml)
+  if(NOT EXISTS ${work}/build/${file})
+    message(FATAL_ERROR "not left by the tests: ${file}")
+  endif()
+endforeach()
+run(1 "rotation.during +FAIL" ${prefix}/bin/assay check --replay
+  ${work}/build/must_fail.check/downstream_unturned.rotation.during.yaml)
+
 run(0 "" ${configure} -S ${prefix}/share/doc/assay/examples/neo_hookean -B ${work}/example)
 run(0 "" ${CMAKE_COMMAND} --build ${work}/example)
 run(0 "neo_hookean" ${prefix}/bin/assay materials ${work}/example/neo_hookean.so)

@@ -15,7 +15,9 @@
 namespace assay::drivers {
 namespace {
 
-const std::string plugins = ASSAY_BINARY_DIR "/tests/plugins/";
+const std::string plugins = ASSAY_BINARY_DIR "/tests/plugins/", broken_model = plugins + "unturned.so";
+
+CheckedMaterial broken();
 
 /// `assay check` with these words; what it prints goes to a file of the scratch folder.
 int checked(const std::vector<std::string>& words, std::string* said = nullptr) {
@@ -60,6 +62,80 @@ TEST(Check, TakesSceneDescriptionAndLibrary) {
   }
 }
 
+/// The file is what readers of JUnit files ask for (tests/drivers/junit.rng).
+void expect_junit(const std::string& file) {
+  if (std::system("xmllint --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no xmllint";
+  const std::string command = "xmllint --noout --relaxng '" ASSAY_SOURCE_DIR "/tests/drivers/junit.rng' '" + file +
+                              "' > '" + file + ".said' 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0) << read_bytes(file + ".said") << read_bytes(file);
+}
+
+TEST(Check, JUnitIsValid) {
+  const ScratchFolder scratch;
+  const std::string good = scratch / "good.xml", bad = scratch / "bad.xml", all = scratch / "all.xml";
+  EXPECT_EQ(checked({"neo_hookean", "--parameters", "E=1e3", "--quick", "--junit", good}), 0);
+  expect_junit(good);
+  EXPECT_EQ(checked({broken_model, "--quick", "--junit", bad, "-o", scratch / "replays"}), 1);
+  expect_junit(bad);
+  EXPECT_EQ(checked({"--all", "--quick", "--junit", all}), 0);
+  expect_junit(all);
+  CheckedMaterial odd = broken();
+  odd.name = "a <\"&'> name";
+  odd.error = "no such & thing";
+  expect_junit(scratch.write("odd.xml", check_junit({odd, broken()})));
+}
+
+TEST(Check, AllChecksWhatIsRegisteredAndWhatCannotBeChecked) {
+  const ScratchFolder scratch;
+  const std::string json = scratch / "all.json";
+  EXPECT_EQ(checked({"--all", "--quick", "--json", json}), 0);
+  const auto found = nlohmann::json::parse(read_bytes(json));
+  EXPECT_EQ(found["verdict"], "pass");
+  EXPECT_GE(found["materials"].size(), 15u);
+  // A value that a model refuses is that model's affair alone
+  std::string said;
+  EXPECT_EQ(checked({"--all", "--quick", "--parameters", "nu=0.7"}, &said), 2);
+  EXPECT_NE(said.find("mooney_rivlin             pass"), std::string::npos) << said;
+  EXPECT_NE(said.find("neo_hookean               error"), std::string::npos) << said;
+}
+
+TEST(Check, AFailureLeavesAReplayThatFailsAgain) {
+  const ScratchFolder scratch;
+  const std::string json = scratch / "check.json", replays = scratch / "replays";
+  EXPECT_EQ(checked({broken_model, "--quick", "--json", json, "-o", replays}), 1);
+  int failures = 0;
+  const auto found = nlohmann::json::parse(read_bytes(json));
+  for (const auto& test : found["tests"]) {
+    if (test["verdict"] != "fail") continue;
+    ++failures;
+    const std::string file = test["replay"];
+    std::string said;
+    EXPECT_EQ(checked({"--replay", file}, &said), 1) << said;
+    EXPECT_NE(said.find("it was: "), std::string::npos);
+    EXPECT_NE(said.find(test["id"].get<std::string>()), std::string::npos) << said;
+  }
+  EXPECT_GT(failures, 0);
+  // The model, cured, does not fail any more
+  const std::string cured =
+      scratch.write("cured.yaml",
+                    "material: neo_hookean\nparameters: {E: 1000, nu: 0.3}\nlibrary_sha256: null\n"
+                    "test: rotation.during\nquick: true\nreason: once\n");
+  EXPECT_EQ(checked({"--replay", cured}), 0);
+}
+
+TEST(Check, AModelThatEndsTheProcessIsAFinding) {
+  const ScratchFolder scratch;
+  for (const char* how : {"exits", "crashes"}) {
+    const std::string json = scratch / (std::string(how) + ".json");
+    EXPECT_EQ(checked({plugins + how + ".so", "--json", json, "-o", scratch / "replays"}), 1) << how;
+    const auto found = nlohmann::json::parse(read_bytes(json));
+    EXPECT_EQ(found["verdict"], "fail");
+    EXPECT_TRUE(found["diagnosis"][0]["cause"] == "ends the process" || found["diagnosis"][0]["cause"] == "overrun");
+    std::string said;
+    EXPECT_EQ(checked({"--replay", found["tests"][0]["replay"]}, &said), 1) << said;
+  }
+}
+
 TEST(Check, RefusesBadInputInOneLine) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
       {{"neo_hookean"}, "E"},
@@ -92,7 +168,8 @@ CheckedMaterial broken() {
 
 TEST(CheckReport, JUnitShowsTheCauseInTheMessage) {
   const std::string xml = check_junit({broken()});
-  EXPECT_NE(xml.find("<testsuites tests=\"3\" failures=\"1\" errors=\"0\" time=\"0.25\">"), std::string::npos) << xml;
+  EXPECT_NE(xml.find("tests=\"3\" failures=\"1\" errors=\"0\" skipped=\"1\" time=\"0.250\">"), std::string::npos)
+      << xml;
   EXPECT_NE(xml.find("skipped=\"1\""), std::string::npos);
   EXPECT_NE(xml.find("<failure message=\"increment rotation missing: the stress &lt;stays&gt; &amp; "
                      "&quot;waits&quot;\" type=\"increment rotation missing\">"),

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# assay_add_material_test(<name> [MATERIAL <material>] [PARAMETERS <name=number>...] [QUICK] [DIAGNOSIS <cause>])
+#
+# A test <name>.check in ctest: `assay check`, which names the defect of a broken model in the test's output, with
+# <name>.check.xml for CI and replay files in <name>.check of the build folder.
+#   MATERIAL    what to check: a target of assay_add_material (by default <name>), a registered name, a library, a
+#               description
+#   PARAMETERS  in place of the defaults
+#   QUICK       fewer steps and states
+#   DIAGNOSIS   the test passes where `check` finds that cause: for models that are broken on purpose
+function(assay_add_material_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 given "QUICK" "MATERIAL;DIAGNOSIS" "PARAMETERS")
+  if(given_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "assay_add_material_test(${name}): what is '${given_UNPARSED_ARGUMENTS}'?")
+  endif()
+  if(NOT given_MATERIAL)
+    set(given_MATERIAL ${name})
+  endif()
+  if(TARGET ${given_MATERIAL})
+    set(given_MATERIAL $<TARGET_FILE:${given_MATERIAL}>)
+  endif()
+  set(files ${CMAKE_CURRENT_BINARY_DIR}/${name}.check)
+  set(command $<TARGET_FILE:assay::assay> check ${given_MATERIAL} --junit ${files}.xml -o ${files})
+  if(given_PARAMETERS)
+    list(JOIN given_PARAMETERS "," parameters)
+    list(APPEND command --parameters ${parameters})
+  endif()
+  if(given_QUICK)
+    list(APPEND command --quick)
+  endif()
+  add_test(NAME ${name}.check COMMAND ${command})
+  set_tests_properties(${name}.check PROPERTIES LABELS assay TIMEOUT 1800)
+  if(given_DIAGNOSIS)
+    set_tests_properties(${name}.check PROPERTIES PASS_REGULAR_EXPRESSION "diagnosis: ${given_DIAGNOSIS}")
+  endif()
+endfunction()
