@@ -28,10 +28,10 @@ struct Ran {
 const char* const environment =
     "unset ASSAY_MATERIAL_PATH CDPATH DESTDIR\n"
     "PATH='" ASSAY_PROGRAM_FOLDER
-    "':$PATH ASSAY_DATA_HOME=$PWD/data HOME=$PWD\n"
+    "':$PATH ASSAY_DATA_HOME=$PWD/data ASSAY_CACHE_HOME=$PWD/cache HOME=$PWD\n"
     "CMAKE_GENERATOR='" ASSAY_CMAKE_GENERATOR
     "' LC_ALL=C\n"
-    "export PATH ASSAY_DATA_HOME HOME CMAKE_GENERATOR LC_ALL\n";
+    "export PATH ASSAY_DATA_HOME ASSAY_CACHE_HOME HOME CMAKE_GENERATOR LC_ALL\n";
 
 void write(const fs::path& file, const std::string& text) {
   std::ofstream out(file, std::ios::binary);
