@@ -106,30 +106,40 @@ std::vector<Verb> scene_verbs(CLI::App& app, Arguments& given) {
   return verbs;
 }
 
+namespace {
+
+Verb check_verb(CLI::App& app, Arguments& given) {
+  CLI::App& verb = add_verb(app, "check", "whether a material is frame-indifferent, and more",
+                            "assay check ./libmodel.so --parameters E=1e3,nu=0.3 --junit check.xml");
+  auto* checked = verb.add_option("MATERIAL", given.material, "name, library, description or scene");
+  checked->type_name("");
+  auto* all = verb.add_flag("--all", given.all, "everything that is registered, in parallel");
+  auto* replay = verb.add_option("--replay", given.replay, "a failure again, alone");
+  replay->type_name("FILE");
+  auto* methods = verb.add_flag("--methods", given.methods, "patch tests of the particle methods");
+  auto* parameters = verb.add_option("--parameters", given.parameters, "in place of the defaults");
+  parameters->type_name("NAME=NUMBER,...");
+  verb.add_option("--json", given.json_file, "verdicts and diagnosis (- for standard output)")->type_name("FILE");
+  verb.add_option("--junit", given.junit_file, "the same for CI, JUnit's XML")->type_name("FILE");
+  verb.add_flag("--quick", given.quick, "fewer steps and states");
+  add_out(verb, given, "DIR", "folder of the replay files of failures (results/check)");
+  return {&verb, [&given, checked, all, replay, methods, parameters] {
+            const auto given_of = [](const CLI::Option* option) { return option->count() > 0 ? 1 : 0; };
+            if (given_of(checked) + given_of(all) + given_of(replay) + given_of(methods) != 1)
+              throw InputError("assay check: takes one of MATERIAL, --all, --methods and --replay FILE");
+            if (given_of(parameters) && given_of(methods) + given_of(replay) > 0)
+              throw InputError("assay check: --methods and --replay take no --parameters");
+            return check({given.material, given.parameters, given.json_file, given.junit_file,
+                          given.out.empty() ? "results/check" : given.out, given.replay, given.all, given.quick,
+                          given.verbosity(), given.methods});
+          }};
+}
+
+}  // namespace
+
 std::vector<Verb> material_verbs(CLI::App& app, Arguments& given) {
   std::vector<Verb> verbs;
-  CLI::App& check_verb = add_verb(app, "check", "whether a material is frame-indifferent, and more",
-                                  "assay check ./libmodel.so --parameters E=1e3,nu=0.3 --junit check.xml");
-  auto* checked = check_verb.add_option("MATERIAL", given.material, "name, library, description or scene");
-  checked->type_name("");
-  auto* all = check_verb.add_flag("--all", given.all, "everything that is registered, in parallel")->excludes(checked);
-  auto* replay = check_verb.add_option("--replay", given.replay, "a failure again, alone")->excludes(checked);
-  replay->type_name("FILE")->excludes(all);
-  auto* parameters = check_verb.add_option("--parameters", given.parameters, "in place of the defaults");
-  parameters->type_name("NAME=NUMBER,...");
-  auto* methods = check_verb.add_flag("--methods", given.methods, "patch tests of the particle methods, no MATERIAL");
-  for (CLI::Option* other : {checked, parameters, all, replay}) methods->excludes(other);
-  check_verb.add_option("--json", given.json_file, "verdicts and diagnosis (- for standard output)")->type_name("FILE");
-  check_verb.add_option("--junit", given.junit_file, "the same for CI, JUnit's XML")->type_name("FILE");
-  check_verb.add_flag("--quick", given.quick, "fewer steps and states");
-  add_out(check_verb, given, "DIR", "folder of the replay files of failures (results/check)");
-  verbs.push_back({&check_verb, [&given, checked] {
-                     if (checked->count() == 0 && given.replay.empty() && !given.all && !given.methods)
-                       throw InputError("assay check: takes MATERIAL, --all, --methods or --replay FILE");
-                     return check({given.material, given.parameters, given.json_file, given.junit_file,
-                                   given.out.empty() ? "results/check" : given.out, given.replay, given.all,
-                                   given.quick, given.verbosity(), given.methods});
-                   }});
+  verbs.push_back(check_verb(app, given));
 
   CLI::App& materials_verb = add_verb(app, "materials", "what is registered, or one material",
                                       "assay materials neo_hookean\n  assay materials ./libmodel.so:name --json");

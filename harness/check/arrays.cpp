@@ -25,7 +25,7 @@ class Guarded {
   T* data() { return all_.data() + guard_; }
   std::vector<T> values() const { return {first(), last()}; }
   bool broken() const {
-    const auto differs = [&](T v) { return std::memcmp(&v, &mark_, sizeof v) != 0; };
+    const auto differs = [&](T v) { return v != mark_; };
     return std::any_of(all_.begin(), first(), differs) || std::any_of(last(), all_.end(), differs);
   }
   bool unwritten() const { return std::find(first(), last(), mark_) != last(); }
@@ -73,7 +73,8 @@ Deed begin(const Material& material, std::size_t n) {
   if (material.state_size() == 0) return {};
   for (const double pressure : {0.0, 1e5, 1e3, 1.0}) {  // [Pa]; soils cannot be at rest without one
     Guarded<double> state(material.state_size() * n, n, no_value);
-    const std::vector<double> cauchy = repeated(-pressure * Tensor::Identity(), n), given = cauchy;
+    const std::vector<double> given = repeated(-pressure * Tensor::Identity(), n);
+    std::vector<double> cauchy = given;
     if (material.table().initial_state(material.self(), n, cauchy.data(), state.data()) == ASSAY_FAILED) continue;
     if (state.broken()) return ends("initial_state writes beyond the state that the model declares");
     if (cauchy != given) return ends("initial_state writes into what it is given");
