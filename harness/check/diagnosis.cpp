@@ -31,6 +31,9 @@ class Diagnostician {
       explain(*carried);
     }
     if (!explained_) of_rotation();
+    if (failed("symmetry") && !found_.empty() && found_.front().cause == causes::not_indifferent) {
+      found_.front() = *of("symmetry");  // which says more
+    }
     if (failed("isotropy")) of_isotropy();
     for (const TestResult& test : tests_) {
       if (test.verdict != Verdict::fail) continue;

@@ -21,6 +21,12 @@ TestResult stress_at_rest(const Specimen& specimen) {
   if (measure <= most) return result;
   result.verdict = Verdict::fail;
   result.cause = causes::stress_at_rest;
+  if (specimen.pressure == 0) return result;
+  const Point later = stepped(material, 1, 1, I, I, rest.state);
+  const bool goes_on = distance(later.cauchy, rest.cauchy) > most * specimen.modulus;
+  result.cause = goes_on && !specimen.rate_dependent() ? causes::drifts : causes::initial_stress;
+  result.sentence = "a step without deformation changes the pressure at which a body is at rest, by " +
+                    rounded(measure) + " of the modulus" + (goes_on ? ", and the next one changes it again" : "");
   return result;
 }
 

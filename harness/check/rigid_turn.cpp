@@ -35,7 +35,8 @@ TestResult RigidTurn::judged(const char* id, const std::string& words, int steps
   TestResult result{.id = id, .measure = worst(), .threshold = turn_precision, .order = limit.order};
   result.verdict = passes() ? Verdict::pass : Verdict::fail;
   result.sentence = words + ": " + how(limit, errors_, steps);
-  if (exact() || !limit.passes()) return result;
+  const bool angle_converges = limit.order && keeps_size();
+  if (!limit.passes() || (exact() && !angle_converges)) return result;
   if (keeps_size()) {  // what is not exact is the angle
     result.measure = limit.value;
     result.threshold = converging_limit;

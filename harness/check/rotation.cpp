@@ -229,35 +229,6 @@ TestResult revolutions(const Specimen& specimen) {
   return result;
 }
 
-RotationFinding rotation_at_rest(const Specimen& specimen) {
-  constexpr double small_angle = 3e-3;  // [rad], its square half a strain at which most materials are elastic
-  const Material& material = *specimen.material;
-  std::array<double, 3> errors{};
-  FailedStep last;
-  const auto deviation = [&](const March& turned) {
-    return distance(turned.marks[0].cauchy, -specimen.pressure * Tensor::Identity()) / specimen.modulus;
-  };
-  for (int k = 0; k < 3; ++k) {
-    const Loading loading{[](double t) { return turn(angle * t); }, 1};
-    const March turned = march(material, loading, {.steps = specimen.steps() << k, .state = specimen.rest_state()});
-    errors[static_cast<std::size_t>(k)] = deviation(turned);
-    last = turned.last;
-  }
-  const Limit limit = limit_of(errors);
-  RotationFinding finding{{.id = "rotation.at_rest", .measure = limit.value, .threshold = converging_limit}};
-  finding.result.step = last;
-  finding.result.order = limit.order;
-  finding.result.verdict = limit.passes() ? Verdict::pass : Verdict::fail;
-  finding.result.sentence = "stress over modulus of a body that turns and is not loaded: " + rounded(errors[2]);
-  const Loading little{[](double t) { return turn(small_angle * t); }, 1};
-  const Tensor found =
-      march(material, little, {.steps = specimen.steps(), .state = specimen.rest_state()}).marks[0].cauchy +
-      specimen.pressure * Tensor::Identity();
-  const Tensor mistaken = stress_of(specimen.stiffness, turn(small_angle) - Tensor::Identity());
-  finding.small_strain = found.cwiseProduct(mistaken).sum() / mistaken.squaredNorm();
-  return finding;
-}
-
 RotationFinding rotation_of_state(const Specimen& specimen) {
   constexpr double same = 1e-3, trifle = 1e-10;
   const double a = specimen.amplitude;

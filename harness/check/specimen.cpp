@@ -12,7 +12,8 @@ namespace {
 
 constexpr double largest_amplitude = 0.15, least_amplitude = 1e-6;
 constexpr double largest_under_pressure = 0.01;  ///< soils come apart soon
-constexpr double probe = 1e-5;                   ///< strain of the probes from rest: most materials yield later
+constexpr double probe = 0x1p-17;                ///< 8e-6, of probes from rest: most materials yield later; beside 1
+                                                 ///< exact in single precision, too
 constexpr double linear_within = 1e-3;           ///< relative: between probes of one and of two sizes
 constexpr std::array<std::array<int, 2>, 6> places{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
 

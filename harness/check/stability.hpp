@@ -6,8 +6,8 @@
 
 namespace assay::check {
 
-/// The smallest eigenvalue of the acoustic tensor, over the largest at rest, along simple shear (16) and uniaxial strain
-/// (38); the sentence tells where it falls below zero. Never fails.
+/// The smallest eigenvalue of the acoustic tensor, over the largest at rest, along simple shear (16) and uniaxial
+/// strain (38); the sentence tells where it falls below zero. Never fails.
 TestResult ellipticity(const Specimen& specimen);
 
 }  // namespace assay::check

@@ -1,27 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // J2 plasticity in increments, with linear isotropic and kinematic hardening; a parameter plants one defect.
-#include <Eigen/Dense>
-#include <cmath>
-#include <cstring>
-#include <tuple>
+#include <utility>
 
 #include "harness/check/battery.hpp"
-#include "tests/harness/check/mutants.hpp"
+#include "tests/harness/check/model_table.hpp"
 
 namespace assay::check_tests {
 
 namespace {
 
 enum Defect : int {
-  hughes_winget,  // the first three have none
+  hughes_winget,  // the first five have none
   green_naghdi,
   logarithmic,
+  exponential_spin,
+  two_half_rotations,
   no_rotation,
   opposite_spin,
   half_spin,
   double_spin,
   euler_spin,
   fixed_back_stress,
+  back_stress_turned_back,
+  swapped_back_stress,
+  back_stress_as_strain,
   swapped_stress,
   swapped_strain,
   swapped_rotation,
@@ -32,11 +34,14 @@ enum Defect : int {
   hidden_stress,
   hidden_counter,
   shared_scratch,
+  first_call,
+  saved_by_point,
   reset_below_a_microsecond,
   viscous_undeclared,
   time_of_day,
   writes_beyond_state,
   writes_beyond_stress,
+  writes_beyond_large_batches,
   leaves_a_component,
   writes_its_input,
   pressed_at_rest,
@@ -56,45 +61,18 @@ struct Model {
   double kept[9] = {};
 };
 
-Tensor read(const double* a, std::size_t n, std::size_t p, std::size_t first = 0) {
-  Tensor A;
-  for (std::size_t c = 0; c < 9; ++c) component(A, static_cast<int>(c)) = a[(first + c) * n + p];
-  return A;
-}
-
-void write(const Tensor& A, double* a, std::size_t n, std::size_t p, std::size_t first = 0) {
-  for (std::size_t c = 0; c < 9; ++c) a[(first + c) * n + p] = component(A, static_cast<int>(c));
-}
-
-Tensor deviator(const Tensor& A) { return A - A.trace() / 3 * Tensor::Identity(); }
-
-Tensor with_13_and_23_exchanged(Tensor A) {
-  std::swap(A(0, 2), A(1, 2));
-  std::swap(A(2, 0), A(2, 1));
-  return A;
-}
-
 /// Strain and rotation of a step.
 struct Kinematics {
   Tensor strain, rotation;
   Tensor spin = Tensor::Zero();
 };
 
-Tensor polar(const Tensor& F) {
-  const Eigen::JacobiSVD<Tensor> svd(F, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return svd.matrixU() * svd.matrixV().transpose();
-}
-
 Kinematics kinematics(int defect, const Tensor& F0, const Tensor& F1) {
   const Tensor I = Tensor::Identity();
   if (defect == small_increment) return {0.5 * (F1 - F0 + (F1 - F0).transpose()), I};
   if (defect == logarithmic) {
     const Tensor f = F1 * F0.inverse(), R = polar(f);
-    const Tensor V = f * R.transpose();
-    const Eigen::SelfAdjointEigenSolver<Tensor> eigen(0.5 * (V + V.transpose()));
-    return {eigen.eigenvectors() * eigen.eigenvalues().array().log().matrix().asDiagonal() *
-                eigen.eigenvectors().transpose(),
-            R};
+    return {logarithm(f * R.transpose()), R};
   }
   const Tensor L = 2 * (F1 - F0) * (F0 + F1).inverse();  // of the middle of the step
   const Tensor d = 0.5 * (L + L.transpose()), w = 0.5 * (L - L.transpose());
@@ -102,18 +80,23 @@ Kinematics kinematics(int defect, const Tensor& F0, const Tensor& F1) {
     const Tensor R0 = polar(F0), R1 = polar(F1), half = polar(Tensor(R1 * R0.transpose() + I));
     return {half * d * half.transpose(), R1 * R0.transpose()};
   }
+  if (defect == exponential_spin) return {d, exponential(w), w};
+  if (defect == two_half_rotations) {
+    const Tensor half = cayley(0.5 * w);
+    return {half * d * half.transpose(), half * half, w};
+  }
   const double factor = defect == no_rotation     ? 0
                         : defect == opposite_spin ? -1
                         : defect == half_spin     ? 0.5
                         : defect == double_spin   ? 2
                                                   : 1;
-  const Tensor v = factor * w;
-  return {d, (I - 0.5 * v).inverse() * (I + 0.5 * v), v};
+  return {d, cayley(factor * w), factor * w};
 }
 
 struct Step {
   double t, dt;
   Tensor F0, F1;
+  std::size_t point;
 };
 
 /// Radial return on the shifted stress. Returns p at the end.
@@ -131,17 +114,23 @@ double plastic(const Model& m, Tensor& sigma, Tensor& back, double p) {
 
 /// Elastic stress of a strain, with its defects.
 Tensor elastic(const Model& m, Tensor e) {
-  if (m.defect == swapped_strain) e = with_13_and_23_exchanged(e);
+  if (m.defect == swapped_strain) e = exchanged(e);
   if (m.defect == engineering_shear || m.defect == halved_shear) {
-    const double factor = m.defect == engineering_shear ? 2 : 0.5;
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) e(i, j) *= i == j ? 1 : factor;
-    }
+    e = sheared(e, m.defect == engineering_shear ? 2 : 0.5);
   }
   const double mu = m.E / 2 / (1 + m.nu), lambda = m.E * m.nu / ((1 + m.nu) * (1 - 2 * m.nu));
   Tensor sigma = 2 * mu * e + lambda * e.trace() * Tensor::Identity();
   if (m.defect == stiffer_axis) sigma(0, 0) += 0.2 * m.E * e(0, 0);
   return sigma;
+}
+
+/// The back stress after the rotation of a step; `rightly` where it has no defect of its own.
+Tensor carried_back(int defect, const Tensor& R, const Tensor& back, const Tensor& rightly) {
+  if (defect == fixed_back_stress) return back;
+  if (defect == back_stress_turned_back) return R.transpose() * back * R;
+  if (defect == swapped_back_stress) return exchanged(rightly);
+  if (defect == back_stress_as_strain) return sheared(R * sheared(back, 0.5) * R.transpose(), 2);
+  return rightly;
 }
 
 /// One point, in plain values. state: stress, back stress, p.
@@ -150,13 +139,16 @@ Tensor take(Model& m, const Step& step, Tensor& stress, Tensor& back, double& p)
   const auto carry = [&](const Tensor& A) {
     if (m.defect == euler_spin) return Tensor(A + k.spin * A - A * k.spin);
     const Tensor turned = k.rotation * A * k.rotation.transpose();
-    return m.defect == swapped_rotation ? with_13_and_23_exchanged(turned) : turned;
+    return m.defect == swapped_rotation ? exchanged(turned) : turned;
   };
   if (m.defect == hidden_stress) stress = read(m.kept, 1, 0);
+  if (m.defect == saved_by_point && step.t > 0) stress = statics.of_point.try_emplace(step.point, stress).first->second;
   stress = carry(stress) + elastic(m, k.strain);
-  if (m.defect != fixed_back_stress) back = carry(back);
+  back = carried_back(m.defect, k.rotation, back, carry(back));
   p = plastic(m, stress, back, p);
   if (m.defect == hidden_stress) write(stress, m.kept, 1, 0);
+  if (m.defect == saved_by_point) statics.of_point[step.point] = stress;
+  if (m.defect == first_call && !std::exchange(statics.called, true)) stress *= 0.5;
   if (m.defect == hidden_counter) stress *= 1 + 1e-6 * ++m.kept[0];
   if (m.defect == reset_below_a_microsecond && step.t + step.dt < 1e-6) stress.setZero();
   if (m.defect == creeps_at_rest) stress *= 0.9;
@@ -164,7 +156,7 @@ Tensor take(Model& m, const Step& step, Tensor& stress, Tensor& back, double& p)
   Tensor cauchy = stress;
   if (m.defect == viscous_undeclared) cauchy += 1e-2 * m.E * k.strain / step.dt;
   if (m.defect == time_of_day) cauchy *= 1 + 1e-3 * std::sin(step.t + step.dt);
-  if (m.defect == swapped_stress) cauchy = with_13_and_23_exchanged(cauchy);
+  if (m.defect == swapped_stress) cauchy = exchanged(cauchy);
   if (m.defect == noise_of_its_own) cauchy *= 1 + 0.3 * std::sin(1e9 * step.F1(0, 0));
   if (m.defect == swallows_nan && !cauchy.allFinite()) cauchy = stress = back = Tensor::Zero(), p = 0;
   return cauchy;
@@ -177,7 +169,7 @@ void update(void* self, const assay_step* step, std::size_t n, const double* sta
     Tensor stress = read(state0, n, q, stress_at), back = read(state0, n, q, back_at);
     double p = state0[p_at * n + q];
     const Tensor F0 = read(step->F0, n, q), F1 = read(step->F1, n, q);
-    const Tensor found = take(m, {step->t, step->dt, F0, F1}, stress, back, p);
+    const Tensor found = take(m, {step->t, step->dt, F0, F1, q}, stress, back, p);
     write(stress, state1, n, q, stress_at);
     write(back, state1, n, q, back_at);
     if (m.defect != leaves_a_component) state1[p_at * n + q] = p;
@@ -187,7 +179,7 @@ void update(void* self, const assay_step* step, std::size_t n, const double* sta
     if (m.defect == shared_scratch && n > 1) write(read(cauchy, n, 0), cauchy, n, q);
   }
   if (m.defect == writes_beyond_state) state1[state_size * n] = 0;
-  if (m.defect == writes_beyond_stress) cauchy[9 * n] = 0;
+  if (m.defect == writes_beyond_stress || (m.defect == writes_beyond_large_batches && n > 1000)) cauchy[9 * n] = 0;
   if (m.defect == writes_its_input) const_cast<double*>(state0)[0] += 1;
 }
 
@@ -197,7 +189,7 @@ std::int32_t initial_state(void* self, std::size_t n, const double* cauchy, doub
   for (std::size_t q = 0; q < n; ++q) {
     Tensor sigma = read(cauchy, n, q);
     if (m.defect == half_initial_stress) sigma *= 0.5;
-    if (m.defect == initial_stress_in_another_order) sigma = with_13_and_23_exchanged(sigma);
+    if (m.defect == initial_stress_in_another_order) sigma = exchanged(sigma);
     write(sigma, state, n, q, stress_at);
   }
   return ASSAY_GOOD;
@@ -214,17 +206,7 @@ const assay_material* table() {
                                                {"back_stress", "Pa", ASSAY_TENSOR, ASSAY_ROLE_PLAIN, "centre"},
                                                {"p", "1", ASSAY_SCALAR, ASSAY_ROLE_PLAIN, "plastic strain"}};
   static const assay_material made = [] {
-    assay_material t{};
-    t.abi_major = ASSAY_ABI_MAJOR;
-    t.struct_size = sizeof t;
-    t.name = "incremental_for_tests";
-    t.version = t.licence = t.doc = "";
-    t.symmetry = ASSAY_ISOTROPIC;
-    t.flags = ASSAY_NON_SMOOTH | ASSAY_USES_INCREMENT;
-    t.parameter_count = 6;
-    t.parameters = parameters;
-    t.state_count = 3;
-    t.state = state;
+    assay_material t = named_table("incremental_for_tests", ASSAY_NON_SMOOTH | ASSAY_USES_INCREMENT, parameters, state);
     t.create = [](const double* p, char*) -> void* {
       return new Model{p[0], p[1], p[2], p[3], p[4], static_cast<int>(p[5])};
     };
@@ -240,43 +222,48 @@ const assay_material* table() {
 
 std::vector<Subject> incremental_subjects() {
   using namespace check::causes;
-  const std::vector<std::tuple<const char*, Defect, std::string>> list{
-      {"hughes_winget", hughes_winget, ""},
-      {"green_naghdi", green_naghdi, ""},
-      {"logarithmic", logarithmic, ""},
-      {"no_rotation", no_rotation, rotation_missing},
-      {"opposite_spin", opposite_spin, wrong_spin},
-      {"half_spin", half_spin, wrong_spin},
-      {"double_spin", double_spin, wrong_spin},
-      {"euler_spin", euler_spin, explicit_spin},
-      {"fixed_back_stress", fixed_back_stress, state_not_rotated},
-      {"swapped_stress", swapped_stress, components_swapped},
-      {"swapped_strain", swapped_strain, components_swapped},
-      {"swapped_rotation", swapped_rotation, components_swapped},
-      {"engineering_shear", engineering_shear, shear_factor},
-      {"halved_shear", halved_shear, shear_factor},
-      {"small_increment", small_increment, small_strain},
-      {"stiffer_axis", stiffer_axis, not_isotropic},
-      {"hidden_stress", hidden_stress, hidden_state},
-      {"hidden_counter", hidden_counter, hidden_state},
-      {"shared_scratch", shared_scratch, hidden_state},
-      {"reset_below_a_microsecond", reset_below_a_microsecond, clock},
-      {"viscous_undeclared", viscous_undeclared, clock},
-      {"time_of_day", time_of_day, clock},
-      {"writes_beyond_state", writes_beyond_state, overrun},
-      {"writes_beyond_stress", writes_beyond_stress, overrun},
-      {"leaves_a_component", leaves_a_component, overrun},
-      {"writes_its_input", writes_its_input, overrun},
-      {"pressed_at_rest", pressed_at_rest, stress_at_rest},
-      {"half_initial_stress", half_initial_stress, initial_stress},
-      {"initial_stress_in_another_order", initial_stress_in_another_order, components_swapped},
-      {"creeps_at_rest", creeps_at_rest, drifts},
-      {"noise_of_its_own", noise_of_its_own, no_convergence},
-      {"swallows_nan", swallows_nan, not_a_number}};
+  const Planted planted{{"hughes_winget", hughes_winget, ""},
+                        {"green_naghdi", green_naghdi, ""},
+                        {"logarithmic", logarithmic, ""},
+                        {"exponential_spin", exponential_spin, ""},
+                        {"two_half_rotations", two_half_rotations, ""},
+                        {"no_rotation", no_rotation, rotation_missing},
+                        {"opposite_spin", opposite_spin, wrong_spin},
+                        {"half_spin", half_spin, wrong_spin},
+                        {"double_spin", double_spin, wrong_spin},
+                        {"euler_spin", euler_spin, explicit_spin},
+                        {"fixed_back_stress", fixed_back_stress, state_not_rotated},
+                        {"back_stress_turned_back", back_stress_turned_back, wrong_spin},
+                        {"swapped_back_stress", swapped_back_stress, components_swapped},
+                        {"back_stress_as_strain", back_stress_as_strain, shear_factor},
+                        {"swapped_stress", swapped_stress, components_swapped},
+                        {"swapped_strain", swapped_strain, components_swapped},
+                        {"swapped_rotation", swapped_rotation, components_swapped},
+                        {"engineering_shear", engineering_shear, shear_factor},
+                        {"halved_shear", halved_shear, shear_factor},
+                        {"small_increment", small_increment, small_strain},
+                        {"stiffer_axis", stiffer_axis, not_isotropic},
+                        {"hidden_stress", hidden_stress, hidden_state},
+                        {"hidden_counter", hidden_counter, hidden_state},
+                        {"shared_scratch", shared_scratch, hidden_state},
+                        {"first_call", first_call, hidden_state},
+                        {"saved_by_point", saved_by_point, hidden_state},
+                        {"reset_below_a_microsecond", reset_below_a_microsecond, clock},
+                        {"viscous_undeclared", viscous_undeclared, clock},
+                        {"time_of_day", time_of_day, clock},
+                        {"writes_beyond_state", writes_beyond_state, overrun},
+                        {"writes_beyond_stress", writes_beyond_stress, overrun},
+                        {"writes_beyond_large_batches", writes_beyond_large_batches, overrun},
+                        {"leaves_a_component", leaves_a_component, overrun},
+                        {"writes_its_input", writes_its_input, overrun},
+                        {"pressed_at_rest", pressed_at_rest, stress_at_rest},
+                        {"half_initial_stress", half_initial_stress, initial_stress},
+                        {"initial_stress_in_another_order", initial_stress_in_another_order, components_swapped},
+                        {"creeps_at_rest", creeps_at_rest, drifts},
+                        {"noise_of_its_own", noise_of_its_own, no_convergence},
+                        {"swallows_nan", swallows_nan, not_a_number}};
   std::vector<Subject> subjects;
-  for (const auto& [name, defect, cause] : list) {
-    subjects.push_back({name, Material(table(), {{"defect", static_cast<double>(defect)}}), cause});
-  }
+  add(subjects, table(), planted);
   return subjects;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/check/battery.hpp"
 #include "harness/material.hpp"
 
 namespace assay::check_tests {
@@ -16,10 +17,26 @@ struct Subject {
   std::string cause;  ///< of causes::; empty: nothing
 };
 
-/// Increments in J2 plasticity with back stress: Hughes-Winget, Green-Naghdi, logarithmic; and their mutants.
+/// Increments in J2 plasticity with back stress: Hughes-Winget, Green-Naghdi, logarithmic, rotations of second order;
+/// and their mutants.
 std::vector<Subject> incremental_subjects();
 
 /// Total laws (neo-Hookean and others), with tangent and energy; and their mutants.
 std::vector<Subject> total_subjects();
+
+/// A generalised Maxwell solid, a Maxwell liquid, a Newtonian fluid; and their mutants.
+std::vector<Subject> viscous_subjects();
+
+/// A cone with an apex, and a soil that needs an initial pressure; and their mutants.
+std::vector<Subject> soil_subjects();
+
+/// Damage by the largest energy, with the energy that is left; and its mutants.
+std::vector<Subject> damage_subjects();
+
+/// All of them.
+std::vector<Subject> all_subjects();
+
+/// `run_battery` of a subject as the first of a process: what mutants keep in statics is forgotten.
+check::Report battery_of(const Subject& subject, const check::Options& options = {});
 
 }  // namespace assay::check_tests

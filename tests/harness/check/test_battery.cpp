@@ -5,20 +5,21 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <fstream>
 #include <set>
 
 #include "tests/harness/builtin_material.hpp"
+#include "tests/harness/check/margins.hpp"
 #include "tests/harness/check/mutants.hpp"
 #include "tests/harness/jaumann_material.hpp"
 
 namespace assay::check {
 namespace {
 
-std::vector<check_tests::Subject> all_subjects() {
-  std::vector<check_tests::Subject> all = check_tests::incremental_subjects();
-  for (auto& subject : check_tests::total_subjects()) all.push_back(std::move(subject));
-  return all;
-}
+using check_tests::all_subjects;
+using check_tests::battery_of;
+using check_tests::Margin;
 
 std::string told(const Report& report) {
   std::string text;
@@ -32,39 +33,97 @@ std::string told(const Report& report) {
 TEST(Battery, PassesWhatIsRightAndNamesWhatIsPlanted) {
   for (const auto& subject : all_subjects()) {
     for (const bool quick : {true, false}) {
-      const Report report = run_battery(subject.material, {.quick = quick});
+      const Report report = battery_of(subject, {.quick = quick});
       EXPECT_EQ(report.passes() ? "" : report.diagnosis.front().cause, subject.cause)
           << subject.name << (quick ? ", quick\n" : "\n") << told(report);
     }
   }
 }
 
+/// Of a run in full.
+const std::vector<Margin>& margins() {
+  static const std::vector<Margin> found = [] {
+    std::vector<Margin> all;
+    for (const auto& subject : all_subjects()) all.push_back(margin_of(subject, battery_of(subject)));
+    return all;
+  }();
+  return found;
+}
+
 /// The decisive figures are a factor of five from the thresholds on either side.
 TEST(Battery, KeepsItsMargins) {
-  constexpr double margin = 5;
-  for (const auto& subject : all_subjects()) {
-    if (subject.name == "single_precision") continue;  // its thresholds are made for it
-    const Report report = run_battery(subject.material);
-    bool decisive = subject.cause.empty();
-    for (const TestResult& test : report.tests) {
-      if (!test.measure || !test.threshold || *test.threshold == 0) {
-        decisive = decisive || (test.verdict == Verdict::fail && test.cause == subject.cause);
-        continue;
-      }
-      if (subject.cause.empty()) {
-        EXPECT_LT(margin * *test.measure, *test.threshold) << subject.name << " " << test.id;
-      } else if (test.verdict == Verdict::fail && test.cause == subject.cause) {
-        decisive = decisive || *test.measure > margin * *test.threshold;
-      }
+  constexpr double factor = 5;
+  for (const Margin& margin : margins()) {
+    if (margin.cause.empty()) {
+      EXPECT_LT(factor * margin.figure, 1) << margin.subject << " " << margin.test;
+    } else {
+      EXPECT_FALSE(margin.test.empty()) << margin.subject;
+      EXPECT_TRUE(margin.figure == 0 || margin.figure > factor) << margin.subject << " " << margin.figure;
     }
-    EXPECT_TRUE(decisive) << subject.name << "\n" << told(report);
+  }
+}
+
+TEST(Battery, TheMarginTableOfTheDocumentsIsTrue) {
+  std::ifstream in(ASSAY_SOURCE_DIR "/docs/check.md");
+  std::vector<std::string> documented;
+  bool inside = false;
+  for (std::string line; std::getline(in, line);) {
+    if (line == "<!-- margins end -->") inside = false;
+    const bool is_row = line.starts_with("| ") && !line.starts_with("| ---") &&
+                        line.find("least figure") == line.npos && line.find("largest figure") == line.npos;
+    if (inside && is_row) documented.push_back(line);
+    if (line == "<!-- margins -->") inside = true;
+  }
+  std::string expected;
+  std::size_t agree = 0, count = 0;
+  for (const auto& row : margin_rows(margins())) {
+    expected += row.text() + "\n";
+    if (count < documented.size() && row.agrees_with(documented[count])) ++agree;
+    ++count;
+  }
+  EXPECT_TRUE(agree == count && count == documented.size()) << "docs/check.md is to hold these rows:\n" << expected;
+}
+
+TEST(BatteryNegativeControl, AMarginThatIsWrongIsSeen) {
+  const check_tests::MarginRow row{"clock", 3, 40, {{"late", "soil", "clock", "clock", 40}}};
+  EXPECT_EQ(row.text(), "| clock | 3 | 40 | `late` |");
+  EXPECT_TRUE(row.agrees_with(row.text()));
+  EXPECT_TRUE(row.agrees_with("| clock | 3 | 70 | `late` |"));
+  EXPECT_FALSE(row.agrees_with("| clock | 3 | 100 | `late` |"));
+  EXPECT_FALSE(row.agrees_with("| clock | 2 | 40 | `late` |"));
+  EXPECT_FALSE(row.agrees_with("| clock | 3 | 40 | `early` |"));
+  EXPECT_FALSE(row.agrees_with("| overrun | 3 | 40 | `late` |"));
+}
+
+TEST(Battery, EveryDiagnosisIsPlantedOnTwoKindsOfModel) {
+  for (const std::string& cause : all_causes()) {
+    if (cause == causes::ends_process || cause == causes::other_stress) continue;  // of the program, not of the battery
+    std::set<std::string> kinds;
+    for (const auto& subject : all_subjects()) {
+      if (subject.cause == cause) kinds.insert(subject.material.table().name);
+    }
+    EXPECT_GE(kinds.size(), 2u) << cause;
+  }
+}
+
+/// Rounding of single precision is no defect, whatever the moduli.
+TEST(Battery, PassesSinglePrecisionAtAnyModuli) {
+  const auto all = check_tests::total_subjects();
+  const auto single =
+      std::find_if(all.begin(), all.end(), [](const auto& subject) { return subject.name == "single_precision"; });
+  ASSERT_NE(single, all.end());
+  for (int k = 0; k < 40; ++k) {
+    const double mu = std::pow(10, -3 + 0.3 * k), lambda = mu * (0.05 + 0.12 * k);
+    const Material material(&single->material.table(), {{"defect", 1}, {"mu", mu}, {"lambda", lambda}});
+    const Report report = run_battery(material, {.quick = true});
+    EXPECT_TRUE(report.passes()) << "mu " << mu << ", lambda " << lambda << "\n" << told(report);
   }
 }
 
 TEST(Battery, EveryVerdictSaysWhyInOneSentence) {
   for (const auto& subject : all_subjects()) {
     std::set<std::string> ids;
-    const Report report = run_battery(subject.material, {.quick = true});
+    const Report report = battery_of(subject, {.quick = true});
     for (const TestResult& test : report.tests) {
       EXPECT_TRUE(ids.insert(test.id).second) << test.id;
       EXPECT_FALSE(test.sentence.empty()) << subject.name << " " << test.id;

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Neo-Hookean elasticity of (34) as a total law, with tangent and energy; a parameter plants one defect.
-#include <Eigen/Dense>
-#include <cmath>
-#include <tuple>
-
 #include "harness/check/battery.hpp"
 #include "harness/check/tangent_conventions.hpp"
-#include "tests/harness/check/mutants.hpp"
+#include "tests/harness/check/model_table.hpp"
 
 namespace assay::check_tests {
 
@@ -16,6 +12,7 @@ enum Defect : int {
   none,
   single_precision,
   second_piola,
+  first_piola,
   unturned,
   small_strain_total,
   fixed_axis,
@@ -44,12 +41,6 @@ struct Model {
   double mu, lambda;
   int defect;
 };
-
-Tensor read(const double* a, std::size_t n, std::size_t p) {
-  Tensor A;
-  for (std::size_t c = 0; c < 9; ++c) component(A, static_cast<int>(c)) = a[c * n + p];
-  return A;
-}
 
 Tensor neo_hookean(const Model& m, const Tensor& F) {
   const double J = F.determinant();
@@ -85,9 +76,10 @@ Tensor cauchy_of(const Model& m, const Tensor& F) {
       return neo_hookean(m, F.cast<float>().cast<double>()).cast<float>().cast<double>();
     case second_piola:
       return F.determinant() * F.inverse() * sigma * F.inverse().transpose();
+    case first_piola:
+      return F.determinant() * sigma * F.inverse().transpose();
     case unturned: {
-      const Eigen::JacobiSVD<Tensor> svd(F, Eigen::ComputeFullU | Eigen::ComputeFullV);
-      const Tensor R = svd.matrixU() * svd.matrixV().transpose();
+      const Tensor R = polar(F);
       return R.transpose() * sigma * R;
     }
     case small_strain_total: {
@@ -103,14 +95,9 @@ Tensor cauchy_of(const Model& m, const Tensor& F) {
       break;
     }
     case exchanged_shears:
-      std::swap(sigma(0, 2), sigma(1, 2));
-      std::swap(sigma(2, 0), sigma(2, 1));
-      break;
+      return exchanged(sigma);
     case doubled_shear:
-      for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) sigma(i, j) *= i == j ? 1 : 2;
-      }
-      break;
+      return sheared(sigma, 2);
     case spectral_blow_up:
     case spectral_noise:
     case spectral_wrong_limit:
@@ -213,15 +200,7 @@ const assay_material* table(int extensions) {
       {"largest", "1", ASSAY_SCALAR, ASSAY_ROLE_PLAIN, "tr C - 3, largest so far"}};
   static assay_material made[3];
   assay_material& t = made[extensions];
-  t.abi_major = ASSAY_ABI_MAJOR;
-  t.struct_size = sizeof t;
-  t.name = "total_for_tests";
-  t.version = t.licence = t.doc = "";
-  t.symmetry = ASSAY_ISOTROPIC;
-  t.parameter_count = 3;
-  t.parameters = parameters;
-  t.state_count = 1;
-  t.state = state;
+  t = named_table("total_for_tests", 0, parameters, state);
   t.create = [](const double* p, char*) -> void* { return new Model{p[0], p[1], static_cast<int>(p[2])}; };
   t.destroy = [](void* self) { delete static_cast<Model*>(self); };
   t.initial_state = initial_state;
@@ -238,6 +217,7 @@ std::vector<Subject> total_subjects() {
       {"neo_hookean", none, ""},
       {"single_precision", single_precision, ""},
       {"second_piola", second_piola, rotation_missing},
+      {"first_piola", first_piola, not_symmetric},
       {"unturned", unturned, rotation_missing},
       {"small_strain_total", small_strain_total, small_strain},
       {"fixed_axis", fixed_axis, not_indifferent},

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "harness/check/march.hpp"
+#include "harness/check/rotation.hpp"
+
+namespace assay::check {
+
+namespace {
+
+constexpr double angle = 2.3;  ///< [rad], no fraction of a turn
+
+/// A turn by a small angle, its square half a strain at which most materials are elastic.
+Tensor little_turn(double t) { return turn(3e-3 * t); }
+Tensor strain_of_little_turn(double t) { return 0.5 * (little_turn(t) + little_turn(t).transpose()); }
+
+/// Above that of rest, at the end of a loading of so many seconds.
+Tensor stress_after(const Specimen& specimen, Tensor (*F)(double), double length) {
+  const MarchOptions options{.steps = specimen.steps(), .phase_length = length, .state = specimen.rest_state()};
+  return march(*specimen.material, {F, 1}, options).marks[0].cauchy + specimen.pressure * Tensor::Identity();
+}
+
+/// The stress of a turn Q, as a multiple of that of the strain sym(Q - I).
+double share_of(const Tensor& found, const Tensor& mistaken) {
+  return found.cwiseProduct(mistaken).sum() / mistaken.squaredNorm();
+}
+
+double small_strain_share(const Specimen& specimen) {
+  const Tensor mistaken = stress_of(specimen.stiffness, little_turn(1) - Tensor::Identity());
+  return share_of(stress_after(specimen, little_turn, 1), mistaken);
+}
+
+/// The same after ages, when overstresses, which may know no mistake, are gone.
+double relaxed_small_strain_share(const Specimen& specimen) {
+  constexpr double ages = 1e6;  // [s]
+  try {
+    return share_of(stress_after(specimen, little_turn, ages), stress_after(specimen, strain_of_little_turn, ages));
+  } catch (const MaterialFailure&) {
+    return INFINITY;
+  }
+}
+
+}  // namespace
+
+RotationFinding rotation_at_rest(const Specimen& specimen) {
+  const Material& material = *specimen.material;
+  std::array<double, 3> errors{};
+  FailedStep last;
+  const auto deviation = [&](const March& turned) {
+    return distance(turned.marks[0].cauchy, -specimen.pressure * Tensor::Identity()) / specimen.modulus;
+  };
+  for (int k = 0; k < 3; ++k) {
+    const Loading loading{[](double t) { return turn(angle * t); }, 1};
+    const March turned = march(material, loading, {.steps = specimen.steps() << k, .state = specimen.rest_state()});
+    errors[static_cast<std::size_t>(k)] = deviation(turned);
+    last = turned.last;
+  }
+  const Limit limit = limit_of(errors);
+  RotationFinding finding{{.id = "rotation.at_rest", .measure = limit.value, .threshold = converging_limit}};
+  finding.result.step = last;
+  finding.result.order = limit.order;
+  finding.result.verdict = limit.passes() ? Verdict::pass : Verdict::fail;
+  finding.result.sentence = "stress over modulus of a body that turns and is not loaded: " + rounded(errors[2]);
+  finding.small_strain = small_strain_share(specimen);
+  if (finding.result.verdict == Verdict::fail && specimen.rate_dependent()) {
+    const double later = relaxed_small_strain_share(specimen);
+    if (std::abs(later - 1) < std::abs(finding.small_strain - 1)) finding.small_strain = later;
+  }
+  return finding;
+}
+
+}  // namespace assay::check

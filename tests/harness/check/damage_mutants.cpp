@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Damage of neo-Hookean elasticity by the largest energy so far, with the energy that is left; a parameter plants one
+// defect.
+#include <algorithm>
+
+#include "harness/check/battery.hpp"
+#include "tests/harness/check/model_table.hpp"
+
+namespace assay::check_tests {
+
+namespace {
+
+enum Defect : int { none, energy_of_undamaged, heals, static_maximum, divides_by_energy, defects };
+
+struct Damage {
+  static constexpr std::size_t state_size = 1;  // largest energy
+  double mu, lambda, scale;
+  int defect;
+
+  explicit Damage(const double* p) : mu(p[0]), lambda(p[1]), scale(p[2]), defect(static_cast<int>(p[3])) {}
+
+  bool rest(const Tensor& cauchy, double*) const { return cauchy.isZero(0); }
+
+  double undamaged(const Tensor& F) const {
+    const double ln_J = std::log(F.determinant());
+    return 0.5 * lambda * ln_J * ln_J - mu * ln_J + 0.5 * mu * ((F * F.transpose()).trace() - 3);
+  }
+
+  double left(double largest) const { return 0.2 + 0.8 * std::exp(-std::max(0.0, largest) / scale); }
+
+  std::optional<Tensor> take(const PointStep& step, const double* state0, double* state1) {
+    const Tensor& F = step.F1;
+    const double J = F.determinant();
+    if (!(J > 0)) return std::nullopt;
+    const double W = undamaged(F);
+    double largest = std::max(W, state0[0]);
+    if (defect == heals) largest = W;
+    if (defect == static_maximum) largest = statics.largest = std::max(statics.largest, W);
+    state1[0] = largest;
+    const Tensor sigma =
+        (lambda * std::log(J) * Tensor::Identity() + mu * (F * F.transpose() - Tensor::Identity())) / J;
+    return (defect == divides_by_energy ? W / W : 1) * left(largest) * sigma;
+  }
+
+  void misbehave(std::size_t, double*, double*) const {}
+};
+
+std::int32_t energy(void* self, std::size_t n, const double* F, const double* state, double* out) {
+  const auto& m = *static_cast<const Damage*>(self);
+  for (std::size_t p = 0; p < n; ++p) {
+    out[p] = (m.defect == energy_of_undamaged ? 1 : m.left(state[p])) * m.undamaged(read(F, n, p));
+  }
+  return ASSAY_GOOD;
+}
+
+const void* extension(const char* id) {
+  static const assay_energy energies{sizeof(assay_energy), energy};
+  return std::string(id) == ASSAY_EXTENSION_ENERGY ? &energies : nullptr;
+}
+
+}  // namespace
+
+std::vector<Subject> damage_subjects() {
+  using namespace check::causes;
+  static const assay_parameter parameters[] = {{"mu", "Pa", 400, 0, 1e12, "shear modulus"},
+                                               {"lambda", "Pa", 600, 0, 1e12, "Lame's first"},
+                                               {"scale", "J/m^3", 10, 0, 1e12, "energy that damages"},
+                                               {"defect", "1", 0, 0, defects - 1, "which"}};
+  static const assay_state_variable state[] = {
+      {"largest", "J/m^3", ASSAY_SCALAR, ASSAY_ROLE_PLAIN, "energy without damage, largest so far"}};
+  static const assay_material table = [] {
+    assay_material t = table_of<Damage>("damage_for_tests", ASSAY_NON_SMOOTH, parameters, state);
+    t.extension = extension;
+    return t;
+  }();
+  std::vector<Subject> all;
+  add(all, &table,
+      {{"damage", none, ""},
+       {"energy_of_undamaged", energy_of_undamaged, check::causes::energy},
+       {"heals", heals, dissipation},
+       {"static_damage", static_maximum, hidden_state},
+       {"divides_by_energy", divides_by_energy, refuses}});
+  return all;
+}
+
+}  // namespace assay::check_tests

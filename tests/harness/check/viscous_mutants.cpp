@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What depends on the rate: a generalised Maxwell solid with two overstresses in its state, a Maxwell liquid whose
+// state is its stress, and a fluid without a state; a parameter plants one defect.
+#include <algorithm>
+
+#include "harness/check/battery.hpp"
+#include "harness/check/tangent_conventions.hpp"
+#include "tests/harness/check/model_table.hpp"
+
+namespace assay::check_tests {
+
+namespace {
+
+enum Defect : int {
+  none,
+  unturned,
+  slow_unturned,
+  turned_back,
+  half_turned,
+  swapped,
+  turned_as_strain,
+  doubled_in_state,
+  explicit_convection,
+  own_clock,
+  forgets_at_zero,
+  first_call,
+  static_maximum,
+  of_last_call,
+  tangent_of_nothing,
+  kirchhoff_tangent,
+  tangent_of_solid,
+  small_strain_solid,
+  plain_gradient,
+  full_gradient,
+  noise,
+  swallows_nan,
+  defects
+};
+
+/// Rotation and logarithmic strain of a step, in the axes of its beginning.
+struct Increment {
+  Tensor R, strain;
+};
+
+Increment increment_of(const PointStep& step) {
+  const Tensor f = step.F1 * step.F0.inverse(), R = polar(f);
+  return {R, logarithm(R.transpose() * f)};
+}
+
+/// A tensor of the state as the step carries it on.
+Tensor carried(int defect, const Tensor& R, const Tensor& A) {
+  switch (defect) {
+    case unturned:
+      return A;
+    case turned_back:
+      return R.transpose() * A * R;
+    case half_turned: {
+      const Tensor half = polar(R + Tensor::Identity());
+      return half * A * half.transpose();
+    }
+    case turned_as_strain:
+      return sheared(R * sheared(A, 0.5) * R.transpose(), 2);
+    case explicit_convection: {
+      const Tensor w = 0.5 * (R - R.transpose());
+      return A + w * A - A * w;
+    }
+    default:
+      return R * A * R.transpose();
+  }
+}
+
+/// Hencky's law beside two overstresses that relax.
+struct Solid {
+  static constexpr std::size_t state_size = 12;
+  double mu, bulk, share[2], time[2];
+  int defect;
+
+  explicit Solid(const double* p)
+      : mu(p[0]), bulk(p[1]), share{p[2], p[3]}, time{p[4], p[5]}, defect(static_cast<int>(p[6])) {}
+
+  bool rest(const Tensor& cauchy, double* state) const {
+    write_symmetric(cauchy, state);
+    return true;
+  }
+
+  Tensor elastic(const Tensor& F) {
+    const Tensor e = defect == small_strain_solid ? Tensor(0.5 * (F + F.transpose()) - Tensor::Identity())
+                                                  : Tensor(0.5 * logarithm(F * F.transpose()));
+    double weakened = 1;
+    if (defect == static_maximum) {
+      statics.largest = std::max(statics.largest, e.norm());
+      weakened = std::exp(-statics.largest);
+    }
+    return weakened * (2 * mu * deviator(e) + bulk * e.trace() * Tensor::Identity()) / F.determinant();
+  }
+
+  std::optional<Tensor> take(const PointStep& step, const double* state0, double* state1) {
+    const auto [R, strain] = increment_of(step);
+    Tensor sigma = elastic(step.F1);
+    if (defect == own_clock) sigma *= 1 + 0.05 * std::exp(-step.t);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const int here = defect == slow_unturned ? (k == 1 ? unturned : none) : defect;
+      const double left = std::exp(-step.dt / time[k]), middle = std::sqrt(left);
+      const Tensor before = left * read_symmetric(state0 + 6 * k);
+      const Tensor added = R * (2 * mu * share[k] * middle * deviator(strain)) * R.transpose();
+      Tensor q = carried(here, R, before) + added;
+      if (defect == forgets_at_zero && step.t == 0) q = added;
+      sigma += q;
+      if (defect == swapped) q = exchanged(q);
+      if (defect == doubled_in_state) q = sheared(q, 2);
+      write_symmetric(q, state1 + 6 * k);
+    }
+    if (defect == first_call && !std::exchange(statics.called, true)) sigma *= 0.5;
+    return sigma;
+  }
+
+  void misbehave(std::size_t, double*, double*) const {}
+};
+
+/// A Maxwell liquid: the whole stress is in the state, its deviator relaxes.
+struct Liquid {
+  static constexpr std::size_t state_size = 6;
+  double mu, bulk, time;
+  int defect;
+
+  explicit Liquid(const double* p) : mu(p[0]), bulk(p[1]), time(p[4]), defect(static_cast<int>(p[6])) {}
+
+  bool rest(const Tensor& cauchy, double* state) const {
+    write_symmetric(cauchy, state);
+    return true;
+  }
+
+  std::optional<Tensor> take(const PointStep& step, const double* state0, double* state1) {
+    const auto [R, strain] = increment_of(step);
+    Tensor before = read_symmetric(state0);
+    if (defect == of_last_call) before = statics.of_point.try_emplace(0, before).first->second;
+    const double left = std::exp(-step.dt / time);
+    const Tensor old = left * deviator(before) + sphere(before);
+    const Tensor added = 2 * mu * std::sqrt(left) * deviator(strain) + bulk * strain.trace() * Tensor::Identity();
+    Tensor sigma = carried(defect, R, old) + R * added * R.transpose();
+    if (defect == of_last_call) statics.of_point[0] = sigma;
+    if (defect == swapped) sigma = exchanged(sigma);
+    write_symmetric(sigma, state1);
+    return sigma;
+  }
+
+  void misbehave(std::size_t, double*, double*) const {}
+};
+
+/// A compressible fluid, Newtonian or of a power law.
+struct Fluid {
+  static constexpr std::size_t state_size = 0;
+  double viscosity, bulk, power;
+  int defect;
+
+  explicit Fluid(const double* p) : viscosity(p[0]), bulk(p[1]), power(p[2]), defect(static_cast<int>(p[6])) {}
+
+  std::optional<Tensor> take(const PointStep& step, const double*, double*) const {
+    const double J = step.F1.determinant();
+    const bool number = step.F1.allFinite();
+    if (!(J > 0) && !(defect == swallows_nan && !number)) return std::nullopt;
+    const Tensor slope = (step.F1 - step.F0) / step.dt;
+    const Tensor l = defect == plain_gradient ? slope : Tensor(slope * (0.5 * (step.F0 + step.F1)).inverse());
+    const Tensor d = deviator(defect == full_gradient ? l : Tensor(0.5 * (l + l.transpose())));
+    const double rate = std::sqrt(2.0) * d.norm(), eta = viscosity * std::pow(rate * rate + 1e-4, 0.5 * (power - 1));
+    Tensor viscous = 2 * eta * d;
+    if (defect == noise) viscous *= 1 + 0.3 * std::sin(1e9 * step.F1(0, 0));
+    if (defect == swapped) viscous = exchanged(viscous);
+    if (defect == doubled_in_state) viscous = sheared(viscous, 2);
+    if (defect == swallows_nan && !number) return Tensor(Tensor::Zero());
+    return bulk * std::log(J) * Tensor::Identity() + viscous;
+  }
+
+  bool rest(const Tensor&, double*) const { return true; }
+  void misbehave(std::size_t, double*, double*) const {}
+};
+
+/// d sigma / d F1 by differences of fourth order.
+std::int32_t tangent(void* self, const assay_step* step, std::size_t n, const double* state0, double* out) {
+  auto& model = *static_cast<Solid*>(self);
+  constexpr double h = 1e-4;
+  for (std::size_t p = 0; p < n; ++p) {
+    const PointStep at = Calls<Solid>::step_of(*step, n, p);
+    const auto before = Calls<Solid>::state_of(state0, n, p);
+    const auto stress = [&](int c, double by) {
+      PointStep moved = at;
+      component(moved.F1, c) += by;
+      auto ignored = before;
+      return model.defect == tangent_of_solid ? model.elastic(moved.F1)
+                                              : *model.take(moved, before.data(), ignored.data());
+    };
+    check::Tangent A;
+    for (int c = 0; c < 9; ++c) {
+      const Tensor d = (8 * (stress(c, h) - stress(c, -h)) - (stress(c, 2 * h) - stress(c, -2 * h))) / (12 * h);
+      for (int r = 0; r < 9; ++r) A(r, c) = component(d, r);
+    }
+    constexpr std::size_t of_kirchhoff = 2;
+    if (model.defect == kirchhoff_tangent) A = check::other_conventions(A, stress(0, 0), at.F1)[of_kirchhoff].second;
+    if (model.defect == tangent_of_nothing) A(4, 4) = NAN;
+    for (std::size_t k = 0; k < 81; ++k) out[k * n + p] = A(static_cast<int>(k / 9), static_cast<int>(k % 9));
+  }
+  return ASSAY_GOOD;
+}
+
+const void* extension(const char* id) {
+  static const assay_tangent tangents{sizeof(assay_tangent), tangent};
+  return std::string(id) == ASSAY_EXTENSION_TANGENT ? &tangents : nullptr;
+}
+
+constexpr assay_state_variable overstress{"overstress", "Pa", ASSAY_SYMMETRIC_TENSOR, ASSAY_ROLE_PLAIN, "fast"},
+    slow{"slow_overstress", "Pa", ASSAY_SYMMETRIC_TENSOR, ASSAY_ROLE_PLAIN, "slow"},
+    stress{"stress", "Pa", ASSAY_SYMMETRIC_TENSOR, ASSAY_ROLE_PLAIN, "Cauchy stress"};
+
+}  // namespace
+
+std::vector<Subject> viscous_subjects() {
+  using namespace check::causes;
+  static const assay_parameter parameters[] = {{"modulus", "Pa", 400, 0, 1e12, "of shear; viscosity of a fluid"},
+                                               {"bulk", "Pa", 900, 0, 1e12, "modulus"},
+                                               {"share", "1", 1, 0, 1e3, "of the overstress; power of a fluid"},
+                                               {"slow_share", "1", 0.7, 0, 1e3, "of the slow one"},
+                                               {"time", "s", 0.3, 0, 1e12, "of relaxation"},
+                                               {"slow_time", "s", 5, 0, 1e12, "of the slow one"},
+                                               {"defect", "1", 0, 0, defects - 1, "which"}};
+  static const assay_state_variable two[] = {overstress, slow}, one[] = {stress};
+  constexpr std::uint32_t flags = ASSAY_RATE_DEPENDENT | ASSAY_USES_INCREMENT;
+  static const assay_material solid = [] {
+    assay_material t = table_of<Solid>("solid_for_tests", flags, parameters, two);
+    t.extension = extension;
+    return t;
+  }();
+  static const assay_material liquid = table_of<Liquid>("liquid_for_tests", flags, parameters, one);
+  static const assay_material fluid = table_of<Fluid>("fluid_for_tests", flags, parameters, {});
+  std::vector<Subject> all;
+  add(all, &solid, {{"zener", none, ""}}, {{"slow_share", 0}});
+  add(all, &solid,
+      {{"generalised_maxwell", none, ""},
+       {"unturned_overstress", unturned, state_not_rotated},
+       {"unturned_slow_overstress", slow_unturned, state_not_rotated},
+       {"overstress_turned_back", turned_back, wrong_spin},
+       {"swapped_overstress", swapped, components_swapped},
+       {"overstress_turned_as_strain", turned_as_strain, shear_factor},
+       {"overstress_of_engineering_shear", doubled_in_state, shear_factor},
+       {"viscous_clock", own_clock, clock},
+       {"forgets_at_zero", forgets_at_zero, clock},
+       {"viscous_first_call", first_call, hidden_state},
+       {"static_maximum", static_maximum, hidden_state},
+       {"tangent_of_nothing", tangent_of_nothing, tangent_wrong},
+       {"tangent_of_solid", tangent_of_solid, tangent_wrong},
+       {"viscous_kirchhoff_tangent", kirchhoff_tangent, tangent_convention},
+       {"viscous_small_strain", small_strain_solid, small_strain}});
+  add(all, &liquid,
+      {{"maxwell", none, ""},
+       {"unturned_liquid", unturned, rotation_missing},
+       {"liquid_turned_back", turned_back, wrong_spin},
+       {"liquid_turned_by_half", half_turned, wrong_spin},
+       {"explicit_convection", explicit_convection, explicit_spin},
+       {"liquid_turned_as_strain", turned_as_strain, shear_factor},
+       {"swapped_liquid", swapped, components_swapped},
+       {"stress_of_the_last_call", of_last_call, hidden_state}});
+  add(all, &fluid, {{"power_law", none, ""}}, {{"modulus", 20}, {"share", 0.5}});
+  add(all, &fluid,
+      {{"newtonian", none, ""},
+       {"swapped_viscous_stress", swapped, components_swapped},
+       {"viscous_engineering_shear", doubled_in_state, shear_factor},
+       {"gradient_of_reference", plain_gradient, not_indifferent},
+       {"unsymmetric_gradient", full_gradient, not_symmetric},
+       {"viscous_noise", noise, no_convergence},
+       {"fluid_of_nan", swallows_nan, not_a_number}},
+      {{"modulus", 20}, {"share", 1}});
+  return all;
+}
+
+}  // namespace assay::check_tests
