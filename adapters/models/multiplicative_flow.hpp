@@ -99,7 +99,9 @@ class MultiplicativeFlow {
     Place<S> start = place_at(step, S(0)), middle = place_at(step, S(0.5));
     const double share = contact(step.values(), value_of(start.excess), value_of(middle.excess), value_of(end.excess));
     if (share > 0) {
-      const S x = root_with_derivatives<S>(share, 1, [&](const S& y) { return place_at(step, y).excess; });
+      // a small yield surface is crossed in a small part of the step
+      const double radius = hardening_.radius(value_of(step.p)), part = radius / (radius + value_of(end.excess));
+      const S x = root_with_derivatives<S>(share, part, [&](const S& y) { return place_at(step, y).excess; });
       start = place_at(step, x);
       middle = place_at(step, S(S(0.5) * (S(1) + x)));
     }
@@ -269,7 +271,8 @@ class MultiplicativeFlow {
     } else {
       const double value = return_along(step.values(), flow.values()).amount;
       const auto excess = [&](const S& amount) { return excess_of(step, flow, after(flow, amount)); };
-      return after(flow, root_with_derivatives<S>(value, value, excess));
+      const double across = hardening_.radius(value_of(step.p)) / (2 * elastic_.mu);  // the yield surface
+      return after(flow, root_with_derivatives<S>(value, std::fmin(value, across), excess));
     }
   }
 
