@@ -23,7 +23,8 @@ namespace {
 TestResult refused(const char* id, const char* cause, const MaterialFailure& failure) {
   TestResult result{
       .id = id, .verdict = Verdict::fail, .cause = cause, .sentence = failure.what(), .step = failure.step};
-  if (result.sentence.empty()) result.sentence = "the model refuses a step without a word";
+  result.sentence = result.sentence.empty() ? "the model refuses a step without a word"
+                                            : "the model refuses a step: " + result.sentence;
   return result;
 }
 
@@ -155,6 +156,7 @@ Report run_battery(const Material& material, const Options& options) {
       take(first_entries(), specimen, evidence, report);
       if (!any_failed(report)) {
         evidence.turned = turned_step(specimen);
+        evidence.right_without_spin = right_without_spin(specimen);
         take(entries(), specimen, evidence, report);
       }
     }

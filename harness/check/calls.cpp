@@ -165,7 +165,7 @@ TestResult repeated_calls(const Specimen& specimen, const std::vector<History>& 
   if (difference.worst <= most) return result;
   result.verdict = Verdict::fail;
   result.cause = causes::hidden_state;
-  result.sentence = "the same step " + difference.how + " differs by " + rounded(difference.worst) +
+  result.sentence = "the same step " + difference.how + " differs by " + rounded(difference.worst) + " of itself" +
                     ": something is kept outside the state";
   return result;
 }

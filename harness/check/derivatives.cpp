@@ -118,7 +118,7 @@ TestResult tangent(const Specimen& specimen) {
   if (worst <= most) return result;
   result.verdict = Verdict::fail;
   result.cause = causes::tangent_wrong;
-  result.sentence = "the tangent is wrong by " + rounded(100 * worst) + " % of its largest component";
+  result.sentence = "the tangent is wrong by " + percent(worst) + " of its largest component";
   const auto least = std::min_element(of_conventions.begin(), of_conventions.end());
   if (least == of_conventions.end() || *least > alike) return result;
   result.cause = causes::tangent_convention;
@@ -188,7 +188,7 @@ TestResult dissipation(const Specimen& specimen) {
   TestResult result{.id = "dissipation", .measure = worst, .threshold = most};
   result.verdict = worst <= most ? Verdict::pass : Verdict::fail;
   result.sentence = worst <= most ? "work is stored or lost, and none comes out of nothing"
-                                  : rounded(100 * worst) + " % of the work comes out of nothing";
+                                  : percent(worst) + " of the work comes out of nothing";
   if (worst > most) result.cause = causes::dissipation;
   return result;
 }

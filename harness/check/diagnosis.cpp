@@ -39,6 +39,8 @@ class Diagnostician {
       if (test.verdict != Verdict::fail) continue;
       if (test.cause.empty() || (explained_ && is_of_frames(test.id))) continue;
       if (!found_.empty() && test.cause == causes::no_convergence) continue;  // the weakest of all
+      if (test.id == "dissipation" && failed("energy")) continue;             // of a wrong energy it tells nothing
+      if (test.id == "clock" && failed("calls.repeated")) continue;           // nor of what is kept elsewhere
       add({test.cause, test.sentence});
     }
     for (TestResult& test : tests_) {
@@ -148,6 +150,9 @@ class Diagnostician {
       const Turned as = taken == step.taken.end() ? Turned::rightly : taken->how;
       const bool own_frame = as == Turned::not_at_all, misread = as != Turned::rightly && !own_frame;
       const Turned how = misread ? as : variable.how;
+      const bool of_spin =
+          how == Turned::by_another_angle && (!failed("rotation.constant") || evidence_.right_without_spin);
+      if (how == Turned::by_another_angle && !of_spin) continue;
       if (how == Turned::rightly || how == Turned::otherwise || (own_frame && how == Turned::not_at_all)) continue;
       const double far = variable.is_stress ? INFINITY : std::abs(variable.times - 1);
       if (far <= farthest) continue;
@@ -180,10 +185,19 @@ class Diagnostician {
     if (fixed.turned && std::abs(*fixed.turned) <= unmoved) {
       return explain({causes::rotation_missing, "the stress of a stretched body that turns stays where it was"});
     }
-    if (failed("rotation.constant")) return explain({causes::not_indifferent, find("rotation.constant")->sentence});
+    if (failed("rotation.constant")) {
+      if (!evidence_.right_without_spin || !evidence_.has_tensors) {
+        return explain({causes::not_indifferent, find("rotation.constant")->sentence});
+      }
+      return explain({causes::wrong_spin,
+                      "a stretch along axes that stand still is right in any frame, one along axes that turn is not: "
+                      "components of the spin are missing or mixed up"});
+    }
     if (fixed.falls) {
-      return explain(
-          {causes::explicit_spin, "the stress is turned in steps that are no rotations: " + fixed.result.sentence});
+      return explain({causes::explicit_spin,
+                      "the stress is turned in steps that are no rotations, or a turn is taken for a "
+                      "strain: " +
+                          fixed.result.sentence});
     }
     if (fixed.turned) {
       char times[32];

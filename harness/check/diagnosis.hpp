@@ -12,8 +12,9 @@ namespace assay::check {
 struct Evidence {
   RotationFinding at_rest, fixed, state;
   std::optional<TurnedStep> turned;
-  std::vector<History> first;  ///< of the process
-  bool has_tensors = false;    ///< the state has something that a spin could turn
+  bool right_without_spin = false;  ///< rotation.constant of a stretch along axes that stand still
+  std::vector<History> first;       ///< of the process
+  bool has_tensors = false;         ///< the state has something that a spin could turn
 };
 
 /// Fills in the cause of failed tests that have none, and lists the causes; none for one that follows from another.

@@ -32,4 +32,10 @@ std::string how(const Limit& limit, const std::array<double, 3>& e, int steps) {
   return "off by " + rounded(limit.value) + " of the largest stress, whatever the step";
 }
 
+std::string percent(double share) {
+  char text[64];
+  std::snprintf(text, sizeof text, share < 0.1 ? "%.2g %%" : share < 1e4 ? "%.0f %%" : "%.1e %%", 100 * share);
+  return text;
+}
+
 }  // namespace assay::check

@@ -36,4 +36,7 @@ std::string how(const Limit& limit, const std::array<double, 3>& errors, int ste
 /// Two digits.
 std::string rounded(double value);
 
+/// "5.1 %", "110 %".
+std::string percent(double share);
+
 }  // namespace assay::check

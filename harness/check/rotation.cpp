@@ -130,6 +130,20 @@ TestResult constant_rotation(const Specimen& specimen) {
                     "the same history in a frame that is turned once for all");
 }
 
+bool right_without_spin(const Specimen& specimen) {
+  Tensor axes;
+  axes << 0.9, 0.4, -0.3, 0.4, -0.5, 0.2, -0.3, 0.2, 0.3;
+  const Tensor Q = turn(angle);
+  const double a = specimen.amplitude;
+  const Loading still{[=](double t) { return Tensor(Tensor::Identity() + a * std::sin(4 * t) * axes); }, 1};
+  const Loading seen{[=](double t) { return Tensor(Q * still.F(t)); }, 1};
+  try {
+    return exact_twin(specimen, "", still, seen, Q, Vector3::UnitX(), "").verdict == Verdict::pass;
+  } catch (const MaterialFailure&) {
+    return false;
+  }
+}
+
 TestResult change_of_basis(const Specimen& specimen) {
   const bool directed = has_direction(specimen.material->table());
   if (!specimen.isotropic() && !directed) {

@@ -22,6 +22,9 @@ struct RotationFinding {
 /// Orientation of the frame from the beginning on; sigma = Q sigma_0 Q^T.
 TestResult constant_rotation(const Specimen& specimen);
 
+/// The same of a stretch along axes that stand still, which no spin enters: whether it is right.
+bool right_without_spin(const Specimen& specimen);
+
 /// Body and frame turned: F' = Q F Q^T.
 TestResult change_of_basis(const Specimen& specimen);
 

@@ -45,6 +45,27 @@ Tangent of_strain(const Tangent& a) {
   return result;
 }
 
+Tangent rows_exchanged(const Tangent& A) {
+  Tangent result;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) result.row(at(i, j)) = A.row(at(j, i));
+  }
+  return result;
+}
+
+/// c : d = C_Jaumann : d - d sigma - sigma d.
+Tangent truesdell(const Tangent& jaumann, const Tensor& sigma) {
+  Tangent result = jaumann;
+  for (int c = 0; c < 9; ++c) {
+    Tensor d = Tensor::Zero();
+    component(d, c) += 0.5;
+    d = (d + d.transpose()).eval();
+    const Tensor turned = d * sigma + sigma * d;
+    for (int r = 0; r < 9; ++r) result(r, c) -= component(turned, r);
+  }
+  return result;
+}
+
 /// d S / d F with S = F^-1 P.
 Tangent of_second_piola(const Tangent& piola, const Tensor& P, const Tensor& F) {
   const Tensor inverse = F.inverse();
@@ -113,6 +134,8 @@ std::vector<std::pair<std::string, Tangent>> other_conventions(const Tangent& A,
           {"the modulus of the Jaumann rate of J sigma, over J (Abaqus)", jaumann},
           {"d (J sigma) / d F over J, of the Kirchhoff stress", tau_over_J},
           {"d sigma / d l, of a displacement in the current configuration", spatial(A, F)},
+          {"d P^T / d F, of the nominal stress", rows_exchanged(piola)},
+          {"the modulus of the Truesdell rate, of the current configuration", truesdell(jaumann, sigma)},
           {"d S / d F, of the second Piola-Kirchhoff stress", second_piola},
           {"d S / d E, of the second Piola-Kirchhoff stress and the Green strain", of_green_strain(second_piola, F)}};
 }

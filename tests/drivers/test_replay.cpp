@@ -146,7 +146,7 @@ TEST(Replay, RefusesWhatIsNone) {
   Replay replay;
   replay.material = "hypoelastic_jaumann";
   replay.parameters = {{"E", 1e3}, {"nu", 0.3}};
-  replay.step->state0.assign(6, 0.0);
+  replay.step.emplace().state0.assign(6, 0.0);
   const std::string good = replay_yaml(replay);
   const auto refusal = [&](const std::string& from, const std::string& to) {
     std::string text = good;

@@ -119,8 +119,7 @@ TEST(Battery, JudgesNoStiffnessOfMaterialsThatYieldAtOnce) {
   const std::pair<const char*, Parameters> cases[] = {
       {"drucker_prager", {{"E", 1e7}, {"cohesion", 0}, {"friction", 0.3}}},
       {"j2_jaumann", {{"E", 1}, {"yield_stress", 1e-7}}},
-      {"j2_multiplicative", {{"E", 1}, {"yield_stress", 1e-6}}},
-      {"j2_multiplicative", {{"E", 1}, {"yield_stress", 1e-9}, {"kinematic_modulus", 0.05}}}};
+      {"j2_multiplicative", {{"E", 1}, {"yield_stress", 1e-8}}}};
   for (const auto& [name, parameters] : cases) {
     const check::Report report = check::run_battery(material_of(name, parameters));
     for (const check::Diagnosis& d : report.diagnosis) ADD_FAILURE() << name << ": " << d.cause << ": " << d.sentence;
