@@ -6,6 +6,7 @@
 
 #include "harness/check/arrays.hpp"
 #include "harness/check/calls.hpp"
+#include "harness/check/constant_rotation.hpp"
 #include "harness/check/derivatives.hpp"
 #include "harness/check/diagnosis.hpp"
 #include "harness/check/elasticity.hpp"

@@ -93,8 +93,14 @@ class Diagnostician {
                       "a body that only turns by Q is stressed as by the strain sym(Q - I): the strain is not one of "
                       "finite deformation"});
     }
+    if (failed("rotation.constant") && find("rotation.constant")->cause == causes::rotation_missing) {
+      return explain(*of("rotation.constant"));
+    }
     if (of_turned_step()) return;
     if (failed("rotation.fixed_stretch")) return of_fixed_stretch();
+    if (failed("rotation.constant") && !evidence_.right_without_spin) {
+      return explain({causes::not_indifferent, find("rotation.constant")->sentence});
+    }
     if (failed("rotation.after") || failed("rotation.during")) {
       if (!evidence_.state.left_behind.empty()) {
         return explain({causes::state_not_rotated, "the stress turns with the body, but " +

@@ -73,7 +73,7 @@ TestResult nearly_equal_stretches(const Specimen& specimen) {
 }
 
 TestResult rotation_at_equal_stretches(const Specimen& specimen) {
-  constexpr double angle = 2.3;
+  constexpr double angle = turning_angle;
   const Material& material = *specimen.material;
   const int steps = specimen.steps() / 4;
   RigidTurn turned;

@@ -89,8 +89,6 @@ TestResult zero_increment(const Specimen& specimen) {
 
 namespace {
 
-constexpr double turning_angle = 2.3;  ///< [rad]
-
 std::vector<double> state_under(const Material& material, const Tensor& sigma) {
   std::vector<double> nine(9);
   for (int c = 0; c < 9; ++c) nine[static_cast<std::size_t>(c)] = component(sigma, c);

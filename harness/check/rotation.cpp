@@ -12,7 +12,7 @@ namespace assay::check {
 
 namespace {
 
-constexpr double angle = 2.3;         ///< [rad], no fraction of a turn
+constexpr double angle = turning_angle;
 constexpr double spins_alike = 2e-2;  ///< relative: stress turned by a multiple of the angle, and stress found
 
 using AngleOf = std::function<double(double)>;
@@ -57,11 +57,6 @@ std::optional<double> turned_by(const Tensor& found, const Tensor& unturned) {
   return miss(best) < spins_alike ? std::optional(best) : std::nullopt;
 }
 
-/// Out, and back and beyond in the second phase.
-Loading out_and_back(const Specimen& specimen) {
-  return {[a = specimen.amplitude](double t) { return stretch(a, 0.5 * t); }, 2};
-}
-
 /// Equal stretches, and a little shear on top: where a yield surface has an apex, the stress may be there.
 Tensor expanded(double amplitude, double expansion, double shear) {
   Tensor A;
@@ -101,73 +96,7 @@ Case case_of(const Specimen& specimen, When when) {
           [](double t) { return angle * ramp(1, 2, t); }};
 }
 
-TestResult exact_twin(const Specimen& specimen, const char* id, const Loading& still, const Loading& seen,
-                      const Tensor& Q, const Vector3& direction, const std::string& words) {
-  const Material& material = *specimen.material;
-  const int steps = specimen.steps();
-  const March a = march(material, still, {.steps = steps, .state = specimen.rest_state()});
-  const March b = march(material, seen, {.steps = steps, .state = specimen.rest_state(direction)});
-  const double scale = std::max(a.largest, specimen.least_stress());
-  double error = 0;
-  for (std::size_t k = 0; k < a.marks.size(); ++k) {
-    error = std::max(error, distance(rotated(Q.transpose(), b.marks[k].cauchy), a.marks[k].cauchy) / scale);
-  }
-  TestResult result{.id = id, .measure = error, .threshold = own_precision, .step = b.last};
-  result.verdict = error <= own_precision ? Verdict::pass : Verdict::fail;
-  result.sentence = words + (error <= exact_error     ? ": exact"
-                             : error <= own_precision ? ": to the model's own precision, " + rounded(error)
-                                                      : ": off by " + rounded(error) + " of the largest stress");
-  return result;
-}
-
 }  // namespace
-
-TestResult constant_rotation(const Specimen& specimen) {
-  const Tensor Q = turn(angle);
-  const Loading still = out_and_back(specimen);
-  const Loading seen{[=](double t) { return Tensor(Q * still.F(t)); }, still.phases};
-  return exact_twin(specimen, "rotation.constant", still, seen, Q, Vector3::UnitX(),
-                    "the same history in a frame that is turned once for all");
-}
-
-bool right_without_spin(const Specimen& specimen) {
-  Tensor axes;
-  axes << 0.9, 0.4, -0.3, 0.4, -0.5, 0.2, -0.3, 0.2, 0.3;
-  const Tensor Q = turn(angle);
-  const double a = specimen.amplitude;
-  const Loading still{[=](double t) { return Tensor(Tensor::Identity() + a * std::sin(4 * t) * axes); }, 1};
-  const Loading seen{[=](double t) { return Tensor(Q * still.F(t)); }, 1};
-  try {
-    return exact_twin(specimen, "", still, seen, Q, Vector3::UnitX(), "").verdict == Verdict::pass;
-  } catch (const MaterialFailure&) {
-    return false;
-  }
-}
-
-TestResult change_of_basis(const Specimen& specimen) {
-  const bool directed = has_direction(specimen.material->table());
-  if (!specimen.isotropic() && !directed) {
-    return {.id = "basis",
-            .verdict = Verdict::not_applicable,
-            .sentence = "the axes of the material are its own: no direction is declared that could turn along"};
-  }
-  const Tensor Q = directed ? rotation_about_z(angle) : turn(angle);  // the third axis may be fixed
-  const Loading still = out_and_back(specimen);
-  const Loading seen{[=](double t) { return rotated(Q, still.F(t)); }, still.phases};
-  return exact_twin(specimen, "basis", still, seen, Q, Q * Vector3::UnitX(), "body and frame turned together");
-}
-
-TestResult isotropy(const Specimen& specimen) {
-  if (!specimen.isotropic()) {
-    return {
-        .id = "isotropy", .verdict = Verdict::not_applicable, .sentence = "the model does not claim to be isotropic"};
-  }
-  const Tensor Q = turn(angle);
-  const Loading still = out_and_back(specimen);
-  const Loading seen{[=](double t) { return Tensor(still.F(t) * Q.transpose()); }, still.phases};
-  return exact_twin(specimen, "isotropy", still, seen, Tensor::Identity(), Vector3::UnitX(),
-                    "the same history of a body that was turned before");
-}
 
 TestResult rotation_at_apex(const Specimen& specimen) {
   constexpr double least = 1e-6;

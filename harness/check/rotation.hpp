@@ -19,18 +19,6 @@ struct RotationFinding {
   std::string left_behind = {};  ///< names of tensors and vectors of the state that have not turned with the stress
 };
 
-/// Orientation of the frame from the beginning on; sigma = Q sigma_0 Q^T.
-TestResult constant_rotation(const Specimen& specimen);
-
-/// The same of a stretch along axes that stand still, which no spin enters: whether it is right.
-bool right_without_spin(const Specimen& specimen);
-
-/// Body and frame turned: F' = Q F Q^T.
-TestResult change_of_basis(const Specimen& specimen);
-
-/// The body alone turned before it is loaded: F' = F Q^T, sigma' = sigma for isotropic materials.
-TestResult isotropy(const Specimen& specimen);
-
 /// Before, while and after it is loaded, and after an expansion that may have come to an apex, by 2.3 rad about
 /// (1, 2, 3).
 enum class When { before, during, after, apex };

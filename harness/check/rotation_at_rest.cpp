@@ -8,7 +8,7 @@ namespace assay::check {
 
 namespace {
 
-constexpr double angle = 2.3;  ///< [rad], no fraction of a turn
+constexpr double angle = turning_angle;
 
 /// A turn by a small angle, its square half a strain at which most materials are elastic.
 Tensor little_turn(double t) { return turn(3e-3 * t); }

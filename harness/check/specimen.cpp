@@ -96,6 +96,10 @@ double pressure_at_rest(const Material& material) {
   return found == std::end(pressures) ? 0 : *found;
 }
 
+Loading out_and_back(const Specimen& specimen) {
+  return {[a = specimen.amplitude](double t) { return stretch(a, 0.5 * t); }, 2};
+}
+
 Specimen examine(const Material& material, const Options& options) {
   Specimen specimen{&material, options};
   specimen.pressure = pressure_at_rest(material);

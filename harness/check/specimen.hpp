@@ -45,4 +45,7 @@ Tensor stress_of(const Stiffness& stiffness, const Tensor& H);
 /// A stretch along turning axes, out, back and beyond: 0 <= s <= 1, F = I at 0.
 Tensor stretch(double amplitude, double s);
 
+/// The same out, and back and beyond in the second of two phases.
+Loading out_and_back(const Specimen& specimen);
+
 }  // namespace assay::check

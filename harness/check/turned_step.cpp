@@ -12,7 +12,7 @@ namespace assay::check {
 
 namespace {
 
-constexpr double large_turn = 2.3, small_turn = 0.02;  ///< [rad]
+constexpr double large_turn = turning_angle, small_turn = 0.02;  ///< [rad]
 constexpr double alike = 0.2 * small_turn;  ///< of the largest component: a step may be second order in the turn
 constexpr double explained = 1e-3;          ///< of an error that an assumption leaves
 constexpr double trifle = 1e-10;
