@@ -30,58 +30,75 @@ std::string told(const Report& report) {
   return text;
 }
 
-TEST(Battery, PassesWhatIsRightAndNamesWhatIsPlanted) {
-  for (const auto& subject : all_subjects()) {
-    for (const bool quick : {true, false}) {
-      const Report report = battery_of(subject, {.quick = quick});
-      EXPECT_EQ(report.passes() ? "" : report.diagnosis.front().cause, subject.cause)
-          << subject.name << (quick ? ", quick\n" : "\n") << told(report);
-    }
-  }
-}
-
-/// Of a run in full.
-const std::vector<Margin>& margins() {
-  static const std::vector<Margin> found = [] {
-    std::vector<Margin> all;
-    for (const auto& subject : all_subjects()) all.push_back(margin_of(subject, battery_of(subject)));
-    return all;
-  }();
-  return found;
+void expect_named(const check_tests::Subject& subject, const Report& report, const std::string& how) {
+  EXPECT_EQ(report.passes() ? "" : report.diagnosis.front().cause, subject.cause) << subject.name << ", " << how << "\n"
+                                                                                  << told(report);
 }
 
 /// The decisive figures are a factor of five from the thresholds on either side.
-TEST(Battery, KeepsItsMargins) {
+void expect_wide(const Margin& margin) {
   constexpr double factor = 5;
-  for (const Margin& margin : margins()) {
-    if (margin.cause.empty()) {
-      EXPECT_LT(factor * margin.figure, 1) << margin.subject << " " << margin.test;
-    } else {
-      EXPECT_FALSE(margin.test.empty()) << margin.subject;
-      EXPECT_TRUE(margin.figure == 0 || margin.figure > factor) << margin.subject << " " << margin.figure;
-    }
+  if (margin.cause.empty()) {
+    EXPECT_LT(factor * margin.figure, 1) << margin.subject << " " << margin.test;
+  } else {
+    EXPECT_FALSE(margin.test.empty()) << margin.subject;
+    EXPECT_TRUE(margin.figure == 0 || margin.figure > factor) << margin.subject << " " << margin.figure;
   }
 }
 
-TEST(Battery, TheMarginTableOfTheDocumentsIsTrue) {
+void expect_sentences(const std::string& subject, const Report& report) {
+  std::set<std::string> ids;
+  for (const TestResult& test : report.tests) {
+    EXPECT_TRUE(ids.insert(test.id).second) << test.id;
+    EXPECT_FALSE(test.sentence.empty()) << subject << " " << test.id;
+    EXPECT_EQ(test.sentence.find('\n'), std::string::npos) << test.id;
+    if (test.verdict != Verdict::fail) continue;
+    const auto& known = all_causes();
+    EXPECT_NE(std::find(known.begin(), known.end(), test.cause), known.end()) << test.cause;
+  }
+  EXPECT_GE(ids.size(), 25u) << subject;
+}
+
+/// The rows between the marks of docs/check.md.
+std::vector<std::string> documented_margins() {
   std::ifstream in(ASSAY_SOURCE_DIR "/docs/check.md");
-  std::vector<std::string> documented;
+  std::vector<std::string> rows;
   bool inside = false;
   for (std::string line; std::getline(in, line);) {
     if (line == "<!-- margins end -->") inside = false;
     const bool is_row = line.starts_with("| ") && !line.starts_with("| ---") &&
                         line.find("least figure") == line.npos && line.find("largest figure") == line.npos;
-    if (inside && is_row) documented.push_back(line);
+    if (inside && is_row) rows.push_back(line);
     if (line == "<!-- margins -->") inside = true;
   }
+  return rows;
+}
+
+void expect_documented(const std::vector<Margin>& margins) {
+  const std::vector<std::string> documented = documented_margins();
   std::string expected;
   std::size_t agree = 0, count = 0;
-  for (const auto& row : margin_rows(margins())) {
+  for (const auto& row : margin_rows(margins)) {
     expected += row.text() + "\n";
     if (count < documented.size() && row.agrees_with(documented[count])) ++agree;
     ++count;
   }
   EXPECT_TRUE(agree == count && count == documented.size()) << "docs/check.md is to hold these rows:\n" << expected;
+}
+
+/// One test for all of it: the batteries are what takes the time.
+TEST(Battery, NamesWhatIsPlantedAndKeepsTheMarginsOfTheDocuments) {
+  std::vector<Margin> margins;
+  for (const auto& subject : all_subjects()) {
+    const Report quick = battery_of(subject, {.quick = true}), full = battery_of(subject);
+    expect_named(subject, quick, "quick");
+    expect_named(subject, full, "full");
+    expect_sentences(subject.name, quick);
+    expect_sentences(subject.name, full);
+    margins.push_back(margin_of(subject, full));
+    expect_wide(margins.back());
+  }
+  expect_documented(margins);
 }
 
 TEST(BatteryNegativeControl, AMarginThatIsWrongIsSeen) {
@@ -117,22 +134,6 @@ TEST(Battery, PassesSinglePrecisionAtAnyModuli) {
     const Material material(&single->material.table(), {{"defect", 1}, {"mu", mu}, {"lambda", lambda}});
     const Report report = run_battery(material, {.quick = true});
     EXPECT_TRUE(report.passes()) << "mu " << mu << ", lambda " << lambda << "\n" << told(report);
-  }
-}
-
-TEST(Battery, EveryVerdictSaysWhyInOneSentence) {
-  for (const auto& subject : all_subjects()) {
-    std::set<std::string> ids;
-    const Report report = battery_of(subject, {.quick = true});
-    for (const TestResult& test : report.tests) {
-      EXPECT_TRUE(ids.insert(test.id).second) << test.id;
-      EXPECT_FALSE(test.sentence.empty()) << subject.name << " " << test.id;
-      EXPECT_EQ(test.sentence.find('\n'), std::string::npos) << test.id;
-      if (test.verdict != Verdict::fail) continue;
-      const auto& known = all_causes();
-      EXPECT_NE(std::find(known.begin(), known.end(), test.cause), known.end()) << test.cause;
-    }
-    EXPECT_GE(ids.size(), 25u) << subject.name;
   }
 }
 
