@@ -3,8 +3,8 @@
 #
 # A test <name>.check in ctest: `assay check`, which names the defect of a broken model in the test's output, with
 # <name>.check.xml for CI and replay files in <name>.check of the build folder.
-#   MATERIAL    what to check: a target of assay_add_material (by default <name>), a registered name, a library, a
-#               description
+#   MATERIAL    what to check: a target of assay_add_material (by default <name>), a registered name, a library, or a
+#               description, relative to the source folder
 #   PARAMETERS  in place of the defaults
 #   QUICK       fewer steps and states
 #   DIAGNOSIS   the test passes where `check` finds that cause: for models that are broken on purpose
@@ -18,9 +18,14 @@ function(assay_add_material_test name)
   endif()
   if(TARGET ${given_MATERIAL})
     set(given_MATERIAL $<TARGET_FILE:${given_MATERIAL}>)
+  elseif(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${given_MATERIAL})
+    set(given_MATERIAL ${CMAKE_CURRENT_SOURCE_DIR}/${given_MATERIAL})
   endif()
   set(files ${CMAKE_CURRENT_BINARY_DIR}/${name}.check)
-  set(command $<TARGET_FILE:assay::assay> check ${given_MATERIAL} --junit ${files}.xml -o ${files})
+  set(command $<TARGET_FILE:assay::assay> check ${given_MATERIAL} -o ${files})
+  if(NOT given_DIAGNOSIS) # what is broken on purpose would be a failure in the eyes of CI
+    list(APPEND command --junit ${files}.xml)
+  endif()
   if(given_PARAMETERS)
     list(JOIN given_PARAMETERS "," parameters)
     list(APPEND command --parameters ${parameters})
@@ -31,6 +36,7 @@ function(assay_add_material_test name)
   add_test(NAME ${name}.check COMMAND ${command})
   set_tests_properties(${name}.check PROPERTIES LABELS assay TIMEOUT 1800)
   if(given_DIAGNOSIS)
-    set_tests_properties(${name}.check PROPERTIES PASS_REGULAR_EXPRESSION "diagnosis: ${given_DIAGNOSIS}")
+    string(REGEX REPLACE "([][+.*()^$?|\\\\])" "\\\\\\1" cause "${given_DIAGNOSIS}")
+    set_tests_properties(${name}.check PROPERTIES PASS_REGULAR_EXPRESSION "diagnosis: ${cause}[\n]")
   endif()
 endfunction()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay check`: the battery of model tests, for people, for scripts and for CI.
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <thread>
@@ -23,7 +24,7 @@ namespace {
 /// "E=1e3,nu=0.3": names and numbers.
 std::map<std::string, double> parameters_in(const std::string& list) {
   std::map<std::string, double> parameters;
-  for (std::size_t begin = 0; begin < list.size();) {
+  for (std::size_t begin = 0; begin < list.size() || (begin > 0 && list.back() == ',');) {
     const std::size_t end = std::min(list.find(',', begin), list.size());
     const std::string item = list.substr(begin, end - begin);
     const std::size_t equals = item.find('=');
@@ -125,45 +126,62 @@ std::vector<CheckedMaterial> check_all(const CheckOptions& options) {
   return all;
 }
 
-/// To files or standard output; whether standard output was taken.
-bool write_reports(const CheckOptions& options, const std::string& json, const std::string& junit) {
-  bool taken = false;
+void write_reports(const CheckOptions& options, const std::string& json, const std::string& junit) {
   for (const auto& [file, text] : {std::pair(&options.json, &json), std::pair(&options.junit, &junit)}) {
-    if (file->empty()) continue;
-    if (*file == "-") {
-      std::cout << *text;
-      taken = true;
-    } else {
-      write_file(*file, *text);
-    }
+    if (!file->empty() && *file != "-") write_file(*file, *text);
   }
-  return taken;
 }
 
-int status_of(const CheckedMaterial& checked) { return checked.passes() ? 0 : checked.error.empty() ? 1 : 2; }
+/// What was found first, whatever becomes of the files.
+int reported(const CheckOptions& options, const std::vector<CheckedMaterial>& all, const std::string& json,
+             const std::string& text) {
+  const std::string junit = check_junit(all);
+  std::cout << (options.json == "-" ? json : options.junit == "-" ? junit : text) << std::flush;
+  write_reports(options, json, junit);
+  int status = 0;
+  for (const CheckedMaterial& checked : all) {
+    if (!checked.unwritten.empty()) throw SystemError(checked.unwritten);
+    const int own = checked.passes() ? 0 : checked.error.empty() ? 1 : 2;
+    if (status != 1 && own != 0) status = own;
+  }
+  return status;
+}
+
+void refuse_what_contradicts(const CheckOptions& options) {
+  if (!options.json.empty() && options.json == options.junit) {
+    throw InputError({}, "--junit", "is the same file as --json: '" + one_line(options.json, 60) + "'");
+  }
+}
+
+/// A name that no material has is a slip.
+void refuse_unknown_parameters(const CheckOptions& options, const std::vector<CheckedMaterial>& all) {
+  for (const auto& [name, value] : parameters_in(options.parameters)) {
+    const auto has = [&parameter = name](const CheckedMaterial& checked) {
+      return !checked.error.empty() || std::any_of(checked.parameters.begin(), checked.parameters.end(),
+                                                   [&](const auto& own) { return own.first == parameter; });
+    };
+    if (std::none_of(all.begin(), all.end(), has)) {
+      throw InputError({}, "--parameters", "no material has a parameter '" + one_line(name, 60) + "'");
+    }
+  }
+}
 
 }  // namespace
 
 int check(const CheckOptions& options) {
+  refuse_what_contradicts(options);
   if (options.methods) return check_methods(options);
   if (!options.replay.empty()) return check_replay(options);
   if (!options.all) {
     const CheckedMaterial checked = check_one(options);
     if (!checked.error.empty()) throw SystemError(checked.error);
-    if (!write_reports(options, check_json(checked), check_junit({checked}))) {
-      std::cout << check_text(checked, options.verbosity);
-    }
-    return status_of(checked);
+    return reported(options, {checked}, check_json(checked), check_text(checked, options.verbosity));
   }
   const auto start = std::chrono::steady_clock::now();
   const std::vector<CheckedMaterial> all = check_all(options);
   const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (!write_reports(options, check_json(all), check_junit(all))) std::cout << check_text(all, wall_s);
-  int status = 0;
-  for (const CheckedMaterial& checked : all) {
-    if (status != 1 && !checked.passes()) status = status_of(checked);
-  }
-  return status;
+  refuse_unknown_parameters(options, all);
+  return reported(options, all, check_json(all), check_text(all, wall_s));
 }
 
 }  // namespace assay::drivers

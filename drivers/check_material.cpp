@@ -2,10 +2,12 @@
 #include "drivers/check_material.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <filesystem>
 
 #include "drivers/check_vortex.hpp"
+#include "drivers/material/material_path.hpp"
 #include "drivers/output/whole_file.hpp"
 #include "drivers/replay.hpp"
 
@@ -15,9 +17,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The name that was asked for, or the model's own where that is a path; what no file name should hold becomes '_'.
+std::string stem_of(const CheckedMaterial& checked) {
+  std::string stem = is_material_name(checked.name) ? checked.name : checked.model;
+  for (char& c : stem) {
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-') c = '_';
+  }
+  return stem;
+}
+
 /// "FOLDER/clay.rotation.during.yaml"
-std::string replay_file(const std::string& folder, const std::string& model, const std::string& test) {
-  return (fs::path(folder) / (model + "." + test + ".yaml")).string();
+std::string replay_file(const CheckedMaterial& checked, const std::string& folder, const std::string& test) {
+  return (fs::path(folder) / (stem_of(checked) + "." + test + ".yaml")).string();
 }
 
 void write_replay(const std::string& file, const Replay& replay) {
@@ -27,16 +38,31 @@ void write_replay(const std::string& file, const Replay& replay) {
   write_file(file, replay_yaml(replay));
 }
 
-void leave_replays(const ResolvedMaterial& material, CheckedMaterial& checked, const CheckSettings& settings) {
-  for (const check::TestResult& test : checked.report.tests) {
-    if (test.verdict != check::Verdict::fail) continue;
-    Replay replay = replay_of(material, test.step, test.cause + ": " + test.sentence);
-    replay.test = test.id;
-    replay.quick = settings.quick;
-    const std::string file = replay_file(settings.folder, material.material.name(), test.id);
-    write_replay(file, replay);
-    checked.replays[test.id] = file;
+/// Those of earlier failures that are none any more.
+void remove_stale(const CheckedMaterial& checked, const CheckSettings& settings) {
+  std::vector<std::string> ids = check::test_ids();
+  ids.emplace_back(vortex_test);
+  for (const std::string& id : ids) {
+    std::error_code ignored;
+    if (checked.replays.count(id) == 0) fs::remove(replay_file(checked, settings.folder, id), ignored);
   }
+}
+
+void leave_replays(const ResolvedMaterial& material, CheckedMaterial& checked, const CheckSettings& settings) {
+  try {
+    for (const check::TestResult& test : checked.report.tests) {
+      if (test.verdict != check::Verdict::fail) continue;
+      Replay replay = replay_of(material, test.step, test.cause + ": " + test.sentence);
+      replay.test = test.id;
+      replay.quick = settings.quick;
+      const std::string file = replay_file(checked, settings.folder, test.id);
+      write_replay(file, replay);
+      checked.replays[test.id] = file;
+    }
+  } catch (const SystemError& error) {  // the verdict is not lost for that
+    checked.unwritten = error.what();
+  }
+  remove_stale(checked, settings);
 }
 
 /// Of a model that passes the battery: the run tells nothing else of one that does not.
@@ -72,18 +98,25 @@ CheckedMaterial check_material(const ResolvedMaterial& material, const std::stri
 }
 
 void leave_replay_of_the_end(CheckedMaterial& checked, const CheckSettings& settings) {
-  if (settings.folder.empty() || checked.model.empty() || checked.report.diagnosis.empty()) return;
-  if (!checked.replays.empty()) return;
-  const check::TestResult& test = checked.report.tests.front();
+  if (settings.folder.empty() || checked.model.empty() || checked.passes() || !checked.replays.empty()) return;
+  const auto test = std::find_if(checked.report.tests.begin(), checked.report.tests.end(), [](const auto& each) {
+    return each.verdict == check::Verdict::fail &&
+           (each.cause == check::causes::ends_process || each.cause == check::causes::overrun);
+  });
+  if (test == checked.report.tests.end() || !checked.unwritten.empty()) return;
   Replay replay;
   replay.material = checked.library.empty() ? checked.model : checked.library + ":" + checked.model;
   for (const auto& [parameter, value] : checked.parameters) replay.parameters[parameter] = value;
-  replay.test = test.id;
+  replay.test = test->id;
   replay.quick = settings.quick;
-  replay.reason = test.cause + ": " + test.sentence;
-  const std::string file = replay_file(settings.folder, checked.model, test.id);
-  write_replay(file, replay);
-  checked.replays[test.id] = file;
+  replay.reason = test->cause + ": " + test->sentence;
+  const std::string file = replay_file(checked, settings.folder, test->id);
+  try {
+    write_replay(file, replay);
+    checked.replays[test->id] = file;
+  } catch (const SystemError& error) {
+    checked.unwritten = error.what();
+  }
 }
 
 }  // namespace assay::drivers

@@ -32,8 +32,10 @@ void write_all(int file, const std::string& text) {
   }
 }
 
-/// Records, each ended by a NUL: '!' and the material, '@' and the id of a test that begins; the report at last.
+/// Records, each ended by a NUL: '!' and the material, '@' and the id of a test that begins, '=' and what it has found;
+/// the report at last.
 [[noreturn]] void serve(const CheckTask& task, int out) {
+  ::setpgid(0, 0);  // what the model starts can be ended with it
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -42,7 +44,12 @@ void write_all(int file, const std::string& text) {
     const std::string end(1, '\0');
     const CheckedMaterial checked =
         task.run({[&](const CheckedMaterial& material) { write_all(out, "!" + check_json(material) + end); },
-                  [&](const std::string& id) { write_all(out, "@" + id + end); }});
+                  [&](const std::string& id) { write_all(out, "@" + id + end); },
+                  [&](const check::TestResult& result) {
+                    CheckedMaterial one;
+                    one.report.tests.push_back(result);
+                    write_all(out, "=" + check_json(one) + end);
+                  }});
     write_all(out, check_json(checked));
     leave_process(0);
   } catch (const std::exception& error) {
@@ -60,8 +67,15 @@ struct Child {
   int in = -1;
   Clock::time_point end;
   std::string said;
-  bool late = false;
+  bool late = false, over = false;
+  int status = 0;
 };
+
+/// With all that it has started, and whatever it was in.
+void end_process(const Child& child) {
+  ::kill(-child.pid, SIGKILL);
+  ::kill(child.pid, SIGKILL);
+}
 
 Child start(const std::vector<CheckTask>& tasks, std::size_t task, double limit_s) {
   int ends[2];
@@ -73,18 +87,27 @@ Child start(const std::vector<CheckTask>& tasks, std::size_t task, double limit_
     serve(tasks[task], ends[1]);
   }
   ::close(ends[1]);
+  ::fcntl(ends[0], F_SETFL, O_NONBLOCK);
   return child;
 }
 
-std::string how_it_ended(const Child& child, int status, double limit_s) {
+std::string how_it_ended(const Child& child, double limit_s) {
   if (child.late) return "did not come back within " + rounded_text(limit_s, 3) + " s";
-  if (WIFSIGNALED(status)) {
-    return "died of signal " + std::to_string(WTERMSIG(status)) + " (" + strsignal(WTERMSIG(status)) + ")";
+  if (!child.over) return "closed the files of the process";
+  if (WIFSIGNALED(child.status)) {
+    return "died of signal " + std::to_string(WTERMSIG(child.status)) + " (" + strsignal(WTERMSIG(child.status)) + ")";
   }
-  return "ended the process with status " + std::to_string(WEXITSTATUS(status));
+  return "ended the process with status " + std::to_string(WEXITSTATUS(child.status));
 }
 
-CheckedMaterial result_of(const Child& child, int status, const CheckTask& task, double limit_s) {
+/// Of what writes where it must not.
+bool spoilt_memory(const Child& child) {
+  if (!child.over || child.late || !WIFSIGNALED(child.status)) return false;
+  const int signal = WTERMSIG(child.status);
+  return signal == SIGSEGV || signal == SIGABRT || signal == SIGBUS;
+}
+
+CheckedMaterial result_of(const Child& child, const CheckTask& task, double limit_s) {
   std::string test = "loading";
   CheckedMaterial checked;
   checked.name = task.name;
@@ -92,12 +115,14 @@ CheckedMaterial result_of(const Child& child, int status, const CheckTask& task,
   for (; (end = child.said.find('\0', at)) != std::string::npos; at = end + 1) {
     const std::string record = child.said.substr(at + 1, end - at - 1);
     if (child.said[at] == '@') test = record;
-    if (child.said[at] == '!') checked = checked_of_json(record).value_or(checked);
+    const auto told = checked_of_json(record);
+    if (child.said[at] == '!' && told) checked = *told;
+    if (child.said[at] == '=' && told) checked.report.tests.push_back(told->report.tests.front());
   }
   if (const auto whole = checked_of_json(child.said.substr(at))) return *whole;
-  const std::string sentence = "the model " + how_it_ended(child, status, limit_s) + " in the test " + test;
-  const char* cause = test == "calls.arrays" && WIFSIGNALED(status) && !child.late ? check::causes::overrun
-                                                                                   : check::causes::ends_process;
+  const std::string sentence = "the model " + how_it_ended(child, limit_s) + " in the test " + test;
+  const char* cause =
+      test == "calls.arrays" && spoilt_memory(child) ? check::causes::overrun : check::causes::ends_process;
   checked.report.tests.push_back({.id = test, .verdict = check::Verdict::fail, .cause = cause, .sentence = sentence});
   checked.report.diagnosis.push_back({cause, sentence});
   return checked;
@@ -111,25 +136,25 @@ class Children {
   Children& operator=(const Children&) = delete;
   ~Children() {
     for (Child& child : all) {
-      ::kill(child.pid, SIGKILL);
-      ::waitpid(child.pid, nullptr, 0);
+      end_process(child);
+      if (!child.over) ::waitpid(child.pid, nullptr, 0);
       ::close(child.in);
     }
   }
 
   /// Waits until one has ended, and takes it out.
-  std::pair<Child, int> next() {
+  Child next() {
     for (;;) {
       stop_if_interrupted();
       std::vector<pollfd> files;
       for (const Child& child : all) files.push_back({child.in, POLLIN, 0});
-      ::poll(files.data(), files.size(), 50);
+      ::poll(files.data(), files.size(), 20);
       for (std::size_t i = 0; i < all.size(); ++i) {
         if (!all[i].late && Clock::now() > all[i].end) {
           all[i].late = true;
-          ::kill(all[i].pid, SIGKILL);
+          end_process(all[i]);
         }
-        if ((files[i].revents & (POLLIN | POLLHUP | POLLERR)) != 0 && ended(all[i])) return taken(i);
+        if (ended(all[i])) return taken(i);
       }
     }
   }
@@ -137,23 +162,39 @@ class Children {
   std::vector<Child> all;
 
  private:
-  /// Reads what there is; whether there is no more to come.
+  /// Reads what there is. Ended: the process has, whoever else may hold its pipe; or the pipe is closed, and nothing
+  /// can come any more.
   static bool ended(Child& child) {
-    char text[1 << 14];
-    const ssize_t length = ::read(child.in, text, sizeof text);
-    if (length > 0) child.said.append(text, static_cast<std::size_t>(length));
-    return length == 0 || (length < 0 && errno != EINTR && errno != EAGAIN);
+    child.over = child.over || ::waitpid(child.pid, &child.status, WNOHANG) == child.pid;
+    for (;;) {
+      char text[1 << 14];
+      const ssize_t length = ::read(child.in, text, sizeof text);
+      if (length > 0) {
+        child.said.append(text, static_cast<std::size_t>(length));
+      } else if (length == 0) {
+        return true;
+      } else if (errno != EINTR) {
+        return child.over;
+      }
+    }
   }
 
-  std::pair<Child, int> taken(std::size_t i) {
+  Child taken(std::size_t i) {
     Child child = std::move(all[i]);
     all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
     ::close(child.in);
-    int status = 0;
-    ::kill(child.pid, SIGKILL);  // nothing, or one whose pipe was closed by the model
-    while (::waitpid(child.pid, &status, 0) < 0 && errno == EINTR) {
+    wait_a_little(child);
+    end_process(child);
+    if (!child.over) ::waitpid(child.pid, nullptr, 0);
+    return child;
+  }
+
+  /// A process whose pipe is closed has ended, or is about to.
+  static void wait_a_little(Child& child) {
+    constexpr auto patience = std::chrono::milliseconds(500);
+    for (const auto end = Clock::now() + patience; !child.over && Clock::now() < end; ::usleep(1000)) {
+      child.over = ::waitpid(child.pid, &child.status, WNOHANG) == child.pid;
     }
-    return {std::move(child), status};
   }
 };
 
@@ -168,8 +209,8 @@ std::vector<CheckedMaterial> check_in_processes(const std::vector<CheckTask>& ta
       running.all.push_back(start(tasks, next, how.limit_s));
       ++next;
     }
-    const auto [child, status] = running.next();
-    results[child.task] = result_of(child, status, tasks[child.task], how.limit_s);
+    const Child child = running.next();
+    results[child.task] = result_of(child, tasks[child.task], how.limit_s);
     ++done;
     if (how.progress) how.progress(done);
   }

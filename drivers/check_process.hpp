@@ -10,10 +10,12 @@
 
 namespace assay::drivers {
 
-/// What is told on the way: which material it is, before its first test, and the id of every test that begins.
+/// What is told on the way: which material it is, before its first test, the id of every test that begins, and what it
+/// has found.
 struct CheckReporter {
   std::function<void(const CheckedMaterial&)> material;
   std::function<void(const std::string& id)> begins;
+  std::function<void(const check::TestResult& result)> ends;
 };
 
 struct CheckTask {

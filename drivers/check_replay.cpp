@@ -8,6 +8,7 @@
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/whole_file.hpp"
+#include "drivers/output/wrapped_text.hpp"
 #include "drivers/replay.hpp"
 #include "harness/checked_update.hpp"
 
@@ -66,8 +67,9 @@ int check_replay(const CheckOptions& options) {
   if (options.json == "-") {
     std::cout << check_json(checked);
   } else {
+    std::cout << wrapped(replay.reason, "it was: ", "    ") << "\n"
+              << check_text(checked, Verbosity::verbose) << std::flush;
     if (!options.json.empty()) write_file(options.json, check_json(checked));
-    std::cout << "it was: " << replay.reason << "\n\n" << check_text(checked, Verbosity::verbose);
   }
   if (!checked.error.empty()) throw SystemError(checked.error);
   return checked.passes() ? 0 : 1;

@@ -7,7 +7,9 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
+#include "drivers/material/material_path.hpp"
 #include "drivers/output/number_format.hpp"
+#include "drivers/output/numbers.hpp"
 #include "drivers/output/wrapped_text.hpp"
 #include "drivers/picture/drawing.hpp"
 
@@ -31,7 +33,7 @@ std::string figure(const std::optional<double>& value) {
 
 std::string row(const std::string& id, const std::string& verdict, const std::string& measure,
                 const std::string& threshold, const std::string& order) {
-  std::string line = padded(id, 26) + padded(verdict, 9) + padded(measure, 11) + padded(threshold, 11) + order;
+  std::string line = padded(id + " ", 26) + padded(verdict, 9) + padded(measure, 11) + padded(threshold, 11) + order;
   line.erase(line.find_last_not_of(' ') + 1);
   return line + "\n";
 }
@@ -47,7 +49,7 @@ std::string summary(const CheckedMaterial& checked) {
          std::to_string(count_of(report, Verdict::pass)) + " tests passed, " +
          std::to_string(count_of(report, Verdict::fail)) + " failed, " +
          std::to_string(count_of(report, Verdict::not_applicable)) + " not applicable, in " +
-         rounded_text(checked.wall_s, 2) + " s\n";
+         rounded_text(checked.wall_s, 2) + " s";
 }
 
 Json number(const std::optional<double>& value) {
@@ -80,7 +82,7 @@ std::string check_text(const CheckedMaterial& checked, Verbosity verbosity) {
     }
     page += "\n";
   }
-  page += summary(checked);
+  page += wrapped(summary(checked), "", "    ");
   for (const check::Diagnosis& d : checked.report.diagnosis) {
     page += wrapped(d.cause, "diagnosis: ", "");
     page += wrapped(d.sentence, "    ", "    ");
@@ -117,6 +119,7 @@ Json json_of(const CheckedMaterial& checked) {
   for (const auto& [name, value] : checked.parameters) out["parameters"][name] = number(value);
   out["verdict"] = overall(checked);
   out["error"] = checked.error.empty() ? Json(nullptr) : Json(checked.error);
+  out["unwritten"] = checked.unwritten.empty() ? Json(nullptr) : Json(checked.unwritten);
   out["wall_s"] = number(checked.wall_s);
   out["diagnosis"] = Json::array();
   for (const check::Diagnosis& d : checked.report.diagnosis) {
@@ -186,6 +189,7 @@ std::optional<CheckedMaterial> checked_of_json(const std::string& text) {
   }
   checked.model = text_in(found.at("model"));
   checked.error = text_in(found.at("error"));
+  checked.unwritten = text_in(found.at("unwritten"));
   checked.wall_s = number_in(found.at("wall_s")).value_or(0);
   for (const Json& d : found.at("diagnosis")) checked.report.diagnosis.push_back({d.at("cause"), d.at("sentence")});
   for (const Json& test : found.at("tests")) {
@@ -214,9 +218,14 @@ std::string timestamp() {
   return text;
 }
 
+/// The same wherever the library lies.
+std::string class_of(const CheckedMaterial& checked) {
+  return "assay.check." + (is_material_name(checked.name) || checked.model.empty() ? checked.name : checked.model);
+}
+
 std::string test_case(const CheckedMaterial& checked, const TestResult& test) {
-  const std::string head = "    <testcase" + attribute("classname", "assay.check." + checked.name) +
-                           attribute("name", test.id) + attribute("time", "0");
+  const std::string head =
+      "    <testcase" + attribute("classname", class_of(checked)) + attribute("name", test.id) + attribute("time", "0");
   if (test.verdict == Verdict::pass) return head + "/>\n";
   if (test.verdict == Verdict::not_applicable) {
     return head + ">\n      <skipped" + attribute("message", test.sentence) + "/>\n    </testcase>\n";
@@ -230,7 +239,7 @@ std::string test_case(const CheckedMaterial& checked, const TestResult& test) {
 }
 
 std::string error_case(const CheckedMaterial& checked) {
-  return "    <testcase" + attribute("classname", "assay.check." + checked.name) + attribute("name", "loading") +
+  return "    <testcase" + attribute("classname", class_of(checked)) + attribute("name", "loading") +
          attribute("time", "0") + ">\n      <error" + attribute("message", checked.error) +
          attribute("type", "not checked") + "/>\n    </testcase>\n";
 }
@@ -247,7 +256,7 @@ std::string suite(const CheckedMaterial& checked, std::size_t id) {
       attribute("skipped", std::to_string(count_of(report, Verdict::not_applicable))) +
       attribute("time", decimal(checked.wall_s)) + ">\n    <properties>\n";
   for (const auto& [name, value] : checked.parameters) {
-    page += "      <property" + attribute("name", name) + attribute("value", rounded_text(value, 17)) + "/>\n";
+    page += "      <property" + attribute("name", name) + attribute("value", number_text(value)) + "/>\n";
   }
   page += "    </properties>\n";
   for (const TestResult& test : report.tests) page += test_case(checked, test);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "drivers/check_vortex.hpp"
 #include "drivers/material/material_choice.hpp"
 #include "drivers/material/registry.hpp"
 #include "drivers/output/numbers.hpp"
@@ -106,6 +107,7 @@ FailedStep step_of(const Tree& root, const assay_material& table) {
   FailedStep step;
   step.t = any_number(required(root, "", "t"), "t");
   step.dt = any_number(required(root, "", "dt"), "dt");
+  if (!(step.dt > 0)) throw InputError(required(root, "", "dt").where, "dt", "must be above 0");
   step.F0 = tensor_of(root, "F0");
   step.F1 = tensor_of(root, "F1");
   step.state0 = state_of(root, table);
@@ -143,6 +145,16 @@ std::string replay_yaml(const Replay& replay) {
   return text + "reason: " + yaml_scalar(one_line(replay.reason)) + "\n";
 }
 
+namespace {
+
+std::vector<std::string> tests_of_check() {
+  std::vector<std::string> ids = check::test_ids();
+  ids.emplace_back(vortex_test);
+  return ids;
+}
+
+}  // namespace
+
 Replay read_replay(const std::string& file) {
   const Tree root = read_yaml(read_bytes(file), file);
   const std::vector<std::string> known{"material", "parameters", "library_sha256", "t",    "dt",   "F0",
@@ -158,7 +170,7 @@ Replay read_replay(const std::string& file) {
   }
   const Tree* hash = root.find("library_sha256");
   if (hash && hash->kind == Tree::Kind::scalar) replay.library_sha256 = hash->text;
-  if (const Tree* test = root.find("test")) replay.test = text_value(*test, "test");
+  if (const Tree* test = root.find("test")) replay.test = choice_value(*test, "test", tests_of_check());
   if (const Tree* quick = root.find("quick")) replay.quick = boolean_value(*quick, "quick");
   if (replay.test.empty() || root.find("t")) replay.step = step_of(root, material_of(replay).table());
   if (const Tree* reason = root.find("reason")) replay.reason = text_value(*reason, "reason");

@@ -100,6 +100,7 @@ void take(const std::vector<Entry>& list, const Specimen& specimen, Evidence& ev
     } catch (const MaterialFailure& failure) {
       report.tests.push_back(refused(entry.id, entry.cause_of_failure, failure));
     }
+    if (options.ends) options.ends(report.tests.back());
   }
 }
 
@@ -144,12 +145,21 @@ TestResult not_loaded(const Material& material, const std::runtime_error& error)
 
 }  // namespace
 
+std::vector<std::string> test_ids() {
+  std::vector<std::string> ids{"calls.arrays", "loading"};
+  for (const auto& list : {first_entries(), entries()}) {
+    for (const Entry& entry : list) ids.emplace_back(entry.id);
+  }
+  return ids;
+}
+
 Report run_battery(const Material& material, const Options& options) {
   Report report;
   Evidence evidence;
   evidence.has_tensors = has_tensors(material.table());
   if (options.begins) options.begins("calls.arrays");
   report.tests.push_back(guarded_arrays(material, options, evidence.first));
+  if (options.ends) options.ends(report.tests.back());
   try {
     if (!any_failed(report)) {
       if (options.begins) options.begins("loading");

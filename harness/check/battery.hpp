@@ -41,8 +41,12 @@ struct Report {
 struct Options {
   bool quick = false;     ///< fewer steps and states: a fraction of a second
   std::string only = {};  ///< id of the one test that is wanted, besides those that it stands on; empty: all
-  std::function<void(const std::string& id)> begins = {};  ///< told before each test
+  std::function<void(const std::string& id)> begins = {};   ///< told before each test
+  std::function<void(const TestResult& result)> ends = {};  ///< after it, before the diagnosis
 };
+
+/// Of all tests, in their order.
+std::vector<std::string> test_ids();
 
 /// Runs every test. A material that cannot be loaded at all ends as a single failed test "loading".
 Report run_battery(const Material& material, const Options& options = {});

@@ -178,7 +178,7 @@ RotationFinding rotation_of_state(const Specimen& specimen) {
   const Loading loading{[a](double t) { return stretch(a, 0.5 * std::min(t, 1.0)); }, 2};
   const Twins twins = march_twins(
       specimen, loading, [](double t) { return angle * ramp(1, 2, t); }, specimen.steps());
-  RotationFinding finding{{.id = "rotation.state", .threshold = same}};
+  RotationFinding finding{{.id = "rotation.state"}};
   const assay_material& table = specimen.material->table();
   double worst = 0;
   std::size_t at = 0;

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -136,6 +138,32 @@ TEST(Check, AModelThatEndsTheProcessIsAFinding) {
   }
 }
 
+/// The verdict is told first, whatever becomes of the files.
+TEST(Check, AnUnwritablePlaceCostsNoVerdict) {
+  for (const std::vector<std::string>& place :
+       std::vector<std::vector<std::string>>{{"-o", "/proc/x"}, {"--json", "/proc/x"}, {"--junit", "/proc/x"}}) {
+    std::vector<std::string> words{broken_model, "--quick", "-o", "/proc/y"};
+    words.resize(place[0] == "-o" ? 2 : 4);
+    words.insert(words.end(), place.begin(), place.end());
+    std::string said;
+    EXPECT_EQ(checked(words, &said), 3) << place[0];
+    EXPECT_NE(said.find("diagnosis: increment rotation missing"), std::string::npos) << said;
+    EXPECT_NE(said.find("/proc"), std::string::npos) << said;
+  }
+}
+
+/// Those of a failure that is cured go; those of another material stay.
+TEST(Check, ReplayFilesAreOfTheLastCheck) {
+  const ScratchFolder scratch;
+  const std::string replays = scratch / "replays", stale = replays + "/neo_hookean.rotation.during.yaml",
+                    other = replays + "/clay.rotation.during.yaml";
+  std::filesystem::create_directories(replays);
+  for (const std::string& file : {stale, other}) std::ofstream(file) << "old\n";
+  EXPECT_EQ(checked({"neo_hookean", "--parameters", "E=1", "--quick", "-o", replays}), 0);
+  EXPECT_FALSE(std::filesystem::exists(stale));
+  EXPECT_TRUE(std::filesystem::exists(other));
+}
+
 TEST(Check, RefusesBadInputInOneLine) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
       {{"neo_hookean"}, "E"},
@@ -143,6 +171,10 @@ TEST(Check, RefusesBadInputInOneLine) {
       {{"neo_hookean", "--parameters", "E"}, "NAME=NUMBER"},
       {{"neo_hookean", "--parameters", "E=1,E=2"}, "twice"},
       {{"neo_hookean", "--parameters", "F=1"}, "F"},
+      {{"neo_hookean", "--parameters", "E=1,"}, "NAME=NUMBER"},
+      {{"neo_hookean", "--parameters", "E=1", "--json", "-", "--junit", "-"}, "--junit"},
+      {{"--all", "--quick", "--parameters", "Q=1"}, "Q"},
+      {{"--all", "neo_hookean"}, "takes one of"},
       {{}, "MATERIAL"}};
   for (const auto& [words, part] : cases) {
     std::string said;

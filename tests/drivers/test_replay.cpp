@@ -147,6 +147,7 @@ TEST(Replay, RefusesWhatIsNone) {
   replay.material = "hypoelastic_jaumann";
   replay.parameters = {{"E", 1e3}, {"nu", 0.3}};
   replay.step.emplace().state0.assign(6, 0.0);
+  replay.step->dt = 1;
   const std::string good = replay_yaml(replay);
   const auto refusal = [&](const std::string& from, const std::string& to) {
     std::string text = good;
@@ -158,7 +159,9 @@ TEST(Replay, RefusesWhatIsNone) {
             std::string::npos);
   EXPECT_NE(refusal("stress:", "strain:").find("strain: unknown key"), std::string::npos);
   EXPECT_NE(refusal("F0: [[1, 0, 0]", "F0: [[1, 0]").find("F0"), std::string::npos);
-  EXPECT_NE(refusal("dt: 0", "dt: soon").find("dt: must be a number"), std::string::npos);
+  EXPECT_NE(refusal("dt: 1", "dt: soon").find("dt: must be a number"), std::string::npos);
+  EXPECT_NE(refusal("dt: 1", "dt: -1").find("dt: must be above 0"), std::string::npos);
+  EXPECT_NE(refusal("t: 0", "t: 0\ntest: rotation.durin").find("rotation.during"), std::string::npos);
   EXPECT_NE(refusal("hypoelastic_jaumann", "nothing").find("nothing"), std::string::npos);
 }
 
