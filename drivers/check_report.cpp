@@ -10,6 +10,7 @@
 #include "drivers/material/material_path.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/numbers.hpp"
+#include "drivers/output/table_text.hpp"
 #include "drivers/output/wrapped_text.hpp"
 #include "drivers/picture/drawing.hpp"
 
@@ -21,21 +22,9 @@ using Json = nlohmann::ordered_json;
 using check::TestResult;
 using check::Verdict;
 
-std::string padded(std::string text, std::size_t width) {
-  text.resize(std::max(text.size(), width), ' ');
-  return text;
-}
-
-std::string figure(const std::optional<double>& value) {
-  if (!value) return "-";
-  return std::isinf(*value) ? "infinite" : rounded_text(*value, 2);
-}
-
 std::string row(const std::string& id, const std::string& verdict, const std::string& measure,
                 const std::string& threshold, const std::string& order) {
-  std::string line = padded(id + " ", 26) + padded(verdict, 9) + padded(measure, 11) + padded(threshold, 11) + order;
-  line.erase(line.find_last_not_of(' ') + 1);
-  return line + "\n";
+  return table_line(padded(id + " ", 26) + padded(verdict, 9) + padded(measure, 11) + padded(threshold, 11) + order);
 }
 
 int count_of(const check::Report& report, Verdict verdict) {
@@ -75,8 +64,8 @@ std::string check_text(const CheckedMaterial& checked, Verbosity verbosity) {
   if (verbosity != Verbosity::quiet) {
     page += row("test", "verdict", "measured", "at most", "order");
     for (const TestResult& test : checked.report.tests) {
-      page += row(test.id, test.verdict == Verdict::fail ? "FAIL" : verdict_name(test.verdict), figure(test.measure),
-                  figure(test.threshold), figure(test.order));
+      page += row(test.id, test.verdict == Verdict::fail ? "FAIL" : verdict_name(test.verdict),
+                  measured_text(test.measure), measured_text(test.threshold), measured_text(test.order));
       if (verbosity == Verbosity::verbose || test.verdict == Verdict::fail)
         page += wrapped(test.sentence, "    ", "    ");
     }
@@ -233,7 +222,7 @@ std::string test_case(const CheckedMaterial& checked, const TestResult& test) {
   const auto replay = checked.replays.find(test.id);
   return head + ">\n      <failure" + attribute("message", test.cause + ": " + test.sentence) +
          attribute("type", test.cause) + ">" +
-         escaped("measured " + figure(test.measure) + ", at most " + figure(test.threshold) +
+         escaped("measured " + measured_text(test.measure) + ", at most " + measured_text(test.threshold) +
                  (replay == checked.replays.end() ? "" : "; again: assay check --replay " + replay->second)) +
          "</failure>\n    </testcase>\n";
 }

@@ -8,6 +8,7 @@
 #include "drivers/check_report.hpp"
 #include "drivers/input_error.hpp"
 #include "drivers/output/number_format.hpp"
+#include "drivers/output/table_text.hpp"
 #include "drivers/output/wrapped_text.hpp"
 
 namespace assay::drivers {
@@ -18,16 +19,6 @@ using Json = nlohmann::ordered_json;
 using check::TestResult;
 using check::Verdict;
 
-std::string padded(std::string text, std::size_t width) {
-  text.resize(std::max(text.size(), width), ' ');
-  return text;
-}
-
-std::string figure(const std::optional<double>& value) {
-  if (!value) return "-";
-  return std::isinf(*value) ? "infinite" : rounded_text(*value, 2);
-}
-
 /// To a tenth, as much as two grids tell.
 std::string order_text(const std::optional<double>& order) {
   return order ? rounded_text(std::round(10 * *order) / 10 + 0.0, 3) : "-";
@@ -35,17 +26,15 @@ std::string order_text(const std::optional<double>& order) {
 
 std::string row(const std::string& method, const std::string& id, const std::string& verdict,
                 const std::string& measure, const std::string& threshold, const std::string& order) {
-  std::string line =
-      padded(method, 18) + padded(id, 23) + padded(verdict, 9) + padded(measure, 11) + padded(threshold, 10) + order;
-  line.erase(line.find_last_not_of(' ') + 1);
-  return line + "\n";
+  return table_line(padded(method, 18) + padded(id, 23) + padded(verdict, 9) + padded(measure, 11) +
+                    padded(threshold, 10) + order);
 }
 
 std::string rows_of(const mpm::MethodReport& report, Verbosity verbosity) {
   std::string page;
   for (const TestResult& test : report.tests) {
     page += row(name_of(report.method), test.id, test.verdict == Verdict::fail ? "FAIL" : verdict_name(test.verdict),
-                figure(test.measure), figure(test.threshold), order_text(test.order));
+                measured_text(test.measure), measured_text(test.threshold), order_text(test.order));
     if (verbosity == Verbosity::verbose || test.verdict == Verdict::fail)
       page += wrapped(test.sentence, "    ", "    ");
   }

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells of tables on a terminal.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "drivers/output/number_format.hpp"
+
+namespace assay::drivers {
+
+/// The text with blanks up to that width.
+inline std::string padded(std::string text, std::size_t width) {
+  text.resize(std::max(text.size(), width), ' ');
+  return text;
+}
+
+/// Two digits, "infinite", or "-" where there is none.
+inline std::string measured_text(const std::optional<double>& value) {
+  if (!value) return "-";
+  return std::isinf(*value) ? "infinite" : rounded_text(*value, 2);
+}
+
+/// A line without blanks at its end.
+inline std::string table_line(std::string line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
+}  // namespace assay::drivers
