@@ -2,16 +2,15 @@
 // `assay check`: the battery of model tests, for people, for scripts and for CI.
 #include <algorithm>
 #include <chrono>
-#include <iostream>
 #include <thread>
 
 #include "drivers/check_material.hpp"
+#include "drivers/check_output.hpp"
 #include "drivers/check_replay.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/material/material_path.hpp"
 #include "drivers/material/registry.hpp"
 #include "drivers/output/numbers.hpp"
-#include "drivers/output/whole_file.hpp"
 #include "drivers/progress.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/scene/yaml_reader.hpp"
@@ -126,18 +125,10 @@ std::vector<CheckedMaterial> check_all(const CheckOptions& options) {
   return all;
 }
 
-void write_reports(const CheckOptions& options, const std::string& json, const std::string& junit) {
-  for (const auto& [file, text] : {std::pair(&options.json, &json), std::pair(&options.junit, &junit)}) {
-    if (!file->empty() && *file != "-") write_file(*file, *text);
-  }
-}
-
-/// What was found first, whatever becomes of the files.
+/// The exit status.
 int reported(const CheckOptions& options, const std::vector<CheckedMaterial>& all, const std::string& json,
              const std::string& text) {
-  const std::string junit = check_junit(all);
-  std::cout << (options.json == "-" ? json : options.junit == "-" ? junit : text) << std::flush;
-  write_reports(options, json, junit);
+  tell(options, text, json, check_junit(all));
   int status = 0;
   for (const CheckedMaterial& checked : all) {
     if (!checked.unwritten.empty()) throw SystemError(checked.unwritten);

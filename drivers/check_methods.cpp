@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay check --methods`: the patch tests of every particle method that can be composed.
 #include <chrono>
-#include <iostream>
 
 #include "adapters/builtin.hpp"
+#include "drivers/check_output.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/methods_report.hpp"
-#include "drivers/output/whole_file.hpp"
 #include "drivers/verbs.hpp"
 
 namespace assay::drivers {
@@ -24,12 +23,7 @@ int check_methods(const CheckOptions& options) {
   }
   checked.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   stop_if_interrupted();
-  const bool json_on_output = options.json == "-", junit_on_output = options.junit == "-";
-  if (!options.json.empty() && !json_on_output) write_file(options.json, methods_json(checked));
-  if (!options.junit.empty() && !junit_on_output) write_file(options.junit, methods_junit(checked));
-  if (json_on_output) std::cout << methods_json(checked);
-  if (junit_on_output) std::cout << methods_junit(checked);
-  if (!json_on_output && !junit_on_output) std::cout << methods_text(checked, options.verbosity);
+  tell(options, methods_text(checked, options.verbosity), methods_json(checked), methods_junit(checked));
   return checked.passes() ? 0 : 1;
 }
 

@@ -5,9 +5,9 @@
 #include <iostream>
 
 #include "drivers/check_material.hpp"
+#include "drivers/check_output.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
-#include "drivers/output/whole_file.hpp"
 #include "drivers/output/wrapped_text.hpp"
 #include "drivers/replay.hpp"
 #include "harness/checked_update.hpp"
@@ -64,13 +64,8 @@ int check_replay(const CheckOptions& options) {
   const CheckTask task{replay.material,
                        [&](const CheckReporter& reporter) { return again(replay, resolved, reporter); }};
   const CheckedMaterial checked = check_in_processes({task}, {}).front();
-  if (options.json == "-") {
-    std::cout << check_json(checked);
-  } else {
-    std::cout << wrapped(replay.reason, "it was: ", "    ") << "\n"
-              << check_text(checked, Verbosity::verbose) << std::flush;
-    if (!options.json.empty()) write_file(options.json, check_json(checked));
-  }
+  const std::string text = wrapped(replay.reason, "it was: ", "    ") + "\n" + check_text(checked, Verbosity::verbose);
+  tell(options, text, check_json(checked), check_junit({checked}));
   if (!checked.error.empty()) throw SystemError(checked.error);
   return checked.passes() ? 0 : 1;
 }

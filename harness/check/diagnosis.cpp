@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "harness/check/judge.hpp"
 
@@ -199,17 +198,15 @@ class Diagnostician {
                       "a stretch along axes that stand still is right in any frame, one along axes that turn is not: "
                       "components of the spin are missing or mixed up"});
     }
-    if (fixed.falls) {
+    if (fixed.result.order) {  // falls with the step
       return explain({causes::explicit_spin,
                       "the stress is turned in steps that are no rotations, or a turn is taken for a "
                       "strain: " +
                           fixed.result.sentence});
     }
     if (fixed.turned) {
-      char times[32];
-      std::snprintf(times, sizeof times, "%.2g", *fixed.turned);
       return explain({causes::wrong_spin,
-                      std::string("the stress turns by ") + times + " times the angle by which the body turns"});
+                      "the stress turns by " + rounded(*fixed.turned) + " times the angle by which the body turns"});
     }
     if (!evidence_.state.left_behind.empty()) {
       return explain({causes::state_not_rotated, "of the state of a body that turns, " + evidence_.state.left_behind +

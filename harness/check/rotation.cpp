@@ -149,7 +149,6 @@ RotationFinding rotation_at_fixed_stretch(const Specimen& specimen) {
   }
   RotationFinding finding{turned.judged("rotation.fixed_stretch", "a stretched body that turns", steps)};
   finding.result.step = twins.seen.last;
-  finding.falls = finding.result.order.has_value();
   if (!turned.exact()) finding.turned = turned_by(twins.seen.marks[1].cauchy, twins.still.marks[1].cauchy);
   return finding;
 }

@@ -13,7 +13,6 @@ struct RotationFinding {
   /// Of the stress that was found: it is turned by this many times the frame's angle. Null where it is not turned as a
   /// whole, or rightly.
   std::optional<double> turned = {};
-  bool falls = false;  ///< the error falls with the step
   /// At rest: stress over that of the strain sym(Q - I), which a small-strain law takes for one.
   double small_strain = 0;
   std::string left_behind = {};  ///< names of tensors and vectors of the state that have not turned with the stress

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the findings of `check` go.
+#pragma once
+
+#include <string>
+
+#include "drivers/verbs.hpp"
+
+namespace assay::drivers {
+
+/// What was found first, on standard output: the text, or what --json - or --junit - asks for. Then the files, whatever
+/// becomes of them. Throws SystemError.
+void tell(const CheckOptions& options, const std::string& text, const std::string& json, const std::string& junit);
+
+}  // namespace assay::drivers
