@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "harness/check/judge.hpp"
 
@@ -10,7 +11,16 @@ namespace assay::check {
 
 namespace {
 
-constexpr double angle = turning_angle;
+constexpr double angle = turning_angle, right_angle = std::numbers::pi / 2;
+
+Tensor half_turn(const Vector3& axis) { return 2 / axis.squaredNorm() * axis * axis.transpose() - Tensor::Identity(); }
+
+/// 1 to 2, 2 to 3, 3 to 1.
+Tensor next_axes() {
+  Tensor R;
+  R << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  return R;
+}
 
 TestResult exact_twin(const Specimen& specimen, const char* id, const Loading& still, const Loading& seen,
                       const Tensor& Q, const Vector3& direction, const std::string& words) {
@@ -36,14 +46,26 @@ TestResult exact_twin(const Specimen& specimen, const char* id, const Loading& s
 TestResult constant_rotation(const Specimen& specimen) {
   const Tensor Q = turn(angle);
   const Loading still = out_and_back(specimen);
-  const Loading seen{[=](double t) { return Tensor(Q * still.F(t)); }, still.phases};
-  TestResult result = exact_twin(specimen, "rotation.constant", still, seen, Q, Vector3::UnitX(),
+  const auto in_frame = [&](const Tensor& R) {
+    return Loading{[=](double t) { return Tensor(R * still.F(t)); }, still.phases};
+  };
+  TestResult result = exact_twin(specimen, "rotation.constant", still, in_frame(Q), Q, Vector3::UnitX(),
                                  "the same history in a frame that is turned once for all");
   if (result.verdict == Verdict::pass) return result;
-  const TestResult unturned = exact_twin(specimen, "", still, seen, Tensor::Identity(), Vector3::UnitX(), "");
+  const auto right = [&](const Tensor& R) {
+    const TestResult twin = exact_twin(specimen, "", still, in_frame(R), R, Vector3::UnitX(), "");
+    return twin.verdict == Verdict::pass || *twin.measure < 1e-3 * *result.measure;
+  };
+  const TestResult unturned = exact_twin(specimen, "", still, in_frame(Q), Tensor::Identity(), Vector3::UnitX(), "");
   if (unturned.verdict == Verdict::pass) {
     result.cause = causes::rotation_missing;
     result.sentence += ", and the same as if the frame were not: it is the stress of the unturned body";
+  } else if (right(half_turn({0, 0, 1})) && right(half_turn({1, 1, 0})) && !right(half_turn({1, 0, 0}))) {
+    result.cause = causes::components_swapped;
+    result.sentence += "; right in frames that exchange the axes 1 and 2: somewhere 13 and 23 change places";
+  } else if (right(rotation_about_z(right_angle)) && right(next_axes())) {
+    result.cause = causes::shear_factor;
+    result.sentence += "; right in frames at right angles: shear and normal components are not weighed alike";
   }
   return result;
 }

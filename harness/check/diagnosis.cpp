@@ -92,10 +92,20 @@ class Diagnostician {
                       "a body that only turns by Q is stressed as by the strain sym(Q - I): the strain is not one of "
                       "finite deformation"});
     }
-    if (failed("rotation.constant") && find("rotation.constant")->cause == causes::rotation_missing) {
+    if (failed("rotation.constant") && std::abs(evidence_.at_rest.relaxing_small_strain - 1) < small_strain_within) {
+      return explain({causes::small_strain,
+                      "a body that only turns by Q has the viscous stress of the strain sym(Q - I): its rate is "
+                      "sym(F1 - F0)/dt, not that of finite deformation"});
+    }
+    const TestResult* constant = find("rotation.constant");
+    if (failed("rotation.constant") && constant->cause == causes::rotation_missing) {
       return explain(*of("rotation.constant"));
     }
-    if (of_turned_step()) return;
+    const std::optional<Diagnosis> of_step = of_turned_step();
+    if (failed("rotation.constant") && !constant->cause.empty() && !(of_step && of_step->cause == constant->cause)) {
+      return explain(*of("rotation.constant"));
+    }
+    if (of_step) return explain(*of_step);
     if (failed("rotation.fixed_stretch")) return of_fixed_stretch();
     if (failed("rotation.constant") && !evidence_.right_without_spin) {
       return explain({causes::not_indifferent, find("rotation.constant")->sentence});
@@ -136,17 +146,14 @@ class Diagnostician {
   }
 
   /// A single step tells which tensor it is; the stress before all others.
-  bool of_turned_step() {
+  std::optional<Diagnosis> of_turned_step() const {
     const bool turning_fails = std::any_of(tests_.begin(), tests_.end(), [](const TestResult& test) {
       const bool turns = test.id.rfind("rotation.", 0) == 0 || test.id == "basis" || test.id == "stretches.turning";
       return test.verdict == Verdict::fail && turns;
     });
-    if (!turning_fails || !evidence_.turned) return false;
+    if (!turning_fails || !evidence_.turned) return std::nullopt;
     const TurnedStep& step = *evidence_.turned;
-    if (step.stress != Turned::rightly) {
-      explain(of_variable({"", true, step.stress, 1}, step.stress));
-      return true;
-    }
+    if (step.stress != Turned::rightly) return of_variable({"", true, step.stress, 1}, step.stress);
     std::optional<Diagnosis> found;
     double farthest = -1;
     for (const TurnedVariable& variable : step.carried) {
@@ -164,9 +171,7 @@ class Diagnostician {
       farthest = far;
       found = of_variable(variable, how);
     }
-    if (!found) found = of_what_is_left(step);
-    if (found) explain(*found);
-    return found.has_value();
+    return found ? found : of_what_is_left(step);
   }
 
   /// Beside a stress that turns rightly, something that turns in no way that has a name.

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "harness/check/rigid_turn.hpp"
-#include "harness/check/state_variable.hpp"
 
 namespace assay::check {
 
@@ -84,93 +82,6 @@ TestResult zero_increment(const Specimen& specimen) {
   result.verdict = limit.passes() ? Verdict::pass : Verdict::fail;
   if (result.verdict == Verdict::fail) result.cause = causes::drifts;
   result.sentence = "three steps without deformation: " + how(limit, errors, specimen.steps());
-  return result;
-}
-
-namespace {
-
-std::vector<double> state_under(const Material& material, const Tensor& sigma) {
-  std::vector<double> nine(9);
-  for (int c = 0; c < 9; ++c) nine[static_cast<std::size_t>(c)] = component(sigma, c);
-  return material.initial_state(1, nine);
-}
-
-/// What is left of an initial stress in a step without deformation, and how it turns with the body.
-struct Carried {
-  double still = INFINITY;  ///< error, relative
-  RigidTurn turned;
-  bool ignored = true;   ///< as if there were none
-  bool swapped = false;  ///< 13 and 23 have changed places
-};
-
-Carried carried(const Specimen& specimen, const Tensor& sigma) {
-  const Material& material = *specimen.material;
-  const Tensor I = Tensor::Identity(), deviation = sigma + specimen.pressure * I;
-  const double length = specimen.rate_dependent() ? 1e-9 : 1, scale = deviation.cwiseAbs().maxCoeff();
-  const std::vector<double> state = state_under(material, sigma);
-  const Tensor found = stepped(material, 0, length, I, I, state).cauchy;
-  Carried result{distance(found, sigma) / scale,
-                 {},
-                 distance(found, -specimen.pressure * I) < own_precision * scale,
-                 distance(found, exchanged(sigma)) < own_precision * scale};
-  const Loading turning{[](double t) { return turn(turning_angle * t); }, 1};
-  const double least = 1e-2 * specimen.modulus;  // single precision leaves 1e-7 of the modulus in each step of a turn
-  for (int k = 0; k < 3; ++k) {
-    const int steps = (specimen.steps() / 4) << k;
-    const March seen = march(material, turning, {.steps = steps, .phase_length = length, .state = state});
-    result.turned.note(k, seen.marks[0].cauchy, rotated(turn(turning_angle), found), std::max(scale, least));
-  }
-  return result;
-}
-
-/// Stresses of several shapes and sizes: a material may yield under one, and cannot carry it then.
-std::vector<Tensor> tried_stresses(const Specimen& specimen) {
-  Tensor mixed, pressed, drawn;
-  mixed << -1, 0.3, -0.2, 0.3, -0.6, 0.1, -0.2, 0.1, -0.8;
-  pressed << -1, 0.04, -0.03, 0.04, -0.96, 0.02, -0.03, 0.02, -0.98;
-  drawn << 1, 0.3, -0.2, 0.3, 0.6, 0.1, -0.2, 0.1, 0.8;
-  std::vector<Tensor> all;
-  for (const double share : {1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10}) {  // of the modulus
-    for (const Tensor& shape : {mixed, pressed, drawn}) {
-      all.push_back(share * specimen.modulus * shape - specimen.pressure * Tensor::Identity());
-    }
-  }
-  return all;
-}
-
-}  // namespace
-
-TestResult initial_stress(const Specimen& specimen) {
-  TestResult result{.id = "initial_stress", .verdict = Verdict::not_applicable};
-  result.sentence = "the model starts free of stress alone";
-  if (specimen.material->state_size() == 0) return result;
-  Carried best;
-  bool taken = false;
-  for (const Tensor& sigma : tried_stresses(specimen)) {
-    if (best.still <= own_precision) break;
-    try {
-      const Carried now = carried(specimen, sigma);
-      taken = true;
-      if (now.still < best.still) best = now;
-    } catch (const std::runtime_error&) {  // refused, as it may be; a smaller one, perhaps
-    }
-  }
-  if (!taken) return result;
-  if (best.ignored) {
-    result.sentence = "the model takes no notice of an initial stress: let initial_state return ASSAY_FAILED for one";
-    return result;
-  }
-  result = best.turned.judged("initial_stress", "an initial stress, in a body that turns", specimen.steps() / 4);
-  if (best.still > own_precision) {
-    result.verdict = Verdict::fail;
-    result.measure = best.still;
-    result.threshold = own_precision;
-    result.sentence = best.swapped
-                          ? "a step without deformation exchanges 13 and 23 of an initial stress"
-                          : "a step without deformation changes an initial stress by " + rounded(best.still) + " of it";
-  }
-  if (result.verdict == Verdict::fail)
-    result.cause = best.swapped ? causes::components_swapped : causes::initial_stress;
   return result;
 }
 

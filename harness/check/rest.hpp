@@ -15,7 +15,4 @@ TestResult symmetry(const Specimen& specimen);
 /// A step with F1 = F0 after loading changes neither stress nor state of a rate-independent model.
 TestResult zero_increment(const Specimen& specimen);
 
-/// initial_state takes a stress, a step without deformation returns it, and it turns with the body.
-TestResult initial_stress(const Specimen& specimen);
-
 }  // namespace assay::check

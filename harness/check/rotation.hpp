@@ -15,7 +15,8 @@ struct RotationFinding {
   std::optional<double> turned = {};
   /// At rest: stress over that of the strain sym(Q - I), which a small-strain law takes for one.
   double small_strain = 0;
-  std::string left_behind = {};  ///< names of tensors and vectors of the state that have not turned with the stress
+  double relaxing_small_strain = 0;  ///< the same of a part that relaxes
+  std::string left_behind = {};      ///< names of tensors and vectors of the state that have not turned with the stress
 };
 
 /// Before, while and after it is loaded, and after an expansion that may have come to an apex, by 2.3 rad about

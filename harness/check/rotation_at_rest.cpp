@@ -40,6 +40,24 @@ double relaxed_small_strain_share(const Specimen& specimen) {
   }
 }
 
+/// The same of each part that relaxes, in one step: the nearest to 1. Viscous stress of sym(F1 - F0)/dt is such a part.
+double relaxing_small_strain_share(const Specimen& specimen) {
+  const Tensor Q = little_turn(1);
+  double nearest = 0;
+  const auto stress = [&](double length) {
+    return stepped(*specimen.material, 0, length, Tensor::Identity(), Q, specimen.rest_state()).cauchy;
+  };
+  for (const RelaxingPart& part : specimen.parts) {
+    if (std::isinf(part.longer)) continue;
+    const Tensor found = stress(part.brief) - stress(part.longer);
+    const Tensor mistaken = stress_of(part.stiffness, Q - Tensor::Identity());
+    const double share = share_of(found, mistaken);
+    const bool alike = distance(found, mistaken) < 0.1 * mistaken.cwiseAbs().maxCoeff();
+    if (alike && std::abs(share - 1) < std::abs(nearest - 1)) nearest = share;
+  }
+  return nearest;
+}
+
 }  // namespace
 
 RotationFinding rotation_at_rest(const Specimen& specimen) {
@@ -66,6 +84,7 @@ RotationFinding rotation_at_rest(const Specimen& specimen) {
     const double later = relaxed_small_strain_share(specimen);
     if (std::abs(later - 1) < std::abs(finding.small_strain - 1)) finding.small_strain = later;
   }
+  finding.relaxing_small_strain = relaxing_small_strain_share(specimen);
   return finding;
 }
 

@@ -2,24 +2,21 @@
 // What is found out about a material before it is tested: its stiffness at rest, and how far it can be loaded.
 #pragma once
 
-#include <Eigen/Core>
-
 #include "harness/check/battery.hpp"
 #include "harness/check/march.hpp"
+#include "harness/check/stiffness.hpp"
 
 namespace assay::check {
-
-/// d sigma / d eps at rest [Pa], rows and columns 11, 22, 33, 12, 13, 23; shear columns for the tensor component.
-using Stiffness = Eigen::Matrix<double, 6, 6>;
 
 struct Specimen {
   const Material* material;
   Options options;
   Stiffness stiffness = Stiffness::Zero();
-  double modulus = 0;    ///< largest component of `stiffness` [Pa]
-  bool linear = false;   ///< its response to small strains from rest is
-  double amplitude = 0;  ///< of strain, that the material stands along `loading`
-  double pressure = 0;   ///< at rest [Pa]: some soils have no stiffness, or no state, without one
+  double modulus = 0;                    ///< largest component of `stiffness` [Pa]
+  bool linear = false;                   ///< its response to small strains from rest is
+  std::vector<RelaxingPart> parts = {};  ///< of a rate-dependent material
+  double amplitude = 0;                  ///< of strain, that the material stands along `loading`
+  double pressure = 0;                   ///< at rest [Pa]: some soils have no stiffness, or no state, without one
 
   std::vector<double> rest_state(const Vector3& direction = Vector3::UnitX()) const {
     return state_at_rest(*material, pressure, direction);
@@ -38,9 +35,6 @@ double pressure_at_rest(const Material& material);
 
 /// Throws MaterialFailure where the material cannot be loaded at all.
 Specimen examine(const Material& material, const Options& options);
-
-/// sigma of a small strain sym(H) [Pa].
-Tensor stress_of(const Stiffness& stiffness, const Tensor& H);
 
 /// A stretch along turning axes, out, back and beyond: 0 <= s <= 1, F = I at 0.
 Tensor stretch(double amplitude, double s);

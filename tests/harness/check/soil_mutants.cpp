@@ -161,7 +161,7 @@ std::vector<Subject> soil_subjects() {
        {"cone_pressed_at_rest", pressed_at_rest, stress_at_rest},
        {"cone_creeps", creeps, drifts},
        {"divides_by_strain", divides_by_strain, refuses},
-       {"corrects_the_diagonal", corrects_the_diagonal, not_indifferent},
+       {"corrects_the_diagonal", corrects_the_diagonal, shear_factor},
        {"cone_of_nan", swallows_nan, not_a_number}});
   add(all, &soil,
       {{"pressed_soil", none, ""},

@@ -34,6 +34,10 @@ enum Defect : int {
   full_gradient,
   noise,
   swallows_nan,
+  swapped_in_part,
+  doubled_in_part,
+  small_strain_in_part,
+  thicker_along_an_axis,
   defects
 };
 
@@ -66,6 +70,22 @@ Tensor carried(int defect, const Tensor& R, const Tensor& A) {
     }
     default:
       return R * A * R.transpose();
+  }
+}
+
+/// The strain of an overstress, in the axes of the step's beginning.
+Tensor strain_of_part(int defect, const PointStep& step, const Tensor& R, const Tensor& strain) {
+  switch (defect) {
+    case swapped_in_part:
+      return exchanged(strain);
+    case doubled_in_part:
+      return sheared(strain, 2);
+    case small_strain_in_part: {
+      const Tensor difference = step.F1 - step.F0;
+      return R.transpose() * (0.5 * (difference + difference.transpose())) * R;
+    }
+    default:
+      return strain;
   }
 }
 
@@ -102,7 +122,8 @@ struct Solid {
       const int here = defect == slow_unturned ? (k == 1 ? unturned : none) : defect;
       const double left = std::exp(-step.dt / time[k]), middle = std::sqrt(left);
       const Tensor before = left * read_symmetric(state0 + 6 * k);
-      const Tensor added = R * (2 * mu * share[k] * middle * deviator(strain)) * R.transpose();
+      const Tensor own = strain_of_part(defect, step, R, strain);
+      const Tensor added = R * (2 * mu * share[k] * middle * deviator(own)) * R.transpose();
       Tensor q = carried(here, R, before) + added;
       if (defect == forgets_at_zero && step.t == 0) q = added;
       sigma += q;
@@ -164,6 +185,7 @@ struct Fluid {
     const Tensor d = deviator(defect == full_gradient ? l : Tensor(0.5 * (l + l.transpose())));
     const double rate = std::sqrt(2.0) * d.norm(), eta = viscosity * std::pow(rate * rate + 1e-4, 0.5 * (power - 1));
     Tensor viscous = 2 * eta * d;
+    if (defect == thicker_along_an_axis) viscous *= 1 + 100 * d(0, 0) * d(0, 0);
     if (defect == noise) viscous *= 1 + 0.3 * std::sin(1e9 * step.F1(0, 0));
     if (defect == swapped) viscous = exchanged(viscous);
     if (defect == doubled_in_state) viscous = sheared(viscous, 2);
@@ -241,6 +263,9 @@ std::vector<Subject> viscous_subjects() {
        {"swapped_overstress", swapped, components_swapped},
        {"overstress_turned_as_strain", turned_as_strain, shear_factor},
        {"overstress_of_engineering_shear", doubled_in_state, shear_factor},
+       {"overstress_of_swapped_strain", swapped_in_part, components_swapped},
+       {"overstress_of_doubled_shear", doubled_in_part, shear_factor},
+       {"overstress_of_small_strain", small_strain_in_part, small_strain},
        {"viscous_clock", own_clock, clock},
        {"forgets_at_zero", forgets_at_zero, clock},
        {"viscous_first_call", first_call, hidden_state},
@@ -263,8 +288,9 @@ std::vector<Subject> viscous_subjects() {
       {{"newtonian", none, ""},
        {"swapped_viscous_stress", swapped, components_swapped},
        {"viscous_engineering_shear", doubled_in_state, shear_factor},
-       {"gradient_of_reference", plain_gradient, not_indifferent},
+       {"gradient_of_reference", plain_gradient, small_strain},
        {"unsymmetric_gradient", full_gradient, not_symmetric},
+       {"thicker_along_an_axis", thicker_along_an_axis, not_indifferent},
        {"viscous_noise", noise, no_convergence},
        {"fluid_of_nan", swallows_nan, not_a_number}},
       {{"modulus", 20}, {"share", 1}});

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/check/stiffness.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace assay::check {
+
+namespace {
+
+constexpr double probe = 0x1p-17;       ///< 8e-6, of strain: most materials yield later; beside 1 exact in single
+                                        ///< precision, too
+constexpr double linear_within = 1e-3;  ///< relative: between probes of one and of two sizes
+constexpr std::array<std::array<int, 2>, 6> places{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
+
+struct Probes {
+  Stiffness slope = Stiffness::Zero();  ///< by central differences of single steps from rest
+  double one_sided = 0;                 ///< the largest difference between tension and compression, over the strain
+};
+
+/// About rest under a pressure [Pa], by steps of that length [s].
+Probes probes_of(const Material& material, double pressure, double size, double length) {
+  const std::vector<double> rest = state_at_rest(material, pressure);
+  const Tensor at_rest = -pressure * Tensor::Identity();
+  Probes probes;
+  for (int column = 0; column < 6; ++column) {
+    const int i = places[static_cast<std::size_t>(column)][0], j = places[static_cast<std::size_t>(column)][1];
+    const auto stress = [&](double strain) {
+      Tensor F = Tensor::Identity();
+      F(i, j) += strain;
+      if (i != j) F(j, i) += strain;
+      return stepped(material, 0, length, Tensor::Identity(), F, rest).cauchy;
+    };
+    const Tensor there = stress(size), back = stress(-size), slope = (there - back) / (2 * size);
+    probes.one_sided = std::max(probes.one_sided, (there + back - 2 * at_rest).cwiseAbs().maxCoeff() / (2 * size));
+    for (int row = 0; row < 6; ++row) {
+      const auto [k, l] = places[static_cast<std::size_t>(row)];
+      probes.slope(row, column) = slope(k, l);
+    }
+  }
+  return probes;
+}
+
+double largest(const Stiffness& C) { return C.cwiseAbs().maxCoeff(); }
+
+}  // namespace
+
+Probed probed(const Material& material, double pressure, double length) {
+  const Probes whole = probes_of(material, pressure, probe, length);
+  const Probes half = probes_of(material, pressure, 0.5 * probe, length);
+  const double change = largest(half.slope - whole.slope);
+  return {whole.slope, std::max(change, whole.one_sided) < linear_within * largest(whole.slope)};
+}
+
+std::vector<RelaxingPart> relaxing_parts(const Material& material, double pressure, double modulus) {
+  constexpr std::array<double, 6> lengths{1e-9, 1e-6, 1e-3, 1, 1e3, 1e6};  // [s]
+  constexpr double significant = 0.02, least = 1e-6;                       // of the stiffness beside it, of the modulus
+  std::vector<RelaxingPart> parts;
+  try {
+    std::array<std::array<Probes, 2>, lengths.size() + 1> found{};  // by two sizes; in infinitely long steps nothing
+    for (std::size_t k = 0; k < lengths.size(); ++k) {
+      found[k] = {probes_of(material, pressure, probe, lengths[k]),
+                  probes_of(material, pressure, 0.5 * probe, lengths[k])};
+    }
+    for (std::size_t k = 0; k < lengths.size(); ++k) {
+      const auto &brief = found[k], &longer = found[k + 1];
+      const Stiffness part = brief[0].slope - longer[0].slope, again = brief[1].slope - longer[1].slope;
+      const double beside = std::max(largest(brief[0].slope), largest(longer[0].slope));
+      if (!(largest(part) > std::max(significant * beside, least * modulus))) continue;
+      const double change = std::max({largest(part - again), brief[0].one_sided, longer[0].one_sided});
+      if (change > linear_within * largest(part)) continue;
+      parts.push_back({part, lengths[k], k + 1 < lengths.size() ? lengths[k + 1] : INFINITY});
+    }
+  } catch (const MaterialFailure&) {
+    return {};
+  }
+  return parts;
+}
+
+Tensor stress_of(const Stiffness& stiffness, const Tensor& H) {
+  Eigen::Matrix<double, 6, 1> strain;
+  for (int c = 0; c < 6; ++c) {
+    const auto [i, j] = places[static_cast<std::size_t>(c)];
+    strain(c) = 0.5 * (H(i, j) + H(j, i));
+  }
+  const Eigen::Matrix<double, 6, 1> stress = stiffness * strain;
+  Tensor sigma;
+  for (int c = 0; c < 6; ++c) {
+    const auto [i, j] = places[static_cast<std::size_t>(c)];
+    sigma(i, j) = sigma(j, i) = stress(c);
+  }
+  return sigma;
+}
+
+}  // namespace assay::check
