@@ -12,8 +12,10 @@ inline void checked_update(const Material& material, double xi, double t, double
                            const double* F1, const double* state0, double* state1, double* cauchy) {
   const UpdateReport report = material.update(t, dt, n, F0, F1, state0, state1, cauchy);
   if (report.worst != ASSAY_FAILED) return;
-  throw MaterialFailure(report.message, xi, t + dt,
-                        failed_step(t, dt, n, report.worst_point, F0, F1, state0, material.state_size()));
+  MaterialFailure failure(report.message, xi, t + dt,
+                          failed_step(t, dt, n, report.worst_point, F0, F1, state0, material.state_size()));
+  failure.not_finite = report.not_finite;
+  throw failure;
 }
 
 }  // namespace assay

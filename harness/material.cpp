@@ -199,6 +199,7 @@ UpdateReport Material::update(double t, double dt, std::size_t n, const double* 
   const auto require_finite = [&](const double* values, std::size_t components, const char* what) {
     if (report.worst == ASSAY_FAILED || all_finite(values, components * n)) return;
     report.worst = ASSAY_FAILED;
+    report.not_finite = true;
     report.worst_point = first_not_finite(values, components, n);
     report.message = std::string("the material returned a ") + what + " that is not finite";
   };

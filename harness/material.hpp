@@ -34,6 +34,7 @@ std::optional<std::string> defect_of(const assay_material* table);
 struct UpdateReport {
   int worst = ASSAY_GOOD;       ///< of the batch; a stress that is not finite counts as ASSAY_FAILED
   std::size_t worst_point = 0;  ///< first point with that status
+  bool not_finite = false;      ///< failed by a stress or a state that is no number
   double dt_factor = 1;         ///< below 1: the material asks for a shorter step
   std::string message;          ///< the material's own words, where not good
 };

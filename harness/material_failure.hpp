@@ -15,6 +15,7 @@ class MaterialFailure : public std::runtime_error {
   MaterialFailure(const std::string& what, double at_xi, double at_t, std::optional<FailedStep> at_step = {})
       : std::runtime_error(what), xi(at_xi), t(at_t), step(std::move(at_step)) {}
   double xi, t;
+  bool not_finite = false;         ///< its stress or state is no number
   std::optional<FailedStep> step;  ///< where a call of `update` failed
 };
 

@@ -69,6 +69,18 @@ struct Deed {
 
 Deed ends(const char* wrong) { return {wrong, {}, {}, false}; }
 
+/// Whether a variable other than a direction, which the host fills, still has the mark.
+bool leaves_unwritten(const Material& material, const std::vector<double>& state, std::size_t n) {
+  const assay_material& table = material.table();
+  auto at = state.begin();
+  for (std::uint32_t v = 0; v < table.state_count; ++v) {
+    const auto end = at + static_cast<std::ptrdiff_t>(n) * components_of_kind(table.state[v].kind);
+    if (table.state[v].role != ASSAY_ROLE_DIRECTION && std::find(at, end, no_value) != end) return true;
+    at = end;
+  }
+  return false;
+}
+
 Deed begin(const Material& material, std::size_t n) {
   if (material.state_size() == 0) return {};
   for (const double pressure : {0.0, 1e5, 1e3, 1.0}) {  // [Pa]; soils cannot be at rest without one
@@ -78,6 +90,9 @@ Deed begin(const Material& material, std::size_t n) {
     if (material.table().initial_state(material.self(), n, cauchy.data(), state.data()) == ASSAY_FAILED) continue;
     if (state.broken()) return ends("initial_state writes beyond the state that the model declares");
     if (cauchy != given) return ends("initial_state writes into what it is given");
+    if (leaves_unwritten(material, state.values(), n)) {
+      return ends("initial_state leaves components of the state unwritten");
+    }
     return {{}, material.initial_state(n, cauchy, repeated_vector(Vector3::UnitX(), n)), {}, true};
   }
   return ends("");

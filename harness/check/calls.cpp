@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <optional>
 
 #include "harness/check/judge.hpp"
 
@@ -120,6 +122,22 @@ void compare_histories(const Material& material, const std::vector<History>& fir
   }
 }
 
+/// Each parameter a little larger; none where a model does not take that.
+std::optional<Material> of_other_parameters(const Material& material) {
+  std::map<std::string, double> all;
+  for (std::uint32_t k = 0; k < material.table().parameter_count; ++k) {
+    const assay_parameter& parameter = material.table().parameters[k];
+    const double larger = 1.01 * material.parameters()[k];
+    const bool within = larger >= parameter.lower && larger <= parameter.upper;
+    all[parameter.name] = within ? larger : material.parameters()[k];
+  }
+  try {
+    return Material(&material.table(), all);
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
+}
+
 /// Steps in other orders, in a batch, after larger loads, of another instance.
 void compare_steps(const Material& material, const Steps& steps, Difference& difference) {
   const auto one_by_one = [&] {
@@ -142,6 +160,13 @@ void compare_steps(const Material& material, const Steps& steps, Difference& dif
   for (std::size_t p = 0; p < steps.n; ++p) {
     difference.note(with.difference(p, later[p]), "taken after a larger load");
     difference.note(with.difference(p, batch[p]), "taken in a batch");
+  }
+  const std::optional<Material> altered = of_other_parameters(material);
+  if (altered) {
+    alone(*altered, steps, 0);
+    for (std::size_t p = 0; p < steps.n; p += 3) {
+      difference.note(with.difference(p, alone(material, steps, p)), "taken beside an instance of other parameters");
+    }
   }
   const Material other = material.clone();
   for (std::size_t p = 0; p < steps.n; p += 3) {
@@ -167,6 +192,34 @@ TestResult repeated_calls(const Specimen& specimen, const std::vector<History>& 
   result.cause = causes::hidden_state;
   result.sentence = "the same step " + difference.how + " differs by " + rounded(difference.worst) + " of itself" +
                     ": something is kept outside the state";
+  return result;
+}
+
+TestResult undeclared_increment(const Specimen& specimen) {
+  constexpr double most = 1e-12;
+  TestResult result{.id = "calls.increment", .measure = 0, .threshold = most};
+  result.sentence = "F at the beginning of a step changes nothing, as declared";
+  if (specimen.material->has(ASSAY_USES_INCREMENT)) {
+    result = {.id = "calls.increment", .verdict = Verdict::not_applicable};
+    result.sentence = "the model declares that it reads F at the beginning of a step";
+    return result;
+  }
+  const Material& material = *specimen.material;
+  const double a = specimen.amplitude;
+  const Tensor F0 = stretch(a, 0.1), F1 = stretch(a, 0.12);
+  const Point before = stepped(material, 0, 1, Tensor::Identity(), F0, specimen.rest_state());
+  const Tensor usual = stepped(material, 1, 1, F0, F1, before.state).cauchy;
+  const double scale = std::max(usual.cwiseAbs().maxCoeff(), specimen.least_stress());
+  try {
+    result.measure = distance(stepped(material, 1, 1, Tensor::Identity(), F1, before.state).cauchy, usual) / scale;
+  } catch (const MaterialFailure&) {
+    result.measure = INFINITY;
+  }
+  if (*result.measure <= most) return result;
+  result.verdict = Verdict::fail;
+  result.cause = causes::undeclared_increment;
+  result.sentence = "another F at the beginning of a step changes the stress by " + rounded(*result.measure) +
+                    " of itself, and ASSAY_USES_INCREMENT is not declared";
   return result;
 }
 

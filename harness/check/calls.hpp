@@ -11,6 +11,9 @@ namespace assay::check {
 /// histories that were the first of the process.
 TestResult repeated_calls(const Specimen& specimen, const std::vector<History>& first);
 
+/// A model that does not declare ASSAY_USES_INCREMENT does not read F0.
+TestResult undeclared_increment(const Specimen& specimen);
+
 /// F that is not a number, infinite, or turned inside out is refused or comes back as no number; nothing worse.
 TestResult senseless_deformation(const Specimen& specimen);
 

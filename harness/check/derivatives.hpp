@@ -13,7 +13,8 @@ TestResult tangent(const Specimen& specimen);
 /// assay.energy/1: P = dW/dF at fixed state.
 TestResult energy(const Specimen& specimen);
 
-/// The work done on the material is stored or dissipated, never made: along a path out, back and beyond.
-TestResult dissipation(const Specimen& specimen);
+/// Stored energy [J/m^3]; no number where the model fails.
+double stored_energy(const Material& material, const assay_energy& form, const Tensor& F,
+                     const std::vector<double>& state);
 
 }  // namespace assay::check

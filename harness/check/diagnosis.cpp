@@ -22,8 +22,10 @@ class Diagnostician {
 
   std::vector<Diagnosis> run() {
     const std::optional<Diagnosis> components = of("elasticity.components"), shear = of("elasticity.shear");
+    const bool once_for_all = failed("rotation.constant") || failed("basis");
     if (failed("rest")) explain(*of("rest"));
-    if (failed("stretches.nearly_equal")) explain(*of("stretches.nearly_equal"));
+    if (failed("stretches.nearly_equal") && !once_for_all) explain(*of("stretches.nearly_equal"));
+    if (failed("zero_increment") && !once_for_all) add(*of("zero_increment"));
     if (components && !explained_) explain(*components);
     if (shear && (!explained_ || components)) explain(*shear);
     if (const auto carried = of("initial_stress"); carried && carried->cause == causes::components_swapped) {
@@ -60,7 +62,7 @@ class Diagnostician {
     return std::any_of(std::begin(of_frames), std::end(of_frames), [&](const char* each) { return id == each; });
   }
 
-  const TestResult* find(const std::string& id) const {
+  TestResult* find(const std::string& id) const {
     const auto found = std::find_if(tests_.begin(), tests_.end(), [&](const TestResult& t) { return t.id == id; });
     return found == tests_.end() ? nullptr : &*found;
   }
@@ -82,8 +84,8 @@ class Diagnostician {
     add(diagnosis);
   }
 
-  /// A law without a tensor in its state has no spin that could be wrong.
-  const char* not_turned() const { return evidence_.has_tensors ? causes::wrong_spin : causes::not_indifferent; }
+  /// A law that turns nothing has no spin that could be wrong.
+  const char* not_turned() const { return evidence_.has_spin ? causes::wrong_spin : causes::not_indifferent; }
 
   void of_rotation() {
     constexpr double small_strain_within = 0.1;
@@ -97,7 +99,10 @@ class Diagnostician {
                       "a body that only turns by Q has the viscous stress of the strain sym(Q - I): its rate is "
                       "sym(F1 - F0)/dt, not that of finite deformation"});
     }
-    const TestResult* constant = find("rotation.constant");
+    TestResult* constant = find("rotation.constant");
+    if (constant && constant->cause == causes::shear_factor && failed("stretches.nearly_equal")) {
+      constant->cause = {};  // principal axes in a wrong order are right at right angles, too
+    }
     if (failed("rotation.constant") && constant->cause == causes::rotation_missing) {
       return explain(*of("rotation.constant"));
     }
@@ -121,7 +126,8 @@ class Diagnostician {
       return explain({causes::explicit_spin, find("rotation.revolutions")->sentence});
     }
     for (const char* id : {"rotation.during", "rotation.after", "rotation.before", "rotation.at_rest"}) {
-      if (failed(id)) return explain({not_turned(), find(id)->sentence});
+      if (!failed(id)) continue;
+      return explain({find(id)->cause.empty() ? not_turned() : find(id)->cause, find(id)->sentence});
     }
     for (const char* id : {"rotation.constant", "basis"}) {
       if (failed(id) && !(std::string(id) == "basis" && failed("isotropy"))) {
@@ -171,7 +177,9 @@ class Diagnostician {
       farthest = far;
       found = of_variable(variable, how);
     }
-    return found ? found : of_what_is_left(step);
+    // A state that stays behind does not show in a frame that is turned once for all, nor less in smaller steps.
+    const bool other = failed("rotation.constant") || evidence_.fixed.result.order;
+    return found || other ? found : of_what_is_left(step);
   }
 
   /// Beside a stress that turns rightly, something that turns in no way that has a name.
@@ -196,7 +204,7 @@ class Diagnostician {
       return explain({causes::rotation_missing, "the stress of a stretched body that turns stays where it was"});
     }
     if (failed("rotation.constant")) {
-      if (!evidence_.right_without_spin || !evidence_.has_tensors) {
+      if (!evidence_.right_without_spin || !evidence_.has_spin) {
         return explain({causes::not_indifferent, find("rotation.constant")->sentence});
       }
       return explain({causes::wrong_spin,
@@ -221,10 +229,10 @@ class Diagnostician {
   }
 
   void of_isotropy() {
-    if (explained_ && failed("rotation.constant")) return;
-    if (!found_.empty() && explained_) return;
-    explained_ = explained_ || failed("basis");
-    add({causes::not_isotropic,
+    if (explained_) return;
+    explained_ = failed("basis");
+    const bool swapped = find("isotropy")->cause == causes::components_swapped;
+    add({swapped ? causes::components_swapped : causes::not_isotropic,
          "a body that was turned before it is loaded answers otherwise: " + find("isotropy")->sentence});
   }
 
@@ -251,6 +259,7 @@ const std::vector<std::string>& all_causes() {
                                             causes::hidden_state,
                                             causes::clock,
                                             causes::overrun,
+                                            causes::undeclared_increment,
                                             causes::not_indifferent,
                                             causes::stress_at_rest,
                                             causes::initial_stress,
@@ -259,7 +268,9 @@ const std::vector<std::string>& all_causes() {
                                             causes::energy,
                                             causes::dissipation,
                                             causes::not_a_number,
+                                            causes::no_stress,
                                             causes::refuses,
+                                            causes::not_finite,
                                             causes::not_symmetric,
                                             causes::ends_process,
                                             causes::other_stress};

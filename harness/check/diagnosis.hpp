@@ -14,7 +14,7 @@ struct Evidence {
   std::optional<TurnedStep> turned;
   bool right_without_spin = false;  ///< rotation.constant of a stretch along axes that stand still
   std::vector<History> first;       ///< of the process
-  bool has_tensors = false;         ///< the state has something that a spin could turn
+  bool has_spin = false;            ///< steps turn something of the state
 };
 
 /// Fills in the cause of failed tests that have none, and lists the causes; none for one that follows from another.

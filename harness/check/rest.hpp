@@ -12,7 +12,8 @@ TestResult stress_at_rest(const Specimen& specimen);
 /// sigma = sigma^T along the loading, which turns.
 TestResult symmetry(const Specimen& specimen);
 
-/// A step with F1 = F0 after loading changes neither stress nor state of a rate-independent model.
+/// Steps with F1 = F0 after loading change neither stress nor state of a rate-independent model; of another one, in
+/// the limit of no time.
 TestResult zero_increment(const Specimen& specimen);
 
 }  // namespace assay::check

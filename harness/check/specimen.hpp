@@ -2,6 +2,8 @@
 // What is found out about a material before it is tested: its stiffness at rest, and how far it can be loaded.
 #pragma once
 
+#include <algorithm>
+
 #include "harness/check/battery.hpp"
 #include "harness/check/march.hpp"
 #include "harness/check/stiffness.hpp"
@@ -25,7 +27,7 @@ struct Specimen {
   bool isotropic() const { return material->table().symmetry == ASSAY_ISOTROPIC; }
   bool rate_dependent() const { return material->has(ASSAY_RATE_DEPENDENT); }
   /// Stress [Pa] below which a difference is measured against this: a material may have none along a whole history.
-  double least_stress() const { return 1e-9 * modulus * amplitude; }
+  double least_stress() const { return std::max(1e-9 * modulus * amplitude, 1e-300); }
   int steps() const { return options.quick ? 40 : 100; }
 };
 

@@ -55,7 +55,7 @@ TestResult continuity(const Specimen& specimen) {
     if (amplitude == 0) continue;
     const Tensor F = turn(s) * stretch(amplitude, s);
     const Tensor expected = stress_at_once(specimen, F);
-    const double scale = std::max(expected.cwiseAbs().maxCoeff(), 1e-9 * specimen.modulus * amplitude);
+    const double scale = std::max(expected.cwiseAbs().maxCoeff(), specimen.least_stress());
     for (const double change : {1e-14, 1e-12, 1e-10, 1e-8}) {
       const double error = distance(stress_at_once(specimen, F + change * stretch(1, s)), expected) / scale;
       const double excess = error - per_change * change / amplitude;
@@ -72,14 +72,15 @@ TestResult continuity(const Specimen& specimen) {
 }
 
 TestResult step_halving(const Specimen& specimen) {
-  constexpr double apart = 5e-2, no_better = 0.9;
+  constexpr double apart = 5e-2, no_better = 0.82, no_worse = 1.2, small = 2e-3;
   constexpr std::size_t least = 3, most = 8;  // halvings; more where a fast process is not yet resolved
   double largest = 0;
   Tensor before = stress_after(specimen, specimen.steps(), 1, 0, largest);
   std::vector<double> changes;
   const auto converges = [&] {
     const std::size_t n = changes.size();
-    return changes[n - 1] <= apart || changes[n - 1] <= no_better * std::max(changes[n - 2], changes[n - 3]);
+    const double before_it = std::max(changes[n - 2], changes[n - 3]);
+    return changes[n - 1] <= (changes[n - 1] <= apart ? no_worse : no_better) * before_it || changes[n - 1] <= small;
   };
   while (changes.size() < least || (changes.size() < most && !converges())) {
     const Tensor now = stress_after(specimen, specimen.steps() << (changes.size() + 1), 1, 0, largest);
@@ -109,8 +110,11 @@ TestResult clock_independence(const Specimen& specimen) {
   double largest = 0, worst = 0;
   std::string sentence = "the clock changes nothing";
   const auto compare = [&](double length, double begin, const Tensor& expected, const std::string& words) {
-    double ignored = 0;
-    const double error = distance(stress_after(specimen, steps, length, begin, ignored), expected) / largest;
+    double ignored = 0, error = INFINITY;
+    try {
+      error = distance(stress_after(specimen, steps, length, begin, ignored), expected) / largest;
+    } catch (const MaterialFailure&) {  // where the usual clock has no such thing
+    }
     if (error <= worst && std::isfinite(error)) return;
     worst = std::isfinite(error) ? error : INFINITY;
     if (worst > most) sentence = words + " changes the stress by " + rounded(worst) + " of itself";

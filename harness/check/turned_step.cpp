@@ -106,6 +106,23 @@ Loaded loaded(const Specimen& specimen, double s) {
   return {loading.F(1), found.marks[0], length, specimen.rate_dependent() ? 1e-9 : length};
 }
 
+/// Whether the stress of a loading depends on a variable at all: a model may keep what only its output shows.
+bool is_read(const Specimen& specimen, const Loaded& from, double s, const Place& place) {
+  constexpr double further = 0.02, significant = 1e-9;
+  const Tensor F1 = stretch(specimen.amplitude, s + further);
+  std::vector<double> other = from.point.state;
+  place.in(other).turned(turn(large_turn)).write(&other[place.at]);
+  const auto stress = [&](const std::vector<double>& state) {
+    return stepped(*specimen.material, 1, from.length, from.F, F1, state).cauchy;
+  };
+  try {
+    const Tensor usual = stress(from.point.state);
+    return distance(stress(other), usual) > significant * usual.cwiseAbs().maxCoeff();
+  } catch (const MaterialFailure&) {
+    return true;
+  }
+}
+
 /// In a turn of a loaded body, and of one that has been unloaded a little, so that the turn makes nothing flow: what
 /// fits best.
 std::vector<TurnedVariable> carried_variables(const Specimen& specimen, const Loaded& from, double s) {
@@ -114,6 +131,7 @@ std::vector<TurnedVariable> carried_variables(const Specimen& specimen, const Lo
   const std::vector<Place> places = places_of(material);
   std::vector<TurnedVariable> all;
   std::vector<double> misses;
+  std::vector<bool> seen_at_all(places.size(), false);
   for (const Place& place : places) {
     all.push_back({place.name, false, Turned::otherwise, 1});
     misses.push_back(INFINITY);
@@ -126,6 +144,7 @@ std::vector<TurnedVariable> carried_variables(const Specimen& specimen, const Lo
     for (std::size_t v = 0; v < places.size(); ++v) {
       const Variable whole = places[v].in(held.state), before = without_sphere(whole);
       if (!(whole.largest() > trifle) || before.largest() < 1e-6 * whole.largest()) continue;
+      seen_at_all[v] = true;
       const auto [found, miss] = carried(before, without_sphere(places[v].in(seen.state)));
       if (!(miss < 0.5 * misses[v])) continue;
       misses[v] = miss;
@@ -133,6 +152,10 @@ std::vector<TurnedVariable> carried_variables(const Specimen& specimen, const Lo
       all[v].times = found.times;
       all[v].is_stress = before.is_tensor() && proportional(whole.value(), held.cauchy);
     }
+  }
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    const bool judged = seen_at_all[v] && is_read(specimen, from, s, places[v]);
+    if (!judged) all[v].how = Turned::rightly;
   }
   return all;
 }

@@ -10,7 +10,16 @@ namespace assay::check_tests {
 
 namespace {
 
-enum Defect : int { none, energy_of_undamaged, heals, static_maximum, divides_by_energy, defects };
+enum Defect : int {
+  none,
+  energy_of_undamaged,
+  heals,
+  static_maximum,
+  divides_by_energy,
+  refuses_rest,
+  without_stress,
+  defects
+};
 
 struct Damage {
   static constexpr std::size_t state_size = 1;  // largest energy
@@ -33,6 +42,8 @@ struct Damage {
     const double J = F.determinant();
     if (!(J > 0)) return std::nullopt;
     const double W = undamaged(F);
+    if (defect == refuses_rest && W == 0) return std::nullopt;
+    if (defect == without_stress) return Tensor(Tensor::Zero());
     double largest = std::max(W, state0[0]);
     if (defect == heals) largest = W;
     if (defect == static_maximum) largest = statics.largest = std::max(statics.largest, W);
@@ -79,7 +90,9 @@ std::vector<Subject> damage_subjects() {
        {"energy_of_undamaged", energy_of_undamaged, check::causes::energy},
        {"heals", heals, dissipation},
        {"static_damage", static_maximum, hidden_state},
-       {"divides_by_energy", divides_by_energy, refuses}});
+       {"divides_by_energy", divides_by_energy, not_finite},
+       {"refuses_rest", refuses_rest, refuses},
+       {"damaged_to_nothing", without_stress, no_stress}});
   return all;
 }
 

@@ -94,6 +94,12 @@ std::vector<Subject> incremental_subjects() {
                         {"drops_initial_stress", drops_initial_stress, initial_stress}};
   std::vector<Subject> subjects;
   add(subjects, table(), planted);
+  static const assay_material silent = [] {
+    assay_material t = *table();
+    t.flags &= ~ASSAY_USES_INCREMENT;
+    return t;
+  }();
+  add(subjects, &silent, {{"increments_that_are_not_declared", hughes_winget, undeclared_increment}});
   return subjects;
 }
 

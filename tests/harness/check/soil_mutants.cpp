@@ -160,7 +160,7 @@ std::vector<Subject> soil_subjects() {
        {"half_stress_of_cone", half_initial_stress, initial_stress},
        {"cone_pressed_at_rest", pressed_at_rest, stress_at_rest},
        {"cone_creeps", creeps, drifts},
-       {"divides_by_strain", divides_by_strain, refuses},
+       {"divides_by_strain", divides_by_strain, not_finite},
        {"corrects_the_diagonal", corrects_the_diagonal, shear_factor},
        {"cone_of_nan", swallows_nan, not_a_number}});
   add(all, &soil,

@@ -38,6 +38,10 @@ enum Defect : int {
   doubled_in_part,
   small_strain_in_part,
   thicker_along_an_axis,
+  without_stress,
+  refuses_short_steps,
+  relaxes_by_the_step,
+  negative_viscosity,
   defects
 };
 
@@ -115,12 +119,14 @@ struct Solid {
   }
 
   std::optional<Tensor> take(const PointStep& step, const double* state0, double* state1) {
+    if (defect == refuses_short_steps && step.dt < 1e-5) return std::nullopt;
     const auto [R, strain] = increment_of(step);
     Tensor sigma = elastic(step.F1);
     if (defect == own_clock) sigma *= 1 + 0.05 * std::exp(-step.t);
     for (std::size_t k = 0; k < 2; ++k) {
       const int here = defect == slow_unturned ? (k == 1 ? unturned : none) : defect;
-      const double left = std::exp(-step.dt / time[k]), middle = std::sqrt(left);
+      const double left = std::exp(-(defect == relaxes_by_the_step ? 0.01 : step.dt) / time[k]),
+                   middle = std::sqrt(left);
       const Tensor before = left * read_symmetric(state0 + 6 * k);
       const Tensor own = strain_of_part(defect, step, R, strain);
       const Tensor added = R * (2 * mu * share[k] * middle * deviator(own)) * R.transpose();
@@ -185,6 +191,8 @@ struct Fluid {
     const Tensor d = deviator(defect == full_gradient ? l : Tensor(0.5 * (l + l.transpose())));
     const double rate = std::sqrt(2.0) * d.norm(), eta = viscosity * std::pow(rate * rate + 1e-4, 0.5 * (power - 1));
     Tensor viscous = 2 * eta * d;
+    if (defect == negative_viscosity) viscous *= -1;
+    if (defect == without_stress) return Tensor(Tensor::Zero());
     if (defect == thicker_along_an_axis) viscous *= 1 + 100 * d(0, 0) * d(0, 0);
     if (defect == noise) viscous *= 1 + 0.3 * std::sin(1e9 * step.F1(0, 0));
     if (defect == swapped) viscous = exchanged(viscous);
@@ -252,6 +260,11 @@ std::vector<Subject> viscous_subjects() {
     return t;
   }();
   static const assay_material liquid = table_of<Liquid>("liquid_for_tests", flags, parameters, one);
+  static const assay_material silent = [] {
+    assay_material t = liquid;
+    t.flags &= ~ASSAY_USES_INCREMENT;
+    return t;
+  }();
   static const assay_material fluid = table_of<Fluid>("fluid_for_tests", flags, parameters, {});
   std::vector<Subject> all;
   add(all, &solid, {{"zener", none, ""}}, {{"slow_share", 0}});
@@ -266,6 +279,8 @@ std::vector<Subject> viscous_subjects() {
        {"overstress_of_swapped_strain", swapped_in_part, components_swapped},
        {"overstress_of_doubled_shear", doubled_in_part, shear_factor},
        {"overstress_of_small_strain", small_strain_in_part, small_strain},
+       {"refuses_short_steps", refuses_short_steps, refuses},
+       {"relaxes_by_the_step", relaxes_by_the_step, drifts},
        {"viscous_clock", own_clock, clock},
        {"forgets_at_zero", forgets_at_zero, clock},
        {"viscous_first_call", first_call, hidden_state},
@@ -283,6 +298,7 @@ std::vector<Subject> viscous_subjects() {
        {"liquid_turned_as_strain", turned_as_strain, shear_factor},
        {"swapped_liquid", swapped, components_swapped},
        {"stress_of_the_last_call", of_last_call, hidden_state}});
+  add(all, &silent, {{"liquid_that_says_nothing_of_increments", none, undeclared_increment}});
   add(all, &fluid, {{"power_law", none, ""}}, {{"modulus", 20}, {"share", 0.5}});
   add(all, &fluid,
       {{"newtonian", none, ""},
@@ -290,6 +306,8 @@ std::vector<Subject> viscous_subjects() {
        {"viscous_engineering_shear", doubled_in_state, shear_factor},
        {"gradient_of_reference", plain_gradient, small_strain},
        {"unsymmetric_gradient", full_gradient, not_symmetric},
+       {"fluid_without_stress", without_stress, no_stress},
+       {"negative_viscosity", negative_viscosity, dissipation},
        {"thicker_along_an_axis", thicker_along_an_axis, not_indifferent},
        {"viscous_noise", noise, no_convergence},
        {"fluid_of_nan", swallows_nan, not_a_number}},

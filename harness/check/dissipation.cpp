@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/check/dissipation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "harness/check/derivatives.hpp"
+#include "harness/check/judge.hpp"
+
+namespace assay::check {
+
+namespace {
+
+/// Work on a body along a history from rest [J/m^3].
+class Work {
+ public:
+  Work(const Specimen& specimen, double length) : material_(*specimen.material), length_(length) {
+    now_.state = specimen.rest_state();
+  }
+
+  /// A step of the history to F1, `length` long [s].
+  void step(const Tensor& F1) {
+    now_ = stepped(material_, t_, length_, F0_, F1, now_.state);
+    const Tensor P1 = first_piola_kirchhoff(now_.cauchy, F1);
+    const double work = 0.5 * (P0_ + P1).cwiseProduct(F1 - F0_).sum();
+    done_ += work;
+    paid_ += std::abs(work);
+    F0_ = F1, P0_ = P1, t_ += length_;
+  }
+
+  double done() const { return done_; }
+  double paid() const { return paid_; }  ///< and returned, both counted as positive
+  const std::vector<double>& state() const { return now_.state; }
+
+ private:
+  const Material& material_;
+  double length_, t_ = 0, done_ = 0, paid_ = 0;
+  Point now_;
+  Tensor F0_ = Tensor::Identity(), P0_ = Tensor::Zero();
+};
+
+/// The most that comes back of what was lost, over the work: what is stored is known.
+double out_of_what_was_lost(const Specimen& specimen, const assay_energy& form) {
+  const Material& material = *specimen.material;
+  const int steps = 4 * specimen.steps();
+  Work work(specimen, 1.0 / steps);
+  const double stored_at_rest = stored_energy(material, form, Tensor::Identity(), work.state());
+  double lost = 0, peak = 0, worst = 0;
+  for (int k = 0; k < steps; ++k) {
+    const Tensor F = stretch(specimen.amplitude, (k + 1.0) / steps);
+    work.step(F);
+    lost = work.done() - (stored_energy(material, form, F, work.state()) - stored_at_rest);
+    peak = std::max(peak, lost);
+    worst = std::max(worst, peak - lost);
+  }
+  return std::isfinite(lost) ? worst / std::max(work.paid(), specimen.least_stress() * specimen.amplitude) : INFINITY;
+}
+
+/// From rest, where nothing is stored, out and back the same way in a time [s]: the most that comes out of it at any
+/// instant, over the work.
+double out_of_rest(const Specimen& specimen, int steps, double time) {
+  Work work(specimen, 0.5 * time / steps);
+  double least = 0;
+  for (int k = 1; k <= 2 * steps; ++k) {
+    const double there = 1 - std::abs(1 - static_cast<double>(k) / steps);
+    work.step(stretch(specimen.amplitude, 0.4 * there));
+    least = std::min(least, work.done());
+  }
+  const double share = -least / std::max(work.paid(), specimen.least_stress() * specimen.amplitude);
+  return std::isfinite(share) ? share : INFINITY;
+}
+
+TestResult judged(double worst, double most, const std::string& words) {
+  TestResult result{.id = "dissipation", .measure = worst, .threshold = most};
+  result.verdict = worst <= most ? Verdict::pass : Verdict::fail;
+  result.sentence = worst <= most ? "work is stored or lost, and none comes out of nothing"
+                                  : percent(worst) + " of the work comes out of nothing" + words;
+  if (worst > most) result.cause = causes::dissipation;
+  return result;
+}
+
+}  // namespace
+
+TestResult dissipation(const Specimen& specimen) {
+  constexpr double of_energy = 1e-3;  // what steps of finite length leave
+  constexpr double of_history = 0.15;  // laws of damage may be generous; a wrong sign gives most of the work
+  const auto* form = specimen.material->extension<assay_energy>(ASSAY_EXTENSION_ENERGY);
+  if (form) {
+    const TestResult result = judged(out_of_what_was_lost(specimen, *form), of_energy, "");
+    if (result.verdict == Verdict::fail) return result;
+  }
+  if (specimen.pressure > 0) {
+    return {.id = "dissipation",
+            .verdict = form ? Verdict::pass : Verdict::not_applicable,
+            .sentence = "the model offers no energy, and stores some at rest: under pressure"};
+  }
+  double worst = 0;
+  const auto times = specimen.rate_dependent() ? std::vector{1.0, 1e-3, 1e3} : std::vector{1.0};
+  for (const double time : times) {
+    const int steps = specimen.steps();
+    const double coarse = out_of_rest(specimen, steps, time);
+    if (coarse > worst) worst = std::max(worst, std::min(coarse, out_of_rest(specimen, 2 * steps, time)));
+  }
+  return judged(worst, of_history, ": from rest and back there");
+}
+
+}  // namespace assay::check
