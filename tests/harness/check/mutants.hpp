@@ -26,6 +26,7 @@ std::vector<Subject> total_subjects();
 
 /// A generalised Maxwell solid, a Maxwell liquid, a Newtonian fluid; and their mutants.
 std::vector<Subject> viscous_subjects();
+std::vector<Subject> fluid_subjects();
 
 /// A cone with an apex, and a soil that needs an initial pressure; and their mutants.
 std::vector<Subject> soil_subjects();

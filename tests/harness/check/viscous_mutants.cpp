@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What depends on the rate: a generalised Maxwell solid with two overstresses in its state, a Maxwell liquid whose
-// state is its stress, and a fluid without a state; a parameter plants one defect.
+// What relaxes: a generalised Maxwell solid with two overstresses in its state, and a Maxwell liquid whose state is its
+// stress; a parameter plants one defect.
 #include <algorithm>
 
 #include "harness/check/battery.hpp"
@@ -30,18 +30,11 @@ enum Defect : int {
   kirchhoff_tangent,
   tangent_of_solid,
   small_strain_solid,
-  plain_gradient,
-  full_gradient,
-  noise,
-  swallows_nan,
   swapped_in_part,
   doubled_in_part,
   small_strain_in_part,
-  thicker_along_an_axis,
-  without_stress,
   refuses_short_steps,
   relaxes_by_the_step,
-  negative_viscosity,
   defects
 };
 
@@ -174,37 +167,6 @@ struct Liquid {
   void misbehave(std::size_t, double*, double*) const {}
 };
 
-/// A compressible fluid, Newtonian or of a power law.
-struct Fluid {
-  static constexpr std::size_t state_size = 0;
-  double viscosity, bulk, power;
-  int defect;
-
-  explicit Fluid(const double* p) : viscosity(p[0]), bulk(p[1]), power(p[2]), defect(static_cast<int>(p[6])) {}
-
-  std::optional<Tensor> take(const PointStep& step, const double*, double*) const {
-    const double J = step.F1.determinant();
-    const bool number = step.F1.allFinite();
-    if (!(J > 0) && !(defect == swallows_nan && !number)) return std::nullopt;
-    const Tensor slope = (step.F1 - step.F0) / step.dt;
-    const Tensor l = defect == plain_gradient ? slope : Tensor(slope * (0.5 * (step.F0 + step.F1)).inverse());
-    const Tensor d = deviator(defect == full_gradient ? l : Tensor(0.5 * (l + l.transpose())));
-    const double rate = std::sqrt(2.0) * d.norm(), eta = viscosity * std::pow(rate * rate + 1e-4, 0.5 * (power - 1));
-    Tensor viscous = 2 * eta * d;
-    if (defect == negative_viscosity) viscous *= -1;
-    if (defect == without_stress) return Tensor(Tensor::Zero());
-    if (defect == thicker_along_an_axis) viscous *= 1 + 100 * d(0, 0) * d(0, 0);
-    if (defect == noise) viscous *= 1 + 0.3 * std::sin(1e9 * step.F1(0, 0));
-    if (defect == swapped) viscous = exchanged(viscous);
-    if (defect == doubled_in_state) viscous = sheared(viscous, 2);
-    if (defect == swallows_nan && !number) return Tensor(Tensor::Zero());
-    return bulk * std::log(J) * Tensor::Identity() + viscous;
-  }
-
-  bool rest(const Tensor&, double*) const { return true; }
-  void misbehave(std::size_t, double*, double*) const {}
-};
-
 /// d sigma / d F1 by differences of fourth order.
 std::int32_t tangent(void* self, const assay_step* step, std::size_t n, const double* state0, double* out) {
   auto& model = *static_cast<Solid*>(self);
@@ -245,13 +207,11 @@ constexpr assay_state_variable overstress{"overstress", "Pa", ASSAY_SYMMETRIC_TE
 
 std::vector<Subject> viscous_subjects() {
   using namespace check::causes;
-  static const assay_parameter parameters[] = {{"modulus", "Pa", 400, 0, 1e12, "of shear; viscosity of a fluid"},
-                                               {"bulk", "Pa", 900, 0, 1e12, "modulus"},
-                                               {"share", "1", 1, 0, 1e3, "of the overstress; power of a fluid"},
-                                               {"slow_share", "1", 0.7, 0, 1e3, "of the slow one"},
-                                               {"time", "s", 0.3, 0, 1e12, "of relaxation"},
-                                               {"slow_time", "s", 5, 0, 1e12, "of the slow one"},
-                                               {"defect", "1", 0, 0, defects - 1, "which"}};
+  static const assay_parameter parameters[] = {
+      {"modulus", "Pa", 400, 0, 1e12, "of shear"},    {"bulk", "Pa", 900, 0, 1e12, "modulus"},
+      {"share", "1", 1, 0, 1e3, "of the overstress"}, {"slow_share", "1", 0.7, 0, 1e3, "of the slow one"},
+      {"time", "s", 0.3, 0, 1e12, "of relaxation"},   {"slow_time", "s", 5, 0, 1e12, "of the slow one"},
+      {"defect", "1", 0, 0, defects - 1, "which"}};
   static const assay_state_variable two[] = {overstress, slow}, one[] = {stress};
   constexpr std::uint32_t flags = ASSAY_RATE_DEPENDENT | ASSAY_USES_INCREMENT;
   static const assay_material solid = [] {
@@ -265,7 +225,6 @@ std::vector<Subject> viscous_subjects() {
     t.flags &= ~ASSAY_USES_INCREMENT;
     return t;
   }();
-  static const assay_material fluid = table_of<Fluid>("fluid_for_tests", flags, parameters, {});
   std::vector<Subject> all;
   add(all, &solid, {{"zener", none, ""}}, {{"slow_share", 0}});
   add(all, &solid,
@@ -299,19 +258,6 @@ std::vector<Subject> viscous_subjects() {
        {"swapped_liquid", swapped, components_swapped},
        {"stress_of_the_last_call", of_last_call, hidden_state}});
   add(all, &silent, {{"liquid_that_says_nothing_of_increments", none, undeclared_increment}});
-  add(all, &fluid, {{"power_law", none, ""}}, {{"modulus", 20}, {"share", 0.5}});
-  add(all, &fluid,
-      {{"newtonian", none, ""},
-       {"swapped_viscous_stress", swapped, components_swapped},
-       {"viscous_engineering_shear", doubled_in_state, shear_factor},
-       {"gradient_of_reference", plain_gradient, small_strain},
-       {"unsymmetric_gradient", full_gradient, not_symmetric},
-       {"fluid_without_stress", without_stress, no_stress},
-       {"negative_viscosity", negative_viscosity, dissipation},
-       {"thicker_along_an_axis", thicker_along_an_axis, not_indifferent},
-       {"viscous_noise", noise, no_convergence},
-       {"fluid_of_nan", swallows_nan, not_a_number}},
-      {{"modulus", 20}, {"share", 1}});
   return all;
 }
 
