@@ -83,11 +83,11 @@ TestResult judged(double worst, double most, const std::string& words) {
 }  // namespace
 
 TestResult dissipation(const Specimen& specimen) {
-  constexpr double of_energy = 1e-3;  // what steps of finite length leave
+  constexpr double of_energy = 1e-3;   // what steps of finite length leave
   constexpr double of_history = 0.15;  // laws of damage may be generous; a wrong sign gives most of the work
   const auto* form = specimen.material->extension<assay_energy>(ASSAY_EXTENSION_ENERGY);
   if (form) {
-    const TestResult result = judged(out_of_what_was_lost(specimen, *form), of_energy, "");
+    TestResult result = judged(out_of_what_was_lost(specimen, *form), of_energy, "");
     if (result.verdict == Verdict::fail) return result;
   }
   if (specimen.pressure > 0) {
