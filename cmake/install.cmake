@@ -9,6 +9,7 @@ set(materials_dir ${CMAKE_INSTALL_LIBDIR}/assay/materials)
 set(example_dir ${CMAKE_INSTALL_DOCDIR}/examples/neo_hookean)
 
 install(TARGETS ${material_plugins} LIBRARY DESTINATION ${materials_dir})
+install(TARGETS assay_abaqus LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/assay)
 install(FILES harness/assay_material.h DESTINATION ${include_dir}/harness)
 install(FILES docs/assay.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES LICENSE THIRD_PARTY.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -65,8 +65,7 @@ ResolvedMaterial material_to_check(const CheckOptions& options) {
 ResolvedMaterial registered_material(const std::string& name, const std::map<std::string, double>& given) {
   const MaterialSource source = find_material(name, {}, "");
   const assay_material& table = *source.table;
-  const auto* example =
-      table.extension ? static_cast<const assay_example*>(table.extension(ASSAY_EXTENSION_EXAMPLE)) : nullptr;
+  const auto* example = static_cast<const assay_example*>(extension_of(&table, ASSAY_EXTENSION_EXAMPLE));
   MaterialChoice choice;
   choice.adapter = name;
   choice.density = source.density.value_or(1);

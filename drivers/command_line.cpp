@@ -13,6 +13,7 @@
 #include "drivers/interrupt.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/verb_arguments.hpp"
+#include "drivers/worker.hpp"
 
 namespace assay::drivers {
 
@@ -107,6 +108,7 @@ int complain(int status, const std::string& line) {
 }  // namespace
 
 int command_line(int argc, const char* const* argv) noexcept {
+  if (is_worker(argc, argv)) return worker();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of write()
   try {
     const ExitGuard guard;

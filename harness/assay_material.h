@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The assay material ABI, version 1.0: the only header that a plug-in needs.
+/* The assay material ABI, version 1.1: the only header that a plug-in needs.
  *
  * A plug-in is a shared library that exports one symbol, `assay_material_entry`. It returns tables of metadata and
  * functions. Pure C11; also compiles as C++17 and C++20. SI units throughout.
@@ -21,7 +21,7 @@ extern "C" {
 #endif
 
 #define ASSAY_ABI_MAJOR 1
-#define ASSAY_ABI_MINOR 0
+#define ASSAY_ABI_MINOR 1
 #define ASSAY_BATCH_MAX 4096
 #define ASSAY_MESSAGE_SIZE 512
 #define ASSAY_ENTRY_SYMBOL "assay_material_entry"
@@ -117,6 +117,11 @@ typedef struct assay_material {
 
   /* Optional abilities by name, null where absent; may itself be null. */
   const void *(*extension)(const char *id);
+
+  /* Since 1.1. For libraries that build their tables at run time: as `create` and `extension`, with the table that was
+   * asked for, which may be the first member of a larger struct. May be null; called in place of those where not. */
+  void *(*create_of)(const struct assay_material *table, const double *parameters, char *message);
+  const void *(*extension_of)(const struct assay_material *table, const char *id);
 } assay_material;
 
 /* index counts the tables of a library from 0; null past the last, or where host_major is not served. */
@@ -167,6 +172,14 @@ typedef struct assay_closed_form {
   uint32_t struct_size;
   int32_t (*tau)(void *self, int32_t baseline, size_t n, const double *eps, double *tau, double *dtau_deps);
 } assay_closed_form;
+
+/* Why the last call of `initial_state` on `self`, or of an extension, returned ASSAY_FAILED: one sentence, empty where
+ * there is none; valid until the next call on `self`. */
+#define ASSAY_EXTENSION_REASON "assay.reason/1"
+typedef struct assay_reason {
+  uint32_t struct_size;
+  const char *(*reason)(void *self);
+} assay_reason;
 
 /* Values of all parameters, in declared order, at which the model shows what it does (yields, relaxes, breaks): for
  * whoever tries a model whose parameters have no default. */

@@ -3,14 +3,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <cstddef>
 
 namespace assay {
 
 namespace {
 
-/// The 1.0 table; later members may be absent from an older plug-in.
-constexpr std::uint32_t smallest_table = sizeof(assay_material);
+/// The 1.0 table; later members are absent from an older plug-in.
+constexpr std::uint32_t smallest_table = offsetof(assay_material, create_of);
+
+/// A foreign message on one line; null: none.
+std::string one_line_of(const char* message) {
+  std::string line = message ? message : "";
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
+  return line;
+}
+
+/// The functions that came with 1.1.
+bool has_second_part(const assay_material& table) { return table.struct_size >= sizeof(assay_material); }
+bool has_create_of(const assay_material& table) { return has_second_part(table) && table.create_of; }
 
 std::string known_parameters(const assay_material& table) {
   std::string known;
@@ -58,6 +70,15 @@ std::vector<double> in_declared_order(const assay_material& table, const std::ma
 
 }  // namespace
 
+void* create_instance(const assay_material* table, const double* parameters, char* message) {
+  return has_create_of(*table) ? table->create_of(table, parameters, message) : table->create(parameters, message);
+}
+
+const void* extension_of(const assay_material* table, const char* id) {
+  if (has_second_part(*table) && table->extension_of) return table->extension_of(table, id);
+  return table->extension ? table->extension(id) : nullptr;
+}
+
 int components_of_kind(std::int32_t kind) {
   switch (kind) {
     case ASSAY_SCALAR:
@@ -83,7 +104,8 @@ std::optional<std::string> defect_of(const assay_material* table) {
            std::to_string(smallest_table);
   }
   if (!table->name || !*table->name) return "its table has no name";
-  if (!table->create || !table->destroy || !table->update) return "its table lacks create, destroy or update";
+  if ((!table->create && !has_create_of(*table)) || !table->destroy || !table->update)
+    return "its table lacks create, destroy or update";
   if (table->parameter_count && !table->parameters) return "it declares parameters but gives none";
   if (table->state_count && (!table->state || !table->initial_state)) {
     return "it declares state variables but gives no description or no initial_state";
@@ -111,7 +133,7 @@ Material::Material(const assay_material* table, InDeclaredOrder parameters)
     state_size_ += static_cast<std::size_t>(components_of_kind(table->state[i].kind));
   }
   char message[ASSAY_MESSAGE_SIZE] = "";
-  self_.reset(table->create(parameters_.data(), message));
+  self_.reset(create_instance(table, parameters_.data(), message));
   message[ASSAY_MESSAGE_SIZE - 1] = '\0';
   if (!self_) {
     throw std::runtime_error("material '" + name() + "' could not be created" +
@@ -133,7 +155,10 @@ std::vector<double> Material::initial_state(std::size_t n, std::span<const doubl
   const std::vector<double> none(cauchy.empty() ? 9 * n : 0, 0.0);
   const double* stress = cauchy.empty() ? none.data() : cauchy.data();
   if (table_->initial_state(self_.get(), n, stress, state.data()) == ASSAY_FAILED) {
-    throw std::runtime_error("material '" + name() + "' refuses the initial stress");
+    const auto* reasons = extension<assay_reason>(ASSAY_EXTENSION_REASON);
+    const std::string reason = reasons ? one_line_of(reasons->reason(self_.get())) : "";
+    throw std::runtime_error("material '" + name() + "' refuses the initial stress" +
+                             (reason.empty() ? "" : ": " + reason));
   }
   std::size_t offset = 0;
   for (std::uint32_t i = 0; i < table_->state_count; ++i) {
@@ -171,13 +196,9 @@ std::size_t first_not_finite(const double* values, std::size_t components, std::
   return n;
 }
 
-/// A foreign message on one line.
 std::string message_text(char* message) {
   message[ASSAY_MESSAGE_SIZE - 1] = '\0';
-  for (char* at = message; *at; ++at) {
-    if (static_cast<unsigned char>(*at) < ' ') *at = ' ';
-  }
-  return message[0] ? message : "the material refused the step";
+  return message[0] ? one_line_of(message) : "the material refused the step";
 }
 
 }  // namespace

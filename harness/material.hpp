@@ -30,6 +30,12 @@ class ParameterError : public std::runtime_error {
 /// Why a table must be refused (other ABI major, struct too small, a missing function ...), in one sentence.
 std::optional<std::string> defect_of(const assay_material* table);
 
+/// An instance by `create_of`, or by `create` where the table has no other. Null on failure.
+void* create_instance(const assay_material* table, const double* parameters, char* message);
+
+/// An extension's table by `extension_of`, or by `extension` where the table has no other. Null where there is none.
+const void* extension_of(const assay_material* table, const char* id);
+
 /// What `update` said of a batch.
 struct UpdateReport {
   int worst = ASSAY_GOOD;       ///< of the batch; a stress that is not finite counts as ASSAY_FAILED
@@ -72,7 +78,7 @@ class Material {
   /// An extension's table, null where the material has none (or one that is too short).
   template <class Extension>
   const Extension* extension(const char* id) const {
-    const void* found = table_->extension ? table_->extension(id) : nullptr;
+    const void* found = extension_of(table_, id);
     const auto* typed = static_cast<const Extension*>(found);
     return typed && typed->struct_size >= sizeof(Extension) ? typed : nullptr;
   }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -59,18 +60,23 @@ inline constexpr int stress_components = Dim == 2 ? 5 : 9;
 /// Component-major storage of one column: component c of particle p is data()[c * n + p].
 class ColumnData {
  public:
-  void allocate(std::size_t particles, int components) {
+  /// In memory of its own, or where `memory` gives some, zero and as long-lived as this.
+  void allocate(std::size_t particles, int components, const std::function<double*(std::size_t)>& memory = {}) {
     particles_ = particles;
-    data_.assign(particles * static_cast<std::size_t>(components), 0.0);
+    size_ = particles * static_cast<std::size_t>(components);
+    own_.assign(memory ? 0 : size_, 0.0);
+    data_ = memory ? memory(size_) : own_.data();
   }
-  double* component(int c) { return data_.data() + static_cast<std::size_t>(c) * particles_; }
-  const double* component(int c) const { return data_.data() + static_cast<std::size_t>(c) * particles_; }
-  bool empty() const { return data_.empty(); }
-  std::size_t bytes() const { return data_.size() * sizeof(double); }
+  double* component(int c) { return data_ + static_cast<std::size_t>(c) * particles_; }
+  const double* component(int c) const { return data_ + static_cast<std::size_t>(c) * particles_; }
+  double* data() { return data_; }
+  bool empty() const { return size_ == 0; }
+  std::size_t bytes() const { return size_ * sizeof(double); }
 
  private:
-  std::size_t particles_ = 0;
-  std::vector<double> data_;
+  std::size_t particles_ = 0, size_ = 0;
+  std::vector<double> own_;
+  double* data_ = nullptr;
 };
 
 }  // namespace assay::mpm

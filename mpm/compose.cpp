@@ -32,7 +32,7 @@ auto with_basis(Basis basis, const Visitor& visit) {
 
 template <int Dim>
 Pass<Dim> stress_of(const Setup<Dim>& setup) {
-  return stress_pass<Dim>(setup.material->state_size() > 0, setup.material->has(ASSAY_USES_INCREMENT));
+  return stress_pass<Dim>(setup.material->state_size() > 0);
 }
 
 /// The order of the passes in each update scheme.

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The material's border: columns of particles to batches of the ABI and back.
+// The particles' side of the stress pass: instances of the material, its state at rest, blocks on several threads.
 #pragma once
 
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "mpm/pass.hpp"
+#include "mpm/stress_blocks.hpp"
 
 namespace assay::mpm {
 
@@ -14,32 +13,21 @@ namespace assay::mpm {
 template <int Dim>
 class MaterialBatches {
  public:
-  MaterialBatches(State<Dim>& state, bool reads_increment);
-
-  struct Outcome {
-    std::optional<std::size_t> inverted;  ///< first particle with det F <= 0 (or no number)
-    std::optional<std::size_t> refused;   ///< first particle that the material refused
-    std::string message;
-    std::optional<FailedStep> step;  ///< with which it was refused
-  };
+  explicit MaterialBatches(State<Dim>& state);
 
   /// F <- (I + dt L) F and the stress of the particles of one block. Safe for different blocks at once.
-  Outcome update(std::size_t begin, std::size_t end, const Instant& now);
+  BlockOutcome update(std::size_t begin, std::size_t end, const Instant& now);
+
+  /// The same of all particles, by the setup's offload where it has one: what went wrong first, if anything did.
+  BlockOutcome update_all(const Instant& now);
 
  private:
-  struct Scratch {
-    std::vector<double> F0, F1, cauchy;
-    std::size_t points = 0;
-    void resize(std::size_t n);
-  };
   std::vector<double> directions(std::size_t begin, std::size_t n) const;
-  std::optional<std::size_t> advance_deformation(std::size_t begin, std::size_t n, double dt, Scratch& scratch);
 
   State<Dim>* state_;
-  bool reads_increment_;
-  std::vector<Material> instances_;  ///< one, or one a thread
-  std::vector<Scratch> scratch_;     ///< one a thread
-  std::size_t state_size_ = 0;
+  StressColumns<Dim> columns_;
+  std::vector<Material> instances_;         ///< one, or one a thread
+  std::vector<BlockScratch<Dim>> scratch_;  ///< one a thread
 };
 
 /// Bytes of history a particle: begin and end of the step.

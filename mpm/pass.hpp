@@ -7,14 +7,10 @@
 #include <vector>
 
 #include "mpm/columns.hpp"
+#include "mpm/instant.hpp"
 #include "mpm/state.hpp"
 
 namespace assay::mpm {
-
-struct Instant {
-  double t = 0;   ///< at the beginning of the step [s]
-  double dt = 0;  ///< [s]
-};
 
 /// What is known of a pass without running it.
 struct PassInfo {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 
 #include "harness/domain_average.hpp"
 #include "harness/frame_force.hpp"
@@ -83,7 +82,7 @@ Pass<Dim> moving_frame_pass(Evaluation evaluation) {
 }
 
 template <int Dim>
-Pass<Dim> stress_pass(bool with_history, bool reads_increment) {
+Pass<Dim> stress_pass(bool with_history) {
   Pass<Dim> pass;
   pass.name = "stress";
   pass.doc = "deformation gradient from L, Cauchy stress from the material";
@@ -94,28 +93,16 @@ Pass<Dim> stress_pass(bool with_history, bool reads_increment) {
     pass.reads.push_back(Column::history);
     pass.writes.push_back(Column::history);
   }
-  pass.bind = [reads_increment](State<Dim>& s) -> Kernel {
-    auto materials = std::make_shared<MaterialBatches<Dim>>(s, reads_increment);
+  pass.bind = [](State<Dim>& s) -> Kernel {
+    auto materials = std::make_shared<MaterialBatches<Dim>>(s);
     return [&s, materials](const Instant& now) {
-      FirstBad inverted, refused;
-      std::mutex message_guard;
-      std::size_t first = ~std::size_t{0};
-      typename MaterialBatches<Dim>::Outcome first_refusal;
-      for_blocks(s.particles, s.setup.threads, [&](std::size_t begin, std::size_t end) {
-        const auto outcome = materials->update(begin, end, now);
-        if (outcome.inverted) inverted.report(*outcome.inverted);
-        if (!outcome.refused) return;
-        refused.report(*outcome.refused);
-        const std::lock_guard lock(message_guard);
-        if (*outcome.refused < first) first = *outcome.refused, first_refusal = outcome;
-      });
+      BlockOutcome outcome = materials->update_all(now);
       s.material_calls += static_cast<std::int64_t>(s.particles);
-      const auto p = inverted.found(), q = refused.found();
-      if (p && (!q || *p < *q)) {
-        s.finding = Finding{Finding::Kind::unstable, "det F <= 0", static_cast<std::int64_t>(*p)};
-      } else if (q) {
-        s.finding = Finding{Finding::Kind::material_failed, first_refusal.message, static_cast<std::int64_t>(*q),
-                            first_refusal.step};
+      if (outcome.inverted) {
+        s.finding = Finding{Finding::Kind::unstable, "det F <= 0", static_cast<std::int64_t>(*outcome.inverted)};
+      } else if (outcome.refused) {
+        s.finding = Finding{Finding::Kind::material_failed, outcome.message,
+                            static_cast<std::int64_t>(*outcome.refused), std::move(outcome.step)};
       }
     };
   };
@@ -191,8 +178,8 @@ Pass<Dim> accounts_pass(bool with_body_force) {
 // The vortex's body force lives in the plane; three dimensions serve the property tests of transfer and stress.
 template Pass<2> body_force_pass<2>(Evaluation);
 template Pass<2> moving_frame_pass<2>(Evaluation);
-template Pass<2> stress_pass<2>(bool, bool);
-template Pass<3> stress_pass<3>(bool, bool);
+template Pass<2> stress_pass<2>(bool);
+template Pass<3> stress_pass<3>(bool);
 template Pass<2> accounts_pass<2>(bool);
 template Pass<3> accounts_pass<3>(bool);
 

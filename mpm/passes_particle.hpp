@@ -17,7 +17,7 @@ Pass<Dim> moving_frame_pass(Evaluation evaluation);
 
 /// F <- (I + dt L) F, then the material's update in batches; finds det F <= 0 and failed points.
 template <int Dim>
-Pass<Dim> stress_pass(bool with_history, bool reads_increment);
+Pass<Dim> stress_pass(bool with_history);
 
 /// Impulse of the body force, work of the stress; mass on the grid against mass of the particles.
 template <int Dim>

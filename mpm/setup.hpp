@@ -14,6 +14,7 @@
 #include "harness/motion.hpp"
 #include "harness/reference_domain.hpp"
 #include "mpm/method.hpp"
+#include "mpm/offload.hpp"
 
 namespace assay::mpm {
 
@@ -76,6 +77,7 @@ struct Setup {
   bool hold_outside = false;                 ///< nodes and particles outside the vortex's ring are held
   bool accounts = false;                     ///< momentum and energy accounts
   int threads = 1;
+  std::shared_ptr<const Offload> offload;  ///< of the stress pass; null: in this process. In two dimensions
 };
 
 }  // namespace assay::mpm

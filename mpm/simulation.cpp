@@ -39,11 +39,15 @@ void Simulation<Dim>::allocate(const std::vector<Pass<Dim>>& passes) {
   State<Dim>& s = state_;
   for (const ColumnUse& use : columns_of(passes, s.setup)) {
     if (use.column == Column::weights) continue;  // the basis keeps them
+    const bool shared = use.column == Column::history || use.column == Column::deformation_gradient ||
+                        use.column == Column::velocity_gradient || use.column == Column::stress;
+    const auto memory = shared && s.setup.offload ? s.setup.offload->allocate : nullptr;
     if (use.column == Column::history) {
-      for (auto& half : s.history) half.assign(s.particles * s.setup.material->state_size(), 0.0);
+      for (auto& half : s.history) half.allocate(s.particles, static_cast<int>(s.setup.material->state_size()), memory);
       continue;
     }
-    s.columns[static_cast<std::size_t>(use.column)].allocate(s.particles, static_cast<int>(use.bytes / sizeof(double)));
+    s.columns[static_cast<std::size_t>(use.column)].allocate(s.particles, static_cast<int>(use.bytes / sizeof(double)),
+                                                             memory);
   }
   const std::size_t nodes = s.setup.grid.nodes();
   s.inertia.allocate(nodes);

@@ -44,8 +44,8 @@ struct State {
   GridField<2 * Dim> motion;      ///< velocity, acceleration
   std::vector<double> held_mass;  ///< of particles that never move, a node; empty where nothing is held
   std::vector<std::uint32_t> held_nodes;
-  std::array<std::vector<double>, 2> history;  ///< material state by block, [c * n + p]: begin and end of the step
-  std::shared_ptr<void> basis;                 ///< the weights of all particles; its type is known to the passes
+  std::array<ColumnData, 2> history;  ///< material state by block, [c * n + p]: begin and end of the step
+  std::shared_ptr<void> basis;        ///< the weights of all particles; its type is known to the passes
   std::optional<Finding> finding;
   Ledger ledger;
   std::int64_t material_calls = 0;  ///< points updated

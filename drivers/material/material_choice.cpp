@@ -44,8 +44,9 @@ Material created(const MaterialChoice& choice, const MaterialSource& source) {
 }  // namespace
 
 ResolvedMaterial resolve_material(const MaterialChoice& given) {
-  const MaterialSource source = find_material(given.adapter, given.where, "material.adapter");
+  const MaterialSource source = find_material(given.adapter, given.where, "material.adapter", given.isolation);
   MaterialChoice choice = given;
+  choice.isolation = source.isolation;
   choice.parameters.insert(source.parameters.begin(), source.parameters.end());  // the scene's own stay
   if (!(choice.density > 0)) {
     if (!source.density) {

@@ -1,26 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/material/material_description.hpp"
 
+#include <cctype>
 #include <filesystem>
 
+#include "drivers/material/foreign_description.hpp"
 #include "drivers/material/material_path.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/scene/yaml_values.hpp"
 
 namespace assay::drivers {
 
-MaterialDescription read_description(const std::string& file) {
-  const Tree root = read_yaml(read_bytes(file), file);
-  const std::vector<std::string> known{"library", "name", "interface", "parameters", "density"};
+namespace {
+
+/// native, umat, ...; the keys that it takes are the only ones.
+std::string interface_of(const Tree& root) {
+  std::vector<std::string> known{"library", "name", "interface", "density"};
   require_map(root, "", joined(known));
+  const Tree* tree = root.find("interface");
+  const std::string interface = tree ? choice_value(*tree, "interface", interface_names()) : "native";
+  const std::vector<std::string> native{"parameters"}, &more = interface == "native" ? native : foreign_keys();
+  known.insert(known.end(), more.begin(), more.end());
   refuse_unknown_keys(root, "", known);
+  return interface;
+}
+
+/// A file's name as the name of a table: "My-Clay.yaml" is my_clay.
+std::string name_of_file(const std::string& file) {
+  std::string name = std::filesystem::path(file).stem().string();
+  for (char& c : name) {
+    const auto u = static_cast<unsigned char>(c);
+    c = std::isalnum(u) ? static_cast<char>(std::tolower(u)) : '_';
+  }
+  return name;
+}
+
+}  // namespace
+
+MaterialDescription read_description(const std::string& file) { return read_description(read_bytes(file), file); }
+
+MaterialDescription read_description(const std::string& text, const std::string& file) {
+  const Tree root = read_yaml(text, file);
+  const std::string interface = interface_of(root);
   MaterialDescription description;
   const Tree* library = root.find("library");
-  if (!library) throw InputError(root.where, "library", "required and not given", joined(known));
+  if (!library) throw InputError(root.where, "library", "required and not given");
   const std::filesystem::path path = text_value(*library, "library");
   description.library = absolute_path(std::filesystem::path(file).parent_path() / path);
   description.library_where = description.name_where = library->where;
-  if (const Tree* interface = root.find("interface")) choice_value(*interface, "interface", {"native"});
   if (const Tree* name = root.find("name")) {
     description.name = text_value(*name, "name");
     description.name_where = name->where;
@@ -36,13 +63,17 @@ MaterialDescription read_description(const std::string& file) {
   if (const Tree* density = root.find("density")) {
     description.density = number_value(*density, "density", {.lower = 0, .lower_open = true});
   }
+  if (interface != "native") {
+    if (description.name.empty()) description.name = name_of_file(file);
+    description.foreign = read_foreign(root, interface, description.library, description.name, description.key_where);
+  }
   return description;
 }
 
 std::string description_yaml(const MaterialDescription& description) {
   std::string text = "library: " + yaml_scalar(description.library) + "\n";
   if (!description.name.empty()) text += "name: " + yaml_scalar(description.name) + "\n";
-  text += "interface: native\n";
+  text += description.foreign ? foreign_yaml(*description.foreign) : "interface: native\n";
   if (!description.parameters.empty()) text += "parameters:\n";
   for (const auto& [name, value] : description.parameters) {
     text += "  " + yaml_scalar(name) + ": " + number_text(value) + "\n";

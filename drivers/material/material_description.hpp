@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The YAML description of a library's material: {library, name, interface, parameters, density}.
+// The YAML description of a library's material: {library, name, interface, parameters, density}, and what a foreign
+// interface does not say of itself.
 #pragma once
 
 #include <map>
 #include <optional>
 #include <string>
 
+#include "adapters/foreign/foreign_model.hpp"
 #include "drivers/input_error.hpp"
 
 namespace assay::drivers {
@@ -17,10 +19,14 @@ struct MaterialDescription {
   std::optional<double> density;             ///< rho0 [kg/m^3]
   Location library_where, name_where;
   std::map<std::string, Location> parameter_where;
+  std::optional<adapters::ForeignModel> foreign;  ///< of interfaces other than the native one
+  std::map<std::string, Location> key_where;      ///< places of its keys
+  std::string library_key = "library";            ///< the key that named the library, for messages
 };
 
 /// Strict. `library` is relative to the file's folder. Throws InputError.
 MaterialDescription read_description(const std::string& file);
+MaterialDescription read_description(const std::string& text, const std::string& file);
 
 /// YAML text that reads back to the same description.
 std::string description_yaml(const MaterialDescription& description);

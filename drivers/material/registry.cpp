@@ -7,9 +7,9 @@
 #include <set>
 
 #include "adapters/builtin.hpp"
-#include "adapters/library.hpp"
 #include "drivers/material/material_description.hpp"
 #include "drivers/material/material_path.hpp"
+#include "drivers/material/material_table.hpp"
 
 namespace assay::drivers {
 
@@ -33,39 +33,26 @@ std::vector<std::string> search_folders() {
   return folders;
 }
 
-const assay_material* table_in(const std::string& library, const std::string& table, const Location& where,
-                               const std::string& key) {
-  try {
-    return adapters::table_of_library(library, table);
-  } catch (const adapters::LibraryError& error) {
-    throw InputError(where, key, "'" + library + "' " + error.what(), error.known());
-  }
-}
-
-MaterialSource from_description(const std::string& file) {
+MaterialSource from_description(const std::string& file, Isolation isolation) {
   const MaterialDescription description = read_description(file);
-  MaterialSource source;
-  const Location& where = description.name.empty() ? description.library_where : description.name_where;
-  source.table = table_in(description.library, description.name, where, description.name.empty() ? "library" : "name");
-  source.library = description.library;
+  MaterialSource source = source_of(description, file, isolation);
   source.description = file;
-  source.parameters = description.parameters;
-  source.parameter_where = description.parameter_where;
-  source.density = description.density;
   return source;
 }
 
 bool is_description(const std::string& file) { return file.ends_with(".yaml") || file.ends_with(".yml"); }
 
 MaterialSource from_file(const std::string& file, const std::string& table, const Location& where,
-                         const std::string& key) {
+                         const std::string& key, Isolation isolation) {
   std::error_code code;
   if (!fs::exists(file, code)) throw InputError(where, key, "no such file: '" + file + "'");
-  if (is_description(file)) return from_description(file);
-  MaterialSource source;
-  source.table = table_in(file, table, where, key);
-  source.library = file;
-  return source;
+  if (is_description(file)) return from_description(file, isolation);
+  MaterialDescription description;
+  description.library = file;
+  description.name = table;
+  description.library_where = description.name_where = where;
+  description.library_key = key;
+  return source_of(description, file, isolation);
 }
 
 /// Name of a file on the search path: NAME.so, libNAME.so, NAME.yaml; empty for any other.
@@ -124,13 +111,14 @@ std::vector<RegisteredName> registered_names() {
   return all;
 }
 
-MaterialSource find_material(const std::string& adapter, const Location& where, const std::string& key) {
+MaterialSource find_material(const std::string& adapter, const Location& where, const std::string& key,
+                             Isolation isolation) {
   const MaterialName asked = parse_material(adapter);
-  if (asked.is_path) return from_file(absolute_path(asked.file), asked.table, where, key);
+  if (asked.is_path) return from_file(absolute_path(asked.file), asked.table, where, key, isolation);
   const std::vector<RegisteredName> names = registered_names();
   for (const RegisteredName& registered : names) {
     if (registered.name != adapter) continue;
-    if (!registered.file.empty()) return from_file(registered.file, {}, where, key);
+    if (!registered.file.empty()) return from_file(registered.file, {}, where, key, isolation);
     MaterialSource source;
     source.table = adapters::builtin_table(adapter);
     return source;

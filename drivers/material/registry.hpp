@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "drivers/input_error.hpp"
+#include "drivers/material/isolation.hpp"
 #include "harness/assay_material.h"
 
 namespace assay::drivers {
@@ -20,6 +21,7 @@ struct MaterialSource {
   std::map<std::string, double> parameters;  ///< the description's, in place of the material's defaults
   std::map<std::string, Location> parameter_where;
   std::optional<double> density;  ///< the description's rho0 [kg/m^3]
+  Isolation isolation = Isolation::none;
 };
 
 /// A name that can be asked for. `file`: the library or description; empty: built in.
@@ -29,7 +31,8 @@ struct RegisteredName {
 
 /// By name (built-in, registry, $ASSAY_MATERIAL_PATH, in that order) or by path (library, `library:name`, description).
 /// Throws InputError at `where`, `key`.
-MaterialSource find_material(const std::string& adapter, const Location& where, const std::string& key);
+MaterialSource find_material(const std::string& adapter, const Location& where, const std::string& key,
+                             Isolation isolation = Isolation::automatic);
 
 /// All names in the order of the search, each once: as find_material would take it.
 std::vector<RegisteredName> registered_names();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drivers/input_error.hpp"
+#include "drivers/material/isolation.hpp"
 #include "harness/frame.hpp"
 #include "harness/motion.hpp"
 #include "mpm/method.hpp"
@@ -21,6 +22,7 @@ struct MaterialChoice {
   double density = 0;                        ///< rho0 [kg/m^3]
   /// Of a model that has one: components along e_R, e_Theta, e_Z of the vortex, along the axes of any other motion.
   std::optional<std::array<double, 3>> direction;
+  Isolation isolation = Isolation::automatic;
   Location where;  ///< of `material.adapter`
   std::map<std::string, Location> parameter_where;
 };

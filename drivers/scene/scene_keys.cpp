@@ -12,6 +12,7 @@ namespace {
 
 const Range positive{.lower = 0, .lower_open = true};
 
+const std::vector<std::string> isolations{"automatic", "worker", "none"};
 const std::vector<std::string> domains{"ring", "square", "box"};
 const std::vector<std::string> outsides{"held", "free"};
 const std::vector<std::string> bases{"linear", "ugimp", "cpdi"};
@@ -39,6 +40,10 @@ std::vector<Key> body_keys() {
        "axis of a model that has one, normalised: along e_R, e_Theta, e_Z of the vortex, along the axes otherwise",
        GET(triple_of(s.material.direction)), SET(s.material.direction = three(v)), {}, {}, false,
        "[1, 0, 0] of a model that has one"},
+      {"material.isolation", choice, "the model's code runs in processes of its own (worker) or in this one (none)",
+       GET(s.material.isolation == Isolation::automatic ? Value() : name_of(isolations, s.material.isolation)),
+       SET(s.material.isolation = picked<Isolation>(isolations, v)), {}, {"worker", "none"}, false,
+       "worker for UMAT, VUMAT and MFront, none for native models"},
       {"body.domain", choice, "shape; the ring takes its radii from the vortex, square and box have corners",
        GET(domain_name(s.body.domain)), SET(s.body.domain = picked<Body::Domain>(domains, v)), {}, domains, false,
        "ring for the vortex, square otherwise"},

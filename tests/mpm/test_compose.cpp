@@ -93,7 +93,7 @@ TEST(Compose, AbsentEffectsHaveNoColumn) {
 }
 
 std::size_t allocated(const State<2>& s, const ColumnUse& use) {
-  if (use.column == Column::history) return (s.history[0].size() + s.history[1].size()) * sizeof(double);
+  if (use.column == Column::history) return s.history[0].bytes() + s.history[1].bytes();
   return s.columns[static_cast<std::size_t>(use.column)].bytes();
 }
 

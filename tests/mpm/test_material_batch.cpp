@@ -70,7 +70,7 @@ TEST(MaterialBatches, GiveBitForBitWhatPointsAloneGive) {
     for (const int threads : {1, 2}) {
       Simulation<2> simulation(row_of_particles(n, hypoelastic_table(), threads));
       State<2>& s = simulation.state();
-      const Kernel stress = stress_pass<2>(true, true).bind(s);
+      const Kernel stress = stress_pass<2>(true).bind(s);
       const Material alone = s.setup.material->clone();
       std::vector<Twin> twins(n, Twin(alone));
       Random random(static_cast<unsigned>(n));
@@ -101,7 +101,7 @@ std::optional<Finding> finding_of(Simulation<2>& simulation, const std::vector<s
   State<2>& s = simulation.state();
   std::fill_n(s.column(Column::velocity_gradient, 0), s.particles, 0.1);
   for (const std::size_t p : which) s.column(Column::velocity_gradient, 0)[p] = growth;
-  stress_pass<2>(false, false).bind(s)({0, 1});
+  stress_pass<2>(false).bind(s)({0, 1});
   return s.finding;
 }
 
@@ -201,7 +201,7 @@ double difference_to_exact_stress(const std::array<double, 3>& direction, bool t
     const Tensor F = vortex.at(X(p), t).F;
     for (int c = 0; c < 4; ++c) s.column(Column::deformation_gradient, c)[p] = F(c / 2, c % 2);
   }
-  stress_pass<2>(true, false).bind(s)({t, 1e-3});
+  stress_pass<2>(true).bind(s)({t, 1e-3});
   double difference = 0, scale = 0;
   for (std::size_t p = 0; p < s.particles; ++p) {
     Tensor tau, slope;

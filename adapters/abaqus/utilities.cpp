@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Abaqus' utility routines for user materials, as Fortran calls them on Linux: everything by reference, the lengths of
+// character arguments by value at the end. A library of its own that is loaded before foreign models; what a routine
+// does is what Abaqus' manual says of it.
+
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+#include <Eigen/Eigenvalues>
+
+#include "adapters/abaqus/utilities.hpp"
+
+namespace {
+
+using Tensor = Eigen::Matrix3d;
+
+constexpr int strains = 2;  ///< LSTR: 1 stresses, 2 strains with engineering shears
+
+/// Components 11, 22, 33, 12, 13, 23, as many as there are.
+Tensor tensor_of(const double* s, int lstr, int ndi, int nshr) {
+  constexpr int row[] = {0, 0, 1}, column[] = {1, 2, 2};
+  const double shear = lstr == strains ? 0.5 : 1;
+  Tensor A = Tensor::Zero();
+  for (int k = 0; k < ndi && k < 3; ++k) A(k, k) = s[k];
+  for (int k = 0; k < nshr && k < 3; ++k) A(row[k], column[k]) = A(column[k], row[k]) = shear * s[ndi + k];
+  return A;
+}
+
+void write_components(const Tensor& A, int lstr, int ndi, int nshr, double* s) {
+  constexpr int row[] = {0, 0, 1}, column[] = {1, 2, 2};
+  const double shear = lstr == strains ? 2 : 1;
+  for (int k = 0; k < ndi && k < 3; ++k) s[k] = A(k, k);
+  for (int k = 0; k < nshr && k < 3; ++k) s[ndi + k] = shear * A(row[k], column[k]);
+}
+
+}  // namespace
+
+extern "C" {
+
+/// SINV1 = tr(s) / 3, SINV2 = sqrt(3/2 dev s : dev s).
+void sinv_(const double* stress, double* sinv1, double* sinv2, const int* ndi, const int* nshr) {
+  const Tensor A = tensor_of(stress, 1, *ndi, *nshr);
+  *sinv1 = A.trace() / 3;
+  const Tensor deviator = A - *sinv1 * Tensor::Identity();
+  *sinv2 = std::sqrt(1.5) * deviator.norm();
+}
+
+/// Principal values, in ascending order.
+void sprinc_(const double* s, double* ps, const int* lstr, const int* ndi, const int* nshr) {
+  const Eigen::SelfAdjointEigenSolver<Tensor> solver(tensor_of(s, *lstr, *ndi, *nshr), Eigen::EigenvaluesOnly);
+  for (int k = 0; k < 3; ++k) ps[k] = solver.eigenvalues()(k);
+}
+
+/// And directions: AN(K, I), I = 1, 2, 3 are the cosines of PS(K).
+void sprind_(const double* s, double* ps, double* an, const int* lstr, const int* ndi, const int* nshr) {
+  const Eigen::SelfAdjointEigenSolver<Tensor> solver(tensor_of(s, *lstr, *ndi, *nshr));
+  for (int k = 0; k < 3; ++k) {
+    ps[k] = solver.eigenvalues()(k);
+    for (int i = 0; i < 3; ++i) an[3 * i + k] = solver.eigenvectors()(i, k);
+  }
+}
+
+/// SPRIME = R S R^T, R column by column.
+void rotsig_(const double* s, const double* r, double* sprime, const int* lstr, const int* ndi, const int* nshr) {
+  const Tensor R = Eigen::Map<const Tensor>(r), A = tensor_of(s, *lstr, *ndi, *nshr);
+  write_components(R * A * R.transpose(), *lstr, *ndi, *nshr, sprime);
+}
+
+/// The analysis ends.
+void xit_() { assay_abaqus_end("called XIT"); }
+void xplb_exit_() { assay_abaqus_end("called XPLB_EXIT"); }
+
+/// LOP 1: information, -1: warning, -2: error, -3: error that ends the analysis. %I, %R and %S of the text stand for
+/// the next integer, real and string.
+void stdb_abqerr_(const int* lop, const char* text, const int* intv, const double* realv, const char* charv,
+                  std::size_t text_length, std::size_t charv_length) {
+  constexpr std::size_t word = 8;
+  const std::size_t strings = charv_length > word ? charv_length : word;
+  std::string line;
+  for (std::size_t k = 0; k < text_length; ++k) {
+    const char next = k + 1 < text_length ? text[k + 1] : ' ';
+    if (text[k] != '%' || (next != 'I' && next != 'R' && next != 'S')) {
+      line += text[k];
+      continue;
+    }
+    ++k;
+    if (next == 'I') line += std::to_string(*intv++);
+    if (next == 'R') {
+      char number[32];
+      std::snprintf(number, sizeof number, "%.6g", *realv++);
+      line += number;
+    }
+    if (next == 'S') line.append(charv, strnlen(charv, strings)), charv += strings;
+  }
+  line.erase(line.find_last_not_of(' ') + 1);
+  const char* kind = *lop > 0 ? "information" : *lop == -1 ? "warning" : "error";
+  std::fprintf(stderr, "%s: %s\n", kind, line.c_str());
+  constexpr int fatal = -3;
+  if (*lop == fatal) assay_abaqus_end(("reported an error that ends the analysis: " + line).c_str());
+}
+
+void xplb_abqerr_(const int* lop, const char* text, const int* intv, const double* realv, const char* charv,
+                  std::size_t text_length, std::size_t charv_length) {
+  stdb_abqerr_(lop, text, intv, realv, charv, text_length, charv_length);
+}
+
+/// Variables of a finite element's point: there is none. JRCD = 1 says so.
+void getvrm_(const char*, double*, int*, char*, int* jrcd, ...) { *jrcd = 1; }
+void vgetvrm_(const char*, double*, int*, char*, int* jrcd, ...) { *jrcd = 1; }
+
+void getoutdir_(char* folder, int* length, std::size_t size) { assay_abaqus_text(".", folder, length, size); }
+void vgetoutdir_(char* folder, int* length, std::size_t size) { assay_abaqus_text(".", folder, length, size); }
+void getjobname_(char* name, int* length, std::size_t size) { assay_abaqus_text("assay", name, length, size); }
+void vgetjobname_(char* name, int* length, std::size_t size) { assay_abaqus_text("assay", name, length, size); }
+
+void getrank_(int* rank) { *rank = 0; }
+void vgetrank_(int* rank) { *rank = 0; }
+void getnumcpus_(int* count) { *count = 1; }
+void vgetnumcpus_(int* count) { *count = 1; }
+int getnumthreads_() { return 1; }
+int get_thread_id_() { return 0; }
+int getnumthreads() { return 1; }
+int get_thread_id() { return 0; }
+
+/// Tables and collections of the input file: there are none.
+void getpropertytable_(const char*, const char*, const int*, int*, int*, double*, int* jerror, ...) { *jerror = 1; }
+void settablecollection_(const char*, int* jerror, std::size_t) { *jerror = 1; }
+
+/// Principal values and directions of n tensors 11, 22, 33, 12, 23, 31, [component][point].
+void vsprind_(const int* nblock, const double* tensor, double* values, double* vectors, const int* ndir,
+              const int* nshr) {
+  constexpr int row[] = {0, 1, 2}, column[] = {1, 2, 0};
+  const auto n = static_cast<std::size_t>(*nblock);
+  for (std::size_t p = 0; p < n; ++p) {
+    Tensor A = Tensor::Zero();
+    for (int k = 0; k < *ndir && k < 3; ++k) A(k, k) = tensor[static_cast<std::size_t>(k) * n + p];
+    for (int k = 0; k < *nshr && k < 3; ++k) {
+      A(row[k], column[k]) = A(column[k], row[k]) = tensor[static_cast<std::size_t>(*ndir + k) * n + p];
+    }
+    const Eigen::SelfAdjointEigenSolver<Tensor> solver(A);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto i = static_cast<Eigen::Index>(k);
+      values[k * n + p] = solver.eigenvalues()(i);
+      if (!vectors) continue;
+      for (std::size_t c = 0; c < 3; ++c)
+        vectors[(3 * k + c) * n + p] = solver.eigenvectors()(static_cast<Eigen::Index>(c), i);
+    }
+  }
+}
+
+void vsprinc_(const int* nblock, const double* tensor, double* values, const int* ndir, const int* nshr) {
+  vsprind_(nblock, tensor, values, nullptr, ndir, nshr);
+}
+
+}  // extern "C"

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/elf_symbols.hpp"
+
+#include <elf.h>
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+
+#include "adapters/elf_check.hpp"
+
+namespace assay::adapters {
+
+namespace {
+
+/// `count` items at an offset; nothing where the file has not so many.
+template <class T>
+std::optional<std::vector<T>> items_at(std::ifstream& file, std::uint64_t size, std::uint64_t offset,
+                                       std::uint64_t count) {
+  if (offset > size || count > (size - offset) / sizeof(T)) return std::nullopt;
+  std::vector<T> items(count);
+  file.clear();
+  file.seekg(static_cast<std::streamoff>(offset));
+  if (!file.read(reinterpret_cast<char*>(items.data()), static_cast<std::streamsize>(count * sizeof(T)))) {
+    return std::nullopt;
+  }
+  return items;
+}
+
+std::string text_at(const std::vector<char>& strings, std::uint64_t at) {
+  std::string text;
+  for (; at < strings.size() && strings[at]; ++at) text += strings[at];
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> exported_symbols(const std::string& path) {
+  check_shared_library(path);
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const auto size = static_cast<std::uint64_t>(std::max<std::streamoff>(file.tellg(), 0));
+  std::vector<std::string> names;
+  const auto header = items_at<Elf64_Ehdr>(file, size, 0, 1);
+  if (!header || header->front().e_ident[EI_CLASS] != ELFCLASS64) return names;
+  const auto sections = items_at<Elf64_Shdr>(file, size, header->front().e_shoff, header->front().e_shnum);
+  if (!sections) return names;
+  for (const Elf64_Shdr& section : *sections) {
+    if (section.sh_type != SHT_DYNSYM || section.sh_link >= sections->size()) continue;
+    const Elf64_Shdr& words = (*sections)[section.sh_link];
+    const auto symbols = items_at<Elf64_Sym>(file, size, section.sh_offset, section.sh_size / sizeof(Elf64_Sym));
+    const auto strings = items_at<char>(file, size, words.sh_offset, words.sh_size);
+    if (!symbols || !strings) continue;
+    for (const Elf64_Sym& symbol : *symbols) {
+      if (symbol.st_shndx != SHN_UNDEF) names.push_back(text_at(*strings, symbol.st_name));
+    }
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+}  // namespace assay::adapters

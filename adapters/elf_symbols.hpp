@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a shared library exports, read from its file: nothing of it is loaded or run.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace assay::adapters {
+
+/// Names of the dynamic symbols that the library defines, sorted. Throws LibraryError where it is no shared library.
+std::vector<std::string> exported_symbols(const std::string& path);
+
+}  // namespace assay::adapters

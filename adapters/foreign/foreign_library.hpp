@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A foreign library in this process, with what it expects of its host.
+#pragma once
+
+#include <string>
+
+namespace assay::adapters {
+
+struct LoadedLibrary {
+  void* handle = nullptr;
+  std::string missing;  ///< a symbol that nobody has: a call of it will end the process; empty: none
+};
+
+/// Loads it, RTLD_LOCAL; the host's utility routines first (SINV, ROTSIG, XIT, ...), for libraries that ask for them.
+/// Throws LibraryError.
+LoadedLibrary load_foreign_library(const std::string& path);
+
+/// What happens where a model ends the analysis (XIT): must not return. Null: a line on standard error, and the process
+/// ends. To be set before a library is loaded.
+inline void (*on_model_end)(const char* what) = nullptr;
+
+/// The companion library with the host's utility routines: beside the program, or in ../lib/assay of it. Empty where it
+/// is not found.
+std::string utilities_library();
+
+}  // namespace assay::adapters

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A model behind somebody else's interface, in plain values: what a description says of it.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "harness/assay_material.h"
+
+namespace assay::adapters {
+
+enum class ForeignInterface { umat, vumat, mfront };
+
+/// How a step becomes a strain increment and a rotation.
+enum class Kinematics {
+  objective,  ///< polar decomposition of the step, logarithmic strain: second order, objective at any step
+  abaqus,     ///< Hughes and Winget: first order in simple shear, as the program that the model was written for
+};
+
+/// One material constant, in the model's own units. A value that is NaN must be given.
+struct ForeignProperty {
+  std::string name, unit = "", doc = "";
+  double value = NAN, lower = -INFINITY, upper = INFINITY;
+};
+
+/// One state variable, in the order in which the model keeps them.
+struct ForeignVariable {
+  enum class Kind {
+    scalar,
+    vector,
+    symmetric_tensor,  ///< like a stress
+    strain,            ///< like a strain: shear components as the interface has them for strains
+    tensor,
+  };
+  std::string name;
+  Kind kind = Kind::scalar;
+  std::string unit = "", doc = "";
+  std::vector<double> initial = {};  ///< one value for all components, or one for each; empty: zero
+};
+
+/// SI units in one unit of the model: a stress of 1 MPa is stress = 1e6.
+struct ModelUnits {
+  double stress = 1;  ///< [Pa]
+  double time = 1;    ///< [s]
+  double length = 1;  ///< [m]
+};
+
+struct ForeignModel {
+  ForeignInterface interface = ForeignInterface::umat;
+  std::string library;  ///< absolute path
+  std::string symbol;   ///< entry point; of MFront the behaviour's name
+  std::string name;     ///< of the table; [a-z0-9_]+
+  std::string doc, version, licence;
+  std::vector<ForeignProperty> properties;
+  std::vector<ForeignVariable> state;
+  Kinematics kinematics = Kinematics::objective;
+  bool finite_strain = false;      ///< the tangent is that of J sigma (Jaumann), and the model may read F alone
+  std::vector<int> components{6};  ///< NTENS that the model serves: 6, 4 (plane strain) or both
+  int symmetry = ASSAY_ISOTROPIC;  ///< of the ABI
+  std::uint32_t flags = 0;         ///< of the ABI
+  ModelUnits units;
+  double temperature = 0;               ///< in the model's own scale
+  double characteristic_length = 1;     ///< CELENT, charLength, in units of the model
+  double density = 1000;                ///< [kg/m^3], for interfaces that hand it on
+  std::string material_name = "ASSAY";  ///< CMNAME
+};
+
+}  // namespace assay::adapters

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the bridges have in common: a table with its model, and one point of a step.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "adapters/foreign/foreign_model.hpp"
+#include "adapters/foreign/foreign_table.hpp"
+#include "adapters/foreign/mfront_metadata.hpp"
+#include "harness/tensor.hpp"
+
+namespace assay::adapters {
+
+/// The bound table; lives as long as the process.
+struct ForeignTable : assay_material {
+  ForeignModel model;
+  void* library = nullptr;  ///< handle of the loader
+  void* entry = nullptr;
+  std::shared_ptr<const MfrontBehaviour> behaviour;  ///< of MFront's interface
+  std::vector<assay_parameter> parameter_list;
+  std::vector<assay_state_variable> state_list;
+  std::deque<std::string> words;         ///< that the lists point to
+  mutable std::mutex one_at_a_time;      ///< of models that are not thread-safe
+  mutable std::vector<double> last_set;  ///< parameters that the library keeps for itself
+};
+
+/// One point of `update`.
+struct PointStep {
+  double t, dt;
+  Tensor F0, F1;
+  const double* state0;
+  std::size_t number;  ///< in its batch, from 0
+};
+
+struct PointEnd {
+  Tensor cauchy = Tensor::Zero();  ///< [Pa]
+  double* state1 = nullptr;
+  std::int32_t status = ASSAY_GOOD;
+  double dt_factor = 1;
+  std::string message = {};
+};
+
+/// Words of why a point failed; the bridge turns them into its status.
+class PointFailure : public std::runtime_error {
+ public:
+  explicit PointFailure(const std::string& what, double factor = 1) : std::runtime_error(what), dt_factor(factor) {}
+  double dt_factor;
+};
+
+}  // namespace assay::adapters

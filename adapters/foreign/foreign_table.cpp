@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/foreign/foreign_table.hpp"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+
+#include "adapters/elf_symbols.hpp"
+#include "adapters/foreign/foreign_calls.hpp"
+#include "adapters/foreign/foreign_library.hpp"
+#include "adapters/foreign/mfront.hpp"
+#include "adapters/foreign/umat.hpp"
+#include "adapters/foreign/vumat.hpp"
+
+namespace assay::adapters {
+
+namespace {
+
+using Kind = ForeignVariable::Kind;
+
+std::int32_t kind_of(Kind kind) {
+  switch (kind) {
+    case Kind::vector:
+      return ASSAY_VECTOR;
+    case Kind::symmetric_tensor:
+    case Kind::strain:
+      return ASSAY_SYMMETRIC_TENSOR;
+    case Kind::tensor:
+      return ASSAY_TENSOR;
+    case Kind::scalar:
+      break;
+  }
+  return ASSAY_SCALAR;
+}
+
+template <class Bridge>
+const void* extension_of(const char* id) {
+  using Calls = ForeignCalls<Bridge>;
+  static const assay_reason reason{sizeof(assay_reason), Calls::reason};
+  if (std::string(id) == ASSAY_EXTENSION_REASON) return &reason;
+  if constexpr (requires { &Bridge::tangent; }) {
+    static const assay_tangent tangent{sizeof(assay_tangent), Calls::tangent};
+    if (std::string(id) == ASSAY_EXTENSION_TANGENT) return &tangent;
+  }
+  return nullptr;
+}
+
+template <class Bridge>
+std::vector<ForeignVariable> bind(ForeignTable& table) {
+  using Calls = ForeignCalls<Bridge>;
+  table.create_of = Calls::create;
+  table.destroy = Calls::destroy;
+  table.initial_state = Calls::initial_state;
+  table.update = Calls::update;
+  table.extension = extension_of<Bridge>;
+  return Bridge::state_of(table.model);
+}
+
+/// Whether the model keeps its tensors in axes of its own.
+bool rotates_itself(const ForeignModel& model, bool own) {
+  switch (model.interface) {
+    case ForeignInterface::umat:
+      return false;
+    case ForeignInterface::vumat:
+      return true;
+    case ForeignInterface::mfront:
+      return !(model.finite_strain && own);
+  }
+  return false;
+}
+
+const char* kept(ForeignTable& table, std::string text) {
+  table.words.push_back(std::move(text));
+  return table.words.back().c_str();
+}
+
+void write_lists(ForeignTable& table, const std::vector<ForeignVariable>& state) {
+  const ForeignModel& model = table.model;
+  for (const ForeignProperty& p : model.properties) {
+    table.parameter_list.push_back(
+        {kept(table, p.name), kept(table, p.unit), p.value, p.lower, p.upper, kept(table, p.doc)});
+  }
+  const std::size_t own = state.size() - model.state.size();
+  for (std::size_t k = 0; k < state.size(); ++k) {
+    const bool tensor = state[k].kind != Kind::scalar;
+    const std::int32_t role = tensor && rotates_itself(model, k < own) ? ASSAY_ROLE_ROTATES_ITSELF : ASSAY_ROLE_PLAIN;
+    table.state_list.push_back({kept(table, state[k].name), kept(table, state[k].unit), kind_of(state[k].kind), role,
+                                kept(table, state[k].doc)});
+  }
+  table.parameter_count = static_cast<std::uint32_t>(table.parameter_list.size());
+  table.parameters = table.parameter_list.data();
+  table.state_count = static_cast<std::uint32_t>(table.state_list.size());
+  table.state = table.state_list.data();
+}
+
+/// Names that look like entry points, for a message.
+std::string candidates(const std::string& path, const std::string& word) {
+  std::string names;
+  for (const std::string& symbol : exported_symbols(path)) {
+    std::string lower = symbol;
+    std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (lower.find(word) != std::string::npos) names += (names.empty() ? "" : ", ") + symbol;
+  }
+  return names;
+}
+
+void* entry_of(const ForeignTable& table, const std::string& word) {
+  if (void* entry = dlsym(table.library, table.model.symbol.c_str())) return entry;
+  throw ForeignError("symbol", "'" + table.model.library + "' has no symbol '" + table.model.symbol + "'",
+                     candidates(table.model.library, word));
+}
+
+/// UEXTERNALDB with LOP = 0: the analysis begins.
+void begin_analysis(void* library) {
+  void* entry = dlsym(library, "uexternaldb_");
+  if (!entry) return;
+  int begin = 0, no_restart = 0, step = 1, increment = 1;
+  double time[2] = {0, 0}, dtime = 0;
+  reinterpret_cast<UexternaldbEntry>(entry)(&begin, &no_restart, time, &dtime, &step, &increment);
+}
+
+std::vector<ForeignVariable> bind_interface(ForeignTable& table) {
+  switch (table.model.interface) {
+    case ForeignInterface::umat:
+      table.entry = entry_of(table, "umat");
+      begin_analysis(table.library);
+      return bind<Umat>(table);
+    case ForeignInterface::vumat:
+      table.entry = entry_of(table, "vumat");
+      begin_analysis(table.library);
+      return bind<Vumat>(table);
+    case ForeignInterface::mfront:
+      break;
+  }
+  const std::vector<std::string> known = mfront_behaviours(table.model.library);
+  if (table.model.symbol.empty() && known.size() == 1) table.model.symbol = known.front();
+  table.behaviour = std::make_shared<MfrontBehaviour>(mfront_behaviour(table.library, table.model.symbol, known));
+  table.entry = table.behaviour->entry;
+  Mfront::describe(*table.behaviour, table.model);
+  return bind<Mfront>(table);
+}
+
+void require_distinct(const ForeignTable& table) {
+  for (std::size_t k = 0; k < table.state_list.size(); ++k) {
+    const std::string name = table.state_list[k].name;
+    for (std::size_t j = 0; j < k; ++j) {
+      if (name == table.state_list[j].name) {
+        throw ForeignError("state." + name, "there is a state variable '" + name + "' already");
+      }
+    }
+  }
+}
+
+}  // namespace
+
+const assay_material* foreign_table(const ForeignModel& model) {
+  auto table = std::make_unique<ForeignTable>();
+  static_cast<assay_material&>(*table) = assay_material{};
+  table->model = model;
+  table->library = load_foreign_library(model.library).handle;
+  const std::vector<ForeignVariable> state = bind_interface(*table);
+  write_lists(*table, state);
+  require_distinct(*table);
+  table->abi_major = ASSAY_ABI_MAJOR;
+  table->struct_size = sizeof(assay_material);
+  table->name = kept(*table, table->model.name);
+  table->version = kept(*table, table->model.version);
+  table->licence = kept(*table, table->model.licence);
+  table->doc = kept(*table, table->model.doc);
+  table->symmetry = table->model.symmetry;
+  table->flags = (table->model.flags | ASSAY_USES_INCREMENT) & ~static_cast<std::uint32_t>(ASSAY_THREAD_SAFE);
+  static std::mutex guard;
+  static std::vector<std::unique_ptr<ForeignTable>> all;
+  const std::lock_guard lock(guard);
+  all.push_back(std::move(table));
+  return all.back().get();
+}
+
+}  // namespace assay::adapters

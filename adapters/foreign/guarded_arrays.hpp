@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Arrays that foreign code is handed: one block of memory with fences between them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace assay::adapters {
+
+class GuardedArrays {
+ public:
+  GuardedArrays();
+
+  /// Handle of a new array of n doubles (at least one is there), zero at first. `name` as the interface has it.
+  std::size_t add(std::string name, std::size_t n);
+
+  double* operator[](std::size_t handle) { return memory_.data() + arrays_[handle].begin; }
+  const double* operator[](std::size_t handle) const { return memory_.data() + arrays_[handle].begin; }
+  std::size_t size(std::size_t handle) const { return arrays_[handle].size; }
+
+  void fill(std::size_t handle, double value);
+
+  /// What was written where it must not be: "writes past STATEV"; nothing where all fences stand. Repairs them.
+  std::optional<std::string> broken_fence();
+
+ private:
+  struct Array {
+    std::string name;
+    std::size_t begin, size;
+  };
+  void add_fence();
+  bool whole(std::size_t at) const;
+
+  std::vector<double> memory_;
+  std::vector<Array> arrays_;
+};
+
+}  // namespace assay::adapters

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/foreign/kinematics.hpp"
+
+#include <utility>
+
+#include "adapters/models/tensor_functions.hpp"
+
+namespace assay::adapters {
+
+namespace {
+
+Tensor symmetric_part(const Tensor& A) { return 0.5 * (A + A.transpose()); }
+
+/// ln V of f = V R.
+Tensor left_strain(const Tensor& f) { return 0.5 * models::logarithm(Tensor(f * f.transpose())); }
+
+/// (A1 - A0) ((A0 + A1) / 2)^-1.
+Tensor midpoint_rate(const Tensor& A0, const Tensor& A1) { return 2 * (A1 - A0) * (A0 + A1).inverse(); }
+
+/// d f(s) / ds at s = 0 by central differences of fourth order, good to 1e-11 of smooth kinematics; f a pair of
+/// tensors.
+template <class F>
+std::pair<Tensor, Tensor> slope(const F& f) {
+  constexpr double h = 1e-4;
+  const auto a = f(h), b = f(-h), c = f(2 * h), d = f(-2 * h);
+  return {(8 * (a.first - b.first) - (c.first - d.first)) / (12 * h),
+          (8 * (a.second - b.second) - (c.second - d.second)) / (12 * h)};
+}
+
+}  // namespace
+
+StepStrain step_strain(const Tensor& F0, const Tensor& F1, Kinematics kinematics) {
+  if (kinematics == Kinematics::abaqus) {
+    const Tensor l = midpoint_rate(F0, F1), half_spin = 0.25 * (l - l.transpose()), I = Tensor::Identity();
+    return {symmetric_part(l), Tensor((I - half_spin).inverse() * (I + half_spin))};
+  }
+  const Tensor f = F1 * F0.inverse();
+  return {left_strain(f), models::rotation_of(f)};
+}
+
+CorotationalStep corotational_step(const Tensor& F0, const Tensor& F1, Kinematics kinematics) {
+  CorotationalStep step;
+  step.R0 = models::rotation_of(F0);
+  step.R1 = models::rotation_of(F1);
+  step.U0 = symmetric_part(step.R0.transpose() * F0);
+  step.U1 = symmetric_part(step.R1.transpose() * F1);
+  if (kinematics == Kinematics::abaqus) {
+    step.strain = symmetric_part(midpoint_rate(step.U0, step.U1));
+  } else {
+    const Tensor g = step.U1 * step.U0.inverse();
+    step.strain = 0.5 * (left_strain(g) + left_strain(g.transpose()));
+  }
+  const Tensor spin = midpoint_rate(step.R0, step.R1);
+  step.spin = 0.5 * (spin - spin.transpose());
+  return step;
+}
+
+LogarithmicStrain logarithmic_strain_of(const Tensor& F) {
+  return {0.5 * models::logarithm(Tensor(F.transpose() * F)), models::rotation_of(F)};
+}
+
+LogarithmicStrain rate_of_logarithmic_strain(const Tensor& F, const Tensor& E) {
+  const auto [strain, R] = slope([&](double by) {
+    const LogarithmicStrain at = logarithmic_strain_of(F + by * E);
+    return std::pair(at.strain, at.R);
+  });
+  return {strain, R};
+}
+
+StepStrain rate_of_step(const Tensor& F0, const Tensor& F1, const Tensor& E, Kinematics kinematics) {
+  const auto [strain, rotation] = slope([&](double by) {
+    const StepStrain at = step_strain(F0, F1 + by * E, kinematics);
+    return std::pair(Tensor(at.rotation.transpose() * at.strain * at.rotation), at.rotation);
+  });
+  return {strain, rotation};
+}
+
+}  // namespace assay::adapters

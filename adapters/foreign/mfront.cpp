@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/foreign/mfront.hpp"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "adapters/foreign/component_order.hpp"
+#include "adapters/foreign/foreign_state.hpp"
+#include "adapters/foreign/kinematics.hpp"
+
+namespace assay::adapters {
+
+namespace {
+
+constexpr StateLayout layout{standard_order, mfront_shear, mfront_shear};
+constexpr double stress_alone = 0, consistent_operator = 4;  ///< what K[0] asks for
+constexpr std::size_t operator_size = 128;                   ///< of at least 81 components
+
+/// Where a point's own state begins.
+enum Own : std::size_t { own_force = 0, own_stored = 6, own_dissipated = 7 };
+
+/// Scalars that are handed over by reference.
+enum Scalar : std::size_t { rdt, speed_of_sound, scalar_count };
+
+using Kind = ForeignVariable::Kind;
+
+Kind kind_of(const MfrontVariable& variable) {
+  constexpr int simple = 7;
+  switch (variable.type & simple) {
+    case 0:
+      return Kind::scalar;
+    case 1:
+      return Kind::symmetric_tensor;
+    case 2:
+      return Kind::vector;
+    case 3:
+      return Kind::tensor;
+    default:
+      throw ForeignError("library", "its variable '" + variable.name + "' is of an unknown kind");
+  }
+}
+
+std::size_t size_of(const std::vector<MfrontVariable>& variables) {
+  std::size_t size = 0;
+  for (const MfrontVariable& variable : variables) size += static_cast<std::size_t>(components_of(kind_of(variable)));
+  return size;
+}
+
+std::size_t properties_of(const MfrontBehaviour& behaviour) {
+  return behaviour.prepended.size() + behaviour.properties.size();
+}
+
+}  // namespace
+
+void Mfront::describe(const MfrontBehaviour& behaviour, ForeignModel& model) {
+  model.finite_strain = behaviour.finite_strain;
+  model.version = behaviour.version;
+  if (behaviour.orthotropic) model.symmetry = ASSAY_ANISOTROPIC;
+  const std::vector<ForeignProperty> said = std::move(model.properties);
+  model.properties.clear();
+  const auto add = [&](const std::string& name, const char* doc, double value, double lower = -INFINITY,
+                       double upper = INFINITY) {
+    ForeignProperty property{name, "", doc, value, lower, upper};
+    const auto own = std::find_if(said.begin(), said.end(), [&](const auto& p) { return p.name == name; });
+    if (own != said.end()) {  // what the description says goes before
+      if (std::isfinite(own->value)) property.value = own->value;
+      if (std::isfinite(own->lower)) property.lower = own->lower;
+      if (std::isfinite(own->upper)) property.upper = own->upper;
+      if (!own->unit.empty()) property.unit = own->unit;
+      if (!own->doc.empty()) property.doc = own->doc;
+    }
+    model.properties.push_back(std::move(property));
+  };
+  for (const std::string& name : behaviour.prepended) add(name, "elastic constant, asked for by the behaviour", NAN);
+  for (const MfrontVariable& property : behaviour.properties) {
+    add(property.name, "material property", NAN, property.lower, property.upper);
+  }
+  for (const auto& parameter : behaviour.parameters) add(parameter.name, "parameter", parameter.value);
+  if (behaviour.temperature) add("Temperature", "external state variable", model.temperature);
+  for (const MfrontVariable& variable : behaviour.external) {
+    if (kind_of(variable) == Kind::scalar) add(variable.name, "external state variable", 0);
+  }
+  for (const ForeignProperty& property : said) {
+    const bool known = std::any_of(model.properties.begin(), model.properties.end(),
+                                   [&](const auto& p) { return p.name == property.name; });
+    if (known) continue;
+    std::string names;
+    for (const ForeignProperty& p : model.properties) names += (names.empty() ? "" : ", ") + p.name;
+    throw ForeignError("properties." + property.name, "behaviour '" + behaviour.name + "' has no such property", names);
+  }
+  model.state.clear();
+  for (const MfrontVariable& variable : behaviour.internal) {
+    model.state.push_back({variable.name, kind_of(variable), "", "internal state variable", {}});
+  }
+}
+
+std::vector<ForeignVariable> Mfront::state_of(const ForeignModel& model) {
+  const char* force =
+      model.finite_strain ? "Cauchy stress at the beginning" : "thermodynamic force in the frame of the polar rotation";
+  std::vector<ForeignVariable> all{{"stress", Kind::symmetric_tensor, "Pa", force, {}},
+                                   {"stored_energy", Kind::scalar, "J/m^3", "as the behaviour keeps it", {}},
+                                   {"dissipated_energy", Kind::scalar, "J/m^3", "as the behaviour keeps it", {}}};
+  all.insert(all.end(), model.state.begin(), model.state.end());
+  return all;
+}
+
+Mfront::Mfront(const ForeignTable& table, const double* properties)
+    : table_(table),
+      model_(table.model),
+      behaviour_(*table.behaviour),
+      given_(properties, properties + table.model.properties.size()) {
+  begin_ = add_arrays(" at the beginning");
+  end_ = add_arrays(" at the end");
+  operator_ = arrays_.add("K", operator_size);
+  scalars_ = arrays_.add("the scalars", scalar_count);
+}
+
+Mfront::Arrays Mfront::add_arrays(const std::string& when) {
+  const std::size_t gradient = model_.finite_strain ? 9 : 6, external = size_of(behaviour_.external);
+  return {arrays_.add("the gradients" + when, gradient),
+          arrays_.add("the thermodynamic forces" + when, 6),
+          arrays_.add("the mass density" + when, 1),
+          arrays_.add("the material properties" + when, properties_of(behaviour_)),
+          arrays_.add("the internal state variables" + when, size_of(behaviour_.internal)),
+          arrays_.add("the stored energy" + when, 1),
+          arrays_.add("the dissipated energy" + when, 1),
+          arrays_.add("the external state variables" + when, external + (behaviour_.temperature ? 1 : 0))};
+}
+
+MfrontState Mfront::pointers(const Arrays& a) {
+  return {arrays_[a.gradients], arrays_[a.forces], arrays_[a.density],    arrays_[a.properties],
+          arrays_[a.internal],  arrays_[a.stored], arrays_[a.dissipated], arrays_[a.external]};
+}
+
+/// The library keeps parameters for itself, one set for all instances.
+void Mfront::set_parameters() {
+  if (behaviour_.parameters.empty() || table_.last_set == given_) return;
+  void* set = dlsym(table_.library, (behaviour_.name + "_" + behaviour_.hypothesis + "_setParameter").c_str());
+  if (!set) set = dlsym(table_.library, (behaviour_.name + "_setParameter").c_str());
+  const double* values = given_.data() + properties_of(behaviour_);
+  for (std::size_t k = 0; k < behaviour_.parameters.size(); ++k) {
+    const auto& parameter = behaviour_.parameters[k];
+    if (set) {
+      reinterpret_cast<MfrontSetParameter>(set)(parameter.name.c_str(), values[k]);
+    } else if (values[k] != parameter.value) {
+      throw PointFailure("the library has no function to set parameter '" + parameter.name + "'");
+    }
+  }
+  table_.last_set = given_;
+}
+
+void Mfront::initial_state(const Tensor& cauchy, double* state) {
+  std::fill_n(state, own_state, 0.0);
+  write_symmetric(cauchy, standard_order, plain_shear, state + own_force);
+  write_initial(model_.state, state + own_state);
+}
+
+void Mfront::hand_over(const PointStep& step, double request) {
+  set_parameters();
+  F1_ = step.F1;
+  if (model_.finite_strain) {
+    write_tensor(step.F0, mfront_tensor_order, arrays_[begin_.gradients]);
+    write_tensor(step.F1, mfront_tensor_order, arrays_[end_.gradients]);
+  } else {
+    const LogarithmicStrain now = logarithmic_strain_of(step.F1);
+    R1_ = now.R;
+    write_symmetric(logarithmic_strain_of(step.F0).strain, standard_order, mfront_shear, arrays_[begin_.gradients]);
+    write_symmetric(now.strain, standard_order, mfront_shear, arrays_[end_.gradients]);
+  }
+  const double unit = model_.units.stress;
+  const Tensor before = read_symmetric(step.state0 + own_force, standard_order, plain_shear) / unit;
+  for (const Arrays& a : {begin_, end_}) {
+    write_symmetric(before, standard_order, mfront_shear, arrays_[a.forces]);
+    arrays_[a.density][0] = model_.density;
+    std::copy_n(given_.data(), properties_of(behaviour_), arrays_[a.properties]);
+    to_foreign(layout, model_.state, step.state0 + own_state, arrays_[a.internal]);
+    arrays_[a.stored][0] = step.state0[own_stored] / unit;
+    arrays_[a.dissipated][0] = step.state0[own_dissipated] / unit;
+    arrays_.fill(a.external, 0);
+    const double* external = given_.data() + properties_of(behaviour_) + behaviour_.parameters.size();
+    double* out = arrays_[a.external];
+    if (behaviour_.temperature) *out++ = *external++;
+    for (const MfrontVariable& variable : behaviour_.external) {
+      const bool scalar = kind_of(variable) == Kind::scalar;
+      if (scalar) *out = *external++;
+      out += components_of(kind_of(variable));
+    }
+  }
+  arrays_.fill(operator_, 0);
+  arrays_[operator_][0] = request;  // K[1] = K[2] = 0: Cauchy's stress, d sigma / d F
+  constexpr double longest_proposal = 10;
+  arrays_[scalars_][rdt] = longest_proposal;
+  arrays_[scalars_][speed_of_sound] = 0;
+}
+
+std::int32_t Mfront::call(double dt) {
+  char message[ASSAY_MESSAGE_SIZE] = "";
+  double* s = arrays_[scalars_];
+  MfrontData data{message,          dt / model_.units.time, arrays_[operator_], s + rdt, s + speed_of_sound,
+                  pointers(begin_), pointers(end_)};
+  const int status = reinterpret_cast<MfrontEntry>(table_.entry)(&data);
+  message[ASSAY_MESSAGE_SIZE - 1] = '\0';
+  if (const auto broken = arrays_.broken_fence()) throw PointFailure("overrun: the behaviour " + *broken);
+  if (status == ASSAY_FAILED) {
+    const std::string words = message[0] ? ": " + std::string(message) : "";
+    throw PointFailure("the behaviour could not integrate the step" + words, std::clamp(s[rdt], 0.01, 0.99));
+  }
+  return status == ASSAY_GOOD ? ASSAY_GOOD : ASSAY_DOUBTFUL;
+}
+
+Tensor Mfront::force() const {
+  return model_.units.stress * read_symmetric(arrays_[end_.forces], standard_order, mfront_shear);
+}
+
+void Mfront::update(const PointStep& step, PointEnd& end) {
+  hand_over(step, stress_alone);
+  end.status = call(step.dt);
+  if (end.status == ASSAY_DOUBTFUL) end.message = "the behaviour calls its result unreliable";
+  const Tensor found = force();
+  end.cauchy = model_.finite_strain ? found : Tensor(R1_ * found * R1_.transpose() / step.F1.determinant());
+  write_symmetric(found, standard_order, plain_shear, end.state1 + own_force);
+  end.state1[own_stored] = model_.units.stress * arrays_[end_.stored][0];
+  end.state1[own_dissipated] = model_.units.stress * arrays_[end_.dissipated][0];
+  from_foreign(layout, model_.state, arrays_[end_.internal], end.state1 + own_state);
+}
+
+void Mfront::tangent(const PointStep& step, double* tangent) {
+  hand_over(step, consistent_operator);
+  call(step.dt);
+  const std::size_t columns = model_.finite_strain ? 9 : 6;
+  const double* K = arrays_[operator_];
+  const Tensor T = force();
+  /// K on the rate of the gradient.
+  const auto rate_of_force = [&](const double* gradient) {
+    double s[6] = {};
+    for (std::size_t i = 0; i < 6; ++i) {
+      for (std::size_t j = 0; j < columns; ++j) s[i] += K[i * columns + j] * gradient[j];
+    }
+    return Tensor(model_.units.stress * read_symmetric(s, standard_order, mfront_shear));
+  };
+  for (int column = 0; column < 9; ++column) {
+    Tensor E = Tensor::Zero(), d;
+    component(E, column) = 1;
+    double gradient[9] = {};
+    if (model_.finite_strain) {
+      write_tensor(E, mfront_tensor_order, gradient);
+      d = rate_of_force(gradient);
+    } else {
+      const LogarithmicStrain rate = rate_of_logarithmic_strain(step.F1, E);
+      write_symmetric(rate.strain, standard_order, mfront_shear, gradient);
+      const Tensor w = rate.R * R1_.transpose(), sigma = R1_ * T * R1_.transpose();
+      const double volume = (E * step.F1.inverse()).trace();
+      d = (R1_ * rate_of_force(gradient) * R1_.transpose() + w * sigma - sigma * w - volume * sigma) /
+          step.F1.determinant();
+    }
+    for (int row = 0; row < 9; ++row) tangent[9 * row + column] = component(d, row);
+  }
+}
+
+}  // namespace assay::adapters

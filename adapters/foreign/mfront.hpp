@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A behaviour of MFront's generic interface as a model of ours. State of a point: the thermodynamic force at the
+// beginning (of finite strains Cauchy's stress; of small strains J R^T sigma R in the frame of the polar rotation R),
+// stored and dissipated energy, then the internal variables. Small strains are ln U in that frame.
+#pragma once
+
+#include "adapters/foreign/foreign_point.hpp"
+#include "adapters/foreign/guarded_arrays.hpp"
+#include "adapters/foreign/mfront_entry.hpp"
+#include "adapters/foreign/mfront_metadata.hpp"
+
+namespace assay::adapters {
+
+class Mfront {
+ public:
+  static constexpr std::size_t own_state = 8;
+
+  /// What the metadata tells, filled into the model: properties, state, symmetry.
+  static void describe(const MfrontBehaviour& behaviour, ForeignModel& model);
+  static std::vector<ForeignVariable> state_of(const ForeignModel& model);
+
+  Mfront(const ForeignTable& table, const double* properties);
+
+  void initial_state(const Tensor& cauchy, double* state);
+  void update(const PointStep& step, PointEnd& end);
+  void tangent(const PointStep& step, double* tangent);
+
+ private:
+  struct Arrays {
+    std::size_t gradients, forces, density, properties, internal, stored, dissipated, external;
+  };
+  Arrays add_arrays(const std::string& when);
+  void set_parameters();
+  void hand_over(const PointStep& step, double request);
+  std::int32_t call(double dt);
+  Tensor force() const;
+  MfrontState pointers(const Arrays& arrays);
+
+  const ForeignTable& table_;
+  const ForeignModel& model_;
+  const MfrontBehaviour& behaviour_;
+  std::vector<double> given_;  ///< all parameters, in declared order
+  GuardedArrays arrays_;
+  Arrays begin_, end_;
+  std::size_t operator_, scalars_;
+  Tensor F1_, R1_;
+};
+
+}  // namespace assay::adapters

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/foreign/mfront_metadata.hpp"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "adapters/elf_symbols.hpp"
+#include "adapters/foreign/foreign_table.hpp"
+
+namespace assay::adapters {
+
+namespace {
+
+constexpr const char* hypothesis = "Tridimensional";
+
+/// The symbols of one behaviour; what is said for the hypothesis goes before what is said for all.
+class Symbols {
+ public:
+  Symbols(void* library, std::string behaviour) : library_(library), behaviour_(std::move(behaviour)) {}
+
+  void* find(const std::string& what) const {
+    if (void* own = dlsym(library_, (behaviour_ + "_" + hypothesis + "_" + what).c_str())) return own;
+    return dlsym(library_, (behaviour_ + "_" + what).c_str());
+  }
+
+  std::optional<unsigned> number(const std::string& what) const {
+    const void* found = find(what);
+    return found ? std::optional<unsigned>(*static_cast<const unsigned short*>(found)) : std::nullopt;
+  }
+
+  std::string text(const std::string& what) const {
+    const void* found = find(what);
+    const char* words = found ? *static_cast<const char* const*>(found) : nullptr;
+    return words ? words : "";
+  }
+
+  /// nWHAT names, and their types where `types` names an array of them.
+  std::vector<MfrontVariable> variables(const std::string& what, const std::string& types) const {
+    std::vector<MfrontVariable> list(number("n" + what).value_or(0));
+    const auto* names = static_cast<const char* const*>(list.empty() ? nullptr : find(what));
+    const auto* kinds = static_cast<const int*>(list.empty() || types.empty() ? nullptr : find(types));
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      if (!names || !names[k]) throw ForeignError("library", "its symbol for " + what + " is missing");
+      list[k].name = names[k];
+      list[k].type = kinds ? kinds[k] : 0;
+    }
+    return list;
+  }
+
+  std::optional<double> real(const std::string& what) const {
+    const void* found = find(what);
+    return found ? std::optional<double>(*static_cast<const double*>(found)) : std::nullopt;
+  }
+
+ private:
+  void* library_;
+  std::string behaviour_;
+};
+
+/// Constants that come before the listed properties although they are not listed.
+std::vector<std::string> prepended(const Symbols& symbols, bool orthotropic) {
+  std::vector<std::string> names;
+  const auto add = [&](std::initializer_list<const char*> more) {
+    names.insert(names.end(), more.begin(), more.end());
+  };
+  if (symbols.number("requiresStiffnessTensor").value_or(0)) {
+    if (symbols.number("ElasticSymmetryType").value_or(0) == 0) {
+      add({"YoungModulus", "PoissonRatio"});
+    } else {
+      add({"YoungModulus1", "YoungModulus2", "YoungModulus3", "PoissonRatio12", "PoissonRatio23", "PoissonRatio13",
+           "ShearModulus12", "ShearModulus23", "ShearModulus13"});
+    }
+  }
+  if (symbols.number("requiresThermalExpansionCoefficientTensor").value_or(0)) {
+    if (orthotropic) {
+      add({"ThermalExpansion1", "ThermalExpansion2", "ThermalExpansion3"});
+    } else {
+      add({"ThermalExpansion"});
+    }
+  }
+  return names;
+}
+
+void require_served(const Symbols& symbols, MfrontBehaviour& behaviour) {
+  const std::string interface = symbols.text("mfront_interface");
+  if (interface != "Generic") {
+    throw ForeignError("symbol", "behaviour '" + behaviour.name + "' was made for MFront's interface '" + interface +
+                                     "', not for the generic one");
+  }
+  const unsigned version = symbols.number("api_version").value_or(0);
+  if (version != 1) {
+    throw ForeignError("library",
+                       "its generic interface has api_version " + std::to_string(version) + ", and 1 is served");
+  }
+  constexpr unsigned small_strain_type = 1, finite_strain_type = 2, small_kinematic = 1, cauchy_kinematic = 3;
+  const unsigned type = symbols.number("BehaviourType").value_or(0),
+                 kinematic = symbols.number("BehaviourKinematic").value_or(0);
+  behaviour.finite_strain = type == finite_strain_type && kinematic == cauchy_kinematic;
+  if (!behaviour.finite_strain && !(type == small_strain_type && kinematic == small_kinematic)) {
+    throw ForeignError("symbol", "behaviour '" + behaviour.name + "' is of type " + std::to_string(type) +
+                                     " and kinematic " + std::to_string(kinematic) +
+                                     ": small strains and F with Cauchy's stress are served");
+  }
+}
+
+/// "p[0]" in names of symbols: p_mfront_index_0.
+std::string symbol_word(std::string name) {
+  const std::size_t open = name.find('[');
+  if (open == std::string::npos || name.back() != ']') return name;
+  return name.substr(0, open) + "_mfront_index_" + name.substr(open + 1, name.size() - open - 2);
+}
+
+/// Of a property; infinite where nothing is said.
+MfrontVariable with_bounds(const Symbols& symbols, MfrontVariable variable) {
+  const auto bound = [&](const char* which, double& out) {
+    const void* found = symbols.find(symbol_word(variable.name) + which);
+    if (found) out = static_cast<double>(*static_cast<const long double*>(found));
+  };
+  bound("_LowerPhysicalBound", variable.lower);
+  bound("_UpperPhysicalBound", variable.upper);
+  return variable;
+}
+
+void read_parameters(const Symbols& symbols, MfrontBehaviour& behaviour) {
+  constexpr int real_number = 0;
+  for (const MfrontVariable& parameter : symbols.variables("Parameters", "ParametersTypes")) {
+    const auto value = symbols.real(symbol_word(parameter.name) + "_ParameterDefaultValue");
+    if (parameter.type == real_number && value) behaviour.parameters.push_back({parameter.name, *value});
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> mfront_behaviours(const std::string& path) {
+  const std::string ending = "_mfront_ept";
+  std::vector<std::string> names;
+  for (const std::string& symbol : exported_symbols(path)) {
+    if (symbol.ends_with(ending)) names.push_back(symbol.substr(0, symbol.size() - ending.size()));
+  }
+  // of a behaviour that says it for each hypothesis too
+  std::erase_if(names, [&](const std::string& name) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& other) { return name == other + "_" + hypothesis; });
+  });
+  return names;
+}
+
+MfrontBehaviour mfront_behaviour(void* library, const std::string& name, const std::vector<std::string>& known) {
+  std::string list;
+  for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
+  if (std::find(known.begin(), known.end(), name) == known.end()) {
+    throw ForeignError("symbol", "the library has no behaviour '" + name + "'", list.empty() ? "none" : list);
+  }
+  const Symbols symbols(library, name);
+  MfrontBehaviour behaviour;
+  behaviour.name = name;
+  behaviour.hypothesis = hypothesis;
+  behaviour.version = symbols.text("tfel_version");
+  require_served(symbols, behaviour);
+  behaviour.entry = dlsym(library, (name + "_" + hypothesis).c_str());
+  if (!behaviour.entry) {
+    throw ForeignError("symbol", "behaviour '" + name + "' has no function for the hypothesis " + hypothesis);
+  }
+  behaviour.orthotropic = symbols.number("SymmetryType").value_or(0) != 0;
+  behaviour.temperature = symbols.number("TemperatureRemovedFromExternalStateVariables").value_or(1) != 0;
+  behaviour.prepended = prepended(symbols, behaviour.orthotropic);
+  for (const MfrontVariable& property : symbols.variables("MaterialProperties", "")) {
+    behaviour.properties.push_back(with_bounds(symbols, property));
+  }
+  behaviour.internal = symbols.variables("InternalStateVariables", "InternalStateVariablesTypes");
+  behaviour.external = symbols.variables("ExternalStateVariables", "ExternalStateVariablesTypes");
+  read_parameters(symbols, behaviour);
+  return behaviour;
+}
+
+}  // namespace assay::adapters

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a library of MFront's generic interface says of itself.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "adapters/foreign/foreign_model.hpp"
+
+namespace assay::adapters {
+
+/// MFront's kinds of variables.
+struct MfrontVariable {
+  std::string name;
+  int type = 0;  ///< & 7: 0 scalar, 1 symmetric tensor, 2 vector, 3 tensor
+  double lower = -INFINITY, upper = INFINITY;
+};
+
+struct MfrontBehaviour {
+  std::string name, hypothesis, version;
+  void* entry = nullptr;
+  bool finite_strain = false;  ///< gradient F, force Cauchy; else small strain
+  bool orthotropic = false;
+  bool temperature = false;            ///< is the first external variable
+  std::vector<std::string> prepended;  ///< elastic constants and expansions that come before the listed properties
+  std::vector<MfrontVariable> properties, internal, external;
+  struct Parameter {
+    std::string name;
+    double value = 0;
+  };
+  std::vector<Parameter> parameters;
+};
+
+/// Names of the behaviours of a library, by its symbols NAME_mfront_ept. Reads the file alone.
+std::vector<std::string> mfront_behaviours(const std::string& path);
+
+/// Of a loaded library, three-dimensional hypothesis. Throws ForeignError: no such behaviour, another interface or
+/// version of it, cohesive zones and others that are no stress of a deformation.
+MfrontBehaviour mfront_behaviour(void* library, const std::string& name, const std::vector<std::string>& known);
+
+}  // namespace assay::adapters

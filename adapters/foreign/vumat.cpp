@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/foreign/vumat.hpp"
+
+#include <algorithm>
+
+#include "adapters/foreign/component_order.hpp"
+#include "adapters/foreign/foreign_state.hpp"
+#include "adapters/foreign/vumat_entry.hpp"
+
+namespace assay::adapters {
+
+namespace {
+
+constexpr std::size_t name_length = 80, block_numbers = 8;
+constexpr StateLayout layout{explicit_order, plain_shear, plain_shear};
+
+/// Where a point's own state begins.
+enum Own : std::size_t { own_stress = 0, own_internal = 6, own_inelastic = 7 };
+
+Tensor tensor_at(const double* nine, std::size_t n, std::size_t p) {
+  Tensor A;
+  for (std::size_t c = 0; c < 9; ++c) component(A, static_cast<int>(c)) = nine[c * n + p];
+  return A;
+}
+
+/// 1 J/kg in units of the model.
+double specific_energy(const ModelUnits& units) { return units.length * units.length / (units.time * units.time); }
+
+/// 1 kg/m^3 in units of the model.
+double unit_density(const ModelUnits& units) {
+  return units.length * units.length / (units.stress * units.time * units.time);
+}
+
+/// By how much the material turns more than the frame of R, in that frame.
+Vector3 relative_spin(const Tensor& F0, const Tensor& F1, const CorotationalStep& step) {
+  const Tensor l = 2 * (F1 - F0) * (F0 + F1).inverse(), w = 0.5 * (l - l.transpose()) - step.spin;
+  const Tensor in_frame = step.R1.transpose() * w * step.R1;
+  return {in_frame(2, 1), in_frame(0, 2), in_frame(1, 0)};
+}
+
+}  // namespace
+
+std::vector<ForeignVariable> Vumat::state_of(const ForeignModel& model) {
+  using Kind = ForeignVariable::Kind;
+  std::vector<ForeignVariable> all{
+      {"stress", Kind::symmetric_tensor, "Pa", "Cauchy stress in the frame of the polar rotation", {}},
+      {"internal_energy", Kind::scalar, "J/kg", "enerIntern", {}},
+      {"inelastic_energy", Kind::scalar, "J/kg", "enerInelas", {}}};
+  all.insert(all.end(), model.state.begin(), model.state.end());
+  return all;
+}
+
+Vumat::Vumat(const ForeignTable& table, const double* properties)
+    : table_(table), model_(table.model), properties_(properties, properties + table.model.properties.size()) {}
+
+Vumat::Block::Block(std::size_t points, const ForeignModel& model) : n(points), rotation(points) {
+  const auto size = static_cast<std::size_t>(foreign_state_size(model.state));
+  props = arrays.add("props", model.properties.size());
+  coords = arrays.add("coordMp", 3 * n);
+  lengths = arrays.add("charLength", n);
+  density = arrays.add("density", n);
+  strain = arrays.add("strainInc", 6 * n);
+  spin = arrays.add("relSpinInc", 3 * n);
+  for (const int end : {0, 1}) {
+    const std::string when = end ? "New" : "Old";
+    temperature[end] = arrays.add("temp" + when, n);
+    stretch[end] = arrays.add("stretch" + when, 6 * n);
+    gradient[end] = arrays.add("defgrad" + when, 9 * n);
+    fields[end] = arrays.add("field" + when, n);
+    stress[end] = arrays.add("stress" + when, 6 * n);
+    state[end] = arrays.add("state" + when, size * n);
+    internal[end] = arrays.add("enerIntern" + when, n);
+    inelastic[end] = arrays.add("enerInelas" + when, n);
+  }
+}
+
+Vumat::Block& Vumat::block_of(std::size_t n) {
+  const auto found = std::find_if(blocks_.begin(), blocks_.end(), [n](const auto& block) { return block->n == n; });
+  if (found != blocks_.end()) return **found;
+  constexpr std::size_t most = 4;
+  if (blocks_.size() == most) blocks_.erase(blocks_.begin());
+  blocks_.push_back(std::make_unique<Block>(n, model_));
+  return *blocks_.back();
+}
+
+void Vumat::initial_state(const Tensor& cauchy, double* state) {
+  std::fill_n(state, own_state, 0.0);
+  write_symmetric(cauchy, standard_order, plain_shear, state + own_stress);
+  write_initial(model_.state, state + own_state);
+  const double I[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  // Abaqus asks for an elastic response at time zero before the first step; what it leaves in the state is not kept.
+  Block& block = block_of(1);
+  hand_over(block, {0, 1, I, I}, state);
+  constexpr double fictitious = 1e-8;
+  block.arrays[block.strain][0] = fictitious;
+  call(block, 0, 1);
+}
+
+void Vumat::hand_over(Block& block, const assay_step& step, const double* state0) {
+  GuardedArrays& a = block.arrays;
+  const std::size_t n = block.n;
+  const auto size = static_cast<std::size_t>(foreign_state_size(model_.state));
+  std::copy(properties_.begin(), properties_.end(), a[block.props]);
+  for (const std::size_t array : {block.coords, block.fields[0], block.fields[1]}) a.fill(array, 0);
+  for (const std::size_t array : {block.temperature[0], block.temperature[1]}) a.fill(array, model_.temperature);
+  a.fill(block.lengths, model_.characteristic_length);
+  std::vector<double> ours(own_state + size), theirs(size);
+  for (std::size_t p = 0; p < n; ++p) {
+    const Tensor F0 = tensor_at(step.F0, n, p), F1 = tensor_at(step.F1, n, p);
+    const CorotationalStep c = corotational_step(F0, F1, model_.kinematics);
+    block.rotation[p] = c.R1;
+    a[block.density][p] = model_.density / F1.determinant() * unit_density(model_.units);
+    write_symmetric(c.strain, explicit_order, plain_shear, a[block.strain] + p, n);
+    const Vector3 spin = relative_spin(F0, F1, c);
+    for (int k = 0; k < 3; ++k) a[block.spin][static_cast<std::size_t>(k) * n + p] = spin(k);
+    write_symmetric(c.U0, explicit_order, plain_shear, a[block.stretch[0]] + p, n);
+    write_symmetric(c.U1, explicit_order, plain_shear, a[block.stretch[1]] + p, n);
+    write_tensor(F0, explicit_tensor_order, a[block.gradient[0]] + p, n);
+    write_tensor(F1, explicit_tensor_order, a[block.gradient[1]] + p, n);
+    for (std::size_t k = 0; k < ours.size(); ++k) ours[k] = state0[k * n + p];
+    const Tensor before = read_symmetric(ours.data() + own_stress, standard_order, plain_shear) / model_.units.stress;
+    to_foreign(layout, model_.state, ours.data() + own_state, theirs.data());
+    for (const int end : {0, 1}) {  // the new ones are for the model to write; it may leave what does not change
+      write_symmetric(before, explicit_order, plain_shear, a[block.stress[end]] + p, n);
+      for (std::size_t k = 0; k < size; ++k) a[block.state[end]][k * n + p] = theirs[k];
+      a[block.internal[end]][p] = ours[own_internal] / specific_energy(model_.units);
+      a[block.inelastic[end]][p] = ours[own_inelastic] / specific_energy(model_.units);
+    }
+  }
+}
+
+void Vumat::call(Block& block, double time, double dt) {
+  char name[name_length];
+  std::fill_n(name, name_length, ' ');
+  std::copy_n(model_.material_name.data(), std::min(name_length, model_.material_name.size()), name);
+  int nblock[block_numbers] = {static_cast<int>(block.n), 1, 1, 1, 1};
+  int ndir = 3, nshr = 3, nstatev = foreign_state_size(model_.state), nfieldv = 0,
+      nprops = static_cast<int>(properties_.size()), lanneal = 0;
+  double step_time = time / model_.units.time, total_time = step_time, length = dt / model_.units.time;
+  GuardedArrays& a = block.arrays;
+  reinterpret_cast<VumatEntry>(table_.entry)(
+      nblock, &ndir, &nshr, &nstatev, &nfieldv, &nprops, &lanneal, &step_time, &total_time, &length, name,
+      a[block.coords], a[block.lengths], a[block.props], a[block.density], a[block.strain], a[block.spin],
+      a[block.temperature[0]], a[block.stretch[0]], a[block.gradient[0]], a[block.fields[0]], a[block.stress[0]],
+      a[block.state[0]], a[block.internal[0]], a[block.inelastic[0]], a[block.temperature[1]], a[block.stretch[1]],
+      a[block.gradient[1]], a[block.fields[1]], a[block.stress[1]], a[block.state[1]], a[block.internal[1]],
+      a[block.inelastic[1]], name_length);
+  if (const auto broken = a.broken_fence()) throw PointFailure("overrun: the VUMAT " + *broken);
+}
+
+void Vumat::update_batch(const assay_step& step, std::size_t n, const double* state0, double* state1, double* cauchy) {
+  Block& block = block_of(n);
+  hand_over(block, step, state0);
+  call(block, step.t + step.dt, step.dt);
+  const GuardedArrays& a = block.arrays;
+  const auto size = static_cast<std::size_t>(foreign_state_size(model_.state));
+  std::vector<double> ours(own_state + size), theirs(size);
+  for (std::size_t p = 0; p < n; ++p) {
+    const Tensor T = model_.units.stress * read_symmetric(a[block.stress[1]] + p, explicit_order, plain_shear, n);
+    const Tensor sigma = block.rotation[p] * T * block.rotation[p].transpose();
+    for (std::size_t c = 0; c < 9; ++c) cauchy[c * n + p] = component(sigma, static_cast<int>(c));
+    write_symmetric(T, standard_order, plain_shear, ours.data() + own_stress);
+    ours[own_internal] = a[block.internal[1]][p] * specific_energy(model_.units);
+    ours[own_inelastic] = a[block.inelastic[1]][p] * specific_energy(model_.units);
+    for (std::size_t k = 0; k < size; ++k) theirs[k] = a[block.state[1]][k * n + p];
+    from_foreign(layout, model_.state, theirs.data(), ours.data() + own_state);
+    for (std::size_t k = 0; k < ours.size(); ++k) state1[k * n + p] = ours[k];
+  }
+}
+
+}  // namespace assay::adapters

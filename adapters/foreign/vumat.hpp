@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Abaqus' VUMAT as a model of ours, a whole batch a call. State of a point: Cauchy stress in the frame of the polar
+// rotation R [Pa], internal and inelastic energy per mass [J/kg], then the state as declared.
+#pragma once
+
+#include <memory>
+
+#include "adapters/foreign/foreign_point.hpp"
+#include "adapters/foreign/guarded_arrays.hpp"
+#include "adapters/foreign/kinematics.hpp"
+
+namespace assay::adapters {
+
+class Vumat {
+ public:
+  static constexpr std::size_t own_state = 8;
+  static std::vector<ForeignVariable> state_of(const ForeignModel& model);
+
+  Vumat(const ForeignTable& table, const double* properties);
+
+  void initial_state(const Tensor& cauchy, double* state);
+
+  /// n points; arrays as in the ABI. Throws PointFailure.
+  void update_batch(const assay_step& step, std::size_t n, const double* state0, double* state1, double* cauchy);
+
+ private:
+  /// Arrays for batches of one size.
+  struct Block {
+    explicit Block(std::size_t n, const ForeignModel& model);
+    std::size_t n;
+    GuardedArrays arrays;
+    std::size_t props, coords, lengths, density, strain, spin, temperature[2], stretch[2], gradient[2], fields[2],
+        stress[2], state[2], internal[2], inelastic[2];
+    std::vector<Tensor> rotation;  ///< R at the end of the step
+  };
+  Block& block_of(std::size_t n);
+  void hand_over(Block& block, const assay_step& step, const double* state0);
+  void call(Block& block, double time, double dt);
+
+  const ForeignTable& table_;
+  const ForeignModel& model_;
+  std::vector<double> properties_;
+  std::vector<std::unique_ptr<Block>> blocks_;
+};
+
+}  // namespace assay::adapters

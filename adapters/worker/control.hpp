@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The page that a host, its worker and the worker's warden share. The host spawns the warden, a process that runs no
+// foreign code; the warden starts the worker proper, hears what it prints, watches its limits and cleans up after it.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "harness/assay_material.h"
+
+namespace assay::adapters {
+
+/// How a worker came to its end.
+enum class Death : std::uint32_t {
+  none,
+  signal,      ///< number: the signal
+  exit,        ///< number: the status
+  time_limit,  ///< a call took longer than allowed
+  memory,      ///< the process took more than allowed
+  stack,       ///< a signal next to the end of the stack
+  ended,       ///< by the model's own word, as XIT; words say which
+  given_up,    ///< the host was interrupted while it waited
+  lost,        ///< the warden itself is gone
+};
+
+/// What a model has done to the arithmetic of its process in a call.
+enum Arithmetic : std::uint32_t { arithmetic_kept = 0, rounding_changed = 1, traps_enabled = 2, denormals_flushed = 4 };
+
+inline constexpr std::size_t words_size = 512, output_size = 4096;
+
+struct Control {
+  // host -> worker and back; both count, and are waited for
+  std::atomic<std::uint32_t> request, reply;
+  std::atomic<std::uint32_t> operation;  ///< Operation, or of a task
+  // limits, set by the host before the start
+  double time_limit;           ///< of one call [s]
+  std::uint64_t memory_limit;  ///< bytes beyond what the worker had at its start
+  // the worker's marks
+  std::atomic<std::int64_t> busy_since;   ///< monotonic [ns] of the call that runs; 0: none
+  std::atomic<std::size_t> point;         ///< of the batch, that is being worked on
+  std::atomic<std::uint32_t> arithmetic;  ///< or-ed Arithmetic of the last call
+  std::atomic<std::int64_t> busy_ns;      ///< spent in the last request
+  std::atomic<std::uint32_t> claim;       ///< Death, as the worker itself saw it come
+  // the end, written by the warden
+  std::atomic<std::uint32_t> death;  ///< Death
+  std::int32_t death_number;
+  char death_words[words_size];
+  // what the model printed: the beginning, the end, and how much in all
+  std::atomic<std::uint64_t> printed;
+  char head[output_size], tail[output_size];  ///< the tail is a ring: byte k at k % output_size
+  char reason[words_size];                    ///< of a request that failed
+};
+static_assert(std::atomic<std::uint32_t>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free);
+
+}  // namespace assay::adapters

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/worker/crash_marks.hpp"
+
+#include <sys/resource.h>
+#include <ucontext.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdint>
+#include <cstring>
+
+namespace assay::adapters {
+
+namespace {
+
+Control* marked = nullptr;
+alignas(16) char handler_stack[1 << 16];  // a stack that overflowed cannot serve
+
+/// Whether an address lies just below the stack pointer, as that of a call that found no room.
+bool next_to_stack(const void* address, const void* context) {
+#if defined(__x86_64__)
+  const auto at = reinterpret_cast<std::uintptr_t>(address);
+  const auto top = static_cast<std::uintptr_t>(static_cast<const ucontext_t*>(context)->uc_mcontext.gregs[REG_RSP]);
+  constexpr std::uintptr_t reach = 1 << 20;
+  return at < top + 4096 && at + reach > top;
+#else
+  static_cast<void>(address), static_cast<void>(context);
+  return false;
+#endif
+}
+
+void on_crash(int signal, siginfo_t* information, void* context) {
+  if (marked && information->si_code > 0 && next_to_stack(information->si_addr, context)) {
+    marked->claim.store(static_cast<std::uint32_t>(Death::stack));
+  }
+  std::signal(signal, SIG_DFL);  // it happens again when this returns
+}
+
+}  // namespace
+
+void mark_crashes(Control& control) {
+  marked = &control;
+  stack_t stack = {};
+  stack.ss_sp = handler_stack;
+  stack.ss_size = sizeof handler_stack;
+  ::sigaltstack(&stack, nullptr);
+  struct sigaction action = {};
+  action.sa_sigaction = on_crash;
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK;
+  for (const int signal : {SIGSEGV, SIGBUS}) sigaction(signal, &action, nullptr);
+}
+
+void end_by_word(const char* words) {
+  if (marked) {
+    std::strncpy(marked->death_words, words, words_size - 1);
+    marked->claim.store(static_cast<std::uint32_t>(Death::ended));
+  }
+  ::_exit(1);
+}
+
+}  // namespace assay::adapters

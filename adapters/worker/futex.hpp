@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Waiting for a word in memory that processes share.
+#pragma once
+
+#include <linux/futex.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <climits>
+#include <cstdint>
+#include <ctime>
+
+namespace assay::adapters {
+
+/// Sleeps while the word has that value; comes back on a wake, a signal, or after `milliseconds` (negative: never).
+inline void wait_while(std::atomic<std::uint32_t>& word, std::uint32_t value, int milliseconds = -1) {
+  const timespec limit{milliseconds / 1000, (milliseconds % 1000) * 1000000L};
+  ::syscall(SYS_futex, reinterpret_cast<std::uint32_t*>(&word), FUTEX_WAIT, value, milliseconds < 0 ? nullptr : &limit,
+            nullptr, 0);
+}
+
+inline void wake_all(std::atomic<std::uint32_t>& word) {
+  ::syscall(SYS_futex, reinterpret_cast<std::uint32_t*>(&word), FUTEX_WAKE, INT_MAX, nullptr, nullptr, 0);
+}
+
+}  // namespace assay::adapters

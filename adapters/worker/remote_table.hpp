@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A table of the ABI whose functions run in worker processes.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "adapters/worker/servant.hpp"
+#include "adapters/worker/worker_process.hpp"
+
+namespace assay::adapters {
+
+/// Why a worker has no table for its task: ModelRefused of the worker, or how the worker came to its end (key empty).
+class RemoteError : public std::runtime_error {
+ public:
+  explicit RemoteError(const ModelRefused& why) : std::runtime_error(why.what), refused(why) {}
+  ModelRefused refused;
+};
+
+/// Starts a worker and asks it for its table; calls go to as many workers as there are at once. A call in which the
+/// worker dies fails with words of how; the next one goes to a new worker. The table lives as long as the process, its
+/// workers until it ends. Throws RemoteError, std::system_error.
+const assay_material* remote_table(const WorkerStart& start);
+
+/// The task of a remote table's workers; empty for any other table.
+std::string task_of(const assay_material* table);
+
+/// What the workers of a remote table have printed so far; empty for any other table.
+std::string output_of(const assay_material* table);
+
+/// Ends the workers of all remote tables: to be called before the process ends.
+void end_workers();
+
+}  // namespace assay::adapters

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/worker/servant.hpp"
+
+#include <algorithm>
+#include <cfenv>
+#include <cstring>
+#include <ctime>
+#include <map>
+#include <memory>
+
+#include "adapters/foreign/progress_mark.hpp"
+#include "adapters/worker/arithmetic.hpp"
+#include "adapters/worker/call_arrays.hpp"
+#include "adapters/worker/futex.hpp"
+#include "adapters/worker/table_pack.hpp"
+#include "harness/material.hpp"
+
+namespace assay::adapters {
+
+namespace {
+
+std::int64_t now_ns() {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_sec * 1000000000LL + now.tv_nsec;
+}
+
+void say(char* out, std::size_t size, const std::string& text) { out[text.copy(out, size - 1)] = '\0'; }
+
+/// The answers to one host about one table.
+class Servant {
+ public:
+  Servant(WorkerFloor& floor, const assay_material* table) : floor_(floor), table_(*table) {
+    for (std::uint32_t i = 0; i < table->state_count; ++i) {
+      state_ += static_cast<std::size_t>(components_of_kind(table->state[i].kind));
+    }
+  }
+
+  void serve(Operation operation) {
+    CallArrays arrays(floor_.arrays, floor_.arrays_size);
+    head_ = &arrays.head();
+    const ForeignCall marks(floor_.control);
+    switch (operation) {
+      case Operation::describe: {
+        const std::string bytes = packed(table_);
+        auto* out = arrays.next<char>(bytes.size(), "the table");
+        head_->n = bytes.size();
+        std::copy(bytes.begin(), bytes.end(), out);
+        head_->status = ASSAY_GOOD;
+        return;
+      }
+      case Operation::create:
+        return create(arrays);
+      case Operation::initial_state:
+        return initial_state(arrays);
+      case Operation::update:
+        return update(arrays);
+      default:
+        return extension(operation, arrays);
+    }
+  }
+
+ private:
+  using Self = std::unique_ptr<void, void (*)(void*)>;
+
+  void* self() const {
+    const auto found = instances_.find(head_->instance);
+    return found == instances_.end() ? nullptr : found->second.get();
+  }
+
+  void create(CallArrays& arrays) {
+    const auto* parameters = arrays.next<double>(table_.parameter_count, "the parameters");
+    void* made = create_instance(&table_, parameters, head_->message);
+    head_->status = made ? ASSAY_GOOD : ASSAY_FAILED;
+    if (made) instances_.insert_or_assign(head_->instance, Self(made, table_.destroy));
+  }
+
+  void initial_state(CallArrays& arrays) {
+    const std::size_t n = head_->n;
+    const auto* cauchy = arrays.next<double>(9 * n, "cauchy");
+    auto* state = arrays.next<double>(state_ * n, "the initial state");
+    head_->status = table_.initial_state ? table_.initial_state(self(), n, cauchy, state) : ASSAY_GOOD;
+    say_reason();
+  }
+
+  void update(CallArrays& arrays) {
+    const std::size_t n = head_->n;
+    const auto* F0 = arrays.next<double>(9 * n, "F0");
+    const auto* F1 = arrays.next<double>(9 * n, "F1");
+    const auto* state0 = arrays.next<double>(state_ * n, "state0");
+    auto* state1 = arrays.next<double>(state_ * n, "state1");
+    auto* cauchy = arrays.next<double>(9 * n, "cauchy");
+    auto* status = arrays.next<std::int32_t>(n, "status");
+    const assay_step step{head_->t, head_->dt, F0, F1};
+    table_.update(self(), &step, n, state0, state1, cauchy, status, &head_->dt_factor, head_->message);
+  }
+
+  template <class Extension>
+  const Extension* offered(const char* id) const {
+    return static_cast<const Extension*>(extension_of(&table_, id));
+  }
+
+  void extension(Operation operation, CallArrays& arrays) {
+    const std::size_t n = head_->n;
+    const auto in = [&](std::size_t size, const char* name) { return arrays.next<double>(size, name); };
+    if (operation == Operation::tangent) {
+      const double *F0 = in(9 * n, "F0"), *F1 = in(9 * n, "F1"), *state0 = in(state_ * n, "state0");
+      const assay_step step{head_->t, head_->dt, F0, F1};
+      head_->status =
+          offered<assay_tangent>(ASSAY_EXTENSION_TANGENT)->tangent(self(), &step, n, state0, in(81 * n, "the tangent"));
+    } else if (operation == Operation::energy) {
+      const double *F = in(9 * n, "F"), *state = in(state_ * n, "state");
+      head_->status = offered<assay_energy>(ASSAY_EXTENSION_ENERGY)->energy(self(), n, F, state, in(n, "the energy"));
+    } else if (operation == Operation::rate) {
+      const double *F = in(9 * n, "F"), *l = in(9 * n, "l"), *cauchy = in(9 * n, "cauchy"),
+                   *state = in(state_ * n, "state");
+      double *cauchy_rate = in(9 * n, "the rate of stress"), *state_rate = in(state_ * n, "the rate of state");
+      head_->status = offered<assay_rate>(ASSAY_EXTENSION_RATE)
+                          ->rate(self(), head_->t, n, F, l, cauchy, state, cauchy_rate, state_rate);
+    } else if (operation == Operation::wave_speed) {
+      const double *F = in(9 * n, "F"), *cauchy = in(9 * n, "cauchy"), *state = in(state_ * n, "state");
+      head_->status = offered<assay_wave_speed>(ASSAY_EXTENSION_WAVE_SPEED)
+                          ->wave_speed(self(), head_->density, n, F, cauchy, state, in(n, "the speed"));
+    } else if (operation == Operation::closed_form) {
+      const double* eps = in(n, "eps");
+      double *tau = in(9 * n, "tau"), *slope = in(9 * n, "the slope");
+      head_->status =
+          offered<assay_closed_form>(ASSAY_EXTENSION_CLOSED_FORM)->tau(self(), head_->baseline, n, eps, tau, slope);
+    }
+    say_reason();
+  }
+
+  void say_reason() {
+    const auto* reasons = offered<assay_reason>(ASSAY_EXTENSION_REASON);
+    const char* reason = reasons && head_->status == ASSAY_FAILED ? reasons->reason(self()) : nullptr;
+    if (reason) say(head_->message, ASSAY_MESSAGE_SIZE, reason);
+  }
+
+  WorkerFloor& floor_;
+  const assay_material& table_;
+  std::size_t state_ = 0;
+  CallHead* head_ = nullptr;
+  std::map<std::uint64_t, Self> instances_;
+};
+
+}  // namespace
+
+ForeignCall::ForeignCall(Control& control) : control_(control) {
+  control_.point.store(0);
+  reset_arithmetic();
+  control_.busy_since.store(now_ns());
+}
+
+ForeignCall::~ForeignCall() {
+  control_.busy_ns.store(now_ns() - control_.busy_since.load());
+  control_.busy_since.store(0);
+  control_.arithmetic.store(changes_of_arithmetic());
+  reset_arithmetic();
+}
+
+void watch_points(Control& control) { point_mark = &control.point; }
+
+std::string arithmetic_words(std::uint32_t changes) {
+  if (changes & traps_enabled) return "leaves floating-point traps enabled";
+  if (changes & rounding_changed) return "changes the rounding mode of the process";
+  return {};
+}
+
+std::uint32_t next_request(Control& control) {
+  for (;;) {
+    const std::uint32_t seen = control.reply.load(), asked = control.request.load();
+    if (asked != seen) return control.operation.load();
+    wait_while(control.request, asked);
+  }
+}
+
+void answer(Control& control) {
+  control.reply.store(control.request.load());
+  wake_all(control.reply);
+}
+
+void serve_model(WorkerFloor& floor, const std::function<const assay_material*()>& find) {
+  watch_points(floor.control);
+  std::unique_ptr<Servant> servant;
+  ModelRefused refused;
+  const auto load = [&] {
+    const ForeignCall marks(floor.control);
+    try {
+      servant = std::make_unique<Servant>(floor, find());
+    } catch (const ModelRefused& why) {
+      refused = why;
+    } catch (const std::exception& error) {
+      refused = {"", error.what(), ""};
+    }
+  };
+  for (bool loaded = false;; loaded = true) {
+    const auto operation = static_cast<Operation>(next_request(floor.control));
+    if (operation == Operation::end) return answer(floor.control);
+    if (!loaded) load();
+    if (servant) {
+      servant->serve(operation);
+    } else {
+      CallArrays arrays(floor.arrays, floor.arrays_size);
+      arrays.head().status = ASSAY_FAILED;
+      char* words = arrays.next<char>(3 * words_size, "the reason");
+      say(words, words_size, refused.key);
+      say(words + words_size, words_size, refused.what);
+      say(words + 2 * words_size, words_size, refused.known);
+    }
+    answer(floor.control);
+  }
+}
+
+}  // namespace assay::adapters

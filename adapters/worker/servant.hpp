@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The worker's side of a model: it answers calls with a table of its own process.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "adapters/worker/warden.hpp"
+
+namespace assay::adapters {
+
+/// What a worker that cannot find its model says of that: the parts of an error at a key of the description.
+struct ModelRefused {
+  std::string key, what, known;
+};
+
+/// Finds the table with `find`, which may throw ModelRefused or std::exception, and answers until the process ends.
+void serve_model(WorkerFloor& floor, const std::function<const assay_material*()>& find);
+
+/// Marks points of batches for the host from here on.
+void watch_points(Control& control);
+
+/// "changes the rounding mode of the process"; empty where a model left the arithmetic as it was.
+std::string arithmetic_words(std::uint32_t changes);
+
+/// Waits for the next request; the operation.
+std::uint32_t next_request(Control& control);
+void answer(Control& control);
+
+/// Marks the beginning and the end of foreign code, and what it did to the arithmetic, which is put right.
+class ForeignCall {
+ public:
+  explicit ForeignCall(Control& control);
+  ~ForeignCall();
+  ForeignCall(const ForeignCall&) = delete;
+  ForeignCall& operator=(const ForeignCall&) = delete;
+
+ private:
+  Control& control_;
+};
+
+}  // namespace assay::adapters

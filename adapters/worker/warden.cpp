@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/worker/warden.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+#include "adapters/worker/crash_marks.hpp"
+#include "adapters/worker/futex.hpp"
+#include "adapters/worker/worker_process.hpp"
+
+namespace assay::adapters {
+
+namespace {
+
+constexpr int look_ms = 20;  ///< how often limits are looked at
+
+std::int64_t now_ns() {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_sec * 1000000000LL + now.tv_nsec;
+}
+
+/// A folder of its own for what a model writes where it stands; goes with the warden.
+class Folder {
+ public:
+  Folder() {
+    const char* base = std::getenv("TMPDIR");
+    path_ = std::string(base && *base == '/' ? base : "/tmp") + "/assay-worker-XXXXXX";
+    if (!::mkdtemp(path_.data())) path_.clear();
+  }
+  ~Folder() {
+    std::error_code ignored;
+    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+/// Private pages of a process that could be written to, in bytes: what it has asked for, touched or not.
+std::uint64_t data_bytes(pid_t pid) {
+  char name[64];
+  std::snprintf(name, sizeof name, "/proc/%d/statm", static_cast<int>(pid));
+  std::FILE* file = std::fopen(name, "r");
+  if (!file) return 0;
+  unsigned long long size = 0, resident = 0, shared = 0, text = 0, library = 0, data = 0;
+  const int read =
+      std::fscanf(file, "%llu %llu %llu %llu %llu %llu", &size, &resident, &shared, &text, &library, &data);
+  std::fclose(file);
+  return read == 6 ? data * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) : 0;
+}
+
+class Warden {
+ public:
+  Warden(Control& control, pid_t worker, int heard) : control_(control), worker_(worker), heard_(heard) {
+    ::fcntl(heard_, F_SETFL, O_NONBLOCK);
+  }
+
+  void watch() {
+    begin_bytes_ = data_bytes(worker_);
+    for (;;) {
+      pollfd files[] = {{lifeline_file, POLLIN, 0}, {heard_, POLLIN, 0}};
+      ::poll(files, heard_open_ ? 2 : 1, look_ms);
+      hear();
+      int status = 0;
+      if (::waitpid(worker_, &status, WNOHANG) == worker_) return tell_end(status);
+      if (files[0].revents & (POLLHUP | POLLERR)) return end_worker();
+      if (const Death limit = limit_exceeded(); limit != Death::none) {
+        end_worker();
+        return tell(limit, 0);
+      }
+    }
+  }
+
+ private:
+  /// With all that it has started.
+  void end_worker() {
+    ::kill(-worker_, SIGKILL);
+    ::kill(worker_, SIGKILL);
+    while (::waitpid(worker_, nullptr, 0) < 0 && errno == EINTR) {
+    }
+    hear();
+  }
+
+  Death limit_exceeded() {
+    const std::int64_t since = control_.busy_since.load();
+    if (since == 0) {
+      begin_bytes_ = std::max(begin_bytes_, settled_ ? begin_bytes_ : data_bytes(worker_));
+      return Death::none;
+    }
+    settled_ = true;
+    if (static_cast<double>(now_ns() - since) > 1e9 * control_.time_limit) return Death::time_limit;
+    if (data_bytes(worker_) > begin_bytes_ + control_.memory_limit) return Death::memory;
+    return Death::none;
+  }
+
+  void tell_end(int status) {
+    ::kill(-worker_, SIGKILL);  // what it has started
+    hear();
+    if (WIFSIGNALED(status)) return tell(Death::signal, WTERMSIG(status));
+    tell(Death::exit, WEXITSTATUS(status));
+  }
+
+  /// What the worker has said of its own end goes first.
+  void tell(Death death, int number) {
+    const std::uint32_t claim = control_.claim.load();
+    std::uint32_t none = 0;
+    control_.death_number = number;
+    control_.death.compare_exchange_strong(none, claim ? claim : static_cast<std::uint32_t>(death));
+    wake_all(control_.reply);
+  }
+
+  void hear() {
+    char text[1 << 14];
+    for (int rounds = 0; heard_open_ && rounds < 64; ++rounds) {
+      const ssize_t length = ::read(heard_, text, sizeof text);
+      if (length == 0) heard_open_ = false;
+      if (length <= 0) return;
+      std::uint64_t at = control_.printed.load();
+      for (ssize_t k = 0; k < length; ++k, ++at) {
+        if (at < output_size) {
+          control_.head[at] = text[k];
+        } else {
+          control_.tail[(at - output_size) % output_size] = text[k];
+        }
+      }
+      control_.printed.store(at);
+    }
+  }
+
+  Control& control_;
+  pid_t worker_;
+  int heard_;
+  bool heard_open_ = true, settled_ = false;
+  std::uint64_t begin_bytes_ = 0;
+};
+
+/// In the worker, before any foreign code.
+void settle(const std::string& folder, int heard, pid_t warden) {
+  ::setpgid(0, 0);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != warden) ::_exit(0);
+  const rlimit no_core{0, 0};
+  ::setrlimit(RLIMIT_CORE, &no_core);
+  const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  ::dup2(nothing, STDIN_FILENO);
+  ::dup2(heard, STDOUT_FILENO);
+  ::dup2(heard, STDERR_FILENO);
+  ::close(heard);
+  ::close(lifeline_file);
+  if (!folder.empty() && ::chdir(folder.c_str()) != 0) ::_exit(1);
+}
+
+void enlarge_stack() {
+  constexpr rlim_t wanted = rlim_t{1} << 26;
+  rlimit stack{};
+  ::getrlimit(RLIMIT_STACK, &stack);
+  if (stack.rlim_cur != RLIM_INFINITY && stack.rlim_cur >= wanted) return;
+  stack.rlim_cur = std::min(wanted, stack.rlim_max);
+  ::setrlimit(RLIMIT_STACK, &stack);
+}
+
+/// A pipe whose files have none of the numbers of WorkerFile.
+bool high_pipe(int ends[2]) {
+  constexpr int first_free_file = 64;
+  int low[2];
+  if (::pipe2(low, O_CLOEXEC) != 0) return false;
+  for (const int k : {0, 1}) {
+    ends[k] = ::fcntl(low[k], F_DUPFD_CLOEXEC, first_free_file);
+    ::close(low[k]);
+  }
+  return ends[0] >= 0 && ends[1] >= 0;
+}
+
+[[noreturn]] void run_worker(const std::function<void(WorkerFloor&)>& work, WorkerFloor& floor) {
+  int status = 0;
+  try {
+    work(floor);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    status = 1;
+  }
+  std::fflush(nullptr);
+  ::_exit(status);
+}
+
+}  // namespace
+
+int run_warden(const std::function<void(WorkerFloor&)>& work) {
+  const SharedMemory memory = SharedMemory::of_file(memory_file);
+  auto* base = static_cast<char*>(memory.data());
+  WorkerFloor floor{*static_cast<Control*>(memory.data()), base + task_offset, base + arrays_offset,
+                    memory.size() - arrays_offset};
+  const Folder folder;
+  enlarge_stack();
+  int heard[2];
+  if (!high_pipe(heard)) return 1;
+  const pid_t warden = ::getpid(), worker = ::fork();
+  if (worker < 0) return 1;
+  if (worker == 0) {
+    ::close(heard[0]);
+    settle(folder.path(), heard[1], warden);
+    mark_crashes(floor.control);
+    run_worker(work, floor);
+  }
+  ::close(heard[1]);
+  ::close(records_file);
+  ::setpgid(worker, worker);
+  Warden(floor.control, worker, heard[0]).watch();
+  return 0;
+}
+
+}  // namespace assay::adapters

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/worker/worker_process.hpp"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include "adapters/worker/futex.hpp"
+
+namespace assay::adapters {
+
+namespace {
+
+constexpr int look_ms = 200;  ///< how often a host looks whether anybody is there
+constexpr int first_free_file = 64;
+
+/// A copy of a file whose number no other of the worker's files has.
+int high_copy(int file) { return file < 0 ? -1 : ::fcntl(file, F_DUPFD_CLOEXEC, first_free_file); }
+
+class Spawn {
+ public:
+  Spawn() {
+    ::posix_spawn_file_actions_init(&actions_);
+    ::posix_spawnattr_init(&attributes_);
+    sigset_t none, all;
+    ::sigemptyset(&none);
+    ::sigfillset(&all);
+    ::posix_spawnattr_setsigmask(&attributes_, &none);
+    ::posix_spawnattr_setsigdefault(&attributes_, &all);
+    ::posix_spawnattr_setpgroup(&attributes_, 0);  // not ended by the terminal's Ctrl-C
+    ::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+  }
+  ~Spawn() {
+    for (const int file : files_) ::close(file);
+    ::posix_spawnattr_destroy(&attributes_);
+    ::posix_spawn_file_actions_destroy(&actions_);
+  }
+  Spawn(const Spawn&) = delete;
+  Spawn& operator=(const Spawn&) = delete;
+
+  void hand(int file, int as) {
+    const int copy = high_copy(file);
+    if (copy < 0) return;
+    files_.push_back(copy);
+    ::posix_spawn_file_actions_adddup2(&actions_, copy, as);
+  }
+
+  pid_t start(const std::string& program) {
+    char name[] = "assay", verb[] = "worker";
+    char* words[] = {name, verb, nullptr};
+    pid_t child = -1;
+    const int failed = ::posix_spawn(&child, program.c_str(), &actions_, &attributes_, words, environ);
+    if (failed) throw std::system_error(failed, std::generic_category(), "'" + program + "' cannot be started");
+    return child;
+  }
+
+ private:
+  posix_spawn_file_actions_t actions_;
+  posix_spawnattr_t attributes_;
+  std::vector<int> files_;
+};
+
+std::string last_line(std::string text) {
+  while (!text.empty() && static_cast<unsigned char>(text.back()) <= ' ') text.pop_back();
+  constexpr std::size_t longest = 200;
+  text = text.substr(text.find_last_of('\n') + 1);
+  return text.substr(0, longest);
+}
+
+}  // namespace
+
+std::string worker_program() {
+  namespace fs = std::filesystem;
+  std::error_code code;
+  const fs::path self = fs::read_symlink("/proc/self/exe", code);
+  if (code || self.filename() == "assay") return "/proc/self/exe";
+  return (self.parent_path() / "assay").string();
+}
+
+WorkerProcess::WorkerProcess(const WorkerStart& start)
+    : memory_(shared_size), time_limit_(start.limits.seconds), memory_limit_(start.limits.gigabytes) {
+  Control& c = control();
+  c.time_limit = start.limits.seconds;
+  c.memory_limit = static_cast<std::uint64_t>(start.limits.gigabytes * 1e9);
+  if (start.task.size() >= task_size) throw std::system_error(E2BIG, std::generic_category(), "the task");
+  std::memcpy(static_cast<char*>(memory_.data()) + task_offset, start.task.c_str(), start.task.size() + 1);
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+  try {
+    Spawn spawn;
+    spawn.hand(memory_.file(), memory_file);
+    spawn.hand(ends[0], lifeline_file);
+    spawn.hand(start.records, records_file);
+    spawn.hand(start.columns, columns_file);
+    warden_ = spawn.start(worker_program());
+  } catch (...) {
+    ::close(ends[0]);
+    ::close(ends[1]);
+    throw;
+  }
+  ::close(ends[0]);
+  lifeline_ = ends[1];
+}
+
+WorkerProcess::~WorkerProcess() {
+  ::close(lifeline_);  // the warden ends what there is
+  while (::waitpid(warden_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+}
+
+bool WorkerProcess::warden_is_gone() const {
+  siginfo_t ended = {};
+  return ::waitid(P_PID, static_cast<id_t>(warden_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+         ended.si_pid == warden_;
+}
+
+void WorkerProcess::post(std::uint32_t operation) {
+  Control& c = control();
+  c.operation.store(operation);
+  c.request.fetch_add(1);
+  wake_all(c.request);
+}
+
+bool WorkerProcess::wait() {
+  Control& c = control();
+  const std::uint32_t wanted = c.request.load();
+  for (;;) {
+    const std::uint32_t seen = c.reply.load();
+    if (c.death.load()) return false;
+    if (seen == wanted) return true;
+    wait_while(c.reply, seen, look_ms);
+    std::uint32_t none = 0;
+    if (c.reply.load() == seen && warden_is_gone()) {
+      c.death.compare_exchange_strong(none, static_cast<std::uint32_t>(Death::lost));
+    }
+    if (give_up_waiting && give_up_waiting()) {
+      c.death.compare_exchange_strong(none, static_cast<std::uint32_t>(Death::given_up));
+    }
+  }
+}
+
+std::string WorkerProcess::output() const {
+  const Control& c = control();
+  const std::uint64_t printed = c.printed.load();
+  std::string text(c.head, std::min<std::uint64_t>(printed, output_size));
+  if (printed <= output_size) return text;
+  const std::uint64_t end = printed - output_size, kept = std::min<std::uint64_t>(end, output_size);
+  if (end > kept) text += "\n[" + std::to_string(end - kept) + " bytes are left out]\n";
+  for (std::uint64_t k = end - kept; k < end; ++k) text += c.tail[k % output_size];
+  return text;
+}
+
+std::string WorkerProcess::how_it_ended() const {
+  const Control& c = control();
+  const auto limit = [](double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", value);
+    return std::string(text);
+  };
+  const int number = c.death_number;
+  const std::string said = last_line(output()), words(c.death_words, strnlen(c.death_words, words_size));
+  const std::string heard = said.empty() ? "" : "; the last that it printed: " + said;
+  switch (static_cast<Death>(c.death.load())) {
+    case Death::none:
+      return "did not answer";
+    case Death::signal:
+      return "died of signal " + std::to_string(number) + " (" + strsignal(number) + ")" + heard;
+    case Death::exit:
+      return "ended the process with status " + std::to_string(number) + ", without a result" + heard;
+    case Death::time_limit:
+      return "did not come back within " + limit(time_limit_) + " s" + heard;
+    case Death::memory:
+      return "took more than " + limit(memory_limit_) + " GB of memory" + heard;
+    case Death::stack:
+      return "died of signal " + std::to_string(number) + ": the stack overflowed" + heard;
+    case Death::ended:
+      return words + heard;
+    case Death::given_up:
+      return "was not waited for";
+    case Death::lost:
+      return "was lost with the process that watched it";
+  }
+  return "ended";
+}
+
+}  // namespace assay::adapters

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/material/foreign_description.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "drivers/material/foreign_words.hpp"
+#include "drivers/output/numbers.hpp"
+#include "drivers/scene/yaml_values.hpp"
+
+namespace assay::drivers {
+
+using namespace foreign_words;
+
+namespace {
+
+using adapters::ForeignInterface;
+using adapters::ForeignModel;
+using adapters::ForeignProperty;
+using adapters::ForeignVariable;
+using adapters::Kinematics;
+using Kind = ForeignVariable::Kind;
+
+std::size_t index_of(const std::string& word, const std::vector<std::string>& known) {
+  return static_cast<std::size_t>(std::find(known.begin(), known.end(), word) - known.begin());
+}
+
+/// A scalar that reads as a number.
+std::optional<double> number_in(const Tree& tree) {
+  if (tree.kind != Tree::Kind::scalar || tree.quoted) return std::nullopt;
+  return parse_number(tree.text);
+}
+
+std::string numbered(const std::string& stem, std::size_t k) { return stem + std::to_string(k + 1); }
+
+class Reader {
+ public:
+  Reader(const Tree& root, ForeignModel& model, std::map<std::string, Location>& where)
+      : root_(root), model_(model), where_(where) {}
+
+  void read() {
+    if (const Tree* tree = root_.find("symbol")) model_.symbol = text_value(*tree, "symbol");
+    if (const Tree* tree = root_.find("properties")) read_properties(*tree);
+    if (const Tree* tree = root_.find("state")) read_state(*tree);
+    if (const Tree* tree = root_.find("kinematics")) {
+      const bool abaqus = choice_value(*tree, "kinematics", {"objective", "abaqus"}) == "abaqus";
+      model_.kinematics = abaqus ? Kinematics::abaqus : Kinematics::objective;
+    }
+    if (const Tree* tree = root_.find("strain")) {
+      model_.finite_strain = choice_value(*tree, "strain", {"small", "finite"}) == "finite";
+    }
+    if (const Tree* tree = root_.find("symmetry")) {
+      model_.symmetry = static_cast<std::int32_t>(index_of(choice_value(*tree, "symmetry", symmetries), symmetries));
+    }
+    if (const Tree* tree = root_.find("flags")) read_flags(*tree);
+    if (const Tree* tree = root_.find("components")) read_components(*tree);
+    if (const Tree* tree = root_.find("units")) read_units(*tree);
+    if (const Tree* tree = root_.find("temperature")) model_.temperature = number_value(*tree, "temperature");
+    if (const Tree* tree = root_.find("characteristic_length")) {
+      model_.characteristic_length = number_value(*tree, "characteristic_length", {.lower = 0, .lower_open = true});
+    }
+    if (const Tree* tree = root_.find("density")) {
+      model_.density = number_value(*tree, "density", {.lower = 0, .lower_open = true});
+    }
+    if (const Tree* tree = root_.find("material_name")) model_.material_name = text_value(*tree, "material_name");
+    for (const Tree::Entry& entry : root_.entries) where_[entry.key] = entry.value.where;
+  }
+
+ private:
+  void read_properties(const Tree& tree) {
+    if (tree.kind == Tree::Kind::sequence) {
+      for (std::size_t k = 0; k < tree.items.size(); ++k) {
+        const auto value = number_in(tree.items[k]);
+        const std::string key = "properties." + numbered("p", k);
+        add_property(value ? numbered("p", k) : text_value(tree.items[k], key), value.value_or(NAN),
+                     tree.items[k].where);
+      }
+      return;
+    }
+    require_map(tree, "properties", "the properties of the model, in its order: names and values");
+    for (const Tree::Entry& entry : tree.entries) {
+      const std::string key = "properties." + one_line(entry.key, 80);
+      const Tree& value = entry.value;
+      if (value.kind != Tree::Kind::map) {
+        add_property(entry.key, value.kind == Tree::Kind::null ? NAN : number_value(value, key), value.where);
+        continue;
+      }
+      refuse_unknown_keys(value, key, {"value", "unit", "lower", "upper", "doc"});
+      ForeignProperty& p = add_property(entry.key, NAN, value.where);
+      if (const Tree* at = value.find("value")) p.value = number_value(*at, key + ".value");
+      if (const Tree* at = value.find("lower")) p.lower = number_value(*at, key + ".lower");
+      if (const Tree* at = value.find("upper")) p.upper = number_value(*at, key + ".upper");
+      if (const Tree* at = value.find("unit")) p.unit = text_value(*at, key + ".unit");
+      if (const Tree* at = value.find("doc")) p.doc = text_value(*at, key + ".doc");
+    }
+  }
+
+  ForeignProperty& add_property(const std::string& name, double value, const Location& place) {
+    for (const ForeignProperty& other : model_.properties) {
+      if (other.name == name) throw InputError(place, "properties." + one_line(name, 80), "is there twice");
+    }
+    where_["properties." + name] = place;
+    model_.properties.push_back({name, "", "", value});
+    return model_.properties.back();
+  }
+
+  void read_state(const Tree& tree) {
+    if (number_in(tree)) {  // so many scalars
+      const double count = number_value(tree, "state", {.lower = 0, .upper = most_components, .whole = true});
+      for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) model_.state.push_back({numbered("s", k)});
+      return;
+    }
+    if (tree.kind == Tree::Kind::sequence) {
+      for (const Tree& item : tree.items) model_.state.push_back({text_value(item, "state")});
+      return;
+    }
+    require_map(tree, "state", "the state variables of the model, in its order: names and kinds");
+    for (const Tree::Entry& entry : tree.entries) read_variable(entry);
+  }
+
+  void read_variable(const Tree::Entry& entry) {
+    const std::string key = "state." + one_line(entry.key, 80);
+    where_["state." + entry.key] = entry.value.where;
+    ForeignVariable variable{entry.key};
+    std::size_t count = 1;
+    if (entry.value.kind == Tree::Kind::map) {
+      refuse_unknown_keys(entry.value, key, {"kind", "count", "initial", "unit", "doc"});
+      if (const Tree* at = entry.value.find("kind")) variable.kind = kind_value(*at, key + ".kind");
+      if (const Tree* at = entry.value.find("count")) {
+        count = static_cast<std::size_t>(
+            number_value(*at, key + ".count", {.lower = 1, .upper = most_components, .whole = true}));
+      }
+      if (const Tree* at = entry.value.find("initial")) variable.initial = initial_value(*at, key, variable.kind);
+      if (const Tree* at = entry.value.find("unit")) variable.unit = text_value(*at, key + ".unit");
+      if (const Tree* at = entry.value.find("doc")) variable.doc = text_value(*at, key + ".doc");
+    } else if (const auto initial = number_in(entry.value)) {
+      variable.initial = {*initial};
+    } else {
+      variable.kind = kind_value(entry.value, key);
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      model_.state.push_back(variable);
+      if (count > 1) model_.state.back().name = numbered(entry.key, k);
+    }
+  }
+
+  static Kind kind_value(const Tree& tree, const std::string& key) {
+    return static_cast<Kind>(index_of(choice_value(tree, key, kinds), kinds));
+  }
+
+  static std::vector<double> initial_value(const Tree& tree, const std::string& key, Kind kind) {
+    if (tree.kind != Tree::Kind::sequence) return {number_value(tree, key + ".initial")};
+    constexpr std::size_t size[] = {1, 3, 6, 6, 9};
+    return numbers_value(tree, key + ".initial", 1, size[static_cast<std::size_t>(kind)]);
+  }
+
+  void read_flags(const Tree& tree) {
+    if (tree.kind != Tree::Kind::sequence) {
+      throw InputError(tree.where, "flags", "must be a list, found " + described(tree), joined(flag_words));
+    }
+    for (const Tree& item : tree.items) {
+      model_.flags |= flag_bits[index_of(choice_value(item, "flags", flag_words), flag_words)];
+    }
+  }
+
+  void read_components(const Tree& tree) {
+    const std::vector<Tree> one{tree};
+    model_.components.clear();
+    for (const Tree& item : tree.kind == Tree::Kind::sequence ? tree.items : one) {
+      model_.components.push_back(std::stoi(choice_value(item, "components", {"4", "6"})));
+    }
+    if (model_.components.empty()) throw InputError(tree.where, "components", "must name 6, 4 or both");
+  }
+
+  void read_units(const Tree& tree) {
+    require_map(tree, "units", "stress, time, length");
+    refuse_unknown_keys(tree, "units", {"stress", "time", "length"});
+    const auto unit = [&](const char* key, const Units& known, double& out) {
+      const Tree* at = tree.find(key);
+      if (!at) return;
+      std::vector<std::string> words;
+      for (const auto& [word, value] : known) words.push_back(word);
+      out = known[index_of(choice_value(*at, std::string("units.") + key, words), words)].second;
+    };
+    unit("stress", stress_units, model_.units.stress);
+    unit("time", time_units, model_.units.time);
+    unit("length", length_units, model_.units.length);
+  }
+
+  const Tree& root_;
+  ForeignModel& model_;
+  std::map<std::string, Location>& where_;
+};
+
+}  // namespace
+
+const std::vector<std::string>& interface_names() {
+  static const std::vector<std::string> names{"native", "umat", "vumat", "mfront"};
+  return names;
+}
+
+const std::vector<std::string>& foreign_keys() {
+  static const std::vector<std::string> keys{"symbol",
+                                             "properties",
+                                             "state",
+                                             "kinematics",
+                                             "strain",
+                                             "symmetry",
+                                             "flags",
+                                             "components",
+                                             "units",
+                                             "temperature",
+                                             "characteristic_length",
+                                             "material_name"};
+  return keys;
+}
+
+ForeignModel read_foreign(const Tree& root, const std::string& interface, const std::string& library,
+                          const std::string& name, std::map<std::string, Location>& where) {
+  ForeignModel model;
+  model.interface = static_cast<ForeignInterface>(index_of(interface, interface_names()) - 1);
+  model.library = library;
+  model.name = name;
+  model.doc = interface;
+  if (model.interface == ForeignInterface::umat) model.symbol = "umat_";
+  if (model.interface == ForeignInterface::vumat) model.symbol = "vumat_";
+  if (model.interface == ForeignInterface::mfront) model.temperature = room_temperature;
+  Reader(root, model, where).read();
+  return model;
+}
+
+}  // namespace assay::drivers

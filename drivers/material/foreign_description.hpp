@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The keys of a description that is not native: what a UMAT, a VUMAT or an MFront behaviour does not say of itself.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "adapters/foreign/foreign_model.hpp"
+#include "drivers/scene/yaml_reader.hpp"
+
+namespace assay::drivers {
+
+/// native, umat, vumat, mfront.
+const std::vector<std::string>& interface_names();
+
+/// Keys of a description beside those of a native one.
+const std::vector<std::string>& foreign_keys();
+
+/// Of a description whose `interface` is one of those. `library` is absolute, `name` that of the table where the file
+/// gives none. The place of every key goes to `where`. Throws InputError.
+adapters::ForeignModel read_foreign(const Tree& root, const std::string& interface, const std::string& library,
+                                    const std::string& name, std::map<std::string, Location>& where);
+
+/// Lines of YAML that read back to the same.
+std::string foreign_yaml(const adapters::ForeignModel& model);
+
+}  // namespace assay::drivers

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "drivers/material/foreign_description.hpp"
+#include "drivers/material/foreign_words.hpp"
+#include "drivers/output/numbers.hpp"
+#include "drivers/scene/yaml_reader.hpp"
+
+namespace assay::drivers {
+
+using namespace foreign_words;
+using adapters::ForeignModel;
+using adapters::ForeignProperty;
+using adapters::ForeignVariable;
+using adapters::Kinematics;
+
+namespace {
+
+std::string word_of(double value, const Units& units) {
+  const auto found = std::find_if(units.begin(), units.end(), [&](const auto& unit) { return unit.second == value; });
+  return found == units.end() ? "" : found->first;
+}
+
+std::string listed(const std::vector<std::string>& words) { return "[" + joined(words) + "]"; }
+
+/// "{value: 1, unit: Pa}".
+class FlowMap {
+ public:
+  void add(const std::string& key, const std::string& text) {
+    text_ += (text_.empty() ? "" : ", ") + key + ": " + text;
+  }
+  void add_words(const std::string& key, const std::string& words) {
+    if (!words.empty()) add(key, yaml_scalar(words));
+  }
+  std::string text() const { return "{" + text_ + "}"; }
+
+ private:
+  std::string text_;
+};
+
+std::string property_text(const ForeignProperty& p) {
+  FlowMap map;
+  if (std::isfinite(p.value)) map.add("value", number_text(p.value));
+  map.add_words("unit", p.unit);
+  if (std::isfinite(p.lower)) map.add("lower", number_text(p.lower));
+  if (std::isfinite(p.upper)) map.add("upper", number_text(p.upper));
+  map.add_words("doc", p.doc);
+  return map.text();
+}
+
+std::string variable_text(const ForeignVariable& v) {
+  FlowMap map;
+  map.add("kind", kinds[static_cast<std::size_t>(v.kind)]);
+  std::vector<std::string> numbers;
+  for (const double value : v.initial) numbers.push_back(number_text(value));
+  if (numbers.size() == 1) map.add("initial", numbers.front());
+  if (numbers.size() > 1) map.add("initial", listed(numbers));
+  map.add_words("unit", v.unit);
+  map.add_words("doc", v.doc);
+  return map.text();
+}
+
+}  // namespace
+
+std::string foreign_yaml(const ForeignModel& model) {
+  std::string text;
+  const auto line = [&](const std::string& key, const std::string& value) { text += key + ": " + value + "\n"; };
+  line("interface", interface_names()[static_cast<std::size_t>(model.interface) + 1]);
+  if (!model.symbol.empty()) line("symbol", yaml_scalar(model.symbol));
+  if (!model.properties.empty()) text += "properties:\n";
+  for (const ForeignProperty& p : model.properties) line("  " + yaml_scalar(p.name), property_text(p));
+  if (!model.state.empty()) text += "state:\n";
+  for (const ForeignVariable& v : model.state) line("  " + yaml_scalar(v.name), variable_text(v));
+  line("kinematics", model.kinematics == Kinematics::abaqus ? "abaqus" : "objective");
+  line("strain", model.finite_strain ? "finite" : "small");
+  line("symmetry", symmetries[static_cast<std::size_t>(model.symmetry)]);
+  std::vector<std::string> flags, components;
+  for (std::size_t k = 0; k < flag_words.size(); ++k) {
+    if (model.flags & flag_bits[k]) flags.push_back(flag_words[k]);
+  }
+  line("flags", listed(flags));
+  for (const int n : model.components) components.push_back(std::to_string(n));
+  line("components", listed(components));
+  line("units", "{stress: " + word_of(model.units.stress, stress_units) +
+                    ", time: " + word_of(model.units.time, time_units) +
+                    ", length: " + word_of(model.units.length, length_units) + "}");
+  line("temperature", number_text(model.temperature));
+  line("characteristic_length", number_text(model.characteristic_length));
+  line("material_name", yaml_scalar(model.material_name));
+  return text;
+}
+
+}  // namespace assay::drivers

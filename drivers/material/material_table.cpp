@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/material/material_table.hpp"
+
+#include <system_error>
+
+#include "adapters/foreign/foreign_table.hpp"
+#include "adapters/library.hpp"
+#include "adapters/worker/remote_table.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+/// Throws adapters::ForeignError, adapters::LibraryError.
+const assay_material* local_table(const MaterialDescription& description) {
+  if (description.foreign) return adapters::foreign_table(*description.foreign);
+  return adapters::table_of_library(description.library, description.name);
+}
+
+/// The place of the deepest key that is known: of properties.E, else of properties, else of the library.
+Location place_of(const std::string& key, const MaterialDescription& description) {
+  for (const std::string& part : {key, key.substr(0, key.find('.'))}) {
+    if (const auto at = description.key_where.find(part); at != description.key_where.end()) return at->second;
+  }
+  return key == "name" ? description.name_where : description.library_where;
+}
+
+/// What is wrong, as an error at the key of the description to blame.
+InputError complaint(const MaterialDescription& description, std::string key, const std::string& what,
+                     const std::string& known) {
+  const bool of_library = key == "library" || key == "name" || key.empty();
+  const Location where = place_of(key, description);
+  if (of_library && description.library_key != "library") key = description.library_key;
+  return InputError(where, key.empty() ? description.library_key : key,
+                    (of_library ? "'" + description.library + "' " : "") + what, known);
+}
+
+adapters::ModelRefused refusal_of(const MaterialDescription& description, const adapters::LibraryError& error) {
+  return {description.name.empty() || description.foreign ? "library" : "name", error.what(), error.known()};
+}
+
+const assay_material* table_here(const MaterialDescription& description) {
+  try {
+    return local_table(description);
+  } catch (const adapters::ForeignError& error) {
+    throw complaint(description, error.key(), error.what(), error.known());
+  } catch (const adapters::LibraryError& error) {
+    const adapters::ModelRefused refused = refusal_of(description, error);
+    throw complaint(description, refused.key, refused.what, refused.known);
+  }
+}
+
+const assay_material* table_in_worker(const MaterialDescription& description, const std::string& file) {
+  adapters::WorkerStart start;
+  start.task = std::string(model_task) + "\n" + file + "\n" + description_yaml(description);
+  try {
+    return adapters::remote_table(start);
+  } catch (const adapters::RemoteError& error) {
+    throw complaint(description, error.refused.key, error.refused.what, error.refused.known);
+  } catch (const std::system_error& error) {
+    throw SystemError(std::string("a worker cannot be started: ") + error.what());
+  }
+}
+
+}  // namespace
+
+MaterialSource source_of(const MaterialDescription& description, const std::string& file, Isolation isolation) {
+  MaterialSource source;
+  const bool apart = isolation == Isolation::worker || (isolation == Isolation::automatic && description.foreign);
+  source.isolation = apart ? Isolation::worker : Isolation::none;
+  source.table = apart ? table_in_worker(description, file) : table_here(description);
+  source.library = description.library;
+  source.parameters = description.parameters;
+  source.parameter_where = description.parameter_where;
+  source.density = description.density;
+  return source;
+}
+
+const assay_material* table_of_task(const std::string& task) {
+  const std::size_t line = task.find('\n');
+  return local_table(read_description(task.substr(line + 1), task.substr(0, line)));
+}
+
+void serve_material(adapters::WorkerFloor& floor, const std::string& task) {
+  adapters::serve_model(floor, [&]() -> const assay_material* {
+    try {
+      return table_of_task(task);
+    } catch (const adapters::ForeignError& error) {
+      throw adapters::ModelRefused{error.key(), error.what(), error.known()};
+    } catch (const adapters::LibraryError& error) {
+      throw adapters::ModelRefused{"library", error.what(), error.known()};
+    }
+  });
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/simulation/stress_offload.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <system_error>
+
+#include "adapters/worker/remote_table.hpp"
+#include "drivers/input_error.hpp"
+#include "drivers/output/numbers.hpp"
+#include "drivers/simulation/stress_page.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr std::size_t alignment = 8;  ///< doubles: a line of the cache
+
+/// Doubles of the shared columns: F, L, stress, the state twice, and what alignment takes.
+std::size_t doubles_of(const mpm::Setup<2>& setup) {
+  const std::size_t columns = 4 + 4 + 5 + 2 * setup.material->state_size();
+  return columns * setup.seeds.size() + 8 * alignment;
+}
+
+std::string task_of(const Material& material) {
+  std::string model = adapters::task_of(&material.table()), values;
+  for (const double value : material.parameters()) values += (values.empty() ? "" : " ") + number_text(value);
+  return std::string(stress_task) + "\n" + values + model.substr(model.find('\n'));
+}
+
+}  // namespace
+
+struct StressOffload::Worker {
+  explicit Worker(const adapters::WorkerStart& start) : process(start) {}
+  StressPage& page() { return *reinterpret_cast<StressPage*>(process.arrays()); }
+  adapters::WorkerProcess process;
+  double waited_s = 0, busy_s = 0;
+};
+
+StressOffload::StressOffload(const mpm::Setup<2>& setup) try
+    : state_size_(setup.material->state_size()), columns_(sizeof(double) * doubles_of(setup)) {
+  adapters::WorkerStart start;
+  start.task = task_of(*setup.material);
+  start.columns = columns_.file();
+  for (int k = 0; k < setup.threads; ++k) workers_.push_back(std::make_unique<Worker>(start));
+} catch (const std::system_error& error) {
+  throw SystemError(std::string("workers cannot be started: ") + error.what());
+}
+
+StressOffload::~StressOffload() = default;
+
+std::shared_ptr<const mpm::Offload> StressOffload::offload_of(std::shared_ptr<StressOffload> workers) {
+  auto offload = std::make_shared<mpm::Offload>();
+  offload->allocate = [workers](std::size_t n) { return workers->allocate(n); };
+  offload->place = [workers](const mpm::StressColumns<2>& columns) { workers->place(columns); };
+  offload->update = [workers](std::size_t thread, std::size_t begin, std::size_t end, const mpm::Instant& now) {
+    return workers->update(thread, begin, end, now);
+  };
+  return offload;
+}
+
+double* StressOffload::allocate(std::size_t n) {
+  double* found = static_cast<double*>(columns_.data()) + used_;
+  used_ += (n + alignment - 1) / alignment * alignment;
+  if (sizeof(double) * used_ > columns_.size()) throw SystemError("the shared columns are too short: this is a bug");
+  return found;
+}
+
+void StressOffload::place(const mpm::StressColumns<2>& columns) {
+  placed_ = columns;
+  const auto* base = static_cast<const double*>(columns_.data());
+  const auto offsets = [&](const auto& list, std::size_t* out) {
+    for (const double* column : list) *out++ = column ? static_cast<std::size_t>(column - base) : 0;
+  };
+  for (const auto& worker : workers_) {
+    StressPage& page = worker->page();
+    offsets(columns.deformation_gradient, page.deformation_gradient);
+    offsets(columns.velocity_gradient, page.velocity_gradient);
+    offsets(columns.stress, page.stress);
+    offsets(columns.history, page.history);
+  }
+}
+
+mpm::BlockOutcome StressOffload::update(std::size_t thread, std::size_t begin, std::size_t end,
+                                        const mpm::Instant& now) {
+  using Clock = std::chrono::steady_clock;
+  Worker& worker = *workers_[thread];
+  StressPage& page = worker.page();
+  page.t = now.t, page.dt = now.dt;
+  page.begin = begin, page.end = end;
+  page.block = begin;
+  page.found = StressPage::Found::nothing;
+  const auto start = Clock::now();
+  if (!worker.process.call(0)) return death_of(worker, now);
+  worker.waited_s += std::chrono::duration<double>(Clock::now() - start).count();
+  worker.busy_s += 1e-9 * static_cast<double>(worker.process.control().busy_ns.load());
+  mpm::BlockOutcome outcome;
+  if (page.found == StressPage::Found::inverted) outcome.inverted = page.particle;
+  if (page.found != StressPage::Found::refused) return outcome;
+  outcome = death_of(worker, now);
+  outcome.message.assign(page.message, strnlen(page.message, ASSAY_MESSAGE_SIZE));
+  return outcome;
+}
+
+/// The particle that was worked on, with its step: of a worker that is dead, or has refused.
+mpm::BlockOutcome StressOffload::death_of(Worker& worker, const mpm::Instant& now) {
+  StressPage& page = worker.page();
+  const std::size_t n = std::min(mpm::block_size, page.end - page.block);
+  const bool refused = page.found == StressPage::Found::refused;
+  const std::size_t point =
+      refused ? page.particle - page.block : std::min(worker.process.control().point.load(), n - 1);
+  mpm::BlockOutcome outcome;
+  outcome.refused = page.block + point;
+  outcome.message = "the model " + worker.process.how_it_ended();
+  const double* state0 = state_size_ ? placed_.history[0] + page.block * state_size_ : nullptr;
+  const double *F0 = page.scratch, *F1 = page.scratch + 9 * mpm::block_size;
+  outcome.step = failed_step(now.t, now.dt, n, point, F0, F1, state0, state_size_);
+  return outcome;
+}
+
+double StressOffload::hand_over_s() const {
+  double largest = 0;
+  for (const auto& worker : workers_) largest = std::max(largest, worker->waited_s - worker->busy_s);
+  return largest;
+}
+
+std::string StressOffload::output() const {
+  std::string text;
+  for (const auto& worker : workers_) text += worker->process.output();
+  return text;
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The stress pass of a run in workers, one a thread: columns in memory that all share, one hand-over a worker a step.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "adapters/worker/shared_memory.hpp"
+#include "adapters/worker/warden.hpp"
+#include "drivers/simulation/problem.hpp"
+#include "mpm/offload.hpp"
+
+namespace assay::drivers {
+
+class StressOffload {
+ public:
+  /// For a material whose table is remote. Throws SystemError where workers or memory cannot be had.
+  explicit StressOffload(const mpm::Setup<2>& setup);
+  ~StressOffload();
+  StressOffload(const StressOffload&) = delete;
+  StressOffload& operator=(const StressOffload&) = delete;
+
+  /// As the particle method takes it; keeps this alive.
+  static std::shared_ptr<const mpm::Offload> offload_of(std::shared_ptr<StressOffload> workers);
+
+  /// Between handing over and coming back, beside the time that the slowest worker was busy [s].
+  double hand_over_s() const;
+
+  /// What the workers have printed.
+  std::string output() const;
+
+ private:
+  struct Worker;
+  double* allocate(std::size_t n);
+  void place(const mpm::StressColumns<2>& columns);
+  mpm::BlockOutcome update(std::size_t thread, std::size_t begin, std::size_t end, const mpm::Instant& now);
+  mpm::BlockOutcome death_of(Worker& worker, const mpm::Instant& now);
+
+  std::size_t state_size_;
+  adapters::SharedMemory columns_;
+  std::size_t used_ = 0;
+  mpm::StressColumns<2> placed_;
+  std::vector<std::unique_ptr<Worker>> workers_;
+};
+
+/// Tasks of workers that begin with this word serve one thread of a run.
+inline constexpr const char* stress_task = "stress";
+
+/// What such a worker does.
+void serve_stress(adapters::WorkerFloor& floor, const std::string& task);
+
+}  // namespace assay::drivers

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Test doubles of foreign interfaces, each NAME.so in ${PROJECT_BINARY_DIR}/tests/foreign: what their authors would
+# build, without a file or a flag of ours.
+include(CheckLanguage)
+check_language(Fortran)
+if(CMAKE_Fortran_COMPILER)
+  enable_language(Fortran)
+endif()
+
+set(foreign_doubles "")
+function(add_foreign_double name)
+  add_library(foreign_${name} MODULE ${ARGN})
+  set_target_properties(foreign_${name} PROPERTIES PREFIX "" OUTPUT_NAME ${name}
+    LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/foreign)
+  set(foreign_doubles ${foreign_doubles} foreign_${name} PARENT_SCOPE)
+endfunction()
+
+set(foreign ${CMAKE_CURRENT_LIST_DIR}/foreign)
+add_foreign_double(mfront_neo_hookean ${foreign}/mfront_neo_hookean.c)
+add_foreign_double(mfront_neo_hookean_specialised ${foreign}/mfront_neo_hookean.c)
+target_compile_definitions(foreign_mfront_neo_hookean_specialised PRIVATE SPECIALISED)
+add_foreign_double(mfront_norton ${foreign}/mfront_norton.c)
+foreach(double IN ITEMS mfront_neo_hookean mfront_neo_hookean_specialised mfront_norton)
+  target_link_libraries(foreign_${double} PRIVATE m)
+endforeach()
+if(CMAKE_Fortran_COMPILER)
+  add_foreign_double(umat_neo_hookean ${foreign}/umat_neo_hookean.f90)
+  add_foreign_double(umat_j2 ${foreign}/umat_j2.F90)
+  add_foreign_double(umat_j2_unrotated ${foreign}/umat_j2.F90)
+  target_compile_definitions(foreign_umat_j2_unrotated PRIVATE UNROTATED)
+  add_foreign_double(vumat_neo_hookean ${foreign}/vumat_neo_hookean.f90)
+  add_foreign_double(vumat_j2 ${foreign}/vumat_j2.f90)
+  add_foreign_double(misbehaving_umat ${foreign}/misbehaving_umat.f90 ${foreign}/misbehaving_umat_c.c)
+endif()
+
+foreach(floor IN ITEMS adapters drivers)
+  if(TARGET test_${floor})
+    add_dependencies(test_${floor} ${foreign_doubles} assay assay_abaqus)
+  endif()
+endforeach()
