@@ -63,11 +63,12 @@ ResolvedMaterial material_to_check(const CheckOptions& options) {
 
 /// At what its author shows it, where its parameters have no default; `given` before all, as far as it takes them.
 ResolvedMaterial registered_material(const std::string& name, const std::map<std::string, double>& given) {
-  const MaterialSource source = find_material(name, {}, "");
+  const MaterialSource source = find_material(name, {}, "", Isolation::none);
   const assay_material& table = *source.table;
   const auto* example = static_cast<const assay_example*>(extension_of(&table, ASSAY_EXTENSION_EXAMPLE));
   MaterialChoice choice;
   choice.adapter = name;
+  choice.isolation = Isolation::none;  // it is called in a process that may die
   choice.density = source.density.value_or(1);
   for (std::uint32_t i = 0; i < table.parameter_count; ++i) {
     const std::string parameter = table.parameters[i].name;
@@ -89,12 +90,23 @@ CheckProcesses processes_for(const CheckOptions& options) {
           .limit_s = options.quick ? quick_limit : full_limit};
 }
 
+/// A foreign model whose code runs where this is called, which is to be a process that may die.
+ResolvedMaterial in_this_process(const ResolvedMaterial& apart) {
+  MaterialChoice choice = apart.choice;
+  choice.adapter = apart.description;
+  choice.isolation = Isolation::none;
+  return resolve_material(choice);
+}
+
 CheckedMaterial check_one(const CheckOptions& options) {
   const ResolvedMaterial resolved = material_to_check(options);
   watch_interrupts();
   const CheckSettings settings = settings_of(options);
   const CheckTask task{options.material, [&](const CheckReporter& reporter) {
-                         return check_material(resolved, options.material, settings, reporter);
+                         if (resolved.description.empty()) {
+                           return check_material(resolved, options.material, settings, reporter);
+                         }
+                         return check_material(in_this_process(resolved), options.material, settings, reporter);
                        }};
   CheckedMaterial checked = check_in_processes({task}, processes_for(options)).front();
   leave_replay_of_the_end(checked, settings);
@@ -108,8 +120,10 @@ std::vector<CheckedMaterial> check_all(const CheckOptions& options) {
   watch_interrupts();
   std::vector<CheckTask> tasks;
   for (const RegisteredName& registered : names) {
-    tasks.push_back({registered.name, [&, name = registered.name](const CheckReporter& reporter) {
-                       return check_material(registered_material(name, given), name, settings, reporter);
+    tasks.push_back({registered.name,
+                     [&, name = registered.name, file = registered.file.empty() ? registered.name : registered.file](
+                         const CheckReporter& reporter) {
+                       return check_material(registered_material(file, given), name, settings, reporter);
                      }});
   }
   Progress progress("check", options.verbosity == Verbosity::quiet);

@@ -93,6 +93,7 @@ CheckedMaterial check_material(const ResolvedMaterial& material, const std::stri
   const bool asked = settings.only.empty() ? !settings.quick : settings.only == vortex_test;
   if (asked && checked.report.passes()) add_vortex(material, checked.report, reporter);
   checked.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (reporter.over) reporter.over();
   if (!settings.folder.empty()) leave_replays(material, checked, settings);
   return checked;
 }

@@ -11,7 +11,9 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
 
 #include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
@@ -34,7 +36,9 @@ void write_all(int file, const std::string& text) {
 
 /// Records, each ended by a NUL: '!' and the material, '@' and the id of a test that begins, '=' and what it has found;
 /// the report at last.
-[[noreturn]] void serve(const CheckTask& task, int out) {
+[[noreturn]] void serve(const CheckTask& task, int out, const std::string& folder) {
+  const int before = ::open(".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (!folder.empty() && ::chdir(folder.c_str()) != 0) leave_process(3);
   ::setpgid(0, 0);  // what the model starts can be ended with it
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
@@ -49,7 +53,8 @@ void write_all(int file, const std::string& text) {
                     CheckedMaterial one;
                     one.report.tests.push_back(result);
                     write_all(out, "=" + check_json(one) + end);
-                  }});
+                  },
+                  [before] { [[maybe_unused]] const int ignored = ::fchdir(before); }});
     write_all(out, check_json(checked));
     leave_process(0);
   } catch (const std::exception& error) {
@@ -69,7 +74,18 @@ struct Child {
   std::string said;
   bool late = false, over = false;
   int status = 0;
+  std::string folder = {};  ///< where it stands: what a model writes there is not the user's
 };
+
+std::string new_folder() {
+  std::string name = (std::filesystem::temp_directory_path() / "assay-check-XXXXXX").string();
+  return ::mkdtemp(name.data()) ? name : std::string();
+}
+
+void remove_folder(const std::string& folder) {
+  std::error_code ignored;
+  if (!folder.empty()) std::filesystem::remove_all(folder, ignored);
+}
 
 /// With all that it has started, and whatever it was in.
 void end_process(const Child& child) {
@@ -80,11 +96,13 @@ void end_process(const Child& child) {
 Child start(const std::vector<CheckTask>& tasks, std::size_t task, double limit_s) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) throw SystemError(std::string("pipe: ") + std::strerror(errno));
+  const std::string folder = new_folder();
   Child child{task, ::fork(), ends[0], Clock::now() + std::chrono::milliseconds(std::llround(1e3 * limit_s)), {}};
+  child.folder = folder;
   if (child.pid < 0) throw SystemError(std::string("fork: ") + std::strerror(errno));
   if (child.pid == 0) {
     ::close(ends[0]);
-    serve(tasks[task], ends[1]);
+    serve(tasks[task], ends[1], folder);
   }
   ::close(ends[1]);
   ::fcntl(ends[0], F_SETFL, O_NONBLOCK);
@@ -139,6 +157,7 @@ class Children {
       end_process(child);
       if (!child.over) ::waitpid(child.pid, nullptr, 0);
       ::close(child.in);
+      remove_folder(child.folder);
     }
   }
 
@@ -186,6 +205,7 @@ class Children {
     wait_a_little(child);
     end_process(child);
     if (!child.over) ::waitpid(child.pid, nullptr, 0);
+    remove_folder(child.folder);
     return child;
   }
 

@@ -16,6 +16,7 @@ struct CheckReporter {
   std::function<void(const CheckedMaterial&)> material;
   std::function<void(const std::string& id)> begins;
   std::function<void(const check::TestResult& result)> ends;
+  std::function<void()> over;  ///< the model has run: files may be written where the user stands
 };
 
 struct CheckTask {

@@ -124,7 +124,8 @@ Replay replay_of(const ResolvedMaterial& resolved, const std::optional<FailedSte
   Replay replay{resolved.choice.adapter, resolved.choice.parameters, {}, step, reason};
   if (!resolved.library.empty()) {
     constexpr std::size_t largest_library = std::size_t{4} << 30;
-    replay.material = resolved.library + ":" + resolved.material.name();
+    replay.material =
+        resolved.description.empty() ? resolved.library + ":" + resolved.material.name() : resolved.description;
     replay.library_sha256 = sha256_hex(read_bytes(resolved.library, largest_library));
   }
   return replay;

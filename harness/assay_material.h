@@ -110,7 +110,7 @@ typedef struct assay_material {
   /* Stress and state at the end of the step. Pure: the outputs are a function of the arguments and of `self`, which
    * is not changed, so a step can be repeated, halved and replayed.
    *   state0 (in), state1 (out): sum of the components of the state * n;  cauchy (out): 9 * n, [Pa]
-   *   status (out): n;  dt_factor (in/out): 1 on entry, below 1 asks for a shorter step
+   *   status (out): n;  dt_factor (in/out): 1 on entry, below 1 asks for a shorter step, 0: none would do
    *   message (out): ASSAY_MESSAGE_SIZE, empty on entry. */
   void (*update)(void *self, const assay_step *step, size_t n, const double *state0, double *state1, double *cauchy,
                  int32_t *status, double *dt_factor, char *message);

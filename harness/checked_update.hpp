@@ -15,6 +15,7 @@ inline void checked_update(const Material& material, double xi, double t, double
   MaterialFailure failure(report.message, xi, t + dt,
                           failed_step(t, dt, n, report.worst_point, F0, F1, state0, material.state_size()));
   failure.not_finite = report.not_finite;
+  failure.final = report.dt_factor == 0;
   throw failure;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,11 @@ class Extrapolation {
   /// What rounding of the results leaves, relative, whatever the number of columns.
   double rounding() const { return rounding_; }
   const std::vector<double>& best() const { return best_; }
+  /// By how much the last result differs from the one before; there must be two.
+  double last_change(std::size_t component) const {
+    const auto last = static_cast<std::size_t>(rows_) - 1;
+    return std::abs(results_[last][component] - results_[last - 1][component]);
+  }
 
  private:
   int rows_ = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/checked_update.hpp"
 #include "harness/history_forms.hpp"
 
 namespace assay {
@@ -23,8 +24,12 @@ void march_coarsely(const Course& course, double xi, std::vector<double>& larges
     for (int j = 0; j < coarse_steps; ++j) {
       const Tensor next = course.path->deformation_gradient(xi, begin + (j + 1) * dt);
       for (int c = 0; c < 9; ++c) F0[c] = component(F, c), F1[c] = component(next, c);
-      const UpdateReport report = material.update(begin + j * dt, dt, 1, F0, F1, state0.data(), state1.data(), cauchy);
-      if (report.worst == ASSAY_FAILED) return;  // whether shorter steps go on is for the histories to find
+      try {
+        checked_update(material, xi, begin + j * dt, dt, 1, F0, F1, state0.data(), state1.data(), cauchy);
+      } catch (const MaterialFailure& failure) {
+        if (failure.final) throw;
+        return;  // whether shorter steps go on is for the histories to find
+      }
       for (std::size_t c = 0; c < 9; ++c) largest[c] = std::max(largest[c], std::abs(cauchy[c]));
       for (std::size_t c = 0; c < state1.size(); ++c) largest[9 + c] = std::max(largest[9 + c], std::abs(state1[c]));
       state0.swap(state1);

@@ -144,8 +144,8 @@ History::Increments::Outcome History::Increments::attempt(double step) {
     try {
       if (count == 1 && options_.watch && h_->t_ == piece_begin_) begin_regime(step);
       same_regime = substeps(step, count);
-    } catch (const MaterialFailure&) {  // perhaps the step was too long for it
-      if (step < shortest_share * h_->course_->end) throw;
+    } catch (const MaterialFailure& failure) {  // perhaps the step was too long for it
+      if (failure.final || step < shortest_share * h_->course_->end) throw;
       return Outcome::inaccurate;
     }
     if (!same_regime) return Outcome::regime_changes;
@@ -162,7 +162,51 @@ History::Increments::Outcome History::Increments::attempt(double step) {
   const double no_better = best_error_ < largest_noise ? 0.5 : 1.0;
   const double failed = failed_errors_[0] > 0 ? std::max(failed_errors_[0], failed_errors_[1]) : 0;
   noisy_ = failed > 0 && best_error_ < growing_noise && best_error_ > no_better * failed;
-  return noisy_ ? Outcome::accepted : Outcome::inaccurate;  // noise: shorter steps have not helped
+  if (noisy_) return Outcome::accepted;  // shorter steps have not helped
+  return let_go_of_counters(step) ? attempt(step) : Outcome::inaccurate;
+}
+
+/// State variables that nothing else depends on, as a counter of calls or a flag for a report, need not converge. Once
+/// a history: of those that have not, such are left out of the error.
+bool History::Increments::let_go_of_counters(double step) {
+  if (counters_sought_ || extrapolation_.columns() < 2) return false;
+  counters_sought_ = true;
+  constexpr double moved = 0.37;  // of a component's scale
+  const auto end_of = [&](const std::vector<double>& begin) {
+    now_ = begin;
+    whole_step(step);
+    return next_;
+  };
+  bool any = false;
+  try {
+    const std::vector<double> expected = end_of(h_->y_);
+    for (std::size_t k = 9; k < scales_.size(); ++k) {
+      if (extrapolation_.last_change(k) <= options_.tolerance * scales_[k]) continue;
+      std::vector<double> begin = h_->y_;
+      begin[k] += moved * scales_[k];
+      std::vector<double> end = end_of(begin);
+      end[k] = expected[k];
+      if (end != expected) continue;
+      scales_[k] = std::numeric_limits<double>::infinity();
+      any = true;
+    }
+  } catch (const MaterialFailure& failure) {
+    if (failure.final) throw;
+  }
+  return any;
+}
+
+/// One increment over `step` from now_ to next_.
+void History::Increments::whole_step(double step) {
+  std::array<double, 9> F0, F1;
+  const Tensor begin = h_->course_->path->deformation_gradient(h_->xi_, h_->t_),
+               end = h_->course_->path->deformation_gradient(h_->xi_, h_->t_ + step);
+  for (int c = 0; c < 9; ++c) {
+    F0[static_cast<std::size_t>(c)] = component(begin, c);
+    F1[static_cast<std::size_t>(c)] = component(end, c);
+  }
+  next_.resize(now_.size());
+  increment(h_->t_, step, F0.data(), F1.data());
 }
 
 /// From the accepted point over `step` in `count` increments; the result in next_. False where the regime changes.

@@ -43,8 +43,8 @@ template <class Stepper, class System>
 bool tried_step(Stepper& stepper, const System& system, Vector& x, double& t, double& dt, double shortest) {
   try {
     return stepper.try_step(system, x, t, dt) == odeint::success;
-  } catch (const MaterialFailure&) {
-    if (dt < shortest) throw;
+  } catch (const MaterialFailure& failure) {
+    if (failure.final || dt < shortest) throw;
     dt *= 0.25;
     return false;
   }

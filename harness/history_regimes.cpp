@@ -69,7 +69,8 @@ bool History::Increments::stays(const std::vector<double>& y, double t) {
   if (change.norm() < telling * options_.tolerance) return true;
   try {
     return regime_between(y, t, lag_) == regime_;
-  } catch (const MaterialFailure&) {  // the next step will find it
+  } catch (const MaterialFailure& failure) {  // the next step will find it
+    if (failure.final) throw;
     return true;
   }
 }
@@ -106,7 +107,8 @@ double History::Increments::longest_within(double width) {
     bool within = false;
     try {
       within = substeps(middle, 1) && stays(next_, h_->t_ + middle);
-    } catch (const MaterialFailure&) {  // as good as another regime
+    } catch (const MaterialFailure& failure) {  // as good as another regime
+      if (failure.final) throw;
     }
     (within ? low : high) = middle;
   }

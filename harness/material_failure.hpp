@@ -16,6 +16,7 @@ class MaterialFailure : public std::runtime_error {
       : std::runtime_error(what), xi(at_xi), t(at_t), step(std::move(at_step)) {}
   double xi, t;
   bool not_finite = false;         ///< its stress or state is no number
+  bool final = false;              ///< no shorter step would do: its process died
   std::optional<FailedStep> step;  ///< where a call of `update` failed
 };
 

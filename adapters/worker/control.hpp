@@ -32,6 +32,7 @@ struct Control {
   // host -> worker and back; both count, and are waited for
   std::atomic<std::uint32_t> request, reply;
   std::atomic<std::uint32_t> operation;  ///< Operation, or of a task
+  std::atomic<std::uint32_t> spin_us;    ///< how long both sides look before they sleep: calls come fast
   // limits, set by the host before the start
   double time_limit;           ///< of one call [s]
   std::uint64_t memory_limit;  ///< bytes beyond what the worker had at its start

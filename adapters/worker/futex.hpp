@@ -24,4 +24,22 @@ inline void wake_all(std::atomic<std::uint32_t>& word) {
   ::syscall(SYS_futex, reinterpret_cast<std::uint32_t*>(&word), FUTEX_WAKE, INT_MAX, nullptr, nullptr, 0);
 }
 
+/// Looks for so long whether the word has changed; true when it has.
+inline bool changes_within(const std::atomic<std::uint32_t>& word, std::uint32_t value, std::uint32_t microseconds) {
+  if (microseconds == 0) return false;
+  timespec start{}, now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &start);
+  do {
+    for (int k = 0; k < 64; ++k) {
+      if (word.load(std::memory_order_acquire) != value) return true;
+#if defined(__x86_64__)
+      __builtin_ia32_pause();
+#endif
+    }
+    ::clock_gettime(CLOCK_MONOTONIC, &now);
+  } while ((now.tv_sec - start.tv_sec) * 1000000L + (now.tv_nsec - start.tv_nsec) / 1000 <
+           static_cast<long>(microseconds));
+  return false;
+}
+
 }  // namespace assay::adapters

@@ -97,6 +97,8 @@ class Instance {
                      .baseline = 0,
                      .status = ASSAY_GOOD,
                      .message = {}};
+    constexpr std::uint32_t spin_us = 30;
+    slot.worker.control().spin_us.store(spin_us);
     in(arrays);
     arrays.raise_fences();
     if (!slot.worker.call(static_cast<std::uint32_t>(operation))) {
@@ -228,6 +230,7 @@ void update_remote(void* self, const assay_step* step, std::size_t n, const doub
   }
   std::fill_n(status, n, ASSAY_GOOD);
   status[point] = ASSAY_FAILED;
+  *dt_factor = 0;
   say(message, of(self).reason);
 }
 
@@ -388,10 +391,10 @@ const assay_material* remote_table(const WorkerStart& start) {
   return all_tables().tables.back().get();
 }
 
-std::string task_of(const assay_material* table) {
+WorkerStart start_of(const assay_material* table) {
   const std::lock_guard lock(all_tables().guard);
   for (const auto& each : all_tables().tables) {
-    if (each.get() == table) return each->start.task;
+    if (each.get() == table) return each->start;
   }
   return {};
 }

@@ -22,8 +22,8 @@ class RemoteError : public std::runtime_error {
 /// workers until it ends. Throws RemoteError, std::system_error.
 const assay_material* remote_table(const WorkerStart& start);
 
-/// The task of a remote table's workers; empty for any other table.
-std::string task_of(const assay_material* table);
+/// What a remote table's workers are started with; no task for any other table.
+WorkerStart start_of(const assay_material* table);
 
 /// What the workers of a remote table have printed so far; empty for any other table.
 std::string output_of(const assay_material* table);

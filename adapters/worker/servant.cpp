@@ -170,6 +170,7 @@ std::uint32_t next_request(Control& control) {
   for (;;) {
     const std::uint32_t seen = control.reply.load(), asked = control.request.load();
     if (asked != seen) return control.operation.load();
+    if (changes_within(control.request, asked, control.spin_us.load())) continue;
     wait_while(control.request, asked);
   }
 }

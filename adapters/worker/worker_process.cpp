@@ -136,6 +136,7 @@ bool WorkerProcess::wait() {
     const std::uint32_t seen = c.reply.load();
     if (c.death.load()) return false;
     if (seen == wanted) return true;
+    if (changes_within(c.reply, seen, c.spin_us.load())) continue;
     wait_while(c.reply, seen, look_ms);
     std::uint32_t none = 0;
     if (c.reply.load() == seen && warden_is_gone()) {

@@ -10,13 +10,9 @@
 
 #include "adapters/worker/control.hpp"
 #include "adapters/worker/shared_memory.hpp"
+#include "adapters/worker/worker_limits.hpp"
 
 namespace assay::adapters {
-
-struct WorkerLimits {
-  double seconds = 20;   ///< of one call
-  double gigabytes = 4;  ///< of memory, beyond what the worker begins with
-};
 
 struct WorkerStart {
   std::string task;  ///< what it is to do, as the program's `worker` verb reads it

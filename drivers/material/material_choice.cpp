@@ -58,7 +58,7 @@ ResolvedMaterial resolve_material(const MaterialChoice& given) {
   for (std::uint32_t i = 0; i < source.table->parameter_count; ++i) {
     choice.parameters[source.table->parameters[i].name] = material.parameters()[i];
   }
-  return {std::move(material), std::move(choice), source.library};
+  return {std::move(material), std::move(choice), source.library, source.is_foreign ? source.description : ""};
 }
 
 ResolvedMaterial resolve_material(const Scene& scene) {

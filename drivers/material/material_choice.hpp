@@ -11,8 +11,9 @@ namespace assay::drivers {
 
 struct ResolvedMaterial {
   Material material;
-  MaterialChoice choice;  ///< all parameters and the density filled in: what resolved.yaml should hold
-  std::string library;    ///< absolute path of the shared library; empty: built in
+  MaterialChoice choice;         ///< all parameters and the density filled in: what resolved.yaml should hold
+  std::string library;           ///< absolute path of the shared library; empty: built in
+  std::string description = {};  ///< the YAML file of a foreign model
 };
 
 /// Finds and creates it. Throws InputError: not found, not loadable, a parameter that it does not take or lacks, no

@@ -13,16 +13,17 @@ namespace assay::drivers {
 
 namespace {
 
-/// native, umat, ...; the keys that it takes are the only ones.
+/// native, umat, ...
 std::string interface_of(const Tree& root) {
-  std::vector<std::string> known{"library", "name", "interface", "density"};
-  require_map(root, "", joined(known));
   const Tree* tree = root.find("interface");
-  const std::string interface = tree ? choice_value(*tree, "interface", interface_names()) : "native";
+  return tree ? choice_value(*tree, "interface", interface_names()) : "native";
+}
+
+std::vector<std::string> keys_of(const std::string& interface) {
+  std::vector<std::string> known{"library", "name", "interface", "density", "time_limit", "memory_limit"};
   const std::vector<std::string> native{"parameters"}, &more = interface == "native" ? native : foreign_keys();
   known.insert(known.end(), more.begin(), more.end());
-  refuse_unknown_keys(root, "", known);
-  return interface;
+  return known;
 }
 
 /// A file's name as the name of a table: "My-Clay.yaml" is my_clay.
@@ -41,10 +42,13 @@ MaterialDescription read_description(const std::string& file) { return read_desc
 
 MaterialDescription read_description(const std::string& text, const std::string& file) {
   const Tree root = read_yaml(text, file);
+  require_map(root, "", joined(keys_of("native")));
   const std::string interface = interface_of(root);
+  const std::vector<std::string> known = keys_of(interface);
+  refuse_unknown_keys(root, "", known);
   MaterialDescription description;
   const Tree* library = root.find("library");
-  if (!library) throw InputError(root.where, "library", "required and not given");
+  if (!library) throw InputError(root.where, "library", "required and not given", joined(known));
   const std::filesystem::path path = text_value(*library, "library");
   description.library = absolute_path(std::filesystem::path(file).parent_path() / path);
   description.library_where = description.name_where = library->where;
@@ -63,6 +67,12 @@ MaterialDescription read_description(const std::string& text, const std::string&
   if (const Tree* density = root.find("density")) {
     description.density = number_value(*density, "density", {.lower = 0, .lower_open = true});
   }
+  if (const Tree* limit = root.find("time_limit")) {
+    description.limits.seconds = number_value(*limit, "time_limit", {.lower = 0, .lower_open = true});
+  }
+  if (const Tree* limit = root.find("memory_limit")) {
+    description.limits.gigabytes = number_value(*limit, "memory_limit", {.lower = 0, .lower_open = true});
+  }
   if (interface != "native") {
     if (description.name.empty()) description.name = name_of_file(file);
     description.foreign = read_foreign(root, interface, description.library, description.name, description.key_where);
@@ -77,6 +87,13 @@ std::string description_yaml(const MaterialDescription& description) {
   if (!description.parameters.empty()) text += "parameters:\n";
   for (const auto& [name, value] : description.parameters) {
     text += "  " + yaml_scalar(name) + ": " + number_text(value) + "\n";
+  }
+  const adapters::WorkerLimits usual;
+  if (description.limits.seconds != usual.seconds) {
+    text += "time_limit: " + number_text(description.limits.seconds) + "\n";
+  }
+  if (description.limits.gigabytes != usual.gigabytes) {
+    text += "memory_limit: " + number_text(description.limits.gigabytes) + "\n";
   }
   if (description.density) text += "density: " + number_text(*description.density) + "\n";
   return text;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "adapters/foreign/foreign_model.hpp"
+#include "adapters/worker/worker_limits.hpp"
 #include "drivers/input_error.hpp"
 
 namespace assay::drivers {
@@ -20,6 +21,7 @@ struct MaterialDescription {
   Location library_where, name_where;
   std::map<std::string, Location> parameter_where;
   std::optional<adapters::ForeignModel> foreign;  ///< of interfaces other than the native one
+  adapters::WorkerLimits limits;                  ///< of a worker: seconds a call, GB of memory
   std::map<std::string, Location> key_where;      ///< places of its keys
   std::string library_key = "library";            ///< the key that named the library, for messages
 };

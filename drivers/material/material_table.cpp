@@ -52,6 +52,7 @@ const assay_material* table_here(const MaterialDescription& description) {
 
 const assay_material* table_in_worker(const MaterialDescription& description, const std::string& file) {
   adapters::WorkerStart start;
+  start.limits = description.limits;
   start.task = std::string(model_task) + "\n" + file + "\n" + description_yaml(description);
   try {
     return adapters::remote_table(start);
@@ -69,6 +70,7 @@ MaterialSource source_of(const MaterialDescription& description, const std::stri
   const bool apart = isolation == Isolation::worker || (isolation == Isolation::automatic && description.foreign);
   source.isolation = apart ? Isolation::worker : Isolation::none;
   source.table = apart ? table_in_worker(description, file) : table_here(description);
+  source.is_foreign = description.foreign.has_value();
   source.library = description.library;
   source.parameters = description.parameters;
   source.parameter_where = description.parameter_where;

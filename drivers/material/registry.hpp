@@ -22,6 +22,7 @@ struct MaterialSource {
   std::map<std::string, Location> parameter_where;
   std::optional<double> density;  ///< the description's rho0 [kg/m^3]
   Isolation isolation = Isolation::none;
+  bool is_foreign = false;  ///< behind an interface that its library alone does not tell
 };
 
 /// A name that can be asked for. `file`: the library or description; empty: built in.

@@ -7,9 +7,11 @@
 #include <chrono>
 #include <cmath>
 
+#include "adapters/worker/remote_table.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/simulation/accounts.hpp"
+#include "drivers/simulation/stress_offload.hpp"
 #include "mpm/simulation.hpp"
 
 namespace assay::drivers {
@@ -36,7 +38,11 @@ std::set<std::int64_t> schedule(const Problem& problem, int count) {
 class Run {
  public:
   Run(Problem& problem, std::shared_ptr<const Response> response, Snapshots& snapshots, Result& result)
-      : problem_(problem), snapshots_(snapshots), result_(result), simulation_(setup_of(problem, response)) {
+      : problem_(problem),
+        snapshots_(snapshots),
+        result_(result),
+        workers_(workers_of(problem)),
+        simulation_(setup_of(problem, response, workers_)) {
     if (response) sampler_.emplace(problem, std::move(response), simulation_.state());
     if (problem.scene.output.accounts) accounts_.emplace(simulation_.state());
     due_ = observations_of(problem);
@@ -65,9 +71,17 @@ class Run {
   }
 
  private:
-  static mpm::Setup<2> setup_of(const Problem& problem, const std::shared_ptr<const Response>& response) {
+  /// Null of a material in this process.
+  static std::shared_ptr<StressOffload> workers_of(const Problem& problem) {
+    const bool apart = !adapters::start_of(&problem.material->table()).task.empty();
+    return apart ? std::make_shared<StressOffload>(problem.setup) : nullptr;
+  }
+
+  static mpm::Setup<2> setup_of(const Problem& problem, const std::shared_ptr<const Response>& response,
+                                const std::shared_ptr<StressOffload>& workers) {
     mpm::Setup<2> setup = problem.setup;
     setup.response = response;
+    if (workers) setup.offload = StressOffload::offload_of(workers);
     return setup;
   }
 
@@ -109,9 +123,11 @@ class Run {
     result_.material_calls += s.material_calls;
     double stepping = 0;
     for (const mpm::PassTime& time : simulation_.times()) {
-      result_.passes.push_back({time.name, time.seconds, static_cast<double>(time.bytes_per_particle)});
+      const double handing = workers_ && time.name == "stress" ? workers_->hand_over_s() : 0;
+      result_.passes.push_back({time.name, time.seconds - handing, static_cast<double>(time.bytes_per_particle)});
       stepping += time.seconds;
     }
+    if (workers_) result_.passes.push_back({"isolation", workers_->hand_over_s(), 0});
     if (sampler_) result_.passes.push_back({"error_sampling", sampling_s_, 0});
     if (!due_.shots.empty()) result_.passes.push_back({"snapshots", output_s_, 0});
     if (stepping > 0) result_.particle_steps_per_s = static_cast<double>(result_.particle_steps) / stepping;
@@ -125,6 +141,7 @@ class Run {
   Problem& problem_;
   Snapshots& snapshots_;
   Result& result_;
+  std::shared_ptr<StressOffload> workers_;  ///< of a material that runs in processes of its own
   mpm::Simulation<2> simulation_;
   std::optional<ErrorSampler> sampler_;
   std::optional<Accounts> accounts_;

@@ -23,8 +23,8 @@ std::size_t doubles_of(const mpm::Setup<2>& setup) {
   return columns * setup.seeds.size() + 8 * alignment;
 }
 
-std::string task_of(const Material& material) {
-  std::string model = adapters::task_of(&material.table()), values;
+std::string task_of(const Material& material, const std::string& model) {
+  std::string values;
   for (const double value : material.parameters()) values += (values.empty() ? "" : " ") + number_text(value);
   return std::string(stress_task) + "\n" + values + model.substr(model.find('\n'));
 }
@@ -40,8 +40,8 @@ struct StressOffload::Worker {
 
 StressOffload::StressOffload(const mpm::Setup<2>& setup) try
     : state_size_(setup.material->state_size()), columns_(sizeof(double) * doubles_of(setup)) {
-  adapters::WorkerStart start;
-  start.task = task_of(*setup.material);
+  adapters::WorkerStart start = adapters::start_of(&setup.material->table());
+  start.task = task_of(*setup.material, start.task);
   start.columns = columns_.file();
   for (int k = 0; k < setup.threads; ++k) workers_.push_back(std::make_unique<Worker>(start));
 } catch (const std::system_error& error) {

@@ -91,6 +91,7 @@ TEST(Resolved, HoldsEveryKeyThatApplies) {
       scene_text("grid: {spacing: .1, lower: [-2, -2], upper: [2, 2]}\nmethod: {}\ntime: {step: .1}\nframe: {}\n"),
       "f");
   scene.material.direction = {0.0, 1.0, 0.0};  // of a model that has one
+  scene.material.isolation = Isolation::none;  // filled in with the material
   const std::string text = resolved_yaml(scene);
   const Tree root = read_yaml(text, "resolved");
   for (const Key& key : scene_keys()) {
