@@ -83,6 +83,7 @@ CheckedMaterial check_material(const ResolvedMaterial& material, const std::stri
   CheckedMaterial checked;
   checked.name = name;
   checked.library = material.library;
+  checked.description = material.description;
   checked.model = material.material.name();
   for (std::uint32_t i = 0; i < material.material.table().parameter_count; ++i) {
     checked.parameters.emplace_back(material.material.table().parameters[i].name, material.material.parameters()[i]);
@@ -106,7 +107,9 @@ void leave_replay_of_the_end(CheckedMaterial& checked, const CheckSettings& sett
   });
   if (test == checked.report.tests.end() || !checked.unwritten.empty()) return;
   Replay replay;
-  replay.material = checked.library.empty() ? checked.model : checked.library + ":" + checked.model;
+  replay.material = !checked.description.empty() ? checked.description
+                    : checked.library.empty()    ? checked.model
+                                                 : checked.library + ":" + checked.model;
   for (const auto& [parameter, value] : checked.parameters) replay.parameters[parameter] = value;
   replay.test = test->id;
   replay.quick = settings.quick;

@@ -3,10 +3,12 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
@@ -15,6 +17,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "adapters/foreign/progress_mark.hpp"
+#include "adapters/worker/worker_limits.hpp"
 #include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
 #include "drivers/interrupt.hpp"
@@ -74,8 +78,28 @@ struct Child {
   std::string said;
   bool late = false, over = false;
   int status = 0;
-  std::string folder = {};  ///< where it stands: what a model writes there is not the user's
+  bool stuck = false;                         ///< a single call of a foreign model took too long
+  std::atomic<std::int64_t>* call = nullptr;  ///< shared: when the call began that runs, 0: none
+  std::string folder = {};                    ///< where it stands: what a model writes there is not the user's
 };
+
+/// Of a call of a foreign model [s].
+constexpr double call_limit = adapters::WorkerLimits{}.seconds;
+
+std::atomic<std::int64_t>* new_mark() {
+  void* page =
+      ::mmap(nullptr, sizeof(std::atomic<std::int64_t>), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  return page == MAP_FAILED ? nullptr : new (page) std::atomic<std::int64_t>(0);
+}
+
+void free_mark(std::atomic<std::int64_t>* mark) {
+  if (mark) ::munmap(mark, sizeof *mark);
+}
+
+bool takes_too_long(const Child& child) {
+  const std::int64_t since = child.call ? child.call->load() : 0;
+  return since != 0 && 1e-9 * static_cast<double>(adapters::now_ns() - since) > call_limit;
+}
 
 std::string new_folder() {
   std::string name = (std::filesystem::temp_directory_path() / "assay-check-XXXXXX").string();
@@ -97,11 +121,14 @@ Child start(const std::vector<CheckTask>& tasks, std::size_t task, double limit_
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) throw SystemError(std::string("pipe: ") + std::strerror(errno));
   const std::string folder = new_folder();
+  std::atomic<std::int64_t>* const mark = new_mark();
   Child child{task, ::fork(), ends[0], Clock::now() + std::chrono::milliseconds(std::llround(1e3 * limit_s)), {}};
   child.folder = folder;
+  child.call = mark;
   if (child.pid < 0) throw SystemError(std::string("fork: ") + std::strerror(errno));
   if (child.pid == 0) {
     ::close(ends[0]);
+    adapters::call_mark = mark;
     serve(tasks[task], ends[1], folder);
   }
   ::close(ends[1]);
@@ -110,6 +137,7 @@ Child start(const std::vector<CheckTask>& tasks, std::size_t task, double limit_
 }
 
 std::string how_it_ended(const Child& child, double limit_s) {
+  if (child.stuck) return "did not come back from one call within " + rounded_text(call_limit, 3) + " s";
   if (child.late) return "did not come back within " + rounded_text(limit_s, 3) + " s";
   if (!child.over) return "closed the files of the process";
   if (WIFSIGNALED(child.status)) {
@@ -158,6 +186,7 @@ class Children {
       if (!child.over) ::waitpid(child.pid, nullptr, 0);
       ::close(child.in);
       remove_folder(child.folder);
+      free_mark(child.call);
     }
   }
 
@@ -169,7 +198,8 @@ class Children {
       for (const Child& child : all) files.push_back({child.in, POLLIN, 0});
       ::poll(files.data(), files.size(), 20);
       for (std::size_t i = 0; i < all.size(); ++i) {
-        if (!all[i].late && Clock::now() > all[i].end) {
+        all[i].stuck = all[i].stuck || takes_too_long(all[i]);
+        if (!all[i].late && (all[i].stuck || Clock::now() > all[i].end)) {
           all[i].late = true;
           end_process(all[i]);
         }
@@ -206,6 +236,7 @@ class Children {
     end_process(child);
     if (!child.over) ::waitpid(child.pid, nullptr, 0);
     remove_folder(child.folder);
+    free_mark(child.call);
     return child;
   }
 

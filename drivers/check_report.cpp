@@ -103,6 +103,7 @@ Json json_of(const CheckedMaterial& checked) {
   Json out;
   out["material"] = checked.name;
   out["library"] = checked.library.empty() ? Json(nullptr) : Json(checked.library);
+  if (!checked.description.empty()) out["description"] = checked.description;
   out["model"] = checked.model.empty() ? Json(nullptr) : Json(checked.model);
   out["parameters"] = Json::object();
   for (const auto& [name, value] : checked.parameters) out["parameters"][name] = number(value);
@@ -173,6 +174,7 @@ std::optional<CheckedMaterial> checked_of_json(const std::string& text) {
   CheckedMaterial checked;
   checked.name = found.at("material");
   checked.library = text_in(found.at("library"));
+  checked.description = found.contains("description") ? text_in(found.at("description")) : std::string();
   for (const auto& [name, value] : found.at("parameters").items()) {
     checked.parameters.emplace_back(name, number_in(value).value_or(NAN));
   }

@@ -23,6 +23,8 @@ struct CheckedMaterial {
   std::string error = {};                           ///< why it was not checked; empty: it was
   std::map<std::string, std::string> replays = {};  ///< of a failed test's id: the file that takes it again
 
+  std::string description = {};  ///< of a foreign model: the YAML file that leads to it
+
   std::string unwritten = {};  ///< why a replay file could not be written; empty: all were
 
   bool passes() const { return error.empty() && report.passes(); }

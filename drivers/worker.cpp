@@ -6,7 +6,7 @@
 #include <exception>
 #include <string>
 
-#include "adapters/foreign/foreign_library.hpp"
+#include "adapters/foreign/model_end.hpp"
 #include "adapters/worker/crash_marks.hpp"
 #include "adapters/worker/warden.hpp"
 #include "drivers/material/material_table.hpp"

@@ -20,6 +20,7 @@ std::mutex& mutex_of(int id) { return mutexes[static_cast<unsigned>(id - 1) % mu
 extern "C" {
 
 void (*assay_abaqus_on_end)(const char* what) = nullptr;
+char assay_abaqus_folder[4096] = ".";
 
 void assay_abaqus_end(const char* what) {
   if (assay_abaqus_on_end) assay_abaqus_on_end(what);

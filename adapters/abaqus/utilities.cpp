@@ -112,8 +112,12 @@ void xplb_abqerr_(const int* lop, const char* text, const int* intv, const doubl
 void getvrm_(const char*, double*, int*, char*, int* jrcd, ...) { *jrcd = 1; }
 void vgetvrm_(const char*, double*, int*, char*, int* jrcd, ...) { *jrcd = 1; }
 
-void getoutdir_(char* folder, int* length, std::size_t size) { assay_abaqus_text(".", folder, length, size); }
-void vgetoutdir_(char* folder, int* length, std::size_t size) { assay_abaqus_text(".", folder, length, size); }
+void getoutdir_(char* folder, int* length, std::size_t size) {
+  assay_abaqus_text(assay_abaqus_folder, folder, length, size);
+}
+void vgetoutdir_(char* folder, int* length, std::size_t size) {
+  assay_abaqus_text(assay_abaqus_folder, folder, length, size);
+}
 void getjobname_(char* name, int* length, std::size_t size) { assay_abaqus_text("assay", name, length, size); }
 void vgetjobname_(char* name, int* length, std::size_t size) { assay_abaqus_text("assay", name, length, size); }
 

@@ -10,6 +10,9 @@ extern "C" {
 /// the process ends with status 1.
 extern void (*assay_abaqus_on_end)(const char* what);
 
+/// GETOUTDIR: where the model may look for its files; set by the host.
+extern char assay_abaqus_folder[4096];
+
 [[noreturn]] void assay_abaqus_end(const char* what);
 
 /// A Fortran character variable of `size`, blank-padded, and the length of the text in it.

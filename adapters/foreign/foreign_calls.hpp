@@ -33,6 +33,7 @@ class ForeignCalls {
 
   static std::int32_t initial_state(void* self, std::size_t n, const double* cauchy, double* state) {
     auto& s = *static_cast<ForeignCalls*>(self);
+    const CallMark mark;
     const auto lock = s.turn();
     try {
       s.reason_.clear();
@@ -53,6 +54,7 @@ class ForeignCalls {
   static void update(void* self, const assay_step* step, std::size_t n, const double* state0, double* state1,
                      double* cauchy, std::int32_t* status, double* dt_factor, char* message) {
     auto& s = *static_cast<ForeignCalls*>(self);
+    const CallMark mark;
     const auto lock = s.turn();
     s.update_any(*step, n, state0, state1, cauchy, status, dt_factor, message);
   }
@@ -62,6 +64,7 @@ class ForeignCalls {
   static std::int32_t tangent(void* self, const assay_step* step, std::size_t n, const double* state0,
                               double* tangent) {
     auto& s = *static_cast<ForeignCalls*>(self);
+    const CallMark mark;
     const auto lock = s.turn();
     try {
       s.reason_.clear();

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "adapters/elf_check.hpp"
+#include "adapters/foreign/model_end.hpp"
 #include "adapters/library.hpp"
 
 namespace assay::adapters {
@@ -28,13 +29,18 @@ std::string undefined_symbol(const std::string& message) {
   return at == std::string::npos ? "" : message.substr(at + words.size());
 }
 
-void load_utilities() {
+/// Before a library of that folder.
+void load_utilities(const std::string& folder) {
   static void* const library = [] {
     const std::string path = utilities_library();
     return path.empty() ? nullptr : dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL);
   }();
+  if (!library) return;
   using OnEnd = void (*)(const char* what);
-  if (void* hook = library ? dlsym(library, "assay_abaqus_on_end") : nullptr) *static_cast<OnEnd*>(hook) = on_model_end;
+  if (void* hook = dlsym(library, "assay_abaqus_on_end")) *static_cast<OnEnd*>(hook) = leave_model;
+  constexpr std::size_t room = 4096;
+  auto* place = static_cast<char*>(dlsym(library, "assay_abaqus_folder"));
+  if (place) place[folder.copy(place, room - 1)] = '\0';
 }
 
 }  // namespace
@@ -51,7 +57,7 @@ std::string utilities_library() {
 
 LoadedLibrary load_foreign_library(const std::string& path) {
   check_shared_library(path);
-  load_utilities();
+  load_utilities(fs::path(path).parent_path().string());
   if (void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) return {handle, {}};
   const std::string message = loader_message(path), missing = undefined_symbol(message);
   // many models name routines of their host that they never call

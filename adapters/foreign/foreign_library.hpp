@@ -15,10 +15,6 @@ struct LoadedLibrary {
 /// Throws LibraryError.
 LoadedLibrary load_foreign_library(const std::string& path);
 
-/// What happens where a model ends the analysis (XIT): must not return. Null: a line on standard error, and the process
-/// ends. To be set before a library is loaded.
-inline void (*on_model_end)(const char* what) = nullptr;
-
 /// The companion library with the host's utility routines: beside the program, or in ../lib/assay of it. Empty where it
 /// is not found.
 std::string utilities_library();

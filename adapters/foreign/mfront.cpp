@@ -48,6 +48,24 @@ std::size_t size_of(const std::vector<MfrontVariable>& variables) {
   return size;
 }
 
+/// Of a description: the initial values of a variable that the metadata names.
+void take_initial(const ForeignVariable& given, ForeignModel& model) {
+  const auto own =
+      std::find_if(model.state.begin(), model.state.end(), [&](const auto& v) { return v.name == given.name; });
+  std::string names;
+  for (const ForeignVariable& v : model.state) names += (names.empty() ? "" : ", ") + v.name;
+  const std::string key = "state." + given.name;
+  if (own == model.state.end()) {
+    throw ForeignError(key, "the behaviour has no such state variable", names.empty() ? "none" : names);
+  }
+  const auto size = static_cast<std::size_t>(components_of(own->kind));
+  if (given.initial.size() > 1 && given.initial.size() != size) {
+    throw ForeignError(key,
+                       "has " + std::to_string(size) + " components, found " + std::to_string(given.initial.size()));
+  }
+  own->initial = given.initial;
+}
+
 std::size_t properties_of(const MfrontBehaviour& behaviour) {
   return behaviour.prepended.size() + behaviour.properties.size();
 }
@@ -90,18 +108,20 @@ void Mfront::describe(const MfrontBehaviour& behaviour, ForeignModel& model) {
     for (const ForeignProperty& p : model.properties) names += (names.empty() ? "" : ", ") + p.name;
     throw ForeignError("properties." + property.name, "behaviour '" + behaviour.name + "' has no such property", names);
   }
+  const std::vector<ForeignVariable> given = std::move(model.state);
   model.state.clear();
   for (const MfrontVariable& variable : behaviour.internal) {
     model.state.push_back({variable.name, kind_of(variable), "", "internal state variable", {}});
   }
+  for (const ForeignVariable& variable : given) take_initial(variable, model);
 }
 
 std::vector<ForeignVariable> Mfront::state_of(const ForeignModel& model) {
   const char* force =
       model.finite_strain ? "Cauchy stress at the beginning" : "thermodynamic force in the frame of the polar rotation";
-  std::vector<ForeignVariable> all{{"stress", Kind::symmetric_tensor, "Pa", force, {}},
-                                   {"stored_energy", Kind::scalar, "J/m^3", "as the behaviour keeps it", {}},
-                                   {"dissipated_energy", Kind::scalar, "J/m^3", "as the behaviour keeps it", {}}};
+  std::vector<ForeignVariable> all{{"STRESS", Kind::symmetric_tensor, "Pa", force, {}},
+                                   {"STORED_ENERGY", Kind::scalar, "J/m^3", "as the behaviour keeps it", {}},
+                                   {"DISSIPATED_ENERGY", Kind::scalar, "J/m^3", "as the behaviour keeps it", {}}};
   all.insert(all.end(), model.state.begin(), model.state.end());
   return all;
 }

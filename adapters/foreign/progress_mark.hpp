@@ -1,17 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which point of a batch is being worked on: for whoever looks on from outside when the process dies.
+// How far foreign code is: for whoever looks on from outside when its process dies, or does not come back.
 #pragma once
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
+#include <ctime>
 
 namespace assay::adapters {
 
 /// Where to; null where nobody looks on.
 inline std::atomic<std::atomic<std::size_t>*> point_mark{nullptr};
+inline std::atomic<std::atomic<std::int64_t>*> call_mark{nullptr};
 
+/// The point of a batch that is being worked on.
 inline void mark_point(std::size_t point) {
   if (auto* mark = point_mark.load(std::memory_order_relaxed)) mark->store(point, std::memory_order_relaxed);
 }
+
+/// Monotonic time [ns].
+inline std::int64_t now_ns() {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_sec * 1000000000LL + now.tv_nsec;
+}
+
+/// While it lives, the mark holds the time at which it was made; 0 otherwise.
+class CallMark {
+ public:
+  CallMark() : mark_(call_mark.load(std::memory_order_relaxed)) {
+    if (mark_) mark_->store(now_ns());
+  }
+  ~CallMark() {
+    if (mark_) mark_->store(0);
+  }
+  CallMark(const CallMark&) = delete;
+  CallMark& operator=(const CallMark&) = delete;
+
+ private:
+  std::atomic<std::int64_t>* mark_;
+};
 
 }  // namespace assay::adapters

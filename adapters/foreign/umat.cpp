@@ -9,6 +9,7 @@
 #include "adapters/foreign/component_order.hpp"
 #include "adapters/foreign/foreign_state.hpp"
 #include "adapters/foreign/kinematics.hpp"
+#include "adapters/foreign/model_end.hpp"
 
 namespace assay::adapters {
 
@@ -31,12 +32,11 @@ void write_column_major(const Tensor& A, double* out) { Eigen::Map<Tensor>(out, 
 
 std::vector<ForeignVariable> Umat::state_of(const ForeignModel& model) {
   using Kind = ForeignVariable::Kind;
-  std::vector<ForeignVariable> all{
-      {"stress", Kind::symmetric_tensor, "Pa", "STRESS: Cauchy, rotated by the host", {}},
-      {"strain", Kind::symmetric_tensor, "1", "STRAN, plain shears; rotated by the host", {}},
-      {"elastic_energy", Kind::scalar, "J/m^3", "SSE", {}},
-      {"plastic_dissipation", Kind::scalar, "J/m^3", "SPD", {}},
-      {"creep_dissipation", Kind::scalar, "J/m^3", "SCD", {}}};
+  std::vector<ForeignVariable> all{{"STRESS", Kind::symmetric_tensor, "Pa", "Cauchy, rotated by the host", {}},
+                                   {"STRAN", Kind::symmetric_tensor, "1", "plain shears; rotated by the host", {}},
+                                   {"SSE", Kind::scalar, "J/m^3", "elastic energy", {}},
+                                   {"SPD", Kind::scalar, "J/m^3", "plastic dissipation", {}},
+                                   {"SCD", Kind::scalar, "J/m^3", "creep dissipation", {}}};
   all.insert(all.end(), model.state.begin(), model.state.end());
   return all;
 }
@@ -120,12 +120,15 @@ void Umat::call(std::size_t number, double t) {
   constexpr int static_procedure = 1;
   int jstep[4] = {1, static_procedure, model_.finite_strain ? 1 : 0, 0};
   double* s = arrays_[scalars_];
-  reinterpret_cast<UmatEntry>(table_.entry)(
-      arrays_[stress_], arrays_[statev_], arrays_[ddsdde_], s + sse, s + spd, s + scd, s + rpl, arrays_[ddsddt_],
-      arrays_[drplde_], s + drpldt, arrays_[stran_], arrays_[dstran_], arrays_[time_], s + dtime, s + temp, s + dtemp,
-      arrays_[predef_], arrays_[dpred_], name, &ndi, &nshr, &ntens, &nstatv, arrays_[props_], &nprops, arrays_[coords_],
-      arrays_[drot_], s + pnewdt, s + celent, arrays_[dfgrd0_], arrays_[dfgrd1_], &noel, &npt, &layer, &kspt, jstep,
-      &kinc, name_length);
+  const auto ended = ended_in([&] {
+    reinterpret_cast<UmatEntry>(table_.entry)(
+        arrays_[stress_], arrays_[statev_], arrays_[ddsdde_], s + sse, s + spd, s + scd, s + rpl, arrays_[ddsddt_],
+        arrays_[drplde_], s + drpldt, arrays_[stran_], arrays_[dstran_], arrays_[time_], s + dtime, s + temp, s + dtemp,
+        arrays_[predef_], arrays_[dpred_], name, &ndi, &nshr, &ntens, &nstatv, arrays_[props_], &nprops,
+        arrays_[coords_], arrays_[drot_], s + pnewdt, s + celent, arrays_[dfgrd0_], arrays_[dfgrd1_], &noel, &npt,
+        &layer, &kspt, jstep, &kinc, name_length);
+  });
+  if (ended) throw PointFailure("the UMAT " + *ended);
   if (const auto broken = arrays_.broken_fence()) throw PointFailure("overrun: the UMAT " + *broken);
   if (s[pnewdt] < 1) {
     throw PointFailure("the UMAT asks for a shorter step: PNEWDT = " + shortest_text(s[pnewdt]),

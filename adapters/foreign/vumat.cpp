@@ -5,6 +5,8 @@
 
 #include "adapters/foreign/component_order.hpp"
 #include "adapters/foreign/foreign_state.hpp"
+#include "adapters/foreign/model_end.hpp"
+#include "adapters/foreign/progress_mark.hpp"
 #include "adapters/foreign/vumat_entry.hpp"
 
 namespace assay::adapters {
@@ -12,6 +14,8 @@ namespace assay::adapters {
 namespace {
 
 constexpr std::size_t name_length = 80, block_numbers = 8;
+/// Points a call: models dimension arrays of their own for no more than Abaqus hands over, 136.
+constexpr std::size_t most_points = 128;
 constexpr StateLayout layout{explicit_order, plain_shear, plain_shear};
 
 /// Where a point's own state begins.
@@ -43,9 +47,9 @@ Vector3 relative_spin(const Tensor& F0, const Tensor& F1, const CorotationalStep
 std::vector<ForeignVariable> Vumat::state_of(const ForeignModel& model) {
   using Kind = ForeignVariable::Kind;
   std::vector<ForeignVariable> all{
-      {"stress", Kind::symmetric_tensor, "Pa", "Cauchy stress in the frame of the polar rotation", {}},
-      {"internal_energy", Kind::scalar, "J/kg", "enerIntern", {}},
-      {"inelastic_energy", Kind::scalar, "J/kg", "enerInelas", {}}};
+      {"STRESS", Kind::symmetric_tensor, "Pa", "Cauchy stress in the frame of the polar rotation", {}},
+      {"ENERINTERN", Kind::scalar, "J/kg", "internal energy", {}},
+      {"ENERINELAS", Kind::scalar, "J/kg", "inelastic energy", {}}};
   all.insert(all.end(), model.state.begin(), model.state.end());
   return all;
 }
@@ -90,13 +94,13 @@ void Vumat::initial_state(const Tensor& cauchy, double* state) {
   const double I[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   // Abaqus asks for an elastic response at time zero before the first step; what it leaves in the state is not kept.
   Block& block = block_of(1);
-  hand_over(block, {0, 1, I, I}, state);
+  hand_over(block, {0, 1, I, I}, {1, 0}, state);
   constexpr double fictitious = 1e-8;
   block.arrays[block.strain][0] = fictitious;
   call(block, 0, 1);
 }
 
-void Vumat::hand_over(Block& block, const assay_step& step, const double* state0) {
+void Vumat::hand_over(Block& block, const assay_step& step, const Part& part, const double* state0) {
   GuardedArrays& a = block.arrays;
   const std::size_t n = block.n;
   const auto size = static_cast<std::size_t>(foreign_state_size(model_.state));
@@ -106,7 +110,7 @@ void Vumat::hand_over(Block& block, const assay_step& step, const double* state0
   a.fill(block.lengths, model_.characteristic_length);
   std::vector<double> ours(own_state + size), theirs(size);
   for (std::size_t p = 0; p < n; ++p) {
-    const Tensor F0 = tensor_at(step.F0, n, p), F1 = tensor_at(step.F1, n, p);
+    const Tensor F0 = tensor_at(step.F0, part.of, part.begin + p), F1 = tensor_at(step.F1, part.of, part.begin + p);
     const CorotationalStep c = corotational_step(F0, F1, model_.kinematics);
     block.rotation[p] = c.R1;
     a[block.density][p] = model_.density / F1.determinant() * unit_density(model_.units);
@@ -117,7 +121,7 @@ void Vumat::hand_over(Block& block, const assay_step& step, const double* state0
     write_symmetric(c.U1, explicit_order, plain_shear, a[block.stretch[1]] + p, n);
     write_tensor(F0, explicit_tensor_order, a[block.gradient[0]] + p, n);
     write_tensor(F1, explicit_tensor_order, a[block.gradient[1]] + p, n);
-    for (std::size_t k = 0; k < ours.size(); ++k) ours[k] = state0[k * n + p];
+    for (std::size_t k = 0; k < ours.size(); ++k) ours[k] = state0[k * part.of + part.begin + p];
     const Tensor before = read_symmetric(ours.data() + own_stress, standard_order, plain_shear) / model_.units.stress;
     to_foreign(layout, model_.state, ours.data() + own_state, theirs.data());
     for (const int end : {0, 1}) {  // the new ones are for the model to write; it may leave what does not change
@@ -138,33 +142,44 @@ void Vumat::call(Block& block, double time, double dt) {
       nprops = static_cast<int>(properties_.size()), lanneal = 0;
   double step_time = time / model_.units.time, total_time = step_time, length = dt / model_.units.time;
   GuardedArrays& a = block.arrays;
-  reinterpret_cast<VumatEntry>(table_.entry)(
-      nblock, &ndir, &nshr, &nstatev, &nfieldv, &nprops, &lanneal, &step_time, &total_time, &length, name,
-      a[block.coords], a[block.lengths], a[block.props], a[block.density], a[block.strain], a[block.spin],
-      a[block.temperature[0]], a[block.stretch[0]], a[block.gradient[0]], a[block.fields[0]], a[block.stress[0]],
-      a[block.state[0]], a[block.internal[0]], a[block.inelastic[0]], a[block.temperature[1]], a[block.stretch[1]],
-      a[block.gradient[1]], a[block.fields[1]], a[block.stress[1]], a[block.state[1]], a[block.internal[1]],
-      a[block.inelastic[1]], name_length);
+  const auto ended = ended_in([&] {
+    reinterpret_cast<VumatEntry>(table_.entry)(
+        nblock, &ndir, &nshr, &nstatev, &nfieldv, &nprops, &lanneal, &step_time, &total_time, &length, name,
+        a[block.coords], a[block.lengths], a[block.props], a[block.density], a[block.strain], a[block.spin],
+        a[block.temperature[0]], a[block.stretch[0]], a[block.gradient[0]], a[block.fields[0]], a[block.stress[0]],
+        a[block.state[0]], a[block.internal[0]], a[block.inelastic[0]], a[block.temperature[1]], a[block.stretch[1]],
+        a[block.gradient[1]], a[block.fields[1]], a[block.stress[1]], a[block.state[1]], a[block.internal[1]],
+        a[block.inelastic[1]], name_length);
+  });
+  if (ended) throw PointFailure("the VUMAT " + *ended);
   if (const auto broken = a.broken_fence()) throw PointFailure("overrun: the VUMAT " + *broken);
 }
 
 void Vumat::update_batch(const assay_step& step, std::size_t n, const double* state0, double* state1, double* cauchy) {
-  Block& block = block_of(n);
-  hand_over(block, step, state0);
-  call(block, step.t + step.dt, step.dt);
+  for (std::size_t begin = 0; begin < n; begin += most_points) {
+    mark_point(begin);
+    Block& block = block_of(std::min(most_points, n - begin));
+    hand_over(block, step, {n, begin}, state0);
+    call(block, step.t + step.dt, step.dt);
+    take_back(block, {n, begin}, state1, cauchy);
+  }
+}
+
+void Vumat::take_back(Block& block, const Part& part, double* state1, double* cauchy) {
   const GuardedArrays& a = block.arrays;
   const auto size = static_cast<std::size_t>(foreign_state_size(model_.state));
   std::vector<double> ours(own_state + size), theirs(size);
-  for (std::size_t p = 0; p < n; ++p) {
-    const Tensor T = model_.units.stress * read_symmetric(a[block.stress[1]] + p, explicit_order, plain_shear, n);
+  for (std::size_t p = 0; p < block.n; ++p) {
+    const std::size_t at = part.begin + p;
+    const Tensor T = model_.units.stress * read_symmetric(a[block.stress[1]] + p, explicit_order, plain_shear, block.n);
     const Tensor sigma = block.rotation[p] * T * block.rotation[p].transpose();
-    for (std::size_t c = 0; c < 9; ++c) cauchy[c * n + p] = component(sigma, static_cast<int>(c));
+    for (std::size_t c = 0; c < 9; ++c) cauchy[c * part.of + at] = component(sigma, static_cast<int>(c));
     write_symmetric(T, standard_order, plain_shear, ours.data() + own_stress);
     ours[own_internal] = a[block.internal[1]][p] * specific_energy(model_.units);
     ours[own_inelastic] = a[block.inelastic[1]][p] * specific_energy(model_.units);
-    for (std::size_t k = 0; k < size; ++k) theirs[k] = a[block.state[1]][k * n + p];
+    for (std::size_t k = 0; k < size; ++k) theirs[k] = a[block.state[1]][k * block.n + p];
     from_foreign(layout, model_.state, theirs.data(), ours.data() + own_state);
-    for (std::size_t k = 0; k < ours.size(); ++k) state1[k * n + p] = ours[k];
+    for (std::size_t k = 0; k < ours.size(); ++k) state1[k * part.of + at] = ours[k];
   }
 }
 

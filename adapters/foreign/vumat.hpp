@@ -33,8 +33,13 @@ class Vumat {
         stress[2], state[2], internal[2], inelastic[2];
     std::vector<Tensor> rotation;  ///< R at the end of the step
   };
+  /// Where the points of a block begin among those of a batch of `of`.
+  struct Part {
+    std::size_t of, begin;
+  };
   Block& block_of(std::size_t n);
-  void hand_over(Block& block, const assay_step& step, const double* state0);
+  void hand_over(Block& block, const assay_step& step, const Part& part, const double* state0);
+  void take_back(Block& block, const Part& part, double* state1, double* cauchy);
   void call(Block& block, double time, double dt);
 
   const ForeignTable& table_;

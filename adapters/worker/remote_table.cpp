@@ -412,7 +412,10 @@ std::string output_of(const assay_material* table) {
 
 void end_workers() {
   const std::lock_guard lock(all_tables().guard);
-  for (const auto& table : all_tables().tables) table->slots.clear();
+  for (const auto& table : all_tables().tables) {
+    for (const auto& slot : table->slots) table->printed += slot->worker.output();
+    table->slots.clear();
+  }
 }
 
 }  // namespace assay::adapters

@@ -19,12 +19,6 @@ namespace assay::adapters {
 
 namespace {
 
-std::int64_t now_ns() {
-  timespec now{};
-  ::clock_gettime(CLOCK_MONOTONIC, &now);
-  return now.tv_sec * 1000000000LL + now.tv_nsec;
-}
-
 void say(char* out, std::size_t size, const std::string& text) { out[text.copy(out, size - 1)] = '\0'; }
 
 /// The answers to one host about one table.

@@ -19,6 +19,7 @@
 #include <string>
 #include <system_error>
 
+#include "adapters/foreign/progress_mark.hpp"
 #include "adapters/worker/crash_marks.hpp"
 #include "adapters/worker/futex.hpp"
 #include "adapters/worker/worker_process.hpp"
@@ -28,12 +29,6 @@ namespace assay::adapters {
 namespace {
 
 constexpr int look_ms = 20;  ///< how often limits are looked at
-
-std::int64_t now_ns() {
-  timespec now{};
-  ::clock_gettime(CLOCK_MONOTONIC, &now);
-  return now.tv_sec * 1000000000LL + now.tv_nsec;
-}
 
 /// A folder of its own for what a model writes where it stands; goes with the warden.
 class Folder {

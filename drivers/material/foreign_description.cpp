@@ -141,7 +141,7 @@ class Reader {
     }
     for (std::size_t k = 0; k < count; ++k) {
       model_.state.push_back(variable);
-      if (count > 1) model_.state.back().name = numbered(entry.key, k);
+      if (count > 1) model_.state.back().name = entry.key + "[" + std::to_string(k + 1) + "]";
     }
   }
 

@@ -26,6 +26,18 @@ std::vector<std::string> keys_of(const std::string& interface) {
   return known;
 }
 
+/// Relative to the description; a bare name that is not there, in a folder of $ASSAY_MATERIAL_PATH.
+std::string library_file(const std::string& said, const std::filesystem::path& folder) {
+  std::string beside = absolute_path(folder / said);
+  std::error_code code;
+  if (said.find('/') != std::string::npos || std::filesystem::exists(beside, code)) return beside;
+  for (const std::string& other : material_folders()) {
+    std::string found = absolute_path(std::filesystem::path(other) / said);
+    if (std::filesystem::exists(found, code)) return found;
+  }
+  return beside;
+}
+
 /// A file's name as the name of a table: "My-Clay.yaml" is my_clay.
 std::string name_of_file(const std::string& file) {
   std::string name = std::filesystem::path(file).stem().string();
@@ -49,8 +61,7 @@ MaterialDescription read_description(const std::string& text, const std::string&
   MaterialDescription description;
   const Tree* library = root.find("library");
   if (!library) throw InputError(root.where, "library", "required and not given", joined(known));
-  const std::filesystem::path path = text_value(*library, "library");
-  description.library = absolute_path(std::filesystem::path(file).parent_path() / path);
+  description.library = library_file(text_value(*library, "library"), std::filesystem::path(file).parent_path());
   description.library_where = description.name_where = library->where;
   if (const Tree* name = root.find("name")) {
     description.name = text_value(*name, "name");

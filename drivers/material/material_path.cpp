@@ -2,6 +2,7 @@
 #include "drivers/material/material_path.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "drivers/input_error.hpp"
 
@@ -42,6 +43,18 @@ bool is_material_name(const std::string& name) {
   const auto alnum = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
   return !name.empty() && name.size() <= 100 && alnum(name[0]) && !ends_as_path(name) &&
          std::all_of(name.begin(), name.end(), [&](char c) { return alnum(c) || c == '_' || c == '-' || c == '.'; });
+}
+
+std::vector<std::string> material_folders() {
+  std::vector<std::string> folders;
+  const char* value = std::getenv("ASSAY_MATERIAL_PATH");
+  const std::string path = value ? value : "";
+  for (std::size_t begin = 0; begin < path.size();) {
+    const std::size_t colon = std::min(path.find(':', begin), path.size());
+    if (colon > begin) folders.push_back(absolute_path(path.substr(begin, colon - begin)));
+    begin = colon + 1;
+  }
+  return folders;
 }
 
 }  // namespace assay::drivers

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace assay::drivers {
 
@@ -24,5 +25,8 @@ std::string absolute_material(const std::string& adapter, const std::filesystem:
 
 /// Letters, digits, '_', '-' and '.', beginning with a letter or digit, and not a path.
 bool is_material_name(const std::string& name);
+
+/// The folders of $ASSAY_MATERIAL_PATH, absolute.
+std::vector<std::string> material_folders();
 
 }  // namespace assay::drivers

@@ -22,17 +22,6 @@ std::string environment(const char* name) {
   return value ? value : "";
 }
 
-std::vector<std::string> search_folders() {
-  std::vector<std::string> folders;
-  const std::string path = environment("ASSAY_MATERIAL_PATH");
-  for (std::size_t begin = 0; begin < path.size();) {
-    const std::size_t colon = std::min(path.find(':', begin), path.size());
-    if (colon > begin) folders.push_back(absolute_path(path.substr(begin, colon - begin)));
-    begin = colon + 1;
-  }
-  return folders;
-}
-
 MaterialSource from_description(const std::string& file, Isolation isolation) {
   const MaterialDescription description = read_description(file);
   MaterialSource source = source_of(description, file, isolation);
@@ -105,7 +94,7 @@ std::vector<RegisteredName> registered_names() {
   for (const assay_material* table : adapters::builtin_tables()) all.push_back({table->name, {}});
   const auto add = [&](const std::vector<RegisteredName>& more) { all.insert(all.end(), more.begin(), more.end()); };
   if (!registry_folder().empty()) add(names_in(registry_folder(), true));
-  for (const std::string& folder : search_folders()) add(names_in(folder, false));
+  for (const std::string& folder : material_folders()) add(names_in(folder, false));
   std::set<std::string> seen;
   std::erase_if(all, [&](const RegisteredName& n) { return !seen.insert(n.name).second; });
   return all;

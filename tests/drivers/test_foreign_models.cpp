@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Foreign models through the program itself.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <sstream>
+#include <thread>
+
+#include "drivers/output/numbers.hpp"
+#include "tests/drivers/process.hpp"
+
+namespace assay::drivers {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string configs = ASSAY_SOURCE_DIR "/configs/foreign/";
+const std::string doubles = ASSAY_BINARY_DIR "/tests/foreign/";
+
+bool built(const std::string& name) { return fs::exists(doubles + name + ".so"); }
+
+/// Columns of an errors.csv.
+std::vector<std::vector<double>> columns_of(const std::string& file) {
+  std::istringstream in(bytes_of(file));
+  std::vector<std::vector<double>> columns;
+  std::string line, cell;
+  std::getline(in, line);
+  while (std::getline(in, line)) {
+    std::istringstream cells(line);
+    for (std::size_t k = 0; std::getline(cells, cell, ','); ++k) {
+      if (columns.size() <= k) columns.emplace_back();
+      columns[k].push_back(parse_number(cell).value_or(0));
+    }
+  }
+  return columns;
+}
+
+class ForeignVortex : public testing::TestWithParam<const char*> {};
+
+TEST_P(ForeignVortex, AgreesWithTheNativeModel) {
+  constexpr double agreement = 1e-12;  // of the largest value of each column
+  const std::string name = GetParam();
+  if (!built(name + "_neo_hookean")) GTEST_SKIP() << "no Fortran compiler";
+  const ScratchFolder scratch;
+  const std::string scene = configs + "vortex_" + name + ".yaml";
+  const Ending foreign = assay({"run", scene, "-o", scratch / "foreign", "--quiet", "--threads", "2"});
+  ASSERT_EQ(foreign.status, 0) << foreign.said;
+  const Ending native = assay({"run", scene, "-o", scratch / "native", "--quiet", "--set",
+                               "material={adapter: neo_hookean, density: 1000, parameters: {E: 1.0e3, nu: 0.3}}"});
+  ASSERT_EQ(native.status, 0) << native.said;
+  const auto found = columns_of(scratch / "foreign/errors.csv"), expected = columns_of(scratch / "native/errors.csv");
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    double largest = 0;
+    for (const double value : expected[k]) largest = std::max(largest, std::abs(value));
+    ASSERT_EQ(found[k].size(), expected[k].size());
+    for (std::size_t row = 0; row < found[k].size(); ++row) {
+      EXPECT_NEAR(found[k][row], expected[k][row], agreement * largest) << k << " " << row;
+    }
+  }
+  const std::string profile = bytes_of(scratch / "foreign/result.json");
+  EXPECT_NE(profile.find("\"isolation\""), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Interfaces, ForeignVortex, testing::Values("umat", "vumat", "mfront"),
+                         [](const auto& instance) { return std::string(instance.param); });
+
+/// Kept as it is: a model with a state, not thread-safe, in two workers.
+TEST(ForeignModels, TwoCoresGiveTheBitsOfOne) {
+  if (!built("umat_j2")) GTEST_SKIP() << "no Fortran compiler";
+  const ScratchFolder scratch;
+  for (const char* threads : {"1", "2"}) {
+    const Ending ending =
+        assay({"run", configs + "vortex_umat.yaml", "-o", scratch / threads, "--quiet", "--threads", threads, "--set",
+               "material={adapter: " + configs + "umat_j2.yaml}", "--set", "motion.amplitude.peak=0.1", "--set",
+               "force={response: shadow, evaluation: domain_average}", "--set", "expect={outcome: completed}"});
+    ASSERT_EQ(ending.status, 0) << ending.said;
+  }
+  const std::string one = bytes_of(scratch / "1/errors.csv");
+  EXPECT_GT(one.size(), 100u);
+  EXPECT_EQ(bytes_of(scratch / "2/errors.csv"), one);
+}
+
+std::string misbehaving(const ScratchFolder& scratch, const std::string& keys) {
+  return scratch.write("model.yaml", "library: " + doubles + "misbehaving_umat.so\ninterface: umat\n" +
+                                         "properties: {E: 1.0e3, nu: 0.3, which: 0, from: 0.5}\nstate: 1\n" +
+                                         "density: 1000\n" + keys);
+}
+
+std::vector<std::string> run_of(const ScratchFolder& scratch, const std::string& model, int which) {
+  return {"run",   configs + "vortex_umat.yaml",
+          "-o",    scratch / "out",
+          "--set", "material={adapter: " + model + ", parameters: {which: " + std::to_string(which) + "}}",
+          "--set", "force.tolerance=1e-5",
+          "--set", "motion.amplitude.peak=0.1",
+          "--set", "expect={outcome: completed}"};
+}
+
+TEST(ForeignModels, AFailureLeavesAReplayThatReproducesIt) {
+  if (!built("misbehaving_umat")) GTEST_SKIP() << "no Fortran compiler";
+  constexpr int segmentation_fault = 1;
+  const ScratchFolder scratch;
+  const Ending ending = assay(run_of(scratch, misbehaving(scratch, ""), segmentation_fault));
+  EXPECT_EQ(ending.status, 1);
+  EXPECT_NE(ending.said.find("died of signal 11"), std::string::npos) << ending.said;
+  const Ending again = assay({"check", "--replay", scratch / "out/replay.yaml"});
+  EXPECT_EQ(again.status, 1);
+  EXPECT_NE(again.said.find("died of signal 11"), std::string::npos) << again.said;
+}
+
+/// Processes whose environment holds that text.
+int processes_with(const std::string& text) {
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    const std::string name = entry.path().filename().string();
+    if (!std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c); })) continue;
+    if (bytes_of(entry.path() / "environ").find(text) != std::string::npos) ++count;
+  }
+  return count;
+}
+
+TEST(ForeignModels, NothingIsLeftWhenTheHostIsKilled) {
+  if (!built("misbehaving_umat")) GTEST_SKIP() << "no Fortran compiler";
+  constexpr int endless_loop = 3;
+  const ScratchFolder scratch;
+  fs::create_directories(scratch / "tmp");
+  const std::string place = "TMPDIR=" + (scratch / "tmp");
+  const pid_t host = start_assay(run_of(scratch, misbehaving(scratch, "time_limit: 1000\n"), endless_loop),
+                                 scratch / "said", [&] { setenv("TMPDIR", (scratch / "tmp").c_str(), 1); });
+  const auto wait_until = [](const auto& condition) {
+    for (int k = 0; k < 200 && !condition(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    return condition();
+  };
+  ASSERT_TRUE(wait_until([&] { return processes_with(place) >= 3; })) << bytes_of(scratch / "said");
+  EXPECT_FALSE(fs::is_empty(scratch / "tmp"));
+  ::kill(host, SIGKILL);
+  ::waitpid(host, nullptr, 0);
+  EXPECT_TRUE(wait_until([&] { return processes_with(place) == 0; }));
+  EXPECT_TRUE(wait_until([&] { return fs::is_empty(scratch / "tmp"); }));
+}
+
+TEST(ForeignModels, ErrorsStandAtTheKeyOfTheDescription) {
+  const ScratchFolder scratch;
+  const std::string file = scratch.write(
+      "m.yaml", "library: " + doubles + "mfront_neo_hookean.so\ninterface: mfront\nproperties: {Young: 1}\n");
+  const Ending ending = assay({"materials", file});
+  EXPECT_EQ(ending.status, 2);
+  EXPECT_TRUE(ending.said.starts_with(file + ":3:21: properties.Young: behaviour 'NeoHookean' has no such property; "
+                                             "known: YoungModulus, PoissonRatio"))
+      << ending.said;
+}
+
+}  // namespace
+}  // namespace assay::drivers
