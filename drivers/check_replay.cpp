@@ -24,7 +24,11 @@ check::TestResult step_again(const Material& material, const FailedStep& step) {
   std::vector<double> state1(step.state0.size());
   const UpdateReport report = material.update(step.t, step.dt, 1, F0, F1, step.state0.data(), state1.data(), cauchy);
   if (report.worst == ASSAY_FAILED) {
-    result.cause = check::causes::refuses;
+    const bool died = report.dt_factor == 0;
+    result.cause = report.message.starts_with(overrun_words) ? check::causes::overrun
+                   : died                                    ? check::causes::ends_process
+                   : report.not_finite                       ? check::causes::not_finite
+                                                             : check::causes::refuses;
     result.sentence = "the step fails again: " + report.message;
     return result;
   }

@@ -36,6 +36,9 @@ void* create_instance(const assay_material* table, const double* parameters, cha
 /// An extension's table by `extension_of`, or by `extension` where the table has no other. Null where there is none.
 const void* extension_of(const assay_material* table, const char* id);
 
+/// With these words a message begins that tells of writing where a model must not; whoever guards its arrays finds it.
+inline constexpr const char* overrun_words = "overrun: ";
+
 /// What `update` said of a batch.
 struct UpdateReport {
   int worst = ASSAY_GOOD;       ///< of the batch; a stress that is not finite counts as ASSAY_FAILED

@@ -12,6 +12,7 @@
 #include "adapters/foreign/foreign_model.hpp"
 #include "adapters/foreign/foreign_table.hpp"
 #include "adapters/foreign/mfront_metadata.hpp"
+#include "harness/material.hpp"
 #include "harness/tensor.hpp"
 
 namespace assay::adapters {

@@ -222,7 +222,7 @@ std::int32_t Mfront::call(double dt) {
                   pointers(begin_), pointers(end_)};
   const int status = reinterpret_cast<MfrontEntry>(table_.entry)(&data);
   message[ASSAY_MESSAGE_SIZE - 1] = '\0';
-  if (const auto broken = arrays_.broken_fence()) throw PointFailure("overrun: the behaviour " + *broken);
+  if (const auto broken = arrays_.broken_fence()) throw PointFailure(overrun_words + ("the behaviour " + *broken));
   if (status == ASSAY_FAILED) {
     const std::string words = message[0] ? ": " + std::string(message) : "";
     throw PointFailure("the behaviour could not integrate the step" + words, std::clamp(s[rdt], 0.01, 0.99));

@@ -129,7 +129,7 @@ void Umat::call(std::size_t number, double t) {
         &layer, &kspt, jstep, &kinc, name_length);
   });
   if (ended) throw PointFailure("the UMAT " + *ended);
-  if (const auto broken = arrays_.broken_fence()) throw PointFailure("overrun: the UMAT " + *broken);
+  if (const auto broken = arrays_.broken_fence()) throw PointFailure(overrun_words + ("the UMAT " + *broken));
   if (s[pnewdt] < 1) {
     throw PointFailure("the UMAT asks for a shorter step: PNEWDT = " + shortest_text(s[pnewdt]),
                        std::clamp(s[pnewdt], 0.01, 0.99));

@@ -152,7 +152,7 @@ void Vumat::call(Block& block, double time, double dt) {
         a[block.inelastic[1]], name_length);
   });
   if (ended) throw PointFailure("the VUMAT " + *ended);
-  if (const auto broken = a.broken_fence()) throw PointFailure("overrun: the VUMAT " + *broken);
+  if (const auto broken = a.broken_fence()) throw PointFailure(overrun_words + ("the VUMAT " + *broken));
 }
 
 void Vumat::update_batch(const assay_step& step, std::size_t n, const double* state0, double* state1, double* cauchy) {

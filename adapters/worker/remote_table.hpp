@@ -25,6 +25,9 @@ const assay_material* remote_table(const WorkerStart& start);
 /// What a remote table's workers are started with; no task for any other table.
 WorkerStart start_of(const assay_material* table);
 
+/// As the model itself has them: a remote table serves several threads, whatever the model does.
+std::uint32_t own_flags(const assay_material* table);
+
 /// What the workers of a remote table have printed so far; empty for any other table.
 std::string output_of(const assay_material* table);
 

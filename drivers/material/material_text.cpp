@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adapters/worker/remote_table.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/wrapped_text.hpp"
 
@@ -101,7 +102,8 @@ std::string role_name(std::int32_t role) {
 }
 
 std::vector<std::string> flag_names(const assay_material& table) {
-  const auto has = [&](std::uint32_t flag) { return (table.flags & flag) != 0; };
+  const std::uint32_t flags = adapters::own_flags(&table);
+  const auto has = [&](std::uint32_t flag) { return (flags & flag) != 0; };
   const std::string symmetry = table.symmetry == ASSAY_ISOTROPIC                   ? "isotropic"
                                : table.symmetry == ASSAY_CYLINDRICALLY_ORTHOTROPIC ? "cylindrically orthotropic"
                                                                                    : "anisotropic";
@@ -113,14 +115,15 @@ std::vector<std::string> flag_names(const assay_material& table) {
 
 std::string material_text(const std::string& name, const MaterialSource& source) {
   const assay_material& table = *source.table;
-  std::string head = name + " " + words(table.version);
+  const std::string version = words(table.version), licence = words(table.licence);
+  std::string head = name + (version.empty() ? "" : " " + version);
   if (name != table.name) head += " (model " + words(table.name) + ")";
   if (const std::string doc = words(table.doc); !doc.empty()) head += ": " + doc;
   std::string out = wrapped(head, "", "");
   out += "  from     " + (source.library.empty() ? "built-in" : source.library) + "\n";
   if (!source.description.empty()) out += "  through  " + source.description + "\n";
   if (source.density) out += "  density  " + number_text(*source.density) + " kg/m^3\n";
-  out += "  licence  " + words(table.licence) + "\n";
+  if (!licence.empty()) out += "  licence  " + licence + "\n";
   out += wrapped(joined(flag_names(table)), "  ", "  ");
   return out + parameters_text(source) + state_text(table);
 }

@@ -26,8 +26,9 @@ namespace {
 /// where it is that failure alone.
 TestResult refused(const std::string& id, const char* cause, const MaterialFailure& failure) {
   TestResult result{.id = id, .verdict = Verdict::fail, .step = failure.step};
-  result.cause = cause ? cause : failure.not_finite ? causes::not_finite : causes::refuses;
   const std::string words = failure.what();
+  const bool overrun = words.starts_with(overrun_words);
+  result.cause = overrun ? causes::overrun : cause ? cause : failure.not_finite ? causes::not_finite : causes::refuses;
   const std::string what = failure.not_finite ? words
                            : words.empty()    ? "the model refuses a step without a word"
                                               : "the model refuses a step: " + words;

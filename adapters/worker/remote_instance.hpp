@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the functions of a remote table work on: the table with its workers, and an instance of the host's.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "adapters/worker/call_arrays.hpp"
+#include "adapters/worker/remote_table.hpp"
+#include "adapters/worker/servant.hpp"
+#include "adapters/worker/table_pack.hpp"
+#include "harness/material.hpp"
+
+namespace assay::adapters {
+
+/// A worker and the instances that it holds.
+struct Slot {
+  explicit Slot(const WorkerStart& start) : worker(start) {}
+  WorkerProcess worker;
+  std::set<std::uint64_t> instances;
+  bool busy = true;
+};
+
+struct RemoteTable : assay_material {
+  UnpackedTable metadata;
+  assay_example example{};
+  WorkerStart start;
+  std::size_t state_size = 0;
+  std::mutex guard;
+  std::vector<std::unique_ptr<Slot>> slots;
+  std::string printed;  ///< by workers that have ended
+};
+
+/// A worker for one call.
+class Lease {
+ public:
+  Lease(RemoteTable& table, std::uint64_t instance) : table_(table) {
+    const std::lock_guard lock(table.guard);
+    for (const auto& slot : table.slots) {
+      if (slot->busy || (slot_ && slot->instances.count(instance) == 0)) continue;
+      slot_ = slot.get();
+    }
+    if (!slot_) {
+      table.slots.push_back(std::make_unique<Slot>(table.start));
+      slot_ = table.slots.back().get();
+    }
+    slot_->busy = true;
+  }
+  ~Lease() {
+    const std::lock_guard lock(table_.guard);
+    slot_->busy = false;
+    if (!slot_->worker.dead()) return;
+    table_.printed += slot_->worker.output();
+    std::erase_if(table_.slots, [this](const auto& slot) { return slot.get() == slot_; });
+  }
+  Lease(const Lease&) = delete;
+  Lease& operator=(const Lease&) = delete;
+  Slot& slot() { return *slot_; }
+
+ private:
+  RemoteTable& table_;
+  Slot* slot_ = nullptr;
+};
+
+inline std::string text_of(const char* words, std::size_t size) { return {words, strnlen(words, size)}; }
+
+/// One instance of the host's.
+class Instance {
+ public:
+  Instance(RemoteTable& table, const double* parameters)
+      : table_(table), parameters_(parameters, parameters + table.parameter_count) {
+    static std::atomic<std::uint64_t> next{1};
+    id_ = next++;
+  }
+
+  RemoteTable& table() { return table_; }
+  std::string reason;  ///< of the last call that failed
+
+  /// Room for a call's arrays, filled by `in`; `out` reads the answer. False with a reason: the worker died, refused to
+  /// make the instance, or wrote where it must not. `point`: that was being worked on.
+  template <class In, class Out>
+  bool call(Operation operation, std::size_t n, const In& in, const Out& out, std::size_t* point = nullptr) {
+    reason.clear();
+    Lease lease(table_, id_);
+    Slot& slot = lease.slot();
+    if (!known_to(slot)) return false;
+    CallArrays arrays(slot.worker.arrays(), slot.worker.arrays_size());
+    arrays.head() = {.instance = id_,
+                     .n = n,
+                     .t = 0,
+                     .dt = 0,
+                     .density = 0,
+                     .dt_factor = 1,
+                     .baseline = 0,
+                     .status = ASSAY_GOOD,
+                     .message = {}};
+    constexpr std::uint32_t spin_us = 30;
+    slot.worker.control().spin_us.store(spin_us);
+    in(arrays);
+    arrays.raise_fences();
+    if (!slot.worker.call(static_cast<std::uint32_t>(operation))) {
+      if (point) *point = std::min(slot.worker.control().point.load(), n - 1);
+      reason = "the model " + slot.worker.how_it_ended();
+      return false;
+    }
+    if (const auto broken = arrays.broken_fence()) {
+      reason = overrun_words + ("the model " + *broken);
+      return false;
+    }
+    if (const std::string words = arithmetic_words(slot.worker.control().arithmetic.load()); !words.empty()) {
+      reason = "the model " + words;
+      return false;
+    }
+    out(arrays.head());
+    return true;
+  }
+
+  /// A call without arrays that come back beside those that `out` knows.
+  template <class In, class Out>
+  std::int32_t status_of(Operation operation, std::size_t n, const In& in, const Out& out) {
+    std::int32_t status = ASSAY_FAILED;
+    call(operation, n, in, [&](CallHead& head) {
+      status = head.status;
+      if (status == ASSAY_FAILED) reason = text_of(head.message, ASSAY_MESSAGE_SIZE);
+      out();
+    });
+    return status;
+  }
+
+  /// Made in that worker, now or before.
+  bool known_to(Slot& slot) {
+    if (slot.instances.count(id_)) return true;
+    CallArrays arrays(slot.worker.arrays(), slot.worker.arrays_size());
+    arrays.head() = {};
+    arrays.head().instance = id_;
+    auto* parameters = arrays.next<double>(parameters_.size(), "the parameters");
+    std::copy(parameters_.begin(), parameters_.end(), parameters);
+    arrays.raise_fences();
+    if (!slot.worker.call(static_cast<std::uint32_t>(Operation::create))) {
+      reason = "the model " + slot.worker.how_it_ended() + " when it was created";
+      return false;
+    }
+    if (arrays.head().status == ASSAY_FAILED) {
+      reason = text_of(arrays.head().message, ASSAY_MESSAGE_SIZE);
+      if (reason.empty()) reason = "the model could not be created";
+      return false;
+    }
+    slot.instances.insert(id_);
+    return true;
+  }
+
+ private:
+  RemoteTable& table_;
+  std::vector<double> parameters_;
+  std::uint64_t id_ = 0;
+};
+
+/// The functions of the table: create_of, destroy, initial_state, update, extension_of.
+void* create_remote(const assay_material* table, const double* parameters, char* message);
+void destroy_remote(void* self);
+std::int32_t initial_state_remote(void* self, std::size_t n, const double* cauchy, double* state);
+void update_remote(void* self, const assay_step* step, std::size_t n, const double* state0, double* state1,
+                   double* cauchy, std::int32_t* status, double* dt_factor, char* message);
+const void* extension_remote(const assay_material* table, const char* id);
+
+}  // namespace assay::adapters
