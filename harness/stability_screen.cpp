@@ -63,7 +63,8 @@ class Screen {
           found.push_back(probe_.at(xi[p], times[row], state));
         } catch (MaterialFailure& failure) {
           failure.xi = xi[p];
-          if (failure.final || ++result.unjudged == static_cast<int>(xi.size() * times.size())) throw;  // nothing can be judged
+          if (failure.final || ++result.unjudged == static_cast<int>(xi.size() * times.size()))
+            throw;  // nothing can be judged
           found.push_back({probe_.scale(), Vector3::Zero()});
         }
       }

@@ -3,10 +3,6 @@
 # its `expect:` says.
 file(GLOB_RECURSE scenes CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/configs ${PROJECT_SOURCE_DIR}/configs/*.yaml)
 foreach(scene IN LISTS scenes)
-  file(STRINGS ${PROJECT_SOURCE_DIR}/configs/${scene} motion REGEX "^motion:")
-  if(NOT motion)
-    continue() # the description of a material
-  endif()
   string(REGEX REPLACE "\\.yaml$" "" name ${scene})
   file(STRINGS ${PROJECT_SOURCE_DIR}/configs/${scene} method REGEX "^method:")
   if(method)

@@ -30,8 +30,8 @@ void assay_abaqus_end(const char* what) {
 
 void assay_abaqus_text(const char* text, char* out, int* length, std::size_t size) {
   const std::size_t n = std::min(std::strlen(text), size);
-  std::memset(out, ' ', size);
-  std::memcpy(out, text, n);
+  std::fill_n(out, size, ' ');
+  std::copy_n(text, n, out);
   *length = static_cast<int>(n);
 }
 

@@ -20,7 +20,7 @@ enum class Kinematics {
 
 /// One material constant, in the model's own units. A value that is NaN must be given.
 struct ForeignProperty {
-  std::string name, unit = "", doc = "";
+  std::string name, unit = {}, doc = {};
   double value = NAN, lower = -INFINITY, upper = INFINITY;
 };
 
@@ -35,7 +35,7 @@ struct ForeignVariable {
   };
   std::string name;
   Kind kind = Kind::scalar;
-  std::string unit = "", doc = "";
+  std::string unit = {}, doc = {};
   std::vector<double> initial = {};  ///< one value for all components, or one for each; empty: zero
 };
 

@@ -49,6 +49,7 @@ void mark_crashes(Control& control) {
   sigemptyset(&action.sa_mask);
   action.sa_flags = SA_SIGINFO | SA_ONSTACK;
   for (const int signal : {SIGSEGV, SIGBUS}) sigaction(signal, &action, nullptr);
+  for (const int signal : {SIGFPE, SIGILL, SIGABRT}) std::signal(signal, SIG_DFL);  // sanitizers have their own
 }
 
 void end_by_word(const char* words) {

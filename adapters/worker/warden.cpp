@@ -176,7 +176,8 @@ void enlarge_stack() {
 /// A pipe whose files have none of the numbers of WorkerFile.
 bool high_pipe(int ends[2]) {
   constexpr int first_free_file = 64;
-  int low[2];
+  int low[2] = {-1, -1};
+  ends[0] = ends[1] = -1;
   if (::pipe2(low, O_CLOEXEC) != 0) return false;
   for (const int k : {0, 1}) {
     ends[k] = ::fcntl(low[k], F_DUPFD_CLOEXEC, first_free_file);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "drivers/material/foreign_description.hpp"
 #include "drivers/material/foreign_words.hpp"
@@ -76,7 +77,7 @@ std::string foreign_yaml(const ForeignModel& model) {
   line("strain", model.finite_strain ? "finite" : "small");
   line("symmetry", symmetries[static_cast<std::size_t>(model.symmetry)]);
   std::vector<std::string> flags, components;
-  for (std::size_t k = 0; k < flag_words.size(); ++k) {
+  for (std::size_t k = 0; k < std::size(flag_bits); ++k) {
     if (model.flags & flag_bits[k]) flags.push_back(flag_words[k]);
   }
   line("flags", listed(flags));

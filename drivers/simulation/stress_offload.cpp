@@ -50,7 +50,7 @@ StressOffload::StressOffload(const mpm::Setup<2>& setup) try
 
 StressOffload::~StressOffload() = default;
 
-std::shared_ptr<const mpm::Offload> StressOffload::offload_of(std::shared_ptr<StressOffload> workers) {
+std::shared_ptr<const mpm::Offload> StressOffload::offload_of(const std::shared_ptr<StressOffload>& workers) {
   auto offload = std::make_shared<mpm::Offload>();
   offload->allocate = [workers](std::size_t n) { return workers->allocate(n); };
   offload->place = [workers](const mpm::StressColumns<2>& columns) { workers->place(columns); };

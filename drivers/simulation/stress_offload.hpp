@@ -21,7 +21,7 @@ class StressOffload {
   StressOffload& operator=(const StressOffload&) = delete;
 
   /// As the particle method takes it; keeps this alive.
-  static std::shared_ptr<const mpm::Offload> offload_of(std::shared_ptr<StressOffload> workers);
+  static std::shared_ptr<const mpm::Offload> offload_of(const std::shared_ptr<StressOffload>& workers);
 
   /// Between handing over and coming back, beside the time that the slowest worker was busy [s].
   double hand_over_s() const;

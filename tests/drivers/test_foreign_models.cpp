@@ -18,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string configs = ASSAY_SOURCE_DIR "/configs/foreign/";
+const std::string descriptions = ASSAY_SOURCE_DIR "/tests/adapters/foreign/";
 const std::string doubles = ASSAY_BINARY_DIR "/tests/foreign/";
 
 /// The program, where the scenes' models are found.
@@ -81,7 +82,7 @@ TEST(ForeignModels, TwoCoresGiveTheBitsOfOne) {
   for (const char* threads : {"1", "2"}) {
     const Ending ending = assay_with_doubles(
         {"run", configs + "vortex_umat.yaml", "-o", scratch / threads, "--quiet", "--threads", threads, "--set",
-         "material={adapter: " + configs + "umat_j2.yaml}", "--set", "motion.amplitude.peak=0.1", "--set",
+         "material={adapter: " + descriptions + "umat_j2.yaml}", "--set", "motion.amplitude.peak=0.1", "--set",
          "time.end=0.1", "--set", "force.tolerance=1e-4", "--set", "expect={outcome: completed}"});
     ASSERT_EQ(ending.status, 0) << ending.said;
   }
