@@ -28,14 +28,15 @@ std::optional<std::vector<T>> items_at(std::ifstream& file, std::uint64_t size, 
 }
 
 std::string text_at(const std::vector<char>& strings, std::uint64_t at) {
+  constexpr std::size_t longest = 4096;  // of a damaged table without ends
   std::string text;
-  for (; at < strings.size() && strings[at]; ++at) text += strings[at];
+  for (; at < strings.size() && strings[at] && text.size() < longest; ++at) text += strings[at];
   return text;
 }
 
-}  // namespace
-
-std::vector<std::string> exported_symbols(const std::string& path) {
+/// Names of the dynamic symbols that `chosen` takes, sorted.
+template <class Chosen>
+std::vector<std::string> symbols_of(const std::string& path, const Chosen& chosen) {
   check_shared_library(path);
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   const auto size = static_cast<std::uint64_t>(std::max<std::streamoff>(file.tellg(), 0));
@@ -51,12 +52,25 @@ std::vector<std::string> exported_symbols(const std::string& path) {
     const auto strings = items_at<char>(file, size, words.sh_offset, words.sh_size);
     if (!symbols || !strings) continue;
     for (const Elf64_Sym& symbol : *symbols) {
-      if (symbol.st_shndx != SHN_UNDEF) names.push_back(text_at(*strings, symbol.st_name));
+      if (chosen(symbol)) names.push_back(text_at(*strings, symbol.st_name));
     }
+    break;  // a library has one such table
   }
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
+}
+
+}  // namespace
+
+std::vector<std::string> exported_symbols(const std::string& path) {
+  return symbols_of(path, [](const Elf64_Sym& symbol) { return symbol.st_shndx != SHN_UNDEF; });
+}
+
+std::vector<std::string> wanted_symbols(const std::string& path) {
+  return symbols_of(path, [](const Elf64_Sym& symbol) {
+    return symbol.st_shndx == SHN_UNDEF && symbol.st_name != 0 && ELF64_ST_BIND(symbol.st_info) == STB_GLOBAL;
+  });
 }
 
 }  // namespace assay::adapters

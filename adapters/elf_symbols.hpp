@@ -10,4 +10,7 @@ namespace assay::adapters {
 /// Names of the dynamic symbols that the library defines, sorted. Throws LibraryError where it is no shared library.
 std::vector<std::string> exported_symbols(const std::string& path);
 
+/// Those that it asks others for, and cannot do without. Throws LibraryError likewise.
+std::vector<std::string> wanted_symbols(const std::string& path);
+
 }  // namespace assay::adapters

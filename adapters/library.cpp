@@ -2,10 +2,15 @@
 #include "adapters/library.hpp"
 
 #include <dlfcn.h>
+#include <fcntl.h>
+#include <unistd.h>
 
+#include <cstring>
 #include <filesystem>
 
 #include "adapters/elf_check.hpp"
+#include "adapters/forked.hpp"
+#include "adapters/worker/table_pack.hpp"
 #include "harness/material.hpp"
 
 namespace assay::adapters {
@@ -59,6 +64,36 @@ std::vector<const assay_material*> tables_of_library(const std::string& path) {
     throw LibraryError("holds no material for ABI major " + std::to_string(ASSAY_ABI_MAJOR) + majors_served(entry));
   }
   return tables;
+}
+
+void try_library(const std::string& path) {
+  check_shared_library(path);
+  constexpr char between = '\x1f';  // of an error's two parts
+  const Forked found = in_a_child([&] {
+    const int nowhere = ::open("/dev/null", O_WRONLY);
+    ::dup2(nowhere, STDOUT_FILENO), ::dup2(nowhere, STDERR_FILENO);
+    std::string refused;
+    try {
+      for (const assay_material* table : tables_of_library(path)) static_cast<void>(packed(*table));
+    } catch (const LibraryError& error) {
+      refused = error.what() + (between + error.known());
+    }
+    void* library = dlopen(std::filesystem::absolute(path).c_str(), RTLD_NOW | RTLD_LOCAL);
+    for (int k = 0; library && k < 2; ++k) dlclose(library);  // its own end, as at the end of the program
+    return refused;
+  });
+  switch (found.end) {
+    case Forked::End::hangs:
+      throw LibraryError("hangs when it is loaded");
+    case Forked::End::signal:
+      throw LibraryError(std::string("crashes when it is loaded: ") + strsignal(found.signal));
+    case Forked::End::quit:
+      throw LibraryError("ends the process when it is loaded");
+    case Forked::End::done:
+      break;
+  }
+  const std::size_t at = found.text.find(between);
+  if (at != std::string::npos) throw LibraryError(found.text.substr(0, at), found.text.substr(at + 1));
 }
 
 const assay_material* table_of_library(const std::string& path, const std::string& name) {

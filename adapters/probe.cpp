@@ -1,29 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/probe.hpp"
 
-#include <poll.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
-#include <system_error>
 #include <vector>
 
+#include "adapters/forked.hpp"
+#include "adapters/worker/remote_table.hpp"
 #include "harness/material.hpp"
 
 namespace assay::adapters {
 
 namespace {
-
-constexpr int patience_ms = 20000;  ///< far beyond any honest update of one point
-
-/// What the child says when it got to its end without complaint: no crash and no exit() of the model can forge it.
-constexpr char done_mark = '+';
 
 double inside(double lower, double upper) {
   if (std::isfinite(lower) && std::isfinite(upper)) {
@@ -49,35 +38,14 @@ std::string first_update(const assay_material* table, const std::map<std::string
   return {};
 }
 
-[[noreturn]] void run_child(int out, const assay_material* table, const std::map<std::string, double>& parameters) {
-  std::string text;
+std::string complaint_of(const assay_material* table, const std::map<std::string, double>& parameters) {
   try {
-    text = first_update(table, parameters);
+    return first_update(table, parameters);
   } catch (const ParameterError& error) {
-    text = "parameter '" + error.key() + "': " + error.what();
-    if (!error.known().empty()) text += "; known: " + error.known();
+    const std::string known = error.known().empty() ? "" : "; known: " + error.known();
+    return "parameter '" + error.key() + "': " + error.what() + known;
   } catch (const std::exception& error) {
-    text = error.what();
-  } catch (...) {
-    text = "throws across the C interface";
-  }
-  text += done_mark;
-  const bool written = ::write(out, text.data(), text.size()) == static_cast<ssize_t>(text.size());
-  ::_exit(written ? 0 : 1);
-}
-
-/// Reads to the end or until patience ends; true at the end.
-bool read_all(int in, std::string& text) {
-  for (;;) {
-    pollfd waiting{in, POLLIN, 0};
-    const int ready = ::poll(&waiting, 1, patience_ms);
-    if (ready < 0 && errno == EINTR) continue;
-    if (ready <= 0) return false;
-    char buffer[1024];
-    const ssize_t got = ::read(in, buffer, sizeof buffer);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return true;
-    text.append(buffer, static_cast<std::size_t>(got));
+    return error.what();
   }
 }
 
@@ -95,30 +63,48 @@ std::map<std::string, double> probe_parameters(const assay_material& table) {
 std::optional<std::string> probe_defect(const assay_material* table, const std::map<std::string, double>& given) {
   std::map<std::string, double> parameters = probe_parameters(*table);
   for (const auto& [name, value] : given) parameters[name] = value;
+  if (!start_of(table).task.empty()) {  // in a process of its own as it is
+    const std::string complaint = complaint_of(table, parameters);
+    return complaint.empty() ? std::nullopt : std::optional(complaint);
+  }
+  const Forked found = in_a_child([&] { return complaint_of(table, parameters); });
+  switch (found.end) {
+    case Forked::End::hangs:
+      return "hangs on an undeformed point";
+    case Forked::End::signal:
+      return std::string("crashes on an undeformed point: ") + strsignal(found.signal);
+    case Forked::End::quit:
+      return "ends the process on an undeformed point";
+    case Forked::End::done:
+      break;
+  }
+  if (found.text.empty()) return std::nullopt;
+  return found.text;
+}
 
-  int ends[2];
-  if (::pipe(ends) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
-  std::fflush(nullptr);  // or the child would write it a second time
-  const pid_t child = ::fork();
-  if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
-  if (child == 0) {
-    ::close(ends[0]);
-    run_child(ends[1], table, parameters);
+bool depends_on_duration(const assay_material* table, const std::map<std::string, double>& given) {
+  constexpr double strain = 1e-4, alike = 1e-6;
+  std::map<std::string, double> parameters = probe_parameters(*table);
+  for (const auto& [name, value] : given) parameters[name] = value;
+  try {
+    const Material material(table, parameters);
+    const std::vector<double> F0{1, 0, 0, 0, 1, 0, 0, 0, 1}, F1{1 + strain, strain, 0, 0, 1, 0, 0, 0, 1};
+    const std::vector<double> state0 = material.initial_state(1);
+    std::vector<double> state1(state0.size());
+    double largest = 0, apart = 0, first[9], second[9];
+    const auto taken = [&](double dt, double* cauchy) {
+      return material.update(0, dt, 1, F0.data(), F1.data(), state0.data(), state1.data(), cauchy).worst !=
+             ASSAY_FAILED;
+    };
+    if (!taken(1e-3, first) || !taken(1, second)) return false;
+    for (int c = 0; c < 9; ++c) {
+      largest = std::max({largest, std::abs(first[c]), std::abs(second[c])});
+      apart = std::max(apart, std::abs(first[c] - second[c]));
+    }
+    return apart > alike * largest;
+  } catch (const std::exception&) {
+    return false;
   }
-  ::close(ends[1]);
-  std::string text;
-  const bool in_time = read_all(ends[0], text);
-  ::close(ends[0]);
-  if (!in_time) ::kill(child, SIGKILL);
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (!in_time) return "hangs on an undeformed point";
-  if (WIFSIGNALED(status)) return std::string("crashes on an undeformed point: ") + strsignal(WTERMSIG(status));
-  if (text.empty() || text.back() != done_mark) return "ends the process on an undeformed point";
-  text.pop_back();
-  if (text.empty()) return std::nullopt;
-  return text;
 }
 
 }  // namespace assay::adapters

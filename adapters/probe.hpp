@@ -14,9 +14,12 @@ namespace assay::adapters {
 /// are positive, their mean, else the value nearest to 1.
 std::map<std::string, double> probe_parameters(const assay_material& table);
 
-/// Creates the material and updates one undeformed point, in a process of its own that may crash or hang: why it must
-/// be refused in one sentence, nothing where stress and state are finite. `given` goes before
-/// probe_parameters. Throws std::system_error where no process can be made.
+/// Creates the material and updates one undeformed point, in a process of its own that may crash or hang, which that of
+/// a remote table is: why it must be refused in one sentence, nothing where stress and state are finite. `given` goes
+/// before probe_parameters. Throws std::system_error where no process can be made.
 std::optional<std::string> probe_defect(const assay_material* table, const std::map<std::string, double>& given);
+
+/// Whether the stress of a small strain is another one in 1 ms and in 1 s, of a material that has passed the probe.
+bool depends_on_duration(const assay_material* table, const std::map<std::string, double>& given);
 
 }  // namespace assay::adapters

@@ -4,7 +4,8 @@
 # A test <name>.check in ctest: `assay check`, which names the defect of a broken model in the test's output, with
 # <name>.check.xml for CI and replay files in <name>.check of the build folder.
 #   MATERIAL    what to check: a target of assay_add_material (by default <name>), a registered name, a library, or a
-#               description, relative to the source folder
+#               description, relative to the source folder; a description's library is also looked for where this
+#               folder's targets, or those of the target <name>, are built
 #   PARAMETERS  in place of the defaults
 #   QUICK       fewer steps and states
 #   DIAGNOSIS   the test passes where `check` finds that cause: for models that are broken on purpose
@@ -34,7 +35,12 @@ function(assay_add_material_test name)
     list(APPEND command --quick)
   endif()
   add_test(NAME ${name}.check COMMAND ${command})
-  set_tests_properties(${name}.check PROPERTIES LABELS assay TIMEOUT 1800)
+  set(built ${CMAKE_CURRENT_BINARY_DIR})
+  if(TARGET ${name})
+    set(built $<TARGET_FILE_DIR:${name}>)
+  endif()
+  set_tests_properties(${name}.check PROPERTIES LABELS assay TIMEOUT 1800
+    ENVIRONMENT_MODIFICATION ASSAY_MATERIAL_PATH=path_list_prepend:${built})
   if(given_DIAGNOSIS)
     string(REGEX REPLACE "([][+.*()^$?|\\\\])" "\\\\\\1" cause "${given_DIAGNOSIS}")
     set_tests_properties(${name}.check PROPERTIES PASS_REGULAR_EXPRESSION "diagnosis: ${cause}[\n]")

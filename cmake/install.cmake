@@ -1,20 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The installed package: binary, material ABI, plug-in, tutorial, documents, and what find_package(assay) needs.
+# The installed package: binary, material ABI, plug-ins, documents, and what find_package(assay) needs.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/assay)
 set(include_dir ${CMAKE_INSTALL_INCLUDEDIR}/assay) # so that "harness/assay_material.h" claims no name in /usr/include
 set(materials_dir ${CMAKE_INSTALL_LIBDIR}/assay/materials)
-set(example_dir ${CMAKE_INSTALL_DOCDIR}/examples/neo_hookean)
+set(fortran_module ${include_dir}/harness/assay_material.f90)
 
 install(TARGETS ${material_plugins} LIBRARY DESTINATION ${materials_dir})
 install(TARGETS assay_abaqus LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/assay)
-install(FILES harness/assay_material.h DESTINATION ${include_dir}/harness)
+install(FILES harness/assay_material.h harness/assay_material.f90 DESTINATION ${include_dir}/harness)
 install(FILES docs/assay.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES LICENSE THIRD_PARTY.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES adapters/models/neo_hookean.c adapters/models/neo_hookean_extensions.c DESTINATION ${example_dir})
-install(FILES cmake/example/CMakeLists.txt DESTINATION ${example_dir})
 install(FILES completions/assay.bash RENAME assay DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(FILES completions/_assay DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
 install(FILES completions/assay.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
@@ -27,8 +25,9 @@ install(TARGETS assay_abi assay EXPORT assay_targets RUNTIME DESTINATION ${CMAKE
 install(EXPORT assay_targets NAMESPACE assay:: FILE assay-targets.cmake DESTINATION ${package_dir})
 
 configure_package_config_file(cmake/assay-config.cmake.in ${PROJECT_BINARY_DIR}/package/assay-config.cmake
-  INSTALL_DESTINATION ${package_dir} PATH_VARS materials_dir)
+  INSTALL_DESTINATION ${package_dir} PATH_VARS materials_dir fortran_module)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/assay-config-version.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/package/assay-config.cmake ${PROJECT_BINARY_DIR}/package/assay-config-version.cmake
-  cmake/assay_add_material.cmake cmake/assay_add_material_test.cmake cmake/check_material_entry.cmake DESTINATION ${package_dir})
+  cmake/assay_add_material.cmake cmake/assay_add_foreign_material.cmake cmake/assay_add_material_test.cmake
+  cmake/check_exported.cmake cmake/exported_symbols.map DESTINATION ${package_dir})

@@ -2,7 +2,7 @@
 # bash completion for assay
 _assay() {
   local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]} verb= word
-  local verbs='run tabulate eval explain check materials register schema'
+  local verbs='run tabulate eval explain check materials register new-material schema'
   COMPREPLY=()
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     if [[ " $verbs " == *" $word "* ]]; then
@@ -30,6 +30,14 @@ _assay() {
       mapfile -t COMPREPLY < <(compgen -W "1 2 4 8 16" -- "$cur")
       return
       ;;
+    --language)
+      mapfile -t COMPREPLY < <(compgen -W "c c++ fortran" -- "$cur")
+      return
+      ;;
+    --interface)
+      mapfile -t COMPREPLY < <(compgen -W "native umat" -- "$cur")
+      return
+      ;;
   esac
   local options='--help --quiet --verbose'
   case $verb in
@@ -37,9 +45,10 @@ _assay() {
     tabulate) options+=' -o --set --points --json' ;;
     eval) options+=' -o --set --points' ;;
     explain) options+=' --set --json' ;;
-    check) options+=' --parameters --json --junit --quick --methods --all --replay -o' ;;
+    check) options+=' --parameters --json --junit --quick --strain --pressure --methods --all --replay -o' ;;
     materials) options+=' --json' ;;
     register) options+=' --as --remove' ;;
+    new-material) options+=' --language --interface -o' ;;
   esac
   if [[ $cur == -* ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$options" -- "$cur")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-set -l verbs run tabulate eval explain check materials register schema
+set -l verbs run tabulate eval explain check materials register new-material schema
 complete -c assay -f
 complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a run -d 'The full simulation'
 complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a tabulate -d 'Sheet and curves of the point driver'
@@ -8,6 +8,7 @@ complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a explain -d 'Pas
 complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a check -d 'The battery of tests of a material'
 complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a materials -d 'What is registered'
 complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a register -d 'Add a shared library or a description'
+complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a new-material -d 'A project to begin a material with'
 complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a schema -d 'JSON Schema of scenes'
 complete -c assay -n "__fish_seen_subcommand_from run tabulate eval explain check materials register" -F
 complete -c assay -n "__fish_seen_subcommand_from run tabulate eval explain" -l set -x -d 'key.path=value'
@@ -19,12 +20,17 @@ complete -c assay -n "__fish_seen_subcommand_from check" -l parameters -x -d 'NA
 complete -c assay -n "__fish_seen_subcommand_from check" -l json -r -F -d 'Verdicts as JSON'
 complete -c assay -n "__fish_seen_subcommand_from check" -l junit -r -F -d 'Verdicts for CI'
 complete -c assay -n "__fish_seen_subcommand_from check" -l quick -d 'Fewer steps'
+complete -c assay -n "__fish_seen_subcommand_from check" -l strain -x -d 'Largest of the histories'
+complete -c assay -n "__fish_seen_subcommand_from check" -l pressure -x -d 'At rest [Pa]'
 complete -c assay -n "__fish_seen_subcommand_from check" -l methods -d 'The particle methods'
 complete -c assay -n "__fish_seen_subcommand_from check" -l all -d 'Everything that is registered'
 complete -c assay -n "__fish_seen_subcommand_from check" -l replay -r -F -d 'A failure again'
 complete -c assay -n "__fish_seen_subcommand_from check" -s o -r -F -d 'Folder of replay files'
 complete -c assay -n "__fish_seen_subcommand_from register" -l as -x -d 'Name'
 complete -c assay -n "__fish_seen_subcommand_from register" -l remove -x -d 'Take a name out'
+complete -c assay -n "__fish_seen_subcommand_from new-material" -l language -x -a 'c c++ fortran' -d 'Written in'
+complete -c assay -n "__fish_seen_subcommand_from new-material" -l interface -x -a 'native umat' -d 'Written for'
+complete -c assay -n "__fish_seen_subcommand_from new-material" -s o -r -F -d 'New folder'
 complete -c assay -s v -l verbose -d 'Say more'
 complete -c assay -l quiet -d 'No progress'
 complete -c assay -l version -d 'Version'

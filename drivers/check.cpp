@@ -4,6 +4,7 @@
 #include <chrono>
 #include <thread>
 
+#include "adapters/worker/remote_table.hpp"
 #include "drivers/check_material.hpp"
 #include "drivers/check_output.hpp"
 #include "drivers/check_replay.hpp"
@@ -54,10 +55,11 @@ ResolvedMaterial material_to_check(const CheckOptions& options) {
   if (is_scene(options.material)) {
     choice = read_scene(options.material).material;
   } else {
-    choice.adapter = options.material;
+    choice.adapter = absolute_material(options.material, {});  // the process that tests it stands elsewhere
   }
   for (const auto& [name, value] : parameters_in(options.parameters)) choice.parameters[name] = value;
   if (!(choice.density > 0)) choice.density = 1;  // no test needs one
+  choice.isolation = Isolation::worker;           // nobody's code runs in this process
   return resolve_material(choice);
 }
 
@@ -82,7 +84,11 @@ ResolvedMaterial registered_material(const std::string& name, const std::map<std
   return resolve_material(choice);
 }
 
-CheckSettings settings_of(const CheckOptions& options) { return {options.quick, {}, options.out}; }
+CheckSettings settings_of(const CheckOptions& options) {
+  CheckSettings settings{{.quick = options.quick, .pressure = options.pressure}, {}, options.out};
+  if (options.strain) settings.effort.strain = *options.strain;
+  return settings;
+}
 
 CheckProcesses processes_for(const CheckOptions& options) {
   constexpr double quick_limit = 120, full_limit = 900;  // [s]
@@ -90,25 +96,37 @@ CheckProcesses processes_for(const CheckOptions& options) {
           .limit_s = options.quick ? quick_limit : full_limit};
 }
 
-/// A foreign model whose code runs where this is called, which is to be a process that may die.
-ResolvedMaterial in_this_process(const ResolvedMaterial& apart) {
-  MaterialChoice choice = apart.choice;
-  choice.adapter = apart.description;
-  choice.isolation = Isolation::none;
-  return resolve_material(choice);
+/// In workers the end of a foreign model's process is a refusal, and so it is of an F that is no number: the rest is
+/// judged without that test.
+void take_end_for_refusal(CheckedMaterial& checked, const CheckOptions& options, const CheckSettings& settings,
+                          const std::function<CheckTask(const CheckSettings&)>& task_of) {
+  constexpr const char* senseless = "calls.senseless";
+  const std::vector<check::Diagnosis>& found = checked.report.diagnosis;
+  const bool ended = !checked.description.empty() && found.size() == 1 &&
+                     found.front().cause == check::causes::ends_process && checked.report.tests.back().id == senseless;
+  if (!ended) return;
+  const std::string sentence = found.front().sentence;
+  CheckSettings others = settings;
+  others.without = senseless;
+  checked = check_in_processes({task_of(others)}, processes_for(options)).front();
+  checked.report.tests.push_back({.id = senseless,
+                                  .verdict = check::Verdict::not_applicable,
+                                  .sentence = sentence + ", of an F that is no number: a refusal, in a worker"});
 }
 
 CheckedMaterial check_one(const CheckOptions& options) {
   const ResolvedMaterial resolved = material_to_check(options);
   watch_interrupts();
   const CheckSettings settings = settings_of(options);
-  const CheckTask task{options.material, [&](const CheckReporter& reporter) {
-                         if (resolved.description.empty()) {
-                           return check_material(resolved, options.material, settings, reporter);
-                         }
-                         return check_material(in_this_process(resolved), options.material, settings, reporter);
-                       }};
-  CheckedMaterial checked = check_in_processes({task}, processes_for(options)).front();
+  const auto task_of = [&](const CheckSettings& how) {
+    return CheckTask{options.material,
+                     [&options, &resolved, how](const CheckReporter& reporter) {
+                       return check_material(in_this_process(resolved), options.material, how, reporter);
+                     },
+                     adapters::start_of(&resolved.material.table()).limits};
+  };
+  CheckedMaterial checked = check_in_processes({task_of(settings)}, processes_for(options)).front();
+  take_end_for_refusal(checked, options, settings, task_of);
   leave_replay_of_the_end(checked, settings);
   return checked;
 }
@@ -118,14 +136,14 @@ std::vector<CheckedMaterial> check_all(const CheckOptions& options) {
   const CheckSettings settings = settings_of(options);
   const std::vector<RegisteredName> names = registered_names();
   watch_interrupts();
+  const auto task_of = [&given](const RegisteredName& registered, const CheckSettings& how) {
+    return CheckTask{registered.name, [&given, registered, how](const CheckReporter& reporter) {
+                       const std::string& file = registered.file.empty() ? registered.name : registered.file;
+                       return check_material(registered_material(file, given), registered.name, how, reporter);
+                     }};
+  };
   std::vector<CheckTask> tasks;
-  for (const RegisteredName& registered : names) {
-    tasks.push_back({registered.name,
-                     [&, name = registered.name, file = registered.file.empty() ? registered.name : registered.file](
-                         const CheckReporter& reporter) {
-                       return check_material(registered_material(file, given), name, settings, reporter);
-                     }});
-  }
+  for (const RegisteredName& registered : names) tasks.push_back(task_of(registered, settings));
   Progress progress("check", options.verbosity == Verbosity::quiet);
   CheckProcesses how = processes_for(options);
   how.progress = [&](std::size_t done) {
@@ -134,7 +152,11 @@ std::vector<CheckedMaterial> check_all(const CheckOptions& options) {
   };
   std::vector<CheckedMaterial> all = check_in_processes(tasks, how);
   progress.finish();
-  for (CheckedMaterial& checked : all) leave_replay_of_the_end(checked, settings);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    take_end_for_refusal(all[k], options, settings,
+                         [&](const CheckSettings& other) { return task_of(names[k], other); });
+    leave_replay_of_the_end(all[k], settings);
+  }
   return all;
 }
 

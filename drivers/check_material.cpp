@@ -2,10 +2,13 @@
 #include "drivers/check_material.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cctype>
 #include <chrono>
 #include <filesystem>
 
+#include "adapters/foreign/written_inputs.hpp"
+#include "adapters/worker/process_watch.hpp"
 #include "drivers/check_vortex.hpp"
 #include "drivers/material/material_path.hpp"
 #include "drivers/output/whole_file.hpp"
@@ -41,6 +44,7 @@ void write_replay(const std::string& file, const Replay& replay) {
 /// Those of earlier failures that are none any more.
 void remove_stale(const CheckedMaterial& checked, const CheckSettings& settings) {
   std::vector<std::string> ids = check::test_ids();
+  ids.emplace_back(process_test);
   ids.emplace_back(vortex_test);
   for (const std::string& id : ids) {
     std::error_code ignored;
@@ -54,7 +58,7 @@ void leave_replays(const ResolvedMaterial& material, CheckedMaterial& checked, c
       if (test.verdict != check::Verdict::fail) continue;
       Replay replay = replay_of(material, test.step, test.cause + ": " + test.sentence);
       replay.test = test.id;
-      replay.quick = settings.quick;
+      replay.effort = checked.report.effort;
       const std::string file = replay_file(checked, settings.folder, test.id);
       write_replay(file, replay);
       checked.replays[test.id] = file;
@@ -75,7 +79,31 @@ void add_vortex(const ResolvedMaterial& material, check::Report& report, const C
   if (test.verdict == check::Verdict::fail) report.diagnosis.push_back({test.cause, test.sentence});
 }
 
+/// After all else that the model has done.
+void add_process(std::uint32_t habits, check::Report& report) {
+  const std::uint32_t harmful = habits & ~adapters::any_written_input;  // inputs were put right
+  check::TestResult test{.id = process_test, .measure = std::popcount(harmful), .threshold = 0};
+  test.sentence = "the model leaves the process that runs it as it was";
+  const std::string words = "the model " + adapters::habit_words(habits);
+  if (harmful == adapters::no_habit && habits != harmful) test.sentence += "; a remark: " + words;
+  if (harmful != adapters::no_habit) {
+    test.verdict = check::Verdict::fail;
+    test.cause = check::causes::disturbs_process;
+    test.sentence = words;
+    report.diagnosis.push_back({test.cause, test.sentence});
+  }
+  report.tests.push_back(test);
+}
+
 }  // namespace
+
+ResolvedMaterial in_this_process(const ResolvedMaterial& apart) {
+  MaterialChoice choice = apart.choice;
+  if (!apart.library.empty()) choice.adapter = apart.library + ":" + apart.material.name();
+  if (!apart.description.empty()) choice.adapter = apart.description;
+  choice.isolation = Isolation::none;
+  return resolve_material(choice);
+}
 
 CheckedMaterial check_material(const ResolvedMaterial& material, const std::string& name, const CheckSettings& settings,
                                const CheckReporter& reporter) {
@@ -89,10 +117,15 @@ CheckedMaterial check_material(const ResolvedMaterial& material, const std::stri
     checked.parameters.emplace_back(material.material.table().parameters[i].name, material.material.parameters()[i]);
   }
   reporter.material(checked);
-  checked.report = check::run_battery(material.material,
-                                      {.quick = settings.quick, .only = settings.only, .begins = reporter.begins});
-  const bool asked = settings.only.empty() ? !settings.quick : settings.only == vortex_test;
+  const std::string only = settings.only == process_test ? std::string() : settings.only;
+  checked.report = check::run_battery(material.material, {.effort = settings.effort,
+                                                          .only = only,
+                                                          .without = settings.without,
+                                                          .begins = reporter.begins,
+                                                          .ends = reporter.ends});
+  const bool asked = settings.only.empty() ? !settings.effort.quick : settings.only == vortex_test;
   if (asked && checked.report.passes()) add_vortex(material, checked.report, reporter);
+  if (only.empty() && reporter.habits) add_process(reporter.habits(), checked.report);
   checked.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (reporter.over) reporter.over();
   if (!settings.folder.empty()) leave_replays(material, checked, settings);
@@ -112,7 +145,7 @@ void leave_replay_of_the_end(CheckedMaterial& checked, const CheckSettings& sett
                                                  : checked.library + ":" + checked.model;
   for (const auto& [parameter, value] : checked.parameters) replay.parameters[parameter] = value;
   replay.test = test->id;
-  replay.quick = settings.quick;
+  replay.effort = settings.effort;
   replay.reason = test->cause + ": " + test->sentence;
   const std::string file = replay_file(checked, settings.folder, test->id);
   try {

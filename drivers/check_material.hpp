@@ -7,11 +7,18 @@
 
 namespace assay::drivers {
 
+/// What the model does to the process that runs it.
+inline constexpr const char* process_test = "calls.process";
+
 struct CheckSettings {
-  bool quick = false;
-  std::string only = {};    ///< id of the one test that is wanted; empty: all
-  std::string folder = {};  ///< of the replay files, one for each failure; empty: none is written
+  check::Effort effort = {};
+  std::string only = {};     ///< id of the one test that is wanted; empty: all
+  std::string folder = {};   ///< of the replay files, one for each failure; empty: none is written
+  std::string without = {};  ///< id of a test that is left out
 };
+
+/// The same with its code where this is called, which is to be a process that may die.
+ResolvedMaterial in_this_process(const ResolvedMaterial& apart);
 
 /// The battery and the vortex. name: as the material was asked for.
 CheckedMaterial check_material(const ResolvedMaterial& material, const std::string& name, const CheckSettings& settings,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "adapters/worker/worker_limits.hpp"
 #include "drivers/check_report.hpp"
 
 namespace assay::drivers {
@@ -16,12 +17,14 @@ struct CheckReporter {
   std::function<void(const CheckedMaterial&)> material;
   std::function<void(const std::string& id)> begins;
   std::function<void(const check::TestResult& result)> ends;
-  std::function<void()> over;  ///< the model has run: files may be written where the user stands
+  std::function<std::uint32_t()> habits;  ///< or-ed adapters::Habit: what the model has done to its process so far
+  std::function<void()> over;             ///< the model has run: files may be written where the user stands
 };
 
 struct CheckTask {
   std::string name;  ///< of the material, for a report that does not come
   std::function<CheckedMaterial(const CheckReporter& reporter)> run;
+  adapters::WorkerLimits limits = {};  ///< of one call of a foreign model, and of memory
 };
 
 struct CheckProcesses {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "adapters/worker/remote_table.hpp"
 #include "drivers/check_material.hpp"
 #include "drivers/check_output.hpp"
 #include "drivers/interrupt.hpp"
@@ -25,10 +26,8 @@ check::TestResult step_again(const Material& material, const FailedStep& step) {
   const UpdateReport report = material.update(step.t, step.dt, 1, F0, F1, step.state0.data(), state1.data(), cauchy);
   if (report.worst == ASSAY_FAILED) {
     const bool died = report.dt_factor == 0;
-    result.cause = report.message.starts_with(overrun_words) ? check::causes::overrun
-                   : died                                    ? check::causes::ends_process
-                   : report.not_finite                       ? check::causes::not_finite
-                                                             : check::causes::refuses;
+    result.cause = check::cause_of_refusal(report.message, report.not_finite);
+    if (died && result.cause == check::causes::refuses) result.cause = check::causes::ends_process;
     result.sentence = "the step fails again: " + report.message;
     return result;
   }
@@ -41,7 +40,7 @@ check::TestResult step_again(const Material& material, const FailedStep& step) {
 CheckedMaterial again(const Replay& replay, const ResolvedMaterial& resolved, const CheckReporter& reporter) {
   CheckedMaterial checked;
   if (!replay.test.empty()) {
-    checked = check_material(resolved, replay.material, {replay.quick, replay.test, {}}, reporter);
+    checked = check_material(resolved, replay.material, {replay.effort, replay.test, {}}, reporter);
     std::erase_if(checked.report.tests,
                   [&](const auto& test) { return test.id != replay.test && test.verdict != check::Verdict::fail; });
   } else {
@@ -65,8 +64,10 @@ int check_replay(const CheckOptions& options) {
     std::cerr << "warning: " << resolved.library << " is not the library of the failure: it has changed\n";
   }
   watch_interrupts();
-  const CheckTask task{replay.material,
-                       [&](const CheckReporter& reporter) { return again(replay, resolved, reporter); }};
+  const CheckTask task{
+      replay.material,
+      [&](const CheckReporter& reporter) { return again(replay, in_this_process(resolved), reporter); },
+      adapters::start_of(&resolved.material.table()).limits};
   const CheckedMaterial checked = check_in_processes({task}, {}).front();
   const std::string text = wrapped(replay.reason, "it was: ", "    ") + "\n" + check_text(checked, Verbosity::verbose);
   tell(options, text, check_json(checked), check_junit({checked}));

@@ -11,7 +11,6 @@
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/table_text.hpp"
-#include "drivers/output/wrapped_text.hpp"
 #include "drivers/picture/drawing.hpp"
 
 namespace assay::drivers {
@@ -22,25 +21,6 @@ using Json = nlohmann::ordered_json;
 using check::TestResult;
 using check::Verdict;
 
-std::string row(const std::string& id, const std::string& verdict, const std::string& measure,
-                const std::string& threshold, const std::string& order) {
-  return table_line(padded(id + " ", 26) + padded(verdict, 9) + padded(measure, 11) + padded(threshold, 11) + order);
-}
-
-int count_of(const check::Report& report, Verdict verdict) {
-  return static_cast<int>(std::count_if(report.tests.begin(), report.tests.end(),
-                                        [&](const TestResult& test) { return test.verdict == verdict; }));
-}
-
-std::string summary(const CheckedMaterial& checked) {
-  const check::Report& report = checked.report;
-  return checked.name + ": " + (report.passes() ? "pass" : "FAIL") + "; " +
-         std::to_string(count_of(report, Verdict::pass)) + " tests passed, " +
-         std::to_string(count_of(report, Verdict::fail)) + " failed, " +
-         std::to_string(count_of(report, Verdict::not_applicable)) + " not applicable, in " +
-         rounded_text(checked.wall_s, 2) + " s";
-}
-
 Json number(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
@@ -48,56 +28,6 @@ Json number(const std::optional<double>& value) {
 std::string attribute(const char* name, const std::string& value) {
   return std::string(" ") + name + "=\"" + escaped(value) + "\"";
 }
-
-std::string overall(const CheckedMaterial& checked) {
-  return !checked.error.empty() ? "error" : checked.report.passes() ? "pass" : "fail";
-}
-
-}  // namespace
-
-const char* verdict_name(Verdict verdict) {
-  return verdict == Verdict::pass ? "pass" : verdict == Verdict::fail ? "fail" : "n/a";
-}
-
-std::string check_text(const CheckedMaterial& checked, Verbosity verbosity) {
-  std::string page;
-  if (verbosity != Verbosity::quiet) {
-    page += row("test", "verdict", "measured", "at most", "order");
-    for (const TestResult& test : checked.report.tests) {
-      page += row(test.id, test.verdict == Verdict::fail ? "FAIL" : verdict_name(test.verdict),
-                  measured_text(test.measure), measured_text(test.threshold), measured_text(test.order));
-      if (verbosity == Verbosity::verbose || test.verdict == Verdict::fail)
-        page += wrapped(test.sentence, "    ", "    ");
-    }
-    page += "\n";
-  }
-  page += wrapped(summary(checked), "", "    ");
-  for (const check::Diagnosis& d : checked.report.diagnosis) {
-    page += wrapped(d.cause, "diagnosis: ", "");
-    page += wrapped(d.sentence, "    ", "    ");
-  }
-  for (const auto& [test, file] : checked.replays) page += "replay: " + file + "\n";
-  return page;
-}
-
-std::string check_text(const std::vector<CheckedMaterial>& all, double wall_s) {
-  std::string page = row("material", "verdict", "passed", "failed", "n/a");
-  std::size_t passed = 0;
-  for (const CheckedMaterial& checked : all) {
-    const check::Report& report = checked.report;
-    passed += checked.passes() ? 1 : 0;
-    page += row(checked.name, overall(checked) == "fail" ? "FAIL" : overall(checked),
-                std::to_string(count_of(report, Verdict::pass)), std::to_string(count_of(report, Verdict::fail)),
-                std::to_string(count_of(report, Verdict::not_applicable)));
-    if (!checked.error.empty()) page += wrapped(checked.error, "    ", "    ");
-    for (const check::Diagnosis& d : report.diagnosis) page += wrapped(d.cause + ": " + d.sentence, "    ", "      ");
-    for (const auto& [test, file] : checked.replays) page += "    replay: " + file + "\n";
-  }
-  return page + "\n" + std::to_string(passed) + " of " + std::to_string(all.size()) + " materials pass, in " +
-         rounded_text(wall_s, 2) + " s\n";
-}
-
-namespace {
 
 Json json_of(const CheckedMaterial& checked) {
   Json out;
@@ -110,7 +40,10 @@ Json json_of(const CheckedMaterial& checked) {
   out["verdict"] = overall(checked);
   out["error"] = checked.error.empty() ? Json(nullptr) : Json(checked.error);
   out["unwritten"] = checked.unwritten.empty() ? Json(nullptr) : Json(checked.unwritten);
+  out["printed"] = checked.printed;
   out["wall_s"] = number(checked.wall_s);
+  out["strain"] = number(checked.report.strain);
+  out["pressure"] = number(checked.report.pressure);
   out["diagnosis"] = Json::array();
   for (const check::Diagnosis& d : checked.report.diagnosis) {
     out["diagnosis"].push_back({{"cause", d.cause}, {"sentence", d.sentence}});
@@ -182,6 +115,8 @@ std::optional<CheckedMaterial> checked_of_json(const std::string& text) {
   checked.error = text_in(found.at("error"));
   checked.unwritten = text_in(found.at("unwritten"));
   checked.wall_s = number_in(found.at("wall_s")).value_or(0);
+  checked.report.strain = number_in(found.at("strain")).value_or(0);
+  checked.report.pressure = number_in(found.at("pressure")).value_or(0);
   for (const Json& d : found.at("diagnosis")) checked.report.diagnosis.push_back({d.at("cause"), d.at("sentence")});
   for (const Json& test : found.at("tests")) {
     checked.report.tests.push_back(test_in(test));

@@ -25,6 +25,8 @@ struct CheckedMaterial {
 
   std::string description = {};  ///< of a foreign model: the YAML file that leads to it
 
+  std::string printed = {};  ///< by the model
+
   std::string unwritten = {};  ///< why a replay file could not be written; empty: all were
 
   bool passes() const { return error.empty() && report.passes(); }
@@ -48,6 +50,11 @@ std::optional<CheckedMaterial> checked_of_json(const std::string& text);
 
 /// One test suite for each; the message of a failure is "cause: sentence".
 std::string check_junit(const std::vector<CheckedMaterial>& all);
+
+/// Of a whole material: "pass", "fail", "error".
+std::string overall(const CheckedMaterial& checked);
+
+int count_of(const check::Report& report, check::Verdict verdict);
 
 /// "pass", "fail", "n/a".
 const char* verdict_name(check::Verdict verdict);

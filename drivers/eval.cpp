@@ -110,6 +110,9 @@ std::string evaluated(const EvalOptions& options) {
   for (std::size_t i = 0; i < exact.size(); ++i) {
     csv.row(row_of(points.points[i], exact[i].state, exact[i].stress, three, points.has_normals));
   }
+  Result process;
+  record_process(*material, process);
+  for (const std::string& warning : process.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   return csv.text();
 }
 

@@ -3,7 +3,12 @@
 
 #include <algorithm>
 
+#include "adapters/foreign/written_inputs.hpp"
+#include "adapters/worker/process_watch.hpp"
+#include "adapters/worker/remote_table.hpp"
+#include "drivers/check_material.hpp"
 #include "drivers/input_error.hpp"
+#include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/replay.hpp"
 #include "drivers/scene/sha256.hpp"
@@ -49,6 +54,7 @@ std::string material_provenance(const Material& material, const std::string& lib
 }
 
 void record_failure(const MaterialFailure& failure, Result& result) {
+  stop_if_interrupted();  // it may have failed because nobody waited for it
   result.outcome = "material_failed";
   result.reason = std::string(failure.what()) + ": on the baseline path at xi = " + rounded_text(failure.xi, 6) +
                   ", t = " + rounded_text(failure.t, 6) + " s";
@@ -56,10 +62,25 @@ void record_failure(const MaterialFailure& failure, Result& result) {
   if (failure.step) result.failed_step = std::make_shared<const FailedStep>(*failure.step);
 }
 
+void record_process(const Material& material, Result& result) {
+  const std::uint32_t habits = adapters::habits_of(&material.table());
+  const std::string words = adapters::habit_words(habits);
+  if (!words.empty()) result.warnings.push_back("the model " + words);
+  result.disturbed = (habits & ~adapters::any_written_input) != adapters::no_habit;
+  result.printed = adapters::output_of(&material.table());
+}
+
 void leave_replay(const Scene& scene, OutputFolder& folder, Result& result) {
-  if (!result.failed_step) return;
+  if (!result.printed.empty()) folder.write(material_log, result.printed);
+  if (!result.failed_step && !result.disturbed) return;
   result.replay = "replay.yaml";
-  folder.write(result.replay, replay_yaml(replay_of(scene, *result.failed_step, result.reason)));
+  if (result.failed_step) {
+    folder.write(result.replay, replay_yaml(replay_of(scene, *result.failed_step, result.reason)));
+    return;
+  }
+  Replay replay = replay_of(resolve_material(scene.material), {}, result.warnings.front());
+  replay.test = process_test;
+  folder.write(result.replay, replay_yaml(replay));
 }
 
 int exit_status(const Result& result) {

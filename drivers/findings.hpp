@@ -26,7 +26,14 @@ std::string material_provenance(const Material& material, const std::string& lib
 /// Outcome `material_failed` with point, time and the material's words.
 void record_failure(const MaterialFailure& failure, Result& result);
 
-/// replay.yaml in the folder, its name in the result: where the result knows the step at which the material failed.
+/// What a material that runs apart has printed, and a warning of what it has done to its processes.
+void record_process(const Material& material, Result& result);
+
+/// The file of what was printed.
+inline constexpr const char* material_log = "material.log";
+
+/// replay.yaml in the folder, its name in the result: where the result knows the step at which the material failed, or
+/// warns of its material. Beside it what the material has printed.
 void leave_replay(const Scene& scene, OutputFolder& folder, Result& result);
 
 /// 0: all that was expected holds; 1: it does not, or the run did not complete and nobody expected that.

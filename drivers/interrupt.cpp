@@ -4,6 +4,7 @@
 #include <atomic>
 #include <csignal>
 
+#include "adapters/worker/worker_process.hpp"
 #include "drivers/exit_guard.hpp"
 
 namespace assay::drivers {
@@ -22,6 +23,7 @@ void on_signal(int signal) {
 
 void watch_interrupts() {
   first_signal = 0;
+  adapters::give_up_waiting = interrupted;  // for a worker that does not answer
   struct sigaction action = {};
   action.sa_handler = on_signal;
   sigemptyset(&action.sa_mask);

@@ -73,12 +73,12 @@ int materials(const MaterialsOptions& options) {
     page += (page.empty() ? "" : "\n") + material_text(name, source);
   };
   if (!options.name.empty()) {
-    const MaterialSource source = find_material(options.name, command, "");
+    const MaterialSource source = find_material(options.name, command, "", Isolation::worker);
     add(parse_material(options.name).is_path ? source.table->name : options.name, source);
   }
   for (const RegisteredName& registered : options.name.empty() ? registered_names() : std::vector<RegisteredName>{}) {
     try {
-      add(registered.name, find_material(registered.name, {registered.file, 0, 0}, ""));
+      add(registered.name, find_material(registered.name, {registered.file, 0, 0}, "", Isolation::worker));
     } catch (const InputError& error) {  // one broken entry must not hide the others
       list.push_back({{"name", registered.name}, {"broken", error.what()}});
       page += "\n" + broken_text(registered.name, error.what());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay register`: a library or a description of one becomes a name in the user's registry.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <system_error>
@@ -8,10 +9,14 @@
 #include "adapters/builtin.hpp"
 #include "adapters/probe.hpp"
 #include "drivers/interrupt.hpp"
+#include "drivers/material/foreign_description.hpp"
 #include "drivers/material/material_description.hpp"
 #include "drivers/material/material_path.hpp"
+#include "drivers/material/material_text.hpp"
+#include "drivers/material/raw_library.hpp"
 #include "drivers/material/registry.hpp"
 #include "drivers/output/whole_file.hpp"
+#include "drivers/output/wrapped_text.hpp"
 #include "drivers/scene/text_check.hpp"
 #include "drivers/verbs.hpp"
 
@@ -50,11 +55,43 @@ int remove_name(const std::string& name) {
 
 /// What will be written: the file's own words with absolute paths, and the table's name said.
 MaterialDescription description_of(const std::string& file, const MaterialSource& source) {
-  MaterialDescription description;
-  if (!source.description.empty()) description = read_description(file);
+  const MaterialName asked = parse_material(file);
+  MaterialDescription description =
+      source.description.empty() ? description_of_library(source.library, asked.table, {}, "") : read_description(file);
   description.library = source.library;
   description.name = source.table->name;
   return description;
+}
+
+/// Parameters that a scene must give.
+std::vector<std::string> names_without_value(const MaterialSource& source) {
+  std::vector<std::string> names;
+  for (const assay_parameter& p : parameters_of(*source.table)) {
+    if (std::isnan(p.default_value) && source.parameters.count(p.name) == 0) names.push_back(p.name);
+  }
+  return names;
+}
+
+/// What was found of a foreign model, and what is missing.
+std::string notes(const MaterialSource& source, const MaterialDescription& description) {
+  std::string page;
+  const auto note = [&](const std::string& text) { page += wrapped(text, "  ", "    "); };
+  const std::vector<std::string> missing = names_without_value(source);
+  if (description.foreign) {
+    const auto interface = static_cast<std::size_t>(description.foreign->interface) + 1;
+    note(interface_names()[interface] + ", " + description.foreign->symbol + ": " +
+         std::to_string(source.table->parameter_count) + " properties, " + std::to_string(source.table->state_count) +
+         " state variables; runs in processes of its own");
+    if (!missing.empty()) note("not tried: scenes, or a description, must give " + joined(missing));
+    if (!source.density) note("scenes must give its density");
+  }
+  if (!(source.table->flags & ASSAY_RATE_DEPENDENT) && missing.empty() &&
+      adapters::depends_on_duration(source.table, source.parameters)) {
+    note(
+        "its stress depends on how long a step takes, and it does not say so: declare it rate-dependent (flags: "
+        "[rate_dependent] in a description), or look for what it does with the time");
+  }
+  return page;
 }
 
 std::string chosen_name(const RegisterOptions& options, const MaterialSource& source) {
@@ -91,11 +128,13 @@ int register_material(const RegisterOptions& options) {
   // A bare name means a file here, not a registered one.
   const std::string path = absolute_path(asked.file);
   refuse_what_is_no_text(path);
-  const MaterialSource source = find_material(asked.table.empty() ? path : path + ":" + asked.table, {}, "");
+  const MaterialSource source =
+      find_material(asked.table.empty() ? path : path + ":" + asked.table, {}, "", Isolation::worker);
   refuse_what_is_no_text(source.library);
   const std::string name = chosen_name(options, source);
   try {
-    if (const auto defect = adapters::probe_defect(source.table, source.parameters)) {
+    const auto defect = adapters::probe_defect(source.table, source.parameters);
+    if (defect && !(source.is_foreign && !names_without_value(source).empty())) {
       throw InputError(where, "", "material '" + std::string(source.table->name) + "' is refused: " + *defect);
     }
   } catch (const std::system_error& error) {
@@ -106,10 +145,12 @@ int register_material(const RegisterOptions& options) {
   fs::create_directories(folder(), code);
   if (code) throw SystemError("'" + folder() + "' cannot be made: " + code.message());
   const bool replaces = fs::exists(fs::path(folder()) / (name + ".yaml"), code);
-  write_file(fs::path(folder()) / (name + ".yaml"), description_yaml(description_of(options.file, source)));
+  const MaterialDescription description = description_of(options.file, source);
+  write_file(fs::path(folder()) / (name + ".yaml"), description_yaml(description));
   if (options.verbosity != Verbosity::quiet) {
     std::cout << "registered " << name << ": " << source.table->name << " in " << source.library
-              << (replaces ? "; replaces what had that name" : "") << "\n";
+              << (replaces ? "; replaces what had that name" : "") << "\n"
+              << notes(source, description);
   }
   return 0;
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "drivers/check_material.hpp"
 #include "drivers/check_vortex.hpp"
 #include "drivers/material/material_choice.hpp"
 #include "drivers/material/registry.hpp"
@@ -131,6 +132,17 @@ Replay replay_of(const ResolvedMaterial& resolved, const std::optional<FailedSte
   return replay;
 }
 
+namespace {
+
+std::string test_text(const Replay& replay) {
+  std::string text = "test: " + replay.test + "\nquick: " + (replay.effort.quick ? "true" : "false") + "\n";
+  if (replay.effort.strain != check::Effort{}.strain) text += "strain: " + number_text(replay.effort.strain) + "\n";
+  if (replay.effort.pressure) text += "pressure: " + number_text(*replay.effort.pressure) + "\n";
+  return text;
+}
+
+}  // namespace
+
 std::string replay_yaml(const Replay& replay) {
   const Material material = material_of(replay);
   std::string text =
@@ -141,7 +153,7 @@ std::string replay_yaml(const Replay& replay) {
   for (const auto& [name, value] : replay.parameters)
     text += "  " + yaml_scalar(name) + ": " + number_text(value) + "\n";
   text += "library_sha256: " + (replay.library_sha256.empty() ? "null" : replay.library_sha256) + "\n";
-  if (!replay.test.empty()) text += "test: " + replay.test + "\nquick: " + (replay.quick ? "true" : "false") + "\n";
+  if (!replay.test.empty()) text += test_text(replay);
   if (replay.step) text += step_text(material.table(), *replay.step);
   return text + "reason: " + yaml_scalar(one_line(replay.reason)) + "\n";
 }
@@ -150,6 +162,7 @@ namespace {
 
 std::vector<std::string> tests_of_check() {
   std::vector<std::string> ids = check::test_ids();
+  ids.emplace_back(process_test);
   ids.emplace_back(vortex_test);
   return ids;
 }
@@ -158,8 +171,8 @@ std::vector<std::string> tests_of_check() {
 
 Replay read_replay(const std::string& file) {
   const Tree root = read_yaml(read_bytes(file), file);
-  const std::vector<std::string> known{"material", "parameters", "library_sha256", "t",    "dt",   "F0",
-                                       "F1",       "state0",     "reason",         "test", "quick"};
+  const std::vector<std::string> known{"material", "parameters", "library_sha256", "t",     "dt",     "F0",      "F1",
+                                       "state0",   "reason",     "test",           "quick", "strain", "pressure"};
   require_map(root, "", joined(known));
   refuse_unknown_keys(root, "", known);
   Replay replay;
@@ -172,7 +185,9 @@ Replay read_replay(const std::string& file) {
   const Tree* hash = root.find("library_sha256");
   if (hash && hash->kind == Tree::Kind::scalar) replay.library_sha256 = hash->text;
   if (const Tree* test = root.find("test")) replay.test = choice_value(*test, "test", tests_of_check());
-  if (const Tree* quick = root.find("quick")) replay.quick = boolean_value(*quick, "quick");
+  if (const Tree* quick = root.find("quick")) replay.effort.quick = boolean_value(*quick, "quick");
+  if (const Tree* strain = root.find("strain")) replay.effort.strain = number_value(*strain, "strain");
+  if (const Tree* pressure = root.find("pressure")) replay.effort.pressure = number_value(*pressure, "pressure");
   if (replay.test.empty() || root.find("t")) replay.step = step_of(root, material_of(replay).table());
   if (const Tree* reason = root.find("reason")) replay.reason = text_value(*reason, "reason");
   return replay;

@@ -10,6 +10,7 @@
 #include "drivers/material/material_choice.hpp"
 #include "drivers/result.hpp"
 #include "drivers/scene/scene.hpp"
+#include "harness/check/battery.hpp"
 #include "harness/failed_step.hpp"
 #include "harness/material.hpp"
 
@@ -22,7 +23,7 @@ struct Replay {
   std::optional<FailedStep> step;            ///< none of a test in which the process ended
   std::string reason;                        ///< one sentence
   std::string test = {};                     ///< id of the test of `check` that failed; empty: none
-  bool quick = false;                        ///< whether it was the test of `check --quick`
+  check::Effort effort = {};                 ///< of that test
 };
 
 /// Of that material. Throws InputError where its library is gone.

@@ -108,6 +108,9 @@ struct Result {
   std::string reason;                 ///< one sentence where not completed
   std::string replay;                 ///< file beside the result that holds the step at which the material failed
   std::shared_ptr<const FailedStep> failed_step;  ///< that step; not in result.json
+  std::vector<std::string> warnings;              ///< what did not stop the run and should be known
+  bool disturbed = false;                         ///< the process that ran the material: not in result.json
+  std::string printed;                            ///< by a material that runs apart; not in result.json
   Figure t, dt;
   std::optional<std::int64_t> steps, particles, moving_particles;
   ErrorFigures error;

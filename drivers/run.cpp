@@ -117,6 +117,7 @@ int run(const RunOptions& options) {
   } catch (const MaterialFailure& failure) {
     record_failure(failure, result);
   }
+  if (problem) record_process(*problem->material, result);
   leave_replay(scene, folder, result);
   result.expect = judge(scene.expect, result);
   const std::string json = write_results(scene, result, std::move(pictures), folder);

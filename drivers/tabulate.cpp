@@ -43,7 +43,7 @@ std::string summary(const Tabulation& tab, const Result& result, const std::stri
                                          tab.material->name(), tab.path.name, result.outcome),
                              "", "  ");
   if (!result.reason.empty()) text += wrapped(result.reason, "  ", "  ");
-  if (!result.replay.empty()) text += "  the failing step is in " + result.replay + "\n";
+  text += process_lines(result);
   if (result.sheet) {
     text += sheet_text(*result.sheet);
     text += references_text(result.reference, tab.path.name);
@@ -100,6 +100,7 @@ int tabulate(const TabulateOptions& options) {
   } catch (const MaterialFailure& failure) {
     record_failure(failure, result);
   }
+  record_process(*tab.material, result);
   leave_replay(scene, folder, result);
   result.cpu_s = cpu_seconds();
   result.peak_rss_bytes = peak_memory();

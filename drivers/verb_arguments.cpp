@@ -44,6 +44,17 @@ void add_results(CLI::App& verb, Arguments& given) {
   verb.add_flag("--json", given.json, "result.json on standard output");
 }
 
+std::optional<double> number_in(const std::string& option, const std::string& text, double largest) {
+  if (text.empty()) return std::nullopt;
+  const auto number = parse_number(text);
+  if (!number || !(*number > 0) || !(*number <= largest)) {
+    throw InputError(
+        {}, option,
+        "must be a number above 0 and at most " + number_text(largest) + ", found '" + one_line(text, 60) + "'");
+  }
+  return number;
+}
+
 }  // namespace
 
 std::string Arguments::folder() const {
@@ -122,6 +133,8 @@ Verb check_verb(CLI::App& app, Arguments& given) {
   verb.add_option("--json", given.json_file, "verdicts and diagnosis (- for standard output)")->type_name("FILE");
   verb.add_option("--junit", given.junit_file, "the same for CI, JUnit's XML")->type_name("FILE");
   verb.add_flag("--quick", given.quick, "fewer steps and states");
+  verb.add_option("--strain", given.strain, "largest of the histories (0.15)")->type_name("NUMBER");
+  verb.add_option("--pressure", given.pressure, "at rest [Pa] (what the model needs)")->type_name("NUMBER");
   add_out(verb, given, "DIR", "folder of the replay files of failures (results/check)");
   return {&verb, [&given, checked, all, replay, methods, parameters] {
             const auto given_of = [](const CLI::Option* option) { return option->count() > 0 ? 1 : 0; };
@@ -131,7 +144,21 @@ Verb check_verb(CLI::App& app, Arguments& given) {
               throw InputError("assay check: --methods and --replay take no --parameters");
             return check({given.material, given.parameters, given.json_file, given.junit_file,
                           given.out.empty() ? "results/check" : given.out, given.replay, given.all, given.quick,
-                          given.verbosity(), given.methods});
+                          given.verbosity(), given.methods, number_in("--strain", given.strain, 0.5),
+                          number_in("--pressure", given.pressure, 1e12)});
+          }};
+}
+
+Verb new_material_verb(CLI::App& app, Arguments& given) {
+  CLI::App& verb = add_verb(app, "new-material", "a project to begin a material with",
+                            "assay new-material clay --language c++\n"
+                            "  assay new-material clay --language fortran --interface umat");
+  verb.add_option("NAME", given.name, "the material's name")->required()->type_name("");
+  verb.add_option("--language", given.language, "c, c++ or fortran")->required()->type_name("LANGUAGE");
+  verb.add_option("--interface", given.interface, "native (default), or umat in Fortran")->type_name("INTERFACE");
+  add_out(verb, given, "DIR", "folder of the project, a new one (NAME)");
+  return {&verb, [&given] {
+            return new_material({given.name, given.language, given.interface, given.out, given.verbosity()});
           }};
 }
 
@@ -164,6 +191,8 @@ std::vector<Verb> material_verbs(CLI::App& app, Arguments& given) {
                      if (file->count() > 0 && given.file.empty()) throw InputError("assay register: FILE is empty");
                      return register_material({given.file, given.name, given.remove, given.verbosity()});
                    }});
+
+  verbs.push_back(new_material_verb(app, given));
 
   CLI::App& schema_verb =
       add_verb(app, "schema", "JSON Schema of scenes, for editors", "assay schema > scene.schema.json");

@@ -17,6 +17,7 @@ namespace assay::drivers {
 /// Everything that any verb takes, as text.
 struct Arguments {
   std::string scene, out, points, threads, material, file, name, remove, parameters, json_file, junit_file, replay;
+  std::string language, interface = "native", strain, pressure;
   std::vector<std::string> sets;
   bool json = false, quick = false, all = false, methods = false, quiet = false, verbose = false;
 
@@ -34,7 +35,7 @@ struct Verb {
 /// Adds run, tabulate, eval and explain. `given` outlives the verbs.
 std::vector<Verb> scene_verbs(CLI::App& app, Arguments& given);
 
-/// Adds check, materials, register and schema.
+/// Adds check, materials, register, new-material and schema.
 std::vector<Verb> material_verbs(CLI::App& app, Arguments& given);
 
 /// --quiet and --verbose.

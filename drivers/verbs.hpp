@@ -3,6 +3,7 @@
 // InputError (2), failures of the system as SystemError (3).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,7 +55,8 @@ struct CheckOptions {
   bool all = false;        ///< everything that is registered, in place of a material
   bool quick = false;
   Verbosity verbosity = Verbosity::normal;
-  bool methods = false;  ///< the patch tests of the particle method, in place of a material
+  bool methods = false;                              ///< the patch tests of the particle method, in place of a material
+  std::optional<double> strain = {}, pressure = {};  ///< of the battery's histories [1], at rest [Pa]
 };
 
 struct MaterialsOptions {
@@ -69,6 +71,14 @@ struct RegisterOptions {
   Verbosity verbosity = Verbosity::normal;
 };
 
+struct NewMaterialOptions {
+  std::string name;
+  std::string language;              ///< c, c++ or fortran
+  std::string interface = "native";  ///< or umat, in Fortran
+  std::string out;                   ///< the folder to be made; empty: the name
+  Verbosity verbosity = Verbosity::normal;
+};
+
 int run(const RunOptions& options);
 int tabulate(const TabulateOptions& options);
 int eval(const EvalOptions& options);
@@ -77,6 +87,7 @@ int check(const CheckOptions& options);
 int check_methods(const CheckOptions& options);
 int materials(const MaterialsOptions& options);
 int register_material(const RegisterOptions& options);
+int new_material(const NewMaterialOptions& options);
 int schema();
 
 }  // namespace assay::drivers

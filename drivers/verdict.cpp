@@ -59,6 +59,16 @@ std::string summary_of(const Result& result) {
 
 }  // namespace
 
+std::string process_lines(const Result& result) {
+  std::string text;
+  for (const std::string& warning : result.warnings) text += wrapped("warning: " + warning, "  ", "    ");
+  if (!result.replay.empty()) {
+    text += (result.failed_step ? "  the failing step is in " : "  shown again by ") + result.replay + "\n";
+  }
+  if (!result.printed.empty()) text += std::string("  what the model printed is in ") + material_log + "\n";
+  return text;
+}
+
 std::string sheet_text(const SheetFigures& sheet) {
   const bool missed = !(sheet.error_tau <= sheet.asked) || !(sheet.error_dtau.value_or(0) <= sheet.asked);
   const std::string asked = missed ? " (asked: " + rounded_text(sheet.asked, 2) + ")" : "";
@@ -88,7 +98,7 @@ std::string verdict_text(const Result& result, const std::string& folder, bool w
   text += result.t ? fmt::format(" at t = {} s\n", figure(result.t)) : "\n";
   if (!result.subject.empty()) text += wrapped(result.subject, "  ", "    ");
   if (!result.reason.empty()) text += wrapped(result.reason, "  ", "  ");
-  if (!result.replay.empty()) text += "  the failing step is in " + result.replay + "\n";
+  text += process_lines(result);
   if (result.error.l2_max) text += error_lines(result.error);
   if (result.steps) text += work_line(result);
   if (result.sheet) text += sheet_text(*result.sheet);

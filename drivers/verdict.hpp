@@ -11,6 +11,9 @@ namespace assay::drivers {
 /// Outcome, error figures, speed, [the profile,] expectations, and where the results lie.
 std::string verdict_text(const Result& result, const std::string& folder, bool with_profile = false);
 
+/// Warnings, and the files beside the result that tell more of the material.
+std::string process_lines(const Result& result);
+
 /// Size, time and errors of the response, and what was asked where that is missed.
 std::string sheet_text(const SheetFigures& sheet);
 

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <cstddef>
 
+#include "harness/arithmetic.hpp"
+#include "harness/progress_mark.hpp"
+
 namespace assay {
 
 namespace {
@@ -210,7 +213,17 @@ UpdateReport Material::update(double t, double dt, std::size_t n, const double* 
   char message[ASSAY_MESSAGE_SIZE] = "";
   std::int32_t status[ASSAY_BATCH_MAX];
   std::fill_n(status, n, ASSAY_GOOD);
-  table_->update(self_.get(), &step, n, state0, state1, cauchy, status, &report.dt_factor, message);
+  {
+    const CallMark mark;
+    table_->update(self_.get(), &step, n, state0, state1, cauchy, status, &report.dt_factor, message);
+  }
+  const std::uint32_t changes = changes_of_arithmetic();
+  if (changes != arithmetic_kept) reset_arithmetic();
+  if (const std::string words = arithmetic_words(changes); !words.empty()) {
+    report.worst = ASSAY_FAILED;
+    report.message = arithmetic_prefix + ("the material " + words);
+    return report;
+  }
   const auto worst = std::min_element(status, status + n);
   if (*worst < ASSAY_GOOD) {
     report.worst = *worst < ASSAY_DOUBTFUL ? ASSAY_FAILED : ASSAY_DOUBTFUL;

@@ -10,10 +10,27 @@
 
 namespace {
 
-constexpr int mutex_count = 100;  ///< Abaqus has as many
+constexpr unsigned mutex_count = 100;  ///< Abaqus has as many
 std::mutex mutexes[mutex_count];
+thread_local bool held[mutex_count];  ///< by this thread
 
-std::mutex& mutex_of(int id) { return mutexes[static_cast<unsigned>(id - 1) % mutex_count]; }
+unsigned place_of(int id) { return (static_cast<unsigned>(id) - 1) % mutex_count; }
+
+void lock(int id) {
+  mutexes[place_of(id)].lock();
+  held[place_of(id)] = true;
+}
+
+void unlock(unsigned place) {
+  if (!held[place]) return;
+  held[place] = false;
+  mutexes[place].unlock();
+}
+
+/// A call that the model has ended comes back to nothing: the next one would wait for ever.
+void unlock_all() {
+  for (unsigned place = 0; place < mutex_count; ++place) unlock(place);
+}
 
 }  // namespace
 
@@ -23,6 +40,7 @@ void (*assay_abaqus_on_end)(const char* what) = nullptr;
 char assay_abaqus_folder[4096] = ".";
 
 void assay_abaqus_end(const char* what) {
+  unlock_all();
   if (assay_abaqus_on_end) assay_abaqus_on_end(what);
   std::fprintf(stderr, "the model %s\n", what);
   std::exit(1);
@@ -37,10 +55,10 @@ void assay_abaqus_text(const char* text, char* out, int* length, std::size_t siz
 
 // From Fortran and from C.
 void mutexinit_(const int*) {}
-void mutexlock_(const int* id) { mutex_of(*id).lock(); }
-void mutexunlock_(const int* id) { mutex_of(*id).unlock(); }
+void mutexlock_(const int* id) { lock(*id); }
+void mutexunlock_(const int* id) { unlock(place_of(*id)); }
 void MutexInit(int) {}
-void MutexLock(int id) { mutex_of(id).lock(); }
-void MutexUnlock(int id) { mutex_of(id).unlock(); }
+void MutexLock(int id) { lock(id); }
+void MutexUnlock(int id) { unlock(place_of(id)); }
 
 }  // extern "C"

@@ -3,6 +3,7 @@
 // character arguments by value at the end. A library of its own that is loaded before foreign models; what a routine
 // does is what Abaqus' manual says of it.
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -37,6 +38,51 @@ void write_components(const Tensor& A, int lstr, int ndi, int nshr, double* s) {
   for (int k = 0; k < nshr && k < 3; ++k) s[ndi + k] = shear * A(row[k], column[k]);
 }
 
+/// In ascending order, with directions; of what is not finite all are NaN, which the iteration would hide.
+struct Principal {
+  explicit Principal(const Tensor& A) {
+    if (!A.allFinite()) return;
+    const Eigen::SelfAdjointEigenSolver<Tensor> solver(A);
+    values = solver.eigenvalues();
+    directions = solver.eigenvectors();
+  }
+  Eigen::Vector3d values = Eigen::Vector3d::Constant(NAN);
+  Tensor directions = Tensor::Constant(NAN);  ///< column k: of value k
+};
+
+struct Message {
+  const char* text;
+  std::size_t length;
+  const int* integers;
+  const double* reals;
+  const char* strings;
+  std::size_t string_length;
+};
+
+/// With its values in place of %I, %R and %S; what exceeds `size` is cut.
+void write_message(Message m, char* out, std::size_t size) {
+  constexpr std::size_t word = 8;  // CHARACTER*8 CHARV(*)
+  const std::size_t stride = std::max(m.string_length, word);
+  std::string line;
+  for (std::size_t k = 0; k < m.length; ++k) {
+    const char next = k + 1 < m.length ? m.text[k + 1] : ' ';
+    if (m.text[k] != '%' || (next != 'I' && next != 'R' && next != 'S')) {
+      line += m.text[k];
+      continue;
+    }
+    ++k;
+    if (next == 'I') line += std::to_string(*m.integers++);
+    if (next == 'R') {
+      char number[32];
+      std::snprintf(number, sizeof number, "%.6g", *m.reals++);
+      line += number;
+    }
+    if (next == 'S') line.append(m.strings, strnlen(m.strings, stride)), m.strings += stride;
+  }
+  line.erase(line.find_last_not_of(' ') + 1);
+  out[line.copy(out, size - 1)] = '\0';
+}
+
 }  // namespace
 
 extern "C" {
@@ -51,16 +97,16 @@ void sinv_(const double* stress, double* sinv1, double* sinv2, const int* ndi, c
 
 /// Principal values, in ascending order.
 void sprinc_(const double* s, double* ps, const int* lstr, const int* ndi, const int* nshr) {
-  const Eigen::SelfAdjointEigenSolver<Tensor> solver(tensor_of(s, *lstr, *ndi, *nshr), Eigen::EigenvaluesOnly);
-  for (int k = 0; k < 3; ++k) ps[k] = solver.eigenvalues()(k);
+  const Principal found(tensor_of(s, *lstr, *ndi, *nshr));
+  for (int k = 0; k < 3; ++k) ps[k] = found.values(k);
 }
 
 /// And directions: AN(K, I), I = 1, 2, 3 are the cosines of PS(K).
 void sprind_(const double* s, double* ps, double* an, const int* lstr, const int* ndi, const int* nshr) {
-  const Eigen::SelfAdjointEigenSolver<Tensor> solver(tensor_of(s, *lstr, *ndi, *nshr));
+  const Principal found(tensor_of(s, *lstr, *ndi, *nshr));
   for (int k = 0; k < 3; ++k) {
-    ps[k] = solver.eigenvalues()(k);
-    for (int i = 0; i < 3; ++i) an[3 * i + k] = solver.eigenvectors()(i, k);
+    ps[k] = found.values(k);
+    for (int i = 0; i < 3; ++i) an[3 * i + k] = found.directions(i, k);
   }
 }
 
@@ -78,29 +124,15 @@ void xplb_exit_() { assay_abaqus_end("called XPLB_EXIT"); }
 /// the next integer, real and string.
 void stdb_abqerr_(const int* lop, const char* text, const int* intv, const double* realv, const char* charv,
                   std::size_t text_length, std::size_t charv_length) {
-  constexpr std::size_t word = 8;
-  const std::size_t strings = charv_length > word ? charv_length : word;
-  std::string line;
-  for (std::size_t k = 0; k < text_length; ++k) {
-    const char next = k + 1 < text_length ? text[k + 1] : ' ';
-    if (text[k] != '%' || (next != 'I' && next != 'R' && next != 'S')) {
-      line += text[k];
-      continue;
-    }
-    ++k;
-    if (next == 'I') line += std::to_string(*intv++);
-    if (next == 'R') {
-      char number[32];
-      std::snprintf(number, sizeof number, "%.6g", *realv++);
-      line += number;
-    }
-    if (next == 'S') line.append(charv, strnlen(charv, strings)), charv += strings;
-  }
-  line.erase(line.find_last_not_of(' ') + 1);
+  char line[600];  // no object with a destructor: the end of the analysis leaves this frame without one
+  write_message({text, text_length, intv, realv, charv, charv_length}, line, sizeof line);
   const char* kind = *lop > 0 ? "information" : *lop == -1 ? "warning" : "error";
-  std::fprintf(stderr, "%s: %s\n", kind, line.c_str());
+  std::fprintf(stderr, "%s: %s\n", kind, line);
   constexpr int fatal = -3;
-  if (*lop == fatal) assay_abaqus_end(("reported an error that ends the analysis: " + line).c_str());
+  if (*lop != fatal) return;
+  char what[sizeof line + 60];
+  std::snprintf(what, sizeof what, "reported an error that ends the analysis: %s", line);
+  assay_abaqus_end(what);
 }
 
 void xplb_abqerr_(const int* lop, const char* text, const int* intv, const double* realv, const char* charv,
@@ -130,10 +162,6 @@ int get_thread_id_() { return 0; }
 int getnumthreads() { return 1; }
 int get_thread_id() { return 0; }
 
-/// Tables and collections of the input file: there are none.
-void getpropertytable_(const char*, const char*, const int*, int*, int*, double*, int* jerror, ...) { *jerror = 1; }
-void settablecollection_(const char*, int* jerror, std::size_t) { *jerror = 1; }
-
 /// Principal values and directions of n tensors 11, 22, 33, 12, 23, 31, [component][point].
 void vsprind_(const int* nblock, const double* tensor, double* values, double* vectors, const int* ndir,
               const int* nshr) {
@@ -145,13 +173,13 @@ void vsprind_(const int* nblock, const double* tensor, double* values, double* v
     for (int k = 0; k < *nshr && k < 3; ++k) {
       A(row[k], column[k]) = A(column[k], row[k]) = tensor[static_cast<std::size_t>(*ndir + k) * n + p];
     }
-    const Eigen::SelfAdjointEigenSolver<Tensor> solver(A);
+    const Principal found(A);
     for (std::size_t k = 0; k < 3; ++k) {
       const auto i = static_cast<Eigen::Index>(k);
-      values[k * n + p] = solver.eigenvalues()(i);
-      if (!vectors) continue;
-      for (std::size_t c = 0; c < 3; ++c)
-        vectors[(3 * k + c) * n + p] = solver.eigenvectors()(static_cast<Eigen::Index>(c), i);
+      values[k * n + p] = found.values(i);
+      for (std::size_t c = 0; vectors && c < 3; ++c) {
+        vectors[(3 * k + c) * n + p] = found.directions(static_cast<Eigen::Index>(c), i);
+      }
     }
   }
 }

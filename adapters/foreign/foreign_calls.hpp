@@ -12,8 +12,8 @@
 #include <memory>
 
 #include "adapters/foreign/foreign_point.hpp"
-#include "adapters/foreign/progress_mark.hpp"
 #include "harness/material.hpp"
+#include "harness/progress_mark.hpp"
 
 namespace assay::adapters {
 

@@ -4,8 +4,11 @@
 #include <dlfcn.h>
 
 #include <filesystem>
+#include <map>
+#include <mutex>
 
 #include "adapters/elf_check.hpp"
+#include "adapters/foreign/absent_routines.hpp"
 #include "adapters/foreign/model_end.hpp"
 #include "adapters/library.hpp"
 
@@ -22,12 +25,7 @@ std::string loader_message(const std::string& path) {
   return message;
 }
 
-/// "undefined symbol: foo_": foo_.
-std::string undefined_symbol(const std::string& message) {
-  const std::string words = "undefined symbol: ";
-  const std::size_t at = message.find(words);
-  return at == std::string::npos ? "" : message.substr(at + words.size());
-}
+bool lacks_a_symbol(const std::string& message) { return message.find("undefined symbol: ") != std::string::npos; }
 
 /// Before a library of that folder.
 void load_utilities(const std::string& folder) {
@@ -56,12 +54,20 @@ std::string utilities_library() {
 }
 
 LoadedLibrary load_foreign_library(const std::string& path) {
+  static std::mutex guard;
+  static std::map<std::string, LoadedLibrary> incomplete;  // which the loader takes for whole the next time
+  const std::lock_guard lock(guard);
+  if (const auto known = incomplete.find(path); known != incomplete.end()) return known->second;
   check_shared_library(path);
   load_utilities(fs::path(path).parent_path().string());
   if (void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) return {handle, {}};
-  const std::string message = loader_message(path), missing = undefined_symbol(message);
+  const std::string message = loader_message(path);
   // many models name routines of their host that they never call
-  if (void* handle = missing.empty() ? nullptr : dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL)) return {handle, missing};
+  if (void* handle = lacks_a_symbol(message) ? dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL) : nullptr) {
+    const std::vector<std::string> missing = missing_symbols(handle, path);
+    stand_in_for(missing, handle);
+    return incomplete[path] = {handle, missing};
+  }
   throw LibraryError("cannot be loaded: " + message);
 }
 

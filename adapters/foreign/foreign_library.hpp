@@ -3,12 +3,13 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace assay::adapters {
 
 struct LoadedLibrary {
   void* handle = nullptr;
-  std::string missing;  ///< a symbol that nobody has: a call of it will end the process; empty: none
+  std::vector<std::string> missing;  ///< routines that nobody provides: a call of one ends the call of the model
 };
 
 /// Loads it, RTLD_LOCAL; the host's utility routines first (SINV, ROTSIG, XIT, ...), for libraries that ask for them.

@@ -18,6 +18,12 @@ enum class Kinematics {
   abaqus,     ///< Hughes and Winget: first order in simple shear, as the program that the model was written for
 };
 
+/// In which axes a UMAT is given tensors.
+enum class Axes {
+  fixed,         ///< those of space: a model of a material with directions turns them itself
+  corotational,  ///< they turn with the polar rotation of F, as with Abaqus' *ORIENTATION
+};
+
 /// One material constant, in the model's own units. A value that is NaN must be given.
 struct ForeignProperty {
   std::string name, unit = {}, doc = {};
@@ -32,11 +38,18 @@ struct ForeignVariable {
     symmetric_tensor,  ///< like a stress
     strain,            ///< like a strain: shear components as the interface has them for strains
     tensor,
+    mandel,  ///< shear components times sqrt(2), as MFront keeps tensors
   };
   std::string name;
   Kind kind = Kind::scalar;
   std::string unit = {}, doc = {};
   std::vector<double> initial = {};  ///< one value for all components, or one for each; empty: zero
+};
+
+/// A field of the host, constant: PREDEF, or an external state variable of MFront.
+struct ForeignField {
+  std::string name;
+  double value = 0;
 };
 
 /// SI units in one unit of the model: a stress of 1 MPa is stress = 1e6.
@@ -55,11 +68,14 @@ struct ForeignModel {
   std::vector<ForeignProperty> properties;
   std::vector<ForeignVariable> state;
   Kinematics kinematics = Kinematics::objective;
+  Axes axes = Axes::fixed;
   bool finite_strain = false;      ///< the tangent is that of J sigma (Jaumann), and the model may read F alone
   std::vector<int> components{6};  ///< NTENS that the model serves: 6, 4 (plane strain) or both
   int symmetry = ASSAY_ISOTROPIC;  ///< of the ABI
   std::uint32_t flags = 0;         ///< of the ABI
   ModelUnits units;
+  std::vector<ForeignField> fields;
+  int step = 1;                         ///< KSTEP
   double temperature = 0;               ///< in the model's own scale
   double characteristic_length = 1;     ///< CELENT, charLength, in units of the model
   double density = 1000;                ///< [kg/m^3], for interfaces that hand it on

@@ -22,6 +22,7 @@ struct ForeignTable : assay_material {
   ForeignModel model;
   void* library = nullptr;  ///< handle of the loader
   void* entry = nullptr;
+  std::vector<std::string> missing;                  ///< routines that it calls and nobody provides
   std::shared_ptr<const MfrontBehaviour> behaviour;  ///< of MFront's interface
   std::vector<assay_parameter> parameter_list;
   std::vector<assay_state_variable> state_list;

@@ -11,10 +11,11 @@ namespace {
 using Kind = ForeignVariable::Kind;
 
 double shear_of(const StateLayout& layout, Kind kind) {
+  if (kind == Kind::mandel) return mfront_shear;
   return kind == Kind::strain ? layout.strain_shear : layout.stress_shear;
 }
 
-bool is_symmetric(Kind kind) { return kind == Kind::symmetric_tensor || kind == Kind::strain; }
+bool is_symmetric(Kind kind) { return kind == Kind::symmetric_tensor || kind == Kind::strain || kind == Kind::mandel; }
 
 }  // namespace
 
@@ -26,6 +27,7 @@ int components_of(Kind kind) {
       return 3;
     case Kind::symmetric_tensor:
     case Kind::strain:
+    case Kind::mandel:
       return 6;
     case Kind::tensor:
       return 9;

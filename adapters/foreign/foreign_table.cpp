@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "adapters/elf_symbols.hpp"
+#include "adapters/foreign/absent_routines.hpp"
 #include "adapters/foreign/foreign_calls.hpp"
 #include "adapters/foreign/foreign_library.hpp"
 #include "adapters/foreign/mfront.hpp"
@@ -24,6 +25,7 @@ std::int32_t kind_of(Kind kind) {
       return ASSAY_VECTOR;
     case Kind::symmetric_tensor:
     case Kind::strain:
+    case Kind::mandel:
       return ASSAY_SYMMETRIC_TENSOR;
     case Kind::tensor:
       return ASSAY_TENSOR;
@@ -60,7 +62,7 @@ std::vector<ForeignVariable> bind(ForeignTable& table) {
 bool rotates_itself(const ForeignModel& model, bool own) {
   switch (model.interface) {
     case ForeignInterface::umat:
-      return false;
+      return model.axes == Axes::corotational;
     case ForeignInterface::vumat:
       return true;
     case ForeignInterface::mfront:
@@ -157,7 +159,9 @@ const assay_material* foreign_table(const ForeignModel& model) {
   auto table = std::make_unique<ForeignTable>();
   static_cast<assay_material&>(*table) = assay_material{};
   table->model = model;
-  table->library = load_foreign_library(model.library).handle;
+  const LoadedLibrary library = load_foreign_library(model.library);
+  table->library = library.handle;
+  table->missing = library.missing;
   const std::vector<ForeignVariable> state = bind_interface(*table);
   write_lists(*table, state);
   require_distinct(*table);
@@ -166,7 +170,8 @@ const assay_material* foreign_table(const ForeignModel& model) {
   table->name = kept(*table, table->model.name);
   table->version = kept(*table, table->model.version);
   table->licence = kept(*table, table->model.licence);
-  table->doc = kept(*table, table->model.doc);
+  const std::string lacks = missing_words(table->missing);
+  table->doc = kept(*table, table->model.doc + (lacks.empty() ? "" : "; " + lacks));
   table->symmetry = table->model.symmetry;
   table->flags = (table->model.flags | ASSAY_USES_INCREMENT) & ~static_cast<std::uint32_t>(ASSAY_THREAD_SAFE);
   static std::mutex guard;

@@ -75,4 +75,12 @@ StepStrain rate_of_step(const Tensor& F0, const Tensor& F1, const Tensor& E, Kin
   return {strain, rotation};
 }
 
+StepStrain rate_of_corotational_step(const Tensor& F0, const Tensor& F1, const Tensor& E, Kinematics kinematics) {
+  const auto [strain, rotation] = slope([&](double by) {
+    const CorotationalStep at = corotational_step(F0, F1 + by * E, kinematics);
+    return std::pair(at.strain, at.R1);
+  });
+  return {strain, rotation};
+}
+
 }  // namespace assay::adapters

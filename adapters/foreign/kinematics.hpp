@@ -39,4 +39,7 @@ LogarithmicStrain rate_of_logarithmic_strain(const Tensor& F, const Tensor& E);
 /// Rates along dF1/dt = E of the strain of a step in the axes of its beginning, and of its rotation.
 StepStrain rate_of_step(const Tensor& F0, const Tensor& F1, const Tensor& E, Kinematics kinematics);
 
+/// The same of a corotational step: of its strain, which is in axes that turn, and of R1.
+StepStrain rate_of_corotational_step(const Tensor& F0, const Tensor& F1, const Tensor& E, Kinematics kinematics);
+
 }  // namespace assay::adapters

@@ -26,44 +26,11 @@ enum Scalar : std::size_t { rdt, speed_of_sound, scalar_count };
 
 using Kind = ForeignVariable::Kind;
 
-Kind kind_of(const MfrontVariable& variable) {
-  constexpr int simple = 7;
-  switch (variable.type & simple) {
-    case 0:
-      return Kind::scalar;
-    case 1:
-      return Kind::symmetric_tensor;
-    case 2:
-      return Kind::vector;
-    case 3:
-      return Kind::tensor;
-    default:
-      throw ForeignError("library", "its variable '" + variable.name + "' is of an unknown kind");
-  }
-}
-
 std::size_t size_of(const std::vector<MfrontVariable>& variables) {
   std::size_t size = 0;
-  for (const MfrontVariable& variable : variables) size += static_cast<std::size_t>(components_of(kind_of(variable)));
+  for (const MfrontVariable& variable : variables)
+    size += static_cast<std::size_t>(components_of(mfront_kind(variable)));
   return size;
-}
-
-/// Of a description: the initial values of a variable that the metadata names.
-void take_initial(const ForeignVariable& given, ForeignModel& model) {
-  const auto own =
-      std::find_if(model.state.begin(), model.state.end(), [&](const auto& v) { return v.name == given.name; });
-  std::string names;
-  for (const ForeignVariable& v : model.state) names += (names.empty() ? "" : ", ") + v.name;
-  const std::string key = "state." + given.name;
-  if (own == model.state.end()) {
-    throw ForeignError(key, "the behaviour has no such state variable", names.empty() ? "none" : names);
-  }
-  const auto size = static_cast<std::size_t>(components_of(own->kind));
-  if (given.initial.size() > 1 && given.initial.size() != size) {
-    throw ForeignError(key,
-                       "has " + std::to_string(size) + " components, found " + std::to_string(given.initial.size()));
-  }
-  own->initial = given.initial;
 }
 
 std::size_t properties_of(const MfrontBehaviour& behaviour) {
@@ -71,50 +38,6 @@ std::size_t properties_of(const MfrontBehaviour& behaviour) {
 }
 
 }  // namespace
-
-void Mfront::describe(const MfrontBehaviour& behaviour, ForeignModel& model) {
-  model.finite_strain = behaviour.finite_strain;
-  model.version = behaviour.version;
-  if (behaviour.orthotropic) model.symmetry = ASSAY_ANISOTROPIC;
-  const std::vector<ForeignProperty> said = std::move(model.properties);
-  model.properties.clear();
-  const auto add = [&](const std::string& name, const char* doc, double value, double lower = -INFINITY,
-                       double upper = INFINITY) {
-    ForeignProperty property{name, "", doc, value, lower, upper};
-    const auto own = std::find_if(said.begin(), said.end(), [&](const auto& p) { return p.name == name; });
-    if (own != said.end()) {  // what the description says goes before
-      if (std::isfinite(own->value)) property.value = own->value;
-      if (std::isfinite(own->lower)) property.lower = own->lower;
-      if (std::isfinite(own->upper)) property.upper = own->upper;
-      if (!own->unit.empty()) property.unit = own->unit;
-      if (!own->doc.empty()) property.doc = own->doc;
-    }
-    model.properties.push_back(std::move(property));
-  };
-  for (const std::string& name : behaviour.prepended) add(name, "elastic constant, asked for by the behaviour", NAN);
-  for (const MfrontVariable& property : behaviour.properties) {
-    add(property.name, "material property", NAN, property.lower, property.upper);
-  }
-  for (const auto& parameter : behaviour.parameters) add(parameter.name, "parameter", parameter.value);
-  if (behaviour.temperature) add("Temperature", "external state variable", model.temperature);
-  for (const MfrontVariable& variable : behaviour.external) {
-    if (kind_of(variable) == Kind::scalar) add(variable.name, "external state variable", 0);
-  }
-  for (const ForeignProperty& property : said) {
-    const bool known = std::any_of(model.properties.begin(), model.properties.end(),
-                                   [&](const auto& p) { return p.name == property.name; });
-    if (known) continue;
-    std::string names;
-    for (const ForeignProperty& p : model.properties) names += (names.empty() ? "" : ", ") + p.name;
-    throw ForeignError("properties." + property.name, "behaviour '" + behaviour.name + "' has no such property", names);
-  }
-  const std::vector<ForeignVariable> given = std::move(model.state);
-  model.state.clear();
-  for (const MfrontVariable& variable : behaviour.internal) {
-    model.state.push_back({variable.name, kind_of(variable), "", "internal state variable", {}});
-  }
-  for (const ForeignVariable& variable : given) take_initial(variable, model);
-}
 
 std::vector<ForeignVariable> Mfront::state_of(const ForeignModel& model) {
   const char* force =
@@ -131,22 +54,44 @@ Mfront::Mfront(const ForeignTable& table, const double* properties)
       model_(table.model),
       behaviour_(*table.behaviour),
       given_(properties, properties + table.model.properties.size()) {
-  begin_ = add_arrays(" at the beginning");
-  end_ = add_arrays(" at the end");
+  add_outputs();
   operator_ = arrays_.add("K", operator_size);
   scalars_ = arrays_.add("the scalars", scalar_count);
+  inputs_.begin(arrays_);
+  add_inputs(begin_, " at the beginning");
+  add_inputs(end_, " at the end");
+  add_beginning();
 }
 
-Mfront::Arrays Mfront::add_arrays(const std::string& when) {
+void Mfront::add_outputs() {
+  end_.forces = arrays_.add("the thermodynamic forces at the end", 6);
+  end_.internal = arrays_.add("the internal state variables at the end", size_of(behaviour_.internal));
+  end_.stored = arrays_.add("the stored energy at the end", 1);
+  end_.dissipated = arrays_.add("the dissipated energy at the end", 1);
+}
+
+/// What a behaviour is given at both ends of the step.
+void Mfront::add_inputs(Arrays& a, const std::string& when) {
   const std::size_t gradient = model_.finite_strain ? 9 : 6, external = size_of(behaviour_.external);
-  return {arrays_.add("the gradients" + when, gradient),
-          arrays_.add("the thermodynamic forces" + when, 6),
-          arrays_.add("the mass density" + when, 1),
-          arrays_.add("the material properties" + when, properties_of(behaviour_)),
-          arrays_.add("the internal state variables" + when, size_of(behaviour_.internal)),
-          arrays_.add("the stored energy" + when, 1),
-          arrays_.add("the dissipated energy" + when, 1),
-          arrays_.add("the external state variables" + when, external + (behaviour_.temperature ? 1 : 0))};
+  const auto add = [&](WrittenInput name, const char* words, std::size_t size) {
+    const std::size_t array = arrays_.add(words + when, size);
+    inputs_.add(name, InputWatch::every_call, array);
+    return array;
+  };
+  a.gradients = add(written_gradients, "the gradients", gradient);
+  a.density = add(written_others, "the mass density", 1);
+  a.properties = add(written_properties, "the material properties", properties_of(behaviour_));
+  a.external = add(written_others, "the external state variables", external + (behaviour_.temperature ? 1 : 0));
+}
+
+void Mfront::add_beginning() {
+  begin_.forces = arrays_.add("the thermodynamic forces at the beginning", 6);
+  begin_.internal = arrays_.add("the internal state variables at the beginning", size_of(behaviour_.internal));
+  begin_.stored = arrays_.add("the stored energy at the beginning", 1);
+  begin_.dissipated = arrays_.add("the dissipated energy at the beginning", 1);
+  for (const std::size_t array : {begin_.forces, begin_.internal, begin_.stored, begin_.dissipated}) {
+    inputs_.add(written_beginning, InputWatch::every_call, array);
+  }
 }
 
 MfrontState Mfront::pointers(const Arrays& a) {
@@ -203,9 +148,9 @@ void Mfront::hand_over(const PointStep& step, double request) {
     double* out = arrays_[a.external];
     if (behaviour_.temperature) *out++ = *external++;
     for (const MfrontVariable& variable : behaviour_.external) {
-      const bool scalar = kind_of(variable) == Kind::scalar;
+      const bool scalar = mfront_kind(variable) == Kind::scalar;
       if (scalar) *out = *external++;
-      out += components_of(kind_of(variable));
+      out += components_of(mfront_kind(variable));
     }
   }
   arrays_.fill(operator_, 0);
@@ -220,9 +165,11 @@ std::int32_t Mfront::call(double dt) {
   double* s = arrays_[scalars_];
   MfrontData data{message,          dt / model_.units.time, arrays_[operator_], s + rdt, s + speed_of_sound,
                   pointers(begin_), pointers(end_)};
+  inputs_.keep(arrays_);
   const int status = reinterpret_cast<MfrontEntry>(table_.entry)(&data);
   message[ASSAY_MESSAGE_SIZE - 1] = '\0';
-  if (const auto broken = arrays_.broken_fence()) throw PointFailure(overrun_words + ("the behaviour " + *broken));
+  const auto broken = inputs_.broken_fence(arrays_);
+  if (broken) throw PointFailure(overrun_words + ("the behaviour " + *broken));
   if (status == ASSAY_FAILED) {
     const std::string words = message[0] ? ": " + std::string(message) : "";
     throw PointFailure("the behaviour could not integrate the step" + words, std::clamp(s[rdt], 0.01, 0.99));

@@ -8,8 +8,12 @@
 #include "adapters/foreign/guarded_arrays.hpp"
 #include "adapters/foreign/mfront_entry.hpp"
 #include "adapters/foreign/mfront_metadata.hpp"
+#include "adapters/foreign/written_inputs.hpp"
 
 namespace assay::adapters {
+
+/// Throws ForeignError.
+ForeignVariable::Kind mfront_kind(const MfrontVariable& variable);
 
 class Mfront {
  public:
@@ -29,7 +33,9 @@ class Mfront {
   struct Arrays {
     std::size_t gradients, forces, density, properties, internal, stored, dissipated, external;
   };
-  Arrays add_arrays(const std::string& when);
+  void add_outputs();
+  void add_inputs(Arrays& arrays, const std::string& when);
+  void add_beginning();
   void set_parameters();
   void hand_over(const PointStep& step, double request);
   std::int32_t call(double dt);
@@ -41,7 +47,8 @@ class Mfront {
   const MfrontBehaviour& behaviour_;
   std::vector<double> given_;  ///< all parameters, in declared order
   GuardedArrays arrays_;
-  Arrays begin_, end_;
+  InputWatch inputs_;
+  Arrays begin_{}, end_{};
   std::size_t operator_, scalars_;
   Tensor F1_, R1_;
 };

@@ -2,6 +2,7 @@
 #include "adapters/foreign/mfront_metadata.hpp"
 
 #include <dlfcn.h>
+#include <link.h>
 
 #include <algorithm>
 #include <optional>
@@ -14,6 +15,14 @@ namespace assay::adapters {
 namespace {
 
 constexpr const char* hypothesis = "Tridimensional";
+
+/// Bytes of a symbol, as its library says; 0 where it does not.
+std::size_t size_of_symbol(const void* address) {
+  Dl_info info;
+  void* symbol = nullptr;
+  const bool found = dladdr1(address, &info, &symbol, RTLD_DL_SYMENT) != 0 && symbol;
+  return found ? static_cast<const ElfW(Sym)*>(symbol)->st_size : 0;
+}
 
 /// The symbols of one behaviour; what is said for the hypothesis goes before what is said for all.
 class Symbols {
@@ -39,14 +48,25 @@ class Symbols {
   /// nWHAT names, and their types where `types` names an array of them.
   std::vector<MfrontVariable> variables(const std::string& what, const std::string& types) const {
     std::vector<MfrontVariable> list(number("n" + what).value_or(0));
-    const auto* names = static_cast<const char* const*>(list.empty() ? nullptr : find(what));
-    const auto* kinds = static_cast<const int*>(list.empty() || types.empty() ? nullptr : find(types));
+    const auto* names =
+        static_cast<const char* const*>(list.empty() ? nullptr : array(what, list.size() * sizeof(char*)));
+    const auto* kinds =
+        static_cast<const int*>(list.empty() || types.empty() ? nullptr : array(types, list.size() * sizeof(int)));
     for (std::size_t k = 0; k < list.size(); ++k) {
       if (!names || !names[k]) throw ForeignError("library", "its symbol for " + what + " is missing");
       list[k].name = names[k];
       list[k].type = kinds ? kinds[k] : 0;
     }
     return list;
+  }
+
+  /// A symbol of at least so many bytes.
+  const void* array(const std::string& what, std::size_t bytes) const {
+    const void* found = find(what);
+    const std::size_t size = found ? size_of_symbol(found) : 0;
+    if (size != 0 && size < bytes)
+      throw ForeignError("library", "its symbol for " + what + " is shorter than its count");
+    return found;
   }
 
   std::optional<double> real(const std::string& what) const {

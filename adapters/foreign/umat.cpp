@@ -15,15 +15,16 @@ namespace assay::adapters {
 
 namespace {
 
-constexpr std::size_t name_length = 80, fields = 16;
+constexpr std::size_t name_length = 80, least_fields = 16;
 
-/// Scalars that are handed over by reference, in the array `scalars`.
-enum Scalar : std::size_t { sse, spd, scd, rpl, drpldt, dtime, temp, dtemp, pnewdt, celent, scalar_count };
+/// Scalars that are handed over by reference: for the model to write, and given.
+enum Scalar : std::size_t { sse, spd, scd, rpl, drpldt, pnewdt, scalar_count };
+enum Given : std::size_t { dtime, temp, dtemp, celent, given_count };
 
 constexpr StateLayout layout{standard_order, plain_shear, engineering_shear};
 
 /// Where a point's own state begins.
-enum Own : std::size_t { own_stress = 0, own_strain = 6, own_energies = 12 };
+enum Own : std::size_t { own_stress = 0, own_strain = 6, own_energies = 12, own_time = 15 };
 
 /// Fortran's order of a matrix.
 void write_column_major(const Tensor& A, double* out) { Eigen::Map<Tensor>(out, 3, 3) = A; }
@@ -32,11 +33,14 @@ void write_column_major(const Tensor& A, double* out) { Eigen::Map<Tensor>(out, 
 
 std::vector<ForeignVariable> Umat::state_of(const ForeignModel& model) {
   using Kind = ForeignVariable::Kind;
-  std::vector<ForeignVariable> all{{"STRESS", Kind::symmetric_tensor, "Pa", "Cauchy, rotated by the host", {}},
-                                   {"STRAN", Kind::symmetric_tensor, "1", "plain shears; rotated by the host", {}},
+  const bool turning = model.axes == Axes::corotational;
+  const char* axes = turning ? "; in axes that turn with the body" : "; rotated by the host";
+  std::vector<ForeignVariable> all{{"STRESS", Kind::symmetric_tensor, "Pa", std::string("Cauchy") + axes, {}},
+                                   {"STRAN", Kind::symmetric_tensor, "1", std::string("plain shears") + axes, {}},
                                    {"SSE", Kind::scalar, "J/m^3", "elastic energy", {}},
                                    {"SPD", Kind::scalar, "J/m^3", "plastic dissipation", {}},
-                                   {"SCD", Kind::scalar, "J/m^3", "creep dissipation", {}}};
+                                   {"SCD", Kind::scalar, "J/m^3", "creep dissipation", {}},
+                                   {"TIME", Kind::scalar, "s", "since the beginning of the point", {}}};
   all.insert(all.end(), model.state.begin(), model.state.end());
   return all;
 }
@@ -46,24 +50,63 @@ Umat::Umat(const ForeignTable& table, const double* properties)
       model_(table.model),
       ntens_(serves_all_components(model_) ? 6 : 4),
       nstatv_(foreign_state_size(model_.state)) {
+  add_arrays();
+  std::copy_n(properties, model_.properties.size(), arrays_[props_]);
+  for (std::size_t k = 0; k < model_.fields.size(); ++k) arrays_[predef_][k] = model_.fields[k].value;
+  constexpr int static_procedure = 1;
+  integers_ = {.ndi = 3,
+               .nshr = ntens_ - 3,
+               .ntens = ntens_,
+               .nstatv = nstatv_,
+               .nprops = static_cast<int>(model_.properties.size()),
+               .noel = 1,
+               .npt = 1,
+               .layer = 1,
+               .kspt = 1,
+               .jstep = {model_.step, static_procedure, model_.finite_strain ? 1 : 0, 0},
+               .kinc = 1};
+  watch_inputs();
+}
+
+void Umat::add_arrays() {
   const auto n = static_cast<std::size_t>(ntens_);
   stress_ = arrays_.add("STRESS", n);
   statev_ = arrays_.add("STATEV", static_cast<std::size_t>(nstatv_));
   ddsdde_ = arrays_.add("DDSDDE", n * n);
   ddsddt_ = arrays_.add("DDSDDT", n);
   drplde_ = arrays_.add("DRPLDE", n);
+  scalars_ = arrays_.add("the scalars", scalar_count);
+  inputs_.begin(arrays_);
   stran_ = arrays_.add("STRAN", n);
   dstran_ = arrays_.add("DSTRAN", n);
   time_ = arrays_.add("TIME", 2);
-  predef_ = arrays_.add("PREDEF", fields);
-  dpred_ = arrays_.add("DPRED", fields);
+  predef_ = arrays_.add("PREDEF", std::max(least_fields, model_.fields.size()));
+  dpred_ = arrays_.add("DPRED", arrays_.size(predef_));
   props_ = arrays_.add("PROPS", model_.properties.size());
   coords_ = arrays_.add("COORDS", 3);
   drot_ = arrays_.add("DROT", 9);
   dfgrd0_ = arrays_.add("DFGRD0", 9);
   dfgrd1_ = arrays_.add("DFGRD1", 9);
-  scalars_ = arrays_.add("the scalars", scalar_count);
-  std::copy_n(properties, model_.properties.size(), arrays_[props_]);
+  given_ = arrays_.add("the given scalars", given_count);
+}
+
+void Umat::watch_inputs() {
+  using enum InputWatch::Change;
+  inputs_.add(written_stran, every_call, stran_);
+  inputs_.add(written_dstran, every_call, dstran_);
+  inputs_.add(written_time, every_call, time_);
+  inputs_.add(written_predef, once, predef_);
+  inputs_.add(written_predef, once, dpred_);
+  inputs_.add(written_props, once, props_);
+  inputs_.add(written_coords, once, coords_);
+  inputs_.add(written_drot, every_call, drot_);
+  inputs_.add(written_dfgrd0, every_call, dfgrd0_);
+  inputs_.add(written_dfgrd1, every_call, dfgrd1_);
+  inputs_.add(written_dtime, every_call, given_, dtime, 1);
+  inputs_.add(written_temp, every_call, given_, temp, 2);
+  inputs_.add(written_celent, every_call, given_, celent, 1);
+  static_assert(sizeof integers_ % sizeof(int) == 0);
+  inputs_.add_integers(written_integers, &integers_.ndi, sizeof integers_ / sizeof(int));
 }
 
 void Umat::initial_state(const Tensor& cauchy, double* state) {
@@ -71,68 +114,98 @@ void Umat::initial_state(const Tensor& cauchy, double* state) {
   write_symmetric(cauchy, standard_order, plain_shear, state + own_stress);
   write_initial(model_.state, state + own_state);
   if (void* sdvini = dlsym(table_.library, "sdvini_")) {
-    arrays_.fill(coords_, 0);
     to_foreign(layout, model_.state, state + own_state, arrays_[statev_]);
     int statev = nstatv_, ncrds = 3, one = 1, point = 1, layer = 1, section = 1;
-    reinterpret_cast<SdviniEntry>(sdvini)(arrays_[statev_], arrays_[coords_], &statev, &ncrds, &one, &point, &layer,
-                                          &section);
+    const auto ended = ended_in([&] {
+      reinterpret_cast<SdviniEntry>(sdvini)(arrays_[statev_], arrays_[coords_], &statev, &ncrds, &one, &point, &layer,
+                                            &section);
+    });
+    arrays_.fill(coords_, 0);
+    if (ended) throw PointFailure("SDVINI " + *ended);
+    if (const auto broken = arrays_.broken_fence()) throw PointFailure(overrun_words + ("SDVINI " + *broken));
     from_foreign(layout, model_.state, arrays_[statev_], state + own_state);
   }
 }
 
 void Umat::hand_over(const PointStep& step) {
   require_served(model_, step.F0, step.F1);
-  const StepStrain increment = step_strain(step.F0, step.F1, model_.kinematics);
-  const Tensor& R = increment.rotation;
-  const auto n = static_cast<std::size_t>(ntens_);
+  hand_over_tensors(step);
+  hand_over_scalars(step);
+}
+
+void Umat::hand_over_tensors(const PointStep& step) {
+  Tensor strain, F0 = step.F0, F1 = step.F1;
+  if (turns()) {
+    const CorotationalStep c = corotational_step(step.F0, step.F1, model_.kinematics);
+    frame_ = c.R1, strain = c.strain, F0 = c.U0, F1 = c.U1;
+  } else {
+    const StepStrain increment = step_strain(step.F0, step.F1, model_.kinematics);
+    rotation_ = increment.rotation, strain = increment.strain;
+  }
   const auto put = [&](const Tensor& A, double shear, std::size_t array) {
     double six[6];
     write_symmetric(A, standard_order, shear, six);
-    std::copy_n(six, n, arrays_[array]);
+    std::copy_n(six, ntens_, arrays_[array]);
   };
-  const auto own = [&](std::size_t at) { return read_symmetric(step.state0 + at, standard_order, plain_shear); };
-  put(R * own(own_stress) * R.transpose() / model_.units.stress, plain_shear, stress_);
-  put(R * own(own_strain) * R.transpose(), engineering_shear, stran_);
-  put(increment.strain, engineering_shear, dstran_);
-  strain_after_ = R * own(own_strain) * R.transpose() + increment.strain;
-  to_foreign(layout, model_.state, step.state0 + own_state, arrays_[statev_]);
-  write_column_major(R, arrays_[drot_]);
-  write_column_major(step.F0, arrays_[dfgrd0_]);
-  write_column_major(step.F1, arrays_[dfgrd1_]);
-  for (const std::size_t array : {ddsdde_, ddsddt_, drplde_, predef_, dpred_, coords_, scalars_})
-    arrays_.fill(array, 0);
-  arrays_[time_][0] = arrays_[time_][1] = step.t / model_.units.time;
-  double* s = arrays_[scalars_];
-  for (std::size_t k = 0; k < 3; ++k) s[sse + k] = step.state0[own_energies + k] / model_.units.stress;
-  s[dtime] = step.dt / model_.units.time;
-  s[temp] = model_.temperature;
-  s[pnewdt] = 1;
-  s[celent] = model_.characteristic_length;
+  const auto turned = [&](std::size_t at) {
+    const Tensor own = read_symmetric(step.state0 + at, standard_order, plain_shear);
+    return Tensor(rotation_ * own * rotation_.transpose());
+  };
+  const Tensor strain_before = turned(own_strain);
+  put(turned(own_stress) / model_.units.stress, plain_shear, stress_);
+  put(strain_before, engineering_shear, stran_);
+  put(strain, engineering_shear, dstran_);
+  strain_after_ = strain_before + strain;
+  write_column_major(rotation_, arrays_[drot_]);
+  write_column_major(F0, arrays_[dfgrd0_]);
+  write_column_major(F1, arrays_[dfgrd1_]);
 }
 
-void Umat::call(std::size_t number, double t) {
+/// The clock is the point's own: a step of a loaded point is never the first, whatever t is.
+void Umat::hand_over_scalars(const PointStep& step) {
+  to_foreign(layout, model_.state, step.state0 + own_state, arrays_[statev_]);
+  for (const std::size_t array : {ddsdde_, ddsddt_, drplde_, scalars_}) arrays_.fill(array, 0);
+  const double age = step.state0[own_time];
+  arrays_[time_][0] = age / model_.units.time;
+  arrays_[time_][1] = arrays_[time_][0] + (model_.step - 1);  // steps before, each of Abaqus' default length
+  double* s = arrays_[scalars_];
+  for (std::size_t k = 0; k < 3; ++k) s[sse + k] = step.state0[own_energies + k] / model_.units.stress;
+  s[pnewdt] = 1;
+  double* given = arrays_[given_];
+  given[dtime] = step.dt / model_.units.time;
+  given[temp] = model_.temperature;
+  given[celent] = model_.characteristic_length;
+  integers_.kinc = age > 0 ? 2 : 1;
+  integers_.noel = static_cast<int>(step.number) + 1;
+}
+
+std::optional<std::string> Umat::call_entry() {
   char name[name_length];
   std::fill_n(name, name_length, ' ');
   std::copy_n(model_.material_name.data(), std::min(name_length, model_.material_name.size()), name);
-  int ndi = 3, nshr = ntens_ - 3, ntens = ntens_, nstatv = nstatv_;
-  auto nprops = static_cast<int>(model_.properties.size());
-  int noel = static_cast<int>(number) + 1, npt = 1, layer = 1, kspt = 1, kinc = t > 0 ? 2 : 1;
-  constexpr int static_procedure = 1;
-  int jstep[4] = {1, static_procedure, model_.finite_strain ? 1 : 0, 0};
-  double* s = arrays_[scalars_];
-  const auto ended = ended_in([&] {
+  double *s = arrays_[scalars_], *given = arrays_[given_];
+  Integers& i = integers_;
+  return ended_in([&] {
     reinterpret_cast<UmatEntry>(table_.entry)(
         arrays_[stress_], arrays_[statev_], arrays_[ddsdde_], s + sse, s + spd, s + scd, s + rpl, arrays_[ddsddt_],
-        arrays_[drplde_], s + drpldt, arrays_[stran_], arrays_[dstran_], arrays_[time_], s + dtime, s + temp, s + dtemp,
-        arrays_[predef_], arrays_[dpred_], name, &ndi, &nshr, &ntens, &nstatv, arrays_[props_], &nprops,
-        arrays_[coords_], arrays_[drot_], s + pnewdt, s + celent, arrays_[dfgrd0_], arrays_[dfgrd1_], &noel, &npt,
-        &layer, &kspt, jstep, &kinc, name_length);
+        arrays_[drplde_], s + drpldt, arrays_[stran_], arrays_[dstran_], arrays_[time_], given + dtime, given + temp,
+        given + dtemp, arrays_[predef_], arrays_[dpred_], name, &i.ndi, &i.nshr, &i.ntens, &i.nstatv, arrays_[props_],
+        &i.nprops, arrays_[coords_], arrays_[drot_], s + pnewdt, given + celent, arrays_[dfgrd0_], arrays_[dfgrd1_],
+        &i.noel, &i.npt, &i.layer, &i.kspt, i.jstep, &i.kinc, name_length);
   });
+}
+
+void Umat::call(const PointStep& step) {
+  hand_over(step);
+  inputs_.keep(arrays_);
+  const auto ended = call_entry();
+  const auto broken = inputs_.broken_fence(arrays_);
   if (ended) throw PointFailure("the UMAT " + *ended);
-  if (const auto broken = arrays_.broken_fence()) throw PointFailure(overrun_words + ("the UMAT " + *broken));
-  if (s[pnewdt] < 1) {
-    throw PointFailure("the UMAT asks for a shorter step: PNEWDT = " + shortest_text(s[pnewdt]),
-                       std::clamp(s[pnewdt], 0.01, 0.99));
+  if (broken) throw PointFailure(overrun_words + ("the UMAT " + *broken));
+  const double factor = arrays_[scalars_][pnewdt];
+  if (factor < 1) {
+    throw PointFailure("the UMAT asks for a shorter step: PNEWDT = " + shortest_text(factor),
+                       std::clamp(factor, 0.01, 0.99));
   }
 }
 
@@ -143,13 +216,13 @@ Tensor Umat::stress() const {
 }
 
 void Umat::update(const PointStep& step, PointEnd& end) {
-  hand_over(step);
-  call(step.number, step.t);
-  end.cauchy = stress();
-  write_symmetric(end.cauchy, standard_order, plain_shear, end.state1 + own_stress);
-  // not what the UMAT may have made of its own copies
+  call(step);
+  const Tensor found = stress();
+  end.cauchy = turns() ? Tensor(frame_ * found * frame_.transpose()) : found;
+  write_symmetric(found, standard_order, plain_shear, end.state1 + own_stress);
   write_symmetric(strain_after_, standard_order, plain_shear, end.state1 + own_strain);
   for (std::size_t k = 0; k < 3; ++k) end.state1[own_energies + k] = model_.units.stress * arrays_[scalars_][sse + k];
+  end.state1[own_time] = step.state0[own_time] + step.dt;
   from_foreign(layout, model_.state, arrays_[statev_], end.state1 + own_state);
 }
 

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Abaqus' UMAT as a model of ours. State of a point: stress [Pa] and strain (STRAN; plain components), both carried on
-// by the host, the three energies per volume [J/m^3], then STATEV as declared.
+// by the host, the three energies per volume [J/m^3], the time since the point's beginning [s], then STATEV as
+// declared.
 #pragma once
 
 #include "adapters/foreign/foreign_point.hpp"
 #include "adapters/foreign/guarded_arrays.hpp"
 #include "adapters/foreign/umat_entry.hpp"
+#include "adapters/foreign/written_inputs.hpp"
 
 namespace assay::adapters {
 
 class Umat {
  public:
-  static constexpr std::size_t own_state = 15;
+  static constexpr std::size_t own_state = 16;
   static std::vector<ForeignVariable> state_of(const ForeignModel& model);
 
   Umat(const ForeignTable& table, const double* properties);
@@ -25,17 +27,34 @@ class Umat {
   void tangent(const PointStep& step, double* tangent);
 
  private:
+  /// Integers that are handed over by reference.
+  struct Integers {
+    int ndi, nshr, ntens, nstatv, nprops, noel, npt, layer, kspt, jstep[4], kinc;
+  };
+  void add_arrays();
+  void watch_inputs();
   void hand_over(const PointStep& step);
-  void call(std::size_t number, double t);
-  Tensor stress() const;
+  void hand_over_tensors(const PointStep& step);
+  void hand_over_scalars(const PointStep& step);
+  void call(const PointStep& step);
+  std::optional<std::string> call_entry();
+  Tensor stress() const;  ///< in the axes of the model
+  bool turns() const { return model_.axes == Axes::corotational; }
+  Tensor moduli_on(const Tensor& strain) const;
+  Tensor small_strain_rate(const PointStep& step, const Tensor& E, const Tensor& sigma) const;
+  Tensor finite_strain_rate(const PointStep& step, const Tensor& E, const Tensor& sigma) const;
 
   const ForeignTable& table_;
   const ForeignModel& model_;
   int ntens_, nstatv_;
   Tensor strain_after_ = Tensor::Zero();
+  Tensor frame_ = Tensor::Identity();     ///< axes of the model at the end of the step
+  Tensor rotation_ = Tensor::Identity();  ///< DROT
+  Integers integers_{};
+  InputWatch inputs_;
   GuardedArrays arrays_;
   std::size_t stress_, statev_, ddsdde_, ddsddt_, drplde_, stran_, dstran_, time_, predef_, dpred_, props_, coords_,
-      drot_, dfgrd0_, dfgrd1_, scalars_;
+      drot_, dfgrd0_, dfgrd1_, given_, scalars_;
 };
 
 }  // namespace assay::adapters

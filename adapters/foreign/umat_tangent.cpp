@@ -10,16 +10,6 @@ namespace assay::adapters {
 
 namespace {
 
-/// DDSDDE, column by column, on a strain.
-Tensor moduli_on(const double* ddsdde, std::size_t n, const Tensor& strain) {
-  double e[6], s[6] = {};
-  write_symmetric(strain, standard_order, engineering_shear, e);
-  for (std::size_t j = 0; j < n; ++j) {
-    for (std::size_t i = 0; i < n; ++i) s[i] += ddsdde[j * n + i] * e[j];
-  }
-  return read_symmetric(s, standard_order, plain_shear);
-}
-
 Tensor unit(int component_index) {
   Tensor E = Tensor::Zero();
   component(E, component_index) = 1;
@@ -28,26 +18,39 @@ Tensor unit(int component_index) {
 
 }  // namespace
 
-void Umat::tangent(const PointStep& step, double* tangent) {
-  hand_over(step);
-  call(step.number, step.t);
-  const Tensor sigma = stress();
+/// DDSDDE, column by column, on a strain in the axes of space [Pa].
+Tensor Umat::moduli_on(const Tensor& strain) const {
+  const double* ddsdde = arrays_[ddsdde_];
   const auto n = static_cast<std::size_t>(ntens_);
-  const auto moduli = [&](const Tensor& strain) {
-    return Tensor(model_.units.stress * moduli_on(arrays_[ddsdde_], n, strain));
-  };
-  const Tensor R = step_strain(step.F0, step.F1, model_.kinematics).rotation;
+  double e[6], s[6] = {};
+  write_symmetric(Tensor(frame_.transpose() * strain * frame_), standard_order, engineering_shear, e);
+  for (std::size_t j = 0; j < n; ++j) {
+    for (std::size_t i = 0; i < n; ++i) s[i] += ddsdde[j * n + i] * e[j];
+  }
+  return model_.units.stress * frame_ * read_symmetric(s, standard_order, plain_shear) * frame_.transpose();
+}
+
+/// (1/J) (J sigma)^Jaumann = C : D, in any axes.
+Tensor Umat::finite_strain_rate(const PointStep& step, const Tensor& E, const Tensor& sigma) const {
+  const Tensor l = E * step.F1.inverse(), D = 0.5 * (l + l.transpose()), w = 0.5 * (l - l.transpose());
+  return moduli_on(D) - D.trace() * sigma + w * sigma - sigma * w;
+}
+
+/// d sigma / d DSTRAN in axes that turn with DROT, or with R.
+Tensor Umat::small_strain_rate(const PointStep& step, const Tensor& E, const Tensor& sigma) const {
+  const StepStrain rate = turns() ? rate_of_corotational_step(step.F0, step.F1, E, model_.kinematics)
+                                  : rate_of_step(step.F0, step.F1, E, model_.kinematics);
+  const Tensor& R = turns() ? frame_ : rotation_;
+  const Tensor w = rate.rotation * R.transpose();
+  return moduli_on(R * rate.strain * R.transpose()) + w * sigma - sigma * w;
+}
+
+void Umat::tangent(const PointStep& step, double* tangent) {
+  call(step);
+  const Tensor sigma = frame_ * stress() * frame_.transpose();
   for (int column = 0; column < 9; ++column) {
     const Tensor E = unit(column);
-    Tensor d;
-    if (model_.finite_strain) {  // (1/J) (J sigma)^Jaumann = C : D
-      const Tensor l = E * step.F1.inverse(), D = 0.5 * (l + l.transpose()), w = 0.5 * (l - l.transpose());
-      d = moduli(D) - D.trace() * sigma + w * sigma - sigma * w;
-    } else {  // d sigma / d DSTRAN in axes that turn with DROT
-      const StepStrain rate = rate_of_step(step.F0, step.F1, E, model_.kinematics);
-      const Tensor w = rate.rotation * R.transpose();
-      d = moduli(R * rate.strain * R.transpose()) + w * sigma - sigma * w;
-    }
+    const Tensor d = model_.finite_strain ? finite_strain_rate(step, E, sigma) : small_strain_rate(step, E, sigma);
     for (int row = 0; row < 9; ++row) tangent[9 * row + column] = component(d, row);
   }
 }

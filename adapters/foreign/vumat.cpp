@@ -6,8 +6,8 @@
 #include "adapters/foreign/component_order.hpp"
 #include "adapters/foreign/foreign_state.hpp"
 #include "adapters/foreign/model_end.hpp"
-#include "adapters/foreign/progress_mark.hpp"
 #include "adapters/foreign/vumat_entry.hpp"
+#include "harness/progress_mark.hpp"
 
 namespace assay::adapters {
 
@@ -19,7 +19,7 @@ constexpr std::size_t most_points = 128;
 constexpr StateLayout layout{explicit_order, plain_shear, plain_shear};
 
 /// Where a point's own state begins.
-enum Own : std::size_t { own_stress = 0, own_internal = 6, own_inelastic = 7 };
+enum Own : std::size_t { own_stress = 0, own_internal = 6, own_inelastic = 7, own_time = 8 };
 
 Tensor tensor_at(const double* nine, std::size_t n, std::size_t p) {
   Tensor A;
@@ -42,6 +42,13 @@ Vector3 relative_spin(const Tensor& F0, const Tensor& F1, const CorotationalStep
   return {in_frame(2, 1), in_frame(0, 2), in_frame(1, 0)};
 }
 
+/// A call has one time for all its points: the clock of the host, but dt in the first increment of points, whenever it
+/// is, and never dt in a later one.
+double end_of_step(const assay_step& step, bool loaded) {
+  if (!loaded) return step.dt;
+  return step.t > 0 ? step.t + step.dt : 2 * step.dt;
+}
+
 }  // namespace
 
 std::vector<ForeignVariable> Vumat::state_of(const ForeignModel& model) {
@@ -49,7 +56,8 @@ std::vector<ForeignVariable> Vumat::state_of(const ForeignModel& model) {
   std::vector<ForeignVariable> all{
       {"STRESS", Kind::symmetric_tensor, "Pa", "Cauchy stress in the frame of the polar rotation", {}},
       {"ENERINTERN", Kind::scalar, "J/kg", "internal energy", {}},
-      {"ENERINELAS", Kind::scalar, "J/kg", "inelastic energy", {}}};
+      {"ENERINELAS", Kind::scalar, "J/kg", "inelastic energy", {}},
+      {"TIME", Kind::scalar, "s", "since the beginning of the point", {}}};
   all.insert(all.end(), model.state.begin(), model.state.end());
   return all;
 }
@@ -59,6 +67,11 @@ Vumat::Vumat(const ForeignTable& table, const double* properties)
 
 Vumat::Block::Block(std::size_t points, const ForeignModel& model) : n(points), rotation(points) {
   const auto size = static_cast<std::size_t>(foreign_state_size(model.state));
+  stress[1] = arrays.add("stressNew", 6 * n);
+  state[1] = arrays.add("stateNew", size * n);
+  internal[1] = arrays.add("enerInternNew", n);
+  inelastic[1] = arrays.add("enerInelasNew", n);
+  inputs.begin(arrays);
   props = arrays.add("props", model.properties.size());
   coords = arrays.add("coordMp", 3 * n);
   lengths = arrays.add("charLength", n);
@@ -70,11 +83,33 @@ Vumat::Block::Block(std::size_t points, const ForeignModel& model) : n(points), 
     temperature[end] = arrays.add("temp" + when, n);
     stretch[end] = arrays.add("stretch" + when, 6 * n);
     gradient[end] = arrays.add("defgrad" + when, 9 * n);
-    fields[end] = arrays.add("field" + when, n);
-    stress[end] = arrays.add("stress" + when, 6 * n);
-    state[end] = arrays.add("state" + when, size * n);
-    internal[end] = arrays.add("enerIntern" + when, n);
-    inelastic[end] = arrays.add("enerInelas" + when, n);
+    fields[end] = arrays.add("field" + when, std::max<std::size_t>(model.fields.size(), 1) * n);
+  }
+  stress[0] = arrays.add("stressOld", 6 * n);
+  state[0] = arrays.add("stateOld", size * n);
+  internal[0] = arrays.add("enerInternOld", n);
+  inelastic[0] = arrays.add("enerInelasOld", n);
+  for (std::size_t k = 0; k < model.fields.size(); ++k) {
+    for (const int end : {0, 1}) std::fill_n(arrays[fields[end]] + k * n, n, model.fields[k].value);
+  }
+  watch_inputs();
+}
+
+void Vumat::Block::watch_inputs() {
+  using enum InputWatch::Change;
+  inputs.add(written_props, every_call, props);
+  inputs.add(written_strain_inc, every_call, strain);
+  for (const int end : {0, 1}) {
+    inputs.add(written_stretch, every_call, stretch[end]);
+    inputs.add(written_defgrad, every_call, gradient[end]);
+    inputs.add(written_temperatures, every_call, temperature[end]);
+    inputs.add(written_others, once, fields[end]);
+  }
+  inputs.add(written_stress_old, every_call, stress[0]);
+  inputs.add(written_state_old, every_call, state[0]);
+  for (const std::size_t array : {internal[0], inelastic[0]}) inputs.add(written_energies, every_call, array);
+  for (const std::size_t array : {coords, lengths, density, spin}) {
+    inputs.add(written_others, every_call, array);
   }
 }
 
@@ -105,7 +140,7 @@ void Vumat::hand_over(Block& block, const assay_step& step, const Part& part, co
   const std::size_t n = block.n;
   const auto size = static_cast<std::size_t>(foreign_state_size(model_.state));
   std::copy(properties_.begin(), properties_.end(), a[block.props]);
-  for (const std::size_t array : {block.coords, block.fields[0], block.fields[1]}) a.fill(array, 0);
+  a.fill(block.coords, 0);
   for (const std::size_t array : {block.temperature[0], block.temperature[1]}) a.fill(array, model_.temperature);
   a.fill(block.lengths, model_.characteristic_length);
   std::vector<double> ours(own_state + size), theirs(size);
@@ -138,10 +173,11 @@ void Vumat::call(Block& block, double time, double dt) {
   std::fill_n(name, name_length, ' ');
   std::copy_n(model_.material_name.data(), std::min(name_length, model_.material_name.size()), name);
   int nblock[block_numbers] = {static_cast<int>(block.n), 1, 1, 1, 1};
-  int ndir = 3, nshr = 3, nstatev = foreign_state_size(model_.state), nfieldv = 0,
+  int ndir = 3, nshr = 3, nstatev = foreign_state_size(model_.state), nfieldv = static_cast<int>(model_.fields.size()),
       nprops = static_cast<int>(properties_.size()), lanneal = 0;
   double step_time = time / model_.units.time, total_time = step_time, length = dt / model_.units.time;
   GuardedArrays& a = block.arrays;
+  block.inputs.keep(a);
   const auto ended = ended_in([&] {
     reinterpret_cast<VumatEntry>(table_.entry)(
         nblock, &ndir, &nshr, &nstatev, &nfieldv, &nprops, &lanneal, &step_time, &total_time, &length, name,
@@ -151,17 +187,22 @@ void Vumat::call(Block& block, double time, double dt) {
         a[block.gradient[1]], a[block.fields[1]], a[block.stress[1]], a[block.state[1]], a[block.internal[1]],
         a[block.inelastic[1]], name_length);
   });
+  const auto broken = block.inputs.broken_fence(a, time > 0);
   if (ended) throw PointFailure("the VUMAT " + *ended);
-  if (const auto broken = a.broken_fence()) throw PointFailure(overrun_words + ("the VUMAT " + *broken));
+  if (broken) throw PointFailure(overrun_words + ("the VUMAT " + *broken));
 }
 
 void Vumat::update_batch(const assay_step& step, std::size_t n, const double* state0, double* state1, double* cauchy) {
-  for (std::size_t begin = 0; begin < n; begin += most_points) {
+  const double* age = state0 + own_time * n;
+  const auto loaded = [age](std::size_t p) { return age[p] > 0; };
+  for (std::size_t begin = 0, end = 0; begin < n; begin = end) {
+    for (++end; end < n && end - begin < most_points && loaded(end) == loaded(begin);) ++end;
     mark_point(begin);
-    Block& block = block_of(std::min(most_points, n - begin));
+    Block& block = block_of(end - begin);
     hand_over(block, step, {n, begin}, state0);
-    call(block, step.t + step.dt, step.dt);
+    call(block, end_of_step(step, loaded(begin)), step.dt);
     take_back(block, {n, begin}, state1, cauchy);
+    for (std::size_t p = begin; p < end; ++p) state1[own_time * n + p] = age[p] + step.dt;
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Abaqus' VUMAT as a model of ours, a whole batch a call. State of a point: Cauchy stress in the frame of the polar
-// rotation R [Pa], internal and inelastic energy per mass [J/kg], then the state as declared.
+// rotation R [Pa], internal and inelastic energy per mass [J/kg], the time since the point's beginning [s], then the
+// state as declared.
 #pragma once
 
 #include <memory>
@@ -8,12 +9,13 @@
 #include "adapters/foreign/foreign_point.hpp"
 #include "adapters/foreign/guarded_arrays.hpp"
 #include "adapters/foreign/kinematics.hpp"
+#include "adapters/foreign/written_inputs.hpp"
 
 namespace assay::adapters {
 
 class Vumat {
  public:
-  static constexpr std::size_t own_state = 8;
+  static constexpr std::size_t own_state = 9;
   static std::vector<ForeignVariable> state_of(const ForeignModel& model);
 
   Vumat(const ForeignTable& table, const double* properties);
@@ -27,11 +29,13 @@ class Vumat {
   /// Arrays for batches of one size.
   struct Block {
     explicit Block(std::size_t n, const ForeignModel& model);
+    void watch_inputs();
     std::size_t n;
     GuardedArrays arrays;
     std::size_t props, coords, lengths, density, strain, spin, temperature[2], stretch[2], gradient[2], fields[2],
         stress[2], state[2], internal[2], inelastic[2];
     std::vector<Tensor> rotation;  ///< R at the end of the step
+    InputWatch inputs;
   };
   /// Where the points of a block begin among those of a batch of `of`.
   struct Part {
@@ -40,6 +44,7 @@ class Vumat {
   Block& block_of(std::size_t n);
   void hand_over(Block& block, const assay_step& step, const Part& part, const double* state0);
   void take_back(Block& block, const Part& part, double* state1, double* cauchy);
+  /// `time`: of the end of the step; 0: the call before the first step, whose inputs a model may well set.
   void call(Block& block, double time, double dt);
 
   const ForeignTable& table_;

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstdint>
 
+#include "adapters/worker/kept_output.hpp"
 #include "harness/assay_material.h"
 
 namespace assay::adapters {
@@ -18,15 +19,13 @@ enum class Death : std::uint32_t {
   time_limit,  ///< a call took longer than allowed
   memory,      ///< the process took more than allowed
   stack,       ///< a signal next to the end of the stack
+  null,        ///< a signal at an address next to zero
   ended,       ///< by the model's own word, as XIT; words say which
   given_up,    ///< the host was interrupted while it waited
   lost,        ///< the warden itself is gone
 };
 
-/// What a model has done to the arithmetic of its process in a call.
-enum Arithmetic : std::uint32_t { arithmetic_kept = 0, rounding_changed = 1, traps_enabled = 2, denormals_flushed = 4 };
-
-inline constexpr std::size_t words_size = 512, output_size = 4096;
+inline constexpr std::size_t words_size = 512;
 
 struct Control {
   // host -> worker and back; both count, and are waited for
@@ -41,15 +40,14 @@ struct Control {
   std::atomic<std::size_t> point;         ///< of the batch, that is being worked on
   std::atomic<std::uint32_t> arithmetic;  ///< or-ed Arithmetic of the last call
   std::atomic<std::int64_t> busy_ns;      ///< spent in the last request
+  std::atomic<std::uint32_t> habits;      ///< or-ed Habit so far
   std::atomic<std::uint32_t> claim;       ///< Death, as the worker itself saw it come
   // the end, written by the warden
   std::atomic<std::uint32_t> death;  ///< Death
   std::int32_t death_number;
   char death_words[words_size];
-  // what the model printed: the beginning, the end, and how much in all
-  std::atomic<std::uint64_t> printed;
-  char head[output_size], tail[output_size];  ///< the tail is a ring: byte k at k % output_size
-  char reason[words_size];                    ///< of a request that failed
+  KeptOutput output;
+  char reason[words_size];  ///< of a request that failed
 };
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free);
 

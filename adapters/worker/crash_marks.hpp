@@ -8,8 +8,8 @@
 
 namespace assay::adapters {
 
-/// From here on a signal next to the end of the stack is told as an overflow of it, and routines by which a model ends
-/// the analysis (XIT) are told by name.
+/// From here on a signal next to the end of the stack is told as an overflow of it, one next to zero as a null pointer,
+/// and routines by which a model ends the analysis (XIT) are told by name.
 void mark_crashes(Control& control);
 
 /// The model ends the process by its own word.

@@ -15,6 +15,7 @@
 #include "adapters/worker/remote_table.hpp"
 #include "adapters/worker/servant.hpp"
 #include "adapters/worker/table_pack.hpp"
+#include "harness/arithmetic.hpp"
 #include "harness/material.hpp"
 
 namespace assay::adapters {
@@ -34,7 +35,13 @@ struct RemoteTable : assay_material {
   std::size_t state_size = 0;
   std::mutex guard;
   std::vector<std::unique_ptr<Slot>> slots;
-  std::string printed;  ///< by workers that have ended
+  std::string printed;       ///< by workers that have ended
+  std::uint32_t habits = 0;  ///< of such
+
+  void keep_marks_of(const WorkerProcess& worker) {
+    printed += worker.output();
+    habits |= worker.control().habits.load();
+  }
 };
 
 /// A worker for one call.
@@ -56,7 +63,7 @@ class Lease {
     const std::lock_guard lock(table_.guard);
     slot_->busy = false;
     if (!slot_->worker.dead()) return;
-    table_.printed += slot_->worker.output();
+    table_.keep_marks_of(slot_->worker);
     std::erase_if(table_.slots, [this](const auto& slot) { return slot.get() == slot_; });
   }
   Lease(const Lease&) = delete;
@@ -114,7 +121,7 @@ class Instance {
       return false;
     }
     if (const std::string words = arithmetic_words(slot.worker.control().arithmetic.load()); !words.empty()) {
-      reason = "the model " + words;
+      reason = arithmetic_prefix + ("the model " + words);
       return false;
     }
     out(arrays.head());
@@ -143,7 +150,7 @@ class Instance {
     std::copy(parameters_.begin(), parameters_.end(), parameters);
     arrays.raise_fences();
     if (!slot.worker.call(static_cast<std::uint32_t>(Operation::create))) {
-      reason = "the model " + slot.worker.how_it_ended() + " when it was created";
+      reason = "the model " + slot.worker.how_it_ended(" when it was created");
       return false;
     }
     if (arrays.head().status == ASSAY_FAILED) {

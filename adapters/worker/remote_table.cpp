@@ -24,7 +24,7 @@ void describe(RemoteTable& table) {
   Lease lease(table, 0);
   WorkerProcess& worker = lease.slot().worker;
   if (!worker.call(static_cast<std::uint32_t>(Operation::describe))) {
-    throw RemoteError({"", worker.how_it_ended() + " when it was loaded", ""});
+    throw RemoteError({"", worker.how_it_ended(" when it was loaded"), ""});
   }
   CallArrays arrays(worker.arrays(), worker.arrays_size());
   if (arrays.head().status == ASSAY_FAILED) {
@@ -85,10 +85,28 @@ std::string output_of(const assay_material* table) {
   return {};
 }
 
+std::uint32_t habits_of(const assay_material* table) {
+  const std::lock_guard lock(all_tables().guard);
+  for (const auto& each : all_tables().tables) {
+    if (each.get() != table) continue;
+    std::uint32_t habits = each->habits;
+    for (const auto& slot : each->slots) habits |= slot->worker.control().habits.load();
+    return habits;
+  }
+  return 0;
+}
+
+void keep_marks(const assay_material* table, const WorkerProcess& worker) {
+  const std::lock_guard lock(all_tables().guard);
+  for (const auto& each : all_tables().tables) {
+    if (each.get() == table) each->keep_marks_of(worker);
+  }
+}
+
 void end_workers() {
   const std::lock_guard lock(all_tables().guard);
   for (const auto& table : all_tables().tables) {
-    for (const auto& slot : table->slots) table->printed += slot->worker.output();
+    for (const auto& slot : table->slots) table->keep_marks_of(slot->worker);
     table->slots.clear();
   }
 }

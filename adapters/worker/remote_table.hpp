@@ -31,6 +31,12 @@ std::uint32_t own_flags(const assay_material* table);
 /// What the workers of a remote table have printed so far; empty for any other table.
 std::string output_of(const assay_material* table);
 
+/// What the model has done to its workers, or-ed Habit; nothing of any other table.
+std::uint32_t habits_of(const assay_material* table);
+
+/// Adds what a model has printed and done in a worker that its table knows nothing of, and that is about to end.
+void keep_marks(const assay_material* table, const WorkerProcess& worker);
+
 /// Ends the workers of all remote tables: to be called before the process ends.
 void end_workers();
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/worker/servant.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cfenv>
 #include <cstring>
@@ -8,12 +10,13 @@
 #include <map>
 #include <memory>
 
-#include "adapters/foreign/progress_mark.hpp"
-#include "adapters/worker/arithmetic.hpp"
 #include "adapters/worker/call_arrays.hpp"
 #include "adapters/worker/futex.hpp"
+#include "adapters/worker/process_watch.hpp"
 #include "adapters/worker/table_pack.hpp"
+#include "harness/arithmetic.hpp"
 #include "harness/material.hpp"
+#include "harness/progress_mark.hpp"
 
 namespace assay::adapters {
 
@@ -139,6 +142,34 @@ class Servant {
 
 }  // namespace
 
+namespace {
+
+/// Looks at what the model has done to its process: after each of the first calls, then at most once a millisecond.
+class Lookout {
+ public:
+  void look(Control& control) {
+    constexpr int first_calls = 16;
+    constexpr std::int64_t pause_ns = 1000000;
+    const std::int64_t now = now_ns();
+    if (++calls_ > first_calls && now - last_ns_ < pause_ns) return;
+    last_ns_ = now;
+    control.habits.fetch_or(process_.habits());
+    if (data_bytes(::getpid()) <= begin_bytes_ + control.memory_limit) return;
+    control.claim.store(static_cast<std::uint32_t>(Death::memory));
+    ::_exit(1);
+  }
+
+ private:
+  ProcessWatch process_;
+  std::uint64_t begin_bytes_ = data_bytes(::getpid());
+  std::int64_t last_ns_ = 0;
+  int calls_ = 0;
+};
+
+std::unique_ptr<Lookout> lookout;
+
+}  // namespace
+
 ForeignCall::ForeignCall(Control& control) : control_(control) {
   control_.point.store(0);
   reset_arithmetic();
@@ -150,14 +181,12 @@ ForeignCall::~ForeignCall() {
   control_.busy_since.store(0);
   control_.arithmetic.store(changes_of_arithmetic());
   reset_arithmetic();
+  lookout->look(control_);
 }
 
-void watch_points(Control& control) { point_mark = &control.point; }
-
-std::string arithmetic_words(std::uint32_t changes) {
-  if (changes & traps_enabled) return "leaves floating-point traps enabled";
-  if (changes & rounding_changed) return "changes the rounding mode of the process";
-  return {};
+void watch_process(Control& control) {
+  point_mark = &control.point;
+  lookout = std::make_unique<Lookout>();
 }
 
 std::uint32_t next_request(Control& control) {
@@ -175,7 +204,7 @@ void answer(Control& control) {
 }
 
 void serve_model(WorkerFloor& floor, const std::function<const assay_material*()>& find) {
-  watch_points(floor.control);
+  watch_process(floor.control);
   std::unique_ptr<Servant> servant;
   ModelRefused refused;
   const auto load = [&] {

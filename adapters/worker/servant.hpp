@@ -17,11 +17,8 @@ struct ModelRefused {
 /// Finds the table with `find`, which may throw ModelRefused or std::exception, and answers until the process ends.
 void serve_model(WorkerFloor& floor, const std::function<const assay_material*()>& find);
 
-/// Marks points of batches for the host from here on.
-void watch_points(Control& control);
-
-/// "changes the rounding mode of the process"; empty where a model left the arithmetic as it was.
-std::string arithmetic_words(std::uint32_t changes);
+/// Before any foreign code: marks points of batches for the host and looks at what calls do to the process.
+void watch_process(Control& control);
 
 /// Waits for the next request; the operation.
 std::uint32_t next_request(Control& control);

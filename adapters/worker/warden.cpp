@@ -19,10 +19,11 @@
 #include <string>
 #include <system_error>
 
-#include "adapters/foreign/progress_mark.hpp"
 #include "adapters/worker/crash_marks.hpp"
 #include "adapters/worker/futex.hpp"
+#include "adapters/worker/process_watch.hpp"
 #include "adapters/worker/worker_process.hpp"
+#include "harness/progress_mark.hpp"
 
 namespace assay::adapters {
 
@@ -49,19 +50,6 @@ class Folder {
  private:
   std::string path_;
 };
-
-/// Private pages of a process that could be written to, in bytes: what it has asked for, touched or not.
-std::uint64_t data_bytes(pid_t pid) {
-  char name[64];
-  std::snprintf(name, sizeof name, "/proc/%d/statm", static_cast<int>(pid));
-  std::FILE* file = std::fopen(name, "r");
-  if (!file) return 0;
-  unsigned long long size = 0, resident = 0, shared = 0, text = 0, library = 0, data = 0;
-  const int read =
-      std::fscanf(file, "%llu %llu %llu %llu %llu %llu", &size, &resident, &shared, &text, &library, &data);
-  std::fclose(file);
-  return read == 6 ? data * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) : 0;
-}
 
 class Warden {
  public:
@@ -108,7 +96,7 @@ class Warden {
   }
 
   void tell_end(int status) {
-    ::kill(-worker_, SIGKILL);  // what it has started
+    if (::kill(-worker_, SIGKILL) == 0) control_.habits.fetch_or(processes_left);
     hear();
     if (WIFSIGNALED(status)) return tell(Death::signal, WTERMSIG(status));
     tell(Death::exit, WEXITSTATUS(status));
@@ -129,15 +117,7 @@ class Warden {
       const ssize_t length = ::read(heard_, text, sizeof text);
       if (length == 0) heard_open_ = false;
       if (length <= 0) return;
-      std::uint64_t at = control_.printed.load();
-      for (ssize_t k = 0; k < length; ++k, ++at) {
-        if (at < output_size) {
-          control_.head[at] = text[k];
-        } else {
-          control_.tail[(at - output_size) % output_size] = text[k];
-        }
-      }
-      control_.printed.store(at);
+      control_.output.add(text, static_cast<std::size_t>(length));
     }
   }
 

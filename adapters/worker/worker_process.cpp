@@ -68,13 +68,6 @@ class Spawn {
   std::vector<int> files_;
 };
 
-std::string last_line(std::string text) {
-  while (!text.empty() && static_cast<unsigned char>(text.back()) <= ' ') text.pop_back();
-  constexpr std::size_t longest = 200;
-  text = text.substr(text.find_last_of('\n') + 1);
-  return text.substr(0, longest);
-}
-
 }  // namespace
 
 std::string worker_program() {
@@ -148,18 +141,9 @@ bool WorkerProcess::wait() {
   }
 }
 
-std::string WorkerProcess::output() const {
-  const Control& c = control();
-  const std::uint64_t printed = c.printed.load();
-  std::string text(c.head, std::min<std::uint64_t>(printed, output_size));
-  if (printed <= output_size) return text;
-  const std::uint64_t end = printed - output_size, kept = std::min<std::uint64_t>(end, output_size);
-  if (end > kept) text += "\n[" + std::to_string(end - kept) + " bytes are left out]\n";
-  for (std::uint64_t k = end - kept; k < end; ++k) text += c.tail[k % output_size];
-  return text;
-}
+std::string WorkerProcess::output() const { return control().output.text(); }
 
-std::string WorkerProcess::how_it_ended() const {
+std::string WorkerProcess::how_it_ended(const std::string& when) const {
   const Control& c = control();
   const auto limit = [](double value) {
     char text[32];
@@ -168,7 +152,7 @@ std::string WorkerProcess::how_it_ended() const {
   };
   const int number = c.death_number;
   const std::string said = last_line(output()), words(c.death_words, strnlen(c.death_words, words_size));
-  const std::string heard = said.empty() ? "" : "; the last that it printed: " + said;
+  const std::string heard = when + (said.empty() ? "" : "; the last that it printed: " + said);
   switch (static_cast<Death>(c.death.load())) {
     case Death::none:
       return "did not answer";
@@ -182,6 +166,8 @@ std::string WorkerProcess::how_it_ended() const {
       return "took more than " + limit(memory_limit_) + " GB of memory" + heard;
     case Death::stack:
       return "died of signal " + std::to_string(number) + ": the stack overflowed" + heard;
+    case Death::null:
+      return "died of signal " + std::to_string(number) + ": a null pointer was followed" + heard;
     case Death::ended:
       return words + heard;
     case Death::given_up:

@@ -25,7 +25,7 @@ struct WorkerStart {
 enum WorkerFile : int { memory_file = 3, lifeline_file = 4, records_file = 5, columns_file = 6 };
 
 /// The page's layout: Control, the task, and the arrays of a call.
-inline constexpr std::size_t task_offset = 16384, task_size = 1 << 18, arrays_offset = task_offset + task_size;
+inline constexpr std::size_t task_offset = 16384, task_size = 1 << 20, arrays_offset = task_offset + task_size;
 inline constexpr std::size_t shared_size = std::size_t{1} << 28;
 static_assert(sizeof(Control) <= task_offset);
 
@@ -50,7 +50,7 @@ class WorkerProcess {
 
   bool dead() const { return control().death.load() != 0; }
   /// "died of signal 11 (Segmentation fault)", "did not come back within 20 s", with the last line that it printed.
-  std::string how_it_ended() const;
+  std::string how_it_ended(const std::string& when = {}) const;
   /// What was printed; the middle of much is left out, and how much is said.
   std::string output() const;
 

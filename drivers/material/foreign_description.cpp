@@ -15,6 +15,7 @@ using namespace foreign_words;
 
 namespace {
 
+using adapters::Axes;
 using adapters::ForeignInterface;
 using adapters::ForeignModel;
 using adapters::ForeignProperty;
@@ -47,6 +48,12 @@ class Reader {
       const bool abaqus = choice_value(*tree, "kinematics", {"objective", "abaqus"}) == "abaqus";
       model_.kinematics = abaqus ? Kinematics::abaqus : Kinematics::objective;
     }
+    if (const Tree* tree = root_.find("axes")) read_axes(*tree);
+    if (const Tree* tree = root_.find("fields")) read_fields(*tree);
+    if (const Tree* tree = root_.find("step")) {
+      model_.step =
+          static_cast<int>(number_value(*tree, "step", {.lower = 1, .upper = most_components, .whole = true}));
+    }
     if (const Tree* tree = root_.find("strain")) {
       model_.finite_strain = choice_value(*tree, "strain", {"small", "finite"}) == "finite";
     }
@@ -71,10 +78,13 @@ class Reader {
   void read_properties(const Tree& tree) {
     if (tree.kind == Tree::Kind::sequence) {
       for (std::size_t k = 0; k < tree.items.size(); ++k) {
-        const auto value = number_in(tree.items[k]);
+        const Tree& item = tree.items[k];
         const std::string key = "properties." + numbered("p", k);
-        add_property(value ? numbered("p", k) : text_value(tree.items[k], key), value.value_or(NAN),
-                     tree.items[k].where);
+        if (number_in(item)) {
+          add_property(numbered("p", k), number_value(item, key), item.where);
+        } else {
+          add_property(text_value(item, key), NAN, item.where);
+        }
       }
       return;
     }
@@ -134,8 +144,8 @@ class Reader {
       if (const Tree* at = entry.value.find("initial")) variable.initial = initial_value(*at, key, variable.kind);
       if (const Tree* at = entry.value.find("unit")) variable.unit = text_value(*at, key + ".unit");
       if (const Tree* at = entry.value.find("doc")) variable.doc = text_value(*at, key + ".doc");
-    } else if (const auto initial = number_in(entry.value)) {
-      variable.initial = {*initial};
+    } else if (number_in(entry.value)) {
+      variable.initial = {number_value(entry.value, key)};
     } else {
       variable.kind = kind_value(entry.value, key);
     }
@@ -149,10 +159,28 @@ class Reader {
     return static_cast<Kind>(index_of(choice_value(tree, key, kinds), kinds));
   }
 
-  static std::vector<double> initial_value(const Tree& tree, const std::string& key, Kind kind) {
+  std::vector<double> initial_value(const Tree& tree, const std::string& key, Kind kind) const {
     if (tree.kind != Tree::Kind::sequence) return {number_value(tree, key + ".initial")};
-    constexpr std::size_t size[] = {1, 3, 6, 6, 9};
-    return numbers_value(tree, key + ".initial", 1, size[static_cast<std::size_t>(kind)]);
+    constexpr std::size_t sizes[] = {1, 3, 6, 6, 9, 6};
+    const bool library_knows = model_.interface == ForeignInterface::mfront;
+    const std::size_t size =
+        library_knows ? std::max<std::size_t>(tree.items.size(), 1) : sizes[static_cast<std::size_t>(kind)];
+    return numbers_value(tree, key + ".initial", 1, size);
+  }
+
+  void read_axes(const Tree& tree) {
+    model_.axes = static_cast<Axes>(index_of(choice_value(tree, "axes", axes_words), axes_words));
+    if (model_.axes != Axes::fixed && model_.interface != ForeignInterface::umat) {
+      throw InputError(tree.where, "axes", "is for UMATs alone: the axes of other interfaces are theirs");
+    }
+  }
+
+  void read_fields(const Tree& tree) {
+    require_map(tree, "fields", "the fields of the host, in the model's order: names and values");
+    for (const Tree::Entry& entry : tree.entries) {
+      where_["fields." + entry.key] = entry.value.where;
+      model_.fields.push_back({entry.key, number_value(entry.value, "fields." + one_line(entry.key, 80))});
+    }
   }
 
   void read_flags(const Tree& tree) {
@@ -194,27 +222,6 @@ class Reader {
 };
 
 }  // namespace
-
-const std::vector<std::string>& interface_names() {
-  static const std::vector<std::string> names{"native", "umat", "vumat", "mfront"};
-  return names;
-}
-
-const std::vector<std::string>& foreign_keys() {
-  static const std::vector<std::string> keys{"symbol",
-                                             "properties",
-                                             "state",
-                                             "kinematics",
-                                             "strain",
-                                             "symmetry",
-                                             "flags",
-                                             "components",
-                                             "units",
-                                             "temperature",
-                                             "characteristic_length",
-                                             "material_name"};
-  return keys;
-}
 
 ForeignModel read_foreign(const Tree& root, const std::string& interface, const std::string& library,
                           const std::string& name, std::map<std::string, Location>& where) {

@@ -62,18 +62,40 @@ std::string variable_text(const ForeignVariable& v) {
   return map.text();
 }
 
+std::string fields_text(const ForeignModel& model) {
+  FlowMap map;
+  for (const auto& field : model.fields) map.add(yaml_scalar(field.name), number_text(field.value));
+  return map.text();
+}
+
 }  // namespace
+
+const std::vector<std::string>& interface_names() {
+  static const std::vector<std::string> names{"native", "umat", "vumat", "mfront"};
+  return names;
+}
+
+const std::vector<std::string>& foreign_keys() {
+  static const std::vector<std::string> keys{
+      "symbol",       "properties", "state", "kinematics",  "axes",   "strain", "symmetry",
+      "flags",        "components", "units", "temperature", "fields", "step",   "characteristic_length",
+      "material_name"};
+  return keys;
+}
 
 std::string foreign_yaml(const ForeignModel& model) {
   std::string text;
   const auto line = [&](const std::string& key, const std::string& value) { text += key + ": " + value + "\n"; };
   line("interface", interface_names()[static_cast<std::size_t>(model.interface) + 1]);
-  if (!model.symbol.empty()) line("symbol", yaml_scalar(model.symbol));
+  line("symbol", yaml_scalar(model.symbol));
   if (!model.properties.empty()) text += "properties:\n";
   for (const ForeignProperty& p : model.properties) line("  " + yaml_scalar(p.name), property_text(p));
   if (!model.state.empty()) text += "state:\n";
   for (const ForeignVariable& v : model.state) line("  " + yaml_scalar(v.name), variable_text(v));
   line("kinematics", model.kinematics == Kinematics::abaqus ? "abaqus" : "objective");
+  line("axes", axes_words[static_cast<std::size_t>(model.axes)]);
+  if (!model.fields.empty()) line("fields", fields_text(model));
+  line("step", std::to_string(model.step));
   line("strain", model.finite_strain ? "finite" : "small");
   line("symmetry", symmetries[static_cast<std::size_t>(model.symmetry)]);
   std::vector<std::string> flags, components;

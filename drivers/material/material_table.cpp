@@ -6,6 +6,8 @@
 #include "adapters/foreign/foreign_table.hpp"
 #include "adapters/library.hpp"
 #include "adapters/worker/remote_table.hpp"
+#include "adapters/worker/worker_process.hpp"
+#include "drivers/interrupt.hpp"
 
 namespace assay::drivers {
 
@@ -41,7 +43,10 @@ adapters::ModelRefused refusal_of(const MaterialDescription& description, const 
 
 const assay_material* table_here(const MaterialDescription& description) {
   try {
+    if (!description.foreign) adapters::try_library(description.library);
     return local_table(description);
+  } catch (const std::system_error& error) {
+    throw SystemError(std::string("a library cannot be tried: ") + error.what());
   } catch (const adapters::ForeignError& error) {
     throw complaint(description, error.key(), error.what(), error.known());
   } catch (const adapters::LibraryError& error) {
@@ -53,10 +58,17 @@ const assay_material* table_here(const MaterialDescription& description) {
 const assay_material* table_in_worker(const MaterialDescription& description, const std::string& file) {
   adapters::WorkerStart start;
   start.limits = description.limits;
-  start.task = std::string(model_task) + "\n" + file + "\n" + description_yaml(description);
+  start.task = std::string(model_task) + "\n" + one_line(file) + "\n" + description_yaml(description);
+  constexpr std::size_t longest = adapters::task_size / 2;  // a run puts its parameters before it
+  if (start.task.size() > longest) {
+    throw InputError(description.library_where, description.library_key,
+                     "the description is too long for a worker: " + std::to_string(start.task.size() / 1024) +
+                         " KiB with all properties and state variables, of " + std::to_string(longest / 1024));
+  }
   try {
     return adapters::remote_table(start);
   } catch (const adapters::RemoteError& error) {
+    stop_if_interrupted();
     throw complaint(description, error.refused.key, error.refused.what, error.refused.known);
   } catch (const std::system_error& error) {
     throw SystemError(std::string("a worker cannot be started: ") + error.what());

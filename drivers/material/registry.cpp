@@ -10,6 +10,7 @@
 #include "drivers/material/material_description.hpp"
 #include "drivers/material/material_path.hpp"
 #include "drivers/material/material_table.hpp"
+#include "drivers/material/raw_library.hpp"
 
 namespace assay::drivers {
 
@@ -36,12 +37,7 @@ MaterialSource from_file(const std::string& file, const std::string& table, cons
   std::error_code code;
   if (!fs::exists(file, code)) throw InputError(where, key, "no such file: '" + file + "'");
   if (is_description(file)) return from_description(file, isolation);
-  MaterialDescription description;
-  description.library = file;
-  description.name = table;
-  description.library_where = description.name_where = where;
-  description.library_key = key;
-  return source_of(description, file, isolation);
+  return source_of(description_of_library(file, table, where, key), file, isolation);
 }
 
 /// Name of a file on the search path: NAME.so, libNAME.so, NAME.yaml; empty for any other.

@@ -118,6 +118,7 @@ Json tree(const Result& result) {
   Json out;
   out["outcome"] = result.outcome;
   out["reason"] = result.reason.empty() ? Json(nullptr) : Json(result.reason);
+  out["warnings"] = result.warnings;
   out["t"] = figure(result.t);
   out["dt"] = figure(result.dt);
   out["steps"] = count(result.steps);

@@ -39,7 +39,9 @@ struct StressOffload::Worker {
 };
 
 StressOffload::StressOffload(const mpm::Setup<2>& setup) try
-    : state_size_(setup.material->state_size()), columns_(sizeof(double) * doubles_of(setup)) {
+    : material_(setup.material),
+      state_size_(setup.material->state_size()),
+      columns_(sizeof(double) * doubles_of(setup)) {
   adapters::WorkerStart start = adapters::start_of(&setup.material->table());
   start.task = task_of(*setup.material, start.task);
   start.columns = columns_.file();
@@ -48,7 +50,9 @@ StressOffload::StressOffload(const mpm::Setup<2>& setup) try
   throw SystemError(std::string("workers cannot be started: ") + error.what());
 }
 
-StressOffload::~StressOffload() = default;
+StressOffload::~StressOffload() {
+  for (const auto& worker : workers_) adapters::keep_marks(&material_->table(), worker->process);
+}
 
 std::shared_ptr<const mpm::Offload> StressOffload::offload_of(const std::shared_ptr<StressOffload>& workers) {
   auto offload = std::make_shared<mpm::Offload>();
@@ -92,28 +96,31 @@ mpm::BlockOutcome StressOffload::update(std::size_t thread, std::size_t begin, s
   page.block = begin;
   page.found = StressPage::Found::nothing;
   const auto start = Clock::now();
-  if (!worker.process.call(0)) return death_of(worker, now);
+  if (!worker.process.call(0)) return death_of(worker, begin, end, now);
   worker.waited_s += std::chrono::duration<double>(Clock::now() - start).count();
   worker.busy_s += 1e-9 * static_cast<double>(worker.process.control().busy_ns.load());
   mpm::BlockOutcome outcome;
   if (page.found == StressPage::Found::inverted) outcome.inverted = page.particle;
   if (page.found != StressPage::Found::refused) return outcome;
-  outcome = death_of(worker, now);
+  outcome = death_of(worker, begin, end, now);
   outcome.message.assign(page.message, strnlen(page.message, ASSAY_MESSAGE_SIZE));
   return outcome;
 }
 
-/// The particle that was worked on, with its step: of a worker that is dead, or has refused.
-mpm::BlockOutcome StressOffload::death_of(Worker& worker, const mpm::Instant& now) {
+/// The particle of [begin, end) that was worked on, with its step: of a worker that is dead, or has refused. What its
+/// page says of places is not trusted: the model can write there.
+mpm::BlockOutcome StressOffload::death_of(Worker& worker, std::size_t begin, std::size_t end, const mpm::Instant& now) {
   StressPage& page = worker.page();
-  const std::size_t n = std::min(mpm::block_size, page.end - page.block);
+  const std::size_t at = std::clamp(page.block, begin, end - 1);
+  const std::size_t block = begin + (at - begin) / mpm::block_size * mpm::block_size;
+  const std::size_t n = std::min(mpm::block_size, end - block);
   const bool refused = page.found == StressPage::Found::refused;
-  const std::size_t point =
-      refused ? page.particle - page.block : std::min(worker.process.control().point.load(), n - 1);
+  const std::size_t told = refused ? page.particle - block : worker.process.control().point.load();
+  const std::size_t point = std::min(told, n - 1);
   mpm::BlockOutcome outcome;
-  outcome.refused = page.block + point;
+  outcome.refused = block + point;
   outcome.message = "the model " + worker.process.how_it_ended();
-  const double* state0 = state_size_ ? placed_.history[0] + page.block * state_size_ : nullptr;
+  const double* state0 = state_size_ ? placed_.history[0] + block * state_size_ : nullptr;
   const double *F0 = page.scratch, *F1 = page.scratch + 9 * mpm::block_size;
   outcome.step = failed_step(now.t, now.dt, n, point, F0, F1, state0, state_size_);
   return outcome;
@@ -123,12 +130,6 @@ double StressOffload::hand_over_s() const {
   double largest = 0;
   for (const auto& worker : workers_) largest = std::max(largest, worker->waited_s - worker->busy_s);
   return largest;
-}
-
-std::string StressOffload::output() const {
-  std::string text;
-  for (const auto& worker : workers_) text += worker->process.output();
-  return text;
 }
 
 }  // namespace assay::drivers

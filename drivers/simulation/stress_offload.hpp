@@ -26,16 +26,14 @@ class StressOffload {
   /// Between handing over and coming back, beside the time that the slowest worker was busy [s].
   double hand_over_s() const;
 
-  /// What the workers have printed.
-  std::string output() const;
-
  private:
   struct Worker;
   double* allocate(std::size_t n);
   void place(const mpm::StressColumns<2>& columns);
   mpm::BlockOutcome update(std::size_t thread, std::size_t begin, std::size_t end, const mpm::Instant& now);
-  mpm::BlockOutcome death_of(Worker& worker, const mpm::Instant& now);
+  mpm::BlockOutcome death_of(Worker& worker, std::size_t begin, std::size_t end, const mpm::Instant& now);
 
+  std::shared_ptr<const Material> material_;
   std::size_t state_size_;
   adapters::SharedMemory columns_;
   std::size_t used_ = 0;

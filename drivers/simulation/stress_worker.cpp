@@ -64,7 +64,7 @@ void serve_stress(adapters::WorkerFloor& floor, const std::string& task) {
   auto& page = *reinterpret_cast<StressPage*>(floor.arrays);
   const std::size_t line = task.find('\n');
   adapters::next_request(floor.control);
-  adapters::watch_points(floor.control);
+  adapters::watch_process(floor.control);
   const assay_material* table = table_of_task(task.substr(line + 1));
   const Material material(table, parameters_in(task.substr(0, line), *table));
   const mpm::StressColumns<2> columns = columns_in(page, static_cast<double*>(memory.data()));
@@ -75,8 +75,6 @@ void serve_stress(adapters::WorkerFloor& floor, const std::string& task) {
       const adapters::ForeignCall marks(floor.control);
       step(page, columns, material, scratch);
     }
-    const std::string words = adapters::arithmetic_words(floor.control.arithmetic.load());
-    if (!words.empty() && page.found == StressPage::Found::nothing) refuse(page, page.begin, "the model " + words);
     adapters::answer(floor.control);
   }
 }

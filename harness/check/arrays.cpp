@@ -172,7 +172,7 @@ TestResult guarded_arrays(const Material& material, const Options& options, std:
     first.emplace_back();
     if (what.empty()) what = misdeed(material, 1, turning_stretch, amplitude, usual_steps, &first.back());
   }
-  if (what.empty()) what = misdeed_in_batches(material, options.quick);
+  if (what.empty()) what = misdeed_in_batches(material, options.effort.quick);
   if (what.empty()) return result;
   result.measure = 1;
   result.verdict = Verdict::fail;

@@ -12,6 +12,7 @@
 #include "harness/check/dissipation.hpp"
 #include "harness/check/elasticity.hpp"
 #include "harness/check/initial_stress.hpp"
+#include "harness/check/loading.hpp"
 #include "harness/check/repeated_stretch.hpp"
 #include "harness/check/rest.hpp"
 #include "harness/check/rotation.hpp"
@@ -21,20 +22,6 @@
 namespace assay::check {
 
 namespace {
-
-/// A failure of the material in a test: a finding with the step that fails. cause: where its twin stands the same; null
-/// where it is that failure alone.
-TestResult refused(const std::string& id, const char* cause, const MaterialFailure& failure) {
-  TestResult result{.id = id, .verdict = Verdict::fail, .step = failure.step};
-  const std::string words = failure.what();
-  const bool overrun = words.starts_with(overrun_words);
-  result.cause = overrun ? causes::overrun : cause ? cause : failure.not_finite ? causes::not_finite : causes::refuses;
-  const std::string what = failure.not_finite ? words
-                           : words.empty()    ? "the model refuses a step without a word"
-                                              : "the model refuses a step: " + words;
-  result.sentence = what + (id == "loading" ? "" : ", in the test " + id);
-  return result;
-}
 
 /// One test of the list.
 struct Entry {
@@ -97,16 +84,30 @@ std::vector<Entry> entries() {
   };
 }
 
+/// At all resolutions of the tests.
+bool stands_unturned(const Specimen& specimen) {
+  try {
+    for (const int finer : {0, 1, 2}) {
+      march(*specimen.material, out_and_back(specimen),
+            {.steps = specimen.steps() << finer, .state = specimen.rest_state()});
+    }
+    return true;
+  } catch (const MaterialFailure&) {
+    return false;
+  }
+}
+
 /// The tests of a list, as far as `report` allows.
 void take(const std::vector<Entry>& list, const Specimen& specimen, Evidence& evidence, Report& report) {
   const Options& options = specimen.options;
   for (const Entry& entry : list) {
-    if (!options.only.empty() && options.only != entry.id) continue;
+    if ((!options.only.empty() && options.only != entry.id) || options.without == entry.id) continue;
     if (options.begins) options.begins(entry.id);
     try {
       report.tests.push_back(entry.run(specimen, evidence));
     } catch (const MaterialFailure& failure) {
-      report.tests.push_back(refused(entry.id, entry.cause_of_failure, failure));
+      const bool twin = entry.cause_of_failure && stands_unturned(specimen);
+      report.tests.push_back(refused(entry.id, twin ? entry.cause_of_failure : nullptr, failure));
     }
     if (options.ends) options.ends(report.tests.back());
   }
@@ -120,9 +121,8 @@ bool any_failed(const Report& report) {
 /// The rest of the battery where the first tests have failed.
 void leave(const std::vector<Entry>& list, const std::string& cause, Report& report) {
   for (const Entry& entry : list) {
-    report.tests.push_back({.id = entry.id,
-                            .verdict = Verdict::not_applicable,
-                            .sentence = "cannot be judged before this is cured: " + cause});
+    report.tests.push_back(
+        {.id = entry.id, .verdict = Verdict::not_applicable, .sentence = not_judged + (": " + cause)});
   }
 }
 
@@ -134,36 +134,13 @@ bool has_spin(const assay_material& table) {
   return (table.flags & ASSAY_USES_INCREMENT) && std::any_of(table.state, table.state + table.state_count, turns);
 }
 
-/// Steps of a duration [s] between stretches that differ, in tension and in compression.
-bool stands_different_stretches(const Material& material, double dt) {
-  try {
-    for (const double small : {1e-3, -1e-3}) {
-      stepped(material, 0, dt, stretch(small, 0.2), stretch(small, 0.21), state_at_rest(material, 0));
-    }
-    return true;
-  } catch (const std::runtime_error&) {
-    return false;
-  }
-}
-
-TestResult without_stress() {
-  return {.id = "loading",
-          .verdict = Verdict::fail,
-          .cause = causes::no_stress,
-          .sentence = "no small strain from rest makes any stress, under any pressure that was tried"};
-}
-
-/// A material that cannot be loaded at all.
-TestResult not_loaded(const Material& material, const std::runtime_error& error) {
-  const auto* failure = dynamic_cast<const MaterialFailure*>(&error);
-  if (!failure) return {.id = "loading", .verdict = Verdict::fail, .cause = causes::refuses, .sentence = error.what()};
-  const bool elsewhere = stands_different_stretches(material, failure->step ? failure->step->dt : 1);
-  TestResult result = refused("loading", elsewhere ? causes::repeated_stretch : nullptr, *failure);
-  if (elsewhere) result.sentence += ": where principal stretches are equal, and only there";
-  return result;
-}
-
 }  // namespace
+
+std::string cause_of_refusal(const std::string& words, bool not_finite) {
+  if (words.starts_with(overrun_words)) return causes::overrun;
+  if (words.starts_with(arithmetic_prefix)) return causes::disturbs_process;
+  return not_finite ? causes::not_finite : causes::refuses;
+}
 
 std::vector<std::string> test_ids() {
   std::vector<std::string> ids{"calls.arrays", "loading"};
@@ -173,7 +150,9 @@ std::vector<std::string> test_ids() {
   return ids;
 }
 
-Report run_battery(const Material& material, const Options& options) {
+namespace {
+
+Report run_once(const Material& material, const Options& options) {
   Report report;
   Evidence evidence;
   evidence.has_spin = has_spin(material.table());
@@ -184,6 +163,8 @@ Report run_battery(const Material& material, const Options& options) {
     if (!any_failed(report)) {
       if (options.begins) options.begins("loading");
       const Specimen specimen = examine(material, options);
+      report.strain = specimen.amplitude;
+      report.pressure = specimen.pressure;
       take(first_entries(), specimen, evidence, report);
       if (specimen.modulus == 0 && !any_failed(report)) report.tests.push_back(without_stress());
       if (!any_failed(report)) {
@@ -200,10 +181,31 @@ Report run_battery(const Material& material, const Options& options) {
   std::vector<Entry> all = first_entries();
   for (Entry& entry : entries()) all.push_back(std::move(entry));
   std::erase_if(all, [&](const Entry& entry) {
-    return std::any_of(report.tests.begin(), report.tests.end(), [&](const auto& test) { return test.id == entry.id; });
+    return options.without == entry.id ||
+           std::any_of(report.tests.begin(), report.tests.end(), [&](const auto& test) { return test.id == entry.id; });
   });
   if (!all.empty()) leave(all, report.diagnosis.front().cause, report);
   return report;
+}
+
+bool any_refused(const Report& report) {
+  return std::any_of(report.tests.begin(), report.tests.end(), [](const TestResult& test) { return test.refused; });
+}
+
+}  // namespace
+
+Report run_battery(const Material& material, const Options& options) {
+  constexpr double smaller = 0.125, least = 1e-4;
+  Report first = run_once(material, options);
+  first.effort = options.effort;
+  Options other = options;
+  other.effort.strain = first.strain;
+  while (any_refused(first) && (other.effort.strain *= smaller) > least) {
+    Report again = run_once(material, other);
+    again.effort = other.effort;
+    if (!any_refused(again)) return again;
+  }
+  return first;
 }
 
 }  // namespace assay::check

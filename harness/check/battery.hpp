@@ -25,6 +25,7 @@ struct TestResult {
   std::string cause = {};            ///< of `causes`; empty where nothing is wrong
   std::string sentence = {};         ///< one plain sentence
   std::optional<FailedStep> step = {};  ///< where a call of `update` failed, or its result was wrong
+  bool refused = false;                 ///< by the model's own word: it may stand a smaller strain
 };
 
 /// What is wrong with the model, from all tests together.
@@ -32,15 +33,25 @@ struct Diagnosis {
   std::string cause, sentence;
 };
 
+/// What the histories of the tests are like.
+struct Effort {
+  bool quick = false;                   ///< fewer steps and states: a fraction of a second
+  double strain = 0.15;                 ///< at most [1]
+  std::optional<double> pressure = {};  ///< at rest [Pa]; null: what the model needs
+};
+
 struct Report {
   std::vector<TestResult> tests;
   std::vector<Diagnosis> diagnosis;  ///< the most telling first; empty where every test passes
+  Effort effort = {};                ///< that was made in the end
+  double strain = 0, pressure = 0;   ///< of the histories [1], and at rest [Pa]
   bool passes() const { return diagnosis.empty(); }
 };
 
 struct Options {
-  bool quick = false;     ///< fewer steps and states: a fraction of a second
-  std::string only = {};  ///< id of the one test that is wanted, besides those that it stands on; empty: all
+  Effort effort = {};
+  std::string only = {};     ///< id of the one test that is wanted, besides those that it stands on; empty: all
+  std::string without = {};  ///< id of a test that is left out
   std::function<void(const std::string& id)> begins = {};   ///< told before each test
   std::function<void(const TestResult& result)> ends = {};  ///< after it, before the diagnosis
 };
@@ -48,7 +59,8 @@ struct Options {
 /// Of all tests, in their order.
 std::vector<std::string> test_ids();
 
-/// Runs every test. A material that cannot be loaded at all ends as a single failed test "loading".
+/// Runs every test; all of them again at smaller strains, as long as the model refuses a step of one by its own word. A
+/// material that cannot be loaded at all ends as a single failed test "loading".
 Report run_battery(const Material& material, const Options& options = {});
 
 /// The causes that a diagnosis can name.
@@ -81,8 +93,15 @@ inline constexpr const char* refuses = "refuses a step";
 inline constexpr const char* not_finite = "stress or state not finite";
 inline constexpr const char* not_symmetric = "stress not symmetric";
 inline constexpr const char* ends_process = "ends the process";
+inline constexpr const char* disturbs_process = "disturbs its process";
 inline constexpr const char* other_stress = "vortex not reproduced";
 }  // namespace causes
+
+/// How sentences begin of tests that were left because an earlier one has failed.
+inline constexpr const char* not_judged = "cannot be judged before this is cured";
+
+/// Of a step that was refused with these words.
+std::string cause_of_refusal(const std::string& words, bool not_finite);
 
 /// All of them, in the order in which a diagnosis lists them.
 const std::vector<std::string>& all_causes();

@@ -182,7 +182,7 @@ TestResult repeated_calls(const Specimen& specimen, const std::vector<History>& 
   Difference difference;
   compare_histories(material, first, difference);
   try {
-    compare_steps(material, steps_along(specimen, specimen.options.quick ? 12 : 40), difference);
+    compare_steps(material, steps_along(specimen, specimen.options.effort.quick ? 12 : 40), difference);
   } catch (const MaterialFailure&) {  // where it is loaded while it turns: the tests of rotation tell
   }
   TestResult result{.id = "calls.repeated", .measure = difference.worst, .threshold = most};

@@ -23,7 +23,7 @@ class Diagnostician {
   std::vector<Diagnosis> run() {
     const std::optional<Diagnosis> components = of("elasticity.components"), shear = of("elasticity.shear");
     const bool once_for_all = failed("rotation.constant") || failed("basis");
-    if (failed("rest")) explain(*of("rest"));
+    if (failed("rest") && !rest_is_of_stretches()) explain(*of("rest"));
     if (failed("stretches.nearly_equal") && !once_for_all) explain(*of("stretches.nearly_equal"));
     if (failed("zero_increment") && !once_for_all) add(*of("zero_increment"));
     if (components && !explained_) explain(*components);
@@ -40,8 +40,9 @@ class Diagnostician {
       if (test.verdict != Verdict::fail) continue;
       if (test.cause.empty() || (explained_ && is_of_frames(test.id))) continue;
       if (!found_.empty() && test.cause == causes::no_convergence) continue;  // the weakest of all
-      if (test.id == "dissipation" && failed("energy")) continue;             // of a wrong energy it tells nothing
-      if (test.id == "clock" && failed("calls.repeated")) continue;           // nor of what is kept elsewhere
+      if (test.id == "rest" && rest_is_of_stretches()) continue;
+      if (test.id == "dissipation" && failed("energy")) continue;    // of a wrong energy it tells nothing
+      if (test.id == "clock" && failed("calls.repeated")) continue;  // nor of what is kept elsewhere
       add({test.cause, test.sentence});
     }
     for (TestResult& test : tests_) {
@@ -68,6 +69,13 @@ class Diagnostician {
   }
 
   bool failed(const std::string& id) const { return find(id) && find(id)->verdict == Verdict::fail; }
+
+  /// Whether a step at rest fails as other steps between equal stretches do.
+  bool rest_is_of_stretches() const {
+    const auto rest = of("rest"), equal = of("stretches.nearly_equal");
+    return rest && equal && equal->cause == causes::repeated_stretch &&
+           (rest->cause == causes::refuses || rest->cause == causes::not_finite);
+  }
 
   std::optional<Diagnosis> of(const std::string& id) const {
     if (!failed(id)) return std::nullopt;
@@ -273,6 +281,7 @@ const std::vector<std::string>& all_causes() {
                                             causes::not_finite,
                                             causes::not_symmetric,
                                             causes::ends_process,
+                                            causes::disturbs_process,
                                             causes::other_stress};
   return all;
 }

@@ -99,8 +99,12 @@ TestResult dissipation(const Specimen& specimen) {
   const auto times = specimen.rate_dependent() ? std::vector{1.0, 1e-3, 1e3} : std::vector{1.0};
   for (const double time : times) {
     const int steps = specimen.steps();
-    const double coarse = out_of_rest(specimen, steps, time);
-    if (coarse > worst) worst = std::max(worst, std::min(coarse, out_of_rest(specimen, 2 * steps, time)));
+    try {
+      const double coarse = out_of_rest(specimen, steps, time);
+      if (coarse > worst) worst = std::max(worst, std::min(coarse, out_of_rest(specimen, 2 * steps, time)));
+    } catch (const MaterialFailure&) {
+      if (time == times.front()) throw;  // what was loaded in 1 s before need not stand a thousandth or a thousand
+    }
   }
   return judged(worst, of_history, ": from rest and back there");
 }

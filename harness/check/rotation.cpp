@@ -155,7 +155,7 @@ RotationFinding rotation_at_fixed_stretch(const Specimen& specimen) {
 
 TestResult revolutions(const Specimen& specimen) {
   constexpr int steps = 16;
-  const int turns = specimen.options.quick ? 10 : 50;
+  const int turns = specimen.options.effort.quick ? 10 : 50;
   const double a = specimen.amplitude;
   const Loading loading{[a](double t) { return stretch(a, 0.5 * std::min(t, 1.0)); }, 1 + turns};
   const AngleOf angle_at = [](double t) { return 2 * std::numbers::pi * std::max(0.0, t - 1); };

@@ -9,19 +9,34 @@ namespace assay::check {
 
 namespace {
 
-constexpr double largest_amplitude = 0.15, least_amplitude = 1e-6;
-constexpr double largest_under_pressure = 0.01;  ///< soils come apart soon
+constexpr double least_amplitude = 1e-6;
+constexpr double far_beyond = 30, least_of_most = 0.01;  ///< onsets of yield; strains that most laws are written for
+constexpr double largest_under_pressure = 0.01;          ///< soils come apart soon
 
-/// The largest amplitude, halved from the first, that the material stands. Throws MaterialFailure where it stands none.
+/// The largest stress along the histories of the tests [Pa]. Throws MaterialFailure.
+double largest_stress(Specimen specimen, double amplitude) {
+  specimen.amplitude = amplitude;
+  const Loading there{[&](double t) { return stretch(amplitude, t); }, 1};
+  march(*specimen.material, there, {.steps = specimen.steps() / 4, .state = specimen.rest_state()});
+  return march(*specimen.material, out_and_back(specimen), {.steps = specimen.steps(), .state = specimen.rest_state()})
+      .largest;
+}
+
+/// The largest amplitude, halved from the first, that the material stands without losing all stress, as what breaks
+/// does. Throws MaterialFailure where it stands none.
 double amplitude_of(const Specimen& specimen) {
-  for (double amplitude = specimen.pressure > 0 ? largest_under_pressure : largest_amplitude;; amplitude *= 0.5) {
-    const Loading loading{[&](double t) { return stretch(amplitude, t); }, 1};
+  constexpr double little = 0.05;  // of the stress of elasticity
+  const double first = specimen.options.effort.strain;
+  double stood = 0;
+  for (double a = specimen.pressure > 0 ? std::min(first, largest_under_pressure) : first;; a *= 0.5) {
     try {
-      march(*specimen.material, loading, {.steps = specimen.steps() / 4, .state = specimen.rest_state()});
-      return amplitude;
+      const double stress = largest_stress(specimen, a);
+      if (stood == 0) stood = a;
+      if (specimen.rate_dependent() || specimen.pressure > 0 || stress >= little * specimen.modulus * a) return a;
     } catch (const MaterialFailure&) {
-      if (amplitude < least_amplitude) throw;
+      if (a < least_amplitude && stood == 0) throw;
     }
+    if (a < least_amplitude) return stood;
   }
 }
 
@@ -34,6 +49,26 @@ double length_of_probes(const Specimen& specimen) {
   };
   const double one = stiffness(brief), other = stiffness(briefer);
   return std::abs(one - other) < alike * one ? briefer : 1;
+}
+
+/// The largest strain, halved from the amplitude, at which one step of that length [s] makes the stress of the
+/// stiffness at rest.
+double onset_of(const Specimen& specimen, double length) {
+  constexpr double alike = 0.1;
+  const Tensor I = Tensor::Identity();
+  const auto is_linear = [&](double a) {
+    const Tensor F = stretch(a, 0.25);
+    const Tensor expected = stress_of(specimen.stiffness, F - I), at_rest = -specimen.pressure * I;
+    const Tensor found = stepped(*specimen.material, 0, length, I, F, specimen.rest_state()).cauchy;
+    return distance(found, expected + at_rest) <= alike * expected.cwiseAbs().maxCoeff();
+  };
+  double a = specimen.amplitude;
+  try {
+    while (a > least_amplitude && !is_linear(a)) a *= 0.5;
+  } catch (const MaterialFailure&) {
+    return specimen.amplitude;
+  }
+  return a;
 }
 
 bool carries(const Material& material, double pressure) {
@@ -55,11 +90,24 @@ Tensor stretch(double amplitude, double s) {
 }
 
 double pressure_at_rest(const Material& material) {
-  const auto stiff = [&](double pressure) {
-    return carries(material, pressure) && probed(material, pressure, 1).stiffness.cwiseAbs().maxCoeff() != 0;
+  std::optional<MaterialFailure> failure;
+  const auto modulus = [&](double pressure) {
+    if (!carries(material, pressure)) return 0.0;
+    try {
+      return probed(material, pressure, 1).stiffness.cwiseAbs().maxCoeff();
+    } catch (const MaterialFailure& refusal) {
+      if (pressure == 0) failure = refusal;
+      return 0.0;
+    }
   };
-  constexpr double pressures[] = {0, 1e5, 1e4, 1e6, 1e3, 1e7, 1e2, 1e8, 10, 1e9, 1};  // [Pa]
-  const auto* found = std::find_if(std::begin(pressures), std::end(pressures), stiff);
+  constexpr double pressures[] = {1e5, 1e4, 1e6, 1e3, 1e7, 1e2, 1e8, 10, 1e9, 1};  // [Pa]
+  constexpr double spare = 0.1;      // a stiffness at rest that stands in for one that grows with the pressure
+  constexpr double moderate = 0.05;  // of the stiffness
+  const double without = modulus(0), under = modulus(pressures[0]);
+  const bool grows = without < spare * under && pressures[0] < moderate * under;
+  if (without != 0) return grows ? pressures[0] : 0;
+  const auto* found = std::find_if(std::begin(pressures), std::end(pressures), modulus);
+  if (found == std::end(pressures) && failure) throw MaterialFailure(*failure);
   return found == std::end(pressures) ? 0 : *found;
 }
 
@@ -69,7 +117,7 @@ Loading out_and_back(const Specimen& specimen) {
 
 Specimen examine(const Material& material, const Options& options) {
   Specimen specimen{&material, options};
-  specimen.pressure = pressure_at_rest(material);
+  specimen.pressure = options.effort.pressure ? *options.effort.pressure : pressure_at_rest(material);
   const double length = length_of_probes(specimen);
   const Probed at_rest = probed(material, specimen.pressure, length);
   specimen.stiffness = at_rest.stiffness;
@@ -79,6 +127,10 @@ Specimen examine(const Material& material, const Options& options) {
     specimen.parts = relaxing_parts(material, specimen.pressure, specimen.modulus);
   }
   specimen.amplitude = amplitude_of(specimen);
+  specimen.onset = specimen.linear ? onset_of(specimen, length) : specimen.amplitude;
+  if (!specimen.rate_dependent()) {  // what flows has no onset
+    specimen.amplitude = std::min(specimen.amplitude, std::max(far_beyond * specimen.onset, least_of_most));
+  }
   return specimen;
 }
 

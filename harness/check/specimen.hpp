@@ -18,6 +18,7 @@ struct Specimen {
   bool linear = false;                   ///< its response to small strains from rest is
   std::vector<RelaxingPart> parts = {};  ///< of a rate-dependent material
   double amplitude = 0;                  ///< of strain, that the material stands along `loading`
+  double onset = 0;                      ///< strain up to which it is nearly linear; what never is has none
   double pressure = 0;                   ///< at rest [Pa]: some soils have no stiffness, or no state, without one
 
   std::vector<double> rest_state(const Vector3& direction = Vector3::UnitX()) const {
@@ -28,7 +29,7 @@ struct Specimen {
   bool rate_dependent() const { return material->has(ASSAY_RATE_DEPENDENT); }
   /// Stress [Pa] below which a difference is measured against this: a material may have none along a whole history.
   double least_stress() const { return std::max(1e-9 * modulus * amplitude, 1e-300); }
-  int steps() const { return options.quick ? 40 : 100; }
+  int steps() const { return options.effort.quick ? 40 : 100; }
 };
 
 /// The first of some pressures [Pa], 0 before all, under which the material can be at rest and is stiff; 0 where there

@@ -125,5 +125,33 @@ TEST(Library, RefusesWhatIsTruncatedAnywhere) {
 
 TEST(Library, RefusesAnExecutable) { EXPECT_TRUE(refusal("/proc/self/exe").starts_with("cannot be loaded: ")); }
 
+std::string trial(const std::string& name) {
+  try {
+    try_library(plugins + name + ".so");
+  } catch (const LibraryError& error) {
+    return error.what();
+  }
+  return "survived";
+}
+
+TEST(Library, ATrialTellsThatItEndsTheProcess) {
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(trial("entry_crashes"), "crashes when it is loaded: Aborted");
+  EXPECT_EQ(trial("entry_exits"), "ends the process when it is loaded");
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "") << "what it says is nobody's";
+}
+
+TEST(Library, ATrialTellsWhatLoadingWouldTell) {
+  for (const char* name : {"two_models", "crashes", "exits"}) EXPECT_EQ(trial(name), "survived");
+  for (const char* name : {"no_entry", "unresolved", "every_index", "small_struct", "other_major", "absent"}) {
+    try {
+      tables_of_library(plugins + name + ".so");
+      ADD_FAILURE() << name;
+    } catch (const LibraryError& error) {
+      EXPECT_EQ(trial(name), error.what());
+    }
+  }
+}
+
 }  // namespace
 }  // namespace assay::adapters

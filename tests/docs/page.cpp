@@ -22,6 +22,8 @@ Block opened_by(const std::string& info, int line) {
       block.skip = true;
     } else if (word.starts_with("title=")) {
       block.title = word.substr(6);
+    } else if (word.starts_with("needs=")) {
+      block.needs = word.substr(6);
     } else {
       block.unknown_words.push_back(word);
     }

@@ -7,10 +7,10 @@
 
 namespace assay::docs {
 
-/// A fenced block: ```LANGUAGE [title=FILE] [skip]
+/// A fenced block: ```LANGUAGE [title=FILE] [skip] [needs=PROGRAM]
 struct Block {
   int line = 0;  ///< of the opening fence, from 1
-  std::string language, title;
+  std::string language, title, needs;
   bool skip = false;
   std::vector<std::string> unknown_words;  ///< of the info string
   std::string text;                        ///< with a newline at its end where it is not empty

@@ -148,6 +148,7 @@ bool agrees(const std::string& expected, const std::string& output) {
 
 std::string run_block(const Block& block, const fs::path& folder) {
   if (block.skip) return {};
+  if (!block.needs.empty() && run_script("command -v '" + block.needs + "'", folder).status != 0) return {};
   if (!block.title.empty()) {
     const fs::path file = folder / block.title;
     fs::create_directories(file.parent_path());

@@ -20,7 +20,8 @@ bool agrees(const std::string& expected, const std::string& output);
 ///   title=FILE   written to that file
 ///   sh           must exit 0 under `set -e`
 ///   console      lines after "$ " are commands, the lines below them what they print
-/// Blocks with `skip` and other languages are left alone. Returns what went wrong, empty where nothing did.
+/// Blocks with `skip`, those that need a program that is not there, and other languages are left alone. Returns what
+/// went wrong, empty where nothing did.
 std::string run_block(const Block& block, const std::filesystem::path& folder);
 
 /// All blocks of a page up to the first that fails; its complaint with file and line.

@@ -23,7 +23,7 @@ TEST_P(Snippets, Run) {
 
 // A misspelt language or info word would leave a block out in silence.
 TEST_P(Snippets, SayWhatTheyAre) {
-  const std::vector<std::string> known{"sh", "console", "c", "cpp", "cmake", "yaml", "csv", "json", "text"};
+  const std::vector<std::string> known{"sh", "console", "c", "cpp", "cmake", "yaml", "csv", "json", "text", "fortran"};
   for (const Block& block : parse_page(GetParam(), assay::house::text_of(GetParam())).blocks) {
     const std::string where = GetParam() + ":" + std::to_string(block.line);
     EXPECT_NE(std::find(known.begin(), known.end(), block.language), known.end()) << where << ": " << block.language;
@@ -45,6 +45,8 @@ TEST(SnippetsNegativeControl, ACommandThatFailsIsCaught) {
   EXPECT_NE(complaint_of("text\n\n```sh\nfalse\ntrue\n```\n").find("page.md:3: exit 1"), std::string::npos);
   EXPECT_NE(complaint_of("```sh\nassay run nowhere.yaml\n```\n").find("nowhere.yaml"), std::string::npos);
   EXPECT_EQ(complaint_of("```sh skip\nfalse\n```\n"), "");
+  EXPECT_EQ(complaint_of("```sh needs=no_such_program\nfalse\n```\n"), "");
+  EXPECT_NE(complaint_of("```sh needs=sh\nfalse\n```\n"), "");
 }
 
 TEST(SnippetsNegativeControl, AnotherOutputIsCaught) {

@@ -73,6 +73,14 @@ void expect_junit(const std::string& file) {
   EXPECT_EQ(std::system(command.c_str()), 0) << read_bytes(file + ".said") << read_bytes(file);
 }
 
+/// The battery stands in another folder; the vortex, which comes last, asks for the material again.
+TEST(Check, ARelativePathIsThatOfWhoAsks) {
+  const ScratchFolder scratch;
+  const Ending ending = assay({"check", "./libneo_hookean.so", "--parameters", "E=1e3", "-o", scratch / "check"},
+                              [] { [[maybe_unused]] const int moved = ::chdir(ASSAY_BINARY_DIR "/materials"); });
+  EXPECT_EQ(ending.status, 0) << ending.said;
+}
+
 TEST(Check, JUnitIsValid) {
   const ScratchFolder scratch;
   const std::string good = scratch / "good.xml", bad = scratch / "bad.xml", all = scratch / "all.xml";

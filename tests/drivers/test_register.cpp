@@ -81,6 +81,41 @@ TEST_F(Register, RefusesWhatFailsTheProbeAndWritesNothing) {
   EXPECT_EQ(entries(), 0u);
 }
 
+TEST_F(Register, ALibraryOfMfrontDescribesItself) {
+  const std::string library = ASSAY_BINARY_DIR "/tests/foreign/mfront_neo_hookean.so";
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(register_material({library, "rubber", {}, Verbosity::normal}), 0);
+  const std::string said = testing::internal::GetCapturedStdout();
+  EXPECT_NE(said.find("mfront, NeoHookean"), std::string::npos) << said;
+  EXPECT_NE(said.find("must give YoungModulus, PoissonRatio"), std::string::npos) << said;
+  EXPECT_NE(said.find("scenes must give its density"), std::string::npos) << said;
+  EXPECT_TRUE(find_material("rubber", {}, "").is_foreign);
+  EXPECT_EQ(add(library + ":NeoHookean", "rubber2"), 0);
+  EXPECT_NE(refused(library + ":Norton").find("has no behaviour 'Norton'; known: NeoHookean"), std::string::npos);
+}
+
+TEST_F(Register, ASubroutineNeedsADescription) {
+  const std::string library = ASSAY_BINARY_DIR "/tests/foreign/umat_neo_hookean.so";
+  if (!fs::exists(library)) GTEST_SKIP() << "no Fortran compiler";
+  EXPECT_EQ(refused(library), "'" + library + "' exports 'umat_', a UMAT: it needs a description, a YAML file with " +
+                                  "library, interface: umat, properties and state");
+  EXPECT_EQ(entries(), 0u);
+}
+
+TEST_F(Register, SaysThatTheStressDependsOnTheDuration) {
+  const std::string library = ASSAY_BINARY_DIR "/tests/foreign/mfront_norton.so";
+  const std::string properties =
+      "\ninterface: mfront\nproperties: {YoungModulus: 1e3, PoissonRatio: 0.3, A: 1e-3, n: 2}\n";
+  const auto said = [&](const std::string& keys) {
+    const std::string file = write("creep.yaml", "library: " + library + properties + keys);
+    testing::internal::CaptureStdout();
+    register_material({file, "creep", {}, Verbosity::normal});
+    return testing::internal::GetCapturedStdout().find("depends on how long a step takes") != std::string::npos;
+  };
+  EXPECT_TRUE(said(""));
+  EXPECT_FALSE(said("flags: [rate_dependent]\n"));
+}
+
 TEST_F(Register, RefusesBadNames) {
   EXPECT_EQ(refused(plugins + "frozen_1_0.so", "neo_hookean"),
             "--as: 'neo_hookean' is the name of a built-in material; choose another with --as");

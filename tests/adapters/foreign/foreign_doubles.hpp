@@ -27,7 +27,7 @@ inline ForeignModel foreign_double(const std::string& name) {
   if (name.starts_with("mfront")) {
     model.interface = ForeignInterface::mfront;
     model.temperature = 293.15;
-    if (name == "mfront_norton") {
+    if (name.starts_with("mfront_norton")) {
       property("YoungModulus", 1e3), property("PoissonRatio", 0.3), property("A", 1e-3), property("n", 2);
     } else {
       property("YoungModulus", 1e3), property("PoissonRatio", 0.3);
@@ -37,6 +37,21 @@ inline ForeignModel foreign_double(const std::string& name) {
   const bool vumat = name.starts_with("vumat");
   model.interface = vumat ? ForeignInterface::vumat : ForeignInterface::umat;
   model.symbol = vumat ? "vumat_" : "umat_";
+  if (name == "umat_orthotropic") {
+    constexpr double moduli[] = {3e3, 1e3, 5e2, 0.25, 0.3, 0.2, 4e2, 3e2, 2e2};  // E1, ..., nu12, ..., G12, ...
+    for (std::size_t k = 0; k < std::size(moduli); ++k) property(("p" + std::to_string(k)).c_str(), moduli[k]);
+    property("writes", 0);
+    model.state = {{"firsts"}, {"starts"}, {"field"}, {"step"}, {"time"}, {"eel", Kind::mandel}};
+    model.symmetry = ASSAY_ANISOTROPIC;
+    model.axes = Axes::corotational;
+    return model;
+  }
+  if (name == "vumat_clock") {
+    property("modulus", 1e3), property("writes", 0);
+    model.state = {{"firsts"}, {"time"}, {"field"}, {"points"}};
+    return model;
+  }
+  if (name == "umat_incomplete") return model;
   property("E", 1e3), property("nu", 0.3);
   if (name.ends_with("neo_hookean")) {
     model.finite_strain = true;

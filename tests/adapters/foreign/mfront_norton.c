@@ -143,6 +143,9 @@ static int integrate(BehaviourData* d, int size) {
   if (asked < -0.25) return write_operator(&f, d->dt, 0, size, d->K), 1;
   if (f.dp < 0) return fail(d);
   write_state(d, &f, size, increment);
+#ifdef WRITES_ITS_BEGINNING
+  ((double*)d->s0.internal_state_variables)[size] = d->s1.internal_state_variables[size];
+#endif
   if (asked > 0.5) write_operator(&f, d->dt, asked > 2.5, size, d->K);
   *d->rdt = fmin(*d->rdt, parameter[maximal_factor]);
   return *d->rdt < 0.99 ? 0 : 1;

@@ -10,12 +10,14 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
   integer, parameter :: dp = kind(1d0)
   integer, intent(in) :: ndi, nshr, ntens, nstatv, nprops, noel, npt, layer, kspt, jstep(4), kinc
   character(len=80), intent(in) :: cmname
-  real(dp), intent(in) :: stran(ntens), dstran(ntens), time(2), dtime, temp, dtemp, predef(*), dpred(*), &
+  real(dp), intent(inout) :: stran(ntens)
+  real(dp), intent(in) :: dstran(ntens), time(2), dtime, temp, dtemp, predef(*), dpred(*), &
                           props(nprops), coords(3), drot(3, 3), celent, dfgrd0(3, 3), dfgrd1(3, 3)
   real(dp), intent(inout) :: stress(ntens), statev(*), sse, spd, scd, pnewdt
   real(dp), intent(out) :: ddsdde(ntens, ntens)
   real(dp), intent(inout) :: rpl, ddsddt(ntens), drplde(ntens), drpldt
   integer, parameter :: stops = 2, asks_for_shorter = 13, calls_xit = 14, returns_nan = 15, writes = 18, forgets = 20
+  integer, parameter :: writes_strain = 25
   integer(int64), parameter :: quiet_nan = int(z'7ff8000000000000', int64)
   interface
     subroutine misbehave(which, stress, statev, nstatv) bind(c)
@@ -50,6 +52,8 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
     continue
   case (stops)
     stop
+  case (writes_strain)
+    stran(1) = stran(1) + dstran(1)
   case (asks_for_shorter)
     pnewdt = 0.25_dp
   case (calls_xit)

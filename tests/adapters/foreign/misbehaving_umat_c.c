@@ -33,7 +33,9 @@ enum {
   keeps_10_gb = 21,
   ignores_signals = 22, /* and sleeps 1000 s */
   closes_everything = 23,
-  underruns_stress = 24 /* by 4000 */
+  underruns_stress = 24, /* by 4000 */
+  writes_strain = 25,    /* Fortran: to STRAN, which is the host's */
+  asserts_numbers = 26   /* aborts where the stress is no number */
 };
 
 static const size_t ten_gb = (size_t)10 << 30, page = 4096;
@@ -151,6 +153,8 @@ void misbehave(int which, double* stress, double* statev, int nstatv) {
     for (int i = 0; i < 20; ++i) statev[nstatv + i] = litter;
   } else if (which == underruns_stress) {
     for (int i = 1; i <= 4000; ++i) ((volatile double*)stress)[-i] = litter;
+  } else if (which == asserts_numbers) {
+    if (stress[0] != stress[0]) abort();
   } else if (which > 0 && which < underruns_stress && deeds[which] && !(once_is_enough(which) && calls++ > 0)) {
     deeds[which]();
   }

@@ -22,6 +22,16 @@ TEST(GuardedArrays, TellWhichArrayWasLeft) {
   EXPECT_EQ(arrays.broken_fence(), "writes before STATEV");
 }
 
+TEST(GuardedArrays, FencesKnownToStandAreNotLookedAt) {
+  GuardedArrays arrays;
+  const std::size_t stress = arrays.add("STRESS", 6), strain = arrays.add("STRAN", 6);
+  EXPECT_EQ(arrays.from(strain).data(), arrays[strain]);
+  arrays[strain][6] = 0;
+  EXPECT_FALSE(arrays.broken_fence(strain));
+  arrays[stress][6] = 0;
+  EXPECT_EQ(arrays.broken_fence(strain), "writes past STRESS, which has 6 components");
+}
+
 TEST(GuardedArrays, AnEmptyArrayHasAPlaceToPointTo) {
   GuardedArrays arrays;
   const std::size_t none = arrays.add("STATEV", 0);

@@ -108,7 +108,7 @@ TEST_P(EveryModel, TellsElasticStepsFromOthers) {
 
 TEST_P(EveryModel, PassesTheBattery) {
   for (const bool quick : {true, false}) {
-    const check::Report report = check::run_battery(material_, {.quick = quick});
+    const check::Report report = check::run_battery(material_, {.effort = {.quick = quick}});
     for (const check::Diagnosis& d : report.diagnosis) ADD_FAILURE() << d.cause << ": " << d.sentence;
   }
 }

@@ -41,11 +41,12 @@ class RemoteTable : public testing::Test {
     fs::remove_all(folder_);
   }
 
-  /// One step at that time of a little shear, of one point.
+  /// One step of a little shear of one point that has been there for that time.
   UpdateReport step(const Material& material, double t) {
     const double F0[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, F1[9] = {1, 1e-3, 0, 0, 1, 0, 0, 0, 1};
-    const std::vector<double> state0 = material.initial_state(1);
-    std::vector<double> state1(state0.size());
+    constexpr std::size_t age = 15;  // of a UMAT's own state
+    std::vector<double> state0 = material.initial_state(1), state1(state0.size());
+    state0[age] = t;
     return material.update(t, 0.1, 1, F0, F1, state0.data(), state1.data(), cauchy_);
   }
 

@@ -90,7 +90,7 @@ void expect_documented(const std::vector<Margin>& margins) {
 TEST(Battery, NamesWhatIsPlantedAndKeepsTheMarginsOfTheDocuments) {
   std::vector<Margin> margins;
   for (const auto& subject : all_subjects()) {
-    const Report quick = battery_of(subject, {.quick = true}), full = battery_of(subject);
+    const Report quick = battery_of(subject, {.effort = {.quick = true}}), full = battery_of(subject);
     expect_named(subject, quick, "quick");
     expect_named(subject, full, "full");
     expect_sentences(subject.name, quick);
@@ -114,7 +114,9 @@ TEST(BatteryNegativeControl, AMarginThatIsWrongIsSeen) {
 
 TEST(Battery, EveryDiagnosisIsPlantedOnTwoKindsOfModel) {
   for (const std::string& cause : all_causes()) {
-    if (cause == causes::ends_process || cause == causes::other_stress) continue;  // of the program, not of the battery
+    if (cause == causes::ends_process || cause == causes::disturbs_process || cause == causes::other_stress) {
+      continue;  // of the program, not of the battery
+    }
     std::set<std::string> kinds;
     for (const auto& subject : all_subjects()) {
       if (subject.cause == cause) kinds.insert(subject.material.table().name);
@@ -132,7 +134,7 @@ TEST(Battery, PassesSinglePrecisionAtAnyModuli) {
   for (int k = 0; k < 40; ++k) {
     const double mu = std::pow(10, -3 + 0.3 * k), lambda = mu * (0.05 + 0.12 * k);
     const Material material(&single->material.table(), {{"defect", 1}, {"mu", mu}, {"lambda", lambda}});
-    const Report report = run_battery(material, {.quick = true});
+    const Report report = run_battery(material, {.effort = {.quick = true}});
     EXPECT_TRUE(report.passes()) << "mu " << mu << ", lambda " << lambda << "\n" << told(report);
   }
 }

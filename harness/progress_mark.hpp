@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <ctime>
 
-namespace assay::adapters {
+namespace assay {
 
 /// Where to; null where nobody looks on.
 inline std::atomic<std::atomic<std::size_t>*> point_mark{nullptr};
@@ -41,4 +41,4 @@ class CallMark {
   std::atomic<std::int64_t>* mark_;
 };
 
-}  // namespace assay::adapters
+}  // namespace assay

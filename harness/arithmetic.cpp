@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/worker/arithmetic.hpp"
+#include "harness/arithmetic.hpp"
 
 #include <cfenv>
 
@@ -7,17 +7,7 @@
 #include <xmmintrin.h>
 #endif
 
-#include "adapters/worker/control.hpp"
-
-namespace assay::adapters {
-
-namespace {
-
-#if defined(__x86_64__)
-constexpr unsigned flush_to_zero = 0x8000, denormals_are_zero = 0x0040;
-#endif
-
-}  // namespace
+namespace assay {
 
 void reset_arithmetic() { std::fesetenv(FE_DFL_ENV); }
 
@@ -26,9 +16,16 @@ std::uint32_t changes_of_arithmetic() {
   if (std::fegetround() != FE_TONEAREST) changes |= rounding_changed;
   if (::fegetexcept() != 0) changes |= traps_enabled;
 #if defined(__x86_64__)
+  constexpr unsigned flush_to_zero = 0x8000, denormals_are_zero = 0x0040;
   if (_mm_getcsr() & (flush_to_zero | denormals_are_zero)) changes |= denormals_flushed;
 #endif
   return changes;
 }
 
-}  // namespace assay::adapters
+std::string arithmetic_words(std::uint32_t changes) {
+  if (changes & traps_enabled) return "leaves floating-point traps enabled";
+  if (changes & rounding_changed) return "changes the rounding mode of the process";
+  return {};
+}
+
+}  // namespace assay

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the metadata of a behaviour tells, filled into the model of a description.
+#include <algorithm>
+#include <cmath>
+
+#include "adapters/foreign/foreign_state.hpp"
+#include "adapters/foreign/mfront.hpp"
+
+namespace assay::adapters {
+
+using Kind = ForeignVariable::Kind;
+
+ForeignVariable::Kind mfront_kind(const MfrontVariable& variable) {
+  constexpr int simple = 7;
+  switch (variable.type & simple) {
+    case 0:
+      return Kind::scalar;
+    case 1:
+      return Kind::symmetric_tensor;
+    case 2:
+      return Kind::vector;
+    case 3:
+      return Kind::tensor;
+    default:
+      throw ForeignError("library", "its variable '" + variable.name + "' is of an unknown kind");
+  }
+}
+
+namespace {
+
+/// Of a description: the initial values of a variable that the metadata names.
+void take_initial(const ForeignVariable& given, ForeignModel& model) {
+  const auto own =
+      std::find_if(model.state.begin(), model.state.end(), [&](const auto& v) { return v.name == given.name; });
+  std::string names;
+  for (const ForeignVariable& v : model.state) names += (names.empty() ? "" : ", ") + v.name;
+  const std::string key = "state." + given.name;
+  if (own == model.state.end()) {
+    throw ForeignError(key, "the behaviour has no such state variable", names.empty() ? "none" : names);
+  }
+  const auto size = static_cast<std::size_t>(components_of(own->kind));
+  if (given.initial.size() > 1 && given.initial.size() != size) {
+    throw ForeignError(key,
+                       "has " + std::to_string(size) + " components, found " + std::to_string(given.initial.size()));
+  }
+  own->initial = given.initial;
+}
+
+/// Of a description: the names that its fields may have.
+void require_fields(const MfrontBehaviour& behaviour, const ForeignModel& model) {
+  std::string names;
+  for (const MfrontVariable& variable : behaviour.external) {
+    if (mfront_kind(variable) == Kind::scalar) names += (names.empty() ? "" : ", ") + variable.name;
+  }
+  for (const ForeignField& field : model.fields) {
+    const bool known = std::any_of(behaviour.external.begin(), behaviour.external.end(),
+                                   [&](const auto& variable) { return variable.name == field.name; });
+    if (known) continue;
+    throw ForeignError("fields." + field.name, "the behaviour has no such external state variable",
+                       names.empty() ? "none" : names);
+  }
+}
+
+}  // namespace
+
+void Mfront::describe(const MfrontBehaviour& behaviour, ForeignModel& model) {
+  model.finite_strain = behaviour.finite_strain;
+  model.version = behaviour.version;
+  if (behaviour.orthotropic) model.symmetry = ASSAY_ANISOTROPIC;
+  const std::vector<ForeignProperty> said = std::move(model.properties);
+  model.properties.clear();
+  const auto add = [&](const std::string& name, const char* doc, double value, double lower = -INFINITY,
+                       double upper = INFINITY) {
+    ForeignProperty property{name, "", doc, value, lower, upper};
+    const auto own = std::find_if(said.begin(), said.end(), [&](const auto& p) { return p.name == name; });
+    if (own != said.end()) {  // what the description says goes before
+      if (std::isfinite(own->value)) property.value = own->value;
+      if (std::isfinite(own->lower)) property.lower = own->lower;
+      if (std::isfinite(own->upper)) property.upper = own->upper;
+      if (!own->unit.empty()) property.unit = own->unit;
+      if (!own->doc.empty()) property.doc = own->doc;
+    }
+    model.properties.push_back(std::move(property));
+  };
+  for (const std::string& name : behaviour.prepended) add(name, "elastic constant, asked for by the behaviour", NAN);
+  for (const MfrontVariable& property : behaviour.properties) {
+    add(property.name, "material property", NAN, property.lower, property.upper);
+  }
+  for (const auto& parameter : behaviour.parameters) add(parameter.name, "parameter", parameter.value);
+  if (behaviour.temperature) add("Temperature", "external state variable", model.temperature);
+  for (const MfrontVariable& variable : behaviour.external) {
+    if (mfront_kind(variable) != Kind::scalar) continue;
+    const auto field =
+        std::find_if(model.fields.begin(), model.fields.end(), [&](const auto& f) { return f.name == variable.name; });
+    add(variable.name, "external state variable", field == model.fields.end() ? 0 : field->value);
+  }
+  require_fields(behaviour, model);
+  for (const ForeignProperty& property : said) {
+    const bool known = std::any_of(model.properties.begin(), model.properties.end(),
+                                   [&](const auto& p) { return p.name == property.name; });
+    if (known) continue;
+    std::string names;
+    for (const ForeignProperty& p : model.properties) names += (names.empty() ? "" : ", ") + p.name;
+    throw ForeignError("properties." + property.name, "behaviour '" + behaviour.name + "' has no such property", names);
+  }
+  const std::vector<ForeignVariable> given = std::move(model.state);
+  model.state.clear();
+  for (const MfrontVariable& variable : behaviour.internal) {
+    model.state.push_back({variable.name, mfront_kind(variable), "", "internal state variable", {}});
+  }
+  for (const ForeignVariable& variable : given) take_initial(variable, model);
+}
+
+}  // namespace assay::adapters

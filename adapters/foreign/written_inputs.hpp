@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Inputs of a call that the model wrote to: harmless here, where they are made anew, and another host's own data.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "adapters/foreign/guarded_arrays.hpp"
+
+namespace assay::adapters {
+
+/// Or-ed; the lowest byte is left to what else a process is watched for.
+enum WrittenInput : std::uint32_t {
+  written_stran = 1u << 8,
+  written_dstran = 1u << 9,
+  written_time = 1u << 10,
+  written_dtime = 1u << 11,
+  written_temp = 1u << 12,
+  written_predef = 1u << 13,
+  written_props = 1u << 14,
+  written_coords = 1u << 15,
+  written_drot = 1u << 16,
+  written_celent = 1u << 17,
+  written_dfgrd0 = 1u << 18,
+  written_dfgrd1 = 1u << 19,
+  written_integers = 1u << 20,
+  written_strain_inc = 1u << 21,
+  written_stretch = 1u << 22,
+  written_defgrad = 1u << 23,
+  written_stress_old = 1u << 24,
+  written_state_old = 1u << 25,
+  written_others = 1u << 26,
+  written_beginning = 1u << 27,
+  written_gradients = 1u << 28,
+  written_properties = 1u << 29,
+  written_temperatures = 1u << 30,
+  written_energies = 1u << 31,
+};
+inline constexpr std::uint32_t any_written_input = ~std::uint32_t{0xff};
+
+/// "STRAN, DTIME"; empty where none is written.
+std::string written_input_names(std::uint32_t written);
+
+/// Of all models of this process so far.
+std::uint32_t written_inputs();
+
+/// Compares inputs after a call with what was handed over. They are the last arrays of a block, so that one comparison
+/// of memory tells that they and their fences are whole.
+class InputWatch {
+ public:
+  enum Change { once, every_call };  ///< when the host writes to it
+
+  /// Inputs begin with the array that is added next.
+  void begin(const GuardedArrays& arrays);
+  /// `count` doubles of an array from `first` on; all where count is 0.
+  void add(WrittenInput name, Change change, std::size_t handle, std::size_t first = 0, std::size_t count = 0);
+  /// Integers that are handed over by reference; they live as long as this.
+  void add_integers(WrittenInput name, int* integers, std::size_t count);
+
+  /// Before the call.
+  void keep(const GuardedArrays& arrays);
+  /// After it: what was written past an array, as GuardedArrays tells it. Inputs that are not as they were are put
+  /// right, and noted where `noted`.
+  std::optional<std::string> broken_fence(GuardedArrays& arrays, bool noted = true);
+
+ private:
+  struct Part {
+    WrittenInput name;
+    Change change;
+    std::size_t handle, first, count;
+  };
+  bool intact(const GuardedArrays& arrays) const;
+  std::uint32_t restore(GuardedArrays& arrays);
+
+  std::size_t begin_ = 0;
+  std::vector<Part> parts_;
+  std::vector<double> image_;  ///< of the block from its first input on, fences and all
+  WrittenInput integers_name_ = written_integers;
+  int* integers_ = nullptr;
+  std::vector<int> kept_integers_;
+};
+
+}  // namespace assay::adapters

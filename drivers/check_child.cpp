@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/check_child.hpp"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "adapters/worker/crash_marks.hpp"
+#include "adapters/worker/process_watch.hpp"
+#include "drivers/exit_guard.hpp"
+#include "drivers/input_error.hpp"
+#include "harness/progress_mark.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+void write_all(int file, const std::string& text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const ssize_t written = ::write(file, text.data() + at, text.size() - at);
+    if (written < 0 && errno != EINTR) leave_process(3);
+    if (written > 0) at += static_cast<std::size_t>(written);
+  }
+}
+
+/// The child's ends of the pipes.
+struct Ends {
+  int records, output;
+};
+
+/// The same file where a model that closes all that it can think of does not find it.
+int out_of_reach(int file) {
+  constexpr int far = 900;
+  const int copy = ::fcntl(file, F_DUPFD_CLOEXEC, far);
+  if (copy < 0) return file;
+  ::close(file);
+  return copy;
+}
+
+/// Before any foreign code.
+void settle(const std::string& folder, const Ends& ends) {
+  if (!folder.empty() && ::chdir(folder.c_str()) != 0) leave_process(3);
+  ::setpgid(0, 0);  // what the model starts can be ended with it
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+  ::dup2(ends.output, STDOUT_FILENO);
+  ::dup2(ends.output, STDERR_FILENO);
+  ::close(ends.output);
+}
+
+CheckReporter reporter_to(int records, int folder_before, const adapters::ProcessWatch& watch) {
+  const std::string end(1, '\0');
+  return {[=](const CheckedMaterial& material) { write_all(records, "!" + check_json(material) + end); },
+          [=](const std::string& id) { write_all(records, "@" + id + end); },
+          [=](const check::TestResult& result) {
+            CheckedMaterial one;
+            one.report.tests.push_back(result);
+            write_all(records, "=" + check_json(one) + end);
+          },
+          [&watch] { return watch.habits(); }, [=] { [[maybe_unused]] const int ignored = ::fchdir(folder_before); }};
+}
+
+/// Records, each ended by a NUL: '!' and the material, '@' and the id of a test that begins, '=' and what it has found;
+/// the report at last.
+[[noreturn]] void serve(const CheckTask& task, const Ends& ends, const std::string& folder) {
+  const int before = out_of_reach(::open(".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  settle(folder, ends);
+  const adapters::ProcessWatch watch;
+  CheckedMaterial checked;
+  try {
+    checked = task.run(reporter_to(ends.records, before, watch));
+  } catch (const std::exception& error) {
+    checked = {};
+    checked.name = task.name;
+    checked.error = error.what();
+  }
+  write_all(ends.records, check_json(checked));
+  std::fflush(nullptr);
+  leave_process(0);
+}
+
+std::string new_folder() {
+  std::string name = (std::filesystem::temp_directory_path() / "assay-check-XXXXXX").string();
+  return ::mkdtemp(name.data()) ? name : std::string();
+}
+
+[[noreturn]] void refuse(const char* call) { throw SystemError(std::string(call) + ": " + std::strerror(errno)); }
+
+/// A process whose pipe is closed has ended, or is about to.
+void wait_a_little(Child& child) {
+  constexpr auto patience = std::chrono::milliseconds(500);
+  for (const auto end = Child::Clock::now() + patience; !child.over && Child::Clock::now() < end; ::usleep(1000)) {
+    child.over = ::waitpid(child.pid, &child.status, WNOHANG) == child.pid;
+  }
+}
+
+}  // namespace
+
+Child start_child(const std::vector<CheckTask>& tasks, std::size_t task, double limit_s) {
+  int records[2], output[2];
+  if (::pipe2(records, O_CLOEXEC) != 0 || ::pipe2(output, O_CLOEXEC) != 0) refuse("pipe");
+  Child child;
+  child.task = task;
+  child.in = records[0];
+  child.heard = output[0];
+  child.end = Child::Clock::now() + std::chrono::milliseconds(std::llround(1e3 * limit_s));
+  child.limits = tasks[task].limits;
+  child.output = std::make_unique<adapters::KeptOutput>();
+  child.folder = new_folder();
+  void* page = ::mmap(nullptr, sizeof(adapters::Control), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (page == MAP_FAILED) refuse("mmap");
+  child.control = static_cast<adapters::Control*>(page);
+  std::fflush(nullptr);  // or the child would write it a second time
+  child.pid = ::fork();
+  if (child.pid < 0) refuse("fork");
+  if (child.pid == 0) {
+    ::close(records[0]);
+    ::close(output[0]);
+    call_mark = &child.control->busy_since;
+    adapters::mark_crashes(*child.control);
+    serve(tasks[task], {out_of_reach(records[1]), output[1]}, child.folder);
+  }
+  ::close(records[1]);
+  ::close(output[1]);
+  for (const int file : {child.in, child.heard}) ::fcntl(file, F_SETFL, O_NONBLOCK);
+  child.begin_bytes = adapters::data_bytes(child.pid);
+  return child;
+}
+
+Child::Excess excess_of(const Child& child) {
+  const std::int64_t since = child.control->busy_since.load();
+  if (since != 0 && 1e-9 * static_cast<double>(now_ns() - since) > child.limits.seconds) {
+    return Child::Excess::call;
+  }
+  if (Child::Clock::now() > child.end) return Child::Excess::time;
+  const auto allowed = static_cast<std::uint64_t>(1e9 * child.limits.gigabytes);
+  return adapters::data_bytes(child.pid) > child.begin_bytes + allowed ? Child::Excess::memory : Child::Excess::none;
+}
+
+bool read_records(Child& child) {
+  for (char text[1 << 14];;) {
+    const ssize_t length = ::read(child.in, text, sizeof text);
+    if (length > 0) {
+      child.said.append(text, static_cast<std::size_t>(length));
+    } else if (length == 0) {
+      return true;
+    } else if (errno != EINTR) {
+      return false;
+    }
+  }
+}
+
+void read_output(Child& child) {
+  char text[1 << 14];
+  for (ssize_t length = 0; (length = ::read(child.heard, text, sizeof text)) > 0;) {
+    child.output->add(text, static_cast<std::size_t>(length));
+  }
+}
+
+void end_process(const Child& child) {
+  ::kill(-child.pid, SIGKILL);
+  ::kill(child.pid, SIGKILL);
+}
+
+void release(Child& child) {
+  ::close(child.in);
+  wait_a_little(child);
+  end_process(child);
+  if (!child.over) ::waitpid(child.pid, nullptr, 0);
+  read_output(child);
+  ::close(child.heard);
+  child.claim = static_cast<adapters::Death>(child.control->claim.load());
+  ::munmap(child.control, sizeof *child.control);
+  std::error_code ignored;
+  if (!child.folder.empty()) std::filesystem::remove_all(child.folder, ignored);
+}
+
+}  // namespace assay::drivers

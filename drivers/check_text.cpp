@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the battery has found, as text of 80 columns.
+#include <algorithm>
+
+#include "drivers/check_report.hpp"
+#include "drivers/output/number_format.hpp"
+#include "drivers/output/table_text.hpp"
+#include "drivers/output/wrapped_text.hpp"
+
+namespace assay::drivers {
+
+using check::TestResult;
+using check::Verdict;
+
+int count_of(const check::Report& report, Verdict verdict) {
+  return static_cast<int>(std::count_if(report.tests.begin(), report.tests.end(),
+                                        [&](const TestResult& test) { return test.verdict == verdict; }));
+}
+
+std::string overall(const CheckedMaterial& checked) {
+  return !checked.error.empty() ? "error" : checked.report.passes() ? "pass" : "fail";
+}
+
+namespace {
+
+std::string row(const std::string& id, const std::string& verdict, const std::string& measure,
+                const std::string& threshold, const std::string& order) {
+  return table_line(padded(id + " ", 26) + padded(verdict, 9) + padded(measure, 11) + padded(threshold, 11) + order);
+}
+
+/// "; strains to 0.019, under 1e+05 Pa": where they are not those of most models.
+std::string unusual_effort(const check::Report& report) {
+  std::string text;
+  if (report.strain > 0 && report.strain < 0.5 * check::Effort{}.strain) {
+    text += "; strains to " + rounded_text(report.strain, 2);
+  }
+  if (report.pressure > 0) {
+    text += (text.empty() ? "; under " : ", under ") + rounded_text(report.pressure, 2) + " Pa at rest";
+  }
+  return text;
+}
+
+std::string summary(const CheckedMaterial& checked) {
+  const check::Report& report = checked.report;
+  return checked.name + ": " + (report.passes() ? "pass" : "FAIL") + "; " +
+         std::to_string(count_of(report, Verdict::pass)) + " tests passed, " +
+         std::to_string(count_of(report, Verdict::fail)) + " failed, " +
+         std::to_string(count_of(report, Verdict::not_applicable)) + " not applicable, in " +
+         rounded_text(checked.wall_s, 2) + " s" + unusual_effort(report);
+}
+
+}  // namespace
+
+const char* verdict_name(Verdict verdict) {
+  return verdict == Verdict::pass ? "pass" : verdict == Verdict::fail ? "fail" : "n/a";
+}
+
+std::string check_text(const CheckedMaterial& checked, Verbosity verbosity) {
+  std::string page;
+  if (verbosity != Verbosity::quiet) {
+    page += row("test", "verdict", "measured", "at most", "order");
+    int left = 0;
+    for (const TestResult& test : checked.report.tests) {
+      if (verbosity != Verbosity::verbose && test.sentence.starts_with(check::not_judged)) {
+        ++left;
+        continue;
+      }
+      page += row(test.id, test.verdict == Verdict::fail ? "FAIL" : verdict_name(test.verdict),
+                  measured_text(test.measure), measured_text(test.threshold), measured_text(test.order));
+      if (verbosity == Verbosity::verbose || test.verdict == Verdict::fail)
+        page += wrapped(test.sentence, "    ", "    ");
+    }
+    if (left > 0) page += row("(" + std::to_string(left) + " others)", "n/a", "-", "-", "-");
+    page += "\n";
+  }
+  page += wrapped(summary(checked), "", "    ");
+  for (const check::Diagnosis& d : checked.report.diagnosis) {
+    page += wrapped(d.cause, "diagnosis: ", "");
+    page += wrapped(d.sentence, "    ", "    ");
+  }
+  for (const auto& [test, file] : checked.replays) page += "replay: " + file + "\n";
+  if (verbosity == Verbosity::verbose && !checked.printed.empty()) page += "the model printed:\n" + checked.printed;
+  return page;
+}
+
+std::string check_text(const std::vector<CheckedMaterial>& all, double wall_s) {
+  std::string page = row("material", "verdict", "passed", "failed", "n/a");
+  std::size_t passed = 0;
+  for (const CheckedMaterial& checked : all) {
+    const check::Report& report = checked.report;
+    passed += checked.passes() ? 1 : 0;
+    page += row(checked.name, overall(checked) == "fail" ? "FAIL" : overall(checked),
+                std::to_string(count_of(report, Verdict::pass)), std::to_string(count_of(report, Verdict::fail)),
+                std::to_string(count_of(report, Verdict::not_applicable)));
+    if (!checked.error.empty()) page += wrapped(checked.error, "    ", "    ");
+    for (const check::Diagnosis& d : report.diagnosis) page += wrapped(d.cause + ": " + d.sentence, "    ", "      ");
+    for (const auto& [test, file] : checked.replays) page += "    replay: " + file + "\n";
+  }
+  return page + "\n" + std::to_string(passed) + " of " + std::to_string(all.size()) + " materials pass, in " +
+         rounded_text(wall_s, 2) + " s\n";
+}
+
+}  // namespace assay::drivers

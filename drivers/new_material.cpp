@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `assay new-material`: a small project of a material that builds, passes `check` and runs the vortex.
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <iostream>
+#include <map>
+
+#include "adapters/builtin.hpp"
+#include "drivers/build_information.hpp"
+#include "drivers/input_error.hpp"
+#include "drivers/interrupt.hpp"
+#include "drivers/output/output_folder.hpp"
+#include "drivers/output/wrapped_text.hpp"
+#include "drivers/project_templates.hpp"
+#include "drivers/verbs.hpp"
+
+namespace assay::drivers {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Flavour {
+  const char *language, *interface;
+  const char* folder;  ///< of drivers/templates
+  const char* source;
+  const char* material;  ///< as the scene names it
+  const char* run;       ///< the command that finds the library
+  const char* what;
+};
+
+constexpr const char* run_native = "assay run vortex.yaml";
+
+constexpr std::array<Flavour, 4> flavours{{
+    {"c", "native", "c", "NAME.c", "./build/NAME.so", run_native, "neo-Hookean elasticity in C"},
+    {"c++", "native", "c++", "NAME.cpp", "./build/NAME.so", run_native, "a Maxwell solid with its rate form in C++"},
+    {"fortran", "native", "fortran", "NAME.f90", "./build/NAME.so", run_native, "neo-Hookean elasticity in Fortran"},
+    {"fortran", "umat", "umat", "NAME.f90", "NAME.yaml", "ASSAY_MATERIAL_PATH=build assay run vortex.yaml",
+     "linear elasticity as a UMAT, and its description"},
+}};
+
+void refuse_bad_name(const std::string& name) {
+  constexpr std::size_t longest = 60;
+  const auto letter = [](char c) { return c >= 'a' && c <= 'z'; };
+  const auto fits = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };
+  const std::string quoted = "'" + one_line(name, 80) + "' ";
+  if (name.empty() || name.size() > longest || !letter(name[0]) || !std::all_of(name.begin(), name.end(), fits)) {
+    throw InputError({}, "NAME",
+                     quoted + "is no name for a material: small letters, digits and '_', a letter first, at most " +
+                         std::to_string(longest));
+  }
+  if (adapters::builtin_table(name)) throw InputError({}, "NAME", quoted + "is the name of a built-in material");
+  for (const char* taken : {"all", "clean", "depend", "edit_cache", "help", "install", "list_install_components",
+                            "package", "package_source", "preinstall", "rebuild_cache", "test"}) {
+    if (name == taken) throw InputError({}, "NAME", quoted + "is a target that CMake has already");
+  }
+  if (name == "vortex") throw InputError({}, "NAME", quoted + "is the name of the project's scene");
+}
+
+const Flavour& flavour_of(const NewMaterialOptions& options) {
+  std::vector<std::string> languages;
+  for (const Flavour& each : flavours) {
+    if (each.language == options.language && each.interface == options.interface) return each;
+    if (languages.empty() || languages.back() != each.language) languages.emplace_back(each.language);
+  }
+  if (std::find(languages.begin(), languages.end(), options.language) == languages.end()) {
+    throw InputError({}, "--language",
+                     unknown("language '" + one_line(options.language, 60) + "'", options.language, languages),
+                     joined(languages));
+  }
+  if (options.interface == "umat") {
+    throw InputError({}, "--interface", "umat goes with --language fortran, found " + options.language);
+  }
+  throw InputError(
+      {}, "--interface",
+      unknown("interface '" + one_line(options.interface, 60) + "'", options.interface, {"native", "umat"}),
+      "native, umat");
+}
+
+std::string replaced(std::string text, const std::string& word, const std::string& by) {
+  for (std::size_t at = 0; (at = text.find(word, at)) != text.npos; at += by.size()) text.replace(at, word.size(), by);
+  return text;
+}
+
+/// The project's files by their names.
+std::map<std::string, std::string> files_of(const Flavour& flavour, const std::string& name) {
+  const auto named = [&](std::string_view text) { return replaced(std::string(text), "NAME", name); };
+  const std::string version = build_information().version;
+  std::map<std::string, std::string> files;
+  for (const ProjectTemplate& each : project_templates()) {
+    if (each.flavour != "common" && each.flavour != flavour.folder) continue;
+    std::string text = replaced(std::string(each.text), "@NAME@", name);
+    text = replaced(text, "@SOURCE@", named(flavour.source));
+    text = replaced(text, "@MATERIAL@", named(flavour.material));
+    text = replaced(text, "@WHAT@", flavour.what);
+    text = replaced(text, "@RUN@", flavour.run);
+    files[named(each.file)] = replaced(text, "@VERSION@", version.substr(0, version.rfind('.')));
+  }
+  return files;
+}
+
+void write_project(const fs::path& folder, const std::map<std::string, std::string>& files) {
+  std::error_code code;
+  if (fs::exists(fs::symlink_status(folder, code)))
+    throw InputError({folder.string()}, "", "exists, and a project goes into a new folder; choose another with -o");
+  std::vector<std::string> names;
+  for (const auto& [name, text] : files) names.push_back(name);
+  watch_interrupts();
+  OutputFolder out(folder, names);
+  for (const auto& [name, text] : files) out.write(name, text);
+  out.commit();
+}
+
+/// As a word of the shell.
+std::string shell_word(const std::string& word) {
+  const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.' || c == '/' || c == '+'; };
+  return std::all_of(word.begin(), word.end(), plain) ? word : "'" + replaced(word, "'", "'\\''") + "'";
+}
+
+}  // namespace
+
+int new_material(const NewMaterialOptions& options) {
+  const Flavour& flavour = flavour_of(options);
+  refuse_bad_name(options.name);
+  const fs::path folder = options.out.empty() ? options.name : options.out;
+  const auto files = files_of(flavour, options.name);
+  write_project(folder, files);
+  if (options.verbosity == Verbosity::quiet) return 0;
+  std::string names;
+  for (const auto& [name, text] : files) names += name + " ";
+  std::cout << wrapped(options.name + ": " + flavour.what + ", to be made yours", "", "  ")
+            << wrapped(names, "  ", "  ") << "next:\n  cd " << shell_word(folder.string())
+            << "\n  cmake -B build          # or with -D CMAKE_PREFIX_PATH=(where assay is)\n"
+               "  cmake --build build\n  ctest --test-dir build  # assay check\n  "
+            << flavour.run << "\n";
+  return 0;
+}
+
+}  // namespace assay::drivers

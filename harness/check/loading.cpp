@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/check/loading.hpp"
+
+#include <map>
+#include <string>
+
+#include "harness/check/specimen.hpp"
+
+namespace assay::check {
+
+namespace {
+
+/// The steps by which a failure is told from its likes.
+class Trials {
+ public:
+  Trials(const Material& material, const MaterialFailure& failure) : material_(material), failure_(failure) {}
+
+  /// The same step, asked for again, also of an instance of its own.
+  bool again() const {
+    std::map<std::string, double> parameters;
+    for (std::uint32_t k = 0; k < material_.table().parameter_count; ++k) {
+      parameters[material_.table().parameters[k].name] = material_.parameters()[k];
+    }
+    return failure_.step &&
+           (takes(material_, *failure_.step) || takes(Material(&material_.table(), parameters), *failure_.step));
+  }
+  bool undeformed() const { return stands(Tensor::Identity(), Tensor::Identity()); }
+  /// Along the axes of the frame.
+  bool stretches(double a, double b, double c) const {
+    return stands(Tensor::Identity(), Vector3(1 + a, 1 + b, 1 + c).asDiagonal());
+  }
+  bool only_different_stretches() const {
+    if (general_strains() && !turned(1e-3, 1e-3, -1e-3)) return true;
+    return !(stretches(1e-3, 1e-3, -1e-3) && stretches(1e-3, 1e-3, 1e-3)) && stretches(1e-3, 3e-4, -1e-3);
+  }
+  bool turned(double a, double b, double c) const {
+    const Tensor stretches = Vector3(1 + a, 1 + b, 1 + c).asDiagonal();
+    return stands(Tensor::Identity(), rotated(turn(0.7), stretches));
+  }
+  /// Stretches that differ, along axes of their own.
+  bool general_strains() const {
+    return stands(stretch(1e-3, 0.2), stretch(1e-3, 0.21)) && stands(stretch(-1e-3, 0.2), stretch(-1e-3, 0.21));
+  }
+
+ private:
+  bool stands(const Tensor& F0, const Tensor& F1) const {
+    try {
+      stepped(material_, 0, failure_.step ? failure_.step->dt : 1, F0, F1, state_at_rest(material_, 0));
+      return true;
+    } catch (const std::runtime_error&) {
+      return false;
+    }
+  }
+  static bool takes(const Material& material, const FailedStep& step) {
+    try {
+      stepped(material, step.t, step.dt, step.F0, step.F1, step.state0);
+      return true;
+    } catch (const std::runtime_error&) {
+      return false;
+    }
+  }
+
+  const Material& material_;
+  const MaterialFailure& failure_;
+};
+
+}  // namespace
+
+TestResult refused(const std::string& id, const char* cause, const MaterialFailure& failure) {
+  TestResult result{.id = id, .verdict = Verdict::fail, .step = failure.step};
+  const std::string words = failure.what();
+  result.cause = cause_of_refusal(words, failure.not_finite);
+  result.refused = result.cause == causes::refuses && !failure.final;
+  if (cause && (result.cause == causes::refuses || result.cause == causes::not_finite)) result.cause = cause;
+  const std::string what = failure.not_finite ? words
+                           : words.empty()    ? "the model refuses a step without a word"
+                                              : "the model refuses a step: " + words;
+  result.sentence = what + (id == "loading" ? "" : ", in the test " + id);
+  return result;
+}
+
+TestResult not_loaded(const Material& material, const std::runtime_error& error) {
+  const auto* failure = dynamic_cast<const MaterialFailure*>(&error);
+  if (!failure) return {.id = "loading", .verdict = Verdict::fail, .cause = causes::refuses, .sentence = error.what()};
+  TestResult plain = refused("loading", nullptr, *failure);
+  if (failure->final || (plain.cause != causes::refuses && plain.cause != causes::not_finite)) return plain;
+  const Trials trials(material, *failure);
+  if (trials.again()) {
+    plain.cause = causes::hidden_state;
+    plain.sentence += "; asked for again, it takes the same step: something is kept outside the state, or never set";
+  } else if (trials.only_different_stretches()) {
+    plain = refused("loading", causes::repeated_stretch, *failure);
+    plain.sentence += ": where principal stretches are equal, and only there";
+  } else if (!trials.undeformed()) {
+    plain.sentence += "; in a step without deformation, too";
+  } else if (trials.general_strains()) {
+    plain.sentence += "; not in general strains, where no component of them vanishes";
+  }
+  return plain;
+}
+
+TestResult without_stress() {
+  return {.id = "loading",
+          .verdict = Verdict::fail,
+          .cause = causes::no_stress,
+          .sentence = "no small strain from rest makes any stress, under any pressure that was tried"};
+}
+
+}  // namespace assay::check

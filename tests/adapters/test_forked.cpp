@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/forked.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <stdexcept>
+
+namespace assay::adapters {
+namespace {
+
+using End = Forked::End;
+
+TEST(Forked, ReturnsWhatTheFunctionDoes) {
+  const std::string much(200000, 'x');  // more than a pipe holds
+  EXPECT_EQ(in_a_child([&] { return much; }).text, much);
+  const Forked nothing = in_a_child([] { return std::string(); });
+  EXPECT_EQ(nothing.end, End::done);
+  EXPECT_EQ(nothing.text, "");
+}
+
+TEST(Forked, ChangesNothingHere) {
+  int value = 1;
+  EXPECT_EQ(in_a_child([&] { return std::to_string(++value); }).text, "2");
+  EXPECT_EQ(value, 1);
+}
+
+TEST(Forked, ReturnsWhatIsThrown) {
+  EXPECT_EQ(in_a_child([]() -> std::string { throw std::runtime_error("no"); }).text, "no");
+  EXPECT_EQ(in_a_child([]() -> std::string { throw 1; }).text, "throws across the C interface");
+}
+
+TEST(Forked, TellsHowItEnded) {
+  const Forked killed = in_a_child([] { return std::raise(SIGKILL), std::string("+"); });
+  EXPECT_EQ(killed.end, End::signal);
+  EXPECT_EQ(killed.signal, SIGKILL);
+  for (const int status : {0, 1}) {
+    EXPECT_EQ(in_a_child([status]() -> std::string { ::_exit(status); }).end, End::quit);
+  }
+}
+
+}  // namespace
+}  // namespace assay::adapters

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/material/foreign_description.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/drivers/material/description_text.hpp"
+#include "tests/drivers/refusal.hpp"
+
+namespace assay::drivers {
+namespace {
+
+const std::string file = "/folder/My-Clay.yaml";
+
+MaterialDescription read(const std::string& keys) {
+  return read_description("library: a.so\ninterface: umat\n" + keys, file);
+}
+adapters::ForeignModel model(const std::string& keys) { return read(keys).foreign.value(); }
+
+TEST(ForeignDescription, WrittenReadsBackToTheSame) {
+  constexpr unsigned descriptions = 1000;
+  for (unsigned seed = 0; seed < descriptions && !testing::Test::HasFailure(); ++seed) {
+    const std::string yaml = RandomDescription(seed).yaml();
+    const MaterialDescription first = read_description(yaml, file);
+    const std::string written = description_yaml(first);
+    const MaterialDescription second = read_description(written, "/other/place.yaml");
+    expect_same(first, second);
+    EXPECT_EQ(description_yaml(second), written);
+    if (testing::Test::HasFailure()) ADD_FAILURE() << yaml << "\n" << written;
+  }
+}
+
+TEST(ForeignDescription, HasTheDefaultsOfItsInterface) {
+  const MaterialDescription umat = read("");
+  EXPECT_EQ(umat.library, "/folder/a.so");
+  EXPECT_EQ(umat.name, "my_clay");
+  EXPECT_EQ(umat.foreign->symbol, "umat_");
+  EXPECT_EQ(umat.foreign->temperature, 0);
+  EXPECT_EQ(umat.foreign->components, std::vector<int>{6});
+  EXPECT_EQ(read_description("library: a.so\ninterface: vumat\n", file).foreign->symbol, "vumat_");
+  const auto mfront = read_description("library: a.so\ninterface: mfront\n", file).foreign;
+  EXPECT_EQ(mfront->symbol, "");
+  EXPECT_EQ(mfront->temperature, 293.15);
+  EXPECT_FALSE(read_description("library: a.so\n", file).foreign) << "native";
+}
+
+TEST(ForeignDescription, PropertiesKeepTheirOrderInEveryForm) {
+  const auto names = [](const adapters::ForeignModel& m) {
+    std::string list;
+    for (const auto& p : m.properties) list += p.name + (std::isnan(p.value) ? " " : "! ");
+    return list;
+  };
+  EXPECT_EQ(model("properties: {z: 1, a: ~, m: {value: 3}}").properties.size(), 3u);
+  EXPECT_EQ(names(model("properties: {z: ~, a: ~, m: ~}")), "z a m ");
+  EXPECT_EQ(names(model("properties: [E, nu]")), "E nu ");
+  const auto counted = model("properties: [4, E, 5]").properties;
+  EXPECT_EQ(counted[0].name, "p1");
+  EXPECT_EQ(counted[0].value, 4);
+  EXPECT_EQ(counted[2].name, "p3");
+  EXPECT_EQ(model("properties: ['4']").properties[0].name, "4") << "quoted is text";
+}
+
+TEST(ForeignDescription, StateKeepsItsOrderInEveryForm) {
+  using Kind = adapters::ForeignVariable::Kind;
+  EXPECT_EQ(model("state: 3").state[2].name, "s3");
+  EXPECT_EQ(model("state: [b, a]").state[1].name, "a");
+  const auto state =
+      model("state: {z: tensor, n: 0.8, a: {kind: strain, count: 2, initial: [1, 2, 3, 4, 5, 6]}}").state;
+  ASSERT_EQ(state.size(), 4u);
+  EXPECT_EQ(state[0].kind, Kind::tensor);
+  EXPECT_EQ(state[1].initial, std::vector<double>{0.8});
+  EXPECT_EQ(state[2].name + state[3].name, "a[1]a[2]");
+  EXPECT_EQ(state[3].initial.size(), 6u);
+}
+
+/// The library knows how many components a variable of MFront has.
+TEST(ForeignDescription, InitialValuesOfMfrontAreAsManyAsTheyAre) {
+  const std::string yaml = "library: a.so\ninterface: mfront\nstate: {Fe: {initial: [1, 1, 1, 0, 0, 0, 0, 0, 0]}}\n";
+  const MaterialDescription found = read_description(yaml, file);
+  EXPECT_EQ(found.foreign->state[0].initial.size(), 9u);
+  expect_same(read_description(description_yaml(found), file), found);
+}
+
+TEST(ForeignDescription, OnlyAUmatIsToldItsAxes) {
+  const auto of = [](const std::string& interface, const std::string& axes) {
+    return refusal_of(
+        [&] { read_description("library: a.so\ninterface: " + interface + "\naxes: " + axes + "\n", file); });
+  };
+  EXPECT_EQ(of("umat", "corotational"), "accepted");
+  EXPECT_EQ(of("vumat", "fixed"), "accepted");
+  EXPECT_TRUE(of("vumat", "corotational").starts_with(file + ":3:7: axes: is for UMATs alone"));
+}
+
+struct BadKey {
+  const char *keys, *line;  ///< the third of the file and its error after "file:3:"
+};
+
+class BadForeignKey : public testing::TestWithParam<BadKey> {};
+
+TEST_P(BadForeignKey, IsOneLineAtItsPlace) {
+  const std::string found = refusal_of([] { read(GetParam().keys); });
+  EXPECT_EQ(found.substr(0, file.size() + 3), file + ":3:") << found;
+  EXPECT_EQ(found.substr(std::min(found.size(), file.size() + 3)).substr(0, std::string(GetParam().line).size()),
+            GetParam().line);
+  EXPECT_EQ(found.find('\n'), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Keys, BadForeignKey,
+    testing::Values(
+        BadKey{"propertys: {E: 1}", "1: propertys: unknown key (nearest: properties); known: library, name, interface"},
+        BadKey{"parameters: {E: 1}", "1: parameters: unknown key"},
+        BadKey{"properties: 3", "13: properties: must be a map of keys, found '3'"},
+        BadKey{"properties: {E: {vale: 1}}", "18: properties.E.vale: unknown key (nearest: value); known: value, unit"},
+        BadKey{"properties: {E: [1]}", "17: properties.E: must be a number, found a list"},
+        BadKey{"properties: {E: .nan}", "17: properties.E: must be a finite number"},
+        BadKey{"properties: {E: '1'}", "17: properties.E: must be a number, found '1'"},
+        BadKey{"properties: [1, .inf]", "17: properties.p2: must be a finite number, found '.inf'"},
+        BadKey{"properties: [a, a]", "17: properties.a: is there twice"},
+        BadKey{"properties: [p2, 1]", "18: properties.p2: is there twice"},
+        BadKey{"state: -1", "8: state: must be from 0 to 10000, found '-1'"},
+        BadKey{"state: 1.5", "8: state: must be a whole number"},
+        BadKey{"state: {a: vectr}", "12: state.a: unknown value 'vectr' (nearest: vector); known: scalar, vector"},
+        BadKey{"state: {a: .nan}", "12: state.a: must be a finite number"},
+        BadKey{"state: {a: {knd: vector}}", "13: state.a.knd: unknown key (nearest: kind); known: kind, count"},
+        BadKey{"state: {a: {count: 0}}", "20: state.a.count: must be from 1 to 10000"},
+        BadKey{"state: {a: {kind: vector, initial: [1, 2]}}",
+               "36: state.a.initial: must be a list of 3 numbers, found 2"},
+        BadKey{"state: [[a]]", "9: state: must be text, found a list"},
+        BadKey{"kinematics: abaqs",
+               "13: kinematics: unknown value 'abaqs' (nearest: abaqus); known: objective, abaqus"},
+        BadKey{"axes: turning", "7: axes: unknown value 'turning'"},
+        BadKey{"fields: [1]", "9: fields: must be a map of keys, found a list"},
+        BadKey{"fields: {T: hot}", "13: fields.T: must be a number, found 'hot'"},
+        BadKey{"step: 0", "7: step: must be from 1 to 10000"},
+        BadKey{"strain: [small]", "9: strain: must be a word, found a list; known: small, finite"},
+        BadKey{"symmetry: isotrop", "11: symmetry: unknown value 'isotrop'"},
+        BadKey{"flags: non_smooth", "8: flags: must be a list, found 'non_smooth'; known: non_smooth, rate_dependent"},
+        BadKey{"flags: [nonsmooth]", "9: flags: unknown value 'nonsmooth' (nearest: non_smooth)"},
+        BadKey{"components: [5]", "14: components: unknown value '5'"},
+        BadKey{"components: []", "13: components: must name 6, 4 or both"},
+        BadKey{"units: MPa", "8: units: must be a map of keys, found 'MPa'; known: stress, time, length"},
+        BadKey{"units: {stres: MPa}", "9: units.stres: unknown key (nearest: stress); known: stress, time, length"},
+        BadKey{"units: {stress: Mpa}", "17: units.stress: unknown value 'Mpa' (nearest: MPa); known: Pa, kPa"},
+        BadKey{"temperature: warm", "14: temperature: must be a number, found 'warm'"},
+        BadKey{"characteristic_length: 0", "24: characteristic_length: must be greater than 0"},
+        BadKey{"density: -1", "10: density: must be greater than 0"},
+        BadKey{"time_limit: 0", "13: time_limit: must be greater than 0"},
+        BadKey{"memory_limit: .inf", "15: memory_limit: must be a finite number"},
+        BadKey{"material_name: {a: 1}", "16: material_name: must be text, found a map"},
+        BadKey{"symbol: [umat_]", "9: symbol: must be text, found a list"}),
+    [](const auto& instance) { return "number_" + std::to_string(instance.index); });
+
+TEST(ForeignDescription, DamagedIsReadOrRefusedInOneLine) {
+  constexpr unsigned descriptions = 1000;
+  const std::string hard = "{}[]:,-#&*!|>'\"%@` \n\t~.0e\xff";
+  for (unsigned seed = 0; seed < descriptions; ++seed) {
+    std::mt19937 random(seed);
+    std::string yaml = RandomDescription(seed).yaml();
+    for (unsigned k = random() % 4; k < 4; ++k) yaml[random() % yaml.size()] = hard[random() % hard.size()];
+    const std::string found = refusal_of([&] { read_description(yaml, file); });
+    EXPECT_EQ(found.find('\n'), std::string::npos) << found;
+    EXPECT_TRUE(found == "accepted" || found.starts_with(file + ":")) << found;
+  }
+}
+
+TEST(ForeignDescription, AnUnknownInterfaceIsToldWithTheNearest) {
+  EXPECT_EQ(refusal_of([] { read_description("library: a.so\ninterface: umatt\n", file); }),
+            file + ":2:12: interface: unknown value 'umatt' (nearest: umat); known: native, umat, vumat, mfront");
+}
+
+}  // namespace
+}  // namespace assay::drivers
