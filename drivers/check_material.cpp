@@ -9,6 +9,7 @@
 
 #include "adapters/foreign/written_inputs.hpp"
 #include "adapters/worker/process_watch.hpp"
+#include "drivers/check_foreign.hpp"
 #include "drivers/check_vortex.hpp"
 #include "drivers/material/material_path.hpp"
 #include "drivers/output/whole_file.hpp"
@@ -121,8 +122,10 @@ CheckedMaterial check_material(const ResolvedMaterial& material, const std::stri
   checked.report = check::run_battery(material.material, {.effort = settings.effort,
                                                           .only = only,
                                                           .without = settings.without,
+                                                          .declarations = declarations_of(material),
                                                           .begins = reporter.begins,
                                                           .ends = reporter.ends});
+  say_other_strain(material, checked.report);
   const bool asked = settings.only.empty() ? !settings.effort.quick : settings.only == vortex_test;
   if (asked && checked.report.passes()) add_vortex(material, checked.report, reporter);
   if (only.empty() && reporter.habits) add_process(reporter.habits(), checked.report);

@@ -87,8 +87,8 @@ double estimated_s(const Material& material, const check::Specimen& specimen) {
   const auto start = std::chrono::steady_clock::now();
   std::vector<double> state = specimen.rest_state();
   for (int k = 0; k < calls; ++k) {
-    state = check::stepped(material, 0.01 * k, 0.01, check::stretch(specimen.amplitude, 0.01 * k),
-                           check::stretch(specimen.amplitude, 0.01 * (k + 1)), state)
+    state = check::stepped(material, 0.01 * k, 0.01, specimen.space.stretch(specimen.amplitude, 0.01 * k),
+                           specimen.space.stretch(specimen.amplitude, 0.01 * (k + 1)), state)
                 .state;
   }
   const double each = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / calls;
@@ -118,15 +118,17 @@ TestResult judged(double error, std::optional<double> other, std::optional<doubl
 TestResult end_to_end_vortex(const ResolvedMaterial& resolved, std::optional<double> ellipticity) {
   const Material& material = resolved.material;
   if (material.table().symmetry == ASSAY_ANISOTROPIC) return not_applicable("the vortex needs isotropy about its axis");
-  check::Specimen specimen;
+  std::optional<check::Specimen> examined;
   try {
-    specimen = check::examine(material, {});
+    examined = check::examine(material, {});
+    const check::Specimen& specimen = *examined;
     if (specimen.pressure > 0) return not_applicable("the vortex begins without stress");
     if (!(specimen.stiffness(0, 0) > 0)) return not_applicable("the material has no stiffness at rest");
     if (estimated_s(material, specimen) > patience_s) return not_applicable("the material takes too long for a run");
   } catch (const std::runtime_error&) {
     return not_applicable("the material cannot be loaded");
   }
+  const check::Specimen& specimen = *examined;
   const std::optional<double> error = error_of(resolved.choice, specimen);
   const auto twin = comparison(specimen.stiffness);
   const std::optional<double> other = twin ? error_of(*twin, specimen) : std::nullopt;

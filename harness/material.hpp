@@ -63,6 +63,8 @@ class Material {
   const assay_material& table() const { return *table_; }
   std::string name() const { return table_->name; }
   bool has(std::uint32_t flag) const { return (table_->flags & flag) != 0; }
+  /// Whether it takes an F with that component (index 0..8): ASSAY_IN_PLANE.
+  bool takes(int component) const { return !has(ASSAY_IN_PLANE) || is_in_plane(component); }
   bool path_independent() const { return state_size_ == 0 && !has(ASSAY_RATE_DEPENDENT); }
 
   /// In declared order, defaults filled.

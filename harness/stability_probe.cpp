@@ -16,6 +16,26 @@ constexpr double rest_difference = 1e-5;    ///< central: error about 1e-10, rou
 constexpr double neutral_threshold = 1e-8;  ///< of the largest eigenvalue: what differences can tell from zero
 constexpr double coarse_noise = 1e-4;       ///< relative noise of fine differences from which coarse ones are taken
 
+/// That of a solid whose waves in the plane are those of A, and whose others are neither the slowest nor the fastest.
+TangentModulus of_solid(const TangentModulus& A) {
+  const auto at = [](int i, int J) { return 3 * i + J; };
+  TangentModulus solid = TangentModulus::Zero();
+  double sum = 0;
+  for (const int a : {at(0, 0), at(0, 1), at(1, 0), at(1, 1)}) {
+    for (const int b : {at(0, 0), at(0, 1), at(1, 0), at(1, 1)}) solid(a, b) = A(a, b);
+    sum += A(a, a);
+  }
+  for (const int c : {at(0, 2), at(1, 2), at(2, 0), at(2, 1), at(2, 2)}) solid(c, c) = sum / 4;
+  return solid;
+}
+
+/// By differences of that size.
+TangentModulus modulus_of(const Material& material, double t, double dt, const Tensor& F0, const Tensor& F1,
+                          const std::vector<double>& state, double size) {
+  const TangentModulus A = probe_tangent_modulus(material, t, dt, F0, F1, state, size);
+  return material.has(ASSAY_IN_PLANE) ? of_solid(A) : A;
+}
+
 }  // namespace
 
 StabilityProbe::StabilityProbe(const Material& material, const Path& path, double end)
@@ -39,9 +59,7 @@ void StabilityProbe::look_at_rest() {
   const std::vector<double> state = material_.initial_state(1, {}, path_.material_direction);
   const Tensor I = Tensor::Identity();
   const double dt = share_of_end * end_;
-  const auto probed = [&](double step, double size) {
-    return probe_tangent_modulus(material_, 0, step, I, I, state, size);
-  };
+  const auto probed = [&](double step, double size) { return modulus_of(material_, 0, step, I, I, state, size); };
   const TangentModulus one = probed(dt, fine.difference), other = probed(dt, 3 * fine.difference);
   const double noise = (one - other).norm() / one.norm();
   if (!(noise < coarse_noise)) steps_ = coarse;
@@ -70,9 +88,8 @@ AcousticExtreme StabilityProbe::at(double xi, double t, const std::vector<double
   if (along.isZero(0)) return {scale_, Vector3::Zero()};
   const double dt = rate_ > 0 ? 1 / rate_ : end_;  // per unit of strain
   const Tensor start = F + steps_.settle * along;
-  return smallest_acoustic_eigenvalue(
-      probe_tangent_modulus(material_, t, steps_.base * dt, start, start + steps_.base * along,
-                            settled_state(xi, t, state, F, start, dt), steps_.difference));
+  return smallest_acoustic_eigenvalue(modulus_of(material_, t, steps_.base * dt, start, start + steps_.base * along,
+                                                 settled_state(xi, t, state, F, start, dt), steps_.difference));
 }
 
 std::vector<double> StabilityProbe::settled_state(double xi, double t, const std::vector<double>& state,

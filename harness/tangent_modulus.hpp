@@ -13,7 +13,7 @@ namespace assay {
 using TangentModulus = Eigen::Matrix<double, 9, 9>;
 
 /// A of the material's own step of length dt from state0 at F, by central differences of `update`: never a foreign
-/// tangent. Throws MaterialFailure.
+/// tangent. Zero by components that the material does not take (ASSAY_IN_PLANE). Throws MaterialFailure.
 TangentModulus probe_tangent_modulus(const Material& material, double t, double dt, const Tensor& F,
                                      const std::vector<double>& state0);
 

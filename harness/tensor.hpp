@@ -14,6 +14,9 @@ using Tensor = Eigen::Matrix3d;
 inline double component(const Tensor& tensor, int index) { return tensor(index / 3, index % 3); }
 inline double& component(Tensor& tensor, int index) { return tensor(index / 3, index % 3); }
 
+/// Whether the index 0..8 is one of 11, 12, 21, 22 and 33, which a motion in the plane 12 has.
+inline bool is_in_plane(int index) { return index == 8 || (index / 3 != 2 && index % 3 != 2); }
+
 /// First Piola-Kirchhoff stress P = J sigma F^-T [Pa]; first index spatial, second referential.
 inline Tensor first_piola_kirchhoff(const Tensor& cauchy, const Tensor& deformation_gradient) {
   return deformation_gradient.determinant() * cauchy * deformation_gradient.inverse().transpose();

@@ -9,6 +9,7 @@
 #include "adapters/foreign/absent_routines.hpp"
 #include "adapters/foreign/foreign_calls.hpp"
 #include "adapters/foreign/foreign_library.hpp"
+#include "adapters/foreign/foreign_state.hpp"
 #include "adapters/foreign/mfront.hpp"
 #include "adapters/foreign/umat.hpp"
 #include "adapters/foreign/vumat.hpp"
@@ -174,6 +175,7 @@ const assay_material* foreign_table(const ForeignModel& model) {
   table->doc = kept(*table, table->model.doc + (lacks.empty() ? "" : "; " + lacks));
   table->symmetry = table->model.symmetry;
   table->flags = (table->model.flags | ASSAY_USES_INCREMENT) & ~static_cast<std::uint32_t>(ASSAY_THREAD_SAFE);
+  if (!serves_all_components(table->model)) table->flags |= ASSAY_IN_PLANE;
   static std::mutex guard;
   static std::vector<std::unique_ptr<ForeignTable>> all;
   const std::lock_guard lock(guard);

@@ -107,10 +107,12 @@ std::vector<std::string> flag_names(const assay_material& table) {
   const std::string symmetry = table.symmetry == ASSAY_ISOTROPIC                   ? "isotropic"
                                : table.symmetry == ASSAY_CYLINDRICALLY_ORTHOTROPIC ? "cylindrically orthotropic"
                                                                                    : "anisotropic";
-  return {symmetry, has(ASSAY_NON_SMOOTH) ? "non-smooth" : "smooth",
-          has(ASSAY_RATE_DEPENDENT) ? "rate-dependent" : "rate-independent",
-          has(ASSAY_THREAD_SAFE) ? "thread-safe" : "not thread-safe",
-          has(ASSAY_USES_INCREMENT) ? "uses increments of F" : "uses total F"};
+  std::vector<std::string> names{symmetry, has(ASSAY_NON_SMOOTH) ? "non-smooth" : "smooth",
+                                 has(ASSAY_RATE_DEPENDENT) ? "rate-dependent" : "rate-independent",
+                                 has(ASSAY_THREAD_SAFE) ? "thread-safe" : "not thread-safe",
+                                 has(ASSAY_USES_INCREMENT) ? "uses increments of F" : "uses total F"};
+  if (has(ASSAY_IN_PLANE)) names.emplace_back("in the plane 12 alone");
+  return names;
 }
 
 std::string material_text(const std::string& name, const MaterialSource& source) {

@@ -124,18 +124,21 @@ Deed step(const Material& material, std::size_t n, double t, const Tensor& befor
 }
 
 /// A deformation of the course s = 0 .. 1.
-using Course = Tensor (*)(double amplitude, double s);
+using Course = Tensor (*)(const Space& space, double amplitude, double s);
 
-Tensor turning_stretch(double amplitude, double s) { return turn(s) * stretch(amplitude, s); }
-Tensor expansion(double amplitude, double s) { return (1 + amplitude * s) * Tensor::Identity(); }
+Tensor turning_stretch(const Space& space, double amplitude, double s) {
+  return space.turn(s) * space.stretch(amplitude, s);
+}
+Tensor expansion(const Space&, double amplitude, double s) { return (1 + amplitude * s) * Tensor::Identity(); }
 
 /// Until the material does not stand it. The results go to `history`.
 std::string misdeed(const Material& material, std::size_t n, Course course, double amplitude, int steps,
                     History* history = nullptr) {
+  const Space space(material);
   Deed deed = begin(material, n);
   for (int k = 0; k < steps && deed.goes_on; ++k) {
     const double s0 = static_cast<double>(k) / steps, s1 = (k + 1.0) / steps;
-    deed = step(material, n, length * k, course(amplitude, s0), course(amplitude, s1), deed.state);
+    deed = step(material, n, length * k, course(space, amplitude, s0), course(space, amplitude, s1), deed.state);
     if (!history || !deed.goes_on) continue;
     history->push_back(deed.cauchy);
     history->back().insert(history->back().end(), deed.state.begin(), deed.state.end());

@@ -48,10 +48,19 @@ struct Report {
   bool passes() const { return diagnosis.empty(); }
 };
 
+/// How the author of a model declares what the tests look for, for their sentences.
+struct Declarations {
+  std::string rate_dependence = "ASSAY_RATE_DEPENDENT";
+  std::string own_axes = "ASSAY_ROLE_ROTATES_ITSELF";
+  std::string refused_stress = ": let initial_state return ASSAY_FAILED for one";  ///< may be empty
+  std::string tangent = "d sigma / d F1 in row-major order";
+};
+
 struct Options {
   Effort effort = {};
   std::string only = {};     ///< id of the one test that is wanted, besides those that it stands on; empty: all
   std::string without = {};  ///< id of a test that is left out
+  Declarations declarations = {};
   std::function<void(const std::string& id)> begins = {};   ///< told before each test
   std::function<void(const TestResult& result)> ends = {};  ///< after it, before the diagnosis
 };

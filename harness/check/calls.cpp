@@ -28,7 +28,7 @@ Steps steps_along(const Specimen& specimen, std::size_t n) {
   steps.dt = 1.0 / static_cast<double>(n);
   const auto F = [&](std::size_t k) {
     const double s = static_cast<double>(k) / static_cast<double>(n);
-    return Tensor(turn(1.3 * s) * stretch(specimen.amplitude, s));
+    return Tensor(specimen.space.turn(1.3 * s) * specimen.space.stretch(specimen.amplitude, s));
   };
   for (std::size_t p = 0; p < n; ++p) {
     const Tensor before = F(p), after = F(p + 1);
@@ -206,7 +206,7 @@ TestResult undeclared_increment(const Specimen& specimen) {
   }
   const Material& material = *specimen.material;
   const double a = specimen.amplitude;
-  const Tensor F0 = stretch(a, 0.1), F1 = stretch(a, 0.12);
+  const Tensor F0 = specimen.space.stretch(a, 0.1), F1 = specimen.space.stretch(a, 0.12);
   const Point before = stepped(material, 0, 1, Tensor::Identity(), F0, specimen.rest_state());
   const Tensor usual = stepped(material, 1, 1, F0, F1, before.state).cauchy;
   const double scale = std::max(usual.cwiseAbs().maxCoeff(), specimen.least_stress());

@@ -18,7 +18,8 @@ constexpr double angle = turning_angle, right_angle = std::numbers::pi / 2;
 Tensor half_turn(const Vector3& axis) { return 2 / axis.squaredNorm() * axis * axis.transpose() - Tensor::Identity(); }
 
 /// Whether what is right in some turns is what an exchange of 13 and 23 leaves right, and no material with axes.
-bool exchanges_shears(const std::function<bool(const Tensor&)>& right) {
+bool exchanges_shears(const Space& space, const std::function<bool(const Tensor&)>& right) {
+  if (space.is_plane()) return false;
   const Tensor about_diagonal = Eigen::AngleAxisd(angle, Vector3(1, 1, 0).normalized()).toRotationMatrix();
   return right(half_turn({0, 0, 1})) && right(half_turn({1, 1, 0})) && !right(half_turn({1, 0, 0})) &&
          !right(rotation_about_z(right_angle)) && !right(about_diagonal);
@@ -76,7 +77,7 @@ bool right_after_a_turn(const Specimen& specimen, const Tensor& Q, const Loading
 }  // namespace
 
 TestResult constant_rotation(const Specimen& specimen) {
-  const Tensor Q = turn(angle);
+  const Tensor Q = specimen.space.turn(angle);
   const Loading still = out_and_back(specimen);
   const auto in_frame = [&](const Tensor& R) {
     return Loading{[=](double t) { return Tensor(R * still.F(t)); }, still.phases};
@@ -97,10 +98,10 @@ TestResult constant_rotation(const Specimen& specimen) {
   if (unturned.verdict == Verdict::pass) {
     result.cause = causes::rotation_missing;
     result.sentence += ", and the same as if the frame were not: it is the stress of the unturned body";
-  } else if (exchanges_shears(right)) {
+  } else if (exchanges_shears(specimen.space, right)) {
     result.cause = causes::components_swapped;
     result.sentence += "; right in frames that exchange the axes 1 and 2: somewhere 13 and 23 change places";
-  } else if (right(rotation_about_z(right_angle)) && right(next_axes())) {
+  } else if (right(rotation_about_z(right_angle)) && (specimen.space.is_plane() || right(next_axes()))) {
     result.cause = causes::shear_factor;
     result.sentence += "; right in frames at right angles: shear and normal components are not weighed alike";
   }
@@ -110,7 +111,7 @@ TestResult constant_rotation(const Specimen& specimen) {
 bool right_without_spin(const Specimen& specimen) {
   Tensor axes;
   axes << 0.9, 0.4, -0.3, 0.4, -0.5, 0.2, -0.3, 0.2, 0.3;
-  const Tensor Q = turn(angle);
+  const Tensor Q = specimen.space.turn(angle);
   const double a = specimen.amplitude;
   const Loading still{[=](double t) { return Tensor(Tensor::Identity() + a * std::sin(4 * t) * axes); }, 1};
   const Loading seen{[=](double t) { return Tensor(Q * still.F(t)); }, 1};
@@ -128,7 +129,7 @@ TestResult change_of_basis(const Specimen& specimen) {
             .verdict = Verdict::not_applicable,
             .sentence = "the axes of the material are its own: no direction is declared that could turn along"};
   }
-  const Tensor Q = directed ? rotation_about_z(angle) : turn(angle);  // the third axis may be fixed
+  const Tensor Q = directed ? rotation_about_z(angle) : specimen.space.turn(angle);  // the third axis may be fixed
   const Loading still = out_and_back(specimen);
   const Loading seen{[=](double t) { return rotated(Q, still.F(t)); }, still.phases};
   return exact_twin(specimen, "basis", still, seen, Q, Q * Vector3::UnitX(), "body and frame turned together");
@@ -145,9 +146,9 @@ TestResult isotropy(const Specimen& specimen) {
     return exact_twin(specimen, "isotropy", still, seen, Tensor::Identity(), Vector3::UnitX(),
                       "the same history of a body that was turned before");
   };
-  TestResult result = before(turn(angle));
+  TestResult result = before(specimen.space.turn(angle));
   if (result.verdict == Verdict::pass) return result;
-  if (exchanges_shears([&](const Tensor& Q) { return before(Q).verdict == Verdict::pass; })) {
+  if (exchanges_shears(specimen.space, [&](const Tensor& Q) { return before(Q).verdict == Verdict::pass; })) {
     result.cause = causes::components_swapped;
     result.sentence += "; right where the turn exchanges the axes 1 and 2: somewhere 13 and 23 change places";
   }

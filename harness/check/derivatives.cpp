@@ -26,7 +26,7 @@ std::vector<Sample> samples_of(const Specimen& specimen) {
   const int steps = specimen.options.effort.quick ? 20 : 60;
   const auto F = [&](int k) {
     const double s = static_cast<double>(k) / steps;
-    return Tensor(turn(1.3 * s) * stretch(specimen.amplitude, s));
+    return Tensor(specimen.space.turn(1.3 * s) * specimen.space.stretch(specimen.amplitude, s));
   };
   std::vector<Sample> samples;
   Point now{Tensor::Zero(), specimen.rest_state()};
@@ -39,11 +39,12 @@ std::vector<Sample> samples_of(const Specimen& specimen) {
   return samples;
 }
 
-/// d f / d F by central differences of fourth order, `f` a stress: [row of f][column of F].
+/// d f / d F by central differences of fourth order, `f` a stress: [row of f][column of F]; zero outside the space.
 template <class F>
-Tangent by_differences(const F& f, const Tensor& at, double h) {
-  Tangent slope;
+Tangent by_differences(const Space& space, const F& f, const Tensor& at, double h) {
+  Tangent slope = Tangent::Zero();
   for (int column = 0; column < 9; ++column) {
+    if (!space.has(column)) continue;
     const auto moved = [&](double by) {
       Tensor changed = at;
       component(changed, column) += by;
@@ -53,6 +54,15 @@ Tangent by_differences(const F& f, const Tensor& at, double h) {
     for (int row = 0; row < 9; ++row) slope(row, column) = component(d, row);
   }
   return slope;
+}
+
+/// Without the columns that are not of the space.
+Tangent within(const Space& space, const Tangent& A) {
+  Tangent result = A;
+  for (int column = 0; column < 9; ++column) {
+    if (!space.has(column)) result.col(column).setZero();
+  }
+  return result;
 }
 
 double apart(const Tangent& a, const Tangent& b) {
@@ -72,7 +82,7 @@ std::optional<Tangent> offered(const Material& material, const assay_tangent& fo
   for (int row = 0; row < 9; ++row) {
     for (int column = 0; column < 9; ++column) result(row, column) = found[9 * row + column];
   }
-  return result;
+  return within(Space(material), result);
 }
 
 TestResult not_offered(const char* id, const char* what) {
@@ -105,15 +115,15 @@ Tangents tangents_of(Specimen specimen, double amplitude, const assay_tangent& f
   Tangents found;
   for (const Sample& s : samples_of(specimen)) {
     const auto stress = [&](const Tensor& F) { return stepped(material, s.t, s.dt, s.F0, F, s.state0).cauchy; };
-    const Tangent expected = by_differences(stress, s.F1, small);
-    if (apart(by_differences(stress, s.F1, 0.25 * small), expected) > kink) continue;
+    const Tangent expected = by_differences(specimen.space, stress, s.F1, small);
+    if (apart(by_differences(specimen.space, stress, s.F1, 0.25 * small), expected) > kink) continue;
     const std::optional<Tangent> given = offered(material, form, s);
     ++(given ? found.given : found.refused);
     if (!given) continue;
     found.worst = std::max(found.worst, apart(*given, expected));
     for (const auto& [name, other] : other_conventions(expected, s.end.cauchy, s.F1)) {
       double& off = found.conventions[name];
-      off = std::max(off, apart(*given, other));
+      off = std::max(off, apart(*given, within(specimen.space, other)));
     }
   }
   return found;
@@ -147,7 +157,7 @@ TestResult tangent(const Specimen& specimen) {
                                       [](const auto& a, const auto& b) { return a.second < b.second; });
   if (least == found.conventions.end() || least->second > alike) return result;
   result.cause = causes::tangent_convention;
-  result.sentence = "the tangent is " + least->first + ", not d sigma / d F1 in row-major order";
+  result.sentence = "the tangent is " + least->first + ", not " + specimen.options.declarations.tangent;
   return result;
 }
 
@@ -162,8 +172,9 @@ TestResult energy(const Specimen& specimen) {
     // Held for a step: without a rate of deformation the stress is that of the energy.
     const Point held = stepped(material, s.t + s.dt, s.dt, s.F1, s.F1, s.end.state);
     const Tensor offered_stress = first_piola_kirchhoff(held.cauchy, s.F1);
-    Tensor P;
+    Tensor P = offered_stress;
     for (int c = 0; c < 9; ++c) {
+      if (!specimen.space.has(c)) continue;
       const auto W = [&](double by) {
         Tensor F = s.F1;
         component(F, c) += by;

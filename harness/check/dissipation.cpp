@@ -48,7 +48,7 @@ double out_of_what_was_lost(const Specimen& specimen, const assay_energy& form) 
   const double stored_at_rest = stored_energy(material, form, Tensor::Identity(), work.state());
   double lost = 0, peak = 0, worst = 0;
   for (int k = 0; k < steps; ++k) {
-    const Tensor F = stretch(specimen.amplitude, (k + 1.0) / steps);
+    const Tensor F = specimen.space.stretch(specimen.amplitude, (k + 1.0) / steps);
     work.step(F);
     lost = work.done() - (stored_energy(material, form, F, work.state()) - stored_at_rest);
     peak = std::max(peak, lost);
@@ -64,7 +64,7 @@ double out_of_rest(const Specimen& specimen, int steps, double time) {
   double least = 0;
   for (int k = 1; k <= 2 * steps; ++k) {
     const double there = 1 - std::abs(1 - static_cast<double>(k) / steps);
-    work.step(stretch(specimen.amplitude, 0.4 * there));
+    work.step(specimen.space.stretch(specimen.amplitude, 0.4 * there));
     least = std::min(least, work.done());
   }
   const double share = -least / std::max(work.paid(), specimen.least_stress() * specimen.amplitude);

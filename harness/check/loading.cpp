@@ -35,11 +35,12 @@ class Trials {
   }
   bool turned(double a, double b, double c) const {
     const Tensor stretches = Vector3(1 + a, 1 + b, 1 + c).asDiagonal();
-    return stands(Tensor::Identity(), rotated(turn(0.7), stretches));
+    return stands(Tensor::Identity(), rotated(Space(material_).turn(0.7), stretches));
   }
   /// Stretches that differ, along axes of their own.
   bool general_strains() const {
-    return stands(stretch(1e-3, 0.2), stretch(1e-3, 0.21)) && stands(stretch(-1e-3, 0.2), stretch(-1e-3, 0.21));
+    return stands(Space(material_).stretch(1e-3, 0.2), Space(material_).stretch(1e-3, 0.21)) &&
+           stands(Space(material_).stretch(-1e-3, 0.2), Space(material_).stretch(-1e-3, 0.21));
   }
 
  private:

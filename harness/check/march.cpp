@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/check/march.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "harness/checked_update.hpp"
@@ -42,7 +41,5 @@ std::vector<double> state_at_rest(const Material& material, double pressure, con
   for (const std::size_t c : {0u, 4u, 8u}) cauchy[c] = -pressure;
   return material.initial_state(1, cauchy, std::vector<double>{direction.x(), direction.y(), direction.z()});
 }
-
-Tensor turn(double angle) { return Eigen::AngleAxisd(angle, Vector3(1, 2, 3).normalized()).toRotationMatrix(); }
 
 }  // namespace assay::check

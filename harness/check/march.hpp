@@ -56,9 +56,4 @@ inline double distance(const Tensor& A, const Tensor& B) { return (A - B).cwiseA
 /// Q A Q^T.
 inline Tensor rotated(const Tensor& Q, const Tensor& A) { return Q * A * Q.transpose(); }
 
-inline constexpr double turning_angle = 2.3;  ///< [rad], no fraction of a turn
-
-/// By `angle` [rad] about (1, 2, 3): no component of a tensor keeps to itself.
-Tensor turn(double angle);
-
 }  // namespace assay::check

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "harness/check/rigid_turn.hpp"
 
@@ -18,15 +19,17 @@ constexpr double per_large_difference = 20;  ///< the same where stretches diffe
 
 constexpr double differences[] = {1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-4, 1e-3};
 
-/// Equal stretches along two axes, or three, that are no axes of the frame.
-Tensor equal_stretches(double amplitude, bool three, double difference) {
+/// Equal stretches along two axes, or three, that are no axes of the frame; in the plane one of two is its normal.
+Tensor equal_stretches(const Space& space, double amplitude, bool three, double difference) {
   const double other = three ? amplitude : -0.5 * amplitude;
-  const Vector3 stretches(1 + amplitude, 1 + amplitude + difference, 1 + other - (three ? difference : 0));
-  return rotated(turn(0.7), stretches.asDiagonal());
+  Vector3 stretches(1 + amplitude, 1 + amplitude + difference, 1 + other - (three ? difference : 0));
+  if (space.is_plane()) std::swap(stretches(1), stretches(2));
+  return rotated(space.turn(0.7), stretches.asDiagonal());
 }
 
 Tensor stress_at(const Specimen& specimen, double amplitude, bool three, double difference, double* largest = nullptr) {
-  const Loading loading{[=](double t) { return equal_stretches(amplitude * t, three, difference * t); }, 1};
+  const Loading loading{
+      [=, &specimen](double t) { return equal_stretches(specimen.space, amplitude * t, three, difference * t); }, 1};
   const March found = march(*specimen.material, loading, {.steps = 5, .state = specimen.rest_state()});
   if (largest) *largest = found.largest;
   return found.marks[0].cauchy;
@@ -80,18 +83,19 @@ TestResult nearly_equal_stretches(const Specimen& specimen) {
 TestResult rotation_at_equal_stretches(const Specimen& specimen) {
   constexpr double angle = turning_angle;
   const Material& material = *specimen.material;
+  const Space space = specimen.space;
   const int steps = specimen.steps() / 4;
   RigidTurn turned;
   FailedStep last;
   for (const bool three : {false, true}) {
     const double a = standing_amplitude(specimen, three);
-    const auto F = [=](double t) { return equal_stretches(a * std::min(t, 1.0), three, 0); };
+    const auto F = [=](double t) { return equal_stretches(space, a * std::min(t, 1.0), three, 0); };
     const Loading still{F, 2};
-    const Loading seen{[=](double t) { return Tensor(turn(angle * std::max(0.0, t - 1)) * F(t)); }, 2};
+    const Loading seen{[=](double t) { return Tensor(space.turn(angle * std::max(0.0, t - 1)) * F(t)); }, 2};
     for (int k = 0; k < 3; ++k) {
       const MarchOptions options{.steps = steps << k, .state = specimen.rest_state()};
       const March first = march(material, still, options), second = march(material, seen, options);
-      turned.note(k, second.marks[1].cauchy, rotated(turn(angle), first.marks[1].cauchy),
+      turned.note(k, second.marks[1].cauchy, rotated(space.turn(angle), first.marks[1].cauchy),
                   std::max(first.largest, specimen.least_stress()));
       last = second.last;
     }

@@ -37,7 +37,7 @@ TestResult symmetry(const Specimen& specimen) {
   double largest = specimen.least_stress(), deviator = 0, skew = 0;
   for (int k = 0; k < steps; ++k) {
     const double s = (k + 1.0) / steps;
-    const Tensor F1 = turn(2 * s) * stretch(specimen.amplitude, s);
+    const Tensor F1 = specimen.space.turn(2 * s) * specimen.space.stretch(specimen.amplitude, s);
     now = stepped(*specimen.material, 1.0 * k / steps, 1.0 / steps, F0, F1, now.state);
     const Tensor dev = now.cauchy - now.cauchy.trace() / 3 * Tensor::Identity();
     largest = std::max(largest, now.cauchy.cwiseAbs().maxCoeff());
@@ -65,7 +65,7 @@ TestResult no_time(const Specimen& specimen) {
   constexpr int repeats = 30;
   const Material& material = *specimen.material;
   const double a = specimen.amplitude;
-  const Loading loading{[a](double t) { return stretch(a, 0.3 * t); }, 1};
+  const Loading loading{[&](double t) { return specimen.space.stretch(a, 0.3 * t); }, 1};
   const March loaded = march(material, loading, {.steps = specimen.steps(), .state = specimen.rest_state()});
   const Tensor F = loading.F(1);
   double least = INFINITY;
@@ -93,7 +93,7 @@ TestResult zero_increment(const Specimen& specimen) {
   const double a = specimen.amplitude;
   std::array<double, 3> errors{};
   for (int k = 0; k < 3; ++k) {
-    const Loading loading{[a](double t) { return stretch(a, 0.3 * t); }, 1};
+    const Loading loading{[&](double t) { return specimen.space.stretch(a, 0.3 * t); }, 1};
     const March loaded = march(material, loading, {.steps = specimen.steps() << k, .state = specimen.rest_state()});
     const Tensor F = loading.F(1);
     Point now = loaded.marks[0];

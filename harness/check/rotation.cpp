@@ -19,15 +19,15 @@ using AngleOf = std::function<double(double)>;
 
 double ramp(double from, double to, double t) { return std::clamp((t - from) / (to - from), 0.0, 1.0); }
 
-Loading turning(const Loading& loading, const AngleOf& angle_at) {
-  return {[=](double t) { return Tensor(turn(angle_at(t)) * loading.F(t)); }, loading.phases};
+Loading turning(const Space& space, const Loading& loading, const AngleOf& angle_at) {
+  return {[=](double t) { return Tensor(space.turn(angle_at(t)) * loading.F(t)); }, loading.phases};
 }
 
 /// The largest over the phases' ends, relative to the largest stress of the history at rest.
 double error_between(const Specimen& specimen, const March& still, const March& seen, const AngleOf& angle_at) {
   double error = 0;
   for (std::size_t k = 0; k < still.marks.size(); ++k) {
-    const Tensor Q = turn(angle_at(static_cast<double>(k) + 1));
+    const Tensor Q = specimen.space.turn(angle_at(static_cast<double>(k) + 1));
     error = std::max(error, distance(rotated(Q.transpose(), seen.marks[k].cauchy), still.marks[k].cauchy));
   }
   return error / std::max(still.largest, specimen.least_stress());
@@ -41,14 +41,14 @@ Twins march_twins(const Specimen& specimen, const Loading& loading, const AngleO
   MarchOptions options{.steps = steps, .state = specimen.rest_state()};
   Twins twins;
   twins.still = march(*specimen.material, loading, options);
-  twins.seen = march(*specimen.material, turning(loading, angle_at), options);
+  twins.seen = march(*specimen.material, turning(specimen.space, loading, angle_at), options);
   return twins;
 }
 
 /// By how many times `angle` about (1, 2, 3) `found` is turned from `unturned`; null where by none.
-std::optional<double> turned_by(const Tensor& found, const Tensor& unturned) {
+std::optional<double> turned_by(const Space& space, const Tensor& found, const Tensor& unturned) {
   const double scale = unturned.cwiseAbs().maxCoeff();
-  const auto miss = [&](double k) { return distance(rotated(turn(k * angle), unturned), found) / scale; };
+  const auto miss = [&](double k) { return distance(rotated(space.turn(k * angle), unturned), found) / scale; };
   constexpr double range = 2.5, step = 0.01;
   double best = 0;
   for (double k = -range; k <= range; k += step) {
@@ -58,10 +58,10 @@ std::optional<double> turned_by(const Tensor& found, const Tensor& unturned) {
 }
 
 /// Equal stretches, and a little shear on top: where a yield surface has an apex, the stress may be there.
-Tensor expanded(double amplitude, double expansion, double shear) {
+Tensor expanded(const Space& space, double amplitude, double expansion, double shear) {
   Tensor A;
   A << 0.3, 0.2, -0.1, 0.2, -0.2, 0.3, -0.1, 0.3, -0.1;
-  return Tensor::Identity() + amplitude * (expansion * Tensor::Identity() + 0.05 * shear * A);
+  return space.within(Tensor::Identity() + amplitude * (expansion * Tensor::Identity() + 0.05 * shear * A));
 }
 
 struct Case {
@@ -73,11 +73,12 @@ struct Case {
 
 Case case_of(const Specimen& specimen, When when) {
   const double a = specimen.amplitude;
+  const Space space = specimen.space;
   switch (when) {
     case When::before:
       return {"rotation.before",
               "a body that turns before it is loaded",
-              {[a](double t) { return stretch(a, 0.5 * std::max(0.0, t - 1)); }, 3},
+              {[a, space = specimen.space](double t) { return space.stretch(a, 0.5 * std::max(0.0, t - 1)); }, 3},
               [](double t) { return angle * ramp(0, 1, t); }};
     case When::during:
       return {"rotation.during", "a body that turns while it is loaded", out_and_back(specimen),
@@ -85,15 +86,16 @@ Case case_of(const Specimen& specimen, When when) {
     case When::apex:
       return {"rotation.apex",
               "a body that is expanded, then sheared while it turns",
-              {[a](double t) { return expanded(a, std::min(t, 1.0), std::max(0.0, t - 1)); }, 2},
+              {[=](double t) { return expanded(space, a, std::min(t, 1.0), std::max(0.0, t - 1)); }, 2},
               [](double t) { return angle * ramp(1, 2, t); }};
     case When::after:
       break;
   }
-  return {"rotation.after",
-          "a body that turns between two loads",
-          {[a](double t) { return stretch(a, 0.5 * (ramp(0, 1, t) + ramp(2, 3, t))); }, 3},
-          [](double t) { return angle * ramp(1, 2, t); }};
+  return {
+      "rotation.after",
+      "a body that turns between two loads",
+      {[a, space = specimen.space](double t) { return space.stretch(a, 0.5 * (ramp(0, 1, t) + ramp(2, 3, t))); }, 3},
+      [](double t) { return angle * ramp(1, 2, t); }};
 }
 
 }  // namespace
@@ -134,7 +136,7 @@ TestResult rotation(const Specimen& specimen, When when) {
 
 RotationFinding rotation_at_fixed_stretch(const Specimen& specimen) {
   const double a = specimen.amplitude;
-  const Loading loading{[a](double t) { return stretch(a, 0.5 * std::min(t, 1.0)); }, 2};
+  const Loading loading{[a, space = specimen.space](double t) { return space.stretch(a, 0.5 * std::min(t, 1.0)); }, 2};
   const AngleOf angle_at = [](double t) { return angle * ramp(1, 2, t); };
   const int steps = specimen.steps() / 4;
   RigidTurn turned;
@@ -143,13 +145,14 @@ RotationFinding rotation_at_fixed_stretch(const Specimen& specimen) {
     twins = march_twins(specimen, loading, angle_at, steps << k);
     const double scale = std::max(twins.still.largest, specimen.least_stress());
     for (const std::size_t phase : {0u, 1u}) {
-      const Tensor Q = turn(angle_at(static_cast<double>(phase) + 1));
+      const Tensor Q = specimen.space.turn(angle_at(static_cast<double>(phase) + 1));
       turned.note(k, twins.seen.marks[phase].cauchy, rotated(Q, twins.still.marks[phase].cauchy), scale);
     }
   }
   RotationFinding finding{turned.judged("rotation.fixed_stretch", "a stretched body that turns", steps)};
   finding.result.step = twins.seen.last;
-  if (!turned.exact()) finding.turned = turned_by(twins.seen.marks[1].cauchy, twins.still.marks[1].cauchy);
+  if (!turned.exact())
+    finding.turned = turned_by(specimen.space, twins.seen.marks[1].cauchy, twins.still.marks[1].cauchy);
   return finding;
 }
 
@@ -157,7 +160,8 @@ TestResult revolutions(const Specimen& specimen) {
   constexpr int steps = 16;
   const int turns = specimen.options.effort.quick ? 10 : 50;
   const double a = specimen.amplitude;
-  const Loading loading{[a](double t) { return stretch(a, 0.5 * std::min(t, 1.0)); }, 1 + turns};
+  const Loading loading{[a, space = specimen.space](double t) { return space.stretch(a, 0.5 * std::min(t, 1.0)); },
+                        1 + turns};
   const AngleOf angle_at = [](double t) { return 2 * std::numbers::pi * std::max(0.0, t - 1); };
   const Twins twins = march_twins(specimen, loading, angle_at, steps);
   const double still = twins.still.marks.back().cauchy.norm(), seen = twins.seen.marks.back().cauchy.norm();
@@ -174,7 +178,7 @@ TestResult revolutions(const Specimen& specimen) {
 RotationFinding rotation_of_state(const Specimen& specimen) {
   constexpr double same = 1e-3, trifle = 1e-10;
   const double a = specimen.amplitude;
-  const Loading loading{[a](double t) { return stretch(a, 0.5 * std::min(t, 1.0)); }, 2};
+  const Loading loading{[a, space = specimen.space](double t) { return space.stretch(a, 0.5 * std::min(t, 1.0)); }, 2};
   const Twins twins = march_twins(
       specimen, loading, [](double t) { return angle * ramp(1, 2, t); }, specimen.steps());
   RotationFinding finding{{.id = "rotation.state"}};
@@ -185,7 +189,8 @@ RotationFinding rotation_of_state(const Specimen& specimen) {
   for (std::uint32_t v = 0; v < table.state_count; ++v) {
     const int size = components_of_kind(table.state[v].kind);
     const auto value = [&](const March& m) { return Variable(table.state[v].kind, &m.marks[1].state[at]); };
-    const Variable still = value(twins.still), seen = value(twins.seen), turned = still.turned(turn(angle));
+    const Variable still = value(twins.still), seen = value(twins.seen),
+                   turned = still.turned(specimen.space.turn(angle));
     at += static_cast<std::size_t>(size);
     const double scale = still.largest();
     if (size == 1 || !(scale > trifle) || still.distance(turned) < same * scale) continue;  // a sphere says nothing
@@ -201,7 +206,8 @@ RotationFinding rotation_of_state(const Specimen& specimen) {
                             : worst <= same
                                 ? "tensors of the state turn with the body, or are declared to turn by themselves"
                                 : "a tensor of the state does not turn as its role says; no defect where the stress "
-                                  "is right: declare ASSAY_ROLE_ROTATES_ITSELF";
+                                  "is right: declare " +
+                                      specimen.options.declarations.own_axes;
   return finding;
 }
 

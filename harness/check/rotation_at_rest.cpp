@@ -11,13 +11,16 @@ namespace {
 constexpr double angle = turning_angle;
 
 /// A turn by a small angle, its square half a strain at which most materials are elastic.
-Tensor little_turn(double t) { return turn(3e-3 * t); }
-Tensor strain_of_little_turn(double t) { return 0.5 * (little_turn(t) + little_turn(t).transpose()); }
+Tensor little_turn(const Space& space, double t) { return space.turn(3e-3 * t); }
+Tensor strain_of_little_turn(const Space& space, double t) {
+  return 0.5 * (little_turn(space, t) + little_turn(space, t).transpose());
+}
 
 /// Above that of rest, at the end of a loading of so many seconds.
-Tensor stress_after(const Specimen& specimen, Tensor (*F)(double), double length) {
+Tensor stress_after(const Specimen& specimen, Tensor (*F)(const Space&, double), double length) {
   const MarchOptions options{.steps = specimen.steps(), .phase_length = length, .state = specimen.rest_state()};
-  return march(*specimen.material, {F, 1}, options).marks[0].cauchy + specimen.pressure * Tensor::Identity();
+  const Loading loading{[&](double t) { return F(specimen.space, t); }, 1};
+  return march(*specimen.material, loading, options).marks[0].cauchy + specimen.pressure * Tensor::Identity();
 }
 
 /// The stress of a turn Q, as a multiple of that of the strain sym(Q - I).
@@ -26,7 +29,7 @@ double share_of(const Tensor& found, const Tensor& mistaken) {
 }
 
 double small_strain_share(const Specimen& specimen) {
-  const Tensor mistaken = stress_of(specimen.stiffness, little_turn(1) - Tensor::Identity());
+  const Tensor mistaken = stress_of(specimen.stiffness, little_turn(specimen.space, 1) - Tensor::Identity());
   return share_of(stress_after(specimen, little_turn, 1), mistaken);
 }
 
@@ -42,7 +45,7 @@ double relaxed_small_strain_share(const Specimen& specimen) {
 
 /// The same of each part that relaxes, in one step: the nearest to 1. Viscous stress of sym(F1 - F0)/dt is such a part.
 double relaxing_small_strain_share(const Specimen& specimen) {
-  const Tensor Q = little_turn(1);
+  const Tensor Q = little_turn(specimen.space, 1);
   double nearest = 0;
   const auto stress = [&](double length) {
     return stepped(*specimen.material, 0, length, Tensor::Identity(), Q, specimen.rest_state()).cauchy;
@@ -68,7 +71,7 @@ RotationFinding rotation_at_rest(const Specimen& specimen) {
     return distance(turned.marks[0].cauchy, -specimen.pressure * Tensor::Identity()) / specimen.modulus;
   };
   for (int k = 0; k < 3; ++k) {
-    const Loading loading{[](double t) { return turn(angle * t); }, 1};
+    const Loading loading{[&](double t) { return specimen.space.turn(angle * t); }, 1};
     const March turned = march(material, loading, {.steps = specimen.steps() << k, .state = specimen.rest_state()});
     errors[static_cast<std::size_t>(k)] = deviation(turned);
     last = turned.last;

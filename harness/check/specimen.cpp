@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace assay::check {
 
@@ -16,7 +15,7 @@ constexpr double largest_under_pressure = 0.01;          ///< soils come apart s
 /// The largest stress along the histories of the tests [Pa]. Throws MaterialFailure.
 double largest_stress(Specimen specimen, double amplitude) {
   specimen.amplitude = amplitude;
-  const Loading there{[&](double t) { return stretch(amplitude, t); }, 1};
+  const Loading there{[&](double t) { return specimen.space.stretch(amplitude, t); }, 1};
   march(*specimen.material, there, {.steps = specimen.steps() / 4, .state = specimen.rest_state()});
   return march(*specimen.material, out_and_back(specimen), {.steps = specimen.steps(), .state = specimen.rest_state()})
       .largest;
@@ -57,7 +56,7 @@ double onset_of(const Specimen& specimen, double length) {
   constexpr double alike = 0.1;
   const Tensor I = Tensor::Identity();
   const auto is_linear = [&](double a) {
-    const Tensor F = stretch(a, 0.25);
+    const Tensor F = specimen.space.stretch(a, 0.25);
     const Tensor expected = stress_of(specimen.stiffness, F - I), at_rest = -specimen.pressure * I;
     const Tensor found = stepped(*specimen.material, 0, length, I, F, specimen.rest_state()).cauchy;
     return distance(found, expected + at_rest) <= alike * expected.cwiseAbs().maxCoeff();
@@ -82,13 +81,6 @@ bool carries(const Material& material, double pressure) {
 
 }  // namespace
 
-Tensor stretch(double amplitude, double s) {
-  Tensor A, B;
-  A << 1, 0.4, -0.3, 0.4, -0.5, 0.2, -0.3, 0.2, 0.3;
-  B << -0.2, 0.5, 0.1, 0.5, 0.6, -0.4, 0.1, -0.4, -0.3;
-  return Tensor::Identity() + amplitude * (std::sin(1.5 * std::numbers::pi * s) * A + s * s * B);
-}
-
 double pressure_at_rest(const Material& material) {
   std::optional<MaterialFailure> failure;
   const auto modulus = [&](double pressure) {
@@ -112,11 +104,11 @@ double pressure_at_rest(const Material& material) {
 }
 
 Loading out_and_back(const Specimen& specimen) {
-  return {[a = specimen.amplitude](double t) { return stretch(a, 0.5 * t); }, 2};
+  return {[a = specimen.amplitude, space = specimen.space](double t) { return space.stretch(a, 0.5 * t); }, 2};
 }
 
 Specimen examine(const Material& material, const Options& options) {
-  Specimen specimen{&material, options};
+  Specimen specimen(material, options);
   specimen.pressure = options.effort.pressure ? *options.effort.pressure : pressure_at_rest(material);
   const double length = length_of_probes(specimen);
   const Probed at_rest = probed(material, specimen.pressure, length);

@@ -6,13 +6,17 @@
 
 #include "harness/check/battery.hpp"
 #include "harness/check/march.hpp"
+#include "harness/check/space.hpp"
 #include "harness/check/stiffness.hpp"
 
 namespace assay::check {
 
 struct Specimen {
+  Specimen(const Material& m, const Options& o) : material(&m), options(o), space(m) {}
+
   const Material* material;
   Options options;
+  Space space;
   Stiffness stiffness = Stiffness::Zero();
   double modulus = 0;                    ///< largest component of `stiffness` [Pa]
   bool linear = false;                   ///< its response to small strains from rest is
@@ -39,10 +43,7 @@ double pressure_at_rest(const Material& material);
 /// Throws MaterialFailure where the material cannot be loaded at all.
 Specimen examine(const Material& material, const Options& options);
 
-/// A stretch along turning axes, out, back and beyond: 0 <= s <= 1, F = I at 0.
-Tensor stretch(double amplitude, double s);
-
-/// The same out, and back and beyond in the second of two phases.
+/// A stretch along turning axes out, and back and beyond in the second of two phases.
 Loading out_and_back(const Specimen& specimen);
 
 }  // namespace assay::check

@@ -91,7 +91,8 @@ TestResult ellipticity(const Specimen& specimen) {
     smallest = std::min(smallest, finding.smallest);
     words += (words.empty() ? "" : "; ") + finding.words;
   }
-  result.sentence = "strong ellipticity, a property of the material and no defect: " + words;
+  result.sentence = std::string("strong ellipticity") + (specimen.space.is_plane() ? " in the plane" : "") +
+                    ", a property of the material and no defect: " + words;
   if (!std::isfinite(smallest)) return result;
   result.measure = smallest;
   result.verdict = Verdict::pass;

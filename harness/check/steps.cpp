@@ -11,7 +11,7 @@ namespace assay::check {
 namespace {
 
 Loading whole_way(const Specimen& specimen) {
-  return {[a = specimen.amplitude](double t) { return stretch(a, t); }, 1};
+  return {[a = specimen.amplitude, space = specimen.space](double t) { return space.stretch(a, t); }, 1};
 }
 
 Tensor stress_after(const Specimen& specimen, int steps, double length, double begin, double& largest) {
@@ -36,7 +36,7 @@ double amplitude_at_once(const Specimen& specimen, double s) {
   constexpr double least = 1e-6;
   for (double amplitude = specimen.amplitude; amplitude > least; amplitude *= 0.5) {
     try {
-      stress_at_once(specimen, turn(s) * stretch(amplitude, s));
+      stress_at_once(specimen, specimen.space.turn(s) * specimen.space.stretch(amplitude, s));
       return amplitude;
     } catch (const MaterialFailure&) {
     }
@@ -49,15 +49,16 @@ double amplitude_at_once(const Specimen& specimen, double s) {
 TestResult continuity(const Specimen& specimen) {
   constexpr double most = 1e-4, per_change = 1e3;
   TestResult result{.id = "continuity", .threshold = most};
+  const Space space = specimen.space;
   double worst = 0, at = 0;
   for (const double s : {0.11, 0.23, 0.37}) {
     const double amplitude = amplitude_at_once(specimen, s);
     if (amplitude == 0) continue;
-    const Tensor F = turn(s) * stretch(amplitude, s);
+    const Tensor F = space.turn(s) * space.stretch(amplitude, s);
     const Tensor expected = stress_at_once(specimen, F);
     const double scale = std::max(expected.cwiseAbs().maxCoeff(), specimen.least_stress());
     for (const double change : {1e-14, 1e-12, 1e-10, 1e-8}) {
-      const double error = distance(stress_at_once(specimen, F + change * stretch(1, s)), expected) / scale;
+      const double error = distance(stress_at_once(specimen, F + change * space.stretch(1, s)), expected) / scale;
       const double excess = error - per_change * change / amplitude;
       if (!(excess <= worst)) worst = std::isfinite(excess) ? excess : INFINITY, at = change;
     }
@@ -123,11 +124,13 @@ TestResult clock_independence(const Specimen& specimen) {
   compare(1, 1e6, expected, "a clock that begins at 1e6 s");
   if (!specimen.rate_dependent()) {
     for (const double dt : {1e-9, 1e-6, 1e-3, 1.0}) {
-      compare(dt * steps, 0, expected, "a step of " + rounded(dt) + " s, of a model that declares no rate dependence,");
+      compare(dt * steps, 0, expected,
+              "a step of " + rounded(dt) + " s, of a model that does not declare " +
+                  specimen.options.declarations.rate_dependence + ",");
     }
   }
   for (const double s : {0.2, 0.6}) {  // from a loaded state, whose clock may have been set to anything
-    const Loading loading = {[&](double t) { return stretch(specimen.amplitude, s * t); }, 1};
+    const Loading loading = {[&](double t) { return specimen.space.stretch(specimen.amplitude, s * t); }, 1};
     const March loaded = march(*specimen.material, loading, {.steps = steps, .state = specimen.rest_state()});
     const Tensor F0 = loading.F(1), F1 = loading.F(1 + 1.0 / steps);
     const auto at = [&](double t) {

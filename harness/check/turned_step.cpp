@@ -53,16 +53,18 @@ struct Fate {
   Variable expected;
 };
 
-std::vector<Fate> fates_of(const Variable& before) {
-  const Tensor Q = turn(small_turn);
+std::vector<Fate> fates_of(const Space& space, const Variable& before) {
+  const Tensor Q = space.turn(small_turn);
   const Variable right = before.turned(Q);
   std::vector<Fate> fates{{Turned::rightly, 1, right}, {Turned::not_at_all, 0, before}};
-  if (before.is_tensor()) {
+  if (before.is_tensor() && !space.is_plane()) {
     for (const Variable& each : {right, before}) {
       fates.push_back({Turned::with_13_and_23_exchanged, 1, each.with(exchanged(each.value()))});
     }
     const Variable misread = before.with(exchanged(before.value())).turned(Q);
     fates.push_back({Turned::with_13_and_23_exchanged, 1, misread.with(exchanged(misread.value()))});
+  }
+  if (before.is_tensor()) {
     for (const double factor : {2.0, 0.5}) {
       const Variable meant = before.with(sheared(before.value(), factor)).turned(Q);
       fates.push_back({Turned::with_shear_factor, 1, meant.with(sheared(meant.value(), 1 / factor))});
@@ -71,15 +73,15 @@ std::vector<Fate> fates_of(const Variable& before) {
   constexpr double range = 2.5, step = 0.01, no_turn = 0.1;
   for (double times = -range; times <= range; times += step) {
     if (std::abs(times) < no_turn || std::abs(times - 1) < no_turn) continue;
-    fates.push_back({Turned::by_another_angle, times, before.turned(turn(times * small_turn))});
+    fates.push_back({Turned::by_another_angle, times, before.turned(space.turn(times * small_turn))});
   }
   return fates;
 }
 
 /// How `found` has come out of `before` in a turn of the body, and by how much that misses it, relative.
-std::pair<TurnedVariable, double> carried(const Variable& before, const Variable& found) {
+std::pair<TurnedVariable, double> carried(const Space& space, const Variable& before, const Variable& found) {
   std::pair<TurnedVariable, double> best{{{}, false, Turned::otherwise, 1}, alike};
-  for (const Fate& fate : fates_of(before)) {
+  for (const Fate& fate : fates_of(space, before)) {
     const double miss = found.distance(fate.expected) / before.largest();
     if (miss < 0.5 * best.second) best = {{{}, false, fate.how, fate.times}, miss};  // the first are the likelier ones
   }
@@ -100,7 +102,7 @@ struct Loaded {
 
 Loaded loaded(const Specimen& specimen, double s) {
   const double a = specimen.amplitude;
-  const Loading loading{[=](double t) { return stretch(a, s * t); }, 1};
+  const Loading loading{[&](double t) { return specimen.space.stretch(a, s * t); }, 1};
   const March found = march(*specimen.material, loading, {.steps = specimen.steps(), .state = specimen.rest_state()});
   const double length = 1.0 / specimen.steps();
   return {loading.F(1), found.marks[0], length, specimen.rate_dependent() ? 1e-9 : length};
@@ -109,9 +111,9 @@ Loaded loaded(const Specimen& specimen, double s) {
 /// Whether the stress of a loading depends on a variable at all: a model may keep what only its output shows.
 bool is_read(const Specimen& specimen, const Loaded& from, double s, const Place& place) {
   constexpr double further = 0.02, significant = 1e-9;
-  const Tensor F1 = stretch(specimen.amplitude, s + further);
+  const Tensor F1 = specimen.space.stretch(specimen.amplitude, s + further);
   std::vector<double> other = from.point.state;
-  place.in(other).turned(turn(large_turn)).write(&other[place.at]);
+  place.in(other).turned(specimen.space.turn(large_turn)).write(&other[place.at]);
   const auto stress = [&](const std::vector<double>& state) {
     return stepped(*specimen.material, 1, from.length, from.F, F1, state).cauchy;
   };
@@ -127,7 +129,7 @@ bool is_read(const Specimen& specimen, const Loaded& from, double s, const Place
 /// fits best.
 std::vector<TurnedVariable> carried_variables(const Specimen& specimen, const Loaded& from, double s) {
   const Material& material = *specimen.material;
-  const Tensor Q = turn(small_turn);
+  const Tensor Q = specimen.space.turn(small_turn);
   const std::vector<Place> places = places_of(material);
   std::vector<TurnedVariable> all;
   std::vector<double> misses;
@@ -137,7 +139,7 @@ std::vector<TurnedVariable> carried_variables(const Specimen& specimen, const Lo
     misses.push_back(INFINITY);
   }
   for (const double back : {0.0, 2e-3, 1e-2, 3e-2}) {
-    const Tensor F = stretch(specimen.amplitude, s - back);
+    const Tensor F = specimen.space.stretch(specimen.amplitude, s - back);
     const std::vector<double> state = stepped(material, 1, from.instant, from.F, F, from.point.state).state;
     const Point held = stepped(material, 1, from.instant, F, F, state);
     const Point seen = stepped(material, 1, from.instant, F, Q * F, state);
@@ -145,7 +147,7 @@ std::vector<TurnedVariable> carried_variables(const Specimen& specimen, const Lo
       const Variable whole = places[v].in(held.state), before = without_sphere(whole);
       if (!(whole.largest() > trifle) || before.largest() < 1e-6 * whole.largest()) continue;
       seen_at_all[v] = true;
-      const auto [found, miss] = carried(before, without_sphere(places[v].in(seen.state)));
+      const auto [found, miss] = carried(specimen.space, before, without_sphere(places[v].in(seen.state)));
       if (!(miss < 0.5 * misses[v])) continue;
       misses[v] = miss;
       all[v].how = found.how;
@@ -160,7 +162,8 @@ std::vector<TurnedVariable> carried_variables(const Specimen& specimen, const Lo
   return all;
 }
 
-/// What components of the state or of the stress are taken for; the first two are no defect.
+/// What components of the state or of the stress are taken for; the first two are no defect. `exchanged` is nothing in
+/// the plane.
 enum class As { tensor, own_frame, exchanged, half_shear, double_shear, count };
 
 Tensor read_as(As as, const Tensor& A) {
@@ -188,17 +191,19 @@ Turned defect_of(As as) {
 class Assumptions {
  public:
   Assumptions(const Specimen& specimen, const Loaded& from, double s)
-      : material_(*specimen.material), from_(from), places_(places_of(material_)) {
+      : material_(*specimen.material), space_(specimen.space), from_(from), places_(places_of(material_)) {
     constexpr double further = 0.02;
-    F1_ = stretch(specimen.amplitude, s + further);
+    F1_ = space_.stretch(specimen.amplitude, s + further);
     expected_ = step(from.F, F1_, from.point.state).cauchy;
     scale_ = std::max(expected_.cwiseAbs().maxCoeff(), specimen.least_stress());
     places_.resize(std::min(places_.size(), most_));
   }
 
+  bool can_be(As as) const { return as != As::exchanged || !space_.is_plane(); }
+
   /// Of the stress, if each variable is what it is assumed to be, and so is the stress.
   double error(const std::vector<As>& variables, As output) const {
-    const Tensor Q = turn(large_turn);
+    const Tensor Q = space_.turn(large_turn);
     std::vector<double> state = from_.point.state;
     for (std::size_t v = 0; v < places_.size(); ++v) {
       if (variables[v] == As::own_frame) continue;
@@ -222,6 +227,7 @@ class Assumptions {
   }
 
   const Material& material_;
+  Space space_;
   const Loaded& from_;
   std::vector<Place> places_;
   Tensor F1_, expected_;
@@ -240,11 +246,14 @@ void explain(const Assumptions& assumptions, TurnedStep& found) {
     double cost = 0;
     for (std::size_t v = 0, rest = code; v < count; ++v, rest /= kinds) {
       variables[v] = static_cast<As>(rest % kinds);
-      cost += variables[v] == As::tensor ? 0 : variables[v] == As::own_frame ? 1 : 2;
+      const double of_this = variables[v] == As::tensor ? 0 : variables[v] == As::own_frame ? 1 : 2;
+      cost += assumptions.can_be(variables[v]) ? of_this : INFINITY;
     }
     for (const As output : {As::tensor, As::exchanged, As::half_shear, As::double_shear}) {
       const double with_output = cost + (output == As::tensor ? 0 : 1.5);
-      if (with_output >= least_cost || assumptions.error(variables, output) > explained * found.error) continue;
+      if (!assumptions.can_be(output) || with_output >= least_cost ||
+          assumptions.error(variables, output) > explained * found.error)
+        continue;
       least_cost = with_output;
       found.stress = defect_of(output);
       found.taken.clear();

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/check_foreign.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+
+#include "adapters/foreign/foreign_table.hpp"
+#include "drivers/material/material_description.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+using adapters::ForeignInterface;
+using adapters::ForeignModel;
+
+constexpr const char* tangent_test = "tangent";
+
+std::optional<ForeignModel> foreign_of(const ResolvedMaterial& material) {
+  if (material.description.empty()) return std::nullopt;
+  return read_description(material.description).foreign;
+}
+
+/// Whether the tangent passes with that description.
+bool passes_with(const ForeignModel& model, const ResolvedMaterial& material, const check::Effort& effort) {
+  try {
+    const Material other(adapters::foreign_table(model), material.choice.parameters);
+    const check::Report report = check::run_battery(other, {.effort = effort, .only = tangent_test});
+    return report.passes() && std::any_of(report.tests.begin(), report.tests.end(), [](const check::TestResult& test) {
+             return test.id == tangent_test && test.verdict == check::Verdict::pass;
+           });
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+check::Declarations declarations_of(const ResolvedMaterial& material) {
+  const std::optional<ForeignModel> model = foreign_of(material);
+  if (!model) return {};
+  const bool umat = model->interface == ForeignInterface::umat;
+  return {.rate_dependence = "flags: [rate_dependent]",
+          .own_axes = "its components as scalars of `state`",
+          .refused_stress = "",
+          .tangent = umat ? std::string("DDSDDE of strain: ") + (model->finite_strain ? "finite" : "small")
+                          : "what the interface asks for"};
+}
+
+void say_other_strain(const ResolvedMaterial& material, check::Report& report) {
+  const auto test = std::find_if(report.tests.begin(), report.tests.end(), [](const check::TestResult& each) {
+    return each.id == tangent_test && each.verdict == check::Verdict::fail;
+  });
+  if (test == report.tests.end()) return;
+  std::optional<ForeignModel> model = foreign_of(material);
+  if (!model || model->interface != ForeignInterface::umat) return;
+  model->finite_strain = !model->finite_strain;
+  if (!passes_with(*model, material, report.effort)) return;
+  const std::string before = test->sentence;
+  test->cause = check::causes::tangent_convention;
+  test->sentence = std::string("DDSDDE is that of strain: ") +
+                   (model->finite_strain ? "finite, the modulus of J sigma by the Jaumann rate, over J; it is declared "
+                                           "strain: small"
+                                         : "small, d STRESS / d DSTRAN; it is declared strain: finite");
+  for (check::Diagnosis& diagnosis : report.diagnosis) {
+    if (diagnosis.sentence == before) diagnosis = {test->cause, test->sentence};
+  }
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `check` says of a model that a description declares, in the words of descriptions.
+#pragma once
+
+#include "drivers/material/material_choice.hpp"
+#include "harness/check/battery.hpp"
+
+namespace assay::drivers {
+
+/// Those of the ABI for a native model.
+check::Declarations declarations_of(const ResolvedMaterial& material);
+
+/// Of a UMAT whose tangent fails: adds whether it is right with the other value of `strain` in its description.
+void say_other_strain(const ResolvedMaterial& material, check::Report& report);
+
+}  // namespace assay::drivers

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/check_foreign.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/drivers/process.hpp"
+
+namespace assay::drivers {
+namespace {
+
+const std::string doubles = ASSAY_BINARY_DIR "/tests/foreign/";
+
+bool built(const std::string& name) { return std::filesystem::exists(doubles + name + ".so"); }
+
+std::string described(const ScratchFolder& scratch, const std::string& library, const std::string& keys) {
+  return scratch.write(library + ".yaml", "library: " + doubles + library + ".so\n" + keys);
+}
+
+/// Of a plane-strain model.
+std::string neo_hookean_in_plane(const ScratchFolder& scratch) {
+  return described(scratch, "umat_neo_hookean",
+                   "interface: umat\nproperties: {E: 1.0e3, nu: 0.3}\nstrain: finite\ncomponents: [4]\n"
+                   "density: 1000\n");
+}
+
+TEST(CheckForeign, AModelOfPlaneStrainAloneIsTurnedAndStrainedInItsPlane) {
+  if (!built("umat_neo_hookean")) GTEST_SKIP() << "no Fortran compiler";
+  const ScratchFolder scratch;
+  const std::string model = neo_hookean_in_plane(scratch);
+  const Ending ending = assay({"check", model, "-o", scratch / "check"});
+  EXPECT_EQ(ending.status, 0) << ending.said;
+  EXPECT_NE(ending.said.find("ellipticity"), std::string::npos) << ending.said;
+  EXPECT_EQ(ending.said.find("out of the plane"), std::string::npos) << ending.said;
+  const Ending shown = assay({"materials", model});
+  EXPECT_NE(shown.said.find("plane 12 alone"), std::string::npos) << shown.said;
+}
+
+TEST(CheckForeign, AModelOfPlaneStrainAloneRunsTheVortex) {
+  if (!built("umat_neo_hookean")) GTEST_SKIP() << "no Fortran compiler";
+  const ScratchFolder scratch;
+  const std::string model = neo_hookean_in_plane(scratch);
+  const Ending ending = assay({"run", ASSAY_SOURCE_DIR "/configs/foreign/vortex_umat.yaml", "-o", scratch / "out",
+                               "--quiet", "--set", "material={adapter: " + model + "}"});
+  EXPECT_EQ(ending.status, 0) << ending.said;
+}
+
+TEST(CheckForeign, WhatIsWrongInThePlaneIsNamed) {
+  if (!built("umat_j2")) GTEST_SKIP() << "no Fortran compiler";
+  const ScratchFolder scratch;
+  for (const bool right : {true, false}) {
+    const std::string model = described(scratch, right ? "umat_j2" : "umat_j2_unrotated",
+                                        "interface: umat\nproperties: {E: 1.0e3, nu: 0.3, yield: 10, isotropic: 20, "
+                                        "kinematic: 50}\nstate: {back_stress: symmetric_tensor, p: scalar}\n"
+                                        "flags: [non_smooth]\ncomponents: [4]\ndensity: 1000\n");
+    const Ending ending = assay({"check", model, "--quick", "-o", scratch / "check"});
+    EXPECT_EQ(ending.status, right ? 0 : 1) << ending.said;
+    EXPECT_EQ(ending.said.find("state variable not rotated") == std::string::npos, right) << ending.said;
+  }
+}
+
+TEST(CheckForeign, ATangentOfTheOtherStrainIsSaidInTheWordsOfDescriptions) {
+  if (!built("umat_neo_hookean")) GTEST_SKIP() << "no Fortran compiler";
+  const ScratchFolder scratch;
+  const std::string model = described(
+      scratch, "umat_neo_hookean", "interface: umat\nproperties: {E: 1.0e3, nu: 0.3}\nstrain: small\ndensity: 1000\n");
+  const Ending ending = assay({"check", model, "-o", scratch / "check"});
+  EXPECT_EQ(ending.status, 1);
+  EXPECT_NE(ending.said.find("tangent of another convention"), std::string::npos) << ending.said;
+  EXPECT_NE(ending.said.find("strain: finite"), std::string::npos) << ending.said;
+  EXPECT_EQ(ending.said.find("row-major"), std::string::npos) << ending.said;
+}
+
+TEST(CheckForeign, DeclarationsAreThoseOfDescriptions) {
+  const ScratchFolder scratch;
+  MaterialChoice native;
+  native.adapter = "neo_hookean";
+  native.density = 1000;
+  native.parameters = {{"E", 1e3}, {"nu", 0.3}};
+  EXPECT_EQ(declarations_of(resolve_material(native)).rate_dependence, "ASSAY_RATE_DEPENDENT");
+  const std::string model =
+      described(scratch, "mfront_norton",
+                "interface: mfront\nproperties: {YoungModulus: 1.0e3, PoissonRatio: 0.3, A: 1.0e-3, n: 1}\n"
+                "density: 1000\n");
+  const Ending ending = assay({"check", model, "--quick", "-o", scratch / "check"});
+  EXPECT_EQ(ending.status, 1) << ending.said;
+  EXPECT_NE(ending.said.find("flags: [rate_dependent]"), std::string::npos) << ending.said;
+}
+
+}  // namespace
+}  // namespace assay::drivers
