@@ -107,8 +107,6 @@ class Instance {
                      .baseline = 0,
                      .status = ASSAY_GOOD,
                      .message = {}};
-    constexpr std::uint32_t spin_us = 30;
-    slot.worker.control().spin_us.store(spin_us);
     in(arrays);
     arrays.raise_fences();
     if (!slot.worker.call(static_cast<std::uint32_t>(operation))) {

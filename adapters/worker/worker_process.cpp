@@ -118,18 +118,19 @@ bool WorkerProcess::warden_is_gone() const {
 void WorkerProcess::post(std::uint32_t operation) {
   Control& c = control();
   c.operation.store(operation);
+  c.spin_us.store(habit_.look());
   c.request.fetch_add(1);
   wake_all(c.request);
 }
 
 bool WorkerProcess::wait() {
   Control& c = control();
-  const std::uint32_t wanted = c.request.load();
+  const std::uint32_t wanted = c.request.load(), look = c.spin_us.load();
+  if (look > 0) habit_.note(changes_within(c.reply, wanted - 1, look));
   for (;;) {
     const std::uint32_t seen = c.reply.load();
     if (c.death.load()) return false;
     if (seen == wanted) return true;
-    if (changes_within(c.reply, seen, c.spin_us.load())) continue;
     wait_while(c.reply, seen, look_ms);
     std::uint32_t none = 0;
     if (c.reply.load() == seen && warden_is_gone()) {

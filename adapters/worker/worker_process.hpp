@@ -10,6 +10,7 @@
 
 #include "adapters/worker/control.hpp"
 #include "adapters/worker/shared_memory.hpp"
+#include "adapters/worker/spin_habit.hpp"
 #include "adapters/worker/worker_limits.hpp"
 
 namespace assay::adapters {
@@ -61,6 +62,7 @@ class WorkerProcess {
   pid_t warden_ = -1;
   int lifeline_ = -1;
   double time_limit_, memory_limit_;
+  SpinHabit habit_;
 };
 
 /// The program whose `worker` verb is started: this one, or the `assay` beside it.
