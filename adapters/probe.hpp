@@ -14,6 +14,9 @@ namespace assay::adapters {
 /// are positive, their mean, else the value nearest to 1.
 std::map<std::string, double> probe_parameters(const assay_material& table);
 
+/// How the complaint of a model begins that comes back and refuses to be at rest: soils may, without a pressure.
+inline constexpr const char* refuses_rest = "refuses an undeformed point: ";
+
 /// Creates the material and updates one undeformed point, in a process of its own that may crash or hang, which that of
 /// a remote table is: why it must be refused in one sentence, nothing where stress and state are finite. `given` goes
 /// before probe_parameters. Throws std::system_error where no process can be made.

@@ -35,6 +35,24 @@ bool passes_with(const ForeignModel& model, const ResolvedMaterial& material, co
   }
 }
 
+/// Whether a diagnosis is one of rotations.
+bool turns_wrongly(const check::Report& report) {
+  using namespace check::causes;
+  return std::any_of(report.diagnosis.begin(), report.diagnosis.end(), [](const check::Diagnosis& diagnosis) {
+    const std::string& cause = diagnosis.cause;
+    return cause == rotation_missing || cause == wrong_spin || cause == state_not_rotated || cause == not_indifferent ||
+           cause == explicit_spin;
+  });
+}
+
+/// What DDSDDE is, of the model with which it is right.
+std::string other_strain_words(const ForeignModel& right) {
+  return std::string("DDSDDE is that of strain: ") +
+         (right.finite_strain
+              ? "finite, the modulus of J sigma by the Jaumann rate, over J; it is declared strain: small"
+              : "small, d STRESS / d DSTRAN; it is declared strain: finite");
+}
+
 }  // namespace
 
 check::Declarations declarations_of(const ResolvedMaterial& material) {
@@ -48,21 +66,25 @@ check::Declarations declarations_of(const ResolvedMaterial& material) {
                           : "what the interface asks for"};
 }
 
-void say_other_strain(const ResolvedMaterial& material, check::Report& report) {
+void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& report) {
   const auto test = std::find_if(report.tests.begin(), report.tests.end(), [](const check::TestResult& each) {
     return each.id == tangent_test && each.verdict == check::Verdict::fail;
   });
   if (test == report.tests.end()) return;
   std::optional<ForeignModel> model = foreign_of(material);
   if (!model || model->interface != ForeignInterface::umat) return;
+  const std::string before = test->sentence;
+  if (turns_wrongly(report)) {
+    test->verdict = check::Verdict::not_applicable;
+    test->cause.clear();
+    test->sentence = before + "; not to be judged beside what does not turn, by which DDSDDE is converted";
+    std::erase_if(report.diagnosis, [&](const check::Diagnosis& d) { return d.sentence == before; });
+    return;
+  }
   model->finite_strain = !model->finite_strain;
   if (!passes_with(*model, material, report.effort)) return;
-  const std::string before = test->sentence;
   test->cause = check::causes::tangent_convention;
-  test->sentence = std::string("DDSDDE is that of strain: ") +
-                   (model->finite_strain ? "finite, the modulus of J sigma by the Jaumann rate, over J; it is declared "
-                                           "strain: small"
-                                         : "small, d STRESS / d DSTRAN; it is declared strain: finite");
+  test->sentence = other_strain_words(*model);
   for (check::Diagnosis& diagnosis : report.diagnosis) {
     if (diagnosis.sentence == before) diagnosis = {test->cause, test->sentence};
   }

@@ -10,7 +10,8 @@ namespace assay::drivers {
 /// Those of the ABI for a native model.
 check::Declarations declarations_of(const ResolvedMaterial& material);
 
-/// Of a UMAT whose tangent fails: adds whether it is right with the other value of `strain` in its description.
-void say_other_strain(const ResolvedMaterial& material, check::Report& report);
+/// Of a UMAT whose tangent fails: whether it is right with the other value of `strain` in its description, or cannot be
+/// judged beside a state that does not turn, by which DDSDDE is converted.
+void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& report);
 
 }  // namespace assay::drivers

@@ -125,7 +125,7 @@ CheckedMaterial check_material(const ResolvedMaterial& material, const std::stri
                                                           .declarations = declarations_of(material),
                                                           .begins = reporter.begins,
                                                           .ends = reporter.ends});
-  say_other_strain(material, checked.report);
+  judge_foreign_tangent(material, checked.report);
   const bool asked = settings.only.empty() ? !settings.effort.quick : settings.only == vortex_test;
   if (asked && checked.report.passes()) add_vortex(material, checked.report, reporter);
   if (only.empty() && reporter.habits) add_process(reporter.habits(), checked.report);
@@ -147,6 +147,7 @@ void leave_replay_of_the_end(CheckedMaterial& checked, const CheckSettings& sett
                     : checked.library.empty()    ? checked.model
                                                  : checked.library + ":" + checked.model;
   for (const auto& [parameter, value] : checked.parameters) replay.parameters[parameter] = value;
+  if (!checked.library.empty()) replay.library_sha256 = hash_of_library(checked.library);
   replay.test = test->id;
   replay.effort = settings.effort;
   replay.reason = test->cause + ": " + test->sentence;

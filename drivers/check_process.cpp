@@ -44,6 +44,11 @@ bool spoilt_memory(const Child& child) {
   return signal == SIGSEGV || signal == SIGBUS;
 }
 
+/// By its own will: STOP, exit().
+bool gave_up(const Child& child) {
+  return child.over && child.excess == Child::Excess::none && WIFEXITED(child.status);
+}
+
 /// The report, or that of a test in which the process ended.
 CheckedMaterial result_of(const Child& child, const CheckTask& task, double limit_s) {
   std::string test = "loading";
@@ -60,7 +65,8 @@ CheckedMaterial result_of(const Child& child, const CheckTask& task, double limi
   if (const auto whole = checked_of_json(child.said.substr(at))) return *whole;
   const std::string last = adapters::last_line(child.output->text());
   const std::string sentence = "the model " + how_it_ended(child, limit_s) + " in the test " + test +
-                               (last.empty() ? "" : "; the last that it printed: " + last);
+                               (last.empty() ? "" : "; the last that it printed: " + last) +
+                               (gave_up(child) ? "; it may stand a smaller --strain" : "");
   const char* cause =
       test == "calls.arrays" && spoilt_memory(child) ? check::causes::overrun : check::causes::ends_process;
   checked.report.tests.push_back({.id = test, .verdict = check::Verdict::fail, .cause = cause, .sentence = sentence});

@@ -60,7 +60,8 @@ CheckedMaterial again(const Replay& replay, const ResolvedMaterial& resolved, co
 int check_replay(const CheckOptions& options) {
   const Replay replay = read_replay(options.replay);
   const ResolvedMaterial resolved = resolved_of(replay);
-  if (replay_of(resolved, {}, "").library_sha256 != replay.library_sha256 && options.verbosity != Verbosity::quiet) {
+  const bool known = !replay.library_sha256.empty();
+  if (known && replay_of(resolved, {}, "").library_sha256 != replay.library_sha256 && options.verbosity != Verbosity::quiet) {
     std::cerr << "warning: " << resolved.library << " is not the library of the failure: it has changed\n";
   }
   watch_interrupts();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <system_error>
 
 #include "adapters/builtin.hpp"
@@ -132,9 +133,11 @@ int register_material(const RegisterOptions& options) {
       find_material(asked.table.empty() ? path : path + ":" + asked.table, {}, "", Isolation::worker);
   refuse_what_is_no_text(source.library);
   const std::string name = chosen_name(options, source);
+  std::optional<std::string> defect;
   try {
-    const auto defect = adapters::probe_defect(source.table, source.parameters);
-    if (defect && !(source.is_foreign && !names_without_value(source).empty())) {
+    defect = adapters::probe_defect(source.table, source.parameters);
+    if (source.is_foreign && !names_without_value(source).empty()) defect.reset();
+    if (defect && !defect->starts_with(adapters::refuses_rest)) {
       throw InputError(where, "", "material '" + std::string(source.table->name) + "' is refused: " + *defect);
     }
   } catch (const std::system_error& error) {
@@ -150,7 +153,7 @@ int register_material(const RegisterOptions& options) {
   if (options.verbosity != Verbosity::quiet) {
     std::cout << "registered " << name << ": " << source.table->name << " in " << source.library
               << (replaces ? "; replaces what had that name" : "") << "\n"
-              << notes(source, description);
+              << notes(source, description) << (defect ? wrapped("it " + *defect, "  ", "    ") : "");
   }
   return 0;
 }

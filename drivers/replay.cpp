@@ -121,13 +121,17 @@ Replay replay_of(const Scene& scene, const FailedStep& step, const std::string& 
   return replay_of(resolve_material(scene.material), step, reason);
 }
 
+std::string hash_of_library(const std::string& file) {
+  constexpr std::size_t largest_library = std::size_t{4} << 30;
+  return sha256_hex(read_bytes(file, largest_library));
+}
+
 Replay replay_of(const ResolvedMaterial& resolved, const std::optional<FailedStep>& step, const std::string& reason) {
   Replay replay{resolved.choice.adapter, resolved.choice.parameters, {}, step, reason};
   if (!resolved.library.empty()) {
-    constexpr std::size_t largest_library = std::size_t{4} << 30;
     replay.material =
         resolved.description.empty() ? resolved.library + ":" + resolved.material.name() : resolved.description;
-    replay.library_sha256 = sha256_hex(read_bytes(resolved.library, largest_library));
+    replay.library_sha256 = hash_of_library(resolved.library);
   }
   return replay;
 }

@@ -26,6 +26,9 @@ struct Replay {
   check::Effort effort = {};                 ///< of that test
 };
 
+/// SHA-256 of a file in hexadecimal digits. Throws InputError, SystemError.
+std::string hash_of_library(const std::string& file);
+
 /// Of that material. Throws InputError where its library is gone.
 Replay replay_of(const ResolvedMaterial& material, const std::optional<FailedStep>& step, const std::string& reason);
 

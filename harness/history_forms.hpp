@@ -21,6 +21,7 @@ class History::Increments {
   void begin_piece(const Interval& piece);
   Outcome attempt(double step);
   bool let_go_of_counters(double step);
+  std::string farthest() const;
   void whole_step(double step);
   bool substeps(double step, int count);
   void increment(double t, double dt, const double* F0, const double* F1);
@@ -55,7 +56,7 @@ class History::Increments {
   bool noisy_ = false;  ///< accepted, for a shorter step would not be better
   /// Of the two attempts before that were not exact enough; one alone may have been lucky.
   std::array<double, 2> failed_errors_{};
-  bool counters_sought_ = false;
+  int searches_ = 0;  ///< for counters
   double piece_begin_ = -1, piece_end_ = -1;
   double lag_ = 0;  ///< an increment this long tells whether a regime goes on; 0 where the material tells it itself [s]
   bool regime_known_ = false, regime_new_ = false;

@@ -124,13 +124,27 @@ void History::Increments::begin_piece(const Interval& piece) {
 void History::Increments::shorten(double step, const Interval& piece) {
   step_ = 0.4 * step;
   if (step < shortest_share * h_->course_->end) {
-    if (++jumps_ > most_jumps) throw MaterialFailure("its increments do not converge", h_->xi_, h_->t_);
+    if (++jumps_ > most_jumps) {
+      throw MaterialFailure("its increments do not converge, " + farthest() + " least of all", h_->xi_, h_->t_);
+    }
     substeps(step, 1);  // a jump: nothing better can be done
     h_->y_ = next_;
     h_->t_ += step;
     step_ = first_share * piece.width();
   }
   failed_errors_ = {failed_errors_[1], extrapolation_.columns() >= least_columns ? best_error_ : 0};
+}
+
+/// What has changed the most from one column of the last attempt to the next.
+std::string History::Increments::farthest() const {
+  if (extrapolation_.columns() < 2) return "the stress";
+  std::size_t worst = 0;
+  const auto change = [&](std::size_t k) { return extrapolation_.last_change(k) / scales_[k]; };
+  for (std::size_t k = 1; k < scales_.size(); ++k) {
+    if (change(k) > change(worst)) worst = k;
+  }
+  if (worst < 9) return "the stress";
+  return "'" + variable_at(h_->course_->material->table(), worst - 9) + "' of the state";
 }
 
 /// Leaves the end of the step in best_.
@@ -166,11 +180,12 @@ History::Increments::Outcome History::Increments::attempt(double step) {
   return let_go_of_counters(step) ? attempt(step) : Outcome::inaccurate;
 }
 
-/// State variables that nothing else depends on, as a counter of calls or a flag for a report, need not converge. Once
-/// a history: of those that have not, such are left out of the error.
+/// State variables that nothing else depends on, as a counter of calls or a flag for a report, need not converge: of
+/// those that have not, such are left out of the error.
 bool History::Increments::let_go_of_counters(double step) {
-  if (counters_sought_ || extrapolation_.columns() < 2) return false;
-  counters_sought_ = true;
+  constexpr int most_searches = 8;  // of a history: what is mere rounding does not show at once
+  if (searches_ == most_searches || extrapolation_.columns() < 2) return false;
+  ++searches_;
   constexpr double moved = 0.37;  // of a component's scale
   const auto end_of = [&](const std::vector<double>& begin) {
     now_ = begin;

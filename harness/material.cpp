@@ -189,14 +189,14 @@ bool all_finite(const double* v, std::size_t n) {
   return sum[0] + sum[1] + sum[2] + sum[3] == 0;
 }
 
-/// First of n points with a component that is not finite; n where there is none.
-std::size_t first_not_finite(const double* values, std::size_t components, std::size_t n) {
+/// First point and component of several of which one is not finite.
+std::pair<std::size_t, std::size_t> first_not_finite(const double* values, std::size_t components, std::size_t n) {
   for (std::size_t p = 0; p < n; ++p) {
     for (std::size_t c = 0; c < components; ++c) {
-      if (!std::isfinite(values[c * n + p])) return p;
+      if (!std::isfinite(values[c * n + p])) return {p, c};
     }
   }
-  return n;
+  return {0, 0};
 }
 
 std::string message_text(char* message) {
@@ -232,14 +232,25 @@ UpdateReport Material::update(double t, double dt, std::size_t n, const double* 
   }
   const auto require_finite = [&](const double* values, std::size_t components, const char* what) {
     if (report.worst == ASSAY_FAILED || all_finite(values, components * n)) return;
+    const auto [point, component] = first_not_finite(values, components, n);
     report.worst = ASSAY_FAILED;
     report.not_finite = true;
-    report.worst_point = first_not_finite(values, components, n);
-    report.message = std::string("the material returned a ") + what + " that is not finite";
+    report.worst_point = point;
+    report.message = std::string("the material returned a ") + what + " that is not finite" +
+                     (values == state1 ? ": '" + variable_at(*table_, component) + "'" : "");
   };
   require_finite(cauchy, 9, "stress");
   require_finite(state1, state_size(), "state");
   return report;
+}
+
+std::string variable_at(const assay_material& table, std::size_t component) {
+  for (std::uint32_t v = 0; v < table.state_count; ++v) {
+    const auto size = static_cast<std::size_t>(components_of_kind(table.state[v].kind));
+    if (component < size) return table.state[v].name;
+    component -= size;
+  }
+  return {};
 }
 
 bool has_direction(const assay_material& table) {

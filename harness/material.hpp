@@ -109,6 +109,9 @@ class Material {
 /// Components of a state variable of that kind: 1, 3, 6, 9; 0 for an unknown kind.
 int components_of_kind(std::int32_t kind);
 
+/// Name of the state variable that has this component.
+std::string variable_at(const assay_material& table, std::size_t component);
+
 /// Whether the host has to fill in a direction of the material.
 bool has_direction(const assay_material& table);
 

@@ -2,6 +2,8 @@
 #include "adapters/foreign/vumat.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 
 #include "adapters/foreign/component_order.hpp"
 #include "adapters/foreign/foreign_state.hpp"
@@ -26,6 +28,11 @@ Tensor tensor_at(const double* nine, std::size_t n, std::size_t p) {
   for (std::size_t c = 0; c < 9; ++c) component(A, static_cast<int>(c)) = nine[c * n + p];
   return A;
 }
+
+/// A number that no model computes: one that is no number, with a mark.
+constexpr std::uint64_t mark_of_unwritten = 0x7ff8a55a7c0ffee1;
+double unwritten() { return std::bit_cast<double>(mark_of_unwritten); }
+bool is_unwritten(double value) { return std::bit_cast<std::uint64_t>(value) == mark_of_unwritten; }
 
 /// 1 J/kg in units of the model.
 double specific_energy(const ModelUnits& units) { return units.length * units.length / (units.time * units.time); }
@@ -159,12 +166,25 @@ void Vumat::hand_over(Block& block, const assay_step& step, const Part& part, co
     for (std::size_t k = 0; k < ours.size(); ++k) ours[k] = state0[k * part.of + part.begin + p];
     const Tensor before = read_symmetric(ours.data() + own_stress, standard_order, plain_shear) / model_.units.stress;
     to_foreign(layout, model_.state, ours.data() + own_state, theirs.data());
-    for (const int end : {0, 1}) {  // the new ones are for the model to write; it may leave what does not change
-      write_symmetric(before, explicit_order, plain_shear, a[block.stress[end]] + p, n);
+    write_symmetric(before, explicit_order, plain_shear, a[block.stress[0]] + p, n);
+    for (std::size_t k = 0; k < 6; ++k) a[block.stress[1]][k * n + p] = unwritten();
+    for (const int end : {0, 1}) {  // a model may leave what does not change of its state
       for (std::size_t k = 0; k < size; ++k) a[block.state[end]][k * n + p] = theirs[k];
       a[block.internal[end]][p] = ours[own_internal] / specific_energy(model_.units);
       a[block.inelastic[end]][p] = ours[own_inelastic] / specific_energy(model_.units);
     }
+  }
+}
+
+/// Of a component of stressNew that nobody has written.
+void Vumat::require_written(const Block& block) {
+  static constexpr const char* places[] = {"11", "22", "33", "12", "23", "31"};
+  const double* stress = block.arrays[block.stress[1]];
+  for (std::size_t k = 0; k < 6 * block.n; ++k) {
+    if (!is_unwritten(stress[k])) continue;
+    throw PointFailure(overrun_words +
+                       ("the VUMAT leaves stressNew " + std::string(places[k / block.n]) + " unwritten, of point " +
+                        std::to_string(k % block.n + 1) + " of " + std::to_string(block.n)));
   }
 }
 
@@ -201,6 +221,7 @@ void Vumat::update_batch(const assay_step& step, std::size_t n, const double* st
     Block& block = block_of(end - begin);
     hand_over(block, step, {n, begin}, state0);
     call(block, end_of_step(step, loaded(begin)), step.dt);
+    require_written(block);
     take_back(block, {n, begin}, state1, cauchy);
     for (std::size_t p = begin; p < end; ++p) state1[own_time * n + p] = age[p] + step.dt;
   }

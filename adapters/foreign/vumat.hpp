@@ -46,6 +46,7 @@ class Vumat {
   void take_back(Block& block, const Part& part, double* state1, double* cauchy);
   /// `time`: of the end of the step; 0: the call before the first step, whose inputs a model may well set.
   void call(Block& block, double time, double dt);
+  static void require_written(const Block& block);
 
   const ForeignTable& table_;
   const ForeignModel& model_;

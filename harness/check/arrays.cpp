@@ -147,17 +147,17 @@ std::string misdeed(const Material& material, std::size_t n, Course course, doub
 }
 
 /// In one batch after another, and what it is.
-std::string misdeed_in_batches(const Material& material, bool quick) {
+std::string misdeed_in_batches(const Material& material, const Effort& effort) {
   using Clock = std::chrono::steady_clock;
   constexpr auto slow = std::chrono::milliseconds(300);  // a model that takes so long for a few points is not asked for
   const Clock::time_point start = Clock::now();
   for (const std::size_t n : {std::size_t{1}, std::size_t{7}, std::size_t{64}, std::size_t{ASSAY_BATCH_MAX}}) {
     if (n > 1 && Clock::now() - start > slow) break;
-    const int steps = n < 64 ? usual_steps : n == 64 ? usual_steps / 2 : quick ? 2 : 5;
+    const int steps = n < 64 ? usual_steps : n == 64 ? usual_steps / 2 : effort.quick ? 2 : 5;
     for (const Course course : {turning_stretch, expansion}) {
       for (const double amplitude : {1e-2, 0.15}) {
         if (n == ASSAY_BATCH_MAX && (course != turning_stretch || amplitude < 0.1)) continue;
-        const std::string what = misdeed(material, n, course, amplitude, steps);
+        const std::string what = misdeed(material, n, course, std::min(amplitude, effort.strain), steps);
         if (!what.empty()) return what + " in a step of " + std::to_string(n) + (n == 1 ? " point" : " points");
       }
     }
@@ -167,15 +167,21 @@ std::string misdeed_in_batches(const Material& material, bool quick) {
 
 }  // namespace
 
+std::array<double, 4> amplitudes_of_first(const Effort& effort) {
+  std::array<double, 4> all{1e-5, 1e-3, 1e-2, 0.15};
+  for (double& amplitude : all) amplitude = std::min(amplitude, effort.strain);
+  return all;
+}
+
 TestResult guarded_arrays(const Material& material, const Options& options, std::vector<History>& first) {
   TestResult result{.id = "calls.arrays", .measure = 0, .threshold = 0};
   result.sentence = "nothing is written beyond the arrays, and all that is asked for is";
   std::string what;
-  for (const double amplitude : amplitudes_of_first) {
+  for (const double amplitude : amplitudes_of_first(options.effort)) {
     first.emplace_back();
     if (what.empty()) what = misdeed(material, 1, turning_stretch, amplitude, usual_steps, &first.back());
   }
-  if (what.empty()) what = misdeed_in_batches(material, options.effort.quick);
+  if (what.empty()) what = misdeed_in_batches(material, options.effort);
   if (what.empty()) return result;
   result.measure = 1;
   result.verdict = Verdict::fail;

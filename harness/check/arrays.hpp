@@ -2,6 +2,8 @@
 // That a material keeps to its arrays.
 #pragma once
 
+#include <array>
+
 #include "harness/check/battery.hpp"
 
 namespace assay::check {
@@ -14,8 +16,8 @@ using History = std::vector<std::vector<double>>;
 /// calls of the process give, for amplitudes_of_first.
 TestResult guarded_arrays(const Material& material, const Options& options, std::vector<History>& first);
 
-/// From small to large.
-inline constexpr double amplitudes_of_first[] = {1e-5, 1e-3, 1e-2, 0.15};
+/// From small to large, none beyond the strain that was asked for.
+std::array<double, 4> amplitudes_of_first(const Effort& effort);
 
 /// One of these again.
 History history(const Material& material, double amplitude);

@@ -98,6 +98,8 @@ class Comparison {
 
 namespace {
 
+constexpr const char* in_a_batch = "taken in a batch";
+
 /// The largest difference that was found, and where.
 struct Difference {
   double worst = 0;
@@ -108,11 +110,12 @@ struct Difference {
 };
 
 /// The first histories of the process again, small after large.
-void compare_histories(const Material& material, const std::vector<History>& first, Difference& difference) {
+void compare_histories(const Specimen& specimen, const std::vector<History>& first, Difference& difference) {
   constexpr const char* what = "of a history that was the first of the process";
+  const auto amplitudes = amplitudes_of_first(specimen.options.effort);
   for (int again = 0; again < 2; ++again) {
     for (std::size_t k = 0; k < first.size(); ++k) {
-      const History found = history(material, amplitudes_of_first[k]);
+      const History found = history(*specimen.material, amplitudes[k]);
       const Comparison with(first[k]);
       if (found.size() != first[k].size()) difference.note(1, what);
       for (std::size_t p = 0; p < std::min(found.size(), first[k].size()); ++p) {
@@ -139,13 +142,15 @@ std::optional<Material> of_other_parameters(const Material& material) {
 }
 
 /// Steps in other orders, in a batch, after larger loads, of another instance.
-void compare_steps(const Material& material, const Steps& steps, Difference& difference) {
+void compare_steps(const Specimen& specimen, const Steps& steps, Difference& difference) {
+  const Material& material = *specimen.material;
+  const auto amplitudes = amplitudes_of_first(specimen.options.effort);
   const auto one_by_one = [&] {
     std::vector<Result> results;
     for (std::size_t p = 0; p < steps.n; ++p) results.push_back(alone(material, steps, p));
     return results;
   };
-  history(material, std::begin(amplitudes_of_first)[0]);
+  history(material, amplitudes.front());
   const std::vector<Result> first = one_by_one();
   const Comparison with(first);
   for (std::size_t p = steps.n; p-- > 0;) {
@@ -155,11 +160,11 @@ void compare_steps(const Material& material, const Steps& steps, Difference& dif
     difference.note(with.difference(p, alone(material, steps, p)), "taken twice");
     difference.note(with.difference(p, alone(material, steps, p)), "taken twice");
   }
-  history(material, std::end(amplitudes_of_first)[-1]);
+  history(material, amplitudes.back());
   const std::vector<Result> later = one_by_one(), batch = together(material, steps);
   for (std::size_t p = 0; p < steps.n; ++p) {
     difference.note(with.difference(p, later[p]), "taken after a larger load");
-    difference.note(with.difference(p, batch[p]), "taken in a batch");
+    difference.note(with.difference(p, batch[p]), in_a_batch);
   }
   const std::optional<Material> altered = of_other_parameters(material);
   if (altered) {
@@ -178,11 +183,10 @@ void compare_steps(const Material& material, const Steps& steps, Difference& dif
 
 TestResult repeated_calls(const Specimen& specimen, const std::vector<History>& first) {
   constexpr double most = 1e-12;  // vectorised and scalar code may differ in the last bits
-  const Material& material = *specimen.material;
   Difference difference;
-  compare_histories(material, first, difference);
+  compare_histories(specimen, first, difference);
   try {
-    compare_steps(material, steps_along(specimen, specimen.options.effort.quick ? 12 : 40), difference);
+    compare_steps(specimen, steps_along(specimen, specimen.options.effort.quick ? 12 : 40), difference);
   } catch (const MaterialFailure&) {  // where it is loaded while it turns: the tests of rotation tell
   }
   TestResult result{.id = "calls.repeated", .measure = difference.worst, .threshold = most};
@@ -191,7 +195,8 @@ TestResult repeated_calls(const Specimen& specimen, const std::vector<History>& 
   result.verdict = Verdict::fail;
   result.cause = causes::hidden_state;
   result.sentence = "the same step " + difference.how + " differs by " + rounded(difference.worst) + " of itself" +
-                    ": something is kept outside the state";
+                    (difference.how == in_a_batch ? ": points of a batch are not worked on apart"
+                                                  : ": something is kept outside the state");
   return result;
 }
 

@@ -100,9 +100,24 @@ double stored_energy(const Material& material, const assay_energy& form, const T
 
 namespace {
 
+/// d sigma / d F of elasticity with the stiffness at rest: its Jaumann rate, of sigma or of J sigma.
+Tangent elastic_tangent(const Specimen& specimen, const Sample& s, bool of_kirchhoff) {
+  Tangent A;
+  for (int column = 0; column < 9; ++column) {
+    Tensor E = Tensor::Zero();
+    component(E, column) = 1;
+    const Tensor l = E * s.F1.inverse(), w = 0.5 * (l - l.transpose()), &sigma = s.end.cauchy;
+    Tensor d = stress_of(specimen.stiffness, l) + w * sigma - sigma * w;
+    if (of_kirchhoff) d -= l.trace() * sigma;
+    for (int row = 0; row < 9; ++row) A(row, column) = component(d, row);
+  }
+  return within(specimen.space, A);
+}
+
 /// The tangents that a model gives along a history, against differences of its stress.
 struct Tangents {
   double worst = 0;                           ///< relative
+  double elastic = 0;                         ///< as wrong as if they were those of elasticity
   int given = 0, refused = 0;                 ///< in steps that do not end at a kink
   std::map<std::string, double> conventions;  ///< by its name, as wrong as if it were that one
 };
@@ -121,6 +136,8 @@ Tangents tangents_of(Specimen specimen, double amplitude, const assay_tangent& f
     ++(given ? found.given : found.refused);
     if (!given) continue;
     found.worst = std::max(found.worst, apart(*given, expected));
+    found.elastic = std::max(found.elastic, std::min(apart(*given, elastic_tangent(specimen, s, false)),
+                                                     apart(*given, elastic_tangent(specimen, s, true))));
     for (const auto& [name, other] : other_conventions(expected, s.end.cauchy, s.F1)) {
       double& off = found.conventions[name];
       off = std::max(off, apart(*given, within(specimen.space, other)));
@@ -133,6 +150,7 @@ Tangents tangents_of(Specimen specimen, double amplitude, const assay_tangent& f
 
 TestResult tangent(const Specimen& specimen) {
   constexpr double most = 1e-4, alike = 1e-3;
+  constexpr double elastic_within = 0.03;  // of a step's own strain and turn
   const auto* form = specimen.material->extension<assay_tangent>(ASSAY_EXTENSION_TANGENT);
   if (!form) return not_offered("tangent", "tangent");
   Tangents found;
@@ -152,7 +170,10 @@ TestResult tangent(const Specimen& specimen) {
   if (worst <= most) return result;
   result.verdict = Verdict::fail;
   result.cause = causes::tangent_wrong;
-  result.sentence = "the tangent is wrong by " + percent(worst) + " of its largest component";
+  result.sentence = !std::isfinite(found.worst) ? "the tangent is not finite"
+                    : found.elastic <= elastic_within
+                        ? "the tangent is that of elasticity, where the material flows, too: wrong by " + percent(worst)
+                        : "the tangent is wrong by " + percent(worst) + " of its largest component";
   const auto least = std::min_element(found.conventions.begin(), found.conventions.end(),
                                       [](const auto& a, const auto& b) { return a.second < b.second; });
   if (least == found.conventions.end() || least->second > alike) return result;

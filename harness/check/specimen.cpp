@@ -12,24 +12,29 @@ constexpr double least_amplitude = 1e-6;
 constexpr double far_beyond = 30, least_of_most = 0.01;  ///< onsets of yield; strains that most laws are written for
 constexpr double largest_under_pressure = 0.01;          ///< soils come apart soon
 
-/// The largest stress along the histories of the tests [Pa]. Throws MaterialFailure.
-double largest_stress(Specimen specimen, double amplitude) {
+/// The least of the stresses that the histories of the tests end with [Pa]: what breaks has none. Throws
+/// MaterialFailure.
+double stress_in_the_end(Specimen specimen, double amplitude) {
   specimen.amplitude = amplitude;
   const Loading there{[&](double t) { return specimen.space.stretch(amplitude, t); }, 1};
-  march(*specimen.material, there, {.steps = specimen.steps() / 4, .state = specimen.rest_state()});
-  return march(*specimen.material, out_and_back(specimen), {.steps = specimen.steps(), .state = specimen.rest_state()})
-      .largest;
+  double least = INFINITY;
+  const auto note = [&](const March& found) {
+    for (const Point& mark : found.marks) least = std::min(least, mark.cauchy.cwiseAbs().maxCoeff());
+  };
+  note(march(*specimen.material, there, {.steps = specimen.steps() / 4, .state = specimen.rest_state()}));
+  note(march(*specimen.material, out_and_back(specimen), {.steps = specimen.steps(), .state = specimen.rest_state()}));
+  return least;
 }
 
 /// The largest amplitude, halved from the first, that the material stands without losing all stress, as what breaks
 /// does. Throws MaterialFailure where it stands none.
 double amplitude_of(const Specimen& specimen) {
-  constexpr double little = 0.05;  // of the stress of elasticity
+  constexpr double little = 0.04;  // of the stress of elasticity
   const double first = specimen.options.effort.strain;
   double stood = 0;
   for (double a = specimen.pressure > 0 ? std::min(first, largest_under_pressure) : first;; a *= 0.5) {
     try {
-      const double stress = largest_stress(specimen, a);
+      const double stress = stress_in_the_end(specimen, a);
       if (stood == 0) stood = a;
       if (specimen.rate_dependent() || specimen.pressure > 0 || stress >= little * specimen.modulus * a) return a;
     } catch (const MaterialFailure&) {

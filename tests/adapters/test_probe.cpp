@@ -23,7 +23,7 @@ TEST(Probe, AcceptsModelsThatAnswer) {
 }
 
 TEST(Probe, SaysWhyAModelIsRefused) {
-  EXPECT_EQ(probed("not_finite"), "fails on an undeformed point: the material returned a stress that is not finite");
+  EXPECT_EQ(probed("not_finite"), "refuses an undeformed point: the material returned a stress that is not finite");
   EXPECT_EQ(probed("refuses"), "material 'refuses' could not be created: no licence\nfor this model");
   EXPECT_EQ(probed("exits"), "ends the process on an undeformed point");
   EXPECT_TRUE(probed("crashes").value_or("").starts_with("crashes on an undeformed point: "));

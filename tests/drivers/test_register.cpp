@@ -70,9 +70,18 @@ TEST_F(Register, RegisteringAgainReplaces) {
   EXPECT_TRUE(said[1].ends_with("two_models.so\n")) << said[1];
 }
 
+/// As some soils do that need a pressure: `check` tells the rest.
+TEST_F(Register, KeepsWhatRefusesToBeAtRestAndSaysSo) {
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(register_material({plugins + "not_finite.so", {}, {}, Verbosity::normal}), 0);
+  const std::string said = testing::internal::GetCapturedStdout();
+  EXPECT_NE(said.find("it refuses an undeformed point: the material returned a stress"), std::string::npos) << said;
+  EXPECT_EQ(entries(), 1u);
+}
+
 TEST_F(Register, RefusesWhatFailsTheProbeAndWritesNothing) {
-  for (const char* name : {"crashes", "exits", "not_finite", "refuses", "no_entry", "other_major", "wrong_major",
-                           "small_struct", "every_index", "unresolved", "two_models", "absent"}) {
+  for (const char* name : {"crashes", "exits", "refuses", "no_entry", "other_major", "wrong_major", "small_struct",
+                           "every_index", "unresolved", "two_models", "absent"}) {
     EXPECT_NE(refused(plugins + name + ".so"), "accepted") << name;
   }
   const std::string bad =

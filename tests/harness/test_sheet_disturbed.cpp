@@ -54,7 +54,7 @@ TEST(Disturbed, AMaterialThatIsNoFunctionOfItsArgumentsIsRefused) {
     const Sheet sheet(*disturbed_material({{"restless", 1e-3}}), path, {.tolerance = 1e-8, .end = 1});
     ADD_FAILURE();
   } catch (const MaterialFailure& failure) {
-    EXPECT_STREQ(failure.what(), "its increments do not converge");
+    EXPECT_EQ(std::string(failure.what()).find("its increments do not converge"), 0u) << failure.what();
   }
 }
 

@@ -60,7 +60,7 @@ TEST(TheClock, OfAVumatIsTheHostsButInFirstIncrements) {
   std::copy_n(ages, n, state0.data() + age * n);
   const UpdateReport report =
       material.update(3, 0.5, n, F.data(), F.data(), state0.data(), state1.data(), cauchy.data());
-  EXPECT_EQ(report.message, "the material returned a state that is not finite") << "and it comes back";
+  EXPECT_EQ(report.message.find("the material returned a state that is not finite: '"), 0u) << "and it comes back";
   const double times[n] = {0.5, 0.5, 3.5, 3.5, 3.5, 0.5}, points[n] = {2, 2, 3, 3, 3, 1};
   for (std::size_t p = 0; p < n; ++p) {
     EXPECT_EQ(state1[vumat_points * n + p], points[p]) << p;
