@@ -21,8 +21,11 @@ struct Child {
 
   std::size_t task = 0;
   pid_t pid = -1;
-  int in = -1;     ///< its records
-  int heard = -1;  ///< what the model prints
+  pid_t keeper = -1;  ///< its parent, which runs nothing of the model: ends what the model leaves, also where we die
+  int lifeline = -1;  ///< closed: the keeper ends all
+  int told = -1;      ///< by the keeper: how the process ended
+  int in = -1;        ///< its records
+  int heard = -1;     ///< what the model prints
   Clock::time_point end;
   adapters::WorkerLimits limits;
   std::string said;  ///< its records so far
@@ -33,6 +36,7 @@ struct Child {
   enum class Excess { none, time, call, memory } excess = Excess::none;  ///< for which it was ended
   adapters::Death claim = adapters::Death::none;                         ///< how it saw its end come
   bool over = false;                                                     ///< the process has ended, with `status`
+  bool lost = false;                                                     ///< and took its keeper with it
   int status = 0;
 };
 
@@ -41,6 +45,9 @@ Child start_child(const std::vector<CheckTask>& tasks, std::size_t task, double 
 
 /// What it takes too much of, by now.
 Child::Excess excess_of(const Child& child);
+
+/// Whether the process has ended, by now.
+bool is_over(Child& child);
 
 /// Reads what there is. True: its records have come to an end.
 bool read_records(Child& child);

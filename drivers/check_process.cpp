@@ -26,6 +26,7 @@ std::string how_it_ended(const Child& child, double limit_s) {
     case Child::Excess::none:
       break;
   }
+  if (child.lost) return "ended the process that watches it, too,";
   if (!child.over) return "closed the files of the process";
   if (WIFSIGNALED(child.status)) {
     return "died of signal " + std::to_string(WTERMSIG(child.status)) +
@@ -38,7 +39,7 @@ std::string how_it_ended(const Child& child, double limit_s) {
 
 /// Of what writes where it must not.
 bool spoilt_memory(const Child& child) {
-  if (!child.over || child.excess != Child::Excess::none || !WIFSIGNALED(child.status)) return false;
+  if (!child.over || child.lost || child.excess != Child::Excess::none || !WIFSIGNALED(child.status)) return false;
   if (child.claim != adapters::Death::none) return false;
   const int signal = WTERMSIG(child.status);
   return signal == SIGSEGV || signal == SIGBUS;
@@ -46,7 +47,7 @@ bool spoilt_memory(const Child& child) {
 
 /// By its own will: STOP, exit().
 bool gave_up(const Child& child) {
-  return child.over && child.excess == Child::Excess::none && WIFEXITED(child.status);
+  return child.over && !child.lost && child.excess == Child::Excess::none && WIFEXITED(child.status);
 }
 
 /// The report, or that of a test in which the process ended.
@@ -62,7 +63,8 @@ CheckedMaterial result_of(const Child& child, const CheckTask& task, double limi
     if (child.said[at] == '!' && told) checked = *told;
     if (child.said[at] == '=' && told) checked.report.tests.push_back(told->report.tests.front());
   }
-  if (const auto whole = checked_of_json(child.said.substr(at))) return *whole;
+  const auto whole = checked_of_json(child.said.substr(at));
+  if (whole && child.excess == Child::Excess::none) return *whole;
   const std::string last = adapters::last_line(child.output->text());
   const std::string sentence = "the model " + how_it_ended(child, limit_s) + " in the test " + test +
                                (last.empty() ? "" : "; the last that it printed: " + last) +
@@ -110,8 +112,8 @@ class Children {
  private:
   /// The process has, whoever else may hold its pipe; or the pipe is closed, and nothing can come any more.
   static bool ended(Child& child) {
-    child.over = child.over || ::waitpid(child.pid, &child.status, WNOHANG) == child.pid;
-    return read_records(child) || child.over;
+    const bool over = is_over(child);  // before its last words are read
+    return read_records(child) || over;
   }
 
   Child taken(std::size_t i) {

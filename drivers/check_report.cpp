@@ -101,9 +101,10 @@ std::string check_json(const std::vector<CheckedMaterial>& all) {
   return written(out);
 }
 
-std::optional<CheckedMaterial> checked_of_json(const std::string& text) {
-  const Json found = Json::parse(text, nullptr, false);
-  if (found.is_discarded()) return std::nullopt;
+namespace {
+
+/// Throws Json::exception where something is missing, or not what it should be.
+CheckedMaterial checked_in(const Json& found) {
   CheckedMaterial checked;
   checked.name = found.at("material");
   checked.library = text_in(found.at("library"));
@@ -123,6 +124,18 @@ std::optional<CheckedMaterial> checked_of_json(const std::string& text) {
     if (!test.at("replay").is_null()) checked.replays[test.at("id")] = test.at("replay");
   }
   return checked;
+}
+
+}  // namespace
+
+std::optional<CheckedMaterial> checked_of_json(const std::string& text) {
+  const Json found = Json::parse(text, nullptr, false);
+  if (found.is_discarded()) return std::nullopt;
+  try {
+    return checked_in(found);
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
 }
 
 namespace {

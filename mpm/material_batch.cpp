@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <stdexcept>
+
+#include "harness/material_failure.hpp"
 
 namespace assay::mpm {
 
@@ -52,7 +55,13 @@ template <int Dim>
 MaterialBatches<Dim>::MaterialBatches(State<Dim>& state) : state_(&state), columns_(columns_of(state)) {
   const int threads = state.setup.threads;
   const int instances = state.setup.material->has(ASSAY_THREAD_SAFE) ? 1 : threads;
-  for (int k = 0; k < instances; ++k) instances_.push_back(state.setup.material->clone());
+  try {
+    for (int k = 0; k < instances; ++k) instances_.push_back(state.setup.material->clone());
+  } catch (const std::runtime_error& error) {  // with parameters that it has taken before
+    MaterialFailure failure(error.what(), 0, 0);
+    failure.final = true;
+    throw failure;
+  }
   for (int k = 0; k < threads; ++k) scratch_.emplace_back();
   const std::size_t state_size = state.setup.material->state_size();
   for (std::size_t begin = 0; state_size && begin < state.particles; begin += block_size) {

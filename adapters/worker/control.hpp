@@ -26,6 +26,7 @@ enum class Death : std::uint32_t {
 };
 
 inline constexpr std::size_t words_size = 512;
+inline constexpr const char* worker_folder = "assay-worker-";  ///< how the names of workers' folders begin
 
 struct Control {
   // host -> worker and back; both count, and are waited for
@@ -48,6 +49,7 @@ struct Control {
   char death_words[words_size];
   KeptOutput output;
   char reason[words_size];  ///< of a request that failed
+  char folder[words_size];  ///< of the worker, absolute
 };
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free);
 

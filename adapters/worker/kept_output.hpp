@@ -44,8 +44,11 @@ struct KeptOutput {
 inline std::string last_line(std::string text) {
   while (!text.empty() && static_cast<unsigned char>(text.back()) <= ' ') text.pop_back();
   constexpr std::size_t longest = 200;
-  text = text.substr(text.find_last_of('\n') + 1);
-  return text.substr(0, longest);
+  text = text.substr(text.find_last_of('\n') + 1).substr(0, longest);
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = '?';  // of any terminal, of XML
+  }
+  return text;
 }
 
 }  // namespace assay::adapters

@@ -40,12 +40,25 @@ std::array<void (*)(int), ProcessWatch::signals.size()> ProcessWatch::handlers()
   return found;
 }
 
+/// A process that has got away from its parents is a child of whoever watches this one.
+bool ProcessWatch::watcher_has_others() {
+  char name[64];
+  const auto watcher = static_cast<int>(::getppid());
+  std::snprintf(name, sizeof name, "/proc/%d/task/%d/children", watcher, watcher);
+  std::FILE* file = std::fopen(name, "r");
+  if (!file) return false;
+  bool others = false;
+  for (int process = 0; std::fscanf(file, "%d", &process) == 1;) others = others || process != ::getpid();
+  std::fclose(file);
+  return others;
+}
+
 std::uint32_t ProcessWatch::habits() const {
   std::uint32_t found = no_habit;
   if (folder() != folder_) found |= folder_changed;
   if (open_file(STDOUT_FILENO) != output_ || open_file(STDERR_FILENO) != errors_) found |= output_closed;
   siginfo_t child = {};
-  if (::waitid(P_ALL, 0, &child, WEXITED | WNOHANG | WNOWAIT) == 0) found |= processes_left;
+  if (::waitid(P_ALL, 0, &child, WEXITED | WNOHANG | WNOWAIT) == 0 || watcher_has_others()) found |= processes_left;
   if (*std::localeconv()->decimal_point != decimal_point_) found |= locale_changed;
   if (handlers() != handlers_) found |= signals_taken;
   return found | (written_inputs() & ~written_);

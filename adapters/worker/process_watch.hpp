@@ -38,6 +38,7 @@ class ProcessWatch {
   };
   static constexpr std::array signals{SIGINT, SIGTERM, SIGFPE, SIGSEGV, SIGABRT, SIGILL};
   static File folder();
+  static bool watcher_has_others();
   static File open_file(int number);
   static std::array<void (*)(int), signals.size()> handlers();
 

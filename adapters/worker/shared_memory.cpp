@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/worker/shared_memory.hpp"
 
+#include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -16,7 +17,7 @@ namespace {
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
 int new_file(std::size_t bytes) {
-  const int file = ::memfd_create("assay", MFD_CLOEXEC);
+  const int file = ::memfd_create("assay", MFD_CLOEXEC | MFD_ALLOW_SEALING);
   if (file < 0) fail("memfd_create");
   if (::ftruncate(file, static_cast<off_t>(bytes)) != 0) {
     const int reason = errno;
@@ -24,6 +25,7 @@ int new_file(std::size_t bytes) {
     errno = reason;
     fail("ftruncate");
   }
+  ::fcntl(file, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL);  // or who shares it could take it away
   return file;
 }
 

@@ -20,6 +20,7 @@
 #include <system_error>
 
 #include "adapters/worker/crash_marks.hpp"
+#include "adapters/worker/descendants.hpp"
 #include "adapters/worker/futex.hpp"
 #include "adapters/worker/process_watch.hpp"
 #include "adapters/worker/worker_process.hpp"
@@ -36,7 +37,7 @@ class Folder {
  public:
   Folder() {
     const char* base = std::getenv("TMPDIR");
-    path_ = std::string(base && *base == '/' ? base : "/tmp") + "/assay-worker-XXXXXX";
+    path_ = std::string(base && *base == '/' ? base : "/tmp") + "/" + worker_folder + "XXXXXX";
     if (!::mkdtemp(path_.data())) path_.clear();
   }
   ~Folder() {
@@ -80,6 +81,7 @@ class Warden {
     ::kill(worker_, SIGKILL);
     while (::waitpid(worker_, nullptr, 0) < 0 && errno == EINTR) {
     }
+    end_descendants();
     hear();
   }
 
@@ -96,7 +98,8 @@ class Warden {
   }
 
   void tell_end(int status) {
-    if (::kill(-worker_, SIGKILL) == 0) control_.habits.fetch_or(processes_left);
+    const bool of_group = ::kill(-worker_, SIGKILL) == 0, others = end_descendants();
+    if (of_group || others) control_.habits.fetch_or(processes_left);
     hear();
     if (WIFSIGNALED(status)) return tell(Death::signal, WTERMSIG(status));
     tell(Death::exit, WEXITSTATUS(status));
@@ -186,7 +189,9 @@ int run_warden(const std::function<void(WorkerFloor&)>& work) {
   WorkerFloor floor{*static_cast<Control*>(memory.data()), base + task_offset, base + arrays_offset,
                     memory.size() - arrays_offset};
   const Folder folder;
+  std::snprintf(floor.control.folder, sizeof floor.control.folder, "%s", folder.path().c_str());
   enlarge_stack();
+  adopt_orphans();
   int heard[2];
   if (!high_pipe(heard)) return 1;
   const pid_t warden = ::getpid(), worker = ::fork();

@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "adapters/worker/futex.hpp"
+#include "harness/progress_mark.hpp"
 
 namespace assay::adapters {
 
@@ -105,8 +106,31 @@ WorkerProcess::WorkerProcess(const WorkerStart& start)
 
 WorkerProcess::~WorkerProcess() {
   ::close(lifeline_);  // the warden ends what there is
-  while (::waitpid(warden_, nullptr, 0) < 0 && errno == EINTR) {
+  constexpr int patience_ms = 5000;
+  for (int waited = 0; ::waitpid(warden_, nullptr, WNOHANG) == 0; ++waited) {
+    if (waited == patience_ms) ::kill(warden_, SIGKILL);  // stopped by the model, perhaps; the worker goes with it
+    ::usleep(1000);
   }
+  remove_folder();
+}
+
+/// Left by a warden that was killed. What the model may have written over its name is no folder of a worker.
+void WorkerProcess::remove_folder() const {
+  namespace fs = std::filesystem;
+  const char* text = control().folder;
+  const fs::path folder(std::string(text, strnlen(text, words_size)));
+  std::error_code ignored;
+  if (folder.is_absolute() && folder.filename().string().starts_with(worker_folder) &&
+      fs::is_directory(folder, ignored)) {
+    fs::remove_all(folder, ignored);
+  }
+}
+
+/// A call has taken so long that the warden should have ended it.
+bool WorkerProcess::warden_is_stuck() const {
+  constexpr double grace_s = 5;
+  const std::int64_t since = control().busy_since.load();
+  return since != 0 && 1e-9 * static_cast<double>(now_ns() - since) > time_limit_ + grace_s;
 }
 
 bool WorkerProcess::warden_is_gone() const {
@@ -133,6 +157,7 @@ bool WorkerProcess::wait() {
     if (seen == wanted) return true;
     wait_while(c.reply, seen, look_ms);
     std::uint32_t none = 0;
+    if (c.reply.load() == seen && warden_is_stuck()) ::kill(warden_, SIGKILL);
     if (c.reply.load() == seen && warden_is_gone()) {
       c.death.compare_exchange_strong(none, static_cast<std::uint32_t>(Death::lost));
     }

@@ -57,6 +57,8 @@ class WorkerProcess {
 
  private:
   bool warden_is_gone() const;
+  bool warden_is_stuck() const;
+  void remove_folder() const;
 
   SharedMemory memory_;
   pid_t warden_ = -1;

@@ -79,10 +79,10 @@ MaterialDescription read_description(const std::string& text, const std::string&
     description.density = number_value(*density, "density", {.lower = 0, .lower_open = true});
   }
   if (const Tree* limit = root.find("time_limit")) {
-    description.limits.seconds = number_value(*limit, "time_limit", {.lower = 0, .lower_open = true});
+    description.limits.seconds = number_value(*limit, "time_limit", {.lower = 0, .upper = 1e7, .lower_open = true});
   }
   if (const Tree* limit = root.find("memory_limit")) {
-    description.limits.gigabytes = number_value(*limit, "memory_limit", {.lower = 0, .lower_open = true});
+    description.limits.gigabytes = number_value(*limit, "memory_limit", {.lower = 0, .upper = 1e6, .lower_open = true});
   }
   if (interface != "native") {
     if (description.name.empty()) description.name = name_of_file(file);

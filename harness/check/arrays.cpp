@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "harness/arithmetic.hpp"
 #include "harness/check/specimen.hpp"
 
 namespace assay::check {
@@ -108,6 +109,11 @@ Deed step(const Material& material, std::size_t n, double t, const Tensor& befor
   const assay_step step{t, length, F0.data(), F1.data()};
   material.table().update(material.self(), &step, n, state0.data(), state1.data(), cauchy.data(), status.data(),
                           factor.data(), message.data());
+  const std::uint32_t changes = changes_of_arithmetic();
+  if (changes != arithmetic_kept) reset_arithmetic();
+  if (const std::string words = arithmetic_words(changes); !words.empty()) {
+    return {arithmetic_prefix + ("it " + words), {}, {}, false};
+  }
   const std::vector<std::int32_t> found = status.values();
   if (cauchy.broken()) return ends("it writes beyond the stress");
   if (state1.broken()) return ends("it writes beyond the state that it declares");
@@ -185,8 +191,10 @@ TestResult guarded_arrays(const Material& material, const Options& options, std:
   if (what.empty()) return result;
   result.measure = 1;
   result.verdict = Verdict::fail;
-  result.cause = causes::overrun;
-  result.sentence = what;
+  const std::string prefix = arithmetic_prefix;
+  const bool of_arithmetic = what.starts_with(prefix);
+  result.cause = of_arithmetic ? causes::disturbs_process : causes::overrun;
+  result.sentence = of_arithmetic ? what.substr(prefix.size()) : what;
   return result;
 }
 

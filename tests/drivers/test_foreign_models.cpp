@@ -149,6 +149,28 @@ TEST(ForeignModels, NothingIsLeftWhenTheHostIsKilled) {
   EXPECT_TRUE(wait_until([&] { return fs::is_empty(scratch / "tmp"); }));
 }
 
+TEST(ForeignModels, NothingIsLeftWhenACheckIsKilled) {
+  if (!built("misbehaving_umat")) GTEST_SKIP() << "no Fortran compiler";
+  constexpr int endless_loop = 3;
+  for (const int signal : {SIGKILL, SIGTERM}) {
+    const ScratchFolder scratch;
+    fs::create_directories(scratch / "tmp");
+    const std::string place = "TMPDIR=" + (scratch / "tmp"), model = misbehaving(scratch, "time_limit: 1000\n");
+    const pid_t host = start_assay(
+        {"check", model, "--parameters", "which=" + std::to_string(endless_loop), "-o", scratch / "replays"},
+        scratch / "said", [&] { setenv("TMPDIR", (scratch / "tmp").c_str(), 1); });
+    const auto wait_until = [](const auto& condition) {
+      for (int k = 0; k < 200 && !condition(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      return condition();
+    };
+    ASSERT_TRUE(wait_until([&] { return !fs::is_empty(scratch / "tmp"); })) << bytes_of(scratch / "said");
+    ::kill(host, signal);
+    ::waitpid(host, nullptr, 0);
+    EXPECT_TRUE(wait_until([&] { return processes_with(place) == 0; })) << signal;
+    EXPECT_TRUE(wait_until([&] { return fs::is_empty(scratch / "tmp"); })) << signal;
+  }
+}
+
 TEST(ForeignModels, AnInterruptDoesNotWaitForAModel) {
   if (!built("misbehaving_umat")) GTEST_SKIP() << "no Fortran compiler";
   constexpr int endless_loop = 3;

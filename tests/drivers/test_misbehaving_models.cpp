@@ -45,6 +45,8 @@ const Misbehaviour all[] = {
     {17, "leaves_a_process", disturbs, "leaves processes behind", "leaves processes behind"},
     {19, "kills_itself", ends, "died of signal 9", "died of signal 9"},
     {22, "ignores_signals", ends, "did not come back from one call within 1 s", "did not come back within 1 s"},
+    {27, "leaves_a_daemon", disturbs, "leaves processes behind", "leaves processes behind"},
+    {28, "kills_its_watcher", ends, "ended the process that watches it", "lost with the process that watched it"},
     {23, "closes_everything", disturbs, "closes or redirects standard output", "closes or redirects standard output"},
 };
 

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 enum {
@@ -35,7 +36,9 @@ enum {
   closes_everything = 23,
   underruns_stress = 24, /* by 4000 */
   writes_strain = 25,    /* Fortran: to STRAN, which is the host's */
-  asserts_numbers = 26   /* aborts where the stress is no number */
+  asserts_numbers = 26,  /* aborts where the stress is no number */
+  leaves_daemon = 27,    /* that has left its parents and their group */
+  kills_its_watcher = 28
 };
 
 static const size_t ten_gb = (size_t)10 << 30, page = 4096;
@@ -76,6 +79,22 @@ static void leave_grandchild(void) {
   if (fork() != 0) return;
   sleep_1000_s();
   _exit(0);
+}
+
+static void leave_daemon(void) {
+  const pid_t first = fork();
+  if (first != 0) {
+    waitpid(first, NULL, 0);
+    return;
+  }
+  setsid();
+  if (fork() == 0) sleep_1000_s();
+  _exit(0);
+}
+
+static void kill_its_watcher(void) {
+  kill(getppid(), SIGKILL);
+  sleep_1000_s();
 }
 
 static void ignore_signals(void) {
@@ -125,7 +144,9 @@ static void ignore_signals_and_sleep(void) {
 }
 
 /* Repeated, these would bring down more than the process. */
-static int once_is_enough(int which) { return which == floods_output || which == leaves_grandchild; }
+static int once_is_enough(int which) {
+  return which == floods_output || which == leaves_grandchild || which == leaves_daemon;
+}
 
 __attribute__((visibility("hidden"))) void misbehave(int which, double* stress, double* statev, int nstatv);
 
@@ -147,7 +168,10 @@ void misbehave(int which, double* stress, double* statev, int nstatv) {
       [keeps_10_gb] = keep_10_gb,
       [ignores_signals] = ignore_signals_and_sleep,
       [closes_everything] = close_everything,
+      [leaves_daemon] = leave_daemon,
+      [kills_its_watcher] = kill_its_watcher,
   };
+  const int count = (int)(sizeof deeds / sizeof *deeds);
   static int calls = 0;
   if (which == overruns_statev) {
     for (int i = 0; i < 20; ++i) statev[nstatv + i] = litter;
@@ -155,7 +179,7 @@ void misbehave(int which, double* stress, double* statev, int nstatv) {
     for (int i = 1; i <= 4000; ++i) ((volatile double*)stress)[-i] = litter;
   } else if (which == asserts_numbers) {
     if (stress[0] != stress[0]) abort();
-  } else if (which > 0 && which < underruns_stress && deeds[which] && !(once_is_enough(which) && calls++ > 0)) {
+  } else if (which > 0 && which < count && deeds[which] && !(once_is_enough(which) && calls++ > 0)) {
     deeds[which]();
   }
 }

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/worker/descendants.hpp"
+
+#include <dirent.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cctype>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+#include "harness/progress_mark.hpp"
+
+namespace assay::adapters {
+
+namespace {
+
+/// Whose parent that is, as /proc says it, and that is no zombie.
+bool is_living_child(pid_t process, pid_t parent) {
+  char name[64], text[512];
+  std::snprintf(name, sizeof name, "/proc/%d/stat", static_cast<int>(process));
+  std::FILE* file = std::fopen(name, "r");
+  if (!file) return false;
+  const std::size_t length = std::fread(text, 1, sizeof text - 1, file);
+  std::fclose(file);
+  text[length] = '\0';
+  const char* after_name = std::strrchr(text, ')');  // a name may hold anything
+  char state = 'Z';
+  int found = 0;
+  return after_name && std::sscanf(after_name + 1, " %c %d", &state, &found) == 2 && state != 'Z' && found == parent;
+}
+
+std::vector<pid_t> living_children() {
+  std::vector<pid_t> all;
+  DIR* folder = ::opendir("/proc");
+  if (!folder) return all;
+  while (const dirent* entry = ::readdir(folder)) {
+    if (!std::isdigit(static_cast<unsigned char>(entry->d_name[0]))) continue;
+    const auto process = static_cast<pid_t>(std::strtol(entry->d_name, nullptr, 10));
+    if (is_living_child(process, ::getpid())) all.push_back(process);
+  }
+  ::closedir(folder);
+  return all;
+}
+
+/// True where no child is left.
+bool bury_the_dead() {
+  pid_t buried = 0;
+  do {
+    buried = ::waitpid(-1, nullptr, WNOHANG);
+  } while (buried > 0 || (buried < 0 && errno == EINTR));
+  return buried < 0;
+}
+
+}  // namespace
+
+void adopt_orphans() { ::prctl(PR_SET_CHILD_SUBREAPER, 1); }
+
+bool has_other_child(pid_t own) {
+  for (const pid_t child : living_children()) {
+    if (child != own) return true;
+  }
+  return false;
+}
+
+bool end_descendants() {
+  constexpr std::int64_t patience_ns = 2'000'000'000;
+  const std::int64_t begin = now_ns();
+  bool any = false;
+  while (!bury_the_dead() && now_ns() - begin < patience_ns) {
+    const std::vector<pid_t> children = living_children();
+    for (const pid_t child : children) ::kill(child, SIGKILL);
+    any = any || !children.empty();
+    if (children.empty()) ::usleep(1000);
+  }
+  return any;
+}
+
+}  // namespace assay::adapters
