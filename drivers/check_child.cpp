@@ -97,7 +97,10 @@ CheckReporter reporter_to(int records, int folder_before, const adapters::Proces
 }
 
 std::string new_folder() {
-  std::string name = (std::filesystem::temp_directory_path() / "assay-check-XXXXXX").string();
+  std::error_code error;
+  const std::filesystem::path base = std::filesystem::temp_directory_path(error);
+  if (error) throw SystemError("$TMPDIR is no folder for temporary files: " + error.message());
+  std::string name = (base / "assay-check-XXXXXX").string();
   return ::mkdtemp(name.data()) ? name : std::string();
 }
 

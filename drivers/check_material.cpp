@@ -127,7 +127,13 @@ CheckedMaterial check_material(const ResolvedMaterial& material, const std::stri
                                                           .ends = reporter.ends});
   judge_foreign_tangent(material, checked.report);
   const bool asked = settings.only.empty() ? !settings.effort.quick : settings.only == vortex_test;
-  if (asked && checked.report.passes()) add_vortex(material, checked.report, reporter);
+  if (asked && checked.report.passes()) {
+    add_vortex(material, checked.report, reporter);
+  } else if (asked) {
+    checked.report.tests.push_back({.id = vortex_test,
+                                    .verdict = check::Verdict::not_applicable,
+                                    .sentence = check::not_judged + (": " + checked.report.diagnosis.front().cause)});
+  }
   if (only.empty() && reporter.habits) add_process(reporter.habits(), checked.report);
   checked.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (reporter.over) reporter.over();

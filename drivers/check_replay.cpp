@@ -34,6 +34,7 @@ check::TestResult step_again(const Material& material, const FailedStep& step) {
   result.verdict = check::Verdict::pass;
   result.sentence = "the step is taken; stress 11, 22, 33, 12, 13, 23 [Pa]:";
   for (const int c : {0, 4, 8, 1, 2, 5}) result.sentence += " " + rounded_text(cauchy[c], 6);
+  result.sentence += ". If nothing was changed since, it failed after calls that this replay does not make";
   return result;
 }
 
@@ -61,7 +62,8 @@ int check_replay(const CheckOptions& options) {
   const Replay replay = read_replay(options.replay);
   const ResolvedMaterial resolved = resolved_of(replay);
   const bool known = !replay.library_sha256.empty();
-  if (known && replay_of(resolved, {}, "").library_sha256 != replay.library_sha256 && options.verbosity != Verbosity::quiet) {
+  if (known && replay_of(resolved, {}, "").library_sha256 != replay.library_sha256 &&
+      options.verbosity != Verbosity::quiet) {
     std::cerr << "warning: " << resolved.library << " is not the library of the failure: it has changed\n";
   }
   watch_interrupts();

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "adapters/builtin.hpp"
+#include "adapters/foreign/foreign_state.hpp"
 #include "adapters/probe.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/material/foreign_description.hpp"
@@ -50,7 +51,8 @@ int remove_name(const std::string& name) {
   if (fs::is_directory(fs::symlink_status(file, code))) {
     throw InputError({}, "--remove", "'" + file.string() + "' is a folder and no registered name");
   }
-  if (!fs::remove(file, code)) throw SystemError("'" + file.string() + "' cannot be removed: " + code.message());
+  fs::remove(file, code);  // which may be gone by now: somebody else has done the same
+  if (code) throw SystemError("'" + file.string() + "' cannot be removed: " + code.message());
   return 0;
 }
 
@@ -73,6 +75,13 @@ std::vector<std::string> names_without_value(const MaterialSource& source) {
   return names;
 }
 
+/// "3 state variables, 8 numbers", as its author counts them: those of the bridge are none.
+std::string own_state_words(const adapters::ForeignModel& model) {
+  const auto size = static_cast<std::size_t>(adapters::foreign_state_size(model.state));
+  const std::string words = std::to_string(model.state.size()) + " state variables";
+  return size == model.state.size() ? words : words + " of " + std::to_string(size) + " numbers";
+}
+
 /// What was found of a foreign model, and what is missing.
 std::string notes(const MaterialSource& source, const MaterialDescription& description) {
   std::string page;
@@ -81,8 +90,8 @@ std::string notes(const MaterialSource& source, const MaterialDescription& descr
   if (description.foreign) {
     const auto interface = static_cast<std::size_t>(description.foreign->interface) + 1;
     note(interface_names()[interface] + ", " + description.foreign->symbol + ": " +
-         std::to_string(source.table->parameter_count) + " properties, " + std::to_string(source.table->state_count) +
-         " state variables; runs in processes of its own");
+         std::to_string(source.table->parameter_count) + " properties, " + own_state_words(*description.foreign) +
+         "; runs in processes of its own");
     if (!missing.empty()) note("not tried: scenes, or a description, must give " + joined(missing));
     if (!source.density) note("scenes must give its density");
   }

@@ -42,7 +42,9 @@ std::string shortest(double value) {
 }
 
 std::string bounds_of(const assay_parameter& p) {
-  return "from " + shortest(p.lower) + " to " + shortest(p.upper) + " [" + p.unit + "]";
+  if (std::isinf(p.lower) && std::isinf(p.upper)) return "be a number";
+  const std::string unit = p.unit[0] ? " [" + std::string(p.unit) + "]" : std::string();
+  return "lie from " + shortest(p.lower) + " to " + shortest(p.upper) + unit;
 }
 
 std::vector<double> in_declared_order(const assay_material& table, const std::map<std::string, double>& given) {
@@ -61,10 +63,10 @@ std::vector<double> in_declared_order(const assay_material& table, const std::ma
     const double value = found == given.end() ? p.default_value : found->second;
     if (found == given.end() && std::isnan(value)) {
       throw ParameterError(
-          p.name, "required by material '" + std::string(table.name) + "' and not given; must lie " + bounds_of(p));
+          p.name, "required by material '" + std::string(table.name) + "' and not given; must " + bounds_of(p));
     }
     if (!(value >= p.lower && value <= p.upper) || !std::isfinite(value)) {
-      throw ParameterError(p.name, "must lie " + bounds_of(p) + ", found " + shortest(value));
+      throw ParameterError(p.name, "must " + bounds_of(p) + ", found " + shortest(value));
     }
     values.push_back(value);
   }

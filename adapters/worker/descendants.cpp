@@ -3,6 +3,7 @@
 
 #include <dirent.h>
 #include <sys/prctl.h>
+#include <sys/types.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,6 +20,8 @@
 namespace assay::adapters {
 
 namespace {
+
+pid_t adopter = -1;  ///< children are forked with it
 
 /// Whose parent that is, as /proc says it, and that is no zombie.
 bool is_living_child(pid_t process, pid_t parent) {
@@ -59,14 +62,12 @@ bool bury_the_dead() {
 
 }  // namespace
 
-void adopt_orphans() { ::prctl(PR_SET_CHILD_SUBREAPER, 1); }
-
-bool has_other_child(pid_t own) {
-  for (const pid_t child : living_children()) {
-    if (child != own) return true;
-  }
-  return false;
+void adopt_orphans() {
+  ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+  adopter = ::getpid();
 }
+
+bool parent_adopts() { return adopter > 0 && ::getppid() == adopter; }
 
 bool end_descendants() {
   constexpr std::int64_t patience_ns = 2'000'000'000;

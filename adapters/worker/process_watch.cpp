@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "adapters/foreign/written_inputs.hpp"
+#include "adapters/worker/descendants.hpp"
 
 namespace assay::adapters {
 
@@ -42,6 +43,7 @@ std::array<void (*)(int), ProcessWatch::signals.size()> ProcessWatch::handlers()
 
 /// A process that has got away from its parents is a child of whoever watches this one.
 bool ProcessWatch::watcher_has_others() {
+  if (!parent_adopts()) return false;
   char name[64];
   const auto watcher = static_cast<int>(::getppid());
   std::snprintf(name, sizeof name, "/proc/%d/task/%d/children", watcher, watcher);

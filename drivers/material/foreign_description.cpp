@@ -70,7 +70,12 @@ class Reader {
     if (const Tree* tree = root_.find("density")) {
       model_.density = number_value(*tree, "density", {.lower = 0, .lower_open = true});
     }
-    if (const Tree* tree = root_.find("material_name")) model_.material_name = text_value(*tree, "material_name");
+    if (const Tree* tree = root_.find("material_name")) {
+      constexpr std::size_t longest = 80;  // CMNAME
+      model_.material_name = text_value(*tree, "material_name");
+      if (model_.material_name.size() > longest)
+        throw InputError(tree->where, "material_name", "has more than 80 letters");
+    }
     for (const Tree::Entry& entry : root_.entries) where_[entry.key] = entry.value.where;
   }
 
@@ -103,13 +108,20 @@ class Reader {
       if (const Tree* at = value.find("upper")) p.upper = number_value(*at, key + ".upper");
       if (const Tree* at = value.find("unit")) p.unit = text_value(*at, key + ".unit");
       if (const Tree* at = value.find("doc")) p.doc = text_value(*at, key + ".doc");
+      require_within(p, key, value.where);
     }
+  }
+
+  static void require_within(const ForeignProperty& p, const std::string& key, const Location& place) {
+    if (p.lower > p.upper) throw InputError(place, key, "has bounds that leave nothing: lower is above upper");
+    if (p.value < p.lower || p.value > p.upper) throw InputError(place, key, "has a value outside of its own bounds");
   }
 
   ForeignProperty& add_property(const std::string& name, double value, const Location& place) {
     for (const ForeignProperty& other : model_.properties) {
       if (other.name == name) throw InputError(place, "properties." + one_line(name, 80), "is there twice");
     }
+    if (name.empty()) throw InputError(place, "properties", "a property needs a name");
     where_["properties." + name] = place;
     model_.properties.push_back({name, "", "", value});
     return model_.properties.back();

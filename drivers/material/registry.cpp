@@ -55,7 +55,7 @@ std::vector<RegisteredName> names_in(const std::string& folder, bool description
   for (fs::directory_iterator at(folder, code), end; !code && at != end; at.increment(code)) {
     const std::string name = name_of_file(at->path());
     if (name.empty() || (descriptions_only && !is_description(at->path().string()))) continue;
-    if (std::error_code unknown_kind; at->is_directory(unknown_kind)) continue;
+    if (std::error_code unknown_kind; !at->is_regular_file(unknown_kind)) continue;  // a pipe would be waited for
     names.push_back({name, at->path().string()});
   }
   // One name may lead to several files: NAME.so before libNAME.so before NAME.yaml.

@@ -57,7 +57,8 @@ class RandomDescription {
     for (std::size_t k = random_() % 5; k > 0; --k) {
       map += (map.empty() ? "" : ", ") + key(k) + ": " +
              any({"~", number(), "{}", "{value: " + number() + "}", "{unit: MPa, doc: " + any(texts_) + "}",
-                  "{value: 1, lower: " + number() + ", upper: " + number() + "}"});
+                  "{value: 1, lower: " + any({"-2.5", "-0.0", "1e-320", "0.1", "1"}) +
+                      ", upper: " + any({"1", "293.15", "1.7976931348623157e308"}) + "}"});
     }
     return "{" + map + "}";
   }
