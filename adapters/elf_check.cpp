@@ -38,7 +38,7 @@ void check_shared_library(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code code;
   const fs::file_status status = fs::status(path, code);
-  if (!fs::exists(status)) throw LibraryError("no such library");
+  if (!fs::exists(status)) throw LibraryError(no_such_library);
   if (!fs::is_regular_file(status)) throw LibraryError("is no shared library but a folder or device");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw LibraryError(std::string("cannot be read: ") + std::strerror(errno));

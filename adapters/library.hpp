@@ -21,6 +21,9 @@ class LibraryError : public std::runtime_error {
   std::string known_;
 };
 
+/// What is said of one that does not exist.
+inline constexpr const char* no_such_library = "no such library";
+
 /// All tables of a library, in its order, each free of defects. Throws LibraryError: missing, no shared library,
 /// truncated, unresolved symbols, no entry symbol, another ABI major, a defective table.
 std::vector<const assay_material*> tables_of_library(const std::string& path);

@@ -2,11 +2,8 @@
 #include "drivers/check_child.hpp"
 
 #include <fcntl.h>
-#include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
-#include <sys/signalfd.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -18,7 +15,6 @@
 #include <new>
 
 #include "adapters/worker/crash_marks.hpp"
-#include "adapters/worker/descendants.hpp"
 #include "adapters/worker/process_watch.hpp"
 #include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
@@ -106,75 +102,15 @@ std::string new_folder() {
 
 [[noreturn]] void refuse(const char* call) { throw SystemError(std::string(call) + ": " + std::strerror(errno)); }
 
-/// As long as it takes, within limits.
-template <class Condition>
-bool wait_until(const Condition& condition, std::chrono::milliseconds patience) {
-  const auto end = Child::Clock::now() + patience;
-  while (!condition()) {
-    if (Child::Clock::now() > end) return false;
-    ::usleep(1000);
-  }
-  return true;
-}
-
-struct Pipe {
-  int ends[2] = {-1, -1};
-  Pipe() {
-    if (::pipe2(ends, O_CLOEXEC) != 0) refuse("pipe");
-  }
-  void close(int end) { ::close(ends[end]); }
-};
-
-void unblock_signals() {
-  sigset_t none;
-  ::sigemptyset(&none);
-  ::sigprocmask(SIG_SETMASK, &none, nullptr);
-}
-
-/// A file that can be read when a child has ended. All other signals are left for the end.
-int deaths_of_children() {
-  sigset_t all, of_children;
-  ::sigfillset(&all);
-  ::sigprocmask(SIG_SETMASK, &all, nullptr);
-  ::sigemptyset(&of_children);
-  ::sigaddset(&of_children, SIGCHLD);
-  return ::signalfd(-1, &of_children, SFD_CLOEXEC | SFD_NONBLOCK);
-}
-
-/// The keeper: until the process or the program has ended.
-[[noreturn]] void keep(pid_t process, int deaths, int lifeline, int told, const std::string& folder) {
-  ::setpgid(process, process);
-  bool over = ::write(told, &process, sizeof process) != sizeof process;
-  while (!over) {
-    pollfd files[] = {{lifeline, POLLIN, 0}, {deaths, POLLIN, 0}};
-    ::poll(files, 2, 1000);
-    signalfd_siginfo ignored;
-    while (::read(deaths, &ignored, sizeof ignored) > 0) {
-    }
-    int status = 0;
-    if (::waitpid(process, &status, WNOHANG) == process) {
-      over = true;
-      [[maybe_unused]] const ssize_t written = ::write(told, &status, sizeof status);
-    }
-    over = over || (files[0].revents & (POLLHUP | POLLERR));
-  }
-  ::kill(-process, SIGKILL);
-  adapters::end_descendants();
-  std::error_code ignored;
-  if (!folder.empty()) std::filesystem::remove_all(folder, ignored);
-  leave_process(0);
-}
-
 }  // namespace
 
 Child start_child(const std::vector<CheckTask>& tasks, std::size_t task, double limit_s) {
-  Pipe records, output, lifeline, told;
+  int records[2], output[2];
+  if (::pipe2(records, O_CLOEXEC) != 0 || ::pipe2(output, O_CLOEXEC) != 0) refuse("pipe");
   Child child;
   child.task = task;
-  child.in = records.ends[0];
-  child.heard = output.ends[0];
-  child.lifeline = lifeline.ends[1];
-  child.told = told.ends[0];
+  child.in = records[0];
+  child.heard = output[0];
   child.end = Child::Clock::now() + std::chrono::milliseconds(std::llround(1e3 * limit_s));
   child.limits = tasks[task].limits;
   child.output = std::make_unique<adapters::KeptOutput>();
@@ -183,32 +119,16 @@ Child start_child(const std::vector<CheckTask>& tasks, std::size_t task, double 
   if (page == MAP_FAILED) refuse("mmap");
   child.control = static_cast<adapters::Control*>(page);
   std::fflush(nullptr);  // or the child would write it a second time
-  child.keeper = ::fork();
-  if (child.keeper < 0) refuse("fork");
-  if (child.keeper == 0) {
-    for (const Pipe& pipe : {records, output, told}) ::close(pipe.ends[0]);
-    lifeline.close(1);
-    ::setpgid(0, 0);  // not ended by the terminal's Ctrl-C
-    adapters::adopt_orphans();
-    const int deaths = deaths_of_children();
-    const pid_t process = ::fork();
-    if (process == 0) {
-      for (const int file : {lifeline.ends[0], told.ends[1], deaths}) ::close(file);
-      unblock_signals();
-      call_mark = &child.control->busy_since;
-      adapters::mark_crashes(*child.control);
-      serve(tasks[task], {out_of_reach(records.ends[1]), output.ends[1]}, child.folder);
-    }
-    records.close(1);
-    output.close(1);
-    if (process < 0) leave_process(3);
-    keep(process, deaths, lifeline.ends[0], told.ends[1], child.folder);
-  }
-  for (const Pipe& pipe : {records, output, told}) ::close(pipe.ends[1]);
-  lifeline.close(0);
-  if (::read(child.told, &child.pid, sizeof child.pid) != sizeof child.pid) refuse("fork");
-  for (const int file : {child.in, child.heard, child.told}) ::fcntl(file, F_SETFL, O_NONBLOCK);
-  child.begin_bytes = adapters::data_bytes(child.pid);
+  const auto work = [&] {
+    call_mark = &child.control->busy_since;
+    adapters::mark_crashes(*child.control);
+    serve(tasks[task], {out_of_reach(records[1]), output[1]}, child.folder);
+  };
+  child.keeper = start_kept(work, {records[1], output[1]}, {records[0], output[0]}, child.folder);
+  ::close(records[1]);
+  ::close(output[1]);
+  for (const int file : {child.in, child.heard}) ::fcntl(file, F_SETFL, O_NONBLOCK);
+  child.begin_bytes = adapters::data_bytes(child.keeper.process);
   return child;
 }
 
@@ -219,7 +139,8 @@ Child::Excess excess_of(const Child& child) {
   }
   if (Child::Clock::now() > child.end) return Child::Excess::time;
   const auto allowed = static_cast<std::uint64_t>(1e9 * child.limits.gigabytes);
-  return adapters::data_bytes(child.pid) > child.begin_bytes + allowed ? Child::Excess::memory : Child::Excess::none;
+  return adapters::data_bytes(child.keeper.process) > child.begin_bytes + allowed ? Child::Excess::memory
+                                                                                  : Child::Excess::none;
 }
 
 bool read_records(Child& child) {
@@ -243,35 +164,23 @@ void read_output(Child& child) {
 }
 
 bool is_over(Child& child) {
-  if (child.over) return true;
-  if (::read(child.told, &child.status, sizeof child.status) == sizeof child.status) return child.over = true;
-  siginfo_t ended = {};
-  const bool gone = ::waitid(P_PID, static_cast<id_t>(child.keeper), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
-                    ended.si_pid == child.keeper;
-  if (!gone) return false;
-  child.lost = ::read(child.told, &child.status, sizeof child.status) != sizeof child.status;
-  return child.over = true;
+  child.over = child.over || kept_is_over(child.keeper, child.status, child.lost);
+  return child.over;
 }
 
 void end_process(const Child& child) {
-  ::kill(-child.pid, SIGKILL);
-  if (!child.over) ::kill(child.pid, SIGKILL);
+  ::kill(-child.keeper.process, SIGKILL);
+  if (!child.over) ::kill(child.keeper.process, SIGKILL);
 }
 
 void release(Child& child) {
-  using std::chrono_literals::operator""ms;
+  constexpr int patience_ms = 500;
   ::close(child.in);
-  wait_until([&] { return is_over(child); }, 500ms);  // a process whose pipe is closed has ended, or is about to
+  for (int waited = 0; !is_over(child) && waited < patience_ms; ++waited) ::usleep(1000);  // it is about to end
   end_process(child);
-  ::close(child.lifeline);
-  const auto is_gone = [&] { return ::waitpid(child.keeper, nullptr, WNOHANG) == child.keeper; };
-  if (!wait_until(is_gone, 5000ms)) {  // stopped by the model
-    ::kill(child.keeper, SIGKILL);
-    ::waitpid(child.keeper, nullptr, 0);
-  }
+  dismiss(child.keeper);
   read_output(child);
   ::close(child.heard);
-  ::close(child.told);
   child.claim = static_cast<adapters::Death>(child.control->claim.load());
   ::munmap(child.control, sizeof *child.control);
   std::error_code ignored;

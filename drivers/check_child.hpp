@@ -2,8 +2,6 @@
 // The process in which one material is checked, as its parent knows it.
 #pragma once
 
-#include <sys/types.h>
-
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -12,6 +10,7 @@
 
 #include "adapters/worker/control.hpp"
 #include "adapters/worker/kept_output.hpp"
+#include "drivers/check_keeper.hpp"
 #include "drivers/check_process.hpp"
 
 namespace assay::drivers {
@@ -20,12 +19,9 @@ struct Child {
   using Clock = std::chrono::steady_clock;
 
   std::size_t task = 0;
-  pid_t pid = -1;
-  pid_t keeper = -1;  ///< its parent, which runs nothing of the model: ends what the model leaves, also where we die
-  int lifeline = -1;  ///< closed: the keeper ends all
-  int told = -1;      ///< by the keeper: how the process ended
-  int in = -1;        ///< its records
-  int heard = -1;     ///< what the model prints
+  Keeper keeper;
+  int in = -1;     ///< its records
+  int heard = -1;  ///< what the model prints
   Clock::time_point end;
   adapters::WorkerLimits limits;
   std::string said;  ///< its records so far

@@ -111,8 +111,8 @@ void require_served(const Symbols& symbols, MfrontBehaviour& behaviour) {
   }
   const unsigned version = symbols.number("api_version").value_or(0);
   if (version != 1) {
-    throw ForeignError("library",
-                       "its generic interface has api_version " + std::to_string(version) + ", and 1 is served");
+    throw ForeignError("library", "its generic interface has api_version " + std::to_string(version) +
+                                      ", and 1 is served, which TFEL 3.4.1 and later ones generate");
   }
   constexpr unsigned small_strain_type = 1, finite_strain_type = 2, small_kinematic = 1, cauchy_kinematic = 3;
   const unsigned type = symbols.number("BehaviourType").value_or(0),

@@ -8,6 +8,7 @@
 #include "adapters/worker/remote_table.hpp"
 #include "adapters/worker/worker_process.hpp"
 #include "drivers/interrupt.hpp"
+#include "drivers/material/raw_library.hpp"
 
 namespace assay::drivers {
 
@@ -31,10 +32,13 @@ Location place_of(const std::string& key, const MaterialDescription& description
 InputError complaint(const MaterialDescription& description, std::string key, const std::string& what,
                      const std::string& known) {
   const bool of_library = key == "library" || key == "name" || key.empty();
+  const bool absent = what == adapters::no_such_library && description.library_key == "library";
   const Location where = place_of(key, description);
   if (of_library && description.library_key != "library") key = description.library_key;
   return InputError(where, key.empty() ? description.library_key : key,
-                    (of_library ? "'" + description.library + "' " : "") + what, known);
+                    (of_library ? "'" + description.library + "' " : "") + what +
+                        (absent ? ", and none of that name in $ASSAY_MATERIAL_PATH" : ""),
+                    known);
 }
 
 adapters::ModelRefused refusal_of(const MaterialDescription& description, const adapters::LibraryError& error) {
@@ -78,6 +82,7 @@ const assay_material* table_in_worker(const MaterialDescription& description, co
 }  // namespace
 
 MaterialSource source_of(const MaterialDescription& description, const std::string& file, Isolation isolation) {
+  if (!description.foreign && description.library_key == "library") refuse_undeclared_interface(description);
   MaterialSource source;
   const bool apart = isolation == Isolation::worker || (isolation == Isolation::automatic && description.foreign);
   source.isolation = apart ? Isolation::worker : Isolation::none;

@@ -51,6 +51,22 @@ void refuse_subroutines(const MaterialDescription& description, const std::vecto
 
 }  // namespace
 
+void refuse_undeclared_interface(const MaterialDescription& description) {
+  try {
+    const std::vector<std::string> symbols = adapters::exported_symbols(description.library);
+    if (std::binary_search(symbols.begin(), symbols.end(), "assay_material_entry")) return;
+    std::string interface = adapters::mfront_behaviours(description.library).empty() ? "" : "mfront";
+    for (const char* word : {"vumat", "umat"}) {
+      if (interface.empty() && !subroutines_in(symbols, word).empty()) interface = word;
+    }
+    if (interface.empty()) return;
+    throw InputError(
+        description.library_where, description.library_key,
+        "'" + description.library + "' is no plug-in of the ABI: the description lacks interface: " + interface);
+  } catch (const adapters::LibraryError&) {
+  }
+}
+
 std::vector<std::string> subroutines_in(const std::vector<std::string>& symbols, const std::string& word) {
   std::vector<std::string> found;
   for (const std::string& symbol : symbols) {

@@ -16,6 +16,10 @@ namespace assay::drivers {
 MaterialDescription description_of_library(const std::string& library, const std::string& table, const Location& where,
                                            const std::string& key);
 
+/// Of a description that names no foreign interface: throws InputError where its library can be of no other, as that of
+/// a UMAT. A library that cannot be read is left to whoever loads it.
+void refuse_undeclared_interface(const MaterialDescription& description);
+
 /// Exported symbols that look like the entry points of UMATs and VUMATs.
 std::vector<std::string> subroutines_in(const std::vector<std::string>& symbols, const std::string& word);
 

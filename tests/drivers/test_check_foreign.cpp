@@ -16,6 +16,13 @@ std::string described(const ScratchFolder& scratch, const std::string& library, 
   return scratch.write(library + ".yaml", "library: " + doubles + library + ".so\n" + keys);
 }
 
+std::string j2_of(const ScratchFolder& scratch, const std::string& library, const std::string& keys) {
+  return described(scratch, library,
+                   "interface: umat\nproperties: {E: 1.0e3, nu: 0.3, yield: 10, isotropic: 20, kinematic: 50}\n"
+                   "state: {back_stress: symmetric_tensor, p: scalar}\nflags: [non_smooth]\ndensity: 1000\n" +
+                       keys);
+}
+
 /// Of a plane-strain model.
 std::string neo_hookean_in_plane(const ScratchFolder& scratch) {
   return described(scratch, "umat_neo_hookean",
@@ -48,10 +55,7 @@ TEST(CheckForeign, WhatIsWrongInThePlaneIsNamed) {
   if (!built("umat_j2")) GTEST_SKIP() << "no Fortran compiler";
   const ScratchFolder scratch;
   for (const bool right : {true, false}) {
-    const std::string model = described(scratch, right ? "umat_j2" : "umat_j2_unrotated",
-                                        "interface: umat\nproperties: {E: 1.0e3, nu: 0.3, yield: 10, isotropic: 20, "
-                                        "kinematic: 50}\nstate: {back_stress: symmetric_tensor, p: scalar}\n"
-                                        "flags: [non_smooth]\ncomponents: [4]\ndensity: 1000\n");
+    const std::string model = j2_of(scratch, right ? "umat_j2" : "umat_j2_unrotated", "components: [4]\n");
     const Ending ending = assay({"check", model, "--quick", "-o", scratch / "check"});
     EXPECT_EQ(ending.status, right ? 0 : 1) << ending.said;
     EXPECT_EQ(ending.said.find("state variable not rotated") == std::string::npos, right) << ending.said;
@@ -68,6 +72,39 @@ TEST(CheckForeign, ATangentOfTheOtherStrainIsSaidInTheWordsOfDescriptions) {
   EXPECT_NE(ending.said.find("tangent of another convention"), std::string::npos) << ending.said;
   EXPECT_NE(ending.said.find("strain: finite"), std::string::npos) << ending.said;
   EXPECT_EQ(ending.said.find("row-major"), std::string::npos) << ending.said;
+}
+
+TEST(CheckForeign, ATangentOfElasticityIsCalledThat) {
+  if (!built("umat_j2_elastic_ddsdde")) GTEST_SKIP() << "no Fortran compiler";
+  const ScratchFolder scratch;
+  const Ending ending =
+      assay({"check", j2_of(scratch, "umat_j2_elastic_ddsdde", ""), "--quick", "-o", scratch / "check"});
+  EXPECT_EQ(ending.status, 1) << ending.said;
+  EXPECT_NE(ending.said.find("diagnosis: tangent wrong"), std::string::npos) << ending.said;
+  EXPECT_NE(ending.said.find("the tangent is that of elasticity"), std::string::npos) << ending.said;
+}
+
+/// DDSDDE is right, and is converted as if all had turned.
+TEST(CheckForeign, ATangentIsNotJudgedBesideWhatDoesNotTurn) {
+  if (!built("umat_j2_unrotated")) GTEST_SKIP() << "no Fortran compiler";
+  const ScratchFolder scratch;
+  const Ending ending = assay({"check", j2_of(scratch, "umat_j2_unrotated", ""), "--quick", "-o", scratch / "check"});
+  EXPECT_EQ(ending.status, 1) << ending.said;
+  EXPECT_NE(ending.said.find("diagnosis: state variable not rotated"), std::string::npos) << ending.said;
+  EXPECT_EQ(ending.said.find("tangent wrong"), std::string::npos) << ending.said;
+}
+
+TEST(CheckForeign, TheTimeSinceTheBeginningIsToldFromThatOfAStep) {
+  if (!built("misbehaving_umat")) GTEST_SKIP() << "no Fortran compiler";
+  const ScratchFolder scratch;
+  const std::string model =
+      described(scratch, "misbehaving_umat",
+                "interface: umat\nproperties: {E: 1.0e3, nu: 0.3, which: 20, from: 0}\nstate: 1\ndensity: 1000\n");
+  const Ending ending = assay({"check", model, "--quick", "-o", scratch / "check"});
+  EXPECT_EQ(ending.status, 1) << ending.said;
+  EXPECT_NE(ending.said.find("diagnosis: clock"), std::string::npos) << ending.said;
+  EXPECT_NE(ending.said.find("the time since"), std::string::npos) << ending.said;
+  EXPECT_EQ(ending.said.find("flags: [rate_dependent]"), std::string::npos) << ending.said;
 }
 
 TEST(CheckForeign, DeclarationsAreThoseOfDescriptions) {

@@ -129,6 +129,13 @@ int processes_with(const std::string& text) {
   return count;
 }
 
+/// For ten seconds at most.
+template <class Condition>
+bool wait_until(const Condition& condition) {
+  for (int k = 0; k < 200 && !condition(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  return condition();
+}
+
 TEST(ForeignModels, NothingIsLeftWhenTheHostIsKilled) {
   if (!built("misbehaving_umat")) GTEST_SKIP() << "no Fortran compiler";
   constexpr int endless_loop = 3;
@@ -137,10 +144,6 @@ TEST(ForeignModels, NothingIsLeftWhenTheHostIsKilled) {
   const std::string place = "TMPDIR=" + (scratch / "tmp");
   const pid_t host = start_assay(run_of(scratch, misbehaving(scratch, "time_limit: 1000\n"), endless_loop),
                                  scratch / "said", [&] { setenv("TMPDIR", (scratch / "tmp").c_str(), 1); });
-  const auto wait_until = [](const auto& condition) {
-    for (int k = 0; k < 200 && !condition(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    return condition();
-  };
   ASSERT_TRUE(wait_until([&] { return processes_with(place) >= 3; })) << bytes_of(scratch / "said");
   EXPECT_FALSE(fs::is_empty(scratch / "tmp"));
   ::kill(host, SIGKILL);
@@ -159,10 +162,6 @@ TEST(ForeignModels, NothingIsLeftWhenACheckIsKilled) {
     const pid_t host = start_assay(
         {"check", model, "--parameters", "which=" + std::to_string(endless_loop), "-o", scratch / "replays"},
         scratch / "said", [&] { setenv("TMPDIR", (scratch / "tmp").c_str(), 1); });
-    const auto wait_until = [](const auto& condition) {
-      for (int k = 0; k < 200 && !condition(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(50));
-      return condition();
-    };
     ASSERT_TRUE(wait_until([&] { return !fs::is_empty(scratch / "tmp"); })) << bytes_of(scratch / "said");
     ::kill(host, signal);
     ::waitpid(host, nullptr, 0);
@@ -179,7 +178,7 @@ TEST(ForeignModels, AnInterruptDoesNotWaitForAModel) {
   const std::string place = "TMPDIR=" + (scratch / "tmp");
   const pid_t host = start_assay(run_of(scratch, misbehaving(scratch, "time_limit: 1000\n"), endless_loop),
                                  scratch / "said", [&] { setenv("TMPDIR", (scratch / "tmp").c_str(), 1); });
-  for (int k = 0; k < 200 && processes_with(place) < 3; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  wait_until([&] { return processes_with(place) >= 3; });
   std::this_thread::sleep_for(std::chrono::milliseconds(500));  // into the loop
   const auto begin = std::chrono::steady_clock::now();
   ::kill(host, SIGINT);

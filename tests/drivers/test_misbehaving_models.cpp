@@ -110,6 +110,7 @@ TEST_P(MisbehavingModel, IsNamedByCheckAndAgainByItsReplay) {
   const Ending again = program({"check", "--replay", fs::directory_iterator(scratch_ / "r")->path().string()});
   EXPECT_EQ(again.status, 1);
   EXPECT_NE(one_line_of(again.said).find(m.said_by_check), std::string::npos) << again.said;
+  EXPECT_EQ(again.said.find("has changed"), std::string::npos) << again.said;
 }
 
 TEST_P(MisbehavingModel, IsNamedByARunAndAgainByItsReplay) {

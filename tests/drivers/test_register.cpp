@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <sys/stat.h>
+
 #include "drivers/material/registry.hpp"
 #include "drivers/scene/yaml_reader.hpp"
 #include "drivers/verbs.hpp"
@@ -101,6 +103,24 @@ TEST_F(Register, ALibraryOfMfrontDescribesItself) {
   EXPECT_TRUE(find_material("rubber", {}, "").is_foreign);
   EXPECT_EQ(add(library + ":NeoHookean", "rubber2"), 0);
   EXPECT_NE(refused(library + ":Norton").find("has no behaviour 'Norton'; known: NeoHookean"), std::string::npos);
+}
+
+TEST_F(Register, APipeAmongTheNamesIsNoName) {
+  add(plugins + "frozen_1_0.so");
+  ASSERT_EQ(::mkfifo((folder / "data/materials/pipe.yaml").c_str(), 0600), 0);
+  for (const RegisteredName& registered : registered_names()) EXPECT_NE(registered.name, "pipe");
+}
+
+TEST_F(Register, CountsTheStateAsItsAuthorDoes) {
+  const std::string library = ASSAY_BINARY_DIR "/tests/foreign/umat_j2.so";
+  if (!fs::exists(library)) GTEST_SKIP() << "no Fortran compiler";
+  const std::string file = write("clay.yaml", "library: " + library + "\ninterface: umat\ndensity: 1000\n" +
+                                                  "properties: {E: 1.0e3, nu: 0.3, y: 10, h: 20, c: 50}\n" +
+                                                  "state: {back: symmetric_tensor, p: scalar}\n");
+  testing::internal::CaptureStdout();
+  register_material({file, {}, {}, Verbosity::normal});
+  const std::string said = testing::internal::GetCapturedStdout();
+  EXPECT_NE(said.find("5 properties, 2 state variables of 7 numbers"), std::string::npos) << said;
 }
 
 TEST_F(Register, ASubroutineNeedsADescription) {

@@ -73,5 +73,15 @@ TEST_P(VumatBlocks, GiveBitForBitWhatPointsAloneGive) {
 INSTANTIATE_TEST_SUITE_P(Sizes, VumatBlocks, testing::Values(1, 127, 128, 129, 300, 4096),
                          [](const auto& instance) { return "of_" + std::to_string(instance.param); });
 
+TEST(Vumat, StressThatIsLeftUnwrittenIsNamed) {
+  const Material material(foreign_table(foreign_double("vumat_clock")), {{"writes", 2}});
+  const double I[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const std::vector<double> state0 = material.initial_state(1);
+  std::vector<double> state1(state0.size()), cauchy(9);
+  const UpdateReport report = material.update(0, 1, 1, I, I, state0.data(), state1.data(), cauchy.data());
+  EXPECT_EQ(report.worst, ASSAY_FAILED);
+  EXPECT_EQ(report.message, overrun_words + std::string("the VUMAT leaves stressNew 31 unwritten, of point 1 of 1"));
+}
+
 }  // namespace
 }  // namespace assay::adapters

@@ -2,7 +2,7 @@
 ! J2 plasticity by radial return: isotropic and kinematic hardening, both linear, small increments of strain.
 !   sqrt(3/2) |dev sigma - alpha| <= yield + H p,   d alpha = (2/3) C d eps_p
 ! PROPS: E, nu, yield stress, H, C. STATEV: alpha (11, 22, 33, 12, 13, 23), p.
-! STRESS arrives rotated; alpha is rotated here (UNROTATED: the classic omission).
+! STRESS arrives rotated; alpha is rotated here (UNROTATED: the classic omission). ELASTIC_DDSDDE: another one.
 subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpldt, stran, dstran, time, dtime, temp, &
                 dtemp, predef, dpred, cmname, ndi, nshr, ntens, nstatv, props, nprops, coords, drot, pnewdt, celent, &
                 dfgrd0, dfgrd1, noel, npt, layer, kspt, jstep, kinc)
@@ -39,11 +39,13 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
     increment = excess / (3 * shear + props(4) + props(5))
     stress = stress - 3 * shear * increment / mises * xi(1:ntens)
     alpha = alpha + props(5) * increment / mises * xi
+#ifndef ELASTIC_DDSDDE
     call fill_elastic(bulk, shear * (1 - 3 * shear * increment / mises), ddsdde)
     do i = 1, ntens
       ddsdde(:, i) = ddsdde(:, i) - 9 * shear**2 / mises**2 * xi(1:ntens) * xi(i) &
                      * (1 / (3 * shear + props(4) + props(5)) - increment / mises)
     end do
+#endif
     statev(7) = statev(7) + increment
     spd = spd + (props(3) + props(4) * statev(7)) * increment
   end if

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* A linear VUMAT that looks at the clock. props: modulus, whether it writes to stateOld. State: first increments
- * (totalTime = dt), totalTime, field 1, points of the call. */
+/* A linear VUMAT that looks at the clock. props: modulus; 1: it writes to stateOld, 2: it leaves stressNew 31 unwritten.
+ * State: first increments (totalTime = dt), totalTime, field 1, points of the call. */
 #include <stddef.h>
 
 #define EXPORT __attribute__((visibility("default")))
@@ -25,11 +25,11 @@ void vumat_(const int* nblock, const int* ndir, const int* nshr, const int* nsta
   (void)intern_old, (void)inelas_old, (void)temp_new, (void)stretch_new, (void)defgrad_new;
   const int n = *nblock;
   for (int p = 0; p < n; ++p) {
-    for (int c = 0; c < 6; ++c) stress_new[c * n + p] = stress_old[c * n + p] + props[0] * strain[c * n + p];
+    for (int c = 0; c < (props[1] == 2 ? 5 : 6); ++c) stress_new[c * n + p] = stress_old[c * n + p] + props[0] * strain[c * n + p];
     state_new[p] = state_old[p] + (*total_time == *dt);
     state_new[n + p] = *total_time;
     state_new[2 * n + p] = *nfieldv > 0 ? field_new[p] : -1;
     state_new[3 * n + p] = n;
-    if (props[1] != 0) state_old[p] = 7;
+    if (props[1] == 1) state_old[p] = 7;
   }
 }

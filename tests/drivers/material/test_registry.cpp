@@ -91,8 +91,12 @@ TEST_F(Registry, DescriptionsAreStrict) {
             file + ":2:23: parameters.modulus: must be a finite number, found '.nan'");
   EXPECT_EQ(line(library + "name: third\n"),
             file + ":2:7: name: '" + plugins + "two_models.so' holds no material 'third'; known: first, second");
-  EXPECT_EQ(line("library: absent.so\n"),
-            file + ":1:10: library: '" + (folder / "absent.so").string() + "' no such library");
+  EXPECT_EQ(line("library: absent.so\n"), file + ":1:10: library: '" + (folder / "absent.so").string() +
+                                              "' no such library, and none of that name in $ASSAY_MATERIAL_PATH");
+  const std::string norton = ASSAY_BINARY_DIR "/tests/foreign/mfront_norton.so";
+  EXPECT_EQ(
+      line("library: " + norton + "\n"),
+      file + ":1:10: library: '" + norton + "' is no plug-in of the ABI: the description lacks interface: mfront");
   EXPECT_EQ(line(""), file + ": empty");
 }
 

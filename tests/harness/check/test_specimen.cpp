@@ -75,6 +75,17 @@ TEST(Specimen, KeepsBelowWhatBreaks) {
   EXPECT_GT(way.largest, 0.04 * specimen.modulus * specimen.amplitude);
 }
 
+/// What is broken where histories end would agree with anything.
+TEST(Specimen, CarriesAStressWhereHistoriesEnd) {
+  const Material material = fragile({{"breaks_at", 0.13}});
+  const Specimen specimen = examine(material, {});
+  EXPECT_LT(specimen.amplitude, Effort{}.strain);
+  const March way = march(material, out_and_back(specimen), {.steps = 40, .state = specimen.rest_state()});
+  for (const Point& mark : way.marks) {
+    EXPECT_GT(mark.cauchy.cwiseAbs().maxCoeff(), 0.04 * specimen.modulus * specimen.amplitude);
+  }
+}
+
 TEST(Specimen, KeepsToSomeTimesTheElasticRange) {
   const Specimen specimen = examine(fragile({{"yields_at", 1e-3}}), {});
   EXPECT_NEAR(specimen.onset, 1e-3, 1e-3);

@@ -227,6 +227,8 @@ std::vector<Subject> viscous_subjects() {
   }();
   std::vector<Subject> all;
   add(all, &solid, {{"zener", none, ""}}, {{"slow_share", 0}});
+  add(all, &solid, {{"brief_zener", none, ""}, {"unturned_brief_overstress", unturned, state_not_rotated}},
+      {{"slow_share", 0}, {"time", 0.02}});
   add(all, &solid,
       {{"generalised_maxwell", none, ""},
        {"unturned_overstress", unturned, state_not_rotated},

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/check_keeper.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/signalfd.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include "adapters/worker/descendants.hpp"
+#include "drivers/exit_guard.hpp"
+#include "drivers/input_error.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+[[noreturn]] void refuse(const char* call) { throw SystemError(std::string(call) + ": " + std::strerror(errno)); }
+
+struct Pipe {
+  Pipe() {
+    if (::pipe2(ends, O_CLOEXEC) != 0) refuse("pipe");
+  }
+  int ends[2] = {-1, -1};
+};
+
+void close_all(const std::vector<int>& files) {
+  for (const int file : files) ::close(file);
+}
+
+/// A file that can be read when a child has ended. All other signals are left for the end.
+int deaths_of_children() {
+  sigset_t all, of_children;
+  ::sigfillset(&all);
+  ::sigprocmask(SIG_SETMASK, &all, nullptr);
+  ::sigemptyset(&of_children);
+  ::sigaddset(&of_children, SIGCHLD);
+  return ::signalfd(-1, &of_children, SFD_CLOEXEC | SFD_NONBLOCK);
+}
+
+void unblock_signals() {
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
+/// Until the process or the program has ended.
+void watch(pid_t process, int deaths, int lifeline, int told) {
+  for (;;) {
+    pollfd files[] = {{lifeline, POLLIN, 0}, {deaths, POLLIN, 0}};
+    ::poll(files, 2, 1000);
+    signalfd_siginfo ignored;
+    while (::read(deaths, &ignored, sizeof ignored) > 0) {
+    }
+    int status = 0;
+    if (::waitpid(process, &status, WNOHANG) == process) {
+      [[maybe_unused]] const ssize_t written = ::write(told, &status, sizeof status);
+      return;
+    }
+    if (files[0].revents & (POLLHUP | POLLERR)) return;
+  }
+}
+
+[[noreturn]] void keep(const std::function<void()>& work, const std::vector<int>& files, int lifeline, int told,
+                       const std::string& folder) {
+  ::setpgid(0, 0);  // not ended by the terminal's Ctrl-C
+  adapters::adopt_orphans();
+  const int deaths = deaths_of_children();
+  const pid_t process = ::fork();
+  if (process == 0) {
+    close_all({lifeline, told, deaths});
+    unblock_signals();
+    work();
+    leave_process(3);
+  }
+  close_all(files);
+  if (process < 0) leave_process(3);
+  ::setpgid(process, process);
+  if (::write(told, &process, sizeof process) == sizeof process) watch(process, deaths, lifeline, told);
+  ::kill(-process, SIGKILL);
+  adapters::end_descendants();
+  std::error_code ignored;
+  if (!folder.empty()) std::filesystem::remove_all(folder, ignored);
+  leave_process(0);
+}
+
+}  // namespace
+
+Keeper start_kept(const std::function<void()>& work, const std::vector<int>& files, const std::vector<int>& others,
+                  const std::string& folder) {
+  const Pipe lifeline, told;
+  Keeper keeper;
+  keeper.lifeline = lifeline.ends[1];
+  keeper.told = told.ends[0];
+  keeper.pid = ::fork();
+  if (keeper.pid < 0) refuse("fork");
+  if (keeper.pid == 0) {
+    close_all(others);
+    close_all({lifeline.ends[1], told.ends[0]});
+    keep(work, files, lifeline.ends[0], told.ends[1], folder);
+  }
+  close_all({lifeline.ends[0], told.ends[1]});
+  if (::read(keeper.told, &keeper.process, sizeof keeper.process) != sizeof keeper.process) refuse("fork");
+  ::fcntl(keeper.told, F_SETFL, O_NONBLOCK);
+  return keeper;
+}
+
+bool kept_is_over(const Keeper& keeper, int& status, bool& lost) {
+  const auto is_told = [&] { return ::read(keeper.told, &status, sizeof status) == sizeof status; };
+  if (is_told()) return true;
+  siginfo_t ended = {};
+  const bool gone = ::waitid(P_PID, static_cast<id_t>(keeper.pid), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+                    ended.si_pid == keeper.pid;
+  lost = gone && !is_told();
+  return gone;
+}
+
+void dismiss(const Keeper& keeper) {
+  constexpr int patience_ms = 5000;
+  ::close(keeper.lifeline);
+  for (int waited = 0; ::waitpid(keeper.pid, nullptr, WNOHANG) == 0; ++waited) {
+    if (waited == patience_ms) ::kill(keeper.pid, SIGKILL);  // stopped by the model, perhaps
+    ::usleep(1000);
+  }
+  ::close(keeper.told);
+}
+
+}  // namespace assay::drivers

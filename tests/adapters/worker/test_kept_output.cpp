@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/worker/kept_output.hpp"
+
+#include <gtest/gtest.h>
+
+namespace assay::adapters {
+namespace {
+
+TEST(LastLine, IsTheLastThatSaysSomething) {
+  EXPECT_EQ(last_line(""), "");
+  EXPECT_EQ(last_line("\n \n"), "");
+  EXPECT_EQ(last_line("first\nsecond"), "second");
+  EXPECT_EQ(last_line("first\nsecond\r\n\n"), "second");
+}
+
+TEST(LastLine, HoldsNothingThatATerminalOrXmlWouldTakeForMore) {
+  EXPECT_EQ(last_line("\033[31mred\033[0m \001"), "?[31mred?[0m");
+  EXPECT_EQ(last_line("caf\xc3\xa9 \xff"), "caf?? ?");
+  EXPECT_EQ(last_line(std::string(1000, 'x')).size(), 200u);
+}
+
+}  // namespace
+}  // namespace assay::adapters
