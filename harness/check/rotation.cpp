@@ -151,7 +151,7 @@ std::optional<double> time_of_fast_relaxation(const Specimen& specimen) {
 
 TestResult rotation(const Specimen& specimen, When when) {
   const Case c = case_of(specimen, when);
-  const TestResult usual = rotation_within(specimen, c, 1);
+  TestResult usual = rotation_within(specimen, c, 1);
   const std::optional<double> brief = time_of_fast_relaxation(specimen);
   if (usual.verdict == Verdict::fail || when != When::during || !brief) return usual;
   TestResult fast = rotation_within(specimen, c, *brief);  // before its overstress is gone
