@@ -122,12 +122,8 @@ bool kept_is_over(const Keeper& keeper, int& status, bool& lost) {
 }
 
 void dismiss(const Keeper& keeper) {
-  constexpr int patience_ms = 5000;
   ::close(keeper.lifeline);
-  for (int waited = 0; ::waitpid(keeper.pid, nullptr, WNOHANG) == 0; ++waited) {
-    if (waited == patience_ms) ::kill(keeper.pid, SIGKILL);  // stopped by the model, perhaps
-    ::usleep(1000);
-  }
+  adapters::await_end(keeper.pid);
   ::close(keeper.told);
 }
 

@@ -3,7 +3,6 @@
 
 #include <dirent.h>
 #include <sys/prctl.h>
-#include <sys/types.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -68,6 +67,14 @@ void adopt_orphans() {
 }
 
 bool parent_adopts() { return adopter > 0 && ::getppid() == adopter; }
+
+void await_end(pid_t child) {
+  constexpr int patience_ms = 5000;
+  for (int waited = 0; ::waitpid(child, nullptr, WNOHANG) == 0; ++waited) {
+    if (waited == patience_ms) ::kill(child, SIGKILL);
+    ::usleep(1000);
+  }
+}
 
 bool end_descendants() {
   constexpr std::int64_t patience_ns = 2'000'000'000;

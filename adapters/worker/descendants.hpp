@@ -2,6 +2,8 @@
 // Processes that a model has started, for the one that watches it.
 #pragma once
 
+#include <sys/types.h>
+
 namespace assay::adapters {
 
 /// From now on a process whose parents have ended becomes a child of this one, whatever it has done to get away.
@@ -9,6 +11,9 @@ void adopt_orphans();
 
 /// Whether the parent of this process is one that has called it.
 bool parent_adopts();
+
+/// Waits for a child that is about to end; kills it where it has not within five seconds, as one that was stopped.
+void await_end(pid_t child);
 
 /// Ends every child of this process, and theirs. In bounded time: what starts new ones faster than they can be ended
 /// may get away. True: there were such that still ran.

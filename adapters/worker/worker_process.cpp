@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "adapters/worker/descendants.hpp"
 #include "adapters/worker/futex.hpp"
 #include "harness/progress_mark.hpp"
 
@@ -106,11 +107,7 @@ WorkerProcess::WorkerProcess(const WorkerStart& start)
 
 WorkerProcess::~WorkerProcess() {
   ::close(lifeline_);  // the warden ends what there is
-  constexpr int patience_ms = 5000;
-  for (int waited = 0; ::waitpid(warden_, nullptr, WNOHANG) == 0; ++waited) {
-    if (waited == patience_ms) ::kill(warden_, SIGKILL);  // stopped by the model, perhaps; the worker goes with it
-    ::usleep(1000);
-  }
+  await_end(warden_);
   remove_folder();
 }
 

@@ -136,59 +136,66 @@ bool wait_until(const Condition& condition) {
   return condition();
 }
 
+constexpr int endless_loop = 3;  ///< of the misbehaviours
+
+/// The program with a model that does not come back.
+struct HangingProgram {
+  HangingProgram(const ScratchFolder& scratch, const std::vector<std::string>& words)
+      : tmp(scratch / "tmp"), said(scratch / "said") {
+    fs::create_directories(tmp);
+    host = start_assay(words, said, [this] { setenv("TMPDIR", tmp.c_str(), 1); });
+  }
+  /// Of it and of what it has started.
+  int processes() const { return processes_with("TMPDIR=" + tmp); }
+  bool has_left_nothing() const {
+    return wait_until([this] { return processes() == 0; }) && wait_until([this] { return fs::is_empty(tmp); });
+  }
+  int ended_by(int signal) const {
+    int status = 0;
+    ::kill(host, signal);
+    ::waitpid(host, &status, 0);
+    return status;
+  }
+
+  std::string tmp, said;
+  pid_t host = -1;
+};
+
 TEST(ForeignModels, NothingIsLeftWhenTheHostIsKilled) {
   if (!built("misbehaving_umat")) GTEST_SKIP() << "no Fortran compiler";
-  constexpr int endless_loop = 3;
   const ScratchFolder scratch;
-  fs::create_directories(scratch / "tmp");
-  const std::string place = "TMPDIR=" + (scratch / "tmp");
-  const pid_t host = start_assay(run_of(scratch, misbehaving(scratch, "time_limit: 1000\n"), endless_loop),
-                                 scratch / "said", [&] { setenv("TMPDIR", (scratch / "tmp").c_str(), 1); });
-  ASSERT_TRUE(wait_until([&] { return processes_with(place) >= 3; })) << bytes_of(scratch / "said");
-  EXPECT_FALSE(fs::is_empty(scratch / "tmp"));
-  ::kill(host, SIGKILL);
-  ::waitpid(host, nullptr, 0);
-  EXPECT_TRUE(wait_until([&] { return processes_with(place) == 0; }));
-  EXPECT_TRUE(wait_until([&] { return fs::is_empty(scratch / "tmp"); }));
+  const HangingProgram program(scratch, run_of(scratch, misbehaving(scratch, "time_limit: 1000\n"), endless_loop));
+  ASSERT_TRUE(wait_until([&] { return program.processes() >= 3; })) << bytes_of(program.said);
+  EXPECT_FALSE(fs::is_empty(program.tmp));
+  program.ended_by(SIGKILL);
+  EXPECT_TRUE(program.has_left_nothing());
 }
 
 TEST(ForeignModels, NothingIsLeftWhenACheckIsKilled) {
   if (!built("misbehaving_umat")) GTEST_SKIP() << "no Fortran compiler";
-  constexpr int endless_loop = 3;
   for (const int signal : {SIGKILL, SIGTERM}) {
     const ScratchFolder scratch;
-    fs::create_directories(scratch / "tmp");
-    const std::string place = "TMPDIR=" + (scratch / "tmp"), model = misbehaving(scratch, "time_limit: 1000\n");
-    const pid_t host = start_assay(
-        {"check", model, "--parameters", "which=" + std::to_string(endless_loop), "-o", scratch / "replays"},
-        scratch / "said", [&] { setenv("TMPDIR", (scratch / "tmp").c_str(), 1); });
-    ASSERT_TRUE(wait_until([&] { return !fs::is_empty(scratch / "tmp"); })) << bytes_of(scratch / "said");
-    ::kill(host, signal);
-    ::waitpid(host, nullptr, 0);
-    EXPECT_TRUE(wait_until([&] { return processes_with(place) == 0; })) << signal;
-    EXPECT_TRUE(wait_until([&] { return fs::is_empty(scratch / "tmp"); })) << signal;
+    const HangingProgram program(scratch, {"check", misbehaving(scratch, "time_limit: 1000\n"), "--parameters",
+                                           "which=" + std::to_string(endless_loop), "-o", scratch / "replays"});
+    ASSERT_TRUE(wait_until([&] { return !fs::is_empty(program.tmp); })) << bytes_of(program.said);
+    program.ended_by(signal);
+    EXPECT_TRUE(program.has_left_nothing()) << signal;
   }
 }
 
 TEST(ForeignModels, AnInterruptDoesNotWaitForAModel) {
   if (!built("misbehaving_umat")) GTEST_SKIP() << "no Fortran compiler";
-  constexpr int endless_loop = 3;
   const ScratchFolder scratch;
-  fs::create_directories(scratch / "tmp");
-  const std::string place = "TMPDIR=" + (scratch / "tmp");
-  const pid_t host = start_assay(run_of(scratch, misbehaving(scratch, "time_limit: 1000\n"), endless_loop),
-                                 scratch / "said", [&] { setenv("TMPDIR", (scratch / "tmp").c_str(), 1); });
-  wait_until([&] { return processes_with(place) >= 3; });
+  const HangingProgram program(scratch, run_of(scratch, misbehaving(scratch, "time_limit: 1000\n"), endless_loop));
+  wait_until([&] { return program.processes() >= 3; });
   std::this_thread::sleep_for(std::chrono::milliseconds(500));  // into the loop
   const auto begin = std::chrono::steady_clock::now();
-  ::kill(host, SIGINT);
-  int status = 0;
-  ::waitpid(host, &status, 0);
+  const int status = program.ended_by(SIGINT);
   EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), 10);
-  EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : 0, 130) << bytes_of(scratch / "said");
+  EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : 0, 130) << bytes_of(program.said);
   EXPECT_FALSE(fs::exists(scratch / "out"));
-  EXPECT_EQ(processes_with(place), 0);
-  EXPECT_TRUE(fs::is_empty(scratch / "tmp"));
+  EXPECT_EQ(program.processes(), 0);
+  EXPECT_TRUE(fs::is_empty(program.tmp));
 }
 
 TEST(ForeignModels, ErrorsStandAtTheKeyOfTheDescription) {

@@ -8,6 +8,7 @@
 #include "mpm/offload.hpp"
 #include "mpm/passes_particle.hpp"
 #include "tests/mpm/basis_cases.hpp"
+#include "tests/mpm/one_place.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 #include "tests/support/test_materials.hpp"
 
@@ -90,15 +91,8 @@ TYPED_TEST(StressBlocks, OfOtherSizesFollowEachOther) {
 
 /// Particles at one place with nothing but a material, which is asked by way of `offload`.
 Setup<2> offloaded(std::size_t n, int threads, std::shared_ptr<const Offload> offload) {
-  Setup<2> setup;
-  setup.grid.spacing = 1;
-  setup.grid.first.fill(-2);
-  setup.grid.count = {8, 8};
-  setup.seeds.half_size.fill(0.25);
-  for (auto& X : setup.seeds.X) X.assign(n, 0.3);
-  setup.density = 1;
+  Setup<2> setup = setup_at_one_place(n, threads);
   setup.material = std::make_shared<const Material>(hypoelastic_table(), std::map<std::string, double>{});
-  setup.threads = threads;
   setup.offload = std::move(offload);
   return setup;
 }

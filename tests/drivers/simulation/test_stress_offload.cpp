@@ -11,6 +11,7 @@
 #include "drivers/material/material_table.hpp"
 #include "mpm/passes_particle.hpp"
 #include "mpm/simulation.hpp"
+#include "tests/mpm/one_place.hpp"
 
 namespace assay::drivers {
 namespace {
@@ -32,14 +33,7 @@ class StressPass {
  public:
   StressPass(const MaterialDescription& description, Isolation isolation, std::size_t n, int threads,
              const std::map<std::string, double>& parameters = {}) {
-    mpm::Setup<2> setup;
-    setup.grid.spacing = 1;
-    setup.grid.first.fill(-2);
-    setup.grid.count = {8, 8};
-    setup.seeds.half_size.fill(0.25);
-    for (auto& X : setup.seeds.X) X.assign(n, 0.3);
-    setup.density = 1;
-    setup.threads = threads;
+    mpm::Setup<2> setup = mpm::setup_at_one_place(n, threads);
     const assay_material* table = source_of(description, "/folder/m.yaml", isolation).table;
     setup.material = std::make_shared<const Material>(table, parameters);
     if (isolation == Isolation::worker) {
