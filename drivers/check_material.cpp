@@ -9,6 +9,7 @@
 
 #include "adapters/foreign/written_inputs.hpp"
 #include "adapters/worker/process_watch.hpp"
+#include "drivers/check_elsewhere.hpp"
 #include "drivers/check_foreign.hpp"
 #include "drivers/check_vortex.hpp"
 #include "drivers/material/material_path.hpp"
@@ -119,10 +120,14 @@ CheckedMaterial check_material(const ResolvedMaterial& material, const std::stri
   }
   reporter.material(checked);
   const std::string only = settings.only == process_test ? std::string() : settings.only;
+  const bool repeats = only.empty() || only == "calls.repeated";
+  const check::History elsewhere =
+      repeats && reporter.first_calls ? history_elsewhere(material.material, settings.effort) : check::History();
   checked.report = check::run_battery(material.material, {.effort = settings.effort,
                                                           .only = only,
                                                           .without = settings.without,
                                                           .declarations = declarations_of(material),
+                                                          .elsewhere = elsewhere,
                                                           .begins = reporter.begins,
                                                           .ends = reporter.ends});
   judge_foreign_tangent(material, checked.report);

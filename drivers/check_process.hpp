@@ -18,6 +18,7 @@ struct CheckReporter {
   std::function<void(const std::string& id)> begins;
   std::function<void(const check::TestResult& result)> ends;
   std::function<std::uint32_t()> habits;  ///< or-ed adapters::Habit: what the model has done to its process so far
+  bool first_calls = false;               ///< the process is the check's own, and nothing has called the model in it
   std::function<void()> over;             ///< the model has run: files may be written where the user stands
 };
 

@@ -11,6 +11,7 @@
 #include "harness/check/diagnosis.hpp"
 #include "harness/check/dissipation.hpp"
 #include "harness/check/elasticity.hpp"
+#include "harness/check/extensions.hpp"
 #include "harness/check/initial_stress.hpp"
 #include "harness/check/loading.hpp"
 #include "harness/check/repeated_stretch.hpp"
@@ -77,6 +78,9 @@ std::vector<Entry> entries() {
       {"step_halving", nullptr, plain(step_halving)},
       {"tangent", nullptr, plain(tangent)},
       {"energy", nullptr, plain(energy)},
+      {"rate", nullptr, plain(rate_form)},
+      {"wave_speed", nullptr, plain(wave_speed)},
+      {"closed_form", nullptr, plain(closed_form)},
       {"dissipation", nullptr, plain(dissipation)},
       {"ellipticity", nullptr, plain(ellipticity)},
       {"calls.increment", nullptr, plain(undeclared_increment)},
@@ -126,12 +130,11 @@ void leave(const std::vector<Entry>& list, const std::string& cause, Report& rep
   }
 }
 
-/// Whether steps turn something: a law of the total deformation, or with directions alone, has no spin.
-bool has_spin(const assay_material& table) {
+bool has_state_that_turns(const assay_material& table) {
   const auto turns = [](const assay_state_variable& v) {
     return v.kind != ASSAY_SCALAR && v.role != ASSAY_ROLE_DIRECTION;
   };
-  return (table.flags & ASSAY_USES_INCREMENT) && std::any_of(table.state, table.state + table.state_count, turns);
+  return std::any_of(table.state, table.state + table.state_count, turns);
 }
 
 }  // namespace
@@ -155,7 +158,8 @@ namespace {
 Report run_once(const Material& material, const Options& options) {
   Report report;
   Evidence evidence;
-  evidence.has_spin = has_spin(material.table());
+  evidence.has_state_that_turns = has_state_that_turns(material.table());
+  evidence.has_spin = evidence.has_state_that_turns && material.has(ASSAY_USES_INCREMENT);
   if (options.begins) options.begins("calls.arrays");
   report.tests.push_back(guarded_arrays(material, options, evidence.first));
   if (options.ends) options.ends(report.tests.back());
@@ -200,6 +204,7 @@ Report run_battery(const Material& material, const Options& options) {
   first.effort = options.effort;
   Options other = options;
   other.effort.strain = first.strain;
+  other.elsewhere.clear();  // of the strain that was asked for
   while (any_refused(first) && (other.effort.strain *= smaller) > least) {
     Report again = run_once(material, other);
     again.effort = other.effort;

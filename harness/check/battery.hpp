@@ -61,6 +61,8 @@ struct Options {
   std::string only = {};     ///< id of the one test that is wanted, besides those that it stands on; empty: all
   std::string without = {};  ///< id of a test that is left out
   Declarations declarations = {};
+  /// The last of the first histories (arrays.hpp) as a process gives it that begins with it; empty: not known.
+  std::vector<std::vector<double>> elsewhere = {};
   std::function<void(const std::string& id)> begins = {};   ///< told before each test
   std::function<void(const TestResult& result)> ends = {};  ///< after it, before the diagnosis
 };
@@ -95,6 +97,9 @@ inline constexpr const char* initial_stress = "initial stress not carried";
 inline constexpr const char* drifts = "changes at zero strain increment";
 inline constexpr const char* no_convergence = "does not converge with the step";
 inline constexpr const char* energy = "energy not consistent with stress";
+inline constexpr const char* rate_form = "rate form not consistent with stress";
+inline constexpr const char* wave_speed = "wave speed too low";
+inline constexpr const char* closed_form = "closed form not consistent with stress";
 inline constexpr const char* dissipation = "negative dissipation";
 inline constexpr const char* not_a_number = "numbers out of nothing";
 inline constexpr const char* no_stress = "no stress";

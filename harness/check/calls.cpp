@@ -123,6 +123,12 @@ void compare_histories(const Specimen& specimen, const std::vector<History>& fir
       }
     }
   }
+  const History& elsewhere = specimen.options.elsewhere;
+  if (first.empty() || elsewhere.size() != first.back().size()) return;
+  const Comparison with(first.back());
+  for (std::size_t p = 0; p < elsewhere.size(); ++p) {
+    difference.note(with.difference(p, elsewhere[p]), "of a history with which another process has begun");
+  }
 }
 
 /// Each parameter a little larger; none where a model does not take that.

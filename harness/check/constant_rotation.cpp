@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 
 #include "harness/check/judge.hpp"
 
@@ -30,6 +31,20 @@ Tensor next_axes() {
   Tensor R;
   R << 0, 0, 1, 1, 0, 0, 0, 1, 0;
   return R;
+}
+
+/// A stretch along axes that stand still.
+Loading still_stretch(const Specimen& specimen) {
+  Tensor axes;
+  axes << 0.9, 0.4, -0.3, 0.4, -0.5, 0.2, -0.3, 0.2, 0.3;
+  return {[axes = specimen.space.within(axes), a = specimen.amplitude](double t) {
+            return Tensor(Tensor::Identity() + a * std::sin(4 * t) * axes);
+          },
+          1};
+}
+
+Loading turned_by(const Tensor& Q, const Loading& still) {
+  return {[=](double t) { return Tensor(Q * still.F(t)); }, still.phases};
 }
 
 TestResult exact_twin(const Specimen& specimen, const char* id, const Loading& still, const Loading& seen,
@@ -57,7 +72,7 @@ bool right_after_a_turn(const Specimen& specimen, const Tensor& Q, const Loading
   const Tensor I = Tensor::Identity();
   try {
     const Point turned = stepped(material, 0, 1, I, Q, specimen.rest_state());
-    const Loading seen{[=](double t) { return Tensor(Q * still.F(t)); }, still.phases};
+    const Loading seen = turned_by(Q, still);
     const MarchOptions from_rest{.steps = specimen.steps(), .state = specimen.rest_state()};
     MarchOptions from_turned = from_rest;
     from_turned.state = turned.state;
@@ -74,14 +89,70 @@ bool right_after_a_turn(const Specimen& specimen, const Tensor& Q, const Loading
   }
 }
 
+/// The multiple of the frame's angle by which the stress of a stretch along axes that stand still turns; nothing where
+/// it is none that is likely.
+std::optional<double> multiple_of_angle(const Specimen& specimen) {
+  constexpr double alike = 1e-3;
+  const Loading still = still_stretch(specimen), seen = turned_by(specimen.space.turn(angle), still);
+  const MarchOptions options{.steps = specimen.steps(), .state = specimen.rest_state()};
+  const March a = march(*specimen.material, still, options), b = march(*specimen.material, seen, options);
+  for (const double times : {-1.0, 0.5, 2.0}) {
+    const Tensor expected = rotated(specimen.space.turn(times * angle), a.marks[0].cauchy);
+    if (distance(b.marks[0].cauchy, expected) <= alike * std::max(a.largest, specimen.least_stress())) return times;
+  }
+  return std::nullopt;
+}
+
+/// Whether a step in which the body does not move changes the stress where the body was turned, and only there.
+bool turns_on(const Specimen& specimen) {
+  constexpr double kept = 1e-6, changed = 1e-2;
+  const Material& material = *specimen.material;
+  const double length = specimen.rate_dependent() ? 1e-9 : 1;
+  const auto change = [&](const Loading& loading) {
+    const March loaded = march(material, loading, {.steps = specimen.steps(), .state = specimen.rest_state()});
+    const Tensor F = loading.F(1);
+    const Point held = stepped(material, 1, length, F, F, loaded.marks[0].state);
+    const Point again = stepped(material, 1, length, F, F, held.state);
+    return distance(again.cauchy, held.cauchy) / std::max(loaded.largest, specimen.least_stress());
+  };
+  const Loading still = still_stretch(specimen);
+  return change(still) <= kept && change(turned_by(specimen.space.turn(angle), still)) >= changed;
+}
+
+/// As `judge`, of a material that may refuse the loading that it takes.
+template <class Judge>
+bool where_taken(const Judge& judge) {
+  try {
+    return judge();
+  } catch (const MaterialFailure&) {
+    return false;
+  }
+}
+
+bool turns_by_another_angle(const Specimen& specimen, TestResult& result) {
+  const auto times = multiple_of_angle(specimen);
+  if (!times) return false;
+  result.cause = causes::wrong_spin;
+  result.sentence += "; of a stretch along axes that stand still the stress turns by " + rounded(*times) +
+                     " times the angle of the frame";
+  return true;
+}
+
+bool turns_on_in_place(const Specimen& specimen, TestResult& result) {
+  if (!turns_on(specimen)) return false;
+  result.cause = causes::wrong_spin;
+  result.sentence +=
+      "; the stress of a body that was turned turns on in steps in which it does not move: its rotation "
+      "is taken from F, not from the increment";
+  return true;
+}
+
 }  // namespace
 
 TestResult constant_rotation(const Specimen& specimen) {
   const Tensor Q = specimen.space.turn(angle);
   const Loading still = out_and_back(specimen);
-  const auto in_frame = [&](const Tensor& R) {
-    return Loading{[=](double t) { return Tensor(R * still.F(t)); }, still.phases};
-  };
+  const auto in_frame = [&](const Tensor& R) { return turned_by(R, still); };
   TestResult result = exact_twin(specimen, "rotation.constant", still, in_frame(Q), Q, Vector3::UnitX(),
                                  "the same history in a frame that is turned once for all");
   if (result.verdict == Verdict::pass) return result;
@@ -98,23 +169,23 @@ TestResult constant_rotation(const Specimen& specimen) {
   if (unturned.verdict == Verdict::pass) {
     result.cause = causes::rotation_missing;
     result.sentence += ", and the same as if the frame were not: it is the stress of the unturned body";
+  } else if (where_taken([&] { return turns_by_another_angle(specimen, result); })) {
+    return result;
   } else if (exchanges_shears(specimen.space, right)) {
     result.cause = causes::components_swapped;
     result.sentence += "; right in frames that exchange the axes 1 and 2: somewhere 13 and 23 change places";
   } else if (right(rotation_about_z(right_angle)) && (specimen.space.is_plane() || right(next_axes()))) {
     result.cause = causes::shear_factor;
     result.sentence += "; right in frames at right angles: shear and normal components are not weighed alike";
+  } else {
+    where_taken([&] { return turns_on_in_place(specimen, result); });
   }
   return result;
 }
 
 bool right_without_spin(const Specimen& specimen) {
-  Tensor axes;
-  axes << 0.9, 0.4, -0.3, 0.4, -0.5, 0.2, -0.3, 0.2, 0.3;
   const Tensor Q = specimen.space.turn(angle);
-  const double a = specimen.amplitude;
-  const Loading still{[=](double t) { return Tensor(Tensor::Identity() + a * std::sin(4 * t) * axes); }, 1};
-  const Loading seen{[=](double t) { return Tensor(Q * still.F(t)); }, 1};
+  const Loading still = still_stretch(specimen), seen = turned_by(Q, still);
   try {
     return exact_twin(specimen, "", still, seen, Q, Vector3::UnitX(), "").verdict == Verdict::pass;
   } catch (const MaterialFailure&) {

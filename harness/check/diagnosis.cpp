@@ -23,7 +23,10 @@ class Diagnostician {
   std::vector<Diagnosis> run() {
     const std::optional<Diagnosis> components = of("elasticity.components"), shear = of("elasticity.shear");
     const bool once_for_all = failed("rotation.constant") || failed("basis");
+    if (failed("calls.increment")) add(*of("calls.increment"));
+    if (failed("calls.increment") && !evidence_.has_state_that_turns) explained_ = true;  // nor has it a spin
     if (failed("rest") && !rest_is_of_stretches()) explain(*of("rest"));
+    if (grows()) explain(*of("dissipation"));
     if (failed("stretches.nearly_equal") && !once_for_all) explain(*of("stretches.nearly_equal"));
     if (failed("zero_increment") && !once_for_all) add(*of("zero_increment"));
     if (components && !explained_) explain(*components);
@@ -41,7 +44,8 @@ class Diagnostician {
       if (test.cause.empty() || (explained_ && is_of_frames(test.id))) continue;
       if (!found_.empty() && test.cause == causes::no_convergence) continue;  // the weakest of all
       if (test.id == "rest" && rest_is_of_stretches()) continue;
-      if (test.id == "dissipation" && failed("energy")) continue;    // of a wrong energy it tells nothing
+      if (test.id == "dissipation" && (failed("energy") || failed("calls.increment")))
+        continue;                                                    // it tells nothing then
       if (test.id == "clock" && failed("calls.repeated")) continue;  // nor of what is kept elsewhere
       add({test.cause, test.sentence});
     }
@@ -75,6 +79,12 @@ class Diagnostician {
     const auto rest = of("rest"), equal = of("stretches.nearly_equal");
     return rest && equal && equal->cause == causes::repeated_stretch &&
            (rest->cause == causes::refuses || rest->cause == causes::not_finite);
+  }
+
+  /// Whether a stress that is held grows without bounds: then no test of rotation means anything.
+  bool grows() const {
+    return failed("dissipation") && failed("rotation.revolutions") && !failed("rotation.constant") &&
+           !std::isfinite(find("rotation.revolutions")->measure.value_or(0));
   }
 
   std::optional<Diagnosis> of(const std::string& id) const {
@@ -173,7 +183,8 @@ class Diagnostician {
     for (const TurnedVariable& variable : step.carried) {
       const auto same = [&](const TurnedVariable& other) { return other.name == variable.name; };
       const auto taken = std::find_if(step.taken.begin(), step.taken.end(), same);
-      const Turned as = taken == step.taken.end() ? Turned::rightly : taken->how;
+      const Turned declared = variable.is_own ? Turned::not_at_all : Turned::rightly;
+      const Turned as = taken == step.taken.end() ? declared : taken->how;
       const bool own_frame = as == Turned::not_at_all, misread = as != Turned::rightly && !own_frame;
       const Turned how = misread ? as : variable.how;
       const bool of_spin =
@@ -225,7 +236,7 @@ class Diagnostician {
                       "strain: " +
                           fixed.result.sentence});
     }
-    if (fixed.turned) {
+    if (fixed.turned && std::abs(*fixed.turned - 1) > unmoved) {
       return explain({causes::wrong_spin,
                       "the stress turns by " + rounded(*fixed.turned) + " times the angle by which the body turns"});
     }
@@ -274,6 +285,9 @@ const std::vector<std::string>& all_causes() {
                                             causes::drifts,
                                             causes::no_convergence,
                                             causes::energy,
+                                            causes::rate_form,
+                                            causes::wave_speed,
+                                            causes::closed_form,
                                             causes::dissipation,
                                             causes::not_a_number,
                                             causes::no_stress,

@@ -15,6 +15,7 @@ struct Evidence {
   bool right_without_spin = false;  ///< rotation.constant of a stretch along axes that stand still
   std::vector<History> first;       ///< of the process
   bool has_spin = false;            ///< steps turn something of the state
+  bool has_state_that_turns = false;
 };
 
 /// Fills in the cause of failed tests that have none, and lists the causes; none for one that follows from another.

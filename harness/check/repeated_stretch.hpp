@@ -6,6 +6,10 @@
 
 namespace assay::check {
 
+/// Equal stretches along two axes, or three, that are no axes of the frame; in the plane one of two is its normal. One
+/// of them is longer by `difference`.
+Tensor equal_stretches(const Space& space, double amplitude, bool three, double difference);
+
 /// Stretches that differ by 0, 1e-15, ... 1e-4 along axes of any direction: the stress changes no more than they do.
 TestResult nearly_equal_stretches(const Specimen& specimen);
 

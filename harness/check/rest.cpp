@@ -86,9 +86,98 @@ TestResult no_time(const Specimen& specimen) {
 
 }  // namespace
 
+namespace {
+
+/// What a step brings and the next one, without deformation, takes away.
+double taken_away(const Specimen& specimen, const Point& from, double strain, double length) {
+  const Material& material = *specimen.material;
+  const Tensor F0 = specimen.space.stretch(specimen.amplitude, 0.3);
+  const Tensor F1 = specimen.space.stretch(specimen.amplitude, 0.3 + strain);
+  const Point moved = stepped(material, 1, length, F0, F1, from.state);
+  return distance(moved.cauchy, stepped(material, 1 + length, length, F1, F1, moved.state).cauchy);
+}
+
+/// A stress of the rate of deformation is one of strain over time. One that comes with each step, in proportion to its
+/// strain and however long it is, and is gone with the next, has no limit but zero.
+void judge_rate(const Specimen& specimen, TestResult& result) {
+  constexpr double strain = 0.02, same = 1e-6, significant = 1e-3;
+  const Loading loading{[&](double t) { return specimen.space.stretch(specimen.amplitude, 0.3 * t); }, 1};
+  const March loaded = march(*specimen.material, loading, {.steps = specimen.steps(), .state = specimen.rest_state()});
+  const auto taken = [&](double of_strain, double length) {
+    return taken_away(specimen, loaded.marks[0], of_strain, length);
+  };
+  const double usual = taken(strain, 1e-2);
+  if (!(usual > significant * strain * specimen.amplitude * specimen.modulus)) return;
+  for (const double length : {1e-4, 1.0}) {
+    if (!(std::abs(taken(strain, length) - usual) <= same * usual)) return;
+  }
+  const double share = taken(0.5 * strain, 1e-2) / usual;
+  if (!(share > 0.4 && share < 0.6)) return;
+  result.verdict = Verdict::fail;
+  result.cause = causes::drifts;
+  result.measure = usual / std::max(loaded.largest, specimen.least_stress());
+  result.sentence =
+      "a step without deformation takes away the stress that the step before it has brought, however long "
+      "both are: it goes by the step, not by the rate";
+}
+
+Tensor deviator(const Tensor& A) { return A - A.trace() / 3 * Tensor::Identity(); }
+
+/// What many steps without deformation in the middle of a loading leave in the stress that follows, over the largest
+/// deviator: a pressure may be many times what flow and hardening bring.
+double trace_of_pause(const Specimen& specimen, int steps) {
+  constexpr int pause = 100;
+  // What is forgotten in a pause may come back soon, or show late: the ends of these phases are compared.
+  constexpr double ends[] = {0.3, 0.32, 0.4, 0.6, 1};
+  const Material& material = *specimen.material;
+  const double a = specimen.amplitude;
+  const Loading first{[&](double t) { return specimen.space.stretch(a, 0.3 * t); }, 1};
+  const Loading then{[&](double t) {
+                       const int k = std::min(3, static_cast<int>(t));
+                       return specimen.space.stretch(a, ends[k] + (t - k) * (ends[k + 1] - ends[k]));
+                     },
+                     4};
+  const Tensor F = first.F(1);
+  const March loaded = march(material, first, {.steps = steps, .state = specimen.rest_state()});
+  std::vector<double> paused = loaded.marks[0].state;
+  for (int repeat = 0; repeat < pause; ++repeat) paused = stepped(material, 1, 0.01, F, F, paused).state;
+  const MarchOptions on{.steps = steps / 2, .begin = 1, .state = loaded.marks[0].state};
+  MarchOptions later = on;
+  later.state = paused;
+  const March at_once = march(material, then, on), after_it = march(material, then, later);
+  double error = 0, largest = std::max(1e-3 * at_once.largest, specimen.least_stress());
+  for (std::size_t mark = 0; mark < at_once.marks.size(); ++mark) {
+    error = std::max(error, distance(at_once.marks[mark].cauchy, after_it.marks[mark].cauchy));
+    largest = std::max(largest, deviator(at_once.marks[mark].cauchy).cwiseAbs().maxCoeff());
+  }
+  return error / largest;
+}
+
+void judge_pause(const Specimen& specimen, TestResult& result) {
+  if (specimen.material->state_size() == 0) return;
+  const double error =
+      std::max(trace_of_pause(specimen, specimen.steps()), trace_of_pause(specimen, 4 * specimen.steps()));
+  if (error <= converging_limit) return;
+  result.measure = error;
+  result.order = {};
+  result.verdict = Verdict::fail;
+  result.cause = causes::drifts;
+  result.sentence = "a hundred steps without deformation change what the next load brings by " + percent(error) +
+                    " of the largest deviator";
+}
+
+}  // namespace
+
 TestResult zero_increment(const Specimen& specimen) {
   TestResult result{.id = "zero_increment"};
-  if (specimen.rate_dependent()) return no_time(specimen);
+  if (specimen.rate_dependent()) {
+    result = no_time(specimen);
+    try {
+      if (result.verdict == Verdict::pass) judge_rate(specimen, result);
+    } catch (const MaterialFailure&) {  // in steps of a length that it does not take
+    }
+    return result;
+  }
   const Material& material = *specimen.material;
   const double a = specimen.amplitude;
   std::array<double, 3> errors{};
@@ -108,6 +197,7 @@ TestResult zero_increment(const Specimen& specimen) {
   result.verdict = limit.passes() ? Verdict::pass : Verdict::fail;
   if (result.verdict == Verdict::fail) result.cause = causes::drifts;
   result.sentence = "three steps without deformation: " + how(limit, errors, specimen.steps());
+  if (result.verdict == Verdict::pass) judge_pause(specimen, result);
   return result;
 }
 

@@ -17,11 +17,12 @@ constexpr double alike = 0.2 * small_turn;  ///< of the largest component: a ste
 constexpr double explained = 1e-3;          ///< of an error that an assumption leaves
 constexpr double trifle = 1e-10;
 
-/// A tensor or vector of the state that has to turn.
+/// A tensor or vector of the state that has to turn, or a tensor that is declared to turn by itself.
 struct Place {
   std::string name;
   std::int32_t kind;
   std::size_t at;
+  bool is_own;  ///< declared to turn by itself
 
   Variable in(const std::vector<double>& state) const { return {kind, &state[at]}; }
 };
@@ -32,8 +33,10 @@ std::vector<Place> places_of(const Material& material) {
   std::size_t at = 0;
   for (std::uint32_t v = 0; v < table.state_count; ++v) {
     const assay_state_variable& variable = table.state[v];
-    if (variable.kind != ASSAY_SCALAR && variable.role == ASSAY_ROLE_PLAIN) {
-      places.push_back({variable.name, variable.kind, at});
+    const bool is_tensor = variable.kind == ASSAY_TENSOR || variable.kind == ASSAY_SYMMETRIC_TENSOR;
+    const bool is_own = variable.role == ASSAY_ROLE_ROTATES_ITSELF && is_tensor;
+    if (is_own || (variable.kind != ASSAY_SCALAR && variable.role == ASSAY_ROLE_PLAIN)) {
+      places.push_back({variable.name, variable.kind, at, is_own});
     }
     at += static_cast<std::size_t>(components_of_kind(variable.kind));
   }
@@ -135,7 +138,7 @@ std::vector<TurnedVariable> carried_variables(const Specimen& specimen, const Lo
   std::vector<double> misses;
   std::vector<bool> seen_at_all(places.size(), false);
   for (const Place& place : places) {
-    all.push_back({place.name, false, Turned::otherwise, 1});
+    all.push_back({place.name, false, Turned::otherwise, 1, place.is_own});
     misses.push_back(INFINITY);
   }
   for (const double back : {0.0, 2e-3, 1e-2, 3e-2}) {
@@ -219,6 +222,13 @@ class Assumptions {
 
   const std::vector<Place>& places() const { return places_; }
 
+  /// What the variables are declared to be.
+  std::vector<As> declared() const {
+    std::vector<As> all;
+    for (const Place& place : places_) all.push_back(place.is_own ? As::own_frame : As::tensor);
+    return all;
+  }
+
  private:
   static constexpr std::size_t most_ = 4;  ///< variables, each with five assumptions
 
@@ -236,7 +246,8 @@ class Assumptions {
 
 /// The least unlikely assumptions that explain the error.
 void explain(const Assumptions& assumptions, TurnedStep& found) {
-  const std::size_t count = assumptions.places().size();
+  const std::vector<As> declared = assumptions.declared();
+  const std::size_t count = declared.size();
   const auto kinds = static_cast<std::size_t>(As::count);
   std::size_t all = 1;
   for (std::size_t v = 0; v < count; ++v) all *= kinds;
@@ -246,7 +257,8 @@ void explain(const Assumptions& assumptions, TurnedStep& found) {
     double cost = 0;
     for (std::size_t v = 0, rest = code; v < count; ++v, rest /= kinds) {
       variables[v] = static_cast<As>(rest % kinds);
-      const double of_this = variables[v] == As::tensor ? 0 : variables[v] == As::own_frame ? 1 : 2;
+      const bool likely = variables[v] == As::tensor || variables[v] == As::own_frame;
+      const double of_this = variables[v] == declared[v] ? 0 : likely ? 1 : 2;
       cost += assumptions.can_be(variables[v]) ? of_this : INFINITY;
     }
     for (const As output : {As::tensor, As::exchanged, As::half_shear, As::double_shear}) {
@@ -273,7 +285,11 @@ std::optional<TurnedStep> turned_step(const Specimen& specimen) {
     TurnedStep found;
     found.carried = carried_variables(specimen, from, s);
     const Assumptions assumptions(specimen, from, s);
-    found.error = assumptions.error(std::vector<As>(assumptions.places().size(), As::tensor), As::tensor);
+    const std::vector<As> declared = assumptions.declared();
+    found.error = assumptions.error(declared, As::tensor);
+    for (std::size_t v = 0; v < declared.size(); ++v) {
+      found.taken.push_back({assumptions.places()[v].name, false, defect_of(declared[v]), 1});
+    }
     if (found.error > own_precision) explain(assumptions, found);
     return found;
   } catch (const MaterialFailure&) {

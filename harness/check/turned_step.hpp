@@ -22,7 +22,8 @@ struct TurnedVariable {
   std::string name;
   bool is_stress = false;  ///< proportional to the Cauchy stress
   Turned how = Turned::rightly;
-  double times = 1;  ///< by_another_angle: of the body's
+  double times = 1;     ///< by_another_angle: of the body's
+  bool is_own = false;  ///< declared to turn by itself
 };
 
 struct TurnedStep {

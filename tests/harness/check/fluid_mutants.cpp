@@ -20,6 +20,7 @@ enum Defect : int {
   thicker_along_an_axis,
   without_stress,
   negative_viscosity,
+  rate_of_the_step,
   defects
 };
 
@@ -35,7 +36,7 @@ struct Fluid {
     const double J = step.F1.determinant();
     const bool number = step.F1.allFinite();
     if (!(J > 0) && !(defect == swallows_nan && !number)) return std::nullopt;
-    const Tensor slope = (step.F1 - step.F0) / step.dt;
+    const Tensor slope = (step.F1 - step.F0) / (defect == rate_of_the_step ? 0.02 : step.dt);
     const Tensor l = defect == plain_gradient ? slope : Tensor(slope * (0.5 * (step.F0 + step.F1)).inverse());
     const Tensor d = deviator(defect == full_gradient ? l : Tensor(0.5 * (l + l.transpose())));
     const double rate = std::sqrt(2.0) * d.norm(), eta = viscosity * std::pow(rate * rate + 1e-4, 0.5 * (power - 1));
@@ -76,6 +77,7 @@ std::vector<Subject> fluid_subjects() {
        {"negative_viscosity", negative_viscosity, dissipation},
        {"thicker_along_an_axis", thicker_along_an_axis, not_indifferent},
        {"viscous_noise", noise, no_convergence},
+       {"rate_of_the_step", rate_of_the_step, drifts},
        {"fluid_of_nan", swallows_nan, not_a_number}});
   return all;
 }

@@ -16,6 +16,7 @@ struct Kinematics {
 Kinematics kinematics(int defect, const Tensor& F0, const Tensor& F1) {
   const Tensor I = Tensor::Identity();
   if (defect == small_increment) return {0.5 * (F1 - F0 + (F1 - F0).transpose()), I};
+  if (defect == rotation_of_F) return {logarithm(polar(F1).transpose() * F1 * F0.inverse() * polar(F0)), polar(F1)};
   if (defect == logarithmic) {
     const Tensor f = F1 * F0.inverse(), R = polar(f);
     return {logarithm(f * R.transpose()), R};
@@ -56,6 +57,7 @@ double plastic(const Model& m, Tensor& sigma, Tensor& back, double p) {
   const Tensor n = (m.defect == swapped_flow ? exchanged(shifted) : shifted) / size;
   sigma -= 2 * mu * flow * n;
   back += 2.0 / 3 * m.kinematic * flow * n;
+  if (m.defect == overshooting_return) sigma -= 0.2 * (deviator(sigma) - back);
   return p + std::sqrt(2.0 / 3) * flow;
 }
 
@@ -89,6 +91,7 @@ Tensor take(Model& m, const Step& step, Tensor& stress, Tensor& back, double& p)
     return m.defect == swapped_rotation ? exchanged(turned) : turned;
   };
   if (m.defect == hidden_stress) stress = read(m.kept, 1, 0);
+  if (m.defect == hardens_by_the_step && p > 0) p += 2e-3;
   if (m.defect == saved_by_point && step.t > 0) stress = statics.of_point.try_emplace(step.point, stress).first->second;
   stress = carry(stress) + elastic(m, k.strain);
   back = carried_back(m.defect, k.rotation, back, carry(back));

@@ -50,6 +50,9 @@ enum Defect : int {
   shear_once_in_norm,
   swapped_flow,
   drops_initial_stress,
+  overshooting_return,
+  hardens_by_the_step,
+  rotation_of_F,
   defects
 };
 

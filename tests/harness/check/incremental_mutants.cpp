@@ -91,7 +91,10 @@ std::vector<Subject> incremental_subjects() {
                         {"swallows_nan", swallows_nan, not_a_number},
                         {"shear_once_in_norm", shear_once_in_norm, shear_factor},
                         {"swapped_flow", swapped_flow, components_swapped},
-                        {"drops_initial_stress", drops_initial_stress, initial_stress}};
+                        {"drops_initial_stress", drops_initial_stress, initial_stress},
+                        {"overshooting_return", overshooting_return, no_convergence},
+                        {"hardens_by_the_step", hardens_by_the_step, drifts},
+                        {"rotation_of_F", rotation_of_F, wrong_spin}};
   std::vector<Subject> subjects;
   add(subjects, table(), planted);
   static const assay_material silent = [] {

@@ -34,6 +34,9 @@ std::vector<Subject> soil_subjects();
 /// Damage by the largest energy, with the energy that is left; and its mutants.
 std::vector<Subject> damage_subjects();
 
+/// A total law and one in increments that offer their rate, wave speed and closed form; and their mutants.
+std::vector<Subject> extension_subjects();
+
 /// All of them.
 std::vector<Subject> all_subjects();
 

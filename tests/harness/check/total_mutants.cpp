@@ -30,10 +30,13 @@ enum Defect : int {
   strain_tangent,
   tangent_off_by_five_percent,
   tangent_of_small_strain,
+  tangent_without_limit,
   doubled_energy,
   healing,
   finite_of_nan,
   prestressed,
+  turned_back,
+  of_mid_step,
   defects
 };
 
@@ -81,6 +84,10 @@ Tensor cauchy_of(const Model& m, const Tensor& F) {
     case unturned: {
       const Tensor R = polar(F);
       return R.transpose() * sigma * R;
+    }
+    case turned_back: {
+      const Tensor R = polar(F);
+      return R.transpose() * R.transpose() * sigma * R * R;
     }
     case small_strain_total: {
       const Tensor e = 0.5 * (F + F.transpose()) - I;
@@ -141,7 +148,8 @@ void update(void* self, const assay_step* step, std::size_t n, const double* sta
     const Tensor F = read(step->F1, n, p);
     const double stretched = (F * F.transpose()).trace() - 3;
     state1[p] = stretched > state0[p] ? stretched : state0[p];
-    const Tensor sigma = stiffening(m, state1[p]) * cauchy_of(m, F);
+    const Tensor of = m.defect == of_mid_step ? Tensor(0.5 * (read(step->F0, n, p) + F)) : F;
+    const Tensor sigma = stiffening(m, state1[p]) * cauchy_of(m, of);
     for (std::size_t c = 0; c < 9; ++c) cauchy[c * n + p] = component(sigma, static_cast<int>(c));
     status[p] = ASSAY_GOOD;
   }
@@ -164,6 +172,9 @@ std::int32_t tangent(void* self, const assay_step* step, std::size_t n, const do
     }
     if (m.defect == tangent_off_by_five_percent) A(0, 0) *= 1.05;
     if (m.defect == tangent_of_small_strain) A = tangent_of(m, Tensor::Identity());
+    const Vector3 l = Eigen::SelfAdjointEigenSolver<Tensor>(F * F.transpose()).eigenvalues();
+    const double least = std::min(l(1) - l(0), l(2) - l(1));
+    if (m.defect == tangent_without_limit && least < 1e-14) A.setConstant(NAN);
     for (std::size_t k = 0; k < 81; ++k) {
       out[k * n + p] = A(static_cast<int>(k / 9), static_cast<int>(k % 9));
     }
@@ -235,10 +246,13 @@ std::vector<Subject> total_subjects() {
       {"strain_tangent", strain_tangent, tangent_convention},
       {"tangent_off_by_five_percent", tangent_off_by_five_percent, tangent_wrong},
       {"tangent_of_small_strain", tangent_of_small_strain, tangent_wrong},
+      {"tangent_without_limit", tangent_without_limit, tangent_wrong},
       {"doubled_energy", doubled_energy, check::causes::energy},
       {"healing", healing, dissipation},
       {"finite_of_nan", finite_of_nan, not_a_number},
-      {"prestressed", prestressed, stress_at_rest}};
+      {"prestressed", prestressed, stress_at_rest},
+      {"turned_back", turned_back, wrong_spin},
+      {"of_mid_step", of_mid_step, undeclared_increment}};
   std::vector<Subject> subjects;
   for (const auto& [name, defect, cause] : list) {
     const bool has_both = defect == none || (defect >= transposed_tangent && defect <= doubled_energy);

@@ -35,6 +35,7 @@ enum Defect : int {
   small_strain_in_part,
   refuses_short_steps,
   relaxes_by_the_step,
+  grows,
   defects
 };
 
@@ -118,8 +119,8 @@ struct Solid {
     if (defect == own_clock) sigma *= 1 + 0.05 * std::exp(-step.t);
     for (std::size_t k = 0; k < 2; ++k) {
       const int here = defect == slow_unturned ? (k == 1 ? unturned : none) : defect;
-      const double left = std::exp(-(defect == relaxes_by_the_step ? 0.01 : step.dt) / time[k]),
-                   middle = std::sqrt(left);
+      const double time_of_step = defect == relaxes_by_the_step ? 0.01 : defect == grows ? -step.dt : step.dt;
+      const double left = std::exp(-time_of_step / time[k]), middle = std::sqrt(left);
       const Tensor before = left * read_symmetric(state0 + 6 * k);
       const Tensor own = strain_of_part(defect, step, R, strain);
       const Tensor added = R * (2 * mu * share[k] * middle * deviator(own)) * R.transpose();
@@ -213,6 +214,9 @@ std::vector<Subject> viscous_subjects() {
       {"time", "s", 0.3, 0, 1e12, "of relaxation"},   {"slow_time", "s", 5, 0, 1e12, "of the slow one"},
       {"defect", "1", 0, 0, defects - 1, "which"}};
   static const assay_state_variable two[] = {overstress, slow}, one[] = {stress};
+  static const assay_state_variable two_of_their_own[] = {
+      {"overstress", "Pa", ASSAY_SYMMETRIC_TENSOR, ASSAY_ROLE_ROTATES_ITSELF, "fast"},
+      {"slow_overstress", "Pa", ASSAY_SYMMETRIC_TENSOR, ASSAY_ROLE_ROTATES_ITSELF, "slow"}};
   constexpr std::uint32_t flags = ASSAY_RATE_DEPENDENT | ASSAY_USES_INCREMENT;
   static const assay_material solid = [] {
     assay_material t = table_of<Solid>("solid_for_tests", flags, parameters, two);
@@ -259,6 +263,9 @@ std::vector<Subject> viscous_subjects() {
        {"liquid_turned_as_strain", turned_as_strain, shear_factor},
        {"swapped_liquid", swapped, components_swapped},
        {"stress_of_the_last_call", of_last_call, hidden_state}});
+  add(all, &solid, {{"growing_overstress", grows, dissipation}}, {{"share", 4}});
+  static const assay_material own = table_of<Solid>("own_for_tests", flags, parameters, two_of_their_own);
+  add(all, &own, {{"unturned_overstress_that_should_turn_itself", unturned, state_not_rotated}});
   add(all, &silent, {{"liquid_that_says_nothing_of_increments", none, undeclared_increment}});
   return all;
 }
