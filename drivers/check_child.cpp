@@ -67,7 +67,9 @@ CheckReporter reporter_to(int records, int folder_before, const adapters::Proces
             one.report.tests.push_back(result);
             write_all(records, "=" + check_json(one) + end);
           },
-          [&watch] { return watch.habits(); }, true, [=] { [[maybe_unused]] const int ignored = ::fchdir(folder_before); }};
+          [&watch] { return watch.habits(); },
+          true,
+          [=] { [[maybe_unused]] const int ignored = ::fchdir(folder_before); }};
 }
 
 /// Records, each ended by a NUL: '!' and the material, '@' and the id of a test that begins, '=' and what it has found;
