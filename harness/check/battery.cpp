@@ -101,6 +101,14 @@ bool stands_unturned(const Specimen& specimen) {
   }
 }
 
+std::string drifting_of(const Specimen& specimen) {
+  try {
+    return drifting_variable(specimen);
+  } catch (const MaterialFailure&) {
+    return {};
+  }
+}
+
 /// The tests of a list, as far as `report` allows.
 void take(const std::vector<Entry>& list, const Specimen& specimen, Evidence& evidence, Report& report) {
   const Options& options = specimen.options;
@@ -173,6 +181,7 @@ Report run_once(const Material& material, const Options& options) {
       if (specimen.modulus == 0 && !any_failed(report)) report.tests.push_back(without_stress());
       if (!any_failed(report)) {
         evidence.turned = turned_step(specimen);
+        evidence.drifting = drifting_of(specimen);
         evidence.right_without_spin = right_without_spin(specimen);
         take(entries(), specimen, evidence, report);
       }

@@ -129,6 +129,11 @@ class Diagnostician {
       return explain(*of("rotation.constant"));
     }
     if (of_step) return explain(*of_step);
+    if (failed("rotation.constant") && !evidence_.drifting.empty()) {
+      return explain({causes::drifts, "'" + evidence_.drifting +
+                                          "' of the state changes in steps without deformation, " +
+                                          "and what follows shows it"});
+    }
     if (failed("rotation.fixed_stretch")) return of_fixed_stretch();
     if (failed("rotation.constant") && !evidence_.right_without_spin) {
       return explain({causes::not_indifferent, find("rotation.constant")->sentence});

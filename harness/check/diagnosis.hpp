@@ -16,6 +16,7 @@ struct Evidence {
   std::vector<History> first;       ///< of the process
   bool has_spin = false;            ///< steps turn something of the state
   bool has_state_that_turns = false;
+  std::string drifting;  ///< a variable of the state that changes in steps without deformation
 };
 
 /// Fills in the cause of failed tests that have none, and lists the causes; none for one that follows from another.

@@ -168,6 +168,30 @@ void judge_pause(const Specimen& specimen, TestResult& result) {
 
 }  // namespace
 
+std::string drifting_variable(const Specimen& specimen) {
+  constexpr double significant = 1e-4, few = 0.02;  // of the loading: what is carried along has not come to its end yet
+  const Material& material = *specimen.material;
+  const double length = specimen.rate_dependent() ? 1e-12 : 1;
+  const Loading loading{[&](double t) { return specimen.space.stretch(specimen.amplitude, few * t); }, 1};
+  const Tensor F = loading.F(1);
+  const March loaded = march(material, loading, {.steps = 2, .state = specimen.rest_state()});
+  std::vector<double> before = stepped(material, 1, length, F, F, loaded.marks[0].state).state;
+  const std::vector<double> after = stepped(material, 1, length, F, F, before).state;
+  const assay_material& table = material.table();
+  std::size_t at = 0;
+  for (std::uint32_t v = 0; v < table.state_count; ++v) {
+    const auto size = static_cast<std::size_t>(components_of_kind(table.state[v].kind));
+    double change = 0, largest = 0;
+    for (std::size_t c = at; c < at + size; ++c) {
+      change = std::max(change, std::abs(after[c] - before[c]));
+      largest = std::max(largest, std::abs(before[c]));
+    }
+    if (table.state[v].kind != ASSAY_SCALAR && change > significant * largest) return table.state[v].name;
+    at += size;
+  }
+  return {};
+}
+
 TestResult zero_increment(const Specimen& specimen) {
   TestResult result{.id = "zero_increment"};
   if (specimen.rate_dependent()) {

@@ -16,4 +16,8 @@ TestResult symmetry(const Specimen& specimen);
 /// the limit of no time.
 TestResult zero_increment(const Specimen& specimen);
 
+/// Name of a tensor or vector of the state that changes in steps without deformation, and in no time; empty where there
+/// is none. No defect where the stress does not show it.
+std::string drifting_variable(const Specimen& specimen);
+
 }  // namespace assay::check

@@ -37,6 +37,9 @@ std::vector<Subject> damage_subjects();
 /// A total law and one in increments that offer their rate, wave speed and closed form; and their mutants.
 std::vector<Subject> extension_subjects();
 
+/// Fibres along a direction of the state; and their mutants.
+std::vector<Subject> fibre_subjects();
+
 /// All of them.
 std::vector<Subject> all_subjects();
 
