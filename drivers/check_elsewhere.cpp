@@ -79,6 +79,21 @@ check::History rows_of(const std::vector<double>& all) {
   return rows;
 }
 
+/// Waits for the ends of both, which are near where all has come, and sees to them otherwise.
+void end_group(pid_t process) {
+  constexpr int patience_ms = 500;
+  int waited = 0;
+  while (::waitpid(process, nullptr, WNOHANG) == 0) {
+    if (++waited > patience_ms) {
+      ::kill(-process, SIGKILL);
+      ::waitpid(process, nullptr, 0);
+      break;
+    }
+    ::usleep(1000);
+  }
+  for (waited = 0; ::kill(-process, SIGKILL) == 0 && waited < patience_ms; ++waited) ::usleep(1000);
+}
+
 }  // namespace
 
 check::History history_elsewhere(const Material& material, const check::Effort& effort, double limit_s) {
@@ -98,9 +113,7 @@ check::History history_elsewhere(const Material& material, const check::Effort& 
   const std::vector<double> all = process > 0 ? received(ends[0], limit_s) : std::vector<double>();
   ::close(ends[0]);
   if (process < 0) return {};
-  ::kill(-process, SIGKILL);
-  while (::waitpid(process, nullptr, 0) < 0 && errno == EINTR) {
-  }
+  end_group(process);
   return rows_of(all);
 }
 

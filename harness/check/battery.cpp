@@ -179,6 +179,8 @@ Report run_once(const Material& material, const Options& options) {
       report.pressure = specimen.pressure;
       take(first_entries(), specimen, evidence, report);
       if (specimen.modulus == 0 && !any_failed(report)) report.tests.push_back(without_stress());
+      if (specimen.elastic_alone() && !any_failed(report))
+        report.tests.push_back(not_finite_beyond(*specimen.not_finite));
       if (!any_failed(report)) {
         evidence.turned = turned_step(specimen);
         evidence.drifting = drifting_of(specimen);

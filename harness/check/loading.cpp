@@ -100,6 +100,12 @@ TestResult not_loaded(const Material& material, const std::runtime_error& error)
   return plain;
 }
 
+TestResult not_finite_beyond(const MaterialFailure& failure) {
+  TestResult result = refused("loading", nullptr, failure);
+  result.sentence += ": as soon as the stress leaves its first straight line";
+  return result;
+}
+
 TestResult without_stress() {
   return {.id = "loading",
           .verdict = Verdict::fail,

@@ -16,6 +16,9 @@ TestResult refused(const std::string& id, const char* cause, const MaterialFailu
 /// Of a material that fails before any test can be made: what of its first steps it does not stand.
 TestResult not_loaded(const Material& material, const std::runtime_error& error);
 
+/// Of a material that answers in a straight line as far as it is finite.
+TestResult not_finite_beyond(const MaterialFailure& failure);
+
 /// Of a material that no small strain gives a stress.
 TestResult without_stress();
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "harness/check/loading.hpp"
 #include "harness/check/rigid_turn.hpp"
 #include "harness/check/state_variable.hpp"
 
@@ -107,7 +108,8 @@ TestResult rotation_at_apex(const Specimen& specimen) {
     const Loading still = case_of(weaker, When::apex).loading;
     try {
       march(*specimen.material, still, {.steps = specimen.steps(), .state = specimen.rest_state()});
-    } catch (const MaterialFailure&) {
+    } catch (const MaterialFailure& failure) {
+      if (failure.not_finite) return refused("rotation.apex", nullptr, failure);
       continue;  // torn apart, as it may be
     }
     TestResult result = rotation(weaker, When::apex);

@@ -28,7 +28,7 @@ double stress_in_the_end(Specimen specimen, double amplitude) {
 
 /// The largest amplitude, halved from the first, that the material stands without losing all stress, as what breaks
 /// does. Throws MaterialFailure where it stands none.
-double amplitude_of(const Specimen& specimen) {
+double amplitude_of(Specimen& specimen) {
   constexpr double little = 0.04;  // of the stress of elasticity
   const double first = specimen.options.effort.strain;
   double stood = 0;
@@ -37,7 +37,8 @@ double amplitude_of(const Specimen& specimen) {
       const double stress = stress_in_the_end(specimen, a);
       if (stood == 0) stood = a;
       if (specimen.rate_dependent() || specimen.pressure > 0 || stress >= little * specimen.modulus * a) return a;
-    } catch (const MaterialFailure&) {
+    } catch (const MaterialFailure& failure) {
+      if (failure.not_finite) specimen.not_finite.emplace(failure);
       if (a < least_amplitude && stood == 0) throw;
     }
     if (a < least_amplitude) return stood;
@@ -55,24 +56,41 @@ double length_of_probes(const Specimen& specimen) {
   return std::abs(one - other) < alike * one ? briefer : 1;
 }
 
+/// Whether steps of that length [s] to a strain make the stress of the stiffness at rest.
+bool is_linear(const Specimen& specimen, double strain, int steps, double length) {
+  constexpr double alike = 0.1, way = 0.25;
+  const Loading loading{[&](double t) { return specimen.space.stretch(strain, way * t); }, 1};
+  const March found = march(*specimen.material, loading,
+                            {.steps = steps, .phase_length = steps * length, .state = specimen.rest_state()});
+  const Tensor expected = stress_of(specimen.stiffness, loading.F(1) - Tensor::Identity());
+  const Tensor at_rest = -specimen.pressure * Tensor::Identity();
+  return distance(found.marks[0].cauchy, expected + at_rest) <= alike * expected.cwiseAbs().maxCoeff();
+}
+
 /// The largest strain, halved from the amplitude, at which one step of that length [s] makes the stress of the
 /// stiffness at rest.
 double onset_of(const Specimen& specimen, double length) {
-  constexpr double alike = 0.1;
-  const Tensor I = Tensor::Identity();
-  const auto is_linear = [&](double a) {
-    const Tensor F = specimen.space.stretch(a, 0.25);
-    const Tensor expected = stress_of(specimen.stiffness, F - I), at_rest = -specimen.pressure * I;
-    const Tensor found = stepped(*specimen.material, 0, length, I, F, specimen.rest_state()).cauchy;
-    return distance(found, expected + at_rest) <= alike * expected.cwiseAbs().maxCoeff();
-  };
   double a = specimen.amplitude;
   try {
-    while (a > least_amplitude && !is_linear(a)) a *= 0.5;
+    while (a > least_amplitude && !is_linear(specimen, a, 1, length)) a *= 0.5;
   } catch (const MaterialFailure&) {
     return specimen.amplitude;
   }
   return a;
+}
+
+/// Whether what answers in a straight line as far as the amplitude is not finite at twice that, however short the
+/// steps.
+bool is_not_finite_beyond(const Specimen& specimen) {
+  const int steps = 4 * specimen.steps();
+  try {
+    if (!is_linear(specimen, specimen.amplitude, steps / 4, 1.0 / steps)) return false;
+    const Loading further{[&](double t) { return specimen.space.stretch(2 * specimen.amplitude, t); }, 1};
+    march(*specimen.material, further, {.steps = steps, .state = specimen.rest_state()});
+    return false;
+  } catch (const MaterialFailure& failure) {
+    return failure.not_finite;
+  }
 }
 
 bool carries(const Material& material, double pressure) {
@@ -124,6 +142,7 @@ Specimen examine(const Material& material, const Options& options) {
     specimen.parts = relaxing_parts(material, specimen.pressure, specimen.modulus);
   }
   specimen.amplitude = amplitude_of(specimen);
+  if (specimen.not_finite && !is_not_finite_beyond(specimen)) specimen.not_finite.reset();
   specimen.onset = specimen.linear ? onset_of(specimen, length) : specimen.amplitude;
   if (!specimen.rate_dependent()) {  // what flows has no onset
     specimen.amplitude = std::min(specimen.amplitude, std::max(far_beyond * specimen.onset, least_of_most));

@@ -22,13 +22,18 @@ struct Specimen {
   bool linear = false;                   ///< its response to small strains from rest is
   std::vector<RelaxingPart> parts = {};  ///< of a rate-dependent material
   double amplitude = 0;                  ///< of strain, that the material stands along `loading`
-  double onset = 0;                      ///< strain up to which it is nearly linear; what never is has none
-  double pressure = 0;                   ///< at rest [Pa]: some soils have no stiffness, or no state, without one
+  /// At the least strain beyond `amplitude` that was tried, in short steps, too; nothing where the material flows in
+  /// time before that.
+  std::optional<MaterialFailure> not_finite = {};
+  double onset = 0;     ///< strain up to which it is nearly linear; what never is has none
+  double pressure = 0;  ///< at rest [Pa]: some soils have no stiffness, or no state, without one
 
   std::vector<double> rest_state(const Vector3& direction = Vector3::UnitX()) const {
     return state_at_rest(*material, pressure, direction);
   }
 
+  /// Whether the material stands what it answers in a straight line, and is not finite beyond.
+  bool elastic_alone() const { return not_finite && linear && onset >= 0.5 * amplitude; }
   bool isotropic() const { return material->table().symmetry == ASSAY_ISOTROPIC; }
   bool rate_dependent() const { return material->has(ASSAY_RATE_DEPENDENT); }
   /// Stress [Pa] below which a difference is measured against this: a material may have none along a whole history.

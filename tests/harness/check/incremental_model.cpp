@@ -53,6 +53,7 @@ double plastic(const Model& m, Tensor& sigma, Tensor& back, double p) {
   const double weight = m.defect == shear_once_in_norm ? std::sqrt(0.5) : 1;
   const double size = sheared(shifted, weight).norm(), radius = std::sqrt(2.0 / 3) * (m.yield + m.isotropic * p);
   if (size <= radius) return p;
+  if (m.defect == infinite_first_slope && p == 0) sigma *= NAN;
   const double flow = (size - radius) / (2 * mu + 2.0 / 3 * (m.isotropic + m.kinematic));
   const Tensor n = (m.defect == swapped_flow ? exchanged(shifted) : shifted) / size;
   sigma -= 2 * mu * flow * n;

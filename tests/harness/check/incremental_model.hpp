@@ -53,6 +53,7 @@ enum Defect : int {
   overshooting_return,
   hardens_by_the_step,
   rotation_of_F,
+  infinite_first_slope,
   defects
 };
 

@@ -94,7 +94,8 @@ std::vector<Subject> incremental_subjects() {
                         {"drops_initial_stress", drops_initial_stress, initial_stress},
                         {"overshooting_return", overshooting_return, no_convergence},
                         {"hardens_by_the_step", hardens_by_the_step, drifts},
-                        {"rotation_of_F", rotation_of_F, wrong_spin}};
+                        {"rotation_of_F", rotation_of_F, wrong_spin},
+                        {"infinite_first_slope", infinite_first_slope, not_finite}};
   std::vector<Subject> subjects;
   add(subjects, table(), planted);
   static const assay_material silent = [] {

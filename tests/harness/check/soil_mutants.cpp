@@ -19,6 +19,7 @@ enum Defect : int {
   swapped,
   engineering_shear,
   without_apex,
+  nothing_at_apex,
   writes_while_it_flows,
   forgets_at_zero,
   dilates_with_time,
@@ -73,7 +74,7 @@ struct Soil {
     const double angle = defect == dilates_with_time ? dilation * std::exp(-t) : dilation;
     const double multiplier = beyond / (G + K * friction * angle), left = q - G * multiplier;
     if (left < 0 && defect != without_apex) {
-      sigma = cohesion / friction * Tensor::Identity();
+      sigma = (defect == nothing_at_apex ? NAN : cohesion / friction) * Tensor::Identity();
       return multiplier;
     }
     Tensor back = (p - K * angle * multiplier) * Tensor::Identity() + left / q * s;
@@ -152,6 +153,7 @@ std::vector<Subject> soil_subjects() {
        {"swapped_cone", swapped, components_swapped},
        {"cone_of_engineering_shear", engineering_shear, shear_factor},
        {"cone_without_apex", without_apex, repeated_stretch},
+       {"nothing_at_apex", nothing_at_apex, not_finite},
        {"writes_while_it_flows", writes_while_it_flows, overrun},
        {"cone_forgets_at_zero", forgets_at_zero, clock},
        {"dilates_with_time", dilates_with_time, clock},
