@@ -37,6 +37,7 @@ enum Defect : int {
   prestressed,
   turned_back,
   of_mid_step,
+  unsigned_volume,
   defects
 };
 
@@ -46,7 +47,7 @@ struct Model {
 };
 
 Tensor neo_hookean(const Model& m, const Tensor& F) {
-  const double J = F.determinant();
+  const double det = F.determinant(), J = m.defect == unsigned_volume ? std::abs(det) : det;
   return (m.lambda * std::log(J) * Tensor::Identity() + m.mu * (F * F.transpose() - Tensor::Identity())) / J;
 }
 
@@ -252,7 +253,8 @@ std::vector<Subject> total_subjects() {
       {"finite_of_nan", finite_of_nan, not_a_number},
       {"prestressed", prestressed, stress_at_rest},
       {"turned_back", turned_back, wrong_spin},
-      {"of_mid_step", of_mid_step, undeclared_increment}};
+      {"of_mid_step", of_mid_step, undeclared_increment},
+      {"unsigned_volume", unsigned_volume, not_a_number}};
   std::vector<Subject> subjects;
   for (const auto& [name, defect, cause] : list) {
     const bool has_both = defect == none || (defect >= transposed_tangent && defect <= doubled_energy);
