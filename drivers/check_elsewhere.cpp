@@ -12,8 +12,10 @@
 #include <cmath>
 #include <csignal>
 #include <exception>
+#include <optional>
 #include <string>
 
+#include "adapters/worker/descendants.hpp"
 #include "drivers/exit_guard.hpp"
 #include "harness/progress_mark.hpp"
 
@@ -47,19 +49,19 @@ namespace {
   leave_process(0);
 }
 
-/// All that comes until the pipe is closed; nothing where that takes too long.
-std::vector<double> received(int in, double limit_s) {
+/// All that comes until the pipe is closed; none where that takes too long.
+std::optional<std::vector<double>> received(int in, double limit_s) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::milliseconds(std::llround(1e3 * limit_s));
   std::string bytes;
   for (char text[1 << 14];;) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
     pollfd file{in, POLLIN, 0};
-    if (left <= 0 || (::poll(&file, 1, static_cast<int>(left)) < 0 && errno != EINTR)) return {};
+    if (left <= 0 || (::poll(&file, 1, static_cast<int>(left)) < 0 && errno != EINTR)) return std::nullopt;
     if (file.revents == 0) continue;
     const ssize_t length = ::read(in, text, sizeof text);
     if (length == 0) break;
-    if (length < 0 && errno != EINTR) return {};
+    if (length < 0 && errno != EINTR) return std::nullopt;
     if (length > 0) bytes.append(text, static_cast<std::size_t>(length));
   }
   std::vector<double> all(bytes.size() / sizeof(double));
@@ -79,19 +81,12 @@ check::History rows_of(const std::vector<double>& all) {
   return rows;
 }
 
-/// Waits for the ends of both, which are near where all has come, and sees to them otherwise.
-void end_group(pid_t process) {
+/// Of both: near where the pipe was closed, brought about otherwise; waits until no watcher sees either.
+void end_group(pid_t process, bool is_near) {
   constexpr int patience_ms = 500;
-  int waited = 0;
-  while (::waitpid(process, nullptr, WNOHANG) == 0) {
-    if (++waited > patience_ms) {
-      ::kill(-process, SIGKILL);
-      ::waitpid(process, nullptr, 0);
-      break;
-    }
-    ::usleep(1000);
-  }
-  for (waited = 0; ::kill(-process, SIGKILL) == 0 && waited < patience_ms; ++waited) ::usleep(1000);
+  if (!is_near) ::kill(-process, SIGKILL);
+  adapters::await_end(process);
+  for (int waited = 0; ::kill(-process, SIGKILL) == 0 && waited < patience_ms; ++waited) ::usleep(1000);
 }
 
 }  // namespace
@@ -110,11 +105,11 @@ check::History history_elsewhere(const Material& material, const check::Effort& 
   }
   ::setpgid(process, process);  // whichever comes first
   ::close(ends[1]);
-  const std::vector<double> all = process > 0 ? received(ends[0], limit_s) : std::vector<double>();
+  const auto all = process > 0 ? received(ends[0], limit_s) : std::nullopt;
   ::close(ends[0]);
   if (process < 0) return {};
-  end_group(process);
-  return rows_of(all);
+  end_group(process, all.has_value());
+  return all ? rows_of(*all) : check::History();
 }
 
 }  // namespace assay::drivers

@@ -53,6 +53,8 @@ std::vector<double> state_at_rest(const Material& material, double pressure,
 /// The largest |component| of A - B.
 inline double distance(const Tensor& A, const Tensor& B) { return (A - B).cwiseAbs().maxCoeff(); }
 
+inline Tensor deviator(const Tensor& A) { return A - A.trace() / 3 * Tensor::Identity(); }
+
 /// Q A Q^T.
 inline Tensor rotated(const Tensor& Q, const Tensor& A) { return Q * A * Q.transpose(); }
 

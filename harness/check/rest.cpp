@@ -119,8 +119,6 @@ void judge_rate(const Specimen& specimen, TestResult& result) {
       "both are: it goes by the step, not by the rate";
 }
 
-Tensor deviator(const Tensor& A) { return A - A.trace() / 3 * Tensor::Identity(); }
-
 /// What many steps without deformation in the middle of a loading leave in the stress that follows, over the largest
 /// deviator: a pressure may be many times what flow and hardening bring.
 double trace_of_pause(const Specimen& specimen, int steps) {

@@ -74,8 +74,6 @@ TestResult continuity(const Specimen& specimen) {
 
 namespace {
 
-Tensor deviator(const Tensor& A) { return A - A.trace() / 3 * Tensor::Identity(); }
-
 /// Stresses at the quarters of the way - one of them alone may agree with others by chance - over the largest deviator:
 /// a pressure may be many times what flow and hardening bring.
 std::vector<Tensor> relative_stresses(const Specimen& specimen, int steps) {
