@@ -34,7 +34,7 @@ class RotationDiagnostician {
     if (failed("rotation.constant") && constant->cause == causes::rotation_missing) {
       return of("rotation.constant");
     }
-    const std::optional<Diagnosis> of_step = of_turned_step();
+    std::optional<Diagnosis> of_step = of_turned_step();
     if (failed("rotation.constant") && !constant->cause.empty() && !(of_step && of_step->cause == constant->cause)) {
       return of("rotation.constant");
     }
