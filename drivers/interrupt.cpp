@@ -3,6 +3,8 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
 
 #include "adapters/worker/worker_process.hpp"
 #include "drivers/exit_guard.hpp"
@@ -12,17 +14,32 @@ namespace assay::drivers {
 namespace {
 
 std::atomic<int> first_signal{0};
-static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may touch nothing else");
+std::atomic<std::int64_t> first_time{0};  ///< [ns] on the monotonic clock
+static_assert(std::atomic<std::int64_t>::is_always_lock_free, "a signal handler may touch nothing else");
+
+/// One stop may arrive twice: timeout(1) signals its child and then the child's process group.
+constexpr std::int64_t same_stop = 300'000'000;  // [ns]
+
+std::int64_t monotonic_ns() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+}
 
 void on_signal(int signal) {
-  int none = 0;
-  if (!first_signal.compare_exchange_strong(none, signal)) leave_process(128 + signal);
+  std::int64_t none = 0;
+  const std::int64_t now = monotonic_ns();
+  if (first_time.compare_exchange_strong(none, now))
+    first_signal = signal;
+  else if (now - none > same_stop)
+    leave_process(128 + signal);
 }
 
 }  // namespace
 
 void watch_interrupts() {
   first_signal = 0;
+  first_time = 0;
   adapters::give_up_waiting = interrupted;  // for a worker that does not answer
   struct sigaction action = {};
   action.sa_handler = on_signal;

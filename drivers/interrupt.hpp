@@ -6,7 +6,8 @@
 namespace assay::drivers {
 
 /// From now on the first SIGINT, SIGTERM or SIGHUP only raises the flag and lets system calls that wait fail with
-/// EINTR; the second ends the process at once with 128 + signal. To be called when the scene is read.
+/// EINTR; another, 0.3 s later or more, ends the process at once with 128 + signal (a sooner one is the same stop:
+/// timeout(1) sends two). To be called when the scene is read.
 void watch_interrupts();
 
 /// Whether a signal came since watch_interrupts().

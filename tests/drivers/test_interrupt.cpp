@@ -36,10 +36,23 @@ TEST(InterruptDeathTest, second_signal_ends_the_process) {
       {
         watch_interrupts();
         std::raise(SIGINT);
+        ::usleep(500'000);
         std::raise(SIGTERM);
         std::_Exit(1);
       },
       testing::ExitedWithCode(128 + SIGTERM), "");
+}
+
+// timeout(1) signals its child and then the child's group: folders must still be given back.
+TEST(InterruptDeathTest, two_at_once_are_one) {
+  EXPECT_EXIT(
+      {
+        watch_interrupts();
+        std::raise(SIGTERM);
+        std::raise(SIGTERM);
+        std::_Exit(interrupted() ? 3 : 1);
+      },
+      testing::ExitedWithCode(3), "");
 }
 
 TEST(InterruptDeathTest, a_hang_up_is_one_too) {
