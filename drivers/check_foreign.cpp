@@ -53,6 +53,21 @@ std::string other_strain_words(const ForeignModel& right) {
               : "small, d STRESS / d DSTRAN; it is declared strain: finite");
 }
 
+/// The first that is not symmetric; empty where there is none.
+std::string tensor_without_initial_value(const ResolvedMaterial& material) {
+  const assay_material& table = material.material.table();
+  const std::optional<ForeignModel> described = foreign_of(material);
+  if (!described || described->interface != ForeignInterface::mfront) return {};
+  for (std::uint32_t v = 0; v < table.state_count; ++v) {
+    if (table.state[v].kind != ASSAY_TENSOR) continue;
+    const bool said = std::any_of(described->state.begin(), described->state.end(), [&](const auto& own) {
+      return own.name == table.state[v].name && !own.initial.empty();
+    });
+    if (!said) return table.state[v].name;
+  }
+  return {};
+}
+
 }  // namespace
 
 check::Declarations declarations_of(const ResolvedMaterial& material) {
@@ -61,7 +76,7 @@ check::Declarations declarations_of(const ResolvedMaterial& material) {
   const bool umat = model->interface == ForeignInterface::umat;
   return {.rate_dependence = "flags: [rate_dependent]",
           .own_axes = "its components as scalars of `state`",
-          .refused_stress = "",
+          .may_drop_stress = true,
           .tangent = umat ? std::string("DDSDDE of strain: ") + (model->finite_strain ? "finite" : "small")
                           : "what the interface asks for"};
 }
@@ -87,6 +102,21 @@ void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& repo
   test->sentence = other_strain_words(*model);
   for (check::Diagnosis& diagnosis : report.diagnosis) {
     if (diagnosis.sentence == before) diagnosis = {test->cause, test->sentence};
+  }
+}
+
+void tell_initial_values(const ResolvedMaterial& material, check::Report& report) {
+  const auto loading = std::find_if(report.tests.begin(), report.tests.end(), [](const check::TestResult& each) {
+    return each.id == "loading" && each.verdict == check::Verdict::fail;
+  });
+  const std::string names = loading == report.tests.end() ? "" : tensor_without_initial_value(material);
+  if (names.empty()) return;
+  const std::string before = loading->sentence;
+  loading->sentence += "; " + names +
+                       " of its state begins at zero, where its description may say otherwise: state: {" + names +
+                       ": {initial: [1, 1, 1, 0, 0, 0, 0, 0, 0]}}";
+  for (check::Diagnosis& diagnosis : report.diagnosis) {
+    if (diagnosis.sentence == before) diagnosis.sentence = loading->sentence;
   }
 }
 

@@ -14,4 +14,8 @@ check::Declarations declarations_of(const ResolvedMaterial& material);
 /// judged beside a state that does not turn, by which DDSDDE is converted.
 void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& report);
 
+/// Of an MFront behaviour that cannot be loaded at all: a tensor that begins at zero for want of an initial value in
+/// its description, as the elastic part of F must not.
+void tell_initial_values(const ResolvedMaterial& material, check::Report& report);
+
 }  // namespace assay::drivers

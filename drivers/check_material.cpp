@@ -131,6 +131,7 @@ CheckedMaterial check_material(const ResolvedMaterial& material, const std::stri
                                                           .begins = reporter.begins,
                                                           .ends = reporter.ends});
   judge_foreign_tangent(material, checked.report);
+  tell_initial_values(material, checked.report);
   const bool asked = settings.only.empty() ? !settings.effort.quick : settings.only == vortex_test;
   if (asked && checked.report.passes()) {
     add_vortex(material, checked.report, reporter);

@@ -75,11 +75,16 @@ std::vector<std::string> names_without_value(const MaterialSource& source) {
   return names;
 }
 
-/// "3 state variables, 8 numbers", as its author counts them: those of the bridge are none.
-std::string own_state_words(const adapters::ForeignModel& model) {
-  const auto size = static_cast<std::size_t>(adapters::foreign_state_size(model.state));
-  const std::string words = std::to_string(model.state.size()) + " state variables";
-  return size == model.state.size() ? words : words + " of " + std::to_string(size) + " numbers";
+/// "3 state variables of 8 numbers", as its author counts them: those of the bridge are none.
+std::string own_state_words(const MaterialSource& source, const adapters::ForeignModel& model) {
+  const std::size_t first = adapters::bridge_variables(model);
+  std::size_t size = 0;
+  for (std::size_t k = first; k < source.table->state_count; ++k) {
+    size += static_cast<std::size_t>(components_of_kind(source.table->state[k].kind));
+  }
+  const std::size_t count = source.table->state_count - first;
+  const std::string words = std::to_string(count) + " state variables";
+  return size == count ? words : words + " of " + std::to_string(size) + " numbers";
 }
 
 /// What was found of a foreign model, and what is missing.
@@ -90,8 +95,8 @@ std::string notes(const MaterialSource& source, const MaterialDescription& descr
   if (description.foreign) {
     const auto interface = static_cast<std::size_t>(description.foreign->interface) + 1;
     note(interface_names()[interface] + ", " + description.foreign->symbol + ": " +
-         std::to_string(source.table->parameter_count) + " properties, " + own_state_words(*description.foreign) +
-         "; runs in processes of its own");
+         std::to_string(source.table->parameter_count) + " properties, " +
+         own_state_words(source, *description.foreign) + "; runs in processes of its own");
     if (!missing.empty()) note("not tried: scenes, or a description, must give " + joined(missing));
     if (!source.density) note("scenes must give its density");
   }

@@ -52,7 +52,9 @@ enum { ASSAY_SCALAR = 0, ASSAY_VECTOR = 1, ASSAY_SYMMETRIC_TENSOR = 2, ASSAY_TEN
 enum {
   ASSAY_ROLE_PLAIN = 0,           /* rotates as a tensor of its kind */
   ASSAY_ROLE_ROTATES_ITSELF = 1,  /* the model keeps it in a frame of its own: not to be rotated by the host */
-  ASSAY_ROLE_DIRECTION = 2        /* vector: unit reference direction of the material, filled by the host */
+  /* vector: unit reference direction of the material, filled by the host; of several the second lies a right angle
+   * about E3 further (E1 where the first is along E3), the third at right angles to both */
+  ASSAY_ROLE_DIRECTION = 2
 };
 
 /* One state variable; they lie one after another, in declared order, in the state array. */

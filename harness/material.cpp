@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/material.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -153,6 +154,29 @@ double Material::parameter(const std::string& name) const {
   throw ParameterError(name, "material '" + this->name() + "' has no such parameter", known_parameters(*table_));
 }
 
+namespace {
+
+/// Of a material with several directions: the given one; a right angle about E3 further, or E1 where that is along E3;
+/// at right angles to both; and again.
+Vector3 further_direction(const Vector3& first, std::uint32_t rank) {
+  if (rank % 3 == 0) return first;
+  const Vector3 about = Vector3::UnitZ().cross(first);
+  const Vector3 second = about.norm() > 1e-8 ? Vector3(about.normalized()) : Vector3(Vector3::UnitX());
+  return rank % 3 == 1 ? second : Vector3(first.cross(second).normalized());
+}
+
+/// Fills the variable of n points at `values`, [component][point], as `direction` is.
+void fill_direction(std::uint32_t rank, std::size_t n, std::span<const double> direction, double* values) {
+  for (std::size_t p = 0; p < n; ++p) {
+    Vector3 first = Vector3::UnitX();
+    if (!direction.empty()) first << direction[p], direction[n + p], direction[2 * n + p];
+    const Vector3 own = further_direction(first, rank);
+    for (std::size_t c = 0; c < 3; ++c) values[c * n + p] = own[static_cast<Eigen::Index>(c)];
+  }
+}
+
+}  // namespace
+
 std::vector<double> Material::initial_state(std::size_t n, std::span<const double> cauchy,
                                             std::span<const double> direction) const {
   std::vector<double> state(state_size_ * n, 0.0);
@@ -166,12 +190,11 @@ std::vector<double> Material::initial_state(std::size_t n, std::span<const doubl
                              (reason.empty() ? "" : ": " + reason));
   }
   std::size_t offset = 0;
+  std::uint32_t rank = 0;
   for (std::uint32_t i = 0; i < table_->state_count; ++i) {
     const assay_state_variable& variable = table_->state[i];
     if (variable.role == ASSAY_ROLE_DIRECTION && variable.kind == ASSAY_VECTOR) {
-      for (std::size_t k = 0; k < 3 * n; ++k) {
-        state[offset * n + k] = direction.empty() ? (k < n ? 1.0 : 0.0) : direction[k];
-      }
+      fill_direction(rank++, n, direction, &state[offset * n]);
     }
     offset += static_cast<std::size_t>(components_of_kind(variable.kind));
   }

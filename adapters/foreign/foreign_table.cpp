@@ -156,6 +156,20 @@ void require_distinct(const ForeignTable& table) {
 
 }  // namespace
 
+std::size_t bridge_variables(const ForeignModel& model) {
+  ForeignModel bare = model;
+  bare.state.clear();
+  switch (model.interface) {
+    case ForeignInterface::umat:
+      return Umat::state_of(bare).size();
+    case ForeignInterface::vumat:
+      return Vumat::state_of(bare).size();
+    case ForeignInterface::mfront:
+      return Mfront::state_of(bare).size();
+  }
+  return 0;
+}
+
 const assay_material* foreign_table(const ForeignModel& model) {
   auto table = std::make_unique<ForeignTable>();
   static_cast<assay_material&>(*table) = assay_material{};

@@ -25,4 +25,7 @@ class ForeignError : public std::runtime_error {
 /// as long as the process. Throws ForeignError, LibraryError.
 const assay_material* foreign_table(const ForeignModel& model);
 
+/// Variables of a point's state that the bridge keeps beside those of the model, before them.
+std::size_t bridge_variables(const ForeignModel& model);
+
 }  // namespace assay::adapters

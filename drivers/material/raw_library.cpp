@@ -18,7 +18,10 @@ std::string lower_case(std::string text) {
 }
 
 MaterialDescription mfront_description(MaterialDescription description, const std::vector<std::string>& behaviours) {
-  const std::string asked = description.name.empty() && behaviours.size() == 1 ? behaviours.front() : description.name;
+  std::string asked = description.name.empty() && behaviours.size() == 1 ? behaviours.front() : description.name;
+  for (const std::string& behaviour : behaviours) {
+    if (lower_case(behaviour) == asked) asked = behaviour;  // by the name that its model has here
+  }
   if (std::find(behaviours.begin(), behaviours.end(), asked) == behaviours.end()) {
     const std::string what = asked.empty() ? "holds several behaviours of MFront: ask for one as 'lib.so:NAME'"
                                            : "has no behaviour '" + one_line(asked, 80) + "'";
@@ -29,9 +32,8 @@ MaterialDescription mfront_description(MaterialDescription description, const st
   model.interface = adapters::ForeignInterface::mfront;
   model.library = description.library;
   model.symbol = asked;
-  model.name = lower_case(asked);
+  description.name = model.name = lower_case(asked);
   model.temperature = 293.15;
-  description.name.clear();
   description.foreign = std::move(model);
   return description;
 }

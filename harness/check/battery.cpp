@@ -184,6 +184,7 @@ Report run_once(const Material& material, const Options& options) {
       if (!any_failed(report)) {
         evidence.turned = turned_step(specimen);
         evidence.drifting = drifting_of(specimen);
+        evidence.pressed_at_rest = pressed_at_rest(specimen);
         evidence.right_without_spin = right_without_spin(specimen);
         take(entries(), specimen, evidence, report);
       }

@@ -52,7 +52,7 @@ struct Report {
 struct Declarations {
   std::string rate_dependence = "ASSAY_RATE_DEPENDENT";
   std::string own_axes = "ASSAY_ROLE_ROTATES_ITSELF";
-  std::string refused_stress = ": let initial_state return ASSAY_FAILED for one";  ///< may be empty
+  bool may_drop_stress = false;  ///< an initial one that it cannot carry: it has no way to refuse
   std::string tangent = "d sigma / d F1 in row-major order";
 };
 

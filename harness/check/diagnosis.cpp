@@ -26,7 +26,13 @@ class Diagnostician {
     const bool once_for_all = failed("rotation.constant") || failed("basis");
     if (failed("calls.increment")) add(*of("calls.increment"));
     if (failed("calls.increment") && !evidence_.has_state_that_turns) explained_ = true;  // nor has it a spin
-    if (failed("rest") && !rest_is_of_stretches()) explain(*of("rest"));
+    if (failed("rest") && !rest_is_of_stretches()) {
+      // A pressure is the same in every frame: what else differs has a cause of its own.
+      if (evidence_.pressed_at_rest && failed("rotation.constant"))
+        add(*of("rest"));
+      else
+        explain(*of("rest"));
+    }
     if (grows()) explain(*of("dissipation"));
     if (failed("stretches.nearly_equal") && !once_for_all) explain(*of("stretches.nearly_equal"));
     if (failed("zero_increment") && !once_for_all) add(*of("zero_increment"));

@@ -16,7 +16,8 @@ struct Evidence {
   std::vector<History> first;       ///< of the process
   bool has_spin = false;            ///< steps turn something of the state
   bool has_state_that_turns = false;
-  std::string drifting;  ///< a variable of the state that changes in steps without deformation
+  bool pressed_at_rest = false;  ///< what stress there is at rest is a pressure
+  std::string drifting;          ///< a variable of the state that changes in steps without deformation
 };
 
 /// Fills in the cause of failed tests that have none, and lists the causes; none for one that follows from another.

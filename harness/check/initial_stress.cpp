@@ -78,19 +78,21 @@ std::string carrier(const Specimen& specimen, const Tensor& stress) {
   return {};
 }
 
-/// A model that takes no notice of an initial stress, and could.
+/// A model that takes no notice of an initial stress.
 TestResult ignored_stress(const Specimen& specimen, const Tensor& sigma) {
-  TestResult result{.id = "initial_stress", .verdict = Verdict::not_applicable};
-  const std::string name = carrier(specimen, sigma + specimen.pressure * Tensor::Identity());
-  if (name.empty()) {
-    result.sentence = "the model takes no notice of an initial stress" + specimen.options.declarations.refused_stress;
-    return result;
-  }
-  result.verdict = Verdict::fail;
-  result.cause = causes::initial_stress;
+  TestResult result{.id = "initial_stress", .verdict = Verdict::fail, .cause = causes::initial_stress};
   result.measure = 1;
   result.threshold = own_precision;
-  result.sentence = "initial_state drops an initial stress that '" + name + "' of the state could carry";
+  const std::string name = carrier(specimen, sigma + specimen.pressure * Tensor::Identity());
+  if (!name.empty()) {
+    result.sentence = "initial_state drops an initial stress that '" + name + "' of the state could carry";
+  } else if (specimen.options.declarations.may_drop_stress) {
+    result = {.id = "initial_stress", .verdict = Verdict::not_applicable};
+    result.sentence = "the model takes no notice of an initial stress";
+  } else {
+    result.sentence =
+        "initial_state says that it takes an initial stress, and drops it: let it return ASSAY_FAILED for one";
+  }
   return result;
 }
 

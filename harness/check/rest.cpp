@@ -29,6 +29,12 @@ TestResult stress_at_rest(const Specimen& specimen) {
   return result;
 }
 
+bool pressed_at_rest(const Specimen& specimen) {
+  const Tensor I = Tensor::Identity();
+  const Tensor stress = stepped(*specimen.material, 0, 1, I, I, specimen.rest_state()).cauchy;
+  return distance(deviator(stress), Tensor::Zero()) <= own_precision * stress.cwiseAbs().maxCoeff();
+}
+
 TestResult symmetry(const Specimen& specimen) {
   constexpr double of_deviator = 0.05, significant = 1e-4;  // single precision leaves 1e-7 of the largest component
   const int steps = specimen.steps();
@@ -119,29 +125,31 @@ void judge_rate(const Specimen& specimen, TestResult& result) {
       "both are: it goes by the step, not by the rate";
 }
 
+constexpr double top_of_pauses = 0.3;  ///< of the stretch
+
 /// What many steps without deformation in the middle of a loading leave in the stress that follows, over the largest
 /// deviator: a pressure may be many times what flow and hardening bring.
-double trace_of_pause(const Specimen& specimen, int steps) {
+double trace_of_pause(const Specimen& specimen, int steps, double at, const Point& before) {
   constexpr int pause = 100;
   // What is forgotten in a pause may show in unloading alone, come back soon or show late: the ends are compared.
-  constexpr double ends[] = {0.3, 0.25, 0.32, 0.4, 1};
+  const double ends[] = {at, 0.25, 0.32, 0.4, 1};
   const Material& material = *specimen.material;
   const double a = specimen.amplitude;
-  const Loading first{[&](double t) { return specimen.space.stretch(a, 0.3 * t); }, 1};
   const Loading then{[&](double t) {
                        const int k = std::min(3, static_cast<int>(t));
                        return specimen.space.stretch(a, ends[k] + (t - k) * (ends[k + 1] - ends[k]));
                      },
                      4};
-  const Tensor F = first.F(1);
-  const March loaded = march(material, first, {.steps = steps, .state = specimen.rest_state()});
-  std::vector<double> paused = loaded.marks[0].state;
-  for (int repeat = 0; repeat < pause; ++repeat) paused = stepped(material, 1, 0.01, F, F, paused).state;
-  const MarchOptions on{.steps = steps / 2, .begin = 1, .state = loaded.marks[0].state};
+  const Tensor F = then.F(0);
+  Point paused = before;
+  for (int repeat = 0; repeat < pause; ++repeat) paused = stepped(material, 1, 0.01, F, F, paused.state);
+  const MarchOptions on{.steps = steps / 2, .begin = 1, .state = before.state};
   MarchOptions later = on;
-  later.state = paused;
+  later.state = paused.state;
   const March at_once = march(material, then, on), after_it = march(material, then, later);
-  double error = 0, largest = std::max(1e-3 * at_once.largest, specimen.least_stress());
+  // The first step of a pause may still correct what a step of loading has left.
+  double error = at < top_of_pauses ? distance(paused.cauchy, before.cauchy) : 0;
+  double largest = std::max(1e-3 * at_once.largest, specimen.least_stress());
   for (std::size_t mark = 0; mark < at_once.marks.size(); ++mark) {
     error = std::max(error, distance(at_once.marks[mark].cauchy, after_it.marks[mark].cauchy));
     largest = std::max(largest, deviator(at_once.marks[mark].cauchy).cwiseAbs().maxCoeff());
@@ -149,10 +157,22 @@ double trace_of_pause(const Specimen& specimen, int steps) {
   return error / largest;
 }
 
+/// Of a pause after loading, and after a little unloading in one step: what is kept of the largest load shows there,
+/// and may be gone after some steps.
+double trace_of_pauses(const Specimen& specimen, int steps) {
+  constexpr double top = top_of_pauses, below = 0.28;
+  const auto F = [&](double s) { return specimen.space.stretch(specimen.amplitude, s); };
+  const Loading loading{[&](double t) { return F(top * t); }, 1};
+  const Material& material = *specimen.material;
+  const Point loaded = march(material, loading, {.steps = steps, .state = specimen.rest_state()}).marks[0];
+  const Point unloaded = stepped(material, 1, 0.01, F(top), F(below), loaded.state);
+  return std::max(trace_of_pause(specimen, steps, top, loaded), trace_of_pause(specimen, steps, below, unloaded));
+}
+
 void judge_pause(const Specimen& specimen, TestResult& result) {
   if (specimen.material->state_size() == 0) return;
   const double error =
-      std::max(trace_of_pause(specimen, specimen.steps()), trace_of_pause(specimen, 4 * specimen.steps()));
+      std::max(trace_of_pauses(specimen, specimen.steps()), trace_of_pauses(specimen, 4 * specimen.steps()));
   if (error <= converging_limit) return;
   result.measure = error;
   result.order = {};

@@ -9,6 +9,9 @@ namespace assay::check {
 /// F = I leaves no stress.
 TestResult stress_at_rest(const Specimen& specimen);
 
+/// Whether the stress at F = I is a pressure, the same in every frame.
+bool pressed_at_rest(const Specimen& specimen);
+
 /// sigma = sigma^T along the loading, which turns.
 TestResult symmetry(const Specimen& specimen);
 

@@ -123,5 +123,30 @@ TEST(CheckForeign, DeclarationsAreThoseOfDescriptions) {
   EXPECT_NE(ending.said.find("flags: [rate_dependent]"), std::string::npos) << ending.said;
 }
 
+TEST(CheckForeign, AnInitialValueThatIsMissingIsAskedFor) {
+  const ScratchFolder scratch;
+  const std::string keys = "interface: mfront\nproperties: {Lambda: 600, Mu: 400}\ndensity: 1000\n";
+  const std::string bare = described(scratch, "mfront_elastic_part", keys);
+  const Ending without = assay({"check", bare, "-o", scratch / "check"});
+  EXPECT_EQ(without.status, 1) << without.said;
+  EXPECT_NE(without.said.find("Fe of its state begins at zero"), std::string::npos) << without.said;
+  const std::string whole =
+      described(scratch, "mfront_elastic_part", keys + "state: {Fe: {initial: [1, 1, 1, 0, 0, 0, 0, 0, 0]}}\n");
+  const Ending with = assay({"check", whole, "-o", scratch / "check"});
+  EXPECT_EQ(with.status, 0) << with.said;
+}
+
+// A library that describes itself, without a description: its model has the name of its behaviour.
+TEST(CheckForeign, ALibraryOfMFrontIsCheckedAsItIs) {
+  const ScratchFolder scratch;
+  const std::string library = doubles + "mfront_neo_hookean.so";
+  for (const char* name : {"", ":NeoHookean", ":neohookean"}) {
+    const Ending ending =
+        assay({"check", library + name, "--parameters", "YoungModulus=1e3,PoissonRatio=0.3", "-o", scratch / "check"});
+    EXPECT_EQ(ending.status, 0) << ending.said;
+  }
+  EXPECT_TRUE(assay({"materials", library}).said.starts_with("neohookean ")) << library;
+}
+
 }  // namespace
 }  // namespace assay::drivers

@@ -145,6 +145,14 @@ TEST_F(Register, SaysThatTheStressDependsOnTheDuration) {
   EXPECT_FALSE(said("flags: [rate_dependent]\n"));
 }
 
+TEST_F(Register, CountsTheStateThatMetadataTells) {
+  testing::internal::CaptureStdout();
+  register_material({ASSAY_BINARY_DIR "/tests/foreign/mfront_norton.so", "creep", {}, Verbosity::normal});
+  const std::string said = testing::internal::GetCapturedStdout();
+  EXPECT_TRUE(said.starts_with("registered creep: norton in ")) << said;
+  EXPECT_NE(said.find("2 state variables of 7"), std::string::npos) << said;
+}
+
 TEST_F(Register, RefusesBadNames) {
   EXPECT_EQ(refused(plugins + "frozen_1_0.so", "neo_hookean"),
             "--as: 'neo_hookean' is the name of a built-in material; choose another with --as");

@@ -18,6 +18,9 @@ enum Defect : int {
   divides_by_energy,
   refuses_rest,
   without_stress,
+  forgets_by_the_call,
+  stiffer_in_unloading,
+  ignores_initial_stress,
   defects
 };
 
@@ -28,7 +31,7 @@ struct Damage {
 
   explicit Damage(const double* p) : mu(p[0]), lambda(p[1]), scale(p[2]), defect(static_cast<int>(p[3])) {}
 
-  bool rest(const Tensor& cauchy, double*) const { return cauchy.isZero(0); }
+  bool rest(const Tensor& cauchy, double*) const { return defect == ignores_initial_stress || cauchy.isZero(0); }
 
   double undamaged(const Tensor& F) const {
     const double ln_J = std::log(F.determinant());
@@ -46,11 +49,13 @@ struct Damage {
     if (defect == without_stress) return Tensor(Tensor::Zero());
     double largest = std::max(W, state0[0]);
     if (defect == heals) largest = W;
+    if (defect == forgets_by_the_call) largest = W + 0.9 * (largest - W);
     if (defect == static_maximum) largest = statics.largest = std::max(statics.largest, W);
     state1[0] = largest;
     const Tensor sigma =
         (lambda * std::log(J) * Tensor::Identity() + mu * (F * F.transpose() - Tensor::Identity())) / J;
-    return (defect == divides_by_energy ? W / W : 1) * left(largest) * sigma;
+    const double kept = defect == stiffer_in_unloading ? 2 - left(std::max(0.0, largest - W)) : left(largest);
+    return (defect == divides_by_energy ? W / W : 1) * kept * sigma;
   }
 
   void misbehave(std::size_t, double*, double*) const {}
@@ -92,7 +97,15 @@ std::vector<Subject> damage_subjects() {
        {"static_damage", static_maximum, hidden_state},
        {"divides_by_energy", divides_by_energy, not_finite},
        {"refuses_rest", refuses_rest, refuses},
-       {"damaged_to_nothing", without_stress, no_stress}});
+       {"damaged_to_nothing", without_stress, no_stress},
+       {"forgets_by_the_call", forgets_by_the_call, drifts},
+       {"ignores_initial_stress", ignores_initial_stress, initial_stress}});
+  static const assay_material unmeasured = [] {  // without its energy, which would tell more
+    assay_material t = table;
+    t.extension = nullptr;
+    return t;
+  }();
+  add(all, &unmeasured, {{"stiffer_in_unloading", stiffer_in_unloading, dissipation}});
   return all;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A family of fibres in a neo-Hookean matrix, along a direction that the host fills in; a parameter plants one defect.
+// Two families of fibres in a neo-Hookean matrix, along directions that the host fills in; a parameter plants one
+// defect.
 #include "harness/check/battery.hpp"
 #include "tests/harness/check/model_table.hpp"
 
@@ -7,28 +8,50 @@ namespace assay::check_tests {
 
 namespace {
 
-enum Defect : int { none, pushed_forward_again, transposed_gradient, left_in_reference, own_direction, defects };
+enum Defect : int {
+  none,
+  pushed_forward_again,
+  transposed_gradient,
+  left_in_reference,
+  own_direction,
+  stretch_of_the_other,
+  defects
+};
 
 struct Fibres {
-  static constexpr std::size_t state_size = 3;
+  static constexpr std::size_t state_size = 6;
   double mu, lambda, stiffness;
   int defect;
 
   explicit Fibres(const double* p) : mu(p[0]), lambda(p[1]), stiffness(p[2]), defect(static_cast<int>(p[3])) {}
 
+  double energy(const Tensor& F, const double* state) const {
+    const double ln_J = std::log(F.determinant());
+    double W = 0.5 * lambda * ln_J * ln_J - mu * ln_J + 0.5 * mu * (F.squaredNorm() - 3);
+    for (const double* a0 : {state, state + 3}) {
+      W += 0.25 * stiffness * std::pow((F * Vector3(a0[0], a0[1], a0[2])).squaredNorm() - 1, 2);
+    }
+    return W;
+  }
+
   std::optional<Tensor> take(const PointStep& step, const double* state0, double* state1) const {
     const Tensor& F = step.F1;
     const double J = F.determinant();
     if (!(J > 0)) return std::nullopt;
-    const Vector3 a0 = defect == own_direction ? Vector3::UnitX() : Vector3(state0[0], state0[1], state0[2]);
-    const Vector3 a = defect == transposed_gradient ? Vector3(F.transpose() * a0) : Vector3(F * a0);
-    const Vector3 along = defect == left_in_reference ? a0 : a;
-    const Vector3 kept = defect == pushed_forward_again ? Vector3(a.normalized()) : a0;
-    for (int i = 0; i < 3; ++i) state1[i] = kept(i);
-    const Tensor b = F * F.transpose();
-    return ((lambda * std::log(J) - mu) * Tensor::Identity() + mu * b +
-            stiffness * (a.squaredNorm() - 1) * along * along.transpose()) /
-           J;
+    Tensor tau = (lambda * std::log(J) - mu) * Tensor::Identity() + mu * F * F.transpose();
+    double first = 0;
+    for (const int at : {0, 3}) {
+      const Vector3 given(state0[at], state0[at + 1], state0[at + 2]);
+      const Vector3 a0 = defect == own_direction ? Vector3(Vector3::Unit(at / 3)) : given;
+      const Vector3 a = defect == transposed_gradient ? Vector3(F.transpose() * a0) : Vector3(F * a0);
+      const Vector3 along = defect == left_in_reference ? a0 : a;
+      const Vector3 kept = defect == pushed_forward_again ? Vector3(a.normalized()) : given;
+      for (int i = 0; i < 3; ++i) state1[at + i] = kept(i);
+      if (at == 0) first = a.squaredNorm();
+      const double stretch = defect == stretch_of_the_other ? first : a.squaredNorm();
+      tau += stiffness * (stretch - 1) * along * along.transpose();
+    }
+    return tau / J;
   }
   bool rest(const Tensor& cauchy, double* state) const {
     std::fill_n(state, state_size, 0.0);
@@ -36,6 +59,20 @@ struct Fibres {
   }
   void misbehave(std::size_t, double*, double*) const {}
 };
+
+std::int32_t energy(void* self, std::size_t n, const double* F, const double* state, double* out) {
+  for (std::size_t p = 0; p < n; ++p) {
+    double own[Fibres::state_size];
+    for (std::size_t c = 0; c < Fibres::state_size; ++c) own[c] = state[c * n + p];
+    out[p] = static_cast<const Fibres*>(self)->energy(read(F, n, p), own);
+  }
+  return ASSAY_GOOD;
+}
+
+const void* extension(const char* id) {
+  static const assay_energy energies{sizeof(assay_energy), energy};
+  return std::string(id) == ASSAY_EXTENSION_ENERGY ? &energies : nullptr;
+}
 
 }  // namespace
 
@@ -46,10 +83,12 @@ std::vector<Subject> fibre_subjects() {
                                                {"stiffness", "Pa", 500, 0, 1e12, "of the fibres"},
                                                {"defect", "1", 0, 0, defects - 1, "which"}};
   static const assay_state_variable state[] = {
-      {"fibre", "1", ASSAY_VECTOR, ASSAY_ROLE_DIRECTION, "direction in the reference configuration"}};
+      {"fibre", "1", ASSAY_VECTOR, ASSAY_ROLE_DIRECTION, "direction in the reference configuration"},
+      {"other_fibre", "1", ASSAY_VECTOR, ASSAY_ROLE_DIRECTION, "likewise"}};
   static const assay_material table = [] {
     assay_material t = table_of<Fibres>("fibres_for_tests", 0, parameters, state);
     t.symmetry = ASSAY_ANISOTROPIC;
+    t.extension = extension;
     return t;
   }();
   std::vector<Subject> all;
@@ -58,6 +97,7 @@ std::vector<Subject> fibre_subjects() {
        {"fibre_pushed_forward_again", pushed_forward_again, drifts},
        {"fibre_of_transposed_gradient", transposed_gradient, not_indifferent},
        {"fibre_left_in_reference", left_in_reference, not_indifferent},
+       {"fibre_of_the_stretch_of_another", stretch_of_the_other, check::causes::energy},
        {"fibre_of_its_own_direction", own_direction, not_indifferent}});
   return all;
 }

@@ -58,6 +58,7 @@ double plastic(const Model& m, Tensor& sigma, Tensor& back, double p) {
   const Tensor n = (m.defect == swapped_flow ? exchanged(shifted) : shifted) / size;
   sigma -= 2 * mu * flow * n;
   back += 2.0 / 3 * m.kinematic * flow * n;
+  if (m.defect == back_stress_feeds_itself) back *= 1 + 18 * flow;
   if (m.defect == overshooting_return) sigma -= 0.2 * (deviator(sigma) - back);
   return p + std::sqrt(2.0 / 3) * flow;
 }

@@ -54,6 +54,7 @@ enum Defect : int {
   hardens_by_the_step,
   rotation_of_F,
   infinite_first_slope,
+  back_stress_feeds_itself,
   defects
 };
 

@@ -95,7 +95,8 @@ std::vector<Subject> incremental_subjects() {
                         {"overshooting_return", overshooting_return, no_convergence},
                         {"hardens_by_the_step", hardens_by_the_step, drifts},
                         {"rotation_of_F", rotation_of_F, wrong_spin},
-                        {"infinite_first_slope", infinite_first_slope, not_finite}};
+                        {"infinite_first_slope", infinite_first_slope, not_finite},
+                        {"back_stress_feeds_itself", back_stress_feeds_itself, dissipation}};
   std::vector<Subject> subjects;
   add(subjects, table(), planted);
   static const assay_material silent = [] {

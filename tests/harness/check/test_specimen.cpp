@@ -49,9 +49,9 @@ Material fragile(const std::map<std::string, double>& knobs) {
     t.parameter_count = 5, t.parameters = parameters, t.state_count = 1, t.state = state;
     t.create = [](const double* p, char*) -> void* { return new Fragile{p[0], p[1], p[2], p[3], p[4]}; };
     t.destroy = [](void* self) { delete static_cast<Fragile*>(self); };
-    t.initial_state = [](void*, std::size_t n, const double*, double* state0) -> std::int32_t {
+    t.initial_state = [](void*, std::size_t n, const double* cauchy, double* state0) -> std::int32_t {
       std::fill_n(state0, n, 0.0);
-      return ASSAY_GOOD;
+      return std::all_of(cauchy, cauchy + 9 * n, [](double c) { return c == 0; }) ? ASSAY_GOOD : ASSAY_FAILED;
     };
     t.update = update;
     return t;
