@@ -77,6 +77,7 @@ check::Declarations declarations_of(const ResolvedMaterial& material) {
   return {.rate_dependence = "flags: [rate_dependent]",
           .own_axes = "its components as scalars of `state`",
           .may_drop_stress = true,
+          .tangent_within = 2e-3,
           .tangent = umat ? std::string("DDSDDE of strain: ") + (model->finite_strain ? "finite" : "small")
                           : "what the interface asks for"};
 }

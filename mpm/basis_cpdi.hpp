@@ -14,6 +14,7 @@ template <int Dim>
 class CpdiBasis {
  public:
   static constexpr int corners = 1 << Dim;
+  static constexpr const char* name = "cpdi";
   static constexpr bool uses_deformation = true;
   static constexpr std::size_t domain_components = Dim * Dim;
   static constexpr double share = 1.0 / corners;

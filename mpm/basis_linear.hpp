@@ -9,6 +9,7 @@ namespace assay::mpm {
 template <int Dim>
 class LinearBasis : public SeparableBasis<Dim, 2> {
  public:
+  static constexpr const char* name = "linear";
   static constexpr bool uses_deformation = false;
   static constexpr std::size_t domain_components = 0;
 

@@ -16,6 +16,7 @@ namespace assay::mpm {
 template <int Dim>
 class UgimpBasis : public SeparableBasis<Dim, 3> {
  public:
+  static constexpr const char* name = "ugimp";
   static constexpr bool uses_deformation = false;
   static constexpr std::size_t domain_components = Dim;
 

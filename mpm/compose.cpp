@@ -3,9 +3,7 @@
 
 #include <algorithm>
 
-#include "mpm/basis_cpdi.hpp"
-#include "mpm/basis_linear.hpp"
-#include "mpm/basis_ugimp.hpp"
+#include "mpm/bases.hpp"
 #include "mpm/material_batch.hpp"
 #include "mpm/passes_grid.hpp"
 #include "mpm/passes_particle.hpp"
@@ -24,6 +22,12 @@ auto with_basis(Basis basis, const Visitor& visit) {
       return visit(std::type_identity<LinearBasis<Dim>>());
     case Basis::ugimp:
       return visit(std::type_identity<UgimpBasis<Dim>>());
+    case Basis::cpgimp:
+      return visit(std::type_identity<CpgimpBasis<Dim>>());
+    case Basis::bspline2:
+      return visit(std::type_identity<Bspline2Basis<Dim>>());
+    case Basis::bspline3:
+      return visit(std::type_identity<Bspline3Basis<Dim>>());
     case Basis::cpdi:
       break;
   }

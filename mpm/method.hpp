@@ -4,7 +4,7 @@
 
 namespace assay::mpm {
 
-enum class Basis { linear, ugimp, cpdi };
+enum class Basis { linear, ugimp, cpgimp, cpdi, bspline2, bspline3 };
 enum class Transfer { pic, flip };
 enum class Update { usf, usl, musl };
 /// Of the body force: at the particle's reference position, or averaged over its reference domain.

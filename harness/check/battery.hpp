@@ -53,6 +53,7 @@ struct Declarations {
   std::string rate_dependence = "ASSAY_RATE_DEPENDENT";
   std::string own_axes = "ASSAY_ROLE_ROTATES_ITSELF";
   bool may_drop_stress = false;  ///< an initial one that it cannot carry: it has no way to refuse
+  double tangent_within = 1e-4;  ///< relative: of a foreign implicit law more, as its last iteration leaves it
   std::string tangent = "d sigma / d F1 in row-major order";
 };
 

@@ -165,9 +165,8 @@ void judge_at_equal_stretches(const Specimen& specimen, const assay_tangent& for
 }  // namespace
 
 TestResult tangent(const Specimen& specimen) {
-  constexpr double most =
-      2e-3;  // implicit laws leave what their last iteration does, numerical Jacobians somewhat more
   constexpr double alike = 1e-3;
+  const double most = specimen.options.declarations.tangent_within;
   constexpr double elastic_within = 0.03;  // of a step's own strain and turn
   const auto* form = specimen.material->extension<assay_tangent>(ASSAY_EXTENSION_TANGENT);
   if (!form) return not_offered("tangent", "tangent");

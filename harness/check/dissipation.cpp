@@ -73,6 +73,79 @@ double out_of_rest(const Specimen& specimen, int steps, double time) {
   return std::isfinite(share) ? share : INFINITY;
 }
 
+/// Once around a square in a plane of strains, from rest: the work that comes out of it, over that which was done and
+/// returned. Of a model that is in equilibrium at rest none does, whichever way and however fast.
+double out_of_a_square(const Specimen& specimen, bool other_way, double time) {
+  Tensor A, B;
+  A << 1, 0.4, -0.3, 0.4, -0.5, 0.2, -0.3, 0.2, 0.3;
+  B << -0.2, 0.5, 0.1, 0.5, 0.6, -0.4, 0.1, -0.4, 0.3;
+  if (other_way) std::swap(A, B);
+  const int steps = specimen.steps();
+  Work work(specimen, 0.25 * time / steps);
+  for (int k = 1; k <= 4 * steps; ++k) {
+    const double along = static_cast<double>(k) / steps;  // corners at the integers
+    const double a = std::clamp(along, 0.0, 1.0) - std::clamp(along - 2, 0.0, 1.0);
+    const double b = std::clamp(along - 1, 0.0, 1.0) - std::clamp(along - 3, 0.0, 1.0);
+    work.step(specimen.space.within(Tensor::Identity() + 0.5 * specimen.amplitude * (a * A + b * B)));
+  }
+  const double share = -work.done() / std::max(work.paid(), specimen.least_stress() * specimen.amplitude);
+  return std::isfinite(share) ? share : 0;
+}
+
+/// Laws in increments store no energy exactly: their small elastic cycles may give some work.
+void judge_squares(const Specimen& specimen, const std::vector<double>& times, TestResult& result) {
+  constexpr double most = 5e-4;
+  if (specimen.material->has(ASSAY_USES_INCREMENT)) return;
+  double worst = 0;
+  for (const bool other_way : {false, true}) {
+    for (const double time : times) {
+      try {
+        worst = std::max(worst, out_of_a_square(specimen, other_way, time));
+      } catch (const MaterialFailure&) {  // it may not stand the corners
+      }
+    }
+  }
+  if (worst <= most) return;
+  result = {.id = "dissipation", .verdict = Verdict::fail, .measure = worst, .threshold = most};
+  result.cause = causes::dissipation;
+  result.sentence = percent(worst) + " of the work comes out of nothing: once around a square in the space of strains";
+}
+
+/// By how much the deviator of a body that is held grows after it has been less, over the largest of it, from 1e-8 to
+/// 1e8 s in so many steps a decade.
+double growth_while_held(const Specimen& specimen, int a_decade) {
+  const Material& material = *specimen.material;
+  const double ratio = std::pow(10.0, 1.0 / a_decade);
+  const Tensor F = specimen.space.stretch(specimen.amplitude, 0.3);
+  double t = 1e-8, least = INFINITY, largest = 0, growth = 0;
+  Point now = stepped(material, 0, t, Tensor::Identity(), F, specimen.rest_state());
+  while (t < 1e8) {
+    const double dt = (ratio - 1) * t;
+    now = stepped(material, t, dt, F, F, now.state);
+    t += dt;
+    const double size = deviator(now.cauchy).norm();
+    least = std::min(least, size), largest = std::max(largest, size);
+    growth = std::max(growth, size - least);
+  }
+  return growth / std::max(largest, specimen.least_stress());
+}
+
+/// A part that relaxes the wrong way may hide among others that lose more, but not while nothing else moves.
+void judge_relaxation(const Specimen& specimen, TestResult& result) {
+  constexpr double most = 0.01, same = 0.3;
+  try {
+    const double coarse = growth_while_held(specimen, 8);
+    if (coarse <= most) return;
+    const double fine = growth_while_held(specimen, 24);
+    if (fine <= most || std::abs(fine - coarse) > same * coarse) return;  // of the steps, not of the model
+    result = {.id = "dissipation", .verdict = Verdict::fail, .measure = fine, .threshold = most};
+    result.cause = causes::dissipation;
+    result.sentence =
+        "the stress of a body that is held grows with time, by " + percent(fine) + ": a part relaxes the wrong way";
+  } catch (const MaterialFailure&) {  // of the length of a step
+  }
+}
+
 /// The most by which the largest stress of a cycle grows while the number of cycles between the same strains doubles,
 /// in twenty or as many as the material stands. Hardening that goes with the path doubles it at most; where flow feeds
 /// what drives it, it grows as an exponential does.
@@ -140,7 +213,12 @@ TestResult dissipation(const Specimen& specimen) {
     }
   }
   TestResult result = judged(worst, of_history, ": from rest and back there");
-  if (result.verdict == Verdict::pass && !specimen.rate_dependent()) judge_cycles(specimen, result);
+  if (result.verdict == Verdict::pass) judge_squares(specimen, times, result);
+  if (result.verdict != Verdict::pass) return result;
+  if (specimen.rate_dependent())
+    judge_relaxation(specimen, result);
+  else
+    judge_cycles(specimen, result);
   return result;
 }
 

@@ -25,6 +25,9 @@ struct MethodNames {
 };
 MethodNames names_of(const Method& method);
 
+/// As a scene writes it.
+const char* name_of(Basis basis);
+
 /// "cpdi/flip/usl".
 std::string name_of(const Method& method);
 

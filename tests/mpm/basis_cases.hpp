@@ -8,9 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "mpm/basis_cpdi.hpp"
-#include "mpm/basis_linear.hpp"
-#include "mpm/basis_ugimp.hpp"
+#include "mpm/bases.hpp"
 
 namespace assay::mpm {
 
@@ -19,16 +17,15 @@ struct BasisCase {
   static constexpr int Dim = D;
   using Basis = B<D>;
 };
-using EveryBasis = testing::Types<BasisCase<LinearBasis, 2>, BasisCase<UgimpBasis, 2>, BasisCase<CpdiBasis, 2>,
-                                  BasisCase<LinearBasis, 3>, BasisCase<UgimpBasis, 3>, BasisCase<CpdiBasis, 3>>;
+using EveryBasis = testing::Types<BasisCase<LinearBasis, 2>, BasisCase<UgimpBasis, 2>, BasisCase<CpgimpBasis, 2>,
+                                  BasisCase<CpdiBasis, 2>, BasisCase<Bspline2Basis, 2>, BasisCase<Bspline3Basis, 2>,
+                                  BasisCase<LinearBasis, 3>, BasisCase<UgimpBasis, 3>, BasisCase<CpgimpBasis, 3>,
+                                  BasisCase<CpdiBasis, 3>, BasisCase<Bspline2Basis, 3>, BasisCase<Bspline3Basis, 3>>;
 
 struct BasisCaseName {
   template <class T>
   static std::string GetName(int) {
-    using B = typename T::Basis;
-    constexpr int Dim = T::Dim;
-    const char* name = std::is_same_v<B, LinearBasis<Dim>> ? "linear" : B::uses_deformation ? "cpdi" : "ugimp";
-    return name + std::to_string(Dim) + "d";
+    return T::Basis::name + std::to_string(T::Dim) + "d";
   }
 };
 

@@ -27,10 +27,9 @@ inline std::vector<Way> every_way() {
 }
 
 inline std::string name_of(const Way& way) {
-  const char* basis[] = {"linear", "ugimp", "cpdi"};
   const char* transfer[] = {"pic", "flip"};
   const char* update[] = {"usf", "usl", "musl"};
-  return std::string(basis[static_cast<int>(way.basis)]) + "_" + transfer[static_cast<int>(way.transfer)] + "_" +
+  return std::string(name_of(way.basis)) + "_" + transfer[static_cast<int>(way.transfer)] + "_" +
          update[static_cast<int>(way.update)];
 }
 

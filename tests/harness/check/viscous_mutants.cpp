@@ -36,6 +36,7 @@ enum Defect : int {
   refuses_short_steps,
   relaxes_by_the_step,
   grows,
+  wrong_branch,
   defects
 };
 
@@ -123,7 +124,8 @@ struct Solid {
       const double left = std::exp(-time_of_step / time[k]), middle = std::sqrt(left);
       const Tensor before = left * read_symmetric(state0 + 6 * k);
       const Tensor own = strain_of_part(defect, step, R, strain);
-      const Tensor added = R * (2 * mu * share[k] * middle * deviator(own)) * R.transpose();
+      const double sign = defect == wrong_branch && k == 1 ? -1 : 1;
+      const Tensor added = R * (2 * mu * sign * share[k] * middle * deviator(own)) * R.transpose();
       Tensor q = carried(here, R, before) + added;
       if (defect == forgets_at_zero && step.t == 0) q = added;
       sigma += q;
@@ -264,6 +266,7 @@ std::vector<Subject> viscous_subjects() {
        {"swapped_liquid", swapped, components_swapped},
        {"stress_of_the_last_call", of_last_call, hidden_state}});
   add(all, &solid, {{"growing_overstress", grows, dissipation}}, {{"share", 4}});
+  add(all, &solid, {{"branch_that_relaxes_the_wrong_way", wrong_branch, dissipation}});
   static const assay_material own = table_of<Solid>("own_for_tests", flags, parameters, two_of_their_own);
   add(all, &own, {{"unturned_overstress_that_should_turn_itself", unturned, state_not_rotated}});
   add(all, &silent, {{"liquid_that_says_nothing_of_increments", none, undeclared_increment}});
