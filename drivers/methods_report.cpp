@@ -26,7 +26,7 @@ std::string order_text(const std::optional<double>& order) {
 
 std::string row(const std::string& method, const std::string& id, const std::string& verdict,
                 const std::string& measure, const std::string& threshold, const std::string& order) {
-  return table_line(padded(method, 18) + padded(id, 23) + padded(verdict, 9) + padded(measure, 11) +
+  return table_line(padded(method, 20) + padded(id, 23) + padded(verdict, 9) + padded(measure, 11) +
                     padded(threshold, 10) + order);
 }
 

@@ -167,8 +167,8 @@ TEST(SceneReader, RefusesNumbersOutOfRange) {
 }
 
 TEST(SceneReader, RefusesWhatLaterVersionsMayKnow) {
-  EXPECT_TRUE(
-      has(refused_set("method.basis=cpdi2"), "unknown value 'cpdi2' (nearest: cpdi); known: linear, ugimp, cpdi"));
+  EXPECT_TRUE(has(refused_set("method.basis=cpdi2"),
+                  "unknown value 'cpdi2' (nearest: cpdi); known: linear, ugimp, cpgimp, cpdi, bspline2, bspline3"));
   EXPECT_TRUE(has(refused_set("method.transfer=apic"), "known: pic, flip"));
   EXPECT_TRUE(has(refused_set("method.formulation=total"), "known: updated"));
   EXPECT_TRUE(has(refused_set("method.mass=series"), "known: lumped"));

@@ -99,6 +99,13 @@ std::vector<Subject> fibre_subjects() {
        {"fibre_left_in_reference", left_in_reference, not_indifferent},
        {"fibre_of_the_stretch_of_another", stretch_of_the_other, check::causes::energy},
        {"fibre_of_its_own_direction", own_direction, not_indifferent}});
+  static const assay_material unmeasured = [] {
+    assay_material t = table;
+    t.extension = nullptr;
+    return t;
+  }();
+  add(all, &unmeasured, {{"fibre_of_another_without_energy", stretch_of_the_other, dissipation}},
+      {{"stiffness", 2000}});
   return all;
 }
 

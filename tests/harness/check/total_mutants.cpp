@@ -38,7 +38,6 @@ enum Defect : int {
   turned_back,
   of_mid_step,
   unsigned_volume,
-  kirchhoff_as_cauchy,
   defects
 };
 
@@ -114,8 +113,6 @@ Tensor cauchy_of(const Model& m, const Tensor& F) {
     case finite_of_nan:
       if (!sigma.allFinite()) sigma.setZero();
       break;
-    case kirchhoff_as_cauchy:
-      return F.determinant() * sigma;
     case prestressed:
       sigma += 1e-2 * m.mu * F * F.transpose() / F.determinant();
       break;
@@ -257,8 +254,7 @@ std::vector<Subject> total_subjects() {
       {"prestressed", prestressed, stress_at_rest},
       {"turned_back", turned_back, wrong_spin},
       {"of_mid_step", of_mid_step, undeclared_increment},
-      {"unsigned_volume", unsigned_volume, not_a_number},
-      {"kirchhoff_as_cauchy", kirchhoff_as_cauchy, dissipation}};
+      {"unsigned_volume", unsigned_volume, not_a_number}};
   std::vector<Subject> subjects;
   for (const auto& [name, defect, cause] : list) {
     const bool has_both = defect == none || (defect >= transposed_tangent && defect <= doubled_energy);
