@@ -98,9 +98,11 @@ TEST(MethodsReport, TextFitsEightyColumnsAndShowsWhatFails) {
     EXPECT_EQ(text.find("holes") != std::string::npos, verbosity == Verbosity::verbose);
   }
   const std::string text = methods_text(broken(), Verbosity::normal);
-  EXPECT_NE(text.find("cpdi/flip/usl     rotation.displacement  FAIL     infinite   0.004     0\n"), std::string::npos)
+  EXPECT_NE(text.find("cpdi/flip/usl       rotation.displacement  FAIL     infinite   0.004     0\n"),
+            std::string::npos)
       << text;
-  EXPECT_NE(text.find("cpdi/flip/usl     stress.jittered        n/a      0.48       -         -\n"), std::string::npos)
+  EXPECT_NE(text.find("cpdi/flip/usl       stress.jittered        n/a      0.48       -         -\n"),
+            std::string::npos)
       << text;
 }
 
