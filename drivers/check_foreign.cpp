@@ -22,6 +22,22 @@ std::optional<ForeignModel> foreign_of(const ResolvedMaterial& material) {
   return read_description(material.description).foreign;
 }
 
+/// The test of that id, where it fails; null otherwise.
+check::TestResult* failed_test(check::Report& report, const char* id) {
+  const auto test = std::find_if(report.tests.begin(), report.tests.end(), [&](const check::TestResult& each) {
+    return each.id == id && each.verdict == check::Verdict::fail;
+  });
+  return test == report.tests.end() ? nullptr : &*test;
+}
+
+/// Another sentence, in the diagnosis too.
+void say_instead(check::Report& report, check::TestResult& test, const std::string& sentence) {
+  for (check::Diagnosis& diagnosis : report.diagnosis) {
+    if (diagnosis.sentence == test.sentence) diagnosis = {test.cause, sentence};
+  }
+  test.sentence = sentence;
+}
+
 /// Whether the tangent passes with that description.
 bool passes_with(const ForeignModel& model, const ResolvedMaterial& material, const check::Effort& effort) {
   try {
@@ -83,10 +99,8 @@ check::Declarations declarations_of(const ResolvedMaterial& material) {
 }
 
 void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& report) {
-  const auto test = std::find_if(report.tests.begin(), report.tests.end(), [](const check::TestResult& each) {
-    return each.id == tangent_test && each.verdict == check::Verdict::fail;
-  });
-  if (test == report.tests.end()) return;
+  check::TestResult* const test = failed_test(report, tangent_test);
+  if (!test) return;
   std::optional<ForeignModel> model = foreign_of(material);
   if (!model || model->interface != ForeignInterface::umat) return;
   const std::string before = test->sentence;
@@ -100,25 +114,17 @@ void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& repo
   model->finite_strain = !model->finite_strain;
   if (!passes_with(*model, material, report.effort)) return;
   test->cause = check::causes::tangent_convention;
-  test->sentence = other_strain_words(*model);
-  for (check::Diagnosis& diagnosis : report.diagnosis) {
-    if (diagnosis.sentence == before) diagnosis = {test->cause, test->sentence};
-  }
+  say_instead(report, *test, other_strain_words(*model));
 }
 
 void tell_initial_values(const ResolvedMaterial& material, check::Report& report) {
-  const auto loading = std::find_if(report.tests.begin(), report.tests.end(), [](const check::TestResult& each) {
-    return each.id == "loading" && each.verdict == check::Verdict::fail;
-  });
-  const std::string names = loading == report.tests.end() ? "" : tensor_without_initial_value(material);
-  if (names.empty()) return;
-  const std::string before = loading->sentence;
-  loading->sentence += "; " + names +
-                       " of its state begins at zero, where its description may say otherwise: state: {" + names +
-                       ": {initial: [1, 1, 1, 0, 0, 0, 0, 0, 0]}}";
-  for (check::Diagnosis& diagnosis : report.diagnosis) {
-    if (diagnosis.sentence == before) diagnosis.sentence = loading->sentence;
-  }
+  check::TestResult* const loading = failed_test(report, "loading");
+  const std::string name = loading ? tensor_without_initial_value(material) : "";
+  if (name.empty()) return;
+  say_instead(report, *loading,
+              loading->sentence + "; " + name +
+                  " of its state begins at zero, where its description may say otherwise: state: {" + name +
+                  ": {initial: [1, 1, 1, 0, 0, 0, 0, 0, 0]}}");
 }
 
 }  // namespace assay::drivers
