@@ -7,6 +7,7 @@
 #include "harness/check/arrays.hpp"
 #include "harness/check/calls.hpp"
 #include "harness/check/constant_rotation.hpp"
+#include "harness/check/continuity.hpp"
 #include "harness/check/derivatives.hpp"
 #include "harness/check/diagnosis.hpp"
 #include "harness/check/dissipation.hpp"
@@ -14,6 +15,7 @@
 #include "harness/check/extensions.hpp"
 #include "harness/check/initial_stress.hpp"
 #include "harness/check/loading.hpp"
+#include "harness/check/memory.hpp"
 #include "harness/check/repeated_stretch.hpp"
 #include "harness/check/rest.hpp"
 #include "harness/check/rotation.hpp"
@@ -76,6 +78,8 @@ std::vector<Entry> entries() {
       {"stretches.turning", causes::repeated_stretch, plain(rotation_at_equal_stretches)},
       {"initial_stress", nullptr, plain(initial_stress)},
       {"step_halving", nullptr, plain(step_halving)},
+      {"jumps", nullptr, plain(jumps)},
+      {"memory", nullptr, plain(memory)},
       {"tangent", nullptr, plain(tangent)},
       {"energy", nullptr, plain(energy)},
       {"rate", nullptr, plain(rate_form)},

@@ -141,6 +141,8 @@ const std::vector<std::string>& all_causes() {
                                             causes::initial_stress,
                                             causes::drifts,
                                             causes::no_convergence,
+                                            causes::jump,
+                                            causes::forgotten,
                                             causes::energy,
                                             causes::rate_form,
                                             causes::wave_speed,

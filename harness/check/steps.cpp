@@ -26,54 +26,6 @@ Tensor stress_after(const Specimen& specimen, int steps, double length, double b
 
 namespace {
 
-/// Stress after one step from rest.
-Tensor stress_at_once(const Specimen& specimen, const Tensor& F) {
-  return stepped(*specimen.material, 0, 1, Tensor::Identity(), F, specimen.rest_state()).cauchy;
-}
-
-/// The largest amplitude at which the material takes a loading at once; 0 where there is none.
-double amplitude_at_once(const Specimen& specimen, double s) {
-  constexpr double least = 1e-6;
-  for (double amplitude = specimen.amplitude; amplitude > least; amplitude *= 0.5) {
-    try {
-      stress_at_once(specimen, specimen.space.turn(s) * specimen.space.stretch(amplitude, s));
-      return amplitude;
-    } catch (const MaterialFailure&) {
-    }
-  }
-  return 0;
-}
-
-}  // namespace
-
-TestResult continuity(const Specimen& specimen) {
-  constexpr double most = 1e-4, per_change = 1e3;
-  TestResult result{.id = "continuity", .threshold = most};
-  const Space space = specimen.space;
-  double worst = 0, at = 0;
-  for (const double s : {0.11, 0.23, 0.37}) {
-    const double amplitude = amplitude_at_once(specimen, s);
-    if (amplitude == 0) continue;
-    const Tensor F = space.turn(s) * space.stretch(amplitude, s);
-    const Tensor expected = stress_at_once(specimen, F);
-    const double scale = std::max(expected.cwiseAbs().maxCoeff(), specimen.least_stress());
-    for (const double change : {1e-14, 1e-12, 1e-10, 1e-8}) {
-      const double error = distance(stress_at_once(specimen, F + change * space.stretch(1, s)), expected) / scale;
-      const double excess = error - per_change * change / amplitude;
-      if (!(excess <= worst)) worst = std::isfinite(excess) ? excess : INFINITY, at = change;
-    }
-  }
-  result.measure = worst;
-  result.verdict = worst <= most ? Verdict::pass : Verdict::fail;
-  if (result.verdict == Verdict::fail) result.cause = causes::no_convergence;
-  result.sentence = worst <= most ? "the stress follows F without jumps"
-                                  : "a change of F by " + rounded(at) + " changes the stress by " + rounded(worst) +
-                                        " of itself: it is no continuous function of F";
-  return result;
-}
-
-namespace {
-
 /// Stresses at the quarters of the way - one of them alone may agree with others by chance - over the largest deviator:
 /// a pressure may be many times what flow and hardening bring.
 std::vector<Tensor> relative_stresses(const Specimen& specimen, int steps) {

@@ -6,9 +6,6 @@
 
 namespace assay::check {
 
-/// A change of F in its last digits changes the stress no more than that.
-TestResult continuity(const Specimen& specimen);
-
 /// N, 2N, 4N, 8N steps along one path approach each other. Correct but first order in the step is no defect.
 TestResult step_halving(const Specimen& specimen);
 

@@ -21,17 +21,22 @@ enum Defect : int {
   forgets_by_the_call,
   stiffer_in_unloading,
   ignores_initial_stress,
+  adds_to_the_first,
   defects
 };
 
 struct Damage {
   static constexpr std::size_t state_size = 1;  // largest energy
+  static constexpr double first = 1;            // [J/m^3], of adds_to_the_first
   double mu, lambda, scale;
   int defect;
 
   explicit Damage(const double* p) : mu(p[0]), lambda(p[1]), scale(p[2]), defect(static_cast<int>(p[3])) {}
 
-  bool rest(const Tensor& cauchy, double*) const { return defect == ignores_initial_stress || cauchy.isZero(0); }
+  bool rest(const Tensor& cauchy, double* state) const {
+    if (defect == adds_to_the_first) state[0] = first;
+    return defect == ignores_initial_stress || cauchy.isZero(0);
+  }
 
   double undamaged(const Tensor& F) const {
     const double ln_J = std::log(F.determinant());
@@ -51,7 +56,8 @@ struct Damage {
     if (defect == heals) largest = W;
     if (defect == forgets_by_the_call) largest = W + 0.9 * (largest - W);
     if (defect == static_maximum) largest = statics.largest = std::max(statics.largest, W);
-    state1[0] = largest;
+    if (defect == adds_to_the_first) largest = first;
+    state1[0] = defect == adds_to_the_first ? first + std::abs(W - undamaged(step.F0)) : largest;
     const Tensor sigma =
         (lambda * std::log(J) * Tensor::Identity() + mu * (F * F.transpose() - Tensor::Identity())) / J;
     const double kept = defect == stiffer_in_unloading ? 2 - left(std::max(0.0, largest - W)) : left(largest);
@@ -105,7 +111,9 @@ std::vector<Subject> damage_subjects() {
     t.extension = nullptr;
     return t;
   }();
-  add(all, &unmeasured, {{"stiffer_in_unloading", stiffer_in_unloading, dissipation}});
+  add(all, &unmeasured,
+      {{"stiffer_in_unloading", stiffer_in_unloading, dissipation},
+       {"adds_to_the_first", adds_to_the_first, forgotten}});
   return all;
 }
 

@@ -15,6 +15,7 @@ enum Defect : int {
   left_in_reference,
   own_direction,
   stretch_of_the_other,
+  slack_at_once,
   defects
 };
 
@@ -49,6 +50,8 @@ struct Fibres {
       for (int i = 0; i < 3; ++i) state1[at + i] = kept(i);
       if (at == 0) first = a.squaredNorm();
       const double stretch = defect == stretch_of_the_other ? first : a.squaredNorm();
+      constexpr double slack = 1.01;  // where the stress along the fibre is not zero
+      if (defect == slack_at_once && stretch < slack) continue;
       tau += stiffness * (stretch - 1) * along * along.transpose();
     }
     return tau / J;
@@ -106,6 +109,7 @@ std::vector<Subject> fibre_subjects() {
   }();
   add(all, &unmeasured, {{"fibre_of_another_without_energy", stretch_of_the_other, dissipation}},
       {{"stiffness", 2000}});
+  add(all, &unmeasured, {{"fibre_slack_at_once", slack_at_once, jump}});
   return all;
 }
 
