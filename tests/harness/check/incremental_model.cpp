@@ -92,6 +92,7 @@ Tensor take(Model& m, const Step& step, Tensor& stress, Tensor& back, double& p)
     const Tensor turned = k.rotation * A * k.rotation.transpose();
     return m.defect == swapped_rotation ? exchanged(turned) : turned;
   };
+  if (m.defect == yields_as_at_first) p = worked;
   if (m.defect == hidden_stress) stress = read(m.kept, 1, 0);
   if (m.defect == hardens_by_the_step && p > 0) p += 2e-3;
   if (m.defect == saved_by_point && step.t > 0) stress = statics.of_point.try_emplace(step.point, stress).first->second;

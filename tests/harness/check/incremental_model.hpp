@@ -55,9 +55,11 @@ enum Defect : int {
   rotation_of_F,
   infinite_first_slope,
   back_stress_feeds_itself,
+  yields_as_at_first,
   defects
 };
 
+constexpr double worked = 0.02;  ///< p at first, of yields_as_at_first
 constexpr std::size_t stress_at = 0, back_at = 9, p_at = 18, state_size = 19;
 
 struct Model {

@@ -18,6 +18,7 @@ std::int32_t initial_state(void* self, std::size_t n, const double* cauchy, doub
     if (m.defect == drops_initial_stress) sigma.setZero();
     if (m.defect == initial_stress_in_another_order) sigma = exchanged(sigma);
     write(sigma, state, n, q, stress_at);
+    if (m.defect == yields_as_at_first) state[p_at * n + q] = worked;
   }
   return ASSAY_GOOD;
 }
@@ -54,6 +55,7 @@ std::vector<Subject> incremental_subjects() {
                         {"logarithmic", logarithmic, ""},
                         {"exponential_spin", exponential_spin, ""},
                         {"two_half_rotations", two_half_rotations, ""},
+                        {"yields_as_at_first", yields_as_at_first, forgotten},
                         {"no_rotation", no_rotation, rotation_missing},
                         {"opposite_spin", opposite_spin, wrong_spin},
                         {"half_spin", half_spin, wrong_spin},

@@ -38,6 +38,7 @@ enum Defect : int {
   turned_back,
   of_mid_step,
   unsigned_volume,
+  stiffer_at_once,
   defects
 };
 
@@ -94,6 +95,9 @@ Tensor cauchy_of(const Model& m, const Tensor& F) {
       const Tensor e = 0.5 * (F + F.transpose()) - I;
       return m.lambda * e.trace() * I + 2 * m.mu * e;
     }
+    case stiffer_at_once:
+      if (F.squaredNorm() > 3.05) sigma += 0.1 * m.mu * (F * F.transpose() - I);
+      break;
     case fixed_axis:
       sigma(0, 0) += 0.3 * m.mu * (F.determinant() - 1 + (F * F.transpose()).trace() - 3);
       break;
@@ -254,7 +258,8 @@ std::vector<Subject> total_subjects() {
       {"prestressed", prestressed, stress_at_rest},
       {"turned_back", turned_back, wrong_spin},
       {"of_mid_step", of_mid_step, undeclared_increment},
-      {"unsigned_volume", unsigned_volume, not_a_number}};
+      {"unsigned_volume", unsigned_volume, not_a_number},
+      {"stiffer_at_once", stiffer_at_once, jump}};
   std::vector<Subject> subjects;
   for (const auto& [name, defect, cause] : list) {
     const bool has_both = defect == none || (defect >= transposed_tangent && defect <= doubled_energy);
