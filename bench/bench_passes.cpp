@@ -21,7 +21,7 @@ Setup<2> vortex(Basis basis, int across) {
   const Vortex motion;
   const double h = (motion.outer - motion.inner) / across;
   const std::array<double, 2> lower{-motion.outer, -motion.outer}, upper{motion.outer, motion.outer};
-  setup.basis = basis;
+  setup.method.basis = basis;
   setup.grid = grid_around(lower, upper, h, 4);
   setup.seeds = cartesian_lattice(lower, upper, h, {2, 2}, [&](const auto& X) {
     return motion.moves({X[0], X[1], 0}) ? Fate::stepped : Fate::absent;

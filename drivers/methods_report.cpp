@@ -24,16 +24,15 @@ std::string order_text(const std::optional<double>& order) {
   return order ? rounded_text(std::round(10 * *order) / 10 + 0.0, 3) : "-";
 }
 
-std::string row(const std::string& method, const std::string& id, const std::string& verdict,
-                const std::string& measure, const std::string& threshold, const std::string& order) {
-  return table_line(padded(method, 20) + padded(id, 23) + padded(verdict, 9) + padded(measure, 11) +
-                    padded(threshold, 10) + order);
+std::string row(const std::string& id, const std::string& verdict, const std::string& measure,
+                const std::string& threshold, const std::string& order) {
+  return table_line("  " + padded(id, 25) + padded(verdict, 9) + padded(measure, 11) + padded(threshold, 10) + order);
 }
 
 std::string rows_of(const mpm::MethodReport& report, Verbosity verbosity) {
-  std::string page;
+  std::string page = name_of(report.method) + "\n";
   for (const TestResult& test : report.tests) {
-    page += row(name_of(report.method), test.id, test.verdict == Verdict::fail ? "FAIL" : verdict_name(test.verdict),
+    page += row(test.id, test.verdict == Verdict::fail ? "FAIL" : verdict_name(test.verdict),
                 measured_text(test.measure), measured_text(test.threshold), order_text(test.order));
     if (verbosity == Verbosity::verbose || test.verdict == Verdict::fail)
       page += wrapped(test.sentence, "    ", "    ");
@@ -98,7 +97,7 @@ bool CheckedMethods::passes() const {
 std::string methods_text(const CheckedMethods& checked, Verbosity verbosity) {
   std::string page;
   if (verbosity != Verbosity::quiet) {
-    page += row("method", "test", "verdict", "measured", "at most", "order");
+    page += row("test", "verdict", "measured", "at most", "order");
     for (const auto& report : checked.methods) page += rows_of(report, verbosity);
     page += "\n" + reasons(checked);
   }

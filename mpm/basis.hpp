@@ -7,6 +7,7 @@
 //                             edges along the axes, or Dim x Dim row-major whose column d is half edge d [m]
 //   scatter<K, G>(p, A, B, f) adds w_i A + (0, B grad w_i) to each node i: A has K components, B acts on the last G
 //   gather<K, G>(p, f, v, g)  v = sum_i w_i f_i (K components), g = sum_i f_i (x) grad w_i of the first G of them
+//   each_node(p, visit)       visit(i, w_i, r_i) with r_i = x_i - sum_j w_j x_j, where nodes may come in parts
 // where w_i is phi_ip, the weight of node i for particle p, and grad w_i its gradient [1/m].
 #pragma once
 
@@ -79,6 +80,18 @@ struct Locator {
     return inside;
   }
 };
+
+/// Cell coordinates of a node [h], from the local grid's first node.
+template <int Dim>
+Vec<Dim> coordinates_of(const Locator<Dim>& locator, std::int32_t node) {
+  Vec<Dim> along{};
+  for (std::size_t d = Dim; d-- > 0;) {
+    const std::int32_t at = node / locator.stride[d];
+    node -= at * locator.stride[d];
+    along[d] = at;
+  }
+  return along;
+}
 
 /// The 2^Dim weights of a cell's corners at a fraction, first direction fastest.
 template <int Dim>

@@ -105,6 +105,27 @@ class CpdiBasis {
     }
   }
 
+  template <class Visitor>
+  void each_node(std::size_t p, Visitor&& visitor) const {
+    const Weights& w = weights_[p];
+    std::array<Vec<Dim>, corners> cell;
+    Vec<Dim> middle{};
+    for (std::size_t c = 0; c < corners; ++c) {
+      cell[c] = coordinates_of(locator_, w.node[c]);
+      for (std::size_t d = 0; d < Dim; ++d) middle[d] += share * (cell[c][d] + w.fraction[c][d]);
+    }
+    for (std::size_t c = 0; c < corners; ++c) {
+      const auto N = multilinear<Dim>(w.fraction[c]);
+      for (std::size_t n = 0; n < corners; ++n) {
+        Vec<Dim> r;
+        for (std::size_t d = 0; d < Dim; ++d) {
+          r[d] = (cell[c][d] + ((n >> d & 1) ? 1 : 0) - middle[d]) / locator_.inverse_spacing;
+        }
+        visitor(static_cast<std::size_t>(w.node[c] + offsets_[n]), share * N[n], r);
+      }
+    }
+  }
+
  private:
   struct Weights {
     std::array<Vec<Dim>, corners> fraction;

@@ -38,6 +38,37 @@ class SeparableBasis {
     });
   }
 
+  template <class Visitor>
+  void each_node(std::size_t p, Visitor&& visitor) const {
+    const Weights& w = weights_[p];
+    std::array<std::array<double, Width>, Dim> r;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      double middle = 0;
+      for (std::size_t i = 0; i < Width; ++i) middle += w.value[d][i] * static_cast<double>(i);
+      for (std::size_t i = 0; i < Width; ++i) {
+        r[d][i] = (static_cast<double>(i) - middle) / locator_.inverse_spacing;
+      }
+    }
+    const auto base = static_cast<std::size_t>(w.node);
+    const auto& v = w.value;
+    if constexpr (Dim == 2) {
+      for (std::size_t j = 0; j < Width; ++j) {
+        for (std::size_t i = 0; i < Width; ++i) {
+          visitor(base + i + j * stride(1), v[0][i] * v[1][j], Vec<2>{r[0][i], r[1][j]});
+        }
+      }
+    } else {
+      for (std::size_t k = 0; k < Width; ++k) {
+        for (std::size_t j = 0; j < Width; ++j) {
+          for (std::size_t i = 0; i < Width; ++i) {
+            visitor(base + i + j * stride(1) + k * stride(2), v[0][i] * v[1][j] * v[2][k],
+                    Vec<3>{r[0][i], r[1][j], r[2][k]});
+          }
+        }
+      }
+    }
+  }
+
  protected:
   struct Weights {
     std::array<std::array<double, Width>, Dim> value, slope;

@@ -20,11 +20,12 @@ enum class Column {
   deformation_gradient,
   stress,
   velocity_gradient,
+  affine,
   body_force,
   weights,
   history,
 };
-inline constexpr std::size_t column_count = 12;
+inline constexpr std::size_t column_count = 13;
 
 struct ColumnInfo {
   std::string_view name;
@@ -43,7 +44,8 @@ constexpr ColumnInfo info(Column column) {
       {"domain", "m", "half edges of the reference domain, where they differ"},
       {"deformation_gradient", "1", "F, in-plane components"},
       {"stress", "Pa", "Cauchy stress, in-plane components and 33"},
-      {"velocity_gradient", "1/s", "L of the step"},
+      {"velocity_gradient", "1/s", "L of the step; dF/dt in the total formulation"},
+      {"affine", "mixed", "velocity around the particle: its gradient, or its first moment"},
       {"body_force", "m/s^2", "b of the exact motion"},
       {"weights", "1", "nodes, weights and gradients of the step"},
       {"history", "mixed", "state variables of the material, begin and end of the step"},

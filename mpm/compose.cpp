@@ -3,9 +3,12 @@
 
 #include <algorithm>
 
+#include "mpm/affine.hpp"
 #include "mpm/bases.hpp"
 #include "mpm/material_batch.hpp"
+#include "mpm/passes_affine.hpp"
 #include "mpm/passes_grid.hpp"
+#include "mpm/passes_mass.hpp"
 #include "mpm/passes_particle.hpp"
 #include "mpm/passes_to_grid.hpp"
 #include "mpm/passes_to_particles.hpp"
@@ -44,7 +47,8 @@ template <class B, int Dim>
 std::vector<Pass<Dim>> compose_with(const Setup<Dim>& setup) {
   std::vector<Pass<Dim>> step;
   const auto add = [&](Pass<Dim> pass) { step.push_back(std::move(pass)); };
-  const auto add_held = [&](Reaction reaction) {
+  const Method& method = setup.method;
+  const auto add_held = [&](const Reaction& reaction) {
     if (setup.hold_outside) add(hold_nodes_pass<Dim>(reaction));
   };
   const bool body_force = Dim == 2 && setup.body_force;  // the vortex's lives in the plane
@@ -53,25 +57,33 @@ std::vector<Pass<Dim>> compose_with(const Setup<Dim>& setup) {
   };
   const auto add_gradient_and_stress = [&] {
     add(grid_velocity_pass<Dim>());
-    add_held(Reaction::none);
+    add_held({});
     add(velocity_gradient_pass<B, Dim>());
   };
   if constexpr (Dim == 2) {
     if (body_force) add(body_force_pass<Dim>(setup.evaluation));
     if (body_force && setup.frame && setup.frame->spin != 0) add(moving_frame_pass<Dim>(setup.evaluation));
   }
-  add(weights_pass<B, Dim>(!setup.seeds.half_edges.empty()));
-  add(particles_to_grid_pass<B, Dim>(setup.hold_outside));
-  if (setup.update == Update::usf) {
+  add(weights_pass<B, Dim>(method.formulation, !setup.seeds.half_edges.empty()));
+  if (method.is_affine() && method.affine == Affine::moment) add(first_affine_moment_pass<B, Dim>());
+  add(particles_to_grid_pass<B, Dim>(method, setup.hold_outside));
+  if (method.update == Update::usf) {
     add_gradient_and_stress();
     add(stress_of(setup));
   }
-  add(force_pass<B, Dim>(body_force));
-  add(grid_update_pass<Dim>());
-  add_held(setup.transfer == Transfer::flip ? Reaction::of_acceleration : Reaction::of_velocity);
-  add(grid_to_particles_pass<B, Dim>(setup.transfer, setup.update == Update::usl, setup.accounts && body_force));
-  if (setup.update == Update::musl) {
-    Pass<Dim> again = particles_to_grid_pass<B, Dim>(setup.hold_outside);
+  add(force_pass<B, Dim>(method.formulation, body_force));
+  if (method.is_lumped()) {
+    add(grid_update_pass<Dim>());
+    add_held(reaction_of(method));
+  } else {
+    add(mass_matrix_pass<B, Dim>(method));
+  }
+  add(grid_to_particles_pass<B, Dim>(method, method.update == Update::usl, setup.accounts && body_force));
+  if (method.is_affine() && affine_column(method) == Column::affine) {
+    add(affine_pass<B, Dim>(method, method.update == Update::usl));
+  }
+  if (method.update == Update::musl) {
+    Pass<Dim> again = particles_to_grid_pass<B, Dim>(method, setup.hold_outside);
     again.name = "particles_to_grid_again";
     again.doc = "nodal momentum from the updated particle velocities (MUSL)";
     again.called_for_by = "method.update";
@@ -79,7 +91,7 @@ std::vector<Pass<Dim>> compose_with(const Setup<Dim>& setup) {
     add_gradient_and_stress();
   }
   add_accounts();
-  if (setup.update != Update::usf) add(stress_of(setup));
+  if (method.update != Update::usf) add(stress_of(setup));
   return step;
 }
 
@@ -87,7 +99,8 @@ std::vector<Pass<Dim>> compose_with(const Setup<Dim>& setup) {
 
 template <int Dim>
 std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
-  return with_basis<Dim>(setup.basis, [&](auto tag) { return compose_with<typename decltype(tag)::type, Dim>(setup); });
+  return with_basis<Dim>(setup.method.basis,
+                         [&](auto tag) { return compose_with<typename decltype(tag)::type, Dim>(setup); });
 }
 
 template <int Dim>
@@ -104,18 +117,19 @@ std::size_t bytes_of(Column column, const Setup<Dim>& setup) {
       return doubles(Dim);
     case Column::deformation_gradient:
     case Column::velocity_gradient:
+    case Column::affine:
       return doubles(tensor_components<Dim>);
     case Column::stress:
       return doubles(stress_components<Dim>);
     case Column::history:
       return history_bytes(setup.material->state_size());
     case Column::domain:
-      return with_basis<Dim>(setup.basis,
+      return with_basis<Dim>(setup.method.basis,
                              [](auto tag) { return decltype(tag)::type::domain_components * sizeof(double); });
     case Column::weights:
       break;
   }
-  return with_basis<Dim>(setup.basis, [](auto tag) { return decltype(tag)::type::bytes; });
+  return with_basis<Dim>(setup.method.basis, [](auto tag) { return decltype(tag)::type::bytes; });
 }
 
 template <int Dim>
@@ -139,7 +153,8 @@ std::vector<ColumnUse> columns_of(const std::vector<Pass<Dim>>& passes, const Se
 template <int Dim>
 std::size_t grid_bytes_per_node(const Setup<Dim>& setup) {
   const std::size_t fields = (Dim + 1) + Dim + 2 * Dim;  // inertia, force, motion
-  return (fields + (setup.hold_outside ? 1 : 0)) * sizeof(double);
+  const std::size_t of_matrix = solver_fields(setup.method) * Dim;
+  return (fields + of_matrix + (setup.hold_outside ? 1 : 0)) * sizeof(double);
 }
 
 template std::vector<Pass<2>> compose(const Setup<2>&);

@@ -5,8 +5,13 @@ namespace assay::mpm {
 
 /// A step in time.
 struct Instant {
-  double t = 0;   ///< at the beginning of the step [s]
-  double dt = 0;  ///< [s]
+  double t = 0;     ///< at the beginning of the step [s]
+  double dt = 0;    ///< over which the body moves [s]
+  double kick = 0;  ///< over which forces act [s]
+
+  Instant() = default;
+  Instant(double begin, double length) : Instant(begin, length, length) {}
+  Instant(double begin, double length, double of_forces) : t(begin), dt(length), kick(of_forces) {}
 };
 
 }  // namespace assay::mpm

@@ -26,6 +26,7 @@ StressColumns<Dim> columns_of(State<Dim>& s) {
     columns.stress[static_cast<std::size_t>(c)] = s.column(Column::stress, c);
   }
   for (std::size_t end : {0, 1}) columns.history[end] = s.history[end].data();
+  columns.rate_of_F = s.setup.method.is_total();
   return columns;
 }
 

@@ -19,6 +19,7 @@ struct PassInfo {
   std::string called_for_by;  ///< scene key
   std::vector<Column> reads, writes;
   std::vector<std::string> grid_fields;  ///< that it touches
+  bool once = false;                     ///< before the first step alone
 };
 
 using Kernel = std::function<void(const Instant&)>;

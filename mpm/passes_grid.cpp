@@ -47,7 +47,7 @@ Pass<Dim> grid_update_pass() {
         const double inverse = 1 / inertia[0];
         for (std::size_t d = 0; d < Dim; ++d) {
           motion[Dim + d] = force[d] * inverse;
-          motion[d] = inertia[1 + d] * inverse + now.dt * motion[Dim + d];
+          motion[d] = inertia[1 + d] * inverse + now.kick * motion[Dim + d];
         }
       }
     };
@@ -56,22 +56,22 @@ Pass<Dim> grid_update_pass() {
 }
 
 template <int Dim>
-void hold_nodes(State<Dim>& s, Reaction reaction, double dt) {
-  const std::size_t offset = reaction == Reaction::of_acceleration ? Dim : 0;
-  const double scale = reaction == Reaction::of_acceleration ? dt : 1;
+void hold_nodes(State<Dim>& s, Reaction reaction, double kick) {
   std::array<double, Dim> taken{};
+  const auto gained = [&](const double* motion, std::size_t d) {
+    return reaction.of_velocity * motion[d] + reaction.of_acceleration * kick * motion[Dim + d];
+  };
   for (const std::uint32_t i : s.held_nodes) {
     double* motion = s.motion.node(i);
     for (std::size_t d = 0; d < Dim; ++d) {
-      taken[d] += s.inertia.node(i)[0] * motion[offset + d];
+      taken[d] += s.inertia.node(i)[0] * gained(motion, d);
       motion[d] = motion[Dim + d] = 0;
     }
   }
-  if (reaction == Reaction::none) return;
   for (std::size_t i = 0; i < s.held_mass.size(); ++i) {
-    for (std::size_t d = 0; d < Dim; ++d) taken[d] += s.held_mass[i] * s.motion.node(i)[offset + d];
+    for (std::size_t d = 0; d < Dim; ++d) taken[d] += s.held_mass[i] * gained(s.motion.node(i), d);
   }
-  for (std::size_t d = 0; d < Dim; ++d) s.ledger.impulse[d] -= scale * taken[d];
+  for (std::size_t d = 0; d < Dim; ++d) s.ledger.impulse[d] -= taken[d];
 }
 
 template <int Dim>
@@ -82,7 +82,7 @@ Pass<Dim> hold_nodes_pass(Reaction reaction) {
   pass.called_for_by = "body.outside";
   pass.grid_fields = {"mass", "velocity", "acceleration"};
   pass.bind = [reaction](State<Dim>& s) -> Kernel {
-    return [&s, reaction](const Instant& now) { hold_nodes(s, reaction, now.dt); };
+    return [&s, reaction](const Instant& now) { hold_nodes(s, reaction, now.kick); };
   };
   return pass;
 }

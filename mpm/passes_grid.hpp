@@ -14,10 +14,17 @@ Pass<Dim> grid_velocity_pass();
 template <int Dim>
 Pass<Dim> grid_update_pass();
 
-/// What holding takes from the particles' momentum. None: the velocities serve gradients alone. PIC particles take the
-/// nodes' velocities: sum m_i v_i over held nodes; FLIP ones the accelerations: sum m_i dt a_i. On the other nodes it
-/// is what they give to the mass of particles that never move.
-enum class Reaction { none, of_velocity, of_acceleration };
+/// What holding takes from the particles' momentum, where nodes have lumped masses. PIC particles take the nodes'
+/// velocities: sum m_i v_i over held nodes; FLIP ones the accelerations: sum m_i dt a_i; blends a share of each; none
+/// where the velocities serve gradients alone. On the other nodes it is what they give to the mass of particles that
+/// never move.
+struct Reaction {
+  double of_velocity = 0, of_acceleration = 0;
+};
+inline Reaction reaction_of(const Method& method) {
+  const double kept = method.keeps_velocity() ? method.flip : 0;
+  return {1 - kept, kept};
+}
 
 /// v_i = a_i = 0 on nodes outside the ring; the reaction enters the momentum account.
 template <int Dim>

@@ -6,6 +6,7 @@
 
 #include "harness/domain_average.hpp"
 #include "harness/frame_force.hpp"
+#include "mpm/affine.hpp"
 #include "mpm/blocks.hpp"
 #include "mpm/lattice.hpp"
 #include "mpm/material_batch.hpp"
@@ -129,12 +130,14 @@ BlockSums sums_of_block(const State<Dim>& s, bool with_body_force, std::size_t b
       sums.torque += m * (s.column(Column::position, 0)[p] * s.column(Column::body_force, 1)[p] -
                           s.column(Column::position, 1)[p] * s.column(Column::body_force, 0)[p]);
     }
-    Mat<Dim> F;
-    double power = 0;  // sigma : L
+    Mat<Dim> F, L;
     for (int c = 0; c < Dim * Dim; ++c) {
       F[static_cast<std::size_t>(c)] = s.column(Column::deformation_gradient, c)[p];
-      power += s.column(Column::stress, c)[p] * s.column(Column::velocity_gradient, c)[p];
+      L[static_cast<std::size_t>(c)] = s.column(Column::velocity_gradient, c)[p];
     }
+    if (s.setup.method.is_total()) L = product<Dim>(L, inverse<Dim>(F));  // of dF/dt
+    double power = 0;                                                     // sigma : L
+    for (int c = 0; c < Dim * Dim; ++c) power += s.column(Column::stress, c)[p] * L[static_cast<std::size_t>(c)];
     sums.internal += s.column(Column::volume)[p] * determinant<Dim>(F) * power;
   }
   return sums;
@@ -163,8 +166,8 @@ Pass<Dim> accounts_pass(bool with_body_force) {
         (*blocks)[begin / block_size] = sums_of_block(s, with_body_force, begin, end);
       });
       for (const BlockSums& sums : *blocks) {
-        for (std::size_t d = 0; d < 3; ++d) s.ledger.impulse[d] += now.dt * sums.impulse[d];
-        s.ledger.angular_impulse += now.dt * sums.torque;
+        for (std::size_t d = 0; d < 3; ++d) s.ledger.impulse[d] += now.kick * sums.impulse[d];
+        s.ledger.angular_impulse += now.kick * sums.torque;
         s.ledger.internal_work += now.dt * sums.internal;
       }
       double grid_mass = 0;

@@ -6,16 +6,17 @@
 
 namespace assay::mpm {
 
-/// phi_ip and grad phi_ip of the step; finds particles outside the grid. domains_differ: each particle has its own.
+/// phi_ip and grad phi_ip of the step, or, in the reference configuration, of all steps; finds particles outside the
+/// grid. domains_differ: each particle has its own.
 template <class B, int Dim>
-Pass<Dim> weights_pass(bool domains_differ);
+Pass<Dim> weights_pass(Formulation formulation, bool domains_differ);
 
-/// m_i = sum phi_ip m_p, (m v)_i = sum phi_ip m_p v_p.
+/// m_i = sum phi_ip m_p, (m v)_i = sum phi_ip m_p (v_p [+ C_p r_i]), r_i from the particle to the node.
 template <class B, int Dim>
-Pass<Dim> particles_to_grid_pass(bool hold_outside);
+Pass<Dim> particles_to_grid_pass(const Method& method, bool hold_outside);
 
-/// f_i = - sum V_p sigma_p grad phi_ip [+ sum phi_ip m_p b_p], V_p = J V_0.
+/// f_i = - sum V_p sigma_p grad phi_ip [+ sum phi_ip m_p b_p], V_p = J V_0; total: V_0 P_p in place of V_p sigma_p.
 template <class B, int Dim>
-Pass<Dim> force_pass(bool with_body_force);
+Pass<Dim> force_pass(Formulation formulation, bool with_body_force);
 
 }  // namespace assay::mpm

@@ -7,15 +7,19 @@
 
 namespace assay::mpm {
 
+/// The particle's velocity after the step: the grid's, its own and what the grid gains, or a blend.
+enum class Velocity { of_grid, kept, blended };
+
 /// `power`, where it is wanted: sum of m b . v by block, v the grid's velocity at the particle. (The FLIP particle's
 /// own velocity is another one: with it the energy account would not close however short the step.)
-template <class B, bool Flip, bool Gradient, int Dim>
-void gather_motion(State<Dim>& s, const B& basis, double dt, std::vector<double>* power) {
+template <class B, Velocity Kind, bool Gradient, int Dim>
+void gather_motion(State<Dim>& s, const B& basis, const Instant& now, std::vector<double>* power) {
   const auto x = components<Dim>(s, Column::position);
   const auto v = components<Dim>(s, Column::velocity);
   std::array<double*, Dim * Dim> L{};
   if constexpr (Gradient) L = components<Dim * Dim>(s, Column::velocity_gradient);
   constexpr int G = Gradient ? Dim : 0;
+  [[maybe_unused]] const double flip = s.setup.method.flip;
   const double* mass = s.column(Column::mass);
   std::array<double*, Dim> b{};
   if (power) b = components<Dim>(s, Column::body_force);
@@ -31,8 +35,11 @@ void gather_motion(State<Dim>& s, const B& basis, double dt, std::vector<double>
       }
       double finite = 0;  // 0 times a number; not 0 where one of them is none
       for (std::size_t d = 0; d < Dim; ++d) {
-        x[d][p] += dt * motion[d];
-        v[d][p] = Flip ? v[d][p] + dt * motion[Dim + d] : motion[d];
+        x[d][p] += now.dt * motion[d];
+        const double kept = v[d][p] + now.kick * motion[Dim + d];
+        v[d][p] = Kind == Velocity::of_grid ? motion[d]
+                  : Kind == Velocity::kept  ? kept
+                                            : flip * kept + (1 - flip) * motion[d];
         finite += 0 * (x[d][p] + v[d][p]);
       }
       if constexpr (Gradient) {
@@ -43,7 +50,7 @@ void gather_motion(State<Dim>& s, const B& basis, double dt, std::vector<double>
     if (power) (*power)[begin / block_size] = sum;
   });
   if (power) {
-    for (const double sum : *power) s.ledger.external_work += dt * sum;
+    for (const double sum : *power) s.ledger.external_work += now.dt * sum;
   }
   if (const auto p = bad.found()) {
     s.finding = Finding{Finding::Kind::unstable, "a particle's position or velocity is not finite",
@@ -52,27 +59,42 @@ void gather_motion(State<Dim>& s, const B& basis, double dt, std::vector<double>
 }
 
 template <class B, int Dim>
-Pass<Dim> grid_to_particles_pass(Transfer transfer, bool with_velocity_gradient, bool with_work) {
+auto gather_of(Velocity kind, bool gradient) {
+  switch (kind) {
+    case Velocity::of_grid:
+      return gradient ? gather_motion<B, Velocity::of_grid, true, Dim>
+                      : gather_motion<B, Velocity::of_grid, false, Dim>;
+    case Velocity::kept:
+      return gradient ? gather_motion<B, Velocity::kept, true, Dim> : gather_motion<B, Velocity::kept, false, Dim>;
+    case Velocity::blended:
+      break;
+  }
+  return gradient ? gather_motion<B, Velocity::blended, true, Dim> : gather_motion<B, Velocity::blended, false, Dim>;
+}
+
+template <class B, int Dim>
+Pass<Dim> grid_to_particles_pass(const Method& method, bool with_velocity_gradient, bool with_work) {
   Pass<Dim> pass;
   pass.name = "grid_to_particles";
-  pass.doc = transfer == Transfer::flip ? "positions by grid velocity, velocities by grid acceleration (FLIP)"
-                                        : "positions and velocities by grid velocity (PIC)";
+  pass.doc = !method.keeps_velocity() ? "positions and velocities by grid velocity"
+             : method.flip == 1       ? "positions by grid velocity, velocities by grid acceleration"
+                                      : "positions by grid velocity, velocities by both";
   pass.called_for_by = "method.transfer";
   pass.reads = {Column::weights, Column::position};
-  if (transfer == Transfer::flip) pass.reads.push_back(Column::velocity);
+  if (method.keeps_velocity()) pass.reads.push_back(Column::velocity);
   if (with_work) pass.reads.insert(pass.reads.end(), {Column::mass, Column::body_force});
   pass.writes = {Column::position, Column::velocity};
   if (with_velocity_gradient) pass.writes.push_back(Column::velocity_gradient);
   pass.grid_fields = {"velocity", "acceleration"};
-  pass.bind = [transfer, with_velocity_gradient, with_work](State<Dim>& s) -> Kernel {
+  const Velocity kind = !method.keeps_velocity() ? Velocity::of_grid
+                        : method.flip == 1       ? Velocity::kept
+                                                 : Velocity::blended;
+  pass.bind = [kind, with_velocity_gradient, with_work](State<Dim>& s) -> Kernel {
     const B& basis = basis_of<B>(s);
-    const bool flip = transfer == Transfer::flip;
-    const auto gather = with_velocity_gradient
-                            ? (flip ? gather_motion<B, true, true, Dim> : gather_motion<B, false, true, Dim>)
-                            : (flip ? gather_motion<B, true, false, Dim> : gather_motion<B, false, false, Dim>);
+    const auto gather = gather_of<B, Dim>(kind, with_velocity_gradient);
     const auto power = std::make_shared<std::vector<double>>((s.particles + block_size - 1) / block_size);
     return [&s, &basis, gather, power, with_work](const Instant& now) {
-      gather(s, basis, now.dt, with_work ? power.get() : nullptr);
+      gather(s, basis, now, with_work ? power.get() : nullptr);
     };
   };
   return pass;
@@ -104,8 +126,8 @@ Pass<Dim> velocity_gradient_pass() {
   return pass;
 }
 
-#define ASSAY_PASSES(BASIS, DIM)                                                    \
-  template Pass<DIM> grid_to_particles_pass<BASIS<DIM>, DIM>(Transfer, bool, bool); \
+#define ASSAY_PASSES(BASIS, DIM)                                                         \
+  template Pass<DIM> grid_to_particles_pass<BASIS<DIM>, DIM>(const Method&, bool, bool); \
   template Pass<DIM> velocity_gradient_pass<BASIS<DIM>, DIM>();
 
 ASSAY_FOR_EACH_BASIS(ASSAY_PASSES)

@@ -6,10 +6,10 @@
 
 namespace assay::mpm {
 
-/// x += dt sum phi v_i; FLIP: v += dt sum phi a_i; PIC: v = sum phi v_i; [L = sum v_i (x) grad phi];
-/// [work of the body force into the ledger].
+/// x += dt sum phi v_i; FLIP, AFLIP: v += dt sum phi a_i; the others: v = sum phi v_i; or a blend of both;
+/// [L = sum v_i (x) grad phi]; [work of the body force into the ledger].
 template <class B, int Dim>
-Pass<Dim> grid_to_particles_pass(Transfer transfer, bool with_velocity_gradient, bool with_work);
+Pass<Dim> grid_to_particles_pass(const Method& method, bool with_velocity_gradient, bool with_work);
 
 /// L = sum v_i (x) grad phi_ip alone.
 template <class B, int Dim>

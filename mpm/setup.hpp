@@ -59,9 +59,7 @@ struct Seeds {
 /// The method and the effects that a scene calls for.
 template <int Dim>
 struct Setup {
-  Basis basis = Basis::cpdi;
-  Transfer transfer = Transfer::flip;
-  Update update = Update::usl;
+  Method method;
   GridGeometry<Dim> grid;
   Seeds<Dim> seeds;
   double density = 0;  ///< rho0 [kg/m^3]

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "mpm/affine.hpp"
+
 namespace assay::mpm {
 
 namespace {
@@ -12,6 +14,21 @@ template <int Dim>
 Vector3 initial_velocity(const Setup<Dim>& setup, const Vector3& X) {
   if (!setup.frame) return state_at(*setup.motion, X, 0).v;
   return setup.frame->seen(state_at(*setup.motion, setup.frame->body_point(X), 0), 0).v;
+}
+
+/// Central differences: exact to 1e-9 of the largest gradient, and the same for every motion and frame.
+template <int Dim>
+Mat<Dim> initial_velocity_gradient(const Setup<Dim>& setup, const Vector3& X) {
+  const double step = 1e-5 * setup.grid.spacing;
+  Mat<Dim> gradient;
+  for (int j = 0; j < Dim; ++j) {
+    Vector3 before = X, after = X;
+    before(j) -= step;
+    after(j) += step;
+    const Vector3 change = initial_velocity(setup, after) - initial_velocity(setup, before);
+    for (int i = 0; i < Dim; ++i) gradient[static_cast<std::size_t>(i * Dim + j)] = change(i) / (after(j) - before(j));
+  }
+  return gradient;
 }
 
 }  // namespace
@@ -26,6 +43,7 @@ Simulation<Dim>::Simulation(Setup<Dim> setup, const std::vector<Pass<Dim>>& pass
   if (state_.setup.hold_outside) hold_outside();
   for (const auto& pass : passes) {
     kernels_.push_back(pass.bind(state_));
+    once_.push_back(pass.once);
     PassTime time{pass.name, 0, 0};
     for (const auto* list : {&pass.reads, &pass.writes}) {
       for (const Column column : *list) time.bytes_per_particle += bytes_of(column, state_.setup);
@@ -74,6 +92,9 @@ void Simulation<Dim>::fill() {
     if (!s.setup.motion) continue;
     const Vector3 v = initial_velocity(s.setup, X);
     for (int d = 0; d < Dim; ++d) s.column(Column::velocity, d)[p] = v(d);
+    if (!s.setup.method.is_affine()) continue;
+    const Mat<Dim> C = initial_velocity_gradient(s.setup, X);
+    for (int c = 0; c < Dim * Dim; ++c) s.column(affine_column(s.setup.method), c)[p] = C[static_cast<std::size_t>(c)];
   }
 }
 
@@ -114,15 +135,19 @@ void Simulation<Dim>::hold_outside() {
 template <int Dim>
 const std::optional<Finding>& Simulation<Dim>::step(double t, double dt) {
   using Clock = std::chrono::steady_clock;
-  const Instant now{t, dt};
+  const bool staggered = state_.setup.method.integrator == Integrator::leapfrog;
+  const Instant now(t, dt, staggered && !begun_ ? 0.5 * dt : dt);
+  velocity_time_ = staggered ? t + 0.5 * dt : t + dt;
   auto before = Clock::now();
   for (std::size_t k = 0; k < kernels_.size(); ++k) {
+    if (once_[k] && begun_) continue;
     kernels_[k](now);
     const auto after = Clock::now();
     times_[k].seconds += std::chrono::duration<double>(after - before).count();
     before = after;
     if (state_.finding) break;
   }
+  begun_ = true;
   return state_.finding;
 }
 

@@ -28,6 +28,9 @@ class Simulation {
   /// One step from t to t + dt. A finding ends the run: the state is that of the pass which found it.
   const std::optional<Finding>& step(double t, double dt);
 
+  /// To which the particles' velocities belong after the last step [s].
+  double velocity_time() const { return velocity_time_; }
+
   State<Dim>& state() { return state_; }
   const State<Dim>& state() const { return state_; }
   const std::vector<PassTime>& times() const { return times_; }
@@ -40,6 +43,9 @@ class Simulation {
 
   State<Dim> state_;
   std::vector<Kernel> kernels_;
+  std::vector<bool> once_;  ///< of each kernel: before the first step alone
+  bool begun_ = false;
+  double velocity_time_ = 0;
   std::vector<PassTime> times_;
 };
 

@@ -39,10 +39,11 @@ struct State {
   Setup<Dim> setup;
   std::size_t particles;
   std::array<ColumnData, column_count> columns;
-  GridField<Dim + 1> inertia;     ///< mass, momentum
-  GridField<Dim> force;           ///< internal and body force [N]
-  GridField<2 * Dim> motion;      ///< velocity, acceleration
-  std::vector<double> held_mass;  ///< of particles that never move, a node; empty where nothing is held
+  GridField<Dim + 1> inertia;          ///< mass, momentum
+  GridField<Dim> force;                ///< internal and body force [N]
+  GridField<2 * Dim> motion;           ///< velocity, acceleration
+  std::vector<GridField<Dim>> solver;  ///< of a mass matrix that is not lumped
+  std::vector<double> held_mass;       ///< of particles that never move, a node; empty where nothing is held
   std::vector<std::uint32_t> held_nodes;
   std::array<ColumnData, 2> history;  ///< material state by block, [c * n + p]: begin and end of the step
   std::shared_ptr<void> basis;        ///< the weights of all particles; its type is known to the passes

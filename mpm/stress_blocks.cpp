@@ -21,7 +21,26 @@ constexpr std::size_t stress_row(int c) {
   return c < Dim * Dim ? row_of<Dim>(c) : 8;  // 33 comes last in plane strain
 }
 
-/// F <- (I + dt L) F of a block, F before and after as batches. The first particle whose det F is not positive.
+/// F of a particle after the step.
+template <int Dim>
+Mat<Dim> advanced(const std::array<double*, Dim * Dim>& F, const std::array<const double*, Dim * Dim>& L, std::size_t p,
+                  double dt, bool rate_of_F) {
+  Mat<Dim> now;
+  for (std::size_t i = 0; i < Dim; ++i) {
+    for (std::size_t j = 0; j < Dim; ++j) {
+      double rate = 0;
+      if (rate_of_F) {
+        rate = L[i * Dim + j][p];
+      } else {
+        for (std::size_t k = 0; k < Dim; ++k) rate += L[i * Dim + k][p] * F[k * Dim + j][p];
+      }
+      now[i * Dim + j] = F[i * Dim + j][p] + dt * rate;
+    }
+  }
+  return now;
+}
+
+/// F of a block after the step, F before and after as batches. The first particle whose det F is not positive.
 template <int Dim>
 std::optional<std::size_t> advance_deformation(const StressColumns<Dim>& columns, std::size_t begin, std::size_t n,
                                                double dt, BlockScratch<Dim>& scratch) {
@@ -36,14 +55,7 @@ std::optional<std::size_t> advance_deformation(const StressColumns<Dim>& columns
   }
   std::optional<std::size_t> inverted;
   for (std::size_t p = 0; p < n; ++p) {
-    Mat<Dim> now;
-    for (std::size_t i = 0; i < Dim; ++i) {
-      for (std::size_t j = 0; j < Dim; ++j) {
-        double sum = 0;
-        for (std::size_t k = 0; k < Dim; ++k) sum += L[i * Dim + k][p] * F[k * Dim + j][p];
-        now[i * Dim + j] = F[i * Dim + j][p] + dt * sum;
-      }
-    }
+    const Mat<Dim> now = advanced<Dim>(F, L, p, dt, columns.rate_of_F);
     for (std::size_t c = 0; c < Dim * Dim; ++c) F[c][p] = F1[c][p] = now[c];
     if (!(determinant<Dim>(now) > 0) && !inverted) inverted = begin + p;
   }

@@ -22,6 +22,7 @@ struct StressColumns {
   std::array<double*, tensor_components<Dim>> deformation_gradient{}, velocity_gradient{};
   std::array<double*, stress_components<Dim>> stress{};
   std::array<double*, 2> history{};  ///< begin and end of the step; null of a material without state
+  bool rate_of_F = false;            ///< what velocity_gradient holds: dF/dt in place of L
 };
 
 /// Batches of one thread: F0, F1 and Cauchy stress of a block, nine components each.
@@ -55,7 +56,7 @@ struct BlockOutcome {
   std::optional<FailedStep> step;  ///< with which it was refused
 };
 
-/// F <- (I + dt L) F and the stress of particles [begin, end) of one block.
+/// F <- (I + dt L) F, or F + dt dF/dt, and the stress of particles [begin, end) of one block.
 template <int Dim>
 BlockOutcome update_block(const StressColumns<Dim>& columns, const Material& material, std::size_t begin,
                           std::size_t end, const Instant& now, BlockScratch<Dim>& scratch);

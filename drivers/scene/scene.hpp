@@ -45,15 +45,10 @@ struct GridChoice {
   std::optional<std::array<double, 2>> lower, upper;  ///< corners; by default around the body with a margin
 };
 
-struct Method {
+struct Method : mpm::Method {
   using Basis = mpm::Basis;
   using Transfer = mpm::Transfer;
   using Update = mpm::Update;
-  Basis basis = Basis::cpdi;
-  std::string formulation = "updated";
-  Transfer transfer = Transfer::flip;
-  Update update = Update::usl;
-  std::string mass = "lumped";
   double courant = 0.4;  ///< of the fastest wave on the baseline path plus the fastest particle
 };
 

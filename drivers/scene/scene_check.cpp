@@ -99,6 +99,18 @@ void check_body(const Scene& scene, const Where& where) {
   }
 }
 
+void check_method(const Scene& scene, const Where& where) {
+  const Method& method = *scene.method;
+  if (scene.places.contains("method.terms") && !method.has_terms()) {
+    refuse(where, "method.terms",
+           "counts the terms of mass: series, transfer: xpic or fmpm, and there is none of them");
+  }
+  if (scene.places.contains("method.affine") && !method.is_affine()) {
+    refuse(where, "method.affine", "is of transfer: apic and aflip, and transfer is another");
+  }
+  if (const auto found = mpm::contradiction(method)) refuse(where, found->key, found->reason);
+}
+
 void check_grid(const Scene& scene, const Where& where) {
   const GridChoice& grid = *scene.grid;
   if (!grid.lower != !grid.upper) {
@@ -144,6 +156,7 @@ void check_scene(const Scene& scene, const std::function<Location(const std::str
   if (scene.method && !scene.grid) refuse(where, "grid", "required by method and not given");
   if (scene.frame) check_frame(scene, where);
   if (scene.grid) check_grid(scene, where);
+  if (scene.method) check_method(scene, where);
   if (scene.time.step && *scene.time.step > scene.time.end) {
     refuse(where, "time.step", "must not exceed time.end, found " + number_text(*scene.time.step));
   }

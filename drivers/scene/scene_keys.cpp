@@ -16,7 +16,11 @@ const std::vector<std::string> isolations{"automatic", "worker", "none"};
 const std::vector<std::string> domains{"ring", "square", "box"};
 const std::vector<std::string> outsides{"held", "free"};
 const std::vector<std::string> bases{"linear", "ugimp", "cpgimp", "cpdi", "bspline2", "bspline3"};
-const std::vector<std::string> transfers{"pic", "flip"};
+const std::vector<std::string> formulations{"updated", "total"};
+const std::vector<std::string> transfers{"pic", "flip", "xpic", "fmpm", "apic", "aflip"};
+const std::vector<std::string> affines{"gradient", "moment"};
+const std::vector<std::string> integrators{"symplectic_euler", "leapfrog"};
+const std::vector<std::string> masses{"lumped", "series", "consistent"};
 const std::vector<std::string> updates{"usf", "usl", "musl"};
 const std::vector<std::string> lattices{"cartesian", "polar"};
 const std::vector<std::string> cuts{"clipped", "whole"};
@@ -79,17 +83,30 @@ std::vector<Key> method_keys() {
       {"method.basis", choice, "weights of the grid: linear, uGIMP, cpGIMP, CPDI (R4), B-splines of degree 2 and 3",
        GET(s.method ? name_of(bases, s.method->basis) : Value()),
        SET(s.method->basis = picked<Method::Basis>(bases, v)), {}, bases},
-      {"method.formulation", choice, "configuration in which forces are integrated",
-       GET(s.method ? Value(s.method->formulation) : Value()), SET(s.method->formulation = std::get<std::string>(v)),
-       {}, {"updated"}},
+      {"method.formulation", choice, "configuration in which weights are made and forces integrated",
+       GET(s.method ? name_of(formulations, s.method->formulation) : Value()),
+       SET(s.method->formulation = picked<mpm::Formulation>(formulations, v)), {}, formulations},
       {"method.transfer", choice, "grid to particle",
        GET(s.method ? name_of(transfers, s.method->transfer) : Value()),
        SET(s.method->transfer = picked<Method::Transfer>(transfers, v)), {}, transfers},
+      {"method.affine", choice, "what apic and aflip carry: the velocity's gradient (exact), or its moment (angular momentum)",
+       GET(s.method && s.method->is_affine() ? name_of(affines, s.method->affine) : Value()),
+       SET(s.method->affine = picked<mpm::Affine>(affines, v)), {}, affines, false, "gradient"},
+      {"method.flip", number, "share of the particle's own velocity in flip and aflip; the rest is the grid's",
+       GET(s.method && s.method->keeps_velocity() ? Value(s.method->flip) : Value()), SET(s.method->flip = real(v)),
+       {.lower = 0, .upper = 1}, {}, false, "1"},
       {"method.update", choice, "when the stress is updated: first, last, last with remapped velocity",
        GET(s.method ? name_of(updates, s.method->update) : Value()),
        SET(s.method->update = picked<Method::Update>(updates, v)), {}, updates},
-      {"method.mass", choice, "mass matrix", GET(s.method ? Value(s.method->mass) : Value()),
-       SET(s.method->mass = std::get<std::string>(v)), {}, {"lumped"}},
+      {"method.integrator", choice, "velocities at the time of the positions, or half a step before: second order",
+       GET(s.method ? name_of(integrators, s.method->integrator) : Value()),
+       SET(s.method->integrator = picked<mpm::Integrator>(integrators, v)), {}, integrators},
+      {"method.mass", choice, "mass matrix: its row sums, a series of its inverse, itself",
+       GET(s.method ? name_of(masses, s.method->mass) : Value()),
+       SET(s.method->mass = picked<mpm::Mass>(masses, v)), {}, masses},
+      {"method.terms", number, "k: terms of the mass series, of xpic and of fmpm",
+       GET(s.method && s.method->has_terms() ? Value(double(s.method->terms)) : Value()),
+       SET(s.method->terms = whole(v)), {.lower = 1, .upper = 100, .whole = true}, {}, false, "2"},
       {"method.courant", number, "of the fastest wave on the baseline path plus the fastest particle",
        GET(s.method ? Value(s.method->courant) : Value()), SET(s.method->courant = real(v)),
        {.lower = 0, .upper = 1, .lower_open = true}},

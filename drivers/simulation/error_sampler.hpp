@@ -16,7 +16,8 @@ class ErrorSampler {
   ErrorSampler(const Problem& problem, std::shared_ptr<const Response> response, const mpm::State<2>& state);
 
   /// Errors of displacement, velocity, F, J and Cauchy stress at time t.
-  ErrorSample sample(const mpm::State<2>& state, double t);
+  /// velocity_time: to which the particles' velocities belong [s].
+  ErrorSample sample(const mpm::State<2>& state, double t, double velocity_time);
 
   /// |u - u_exact| of each particle at the time of the last sample [m].
   const std::vector<double>& displacement_error() const { return displacement_error_; }
@@ -27,10 +28,12 @@ class ErrorSampler {
 
  private:
   struct RingState {
-    double cos_alpha = 1, sin_alpha = 0, omega = 0, gamma = 0;
-    double sigma[5] = {};  ///< baseline Cauchy stress 11, 12, 21, 22, 33
+    double cos_alpha = 1, sin_alpha = 0, gamma = 0;
+    double omega_cos = 0, omega_sin = 0;  ///< omega times cosine and sine of alpha, at the time of the velocities
+    double sigma[5] = {};                 ///< baseline Cauchy stress 11, 12, 21, 22, 33
   };
   void update_rings(double t);
+  void update_velocities(double t);
 
   Vortex vortex_;
   Frame frame_;

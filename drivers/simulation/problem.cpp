@@ -151,7 +151,7 @@ std::string frame_text(const Frame& frame) {
 }
 
 std::string Problem::subject() const {
-  const mpm::MethodNames names = mpm::names_of({setup.basis, setup.transfer, setup.update});
+  const mpm::MethodNames names = mpm::names_of(setup.method);
   return material->name() + "; " + names.basis + ", " + names.transfer + ", " + names.update +
          "; h = " + rounded_text(scene.grid->spacing, 4) + " m; " + std::to_string(scene.body.per_cell[0]) + "x" +
          std::to_string(scene.body.per_cell[1]) + " a cell; amplitude " + rounded_text(vortex().amplitude.peak, 4) +
@@ -190,9 +190,7 @@ Problem assemble(const Scene& scene, int threads) {
   problem.material = material_of(problem.scene, problem.library);
   const double density = problem.scene.material.density;
   mpm::Setup<2>& setup = problem.setup;
-  setup.basis = scene.method->basis;
-  setup.transfer = scene.method->transfer;
-  setup.update = scene.method->update;
+  setup.method = *scene.method;
   setup.grid = grid_of(scene);
   setup.seeds = seeds_of(scene);
   setup.density = density;

@@ -90,7 +90,7 @@ class Run {
     const double t = problem_.time_of_step(k);
     auto start = Clock::now();
     if (sample) {
-      const ErrorSample found = sampler_->sample(simulation_.state(), t);
+      const ErrorSample found = sampler_->sample(simulation_.state(), t, simulation_.velocity_time());
       if (due_.samples.contains(k)) result_.history.push_back(found);
       largest_displacement_ = std::max(largest_displacement_, sampler_->exact_displacement());
       sampling_s_ += seconds_since(start);

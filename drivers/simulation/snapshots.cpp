@@ -62,7 +62,7 @@ ParticleFrame Snapshots::frame_of(const mpm::State<2>& s, double t) const {
   ParticleFrame frame;
   frame.caption = "t = " + rounded_text(t, 4) + " s";
   const mpm::Seeds<2>& seeds = problem_->setup.seeds;
-  const bool convects = problem_->setup.basis == mpm::Basis::cpdi;  // domains move with F
+  const bool convects = problem_->setup.method.basis == mpm::Basis::cpdi;  // domains move with F
   const double *x = s.column(Column::position, 0), *y = s.column(Column::position, 1);
   frame.x.assign(x, x + s.particles);
   frame.y.assign(y, y + s.particles);

@@ -83,6 +83,7 @@ void StressOffload::place(const mpm::StressColumns<2>& columns) {
     offsets(columns.velocity_gradient, page.velocity_gradient);
     offsets(columns.stress, page.stress);
     offsets(columns.history, page.history);
+    page.rate_of_F = columns.rate_of_F;
   }
 }
 

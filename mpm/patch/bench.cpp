@@ -20,9 +20,7 @@ constexpr std::array<double, 2> shift{0.31830988618379067, -0.43429448190325182}
 Setup<2> patch_setup(const Method& method, const Bench& bench, int across) {
   Setup<2> setup;
   const double h = 1.0 / across;
-  setup.basis = method.basis;
-  setup.transfer = method.transfer;
-  setup.update = method.update;
+  setup.method = method;
   setup.grid = grid_around({-0.5, -0.5}, {0.5, 0.5}, h, across);
   setup.seeds = cartesian_lattice({-0.5, -0.5}, {0.5, 0.5}, h, {2, 2}, [](const auto&) { return Fate::stepped; });
   setup.density = bench.density;
@@ -63,14 +61,17 @@ void arrange(State<2>& s, Arrangement arrangement) {
   const bool is_deformed = arrangement != Arrangement::seeded && arrangement != Arrangement::shifted;
   const Mat<2> F = is_deformed ? homogeneous_deformation() : Mat<2>{1, 0, 0, 1};
   Noise noise;
+  const bool total = s.setup.method.is_total();  // whose weights are those of the reference configuration
   for (std::size_t p = 0; p < s.particles; ++p) {
-    for (int d = 0; d < 2; ++d) {
-      const auto row = static_cast<std::size_t>(2 * d);
-      double x =
-          F[row] * s.column(Column::reference_position, 0)[p] + F[row + 1] * s.column(Column::reference_position, 1)[p];
-      if (arrangement == Arrangement::shifted) x += shift[row / 2] * s.setup.grid.spacing;
-      if (arrangement == Arrangement::jittered) x += 2 * jitter * s.setup.seeds.half_size[row / 2] * noise();
-      s.column(Column::position, d)[p] = x;
+    Vec<2> X{s.column(Column::reference_position, 0)[p], s.column(Column::reference_position, 1)[p]}, moved{};
+    for (std::size_t d = 0; d < 2; ++d) {
+      if (arrangement == Arrangement::shifted) moved[d] = shift[d] * s.setup.grid.spacing;
+      if (arrangement == Arrangement::jittered) moved[d] = 2 * jitter * s.setup.seeds.half_size[d] * noise();
+      if (total) s.column(Column::reference_position, static_cast<int>(d))[p] = X[d] += moved[d];
+    }
+    for (std::size_t d = 0; d < 2; ++d) {
+      s.column(Column::position, static_cast<int>(d))[p] =
+          F[2 * d] * X[0] + F[2 * d + 1] * X[1] + (total ? 0 : moved[d]);
     }
     for (int c = 0; c < 4; ++c) s.column(Column::deformation_gradient, c)[p] = F[static_cast<std::size_t>(c)];
   }
@@ -109,6 +110,9 @@ Momentum momentum_of(const State<2>& s) {
     sum.linear[0] += m * vx;
     sum.linear[1] += m * vy;
     sum.angular += m * (x * vy - y * vx);
+    if (s.setup.method.is_affine() && s.setup.method.affine == Affine::moment) {  // sum phi r x v
+      sum.angular += m * (s.column(Column::affine, 2)[p] - s.column(Column::affine, 1)[p]);
+    }
     sum.scale += m * std::hypot(vx, vy);
     sum.angular_scale += m * std::hypot(x, y) * std::hypot(vx, vy);
   }

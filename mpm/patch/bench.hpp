@@ -57,7 +57,7 @@ Seeds<2> graded_seeds(int across);
 /// F of the last three: stretches, shear and rotation.
 Mat<2> homogeneous_deformation();
 
-/// Positions and F of the state, the same F for all particles.
+/// Positions and F of the state, the same F for all particles. What is moved in the total formulation is the reference.
 void arrange(State<2>& s, Arrangement arrangement);
 
 /// Cauchy stress after F, components as in the stress column [Pa].

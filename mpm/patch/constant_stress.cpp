@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "mpm/affine.hpp"
 #include "mpm/patch/patch.hpp"
 
 namespace assay::mpm {
@@ -82,7 +83,10 @@ Forces forces(const Method& method, const Bench& bench, Arrangement arrangement)
   Mat<2> F;  // of all particles, at the beginning of the step
   for (std::size_t c = 0; c < 4; ++c) F[c] = s.column(Column::deformation_gradient, static_cast<int>(c))[0];
   if (simulation.step(0, 1e-6)) return {};
-  return summed(s, F, sigma);
+  if (!method.is_total()) return summed(s, F, sigma);
+  const double J = determinant<2>(F);
+  const Mat<2> P = product<2>({J * sigma[0], J * sigma[1], J * sigma[2], J * sigma[3]}, inverse_transpose<2>(F, J));
+  return summed(s, {1, 0, 0, 1}, {P[0], P[1], P[2], P[3], 0});
 }
 
 }  // namespace

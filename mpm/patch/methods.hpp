@@ -9,13 +9,6 @@
 
 namespace assay::mpm {
 
-/// One way through all choices. There is one formulation, updated Lagrangian, and one mass, lumped.
-struct Method {
-  Basis basis = Basis::cpdi;
-  Transfer transfer = Transfer::flip;
-  Update update = Update::usl;
-};
-
 /// Every combination that can be composed.
 std::vector<Method> all_methods();
 
@@ -28,7 +21,7 @@ MethodNames names_of(const Method& method);
 /// As a scene writes it.
 const char* name_of(Basis basis);
 
-/// "cpdi/flip/usl".
+/// "cpdi/flip/usl", "bspline2/aflip/usl/series4/total".
 std::string name_of(const Method& method);
 
 /// Why the method does not promise what the patch test of that id measures; empty where it does, and is judged by it.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "harness/norms.hpp"
+#include "mpm/affine.hpp"
 #include "mpm/patch/patch.hpp"
 
 namespace assay::mpm {
@@ -80,6 +81,9 @@ Errors rotate(const Method& method, const Bench& bench, int across, double share
   for (std::size_t p = 0; p < s.particles; ++p) {  // omega E_z x X
     s.column(Column::velocity, 0)[p] = -omega * s.column(Column::reference_position, 1)[p];
     s.column(Column::velocity, 1)[p] = omega * s.column(Column::reference_position, 0)[p];
+    if (!method.is_affine()) continue;
+    s.column(affine_column(method), 1)[p] = -omega;
+    s.column(affine_column(method), 2)[p] = omega;
   }
   const double end = angle / omega;
   const int steps = static_cast<int>(std::ceil(end / (share * time_step(bench, across, edge_speed))));

@@ -40,11 +40,15 @@ TEST(CheckMethods, RunsEveryMethodAndSaysItInJsonAndJUnit) {
   EXPECT_NE(xml.find("not promised: "), std::string::npos);
 
   std::istringstream page(ending.said);
-  std::string line;
+  std::string line, method;
   for (std::getline(page, line); std::getline(page, line) && !line.empty();) {
+    if (line[0] != ' ') {
+      method = line;
+      continue;
+    }
     std::istringstream words(line);
-    std::string method, id;
-    words >> method >> id;
+    std::string id;
+    words >> id;
     EXPECT_EQ(rows.erase(method + " " + id), 1u) << line;
   }
   EXPECT_TRUE(rows.empty());
@@ -98,10 +102,10 @@ TEST(MethodsReport, TextFitsEightyColumnsAndShowsWhatFails) {
     EXPECT_EQ(text.find("holes") != std::string::npos, verbosity == Verbosity::verbose);
   }
   const std::string text = methods_text(broken(), Verbosity::normal);
-  EXPECT_NE(text.find("cpdi/flip/usl       rotation.displacement  FAIL     infinite   0.004     0\n"),
+  EXPECT_NE(text.find("cpdi/flip/usl\n  weights.unity"),
             std::string::npos)
       << text;
-  EXPECT_NE(text.find("cpdi/flip/usl       stress.jittered        n/a      0.48       -         -\n"),
+  EXPECT_NE(text.find("  rotation.displacement    FAIL     infinite   0.004     0\n"),
             std::string::npos)
       << text;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The list of passes, and that what is absent costs nothing.
+#include "mpm/affine.hpp"
 #include "mpm/compose.hpp"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ Setup<2> bare(Update update = Update::usl) {
   return setup;
 }
 
-Setup<2> with_everything(const Way& way) {
+Setup<2> with_everything(const Method& way) {
   mpm::Setup<2> setup = vortex_setup(4, way);
   setup.seeds.held = {{0.1, 0.1}};
   setup.hold_outside = setup.accounts = true;
@@ -59,13 +60,13 @@ TEST(Compose, AnEffectIsAPassMoreAndNothingElse) {
   setup.accounts = setup.hold_outside = true;
   EXPECT_EQ(names_of(compose(setup)), (Names{"body_force", "weights", "particles_to_grid", "grid_forces", "grid_update",
                                              "hold_nodes", "grid_to_particles", "accounts", "stress"}));
-  setup.update = Update::musl;
+  setup.method.update = Update::musl;
   const Names musl = names_of(compose(setup));
   EXPECT_EQ(std::count(musl.begin(), musl.end(), "hold_nodes"), 2);  // the gradient's velocities are held too
 }
 
 TEST(Compose, NamesWhatEveryPassIsForAndWhoCalledForIt) {
-  for (const Way& way : every_way()) {
+  for (const Method& way : all_methods()) {
     for (const auto& pass : compose(with_everything(way))) {
       EXPECT_FALSE(pass.doc.empty()) << pass.name;
       EXPECT_FALSE(pass.called_for_by.empty()) << pass.name;
@@ -99,10 +100,10 @@ std::size_t allocated(const State<2>& s, const ColumnUse& use) {
 
 // To the byte: what `explain` says is what a run allocates, for every way through the method.
 TEST(Compose, ColumnsAndGridTakeTheBytesThatAreTold) {
-  for (const Way& way : every_way()) {
+  for (const Method& way : all_methods()) {
     for (const bool everything : {false, true}) {
       mpm::Setup<2> setup = everything ? with_everything(way) : bare();
-      setup.basis = way.basis, setup.transfer = way.transfer, setup.update = way.update;
+      setup.method = way;
       const Simulation<2> simulation(setup);
       const State<2>& s = simulation.state();
       std::array<bool, column_count> told{};
@@ -117,7 +118,9 @@ TEST(Compose, ColumnsAndGridTakeTheBytesThatAreTold) {
       }
       EXPECT_EQ(s.history[0].empty(), !everything);
       EXPECT_EQ(s.held_nodes.empty(), !everything);
-      EXPECT_EQ(s.inertia.bytes() + s.force.bytes() + s.motion.bytes() + s.held_mass.size() * sizeof(double),
+      std::size_t solver = 0;
+      for (const auto& field : s.solver) solver += field.bytes();
+      EXPECT_EQ(solver + s.inertia.bytes() + s.force.bytes() + s.motion.bytes() + s.held_mass.size() * sizeof(double),
                 grid_bytes_per_node(setup) * setup.grid.nodes());
     }
   }
@@ -155,7 +158,7 @@ TEST(Compose, TheAveragedForceIsAPassThatReadsNoColumn) {
 }
 
 TEST(Compose, ARunProfilesThePassesThatWereComposed) {
-  for (const Way& way : every_way()) {
+  for (const Method& way : all_methods()) {
     const mpm::Setup<2> setup = with_everything(way);
     const Simulation<2> simulation(setup);
     Names timed;
@@ -166,11 +169,12 @@ TEST(Compose, ARunProfilesThePassesThatWereComposed) {
 
 // Every column that a pass reads was written by the start or by a pass: none is read that nobody fills.
 TEST(Compose, NothingIsReadThatNobodyWrites) {
-  for (const Way& way : every_way()) {
+  for (const Method& way : all_methods()) {
     const auto passes = compose(with_everything(way));
     std::vector<Column> filled{
         Column::reference_position,   Column::position, Column::velocity, Column::mass, Column::volume,
         Column::deformation_gradient, Column::stress,   Column::history};
+    if (way.is_affine()) filled.push_back(affine_column(way));
     for (const auto& pass : passes) {
       for (const Column column : pass.reads) {
         EXPECT_TRUE(std::find(filled.begin(), filled.end(), column) != filled.end())

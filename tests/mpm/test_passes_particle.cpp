@@ -113,7 +113,7 @@ double work_on_the_way(const State<2>& s, const std::vector<double>& x_before) {
   return work;
 }
 
-Gaps gaps_of(const Way& way, double step) {
+Gaps gaps_of(const Method& way, double step) {
   mpm::Setup<2> setup = vortex_setup(across, way);
   setup.accounts = true;
   Simulation<2> simulation(setup);
@@ -122,7 +122,8 @@ Gaps gaps_of(const Way& way, double step) {
   const auto P0 = momentum(s);
   double P_scale = momentum_scale(s), L_scale = std::abs(L0), E_scale = K0, work = 0;
   Gaps gaps;
-  const int count = static_cast<int>(std::lround(0.25 / step));  // uGIMP and linear still live
+  const bool short_lived = way.basis == Basis::linear && !way.is_total();
+  const int count = static_cast<int>(std::lround((short_lived ? 0.15 : 0.25) / step));  // all methods still live
   for (int k = 0; k < count; ++k) {
     const std::vector<double> x(s.column(Column::position), s.column(Column::position) + 2 * s.particles);
     EXPECT_FALSE(simulation.step(k * step, step));
@@ -147,8 +148,8 @@ Gaps gaps_of(const Way& way, double step) {
   return gaps;
 }
 
-struct Accounts : testing::TestWithParam<Way> {};
-INSTANTIATE_TEST_SUITE_P(Method, Accounts, testing::ValuesIn(every_way()), way_name);
+struct Accounts : testing::TestWithParam<Method> {};
+INSTANTIATE_TEST_SUITE_P(Method, Accounts, testing::ValuesIn(all_methods()), way_name);
 
 TEST_P(Accounts, CloseAsFarAsTheMethodConserves) {
   const Gaps coarse = gaps_of(GetParam(), dt), fine = gaps_of(GetParam(), dt / 2);
@@ -161,12 +162,24 @@ TEST_P(Accounts, CloseAsFarAsTheMethodConserves) {
     EXPECT_GT(fine.angular, 1.1 * coarse.angular);
     return;
   }
+  if (!GetParam().keeps_velocity()) {  // smooths less
+    EXPECT_LT(coarse.energy, 0.5);
+    EXPECT_LT(fine.energy, 0.5);
+    EXPECT_LT(coarse.angular, 2e-2);
+    return;
+  }
+  // Angular momentum is kept up to the distance of nodes from their particles' centre of mass.
+  EXPECT_LT(coarse.angular, GetParam().is_total() ? 1.5e-2 : 4e-3);
+  if (GetParam().transfer != Transfer::flip || GetParam().mass == Mass::series) {
+    EXPECT_LT(coarse.energy, 5e-2);  // the work of forces is not quite what the particles gain
+    return;
+  }
   // The kinetic energy that FLIP particles gain is the work of the nodal forces, up to the order of the step.
   EXPECT_LT(coarse.energy, 2e-2);
   EXPECT_NEAR(fine.energy / coarse.energy, 0.5, 0.07);
-  // Angular momentum is kept up to the distance of nodes from their particles' centre of mass.
-  EXPECT_LT(coarse.angular, 4e-3);
-  EXPECT_LT(fine.angular, coarse.angular);
+  if (GetParam().mass == Mass::lumped) {
+    EXPECT_LT(fine.angular, coarse.angular);
+  }
 }
 
 }  // namespace

@@ -13,38 +13,21 @@
 
 namespace assay::mpm {
 
-/// A way through basis, transfer and update: every combination in turn.
-struct Way {
-  Basis basis = Basis::cpdi;
-  Transfer transfer = Transfer::flip;
-  Update update = Update::usl;
-};
-
-inline std::vector<Way> every_way() {
-  std::vector<Way> ways;
-  for (const Method& method : all_methods()) ways.push_back({method.basis, method.transfer, method.update});
-  return ways;
+/// For the names of tests.
+inline std::string way_name(const testing::TestParamInfo<Method>& info) {
+  std::string name = name_of(info.param);
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
 }
-
-inline std::string name_of(const Way& way) {
-  const char* transfer[] = {"pic", "flip"};
-  const char* update[] = {"usf", "usl", "musl"};
-  return std::string(name_of(way.basis)) + "_" + transfer[static_cast<int>(way.transfer)] + "_" +
-         update[static_cast<int>(way.update)];
-}
-
-inline std::string way_name(const testing::TestParamInfo<Way>& info) { return name_of(info.param); }
-inline void PrintTo(const Way& way, std::ostream* out) { *out << name_of(way); }
+inline void PrintTo(const Method& method, std::ostream* out) { *out << name_of(method); }
 
 /// The free ring of the paper's vortex, 2x2 particles a cell, so many cells across; body force in closed form.
-inline Setup<2> vortex_setup(int across, const Way& way = {}, std::array<int, 2> per_cell = {2, 2}) {
+inline Setup<2> vortex_setup(int across, const Method& way = {}, std::array<int, 2> per_cell = {2, 2}) {
   Setup<2> setup;
   const Vortex motion;
   const double h = (motion.outer - motion.inner) / across;
   const std::array<double, 2> lower{-motion.outer, -motion.outer}, upper{motion.outer, motion.outer};
-  setup.basis = way.basis;
-  setup.transfer = way.transfer;
-  setup.update = way.update;
+  setup.method = way;
   setup.grid = grid_around(lower, upper, h, 4);
   setup.seeds = cartesian_lattice(lower, upper, h, per_cell, [&](const auto& X) {
     return motion.moves({X[0], X[1], 0}) ? Fate::stepped : Fate::absent;
@@ -58,7 +41,7 @@ inline Setup<2> vortex_setup(int across, const Way& way = {}, std::array<int, 2>
 }
 
 /// The same ring, clipped from the lattice or cut into sectors, with the averaged body force.
-inline Setup<2> averaged_setup(int across, bool polar, const Way& way = {}) {
+inline Setup<2> averaged_setup(int across, bool polar, const Method& way = {}) {
   Setup<2> setup = vortex_setup(across, way);
   const auto& motion = std::get<Vortex>(*setup.motion);
   const Annulus ring{motion.inner, motion.outer};
@@ -70,11 +53,9 @@ inline Setup<2> averaged_setup(int across, bool polar, const Way& way = {}) {
 
 /// A block of 2^Dim cells with 2^Dim particles each, at rest, in a grid with 9 empty cells on each side of it.
 template <int Dim>
-Setup<Dim> block_setup(const Way& way) {
+Setup<Dim> block_setup(const Method& way) {
   Setup<Dim> setup;
-  setup.basis = way.basis;
-  setup.transfer = way.transfer;
-  setup.update = way.update;
+  setup.method = way;
   setup.grid.spacing = 0.1;
   setup.grid.first.fill(-10);
   setup.grid.count.fill(21);

@@ -87,9 +87,9 @@ TEST(Resolved, RandomNumbersReadBack) {
 }
 
 TEST(Resolved, HoldsEveryKeyThatApplies) {
-  Scene scene = scene_from_text(
-      scene_text("grid: {spacing: .1, lower: [-2, -2], upper: [2, 2]}\nmethod: {}\ntime: {step: .1}\nframe: {}\n"),
-      "f");
+  Scene scene = scene_from_text(scene_text("grid: {spacing: .1, lower: [-2, -2], upper: [2, 2]}\nmethod: {transfer: "
+                                           "aflip, mass: series}\ntime: {step: .1}\nframe: {}\n"),
+                                "f");
   scene.material.direction = {0.0, 1.0, 0.0};  // of a model that has one
   scene.material.isolation = Isolation::none;  // filled in with the material
   const std::string text = resolved_yaml(scene);

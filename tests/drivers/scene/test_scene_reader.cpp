@@ -169,12 +169,30 @@ TEST(SceneReader, RefusesNumbersOutOfRange) {
 TEST(SceneReader, RefusesWhatLaterVersionsMayKnow) {
   EXPECT_TRUE(has(refused_set("method.basis=cpdi2"),
                   "unknown value 'cpdi2' (nearest: cpdi); known: linear, ugimp, cpgimp, cpdi, bspline2, bspline3"));
-  EXPECT_TRUE(has(refused_set("method.transfer=apic"), "known: pic, flip"));
-  EXPECT_TRUE(has(refused_set("method.formulation=total"), "known: updated"));
-  EXPECT_TRUE(has(refused_set("method.mass=series"), "known: lumped"));
+  EXPECT_TRUE(has(refused_set("method.transfer=picflip"), "known: pic, flip, xpic, fmpm, apic, aflip"));
   EXPECT_TRUE(has(refused_set("force.evaluation=corner_average"), "known: point, domain_average"));
   EXPECT_TRUE(has(refused_set("motion.type=twisting_ring"), "known: vortex, homogeneous"));
   EXPECT_TRUE(has(refused_set("body.lattice=random"), "known: cartesian, polar"));
+}
+
+TEST(SceneReader, RefusesMethodsThatMakeNoSenseWithTheReason) {
+  const auto refused_method = [](const std::string& method) {
+    return refused(scene_text("grid: {spacing: .1}\n"), {"method=" + method});
+  };
+  EXPECT_TRUE(
+      has(refused_method("{basis: cpgimp, formulation: total}"), "do not stretch in the reference configuration"));
+  EXPECT_TRUE(has(refused_method("{transfer: fmpm, mass: series}"), "series of the mass matrix themselves"));
+  EXPECT_TRUE(has(refused_method("{transfer: pic, mass: series}"), "is transfer: fmpm"));
+  EXPECT_TRUE(has(refused_method("{basis: linear, transfer: apic, affine: moment}"), "take affine: gradient"));
+  EXPECT_TRUE(has(refused_method("{transfer: apic, flip: 0.9}"), "blends flip or aflip"));
+  EXPECT_TRUE(has(refused_method("{transfer: flip, terms: 3}"), "counts the terms of mass: series"));
+  EXPECT_TRUE(has(refused_method("{transfer: flip, affine: moment}"), "is of transfer: apic and aflip"));
+  EXPECT_TRUE(has(refused_method("{transfer: xpic, terms: 0}"), "from 1 to 100"));
+  for (const char* good : {"{basis: bspline2, formulation: total, transfer: aflip, mass: series, terms: 4}",
+                           "{transfer: flip, flip: 0.95}", "{transfer: xpic, terms: 5}", "{mass: consistent}",
+                           "{transfer: apic, affine: moment, integrator: leapfrog}"}) {
+    EXPECT_EQ(refused_method(good), "accepted") << good;
+  }
 }
 
 TEST(SceneReader, AveragesByDefaultAndClipsTheRingThatItAveragesOver) {

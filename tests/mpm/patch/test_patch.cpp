@@ -8,7 +8,7 @@
 
 #include "mpm/basis_linear.hpp"
 #include "mpm/basis_ugimp.hpp"
-#include "tests/harness/elastic_material.hpp"
+#include "tests/mpm/vortex_setup.hpp"
 
 namespace assay::mpm {
 namespace {
@@ -24,11 +24,7 @@ std::set<std::string> failed(const MethodReport& report) {
 }
 
 struct EveryPatchedMethod : testing::TestWithParam<Method> {};
-std::string patched_name(const testing::TestParamInfo<Method>& info) {
-  const MethodNames names = names_of(info.param);
-  return names.basis + "_" + names.transfer + "_" + names.update;
-}
-INSTANTIATE_TEST_SUITE_P(Method, EveryPatchedMethod, testing::ValuesIn(all_methods()), patched_name);
+INSTANTIATE_TEST_SUITE_P(Method, EveryPatchedMethod, testing::ValuesIn(all_methods()), way_name);
 
 TEST_P(EveryPatchedMethod, KeepsWhatItPromisesAndTellsTheRest) {
   const MethodReport report = run_patch_tests(GetParam(), quick_bench());
@@ -55,7 +51,7 @@ TEST_P(EveryPatchedMethod, KeepsWhatItPromisesAndTellsTheRest) {
 TEST(PatchMethods, ListEveryCombinationOnce) {
   std::set<std::string> names;
   for (const Method& method : all_methods()) names.insert(name_of(method));
-  EXPECT_EQ(names.size(), 36u);
+  EXPECT_EQ(names.size(), 152u);
   EXPECT_EQ(all_methods().size(), names.size());
   EXPECT_EQ(names.count("cpdi/flip/usl"), 1u);
 }
@@ -110,7 +106,7 @@ struct Opened : B {
 
 template <class Act>
 void for_each_weight(State<2>& s, const Act& act) {
-  if (s.setup.basis == Basis::linear) {
+  if (s.setup.method.basis == Basis::linear) {
     for (auto& w : Opened<LinearBasis<2>>::weights(s)) act(w);
   } else {
     for (auto& w : Opened<UgimpBasis<2>>::weights(s)) act(w);

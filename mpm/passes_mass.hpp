@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The grid update where the mass matrix is more than its row sums. Templates on the basis.
+#pragma once
+
+#include "mpm/pass.hpp"
+
+namespace assay::mpm {
+
+/// Grid fields of Dim components that the inversion takes.
+inline std::size_t solver_fields(const Method& method) {
+  return method.is_lumped() ? 0 : method.mass == Mass::consistent ? 8 : 4;
+}
+
+/// a = M^-1 f, v = M^-1 (m v) + dt a, on nodes that are not held. M_ij = sum m_p phi_ip phi_jp is inverted by k terms
+/// of sum_l (I - M_L^-1 M)^l M_L^-1, M_L its row sums, or by conjugate gradients:
+///   series:      of f; m v is divided by M_L
+///   consistent:  of f; and of m v where particles do not carry the velocity around them, which M_L serves exactly
+///   xpic(k):     series of m v; f is divided by M_L
+///   fmpm(k):     series of m v + dt f
+/// What holding takes from the particles' momentum enters the account.
+template <class B, int Dim>
+Pass<Dim> mass_matrix_pass(const Method& method);
+
+}  // namespace assay::mpm
