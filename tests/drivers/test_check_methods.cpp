@@ -102,12 +102,8 @@ TEST(MethodsReport, TextFitsEightyColumnsAndShowsWhatFails) {
     EXPECT_EQ(text.find("holes") != std::string::npos, verbosity == Verbosity::verbose);
   }
   const std::string text = methods_text(broken(), Verbosity::normal);
-  EXPECT_NE(text.find("cpdi/flip/usl\n  weights.unity"),
-            std::string::npos)
-      << text;
-  EXPECT_NE(text.find("  rotation.displacement    FAIL     infinite   0.004     0\n"),
-            std::string::npos)
-      << text;
+  EXPECT_NE(text.find("cpdi/flip/usl\n  weights.unity"), std::string::npos) << text;
+  EXPECT_NE(text.find("  rotation.displacement    FAIL     infinite   0.004     0\n"), std::string::npos) << text;
 }
 
 TEST(MethodsReport, JsonHasNoNumberForWhatIsInfiniteAndJUnitNamesTheCause) {
