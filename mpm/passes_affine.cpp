@@ -91,5 +91,6 @@ Pass<Dim> first_affine_moment_pass() {
   template Pass<DIM> first_affine_moment_pass<BASIS<DIM>, DIM>();
 
 ASSAY_FOR_EACH_BASIS(ASSAY_PASSES)
+#undef ASSAY_PASSES
 
 }  // namespace assay::mpm

@@ -248,5 +248,6 @@ Pass<Dim> mass_matrix_pass(const Method& method) {
 #define ASSAY_PASSES(BASIS, DIM) template Pass<DIM> mass_matrix_pass<BASIS<DIM>, DIM>(const Method&);
 
 ASSAY_FOR_EACH_BASIS(ASSAY_PASSES)
+#undef ASSAY_PASSES
 
 }  // namespace assay::mpm

@@ -183,5 +183,6 @@ Pass<Dim> force_pass(Formulation formulation, bool with_body_force) {
   template Pass<DIM> force_pass<BASIS<DIM>, DIM>(Formulation, bool);
 
 ASSAY_FOR_EACH_BASIS(ASSAY_PASSES)
+#undef ASSAY_PASSES
 
 }  // namespace assay::mpm

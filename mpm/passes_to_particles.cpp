@@ -131,5 +131,6 @@ Pass<Dim> velocity_gradient_pass() {
   template Pass<DIM> velocity_gradient_pass<BASIS<DIM>, DIM>();
 
 ASSAY_FOR_EACH_BASIS(ASSAY_PASSES)
+#undef ASSAY_PASSES
 
 }  // namespace assay::mpm

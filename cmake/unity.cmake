@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# With CMAKE_UNITY_BUILD several sources are compiled as one, which takes a third of the time. These stand alone: an
+# internal name of theirs is another file's, too. A redefinition that only such a build shows is cured by a line here.
+if(CMAKE_UNITY_BUILD)
+  target_compile_options(assay_options INTERFACE -Wno-shadow) # of one file's constants by another's locals
+  set(stand_alone
+    adapters/foreign/umat.cpp
+    adapters/foreign/vumat.cpp
+    adapters/models/neo_hookean.c
+    adapters/models/neo_hookean_extensions.c
+    adapters/worker/worker_process.cpp
+    drivers/check_keeper.cpp
+    drivers/output/result_json.cpp
+    drivers/picture/heat_map.cpp
+    drivers/picture/line_plot.cpp
+    drivers/picture/particle_picture.cpp
+    drivers/scene/scene_keys.cpp
+    drivers/scene/schema.cpp
+    harness/check/repeated_stretch.cpp
+    harness/check/rotation_at_rest.cpp
+    harness/history_rates.cpp
+    harness/sheet_build.cpp
+    harness/stiff_integrator.cpp
+    harness/wave_speed.cpp
+    mpm/patch/constant_stress.cpp
+    mpm/patch/momentum.cpp
+    mpm/patch/translation.cpp
+    tests/drivers/material/test_material_table.cpp
+    tests/drivers/output/test_vtu.cpp
+    tests/drivers/picture/test_drawing.cpp
+    tests/drivers/scene/test_expect.cpp
+    tests/drivers/scene/test_settings.cpp
+    tests/drivers/scene/test_yaml_reader.cpp
+    tests/drivers/test_check_methods.cpp
+    tests/drivers/test_command_line.cpp
+    tests/drivers/test_explain.cpp
+    tests/drivers/test_foreign_models.cpp
+    tests/drivers/test_screening.cpp
+    tests/harness/test_frame_force.cpp
+    tests/harness/test_material.cpp
+    tests/harness/test_rotating_stretch.cpp
+    tests/harness/test_sheet_disturbed.cpp
+    tests/mpm/patch/test_patch.cpp
+    tests/mpm/test_basis_linear.cpp
+    tests/mpm/test_basis_ugimp.cpp
+    tests/mpm/test_passes_to_particles.cpp
+    tests/mpm/test_simulation.cpp)
+  list(TRANSFORM stand_alone PREPEND ${PROJECT_SOURCE_DIR}/)
+  set(folders ${PROJECT_SOURCE_DIR})
+  if(ASSAY_BUILD_TESTS)
+    list(APPEND folders ${PROJECT_SOURCE_DIR}/tests)
+    file(GLOB mutants CONFIGURE_DEPENDS tests/harness/check/*_mutants.cpp)
+    set_target_properties(test_adapters PROPERTIES UNITY_BUILD OFF) # the tests of the models are too much alike
+  endif()
+  set_source_files_properties(${stand_alone} ${mutants} DIRECTORY ${folders} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endif()
