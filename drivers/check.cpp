@@ -127,6 +127,7 @@ CheckedMaterial check_one(const CheckOptions& options) {
   };
   CheckedMaterial checked = check_in_processes({task_of(settings)}, processes_for(options)).front();
   take_end_for_refusal(checked, options, settings, task_of);
+  judge_printing(checked);
   leave_replay_of_the_end(checked, settings);
   return checked;
 }
@@ -155,6 +156,7 @@ std::vector<CheckedMaterial> check_all(const CheckOptions& options) {
   for (std::size_t k = 0; k < all.size(); ++k) {
     take_end_for_refusal(all[k], options, settings,
                          [&](const CheckSettings& other) { return task_of(names[k], other); });
+    judge_printing(all[k]);
     leave_replay_of_the_end(all[k], settings);
   }
   return all;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "adapters/foreign/foreign_table.hpp"
+#include "adapters/foreign/mfront_metadata.hpp"
 #include "drivers/material/material_description.hpp"
 
 namespace assay::drivers {
@@ -125,6 +126,11 @@ void tell_initial_values(const ResolvedMaterial& material, check::Report& report
               loading->sentence + "; " + name +
                   " of its state begins at zero, where its description may say otherwise: state: {" + name +
                   ": {initial: [1, 1, 1, 0, 0, 0, 0, 0, 0]}}");
+}
+
+bool is_native(const CheckedMaterial& checked) {
+  if (!checked.description.empty()) return !read_description(checked.description).foreign;
+  return checked.library.empty() || adapters::mfront_behaviours(checked.library).empty();
 }
 
 }  // namespace assay::drivers

@@ -2,6 +2,7 @@
 // What `check` says of a model that a description declares, in the words of descriptions.
 #pragma once
 
+#include "drivers/check_report.hpp"
 #include "drivers/material/material_choice.hpp"
 #include "harness/check/battery.hpp"
 
@@ -17,5 +18,8 @@ void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& repo
 /// Of an MFront behaviour that cannot be loaded at all: a tensor that begins at zero for want of an initial value in
 /// its description, as the elastic part of F must not.
 void tell_initial_values(const ResolvedMaterial& material, check::Report& report);
+
+/// Whether it was a model of our own interface, to which its rules apply.
+bool is_native(const CheckedMaterial& checked);
 
 }  // namespace assay::drivers

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "adapters/foreign/written_inputs.hpp"
+#include "adapters/worker/kept_output.hpp"
 #include "adapters/worker/process_watch.hpp"
 #include "drivers/check_elsewhere.hpp"
 #include "drivers/check_foreign.hpp"
@@ -147,11 +148,30 @@ CheckedMaterial check_material(const ResolvedMaterial& material, const std::stri
   return checked;
 }
 
+void judge_printing(CheckedMaterial& checked) {
+  constexpr std::uint64_t much = 1 << 16;  // bytes: complaints of the battery's senseless steps stay far below
+  const auto test = std::find_if(checked.report.tests.begin(), checked.report.tests.end(),
+                                 [](const check::TestResult& each) { return each.id == process_test; });
+  if (test == checked.report.tests.end() || checked.printed_bytes == 0 || !is_native(checked)) return;
+  const std::string words = "the model prints: " + std::to_string(checked.printed_bytes) + " bytes, the last line \"" +
+                            adapters::last_line(checked.printed) + "\"";
+  if (checked.printed_bytes <= much) {
+    test->sentence += "; a remark: " + words;
+    return;
+  }
+  test->sentence = test->verdict == check::Verdict::fail ? test->sentence + "; " + words : words;
+  test->verdict = check::Verdict::fail;
+  test->cause = check::causes::disturbs_process;
+  std::erase_if(checked.report.diagnosis, [&](const check::Diagnosis& d) { return d.cause == test->cause; });
+  checked.report.diagnosis.push_back({test->cause, test->sentence});
+}
+
 void leave_replay_of_the_end(CheckedMaterial& checked, const CheckSettings& settings) {
   if (settings.folder.empty() || checked.model.empty() || checked.passes() || !checked.replays.empty()) return;
   const auto test = std::find_if(checked.report.tests.begin(), checked.report.tests.end(), [](const auto& each) {
     return each.verdict == check::Verdict::fail &&
-           (each.cause == check::causes::ends_process || each.cause == check::causes::overrun);
+           (each.cause == check::causes::ends_process || each.cause == check::causes::overrun ||
+            each.cause == check::causes::disturbs_process);
   });
   if (test == checked.report.tests.end() || !checked.unwritten.empty()) return;
   Replay replay;

@@ -24,7 +24,11 @@ ResolvedMaterial in_this_process(const ResolvedMaterial& apart);
 CheckedMaterial check_material(const ResolvedMaterial& material, const std::string& name, const CheckSettings& settings,
                                const CheckReporter& reporter);
 
-/// A replay file for a failure in which the process ended; `material` of the parent's own. Throws SystemError.
+/// Of a native model, which is not to print: much is a defect, in calls.process; a little is a remark there.
+void judge_printing(CheckedMaterial& checked);
+
+/// A replay file for a failure that the process of the check could not leave: its end, or what it printed. Throws
+/// SystemError.
 void leave_replay_of_the_end(CheckedMaterial& checked, const CheckSettings& settings);
 
 }  // namespace assay::drivers

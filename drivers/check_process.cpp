@@ -138,6 +138,7 @@ std::vector<CheckedMaterial> check_in_processes(const std::vector<CheckTask>& ta
     const Child child = running.next();
     CheckedMaterial& checked = results[child.task] = result_of(child, tasks[child.task], how.limit_s);
     checked.printed = child.output->text();
+    checked.printed_bytes = child.output->printed.load();
     ++done;
     if (how.progress) how.progress(done);
   }

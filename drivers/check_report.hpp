@@ -25,7 +25,8 @@ struct CheckedMaterial {
 
   std::string description = {};  ///< of a foreign model: the YAML file that leads to it
 
-  std::string printed = {};  ///< by the model
+  std::string printed = {};         ///< by the model, beginning and end
+  std::uint64_t printed_bytes = 0;  ///< in all
 
   std::string unwritten = {};  ///< why a replay file could not be written; empty: all were
 

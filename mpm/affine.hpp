@@ -14,6 +14,13 @@ inline Column affine_column(const Method& method) {
   return known ? Column::velocity_gradient : Column::affine;
 }
 
+/// Whether C is fitted to the velocity around the particle, B D^-1. Of a linear field that is its gradient, as grad phi
+/// gives it; of a rough one it is smoother: short waves that C = sum v_i (x) grad phi_ip brings back grow in the
+/// updated formulation. In the total one they do not, and where functions are linear D vanishes at their nodes.
+inline bool fits_gradient(const Method& method) {
+  return !method.is_total() && method.affine == Affine::gradient && method.basis != Basis::linear;
+}
+
 template <int Dim>
 Mat<Dim> product(const Mat<Dim>& A, const Mat<Dim>& B) {
   Mat<Dim> C{};

@@ -4,6 +4,7 @@
 
 #include "mpm/basis_bspline.hpp"
 #include "mpm/basis_cpdi.hpp"
+#include "mpm/basis_cpdi2.hpp"
 #include "mpm/basis_cpgimp.hpp"
 #include "mpm/basis_linear.hpp"
 #include "mpm/basis_ugimp.hpp"
@@ -17,6 +18,8 @@
   PASSES(CpgimpBasis, 3)             \
   PASSES(CpdiBasis, 2)               \
   PASSES(CpdiBasis, 3)               \
+  PASSES(Cpdi2Basis, 2)              \
+  PASSES(Cpdi2Basis, 3)              \
   PASSES(Bspline2Basis, 2)           \
   PASSES(Bspline2Basis, 3)           \
   PASSES(Bspline3Basis, 2)           \

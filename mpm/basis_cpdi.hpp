@@ -6,7 +6,7 @@
 // corners, averaged over the domain.
 #pragma once
 
-#include "mpm/basis.hpp"
+#include "mpm/corners.hpp"
 
 namespace assay::mpm {
 
@@ -136,13 +136,8 @@ class CpdiBasis {
 
   bool place_corners(Weights& w, const Vec<Dim>& x, const Mat<Dim>& r) {
     bool inside = true;
-    for (std::size_t c = 0; c < corners; ++c) {
-      Vec<Dim> corner = x;
-      for (std::size_t d = 0; d < Dim; ++d) {
-        for (std::size_t i = 0; i < Dim; ++i) corner[i] += (c >> d & 1) ? r[i * Dim + d] : -r[i * Dim + d];
-      }
-      inside = locator_.cell_of(corner, w.node[c], w.fraction[c]) && inside;
-    }
+    const Corners<Dim> at = corners_of<Dim>(x, r);
+    for (std::size_t c = 0; c < corners; ++c) inside = locator_.cell_of(at[c], w.node[c], w.fraction[c]) && inside;
     return inside;
   }
 

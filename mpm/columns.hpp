@@ -17,6 +17,7 @@ enum class Column {
   mass,
   volume,
   domain,
+  corners,
   deformation_gradient,
   stress,
   velocity_gradient,
@@ -25,7 +26,7 @@ enum class Column {
   weights,
   history,
 };
-inline constexpr std::size_t column_count = 13;
+inline constexpr std::size_t column_count = 14;
 
 struct ColumnInfo {
   std::string_view name;
@@ -42,6 +43,7 @@ constexpr ColumnInfo info(Column column) {
       {"mass", "kg", "constant"},
       {"volume", "m^3", "reference volume, per unit thickness in two dimensions"},
       {"domain", "m", "half edges of the reference domain, where they differ"},
+      {"corners", "m", "of the domain, where they move one by one"},
       {"deformation_gradient", "1", "F, in-plane components"},
       {"stress", "Pa", "Cauchy stress, in-plane components and 33"},
       {"velocity_gradient", "1/s", "L of the step; dF/dt in the total formulation"},

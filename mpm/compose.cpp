@@ -7,6 +7,7 @@
 #include "mpm/bases.hpp"
 #include "mpm/material_batch.hpp"
 #include "mpm/passes_affine.hpp"
+#include "mpm/passes_corners.hpp"
 #include "mpm/passes_grid.hpp"
 #include "mpm/passes_mass.hpp"
 #include "mpm/passes_particle.hpp"
@@ -31,6 +32,8 @@ auto with_basis(Basis basis, const Visitor& visit) {
       return visit(std::type_identity<Bspline2Basis<Dim>>());
     case Basis::bspline3:
       return visit(std::type_identity<Bspline3Basis<Dim>>());
+    case Basis::cpdi2:
+      return visit(std::type_identity<Cpdi2Basis<Dim>>());
     case Basis::cpdi:
       break;
   }
@@ -79,6 +82,7 @@ std::vector<Pass<Dim>> compose_with(const Setup<Dim>& setup) {
     add(mass_matrix_pass<B, Dim>(method));
   }
   add(grid_to_particles_pass<B, Dim>(method, method.update == Update::usl, setup.accounts && body_force));
+  if constexpr (MovesCorners<B>) add(corners_pass<B, Dim>());
   if (method.is_affine() && affine_column(method) == Column::affine) {
     add(affine_pass<B, Dim>(method, method.update == Update::usl));
   }
@@ -123,6 +127,8 @@ std::size_t bytes_of(Column column, const Setup<Dim>& setup) {
       return doubles(stress_components<Dim>);
     case Column::history:
       return history_bytes(setup.material->state_size());
+    case Column::corners:
+      return doubles(corner_components<Dim>);
     case Column::domain:
       return with_basis<Dim>(setup.method.basis,
                              [](auto tag) { return decltype(tag)::type::domain_components * sizeof(double); });

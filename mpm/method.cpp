@@ -8,6 +8,10 @@ std::optional<Contradiction> contradiction(const Method& m) {
     return Contradiction{"method.basis",
                          "the boxes of cpgimp do not stretch in the reference configuration: take ugimp"};
   }
+  if (m.is_total() && m.basis == Basis::cpdi2) {
+    return Contradiction{"method.basis",
+                         "no corner moves in the reference configuration, where cpdi2 is cpdi: take that"};
+  }
   if (m.mass != Mass::lumped && (m.transfer == Transfer::xpic || m.transfer == Transfer::fmpm)) {
     return Contradiction{"method.mass", "xpic and fmpm are series of the mass matrix themselves: take lumped"};
   }

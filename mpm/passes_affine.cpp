@@ -31,13 +31,14 @@ Mat<Dim> gradient_of_grid(const State<Dim>& s, const B& basis, std::size_t p) {
 template <class B, int Dim>
 Pass<Dim> affine_pass(const Method& method, bool knows_gradient) {
   Pass<Dim> pass;
-  const bool moment = method.affine == Affine::moment, total = method.is_total();
+  const bool moment = method.affine == Affine::moment, total = method.is_total(), fits = fits_gradient(method);
   pass.name = "affine";
   pass.doc = moment  ? "first moment of the grid velocity around the particles"
              : total ? "gradient of the grid velocity"
+             : fits  ? "gradient fitted to the grid velocity around the particles, convected"
                      : "gradient of the grid velocity, convected";
   pass.called_for_by = "method.transfer";
-  const bool from_column = knows_gradient && !moment;
+  const bool from_column = knows_gradient && !moment && !fits;
   if (from_column) {
     pass.reads = {Column::velocity_gradient};
   } else {
@@ -47,14 +48,15 @@ Pass<Dim> affine_pass(const Method& method, bool knows_gradient) {
   pass.writes = {Column::affine};
   pass.bind = [=](State<Dim>& s) -> Kernel {
     const B& basis = basis_of<B>(s);
-    return [&s, &basis, moment, total, from_column](const Instant& now) {
+    return [&s, &basis, moment, total, fits, from_column](const Instant& now) {
       const auto C = components<Dim * Dim>(s, Column::affine);
       const auto L = from_column ? components<Dim * Dim>(s, Column::velocity_gradient) : C;
       for_blocks(s.particles, s.setup.threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {
-          Mat<Dim> found = moment        ? first_moment<Dim>(basis, p, s.motion)
-                           : from_column ? load(L, p)
-                                         : gradient_of_grid(s, basis, p);
+          Mat<Dim> found = moment || fits ? first_moment<Dim>(basis, p, s.motion)
+                           : from_column  ? load(L, p)
+                                          : gradient_of_grid(s, basis, p);
+          if (fits) found = product<Dim>(found, inverse<Dim>(second_moment<Dim>(basis, p)));
           if (!moment && !total) found = convected<Dim>(found, now.dt);
           for (std::size_t c = 0; c < Dim * Dim; ++c) C[c][p] = found[c];
         }

@@ -8,6 +8,16 @@
 
 namespace assay::mpm {
 
+template <class B, int Dim>
+void place_corners(State<Dim>& s, B& basis, std::size_t begin, std::size_t end, FirstBad& outside) {
+  const auto columns = components<corner_components<Dim>>(s, Column::corners);
+  for (std::size_t p = begin; p < end; ++p) {
+    Corners<Dim> corners;
+    for (std::size_t k = 0; k < columns.size(); ++k) corners[k / Dim][k % Dim] = columns[k][p];
+    if (!basis.place(p, corners)) outside.report(p);
+  }
+}
+
 /// The weights of a block of particles, whose domains are all alike or one each.
 template <class B, int Dim>
 void place_block(State<Dim>& s, B& basis, std::size_t begin, std::size_t end, FirstBad& outside) {
@@ -40,7 +50,7 @@ Pass<Dim> weights_pass(Formulation formulation, bool domains_differ) {
   const bool total = formulation == Formulation::total;
   if (total) pass.doc = "nodes, phi_ip and grad phi_ip of every particle in the reference configuration";
   pass.once = total;
-  pass.reads = {total ? Column::reference_position : Column::position};
+  pass.reads = {MovesCorners<B> ? Column::corners : total ? Column::reference_position : Column::position};
   if (B::uses_deformation && !total) pass.reads.push_back(Column::deformation_gradient);
   if (domains_differ && B::domain_components > 0) pass.reads.push_back(Column::domain);
   pass.writes = {Column::weights};
@@ -48,10 +58,17 @@ Pass<Dim> weights_pass(Formulation formulation, bool domains_differ) {
     B& basis = basis_of<B>(s);
     return [&s, &basis](const Instant&) {
       FirstBad outside;
-      for_blocks(s.particles, s.setup.threads,
-                 [&](std::size_t begin, std::size_t end) { place_block(s, basis, begin, end, outside); });
+      for_blocks(s.particles, s.setup.threads, [&](std::size_t begin, std::size_t end) {
+        if constexpr (MovesCorners<B>) {
+          place_corners(s, basis, begin, end, outside);
+        } else {
+          place_block(s, basis, begin, end, outside);
+        }
+      });
       if (const auto p = outside.found()) {
-        s.finding = Finding{Finding::Kind::unstable, "a particle or a corner of its domain left the grid",
+        s.finding = Finding{Finding::Kind::unstable,
+                            MovesCorners<B> ? "a corner of a domain left the grid, or a domain turned inside out"
+                                            : "a particle or a corner of its domain left the grid",
                             static_cast<std::int64_t>(*p)};
       }
     };

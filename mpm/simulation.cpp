@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mpm/affine.hpp"
+#include "mpm/corners.hpp"
 
 namespace assay::mpm {
 
@@ -89,6 +90,7 @@ void Simulation<Dim>::fill() {
     s.column(Column::mass)[p] = s.setup.density * volume;
     s.column(Column::volume)[p] = volume;
     if (s.has(Column::domain)) fill_domain(p);
+    if (s.has(Column::corners)) fill_corners(p);
     if (!s.setup.motion) continue;
     const Vector3 v = initial_velocity(s.setup, X);
     for (int d = 0; d < Dim; ++d) s.column(Column::velocity, d)[p] = v(d);
@@ -110,6 +112,19 @@ void Simulation<Dim>::fill_domain(std::size_t p) {
     return;
   }
   for (int d = 0; d < Dim; ++d) s.column(Column::domain, d)[p] = 0.5 * std::pow(seeds.volume(p), 1.0 / Dim);
+}
+
+template <int Dim>
+void Simulation<Dim>::fill_corners(std::size_t p) {
+  State<Dim>& s = state_;
+  const Seeds<Dim>& seeds = s.setup.seeds;
+  Vec<Dim> X;
+  Mat<Dim> half{};
+  for (std::size_t d = 0; d < Dim; ++d) X[d] = seeds.X[d][p], half[d * Dim + d] = seeds.half_size[d];
+  const Corners<Dim> corners = corners_of<Dim>(X, seeds.half_edges.empty() ? half : seeds.half_edges[p]);
+  for (int k = 0; k < corner_components<Dim>; ++k) {
+    s.column(Column::corners, k)[p] = corners[static_cast<std::size_t>(k / Dim)][static_cast<std::size_t>(k % Dim)];
+  }
 }
 
 /// Nodes outside the ring are held.

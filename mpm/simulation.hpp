@@ -39,6 +39,7 @@ class Simulation {
   void allocate(const std::vector<Pass<Dim>>& passes);
   void fill();
   void fill_domain(std::size_t p);
+  void fill_corners(std::size_t p);
   void hold_outside();
 
   State<Dim> state_;

@@ -57,7 +57,8 @@ mpm::Seeds<2> seeds_of(const Scene& scene) {
   if (!seeds.domains && scene.force.evaluation == ForceChoice::Evaluation::domain_average) {
     seeds.domains = std::make_shared<const ReferenceDomains>(mpm::rectangles_of(seeds, {vortex.inner, vortex.outer}));
   }
-  mpm::turn(seeds, scene.frame->angle, scene.method->basis == Method::Basis::cpdi);
+  mpm::turn(seeds, scene.frame->angle,
+            scene.method->basis == Method::Basis::cpdi || scene.method->basis == Method::Basis::cpdi2);
   return seeds;
 }
 

@@ -48,7 +48,7 @@ enum class Arrangement {
   shifted,   ///< that lattice moved by an irrational part of a cell
   deformed,  ///< stretched and sheared by `homogeneous_deformation`: the domains are parallelograms without gaps
   graded,    ///< deformed, and rows and columns of unequal width: the same without gaps, from `graded_seeds`
-  jittered,  ///< deformed, and each particle moved by up to 0.3 of its distance to the next
+  jittered,  ///< deformed, and each particle, or each corner, moved by up to 0.3 of its distance to the next
 };
 
 /// The square cut into rows and columns whose widths differ by up to 0.6 of themselves, each rectangle a particle.

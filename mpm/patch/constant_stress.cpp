@@ -64,7 +64,7 @@ Forces summed(const State<2>& s, const Mat<2>& F, const Stress& sigma) {
     }
   }
   for (const double component : sigma) scale = std::max(scale, std::abs(component));
-  for (std::size_t p = 0; p < s.particles; ++p) volume += determinant<2>(F) * s.setup.seeds.volume(p);
+  for (std::size_t p = 0; p < s.particles; ++p) volume += determinant<2>(F) * s.column(Column::volume)[p];
   for (std::size_t c = 0; c < 4; ++c) total = std::max(total, std::abs(moment[c] / volume + sigma[c]));
   return {largest / (scale * grid.spacing), total / scale};
 }

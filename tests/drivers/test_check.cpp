@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "drivers/check_material.hpp"
 #include "drivers/check_report.hpp"
 #include "drivers/scene/yaml_reader.hpp"
 #include "tests/drivers/process.hpp"
@@ -148,6 +149,36 @@ TEST(Check, AModelThatEndsTheProcessIsAFinding) {
 }
 
 /// The verdict is told first, whatever becomes of the files.
+TEST(Check, ANativeModelThatPrintsDisturbsItsProcess) {
+  const ScratchFolder scratch;
+  const std::string json = scratch / "check.json";
+  EXPECT_EQ(checked({plugins + "prints.so", "--quick", "--json", json, "-o", scratch / "r"}), 1);
+  const auto found = nlohmann::json::parse(read_bytes(json));
+  ASSERT_EQ(found["diagnosis"].size(), 1u);
+  EXPECT_EQ(found["diagnosis"][0]["cause"], "disturbs its process");
+  EXPECT_NE(found["diagnosis"][0]["sentence"].dump().find("which is all very well"), std::string::npos);
+  EXPECT_EQ(checked({"--replay", scratch / "r/prints.calls.process.yaml"}), 1);
+}
+
+TEST(Check, ALittlePrintIsARemarkAndThatOfForeignModelsIsTheirs) {
+  CheckedMaterial quiet{.name = "clay"};
+  quiet.report.tests = {{.id = process_test, .sentence = "as it was"}};
+  quiet.printed = "F is not a number";
+  quiet.printed_bytes = quiet.printed.size();
+  judge_printing(quiet);
+  EXPECT_TRUE(quiet.passes());
+  EXPECT_EQ(quiet.report.tests[0].sentence,
+            "as it was; a remark: the model prints: 17 bytes, the last line \"F is not a number\"");
+  const ScratchFolder scratch;
+  const std::string description =
+      scratch.write("u.yaml", "library: u.so\ninterface: umat\ndensity: 1000\nproperties: {E: 1.0e3, nu: 0.3}\n");
+  CheckedMaterial foreign{.name = "umat", .description = description};
+  foreign.report.tests = {{.id = process_test, .sentence = "as it was"}};
+  foreign.printed_bytes = 1 << 20;
+  judge_printing(foreign);
+  EXPECT_EQ(foreign.report.tests[0].sentence, "as it was");
+}
+
 TEST(Check, AnUnwritablePlaceCostsNoVerdict) {
   for (const std::vector<std::string>& place :
        std::vector<std::vector<std::string>>{{"-o", "/proc/x"}, {"--json", "/proc/x"}, {"--junit", "/proc/x"}}) {
