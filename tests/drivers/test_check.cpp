@@ -161,7 +161,7 @@ TEST(Check, ANativeModelThatPrintsDisturbsItsProcess) {
 }
 
 TEST(Check, ALittlePrintIsARemarkAndThatOfForeignModelsIsTheirs) {
-  CheckedMaterial quiet{.name = "clay"};
+  CheckedMaterial quiet, foreign;
   quiet.report.tests = {{.id = process_test, .sentence = "as it was"}};
   quiet.printed = "F is not a number";
   quiet.printed_bytes = quiet.printed.size();
@@ -172,7 +172,7 @@ TEST(Check, ALittlePrintIsARemarkAndThatOfForeignModelsIsTheirs) {
   const ScratchFolder scratch;
   const std::string description =
       scratch.write("u.yaml", "library: u.so\ninterface: umat\ndensity: 1000\nproperties: {E: 1.0e3, nu: 0.3}\n");
-  CheckedMaterial foreign{.name = "umat", .description = description};
+  foreign.description = description;
   foreign.report.tests = {{.id = process_test, .sentence = "as it was"}};
   foreign.printed_bytes = 1 << 20;
   judge_printing(foreign);
