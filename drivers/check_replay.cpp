@@ -71,7 +71,8 @@ int check_replay(const CheckOptions& options) {
       replay.material,
       [&](const CheckReporter& reporter) { return again(replay, in_this_process(resolved), reporter); },
       adapters::start_of(&resolved.material.table()).limits};
-  const CheckedMaterial checked = check_in_processes({task}, {}).front();
+  CheckedMaterial checked = check_in_processes({task}, {}).front();
+  judge_printing(checked);
   const std::string text = wrapped(replay.reason, "it was: ", "    ") + "\n" + check_text(checked, Verbosity::verbose);
   tell(options, text, check_json(checked), check_junit({checked}));
   if (!checked.error.empty()) throw SystemError(checked.error);

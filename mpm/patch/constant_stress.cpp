@@ -51,10 +51,10 @@ struct Forces {
   double inner = INFINITY, total = INFINITY;
 };
 
-Forces summed(const State<2>& s, const Mat<2>& F, const Stress& sigma) {
+Forces summed(const State<2>& s, const Mat<2>& F, const Stress& sigma, double volume) {
   const GridGeometry<2>& grid = s.setup.grid;
   Mat<2> moment{};
-  double largest = 0, scale = 0, volume = 0, total = 0;
+  double largest = 0, scale = 0, total = 0;
   for (std::int32_t j = 0; j < grid.count[1]; ++j) {
     for (std::int32_t i = 0; i < grid.count[0]; ++i) {
       const Vec<2> x{grid.coordinate(0, i), grid.coordinate(1, j)};
@@ -64,7 +64,6 @@ Forces summed(const State<2>& s, const Mat<2>& F, const Stress& sigma) {
     }
   }
   for (const double component : sigma) scale = std::max(scale, std::abs(component));
-  for (std::size_t p = 0; p < s.particles; ++p) volume += determinant<2>(F) * s.column(Column::volume)[p];
   for (std::size_t c = 0; c < 4; ++c) total = std::max(total, std::abs(moment[c] / volume + sigma[c]));
   return {largest / (scale * grid.spacing), total / scale};
 }
@@ -82,11 +81,13 @@ Forces forces(const Method& method, const Bench& bench, Arrangement arrangement)
   fill(s, sigma);
   Mat<2> F;  // of all particles, at the beginning of the step
   for (std::size_t c = 0; c < 4; ++c) F[c] = s.column(Column::deformation_gradient, static_cast<int>(c))[0];
+  double reference_volume = 0;  // before the step, which may be the one that is wrong
+  for (std::size_t p = 0; p < s.particles; ++p) reference_volume += s.column(Column::volume)[p];
   if (simulation.step(0, 1e-6)) return {};
-  if (!method.is_total()) return summed(s, F, sigma);
+  if (!method.is_total()) return summed(s, F, sigma, determinant<2>(F) * reference_volume);
   const double J = determinant<2>(F);
   const Mat<2> P = product<2>({J * sigma[0], J * sigma[1], J * sigma[2], J * sigma[3]}, inverse_transpose<2>(F, J));
-  return summed(s, {1, 0, 0, 1}, {P[0], P[1], P[2], P[3], 0});
+  return summed(s, {1, 0, 0, 1}, {P[0], P[1], P[2], P[3], 0}, reference_volume);
 }
 
 }  // namespace

@@ -152,7 +152,9 @@ TEST(Check, AModelThatEndsTheProcessIsAFinding) {
 TEST(Check, ANativeModelThatPrintsDisturbsItsProcess) {
   const ScratchFolder scratch;
   const std::string json = scratch / "check.json";
-  EXPECT_EQ(checked({plugins + "prints.so", "--quick", "--json", json, "-o", scratch / "r"}), 1);
+  EXPECT_EQ(
+      checked({plugins + "prints.so", "--parameters", "E=1e3,nu=0.3", "--quick", "--json", json, "-o", scratch / "r"}),
+      1);
   const auto found = nlohmann::json::parse(read_bytes(json));
   ASSERT_EQ(found["diagnosis"].size(), 1u);
   EXPECT_EQ(found["diagnosis"][0]["cause"], "disturbs its process");

@@ -167,8 +167,9 @@ TEST(SceneReader, RefusesNumbersOutOfRange) {
 }
 
 TEST(SceneReader, RefusesWhatLaterVersionsMayKnow) {
-  EXPECT_TRUE(has(refused_set("method.basis=cpdi2"),
-                  "unknown value 'cpdi2' (nearest: cpdi); known: linear, ugimp, cpgimp, cpdi, bspline2, bspline3"));
+  EXPECT_TRUE(has(refused_set("method.basis=bspline4"),
+                  "unknown value 'bspline4' (nearest: bspline2); known: linear, ugimp, cpgimp, cpdi, cpdi2, bspline2, "
+                  "bspline3"));
   EXPECT_TRUE(has(refused_set("method.transfer=picflip"), "known: pic, flip, xpic, fmpm, apic, aflip"));
   EXPECT_TRUE(has(refused_set("force.evaluation=corner_average"), "known: point, domain_average"));
   EXPECT_TRUE(has(refused_set("motion.type=twisting_ring"), "known: vortex, homogeneous"));

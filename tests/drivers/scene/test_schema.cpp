@@ -181,7 +181,7 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
                                      "body: {per_cell: [2, 17]}",
                                      "body: {per_cell: [2]}",
                                      "body: {per_cell: [2, 2.5]}",
-                                     "method: {basis: cpdi2}",
+                                     "method: {basis: cpdi3}",
                                      "time: {end: soon}",
                                      "output: {pictures: 1}",
                                      "expect: {error.l2: {below: 1}}",

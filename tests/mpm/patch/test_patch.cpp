@@ -119,7 +119,7 @@ void transpose(State<2>& s, Column column) {
 
 const Method linear{Basis::linear, Transfer::flip, Update::usl}, ugimp{Basis::ugimp, Transfer::flip, Update::usl},
     cpdi{Basis::cpdi, Transfer::flip, Update::usl}, cpdi_usf{Basis::cpdi, Transfer::flip, Update::usf},
-    pic{Basis::ugimp, Transfer::pic, Update::musl};
+    cpdi2{Basis::cpdi2, Transfer::flip, Update::usl}, pic{Basis::ugimp, Transfer::pic, Update::musl};
 
 std::vector<Defect> defects() {
   const auto scale_all = [](Column column, int components, double factor, std::size_t every) {
@@ -211,7 +211,7 @@ std::vector<Defect> defects() {
            for (std::size_t d = 0; d < 2; ++d) s.force.node(i)[d] *= -1;
          }
        },
-       {linear, cpdi},
+       {linear, cpdi, cpdi2},
        {"stress.total"}},
       {"the volume is that of the reference",
        "grid_forces",
@@ -223,7 +223,7 @@ std::vector<Defect> defects() {
            s.column(Column::volume)[p] = s.setup.seeds.volume(p) / (*F[0] * *F[3] - *F[1] * *F[2]);
          }
        },
-       {linear, cpdi, cpdi_usf},
+       {linear, cpdi, cpdi2, cpdi_usf},
        {"stress.total"}},
       {"the body force is halved",
        "body_force",
@@ -245,8 +245,14 @@ std::vector<Defect> defects() {
        "grid_to_particles",
        false,
        scale_all(Column::velocity, 2, 1 - 1e-9, 3),
-       {linear, ugimp, cpdi, pic},
+       {linear, ugimp, cpdi, cpdi2, pic},
        {"momentum.linear", "translation"}},
+      {"the corners fall behind",
+       "corners",
+       false,
+       scale_all(Column::corners, 8, 1 - 1e-4, 1),
+       {cpdi2},
+       {"translation"}},
   };
 }
 
