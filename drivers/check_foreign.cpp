@@ -93,6 +93,7 @@ check::Declarations declarations_of(const ResolvedMaterial& material) {
   const bool umat = model->interface == ForeignInterface::umat;
   return {.rate_dependence = "flags: [rate_dependent]",
           .own_axes = "its components as scalars of `state`",
+          .guesses_roles = true,
           .may_drop_stress = true,
           .tangent_within = 2e-3,
           .tangent = umat ? std::string("DDSDDE of strain: ") + (model->finite_strain ? "finite" : "small")

@@ -52,6 +52,7 @@ struct Report {
 struct Declarations {
   std::string rate_dependence = "ASSAY_RATE_DEPENDENT";
   std::string own_axes = "ASSAY_ROLE_ROTATES_ITSELF";
+  bool guesses_roles = false;    ///< of the state: a foreign interface knows none
   bool may_drop_stress = false;  ///< an initial one that it cannot carry: it has no way to refuse
   double tangent_within = 1e-4;  ///< relative: of a foreign implicit law more, as its last iteration leaves it
   std::string tangent = "d sigma / d F1 in row-major order";
@@ -81,6 +82,7 @@ inline constexpr const char* rotation_missing = "increment rotation missing";
 inline constexpr const char* wrong_spin = "wrong spin";
 inline constexpr const char* explicit_spin = "explicit spin grows stress";
 inline constexpr const char* state_not_rotated = "state variable not rotated";
+inline constexpr const char* wrong_role = "state variable with a wrong role";
 inline constexpr const char* components_swapped = "components 13 and 23 swapped";
 inline constexpr const char* shear_factor = "shear factor 2";
 inline constexpr const char* small_strain = "small-strain law used at finite strain";

@@ -12,9 +12,9 @@ namespace {
 
 /// Tests that one mistake about rotations, stiffness or spectra fails as a whole.
 constexpr const char* of_frames[] = {
-    "elasticity.components",  "elasticity.shear",     "isotropy",          "rotation.constant", "basis",
-    "rotation.at_rest",       "rotation.before",      "rotation.during",   "rotation.after",    "rotation.apex",
-    "rotation.fixed_stretch", "rotation.revolutions", "stretches.turning", "initial_stress"};
+    "elasticity.components",  "elasticity.shear",     "isotropy",        "rotation.constant", "basis",
+    "rotation.at_rest",       "rotation.before",      "rotation.during", "rotation.after",    "rotation.apex",
+    "rotation.fixed_stretch", "rotation.revolutions", "rotation.state",  "stretches.turning", "initial_stress"};
 
 class Diagnostician {
  public:
@@ -128,6 +128,7 @@ const std::vector<std::string>& all_causes() {
                                             causes::wrong_spin,
                                             causes::explicit_spin,
                                             causes::state_not_rotated,
+                                            causes::wrong_role,
                                             causes::not_isotropic,
                                             causes::repeated_stretch,
                                             causes::tangent_convention,

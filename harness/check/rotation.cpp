@@ -203,7 +203,7 @@ TestResult revolutions(const Specimen& specimen) {
 }
 
 RotationFinding rotation_of_state(const Specimen& specimen) {
-  constexpr double same = 1e-3, trifle = 1e-10;
+  constexpr double same = 1e-3, faded = 1e-6, most = 1e-2;
   const double a = specimen.amplitude;
   const Loading loading{[a, space = specimen.space](double t) { return space.stretch(a, 0.5 * std::min(t, 1.0)); }, 2};
   const Twins twins = march_twins(
@@ -211,30 +211,45 @@ RotationFinding rotation_of_state(const Specimen& specimen) {
   RotationFinding finding{{.id = "rotation.state"}};
   const assay_material& table = specimen.material->table();
   double worst = 0;
+  std::string which;
   std::size_t at = 0;
   bool any = false;
   for (std::uint32_t v = 0; v < table.state_count; ++v) {
     const int size = components_of_kind(table.state[v].kind);
-    const auto value = [&](const March& m) { return Variable(table.state[v].kind, &m.marks[1].state[at]); };
-    const Variable still = value(twins.still), seen = value(twins.seen),
+    const auto value = [&](const March& m, std::size_t mark) {
+      return Variable(table.state[v].kind, &m.marks[mark].state[at]);
+    };
+    const Variable loaded = value(twins.still, 0), still = value(twins.still, 1), seen = value(twins.seen, 1),
                    turned = still.turned(specimen.space.turn(angle));
     at += static_cast<std::size_t>(size);
     const double scale = still.largest();
-    if (size == 1 || !(scale > trifle) || still.distance(turned) < same * scale) continue;  // a sphere says nothing
+    if (size == 1 || !(scale > faded * loaded.largest())) continue;  // what has relaxed is rounding
+    if (still.distance(turned) < same * scale) continue;             // a sphere says nothing
     any = true;
-    if (table.state[v].role == ASSAY_ROLE_PLAIN) worst = std::max(worst, seen.distance(turned) / scale);
+    const double off = seen.distance(turned) / scale;
+    if (table.state[v].role == ASSAY_ROLE_PLAIN && !(off <= worst)) worst = off, which = table.state[v].name;
     if (table.state[v].role == ASSAY_ROLE_PLAIN && seen.distance(still) < same * scale) {
       finding.left_behind += (finding.left_behind.empty() ? "" : ", ") + std::string(table.state[v].name);
     }
   }
-  finding.result.verdict = any ? Verdict::pass : Verdict::not_applicable;
-  if (any) finding.result.measure = worst;
-  finding.result.sentence = !any ? "the state has no tensor or vector that could turn"
-                            : worst <= same
-                                ? "tensors of the state turn with the body, or are declared to turn by themselves"
-                                : "a tensor of the state does not turn as its role says; no defect where the stress "
-                                  "is right: declare " +
-                                      specimen.options.declarations.own_axes;
+  if (!any) {
+    finding.result.verdict = Verdict::not_applicable;
+    finding.result.sentence = "the state has no tensor or vector that could turn";
+    return finding;
+  }
+  finding.result.measure = worst;
+  finding.result.threshold = most;
+  finding.result.step = twins.seen.last;
+  finding.result.sentence = "tensors of the state turn with the body, or are declared to turn by themselves";
+  if (worst <= most) return finding;
+  const Declarations& declared = specimen.options.declarations;
+  finding.result.sentence =
+      "'" + which + "' of the state does not turn as its role says: " +
+      (declared.guesses_roles ? "no defect where the stress is right" : "a host that turns it spoils it") +
+      ". Components lie as 11 22 33 12 13 23, none of them doubled; of axes of its own declare " + declared.own_axes;
+  if (declared.guesses_roles) return finding;
+  finding.result.verdict = Verdict::fail;
+  finding.result.cause = causes::wrong_role;
   return finding;
 }
 

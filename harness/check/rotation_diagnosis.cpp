@@ -97,7 +97,8 @@ class RotationDiagnostician {
   std::optional<Diagnosis> of_turned_step() const {
     const bool turning_fails =
         std::any_of(verdicts_.tests().begin(), verdicts_.tests().end(), [](const TestResult& test) {
-          const bool turns = test.id.rfind("rotation.", 0) == 0 || test.id == "basis" || test.id == "stretches.turning";
+          const bool of_rotation = test.id.rfind("rotation.", 0) == 0 && test.id != "rotation.state";
+          const bool turns = of_rotation || test.id == "basis" || test.id == "stretches.turning";
           return test.verdict == Verdict::fail && turns;
         });
     if (!turning_fails || !evidence_.turned) return std::nullopt;

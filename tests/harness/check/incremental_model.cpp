@@ -124,9 +124,11 @@ void update(void* self, const assay_step* step, std::size_t n, const double* sta
     Tensor stress = read(state0, n, q, stress_at), back = read(state0, n, q, back_at);
     double p = state0[p_at * n + q];
     const Tensor F0 = read(step->F0, n, q), F1 = read(step->F1, n, q);
+    const bool unturned = m.defect == back_stress_kept_in_the_reference;
+    if (unturned) back = polar(F0) * back * polar(F0).transpose();
     const Tensor found = take(m, {step->t, step->dt, F0, F1, q}, stress, back, p);
     write(stress, state1, n, q, stress_at);
-    write(back, state1, n, q, back_at);
+    write(unturned ? Tensor(polar(F1).transpose() * back * polar(F1)) : back, state1, n, q, back_at);
     if (m.defect != leaves_a_component) state1[p_at * n + q] = p;
     write(found, cauchy, n, q);
     status[q] = ASSAY_GOOD;

@@ -56,6 +56,7 @@ enum Defect : int {
   infinite_first_slope,
   back_stress_feeds_itself,
   yields_as_at_first,
+  back_stress_kept_in_the_reference,
   defects
 };
 

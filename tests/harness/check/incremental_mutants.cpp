@@ -62,6 +62,7 @@ std::vector<Subject> incremental_subjects() {
                         {"double_spin", double_spin, wrong_spin},
                         {"euler_spin", euler_spin, explicit_spin},
                         {"fixed_back_stress", fixed_back_stress, state_not_rotated},
+                        {"back_stress_kept_in_the_reference", back_stress_kept_in_the_reference, wrong_role},
                         {"back_stress_turned_back", back_stress_turned_back, wrong_spin},
                         {"swapped_back_stress", swapped_back_stress, components_swapped},
                         {"back_stress_as_strain", back_stress_as_strain, shear_factor},

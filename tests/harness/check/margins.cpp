@@ -67,12 +67,11 @@ MarginRow row_of(const std::string& cause, std::vector<Margin> planted) {
 }  // namespace
 
 Margin margin_of(const Subject& subject, const check::Report& report) {
-  constexpr const char* remark = "rotation.state";  // has a threshold and never fails
   const bool good = subject.cause.empty();
   Margin margin{subject.name, subject.material.table().name, subject.cause, "", 0};
   for (const check::TestResult& test : report.tests) {
     const bool names = test.verdict == check::Verdict::fail && test.cause == subject.cause;
-    if (test.id == remark || (!good && !names)) continue;
+    if (!good && !names) continue;
     if (!good && margin.test.empty()) margin.test = test.id;
     if (!test.measure || !test.threshold || *test.threshold == 0) continue;
     const double share = *test.measure / *test.threshold, figure = std::isnan(share) ? INFINITY : share;

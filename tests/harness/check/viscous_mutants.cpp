@@ -37,6 +37,9 @@ enum Defect : int {
   relaxes_by_the_step,
   grows,
   wrong_branch,
+  kept_in_another_order,
+  kept_doubled,
+  kept_in_the_reference,
   defects
 };
 
@@ -88,6 +91,34 @@ Tensor strain_of_part(int defect, const PointStep& step, const Tensor& R, const 
   }
 }
 
+/// 11, 12, 13, 22, 23, 33 where 11, 22, 33, 12, 13, 23 are asked for, or back from there.
+Tensor by_rows(const Tensor& q, bool back) {
+  constexpr int asked[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}},
+                kept[6][2] = {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}};
+  Tensor result;
+  for (int c = 0; c < 6; ++c) {
+    const auto& from = back ? asked[c] : kept[c];
+    const auto& to = back ? kept[c] : asked[c];
+    result(to[0], to[1]) = result(to[1], to[0]) = q(from[0], from[1]);
+  }
+  return result;
+}
+
+/// An overstress as the state keeps it, whatever its role says, or back from there.
+Tensor kept(int defect, const Tensor& F, const Tensor& q, bool back) {
+  const Tensor R = polar(F);
+  switch (defect) {
+    case kept_in_another_order:
+      return by_rows(q, back);
+    case kept_doubled:
+      return sheared(q, back ? 0.5 : 2);
+    case kept_in_the_reference:
+      return back ? Tensor(R * q * R.transpose()) : Tensor(R.transpose() * q * R);
+    default:
+      return q;
+  }
+}
+
 /// Hencky's law beside two overstresses that relax.
 struct Solid {
   static constexpr std::size_t state_size = 12;
@@ -98,7 +129,7 @@ struct Solid {
       : mu(p[0]), bulk(p[1]), share{p[2], p[3]}, time{p[4], p[5]}, defect(static_cast<int>(p[6])) {}
 
   bool rest(const Tensor& cauchy, double* state) const {
-    write_symmetric(cauchy, state);
+    write_symmetric(kept(defect, Tensor::Identity(), cauchy, false), state);
     return true;
   }
 
@@ -122,7 +153,7 @@ struct Solid {
       const int here = defect == slow_unturned ? (k == 1 ? unturned : none) : defect;
       const double time_of_step = defect == relaxes_by_the_step ? 0.01 : defect == grows ? -step.dt : step.dt;
       const double left = std::exp(-time_of_step / time[k]), middle = std::sqrt(left);
-      const Tensor before = left * read_symmetric(state0 + 6 * k);
+      const Tensor before = left * kept(defect, step.F0, read_symmetric(state0 + 6 * k), true);
       const Tensor own = strain_of_part(defect, step, R, strain);
       const double sign = defect == wrong_branch && k == 1 ? -1 : 1;
       const Tensor added = R * (2 * mu * sign * share[k] * middle * deviator(own)) * R.transpose();
@@ -131,7 +162,7 @@ struct Solid {
       sigma += q;
       if (defect == swapped) q = exchanged(q);
       if (defect == doubled_in_state) q = sheared(q, 2);
-      write_symmetric(q, state1 + 6 * k);
+      write_symmetric(kept(defect, step.F1, q, false), state1 + 6 * k);
     }
     if (defect == first_call && !std::exchange(statics.called, true)) sigma *= 0.5;
     return sigma;
@@ -239,6 +270,9 @@ std::vector<Subject> viscous_subjects() {
       {{"generalised_maxwell", none, ""},
        {"unturned_overstress", unturned, state_not_rotated},
        {"unturned_slow_overstress", slow_unturned, state_not_rotated},
+       {"overstress_kept_in_another_order", kept_in_another_order, wrong_role},
+       {"overstress_kept_doubled", kept_doubled, wrong_role},
+       {"overstress_kept_in_the_reference", kept_in_the_reference, wrong_role},
        {"overstress_turned_back", turned_back, wrong_spin},
        {"swapped_overstress", swapped, components_swapped},
        {"overstress_turned_as_strain", turned_as_strain, shear_factor},
