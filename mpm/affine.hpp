@@ -68,6 +68,15 @@ Mat<Dim> second_moment(const B& basis, std::size_t p) {
   return D;
 }
 
+/// L = sum_i v_i (x) grad w_i [1/s] of the velocities of a field of velocity and acceleration.
+template <int Dim, class B>
+Mat<Dim> velocity_gradient(const B& basis, std::size_t p, const GridField<2 * Dim>& field) {
+  std::array<double, 2 * Dim> motion;
+  Mat<Dim> gradient;
+  basis.template gather<2 * Dim, Dim>(p, field, motion, gradient);
+  return gradient;
+}
+
 /// B = sum_i w_i v_i (x) r_i [m^2/s] of the first Dim components of a field.
 template <int Dim, class B, int K>
 Mat<Dim> first_moment(const B& basis, std::size_t p, const GridField<K>& field) {

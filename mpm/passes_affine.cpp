@@ -18,14 +18,6 @@ Mat<Dim> convected(const Mat<Dim>& L, double dt) {
   return product<Dim>(L, inverse<Dim>(step));
 }
 
-template <class B, int Dim>
-Mat<Dim> gradient_of_grid(const State<Dim>& s, const B& basis, std::size_t p) {
-  std::array<double, 2 * Dim> motion;
-  Mat<Dim> gradient;
-  basis.template gather<2 * Dim, Dim>(p, s.motion, motion, gradient);
-  return gradient;
-}
-
 }  // namespace
 
 template <class B, int Dim>
@@ -55,7 +47,7 @@ Pass<Dim> affine_pass(const Method& method, bool knows_gradient) {
         for (std::size_t p = begin; p < end; ++p) {
           Mat<Dim> found = moment || fits ? first_moment<Dim>(basis, p, s.motion)
                            : from_column  ? load(L, p)
-                                          : gradient_of_grid(s, basis, p);
+                                          : velocity_gradient<Dim>(basis, p, s.motion);
           if (fits) found = product<Dim>(found, inverse<Dim>(second_moment<Dim>(basis, p)));
           if (!moment && !total) found = convected<Dim>(found, now.dt);
           for (std::size_t c = 0; c < Dim * Dim; ++c) C[c][p] = found[c];

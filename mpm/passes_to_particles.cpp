@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/passes_to_particles.hpp"
 
+#include "mpm/affine.hpp"
 #include "mpm/bases.hpp"
 #include "mpm/blocks.hpp"
 #include "mpm/column_access.hpp"
@@ -115,9 +116,7 @@ Pass<Dim> velocity_gradient_pass() {
       const auto L = components<Dim * Dim>(s, Column::velocity_gradient);
       for_blocks(s.particles, s.setup.threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {
-          std::array<double, 2 * Dim> motion;
-          std::array<double, Dim * Dim> gradient;
-          basis.template gather<2 * Dim, Dim>(p, s.motion, motion, gradient);
+          const Mat<Dim> gradient = velocity_gradient<Dim>(basis, p, s.motion);
           for (std::size_t c = 0; c < Dim * Dim; ++c) L[c][p] = gradient[c];
         }
       });
