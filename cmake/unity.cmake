@@ -44,7 +44,9 @@ if(CMAKE_UNITY_BUILD)
     tests/mpm/test_basis_linear.cpp
     tests/mpm/test_basis_ugimp.cpp
     tests/mpm/test_passes_to_particles.cpp
-    tests/mpm/test_simulation.cpp)
+    tests/mpm/test_mass_stencil.cpp
+    tests/mpm/test_simulation.cpp
+    tests/mpm/test_sweep.cpp)
   list(TRANSFORM stand_alone PREPEND ${PROJECT_SOURCE_DIR}/)
   set(folders ${PROJECT_SOURCE_DIR})
   if(ASSAY_BUILD_TESTS)

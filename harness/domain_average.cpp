@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/sine_cosine.hpp"
+#include "harness/vector_clones.h"
+
 namespace assay {
 
 namespace {
@@ -11,17 +14,21 @@ namespace {
 /// A front this close to an edge's end [relative to ro] is at its end.
 constexpr double front_snap = 1e-12;
 
-}  // namespace
-
-void DomainAverage::rotate(double g, std::span<const double> h, std::span<const double> tau,
-                           std::span<Rotated> out) const {
-  const std::size_t n = h.size();
-  const double *t11 = tau.data(), *t12 = t11 + n, *t21 = t12 + n, *t22 = t21 + n;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double c = std::cos(g * h[i]), s = std::sin(g * h[i]);
-    out[i] = {c * t11[i] - s * t21[i], c * t12[i] - s * t22[i], s * t11[i] + c * t21[i], s * t12[i] + c * t22[i]};
+/// S = Q(g h) tau at radii first to last - 1 of n; tau[c * n + i].
+ASSAY_VECTOR_CLONES void rotate(double g, const double* __restrict h, const double* __restrict tau, std::size_t n,
+                                std::size_t first, std::size_t last, DomainAverage::Rotated* __restrict out) {
+  const double *t11 = tau, *t12 = t11 + n, *t21 = t12 + n, *t22 = t21 + n;
+  for (std::size_t i = first; i < last; ++i) {
+    double c = 1, s = 0;
+    sine_cosine(g * h[i], s, c);
+    out[i].s11 = c * t11[i] - s * t21[i];
+    out[i].s12 = c * t12[i] - s * t22[i];
+    out[i].s21 = s * t11[i] + c * t21[i];
+    out[i].s22 = s * t12[i] + c * t22[i];
   }
 }
+
+}  // namespace
 
 Point DomainAverage::flux_of(std::span<const BoundaryPoint> points, std::span<const Rotated> S) const {
   Point flux{};
@@ -89,7 +96,7 @@ std::vector<DomainAverage::Rotated> DomainAverage::rotated_at(const PlaneRespons
   }
   response.tau(t, xi, tau);
   std::vector<Rotated> S(n);
-  rotate(g, h, tau, S);
+  rotate(g, h.data(), tau.data(), n, 0, n, S.data());
   return S;
 }
 
@@ -103,38 +110,50 @@ void DomainAverage::accelerations(const AmplitudeValue& g) {
   }
 }
 
-void DomainAverage::evaluate(const PlaneResponse& response, double t, std::span<double> b_x, std::span<double> b_y) {
+void DomainAverage::evaluate(const PlaneResponse& response, double t, std::span<double> b_x, std::span<double> b_y,
+                             const InPieces& pieces) {
   const AmplitudeValue g = vortex_.amplitude.at(t);
   response.tau(t, xi_, tau_);
-  rotate(g.value, h_, tau_, rotated_);
-  for (std::size_t e = 0; e < edges_.size(); ++e) {
-    flux_[e] = flux_of(std::span(points_).subspan(edges_[e].begin, edges_[e].end - edges_[e].begin), rotated_);
-  }
+  pieces(xi_.size(), [&](std::size_t begin, std::size_t end) {
+    rotate(g.value, h_.data(), tau_.data(), xi_.size(), begin, end, rotated_.data());
+  });
+  pieces(edges_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) {
+      flux_[e] = flux_of(std::span(points_).subspan(edges_[e].begin, edges_[e].end - edges_[e].begin), rotated_);
+    }
+  });
   split_at_fronts(response, t, g.value);
   accelerations(g);
-  for (std::size_t k = 0; k < shapes_.size(); ++k) {
-    const Shape& shape = shapes_[k];
-    Point flux{};
-    for (std::uint32_t i = shape.sides_begin; i < shape.sides_end; ++i) {
-      const Point& f = flux_[sides_[i].edge];
-      flux[0] += sides_[i].sign * f[0];
-      flux[1] += sides_[i].sign * f[1];
+  pieces(shapes_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) force_[k] = force_on(k);
+  });
+  pieces(places_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      const Point b = places_[p].turned(force_[places_[p].shape]);
+      b_x[p] = b[0], b_y[p] = b[1];
     }
-    const Point inertia = moments_.integral(k, node_a_);
-    for (std::size_t d = 0; d < 2; ++d) force_[k][d] = (inertia[d] - flux[d] / density_) / shape.volume;
-  }
-  for (std::size_t p = 0; p < places_.size(); ++p) {
-    const Point b = places_[p].turned(force_[places_[p].shape]);
-    b_x[p] = b[0], b_y[p] = b[1];
-  }
+  });
 }
 
-void DomainAverage::evaluate(const Response& response, double t, std::span<double> b_x, std::span<double> b_y) {
+Point DomainAverage::force_on(std::size_t k) const {
+  const Shape& shape = shapes_[k];
+  Point flux{};
+  for (std::uint32_t i = shape.sides_begin; i < shape.sides_end; ++i) {
+    const Point& f = flux_[sides_[i].edge];
+    flux[0] += sides_[i].sign * f[0];
+    flux[1] += sides_[i].sign * f[1];
+  }
+  const Point inertia = moments_.integral(k, node_a_);
+  return {(inertia[0] - flux[0] / density_) / shape.volume, (inertia[1] - flux[1] / density_) / shape.volume};
+}
+
+void DomainAverage::evaluate(const Response& response, double t, std::span<double> b_x, std::span<double> b_y,
+                             const InPieces& pieces) {
   evaluate({[&](double time, std::span<const double> xi, std::span<double> tau) {
-              response.plane_tau_at_time(time, xi, tau);
+              response.plane_tau_at_time(time, xi, tau, pieces);
             },
             [&](double time) { return response.fronts(time); }},
-           t, b_x, b_y);
+           t, b_x, b_y, pieces);
 }
 
 }  // namespace assay

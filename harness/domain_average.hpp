@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "harness/in_pieces.hpp"
 #include "harness/radii_of_xi.hpp"
 #include "harness/reference_domain.hpp"
 #include "harness/response.hpp"
@@ -28,12 +29,19 @@ struct PlaneResponse {
 
 class DomainAverage {
  public:
+  /// S = Q(alpha) tau at a radius, row-major.
+  struct Rotated {
+    double s11 = 0, s12 = 0, s21 = 0, s22 = 0;
+  };
+
   /// density: rho0 [kg/m^3]; gauss_points: of each straight piece, 1 to 8.
   DomainAverage(const Vortex& vortex, double density, const ReferenceDomains& domains, int gauss_points = 2);
 
   /// Writes b_avg [m/s^2] of each particle. Allocates nothing where there are no fronts.
-  void evaluate(const PlaneResponse& response, double t, std::span<double> b_x, std::span<double> b_y);
-  void evaluate(const Response& response, double t, std::span<double> b_x, std::span<double> b_y);
+  void evaluate(const PlaneResponse& response, double t, std::span<double> b_x, std::span<double> b_y,
+                const InPieces& pieces = in_one_piece);
+  void evaluate(const Response& response, double t, std::span<double> b_x, std::span<double> b_y,
+                const InPieces& pieces = in_one_piece);
 
   std::size_t radii() const { return xi_.size(); }     ///< at which tau is asked for
   std::size_t edges() const { return edges_.size(); }  ///< that are integrated
@@ -59,9 +67,6 @@ class DomainAverage {
     std::uint32_t sides_begin = 0, sides_end = 0;
     double volume = 0;
   };
-  struct Rotated {  // S = Q(alpha) tau at a radius, row-major
-    double s11 = 0, s12 = 0, s21 = 0, s22 = 0;
-  };
 
   void add_edges(const ReferenceDomains& domains);
   std::uint32_t add_arc(const BoundaryPiece& arc, std::vector<double>& radius);
@@ -69,13 +74,13 @@ class DomainAverage {
   void add_points(const Point& a, const Point& b, std::vector<BoundaryPoint>& points,
                   std::vector<double>& radius) const;
   void share_radii(std::vector<double>& radius);
-  void rotate(double g, std::span<const double> h, std::span<const double> tau, std::span<Rotated> out) const;
   Point flux_of(std::span<const BoundaryPoint> points, std::span<const Rotated> S) const;
   void cuts_of(const Edge& edge, std::span<const double> radii, std::vector<double>& cuts) const;
   std::vector<Rotated> rotated_at(const PlaneResponse& response, double t, double g,
                                   std::span<const double> radius) const;
   void split_at_fronts(const PlaneResponse& response, double t, double g);
   void accelerations(const AmplitudeValue& g);
+  Point force_on(std::size_t shape) const;
 
   Vortex vortex_;
   double density_;

@@ -72,8 +72,12 @@ Shadow* Response::marched(double t) const {
   return points->get();
 }
 
-void Response::plane_tau_at_time(double t, std::span<const double> xi, std::span<double> tau) const {
-  if (sheet()) return slice_at(t).plane_tau(xi, tau);
+void Response::plane_tau_at_time(double t, std::span<const double> xi, std::span<double> tau,
+                                 const InPieces& pieces) const {
+  if (sheet()) {
+    const Slice& slice = slice_at(t);
+    return pieces(xi.size(), [&](std::size_t begin, std::size_t end) { slice.plane_tau(xi, tau, begin, end); });
+  }
   const std::size_t n = xi.size();
   at_time(t, xi, [&](std::size_t i, const Tensor& value, const Tensor&) {
     tau[i] = value(0, 0), tau[n + i] = value(0, 1), tau[2 * n + i] = value(1, 0), tau[3 * n + i] = value(1, 1);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <variant>
 
+#include "harness/in_pieces.hpp"
 #include "harness/shadow.hpp"
 #include "harness/sheet.hpp"
 
@@ -43,7 +44,8 @@ class Response {
                const std::function<void(std::size_t, const Tensor&, const Tensor&)>& visit) const;
 
   /// tau alone at many xi at one time, in-plane components: tau[c * n + i], c = 11, 12, 21, 22 [Pa].
-  void plane_tau_at_time(double t, std::span<const double> xi, std::span<double> tau) const;
+  void plane_tau_at_time(double t, std::span<const double> xi, std::span<double> tau,
+                         const InPieces& pieces = in_one_piece) const;
 
   /// Values of xi, ascending, at which (d tau / d xi)_t jumps at time t: the fronts of a material with kinks.
   std::vector<double> fronts(double t) const;

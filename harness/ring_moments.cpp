@@ -85,14 +85,14 @@ RingMoments::RingMoments(const Vortex& vortex, const ReferenceDomains& domains) 
 
 Point RingMoments::integral(std::size_t shape, std::span<const Point> f) const {
   const Range& range = ranges_[shape];
-  Point sum{};
   const Point* a = f.data() + range.node;
+  double along_x = 0, along_y = 0, across_x = 0, across_y = 0;
   for (std::uint32_t i = range.begin; i < range.end; ++i, ++a) {
     const Point& w = weights_[i];
-    sum[0] += (*a)[0] * w[0] - (*a)[1] * w[1];
-    sum[1] += (*a)[0] * w[1] + (*a)[1] * w[0];
+    along_x += (*a)[0] * w[0], along_y += (*a)[0] * w[1];
+    across_x += (*a)[1] * w[0], across_y += (*a)[1] * w[1];
   }
-  return sum;
+  return {along_x - across_y, along_y + across_x};
 }
 
 }  // namespace assay

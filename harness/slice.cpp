@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/vector_clones.h"
+
 namespace assay {
 
 namespace {
@@ -55,25 +57,46 @@ void Slice::at(double xi, Tensor& tau, Tensor& dtau_dxi) const {
   }
 }
 
-void Slice::plane_tau(std::span<const double> xi, std::span<double> tau) const {
+namespace {
+
+/// Places of a series at which it is summed at once.
+constexpr std::size_t lanes = 32;
+
+/// sum_k coefficients[k * stride] T_k(x) at n <= lanes places, by Clenshaw.
+ASSAY_VECTOR_CLONES void sum_series(const double* coefficients, std::size_t stride, std::size_t terms,
+                                    const double* __restrict x, std::size_t n, double* __restrict sum) {
+  double b1[lanes] = {}, b2[lanes] = {};
+  for (std::size_t k = terms; k-- > 1;) {
+    const double a = coefficients[k * stride];
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const double b = 2 * x[i] * b1[i] - b2[i] + a;
+      b2[i] = b1[i];
+      b1[i] = b;
+    }
+  }
+  const double first = terms > 0 ? coefficients[0] : 0;
+  for (std::size_t i = 0; i < n; ++i) sum[i] = x[i] * b1[i] - b2[i] + first;
+}
+
+}  // namespace
+
+/// Neighbours in xi are mostly of one range.
+void Slice::plane_tau(std::span<const double> xi, std::span<double> tau, std::size_t first, std::size_t last) const {
   const std::size_t n = xi.size();
-  std::fill(tau.begin(), tau.end(), 0.0);
-  for (std::size_t i = 0; i < n; ++i) {
-    const Range& range = range_of(factor_ * xi[i]);
-    const double s = range.map.s_of(factor_ * xi[i]);
-    const double x = range.s.width() > 0 ? 2 * (s - range.s.lower) / range.s.width() - 1 : 0;
+  for (std::size_t c = 0; c < 4; ++c) std::fill(&tau[c * n] + first, &tau[c * n] + last, 0.0);
+  for (std::size_t begin = first, end = first; begin < last; begin = end) {
+    const Range& range = range_of(factor_ * xi[begin]);
+    double x[lanes] = {};
+    for (end = begin; end < last && end - begin < lanes && &range_of(factor_ * xi[end]) == &range; ++end) {
+      const double s = range.map.s_of(factor_ * xi[end]);
+      x[end - begin] = range.s.width() > 0 ? 2 * (s - range.s.lower) / range.s.width() - 1 : 0;
+    }
     const std::size_t active = range.active.size();
     for (std::size_t c = 0; c < active; ++c) {
       const int place = plane_place[range.active[c]];
       if (place < 0) continue;
-      double b1 = 0, b2 = 0;  // Clenshaw
-      for (std::size_t k = range.terms; k-- > 1;) {
-        const double b = 2 * x * b1 - b2 + range.coefficients[k * active + c];
-        b2 = b1;
-        b1 = b;
-      }
-      const double first = range.terms > 0 ? range.coefficients[c] : 0;
-      tau[static_cast<std::size_t>(place) * n + i] = x * b1 - b2 + first;
+      double* out = &tau[static_cast<std::size_t>(place) * n + begin];
+      sum_series(range.coefficients.data() + c, active, range.terms, x, end - begin, out);
     }
   }
 }

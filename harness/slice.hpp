@@ -30,8 +30,8 @@ class Slice {
   /// Nine components of tau and of d tau / d xi at xi [Pa].
   void at(double xi, Tensor& tau, Tensor& dtau_dxi) const;
 
-  /// tau 11, 12, 21, 22 of n values of xi: tau[c * n + i] [Pa].
-  void plane_tau(std::span<const double> xi, std::span<double> tau) const;
+  /// tau 11, 12, 21, 22 of n values of xi, of those from first to last - 1: tau[c * n + i] [Pa].
+  void plane_tau(std::span<const double> xi, std::span<double> tau, std::size_t first, std::size_t last) const;
 
   /// Values of xi at which histories of two regimes meet, ascending. A border at which a band was divided is none.
   std::vector<double> kinks() const;

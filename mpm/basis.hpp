@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What every basis offers to the passes, and what the bases share.
+// What every basis offers to the kernels, and what the bases share.
 //
-// A basis keeps the weights of all particles for one step and offers three operations:
-//   place(p, x, F)            computes the weights of a particle; false where it reaches outside the grid
-//   place(p, x, F, half)      the same for a reference domain of its own, given by domain_components numbers: the half
-//                             edges along the axes, or Dim x Dim row-major whose column d is half edge d [m]
-//   scatter<K, G>(p, A, B, f) adds w_i A + (0, B grad w_i) to each node i: A has K components, B acts on the last G
-//   gather<K, G>(p, f, v, g)  v = sum_i w_i f_i (K components), g = sum_i f_i (x) grad w_i of the first G of them
-//   each_node(p, visit)       visit(i, w_i, r_i) with r_i = x_i - sum_j w_j x_j, where nodes may come in parts
-// where w_i is phi_ip, the weight of node i for particle p, and grad w_i its gradient [1/m].
+// A basis keeps what the weights of all particles follow from, `bytes` of each, for one step:
+//   expand(begin, n, nodes)      weights of a few neighbouring particles at once, for add and sum
+//   place(p, x, F)               finds the nodes of a particle; false where it reaches outside the grid
+//   place(p, x, F, half)         the same for a reference domain of its own, given by domain_components numbers: the
+//                                half edges along the axes, or Dim x Dim row-major whose column d is half edge d [m]
+//   reach(begin, end, first, last)  between which nodes those of particles lie
+//   scatter<K, G>(p, A, B, f)    adds w_i A + (0, B grad w_i) to each node i: A has K components, B acts on the last G
+//   scatter_affine<K>(p,A,C,f)   adds w_i (A + (0, C r_i)): C acts on the last Dim
+//   gather<K, G>(p, f, v, g)     v = sum_i w_i f_i (K components), g = sum_i f_i (x) grad w_i of the first G of them
+//   first_moment(p, f)           sum_i w_i f_i (x) r_i of the first Dim components
+//   second_moment(p)             D = sum_i w_i r_i (x) r_i [m^2]; moments(p, f, first, second): both at once
+// where w_i is phi_ip, the weight of node i for particle p, grad w_i its gradient [1/m] and r_i = x_i - sum_j w_j x_j.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "mpm/grid_field.hpp"
-#include "mpm/setup.hpp"
+#include "mpm/grid_geometry.hpp"
+#include "mpm/node_packs.hpp"
 
 namespace assay::mpm {
 
@@ -26,7 +30,7 @@ template <int Dim>
 using Mat = std::array<double, Dim * Dim>;  ///< row-major
 
 template <int Dim>
-double determinant(const Mat<Dim>& F) {
+ASSAY_INLINE double determinant(const Mat<Dim>& F) {
   if constexpr (Dim == 2) {
     return F[0] * F[3] - F[1] * F[2];
   } else {
@@ -36,7 +40,7 @@ double determinant(const Mat<Dim>& F) {
 
 /// F^-T, row-major, from F and its determinant.
 template <int Dim>
-Mat<Dim> inverse_transpose(const Mat<Dim>& F, double det) {
+ASSAY_INLINE Mat<Dim> inverse_transpose(const Mat<Dim>& F, double det) {
   const double s = 1 / det;
   if constexpr (Dim == 2) {
     return {s * F[3], -s * F[2], -s * F[1], s * F[0]};
@@ -47,16 +51,43 @@ Mat<Dim> inverse_transpose(const Mat<Dim>& F, double det) {
   }
 }
 
+/// The least and the largest of many numbers from 0 on, Lanes at once.
+template <std::size_t Lanes>
+struct Extremes {
+  double low[Lanes], high[Lanes];
+
+  ASSAY_INLINE explicit Extremes(double most) {
+    for (std::size_t l = 0; l < Lanes; ++l) low[l] = most, high[l] = 0;
+  }
+  ASSAY_INLINE void include(std::size_t l, double x) {
+    low[l] = x < low[l] ? x : low[l];
+    high[l] = x > high[l] ? x : high[l];
+  }
+  ASSAY_INLINE double lowest() const {
+    double found = low[0];
+    for (std::size_t l = 1; l < Lanes; ++l) found = low[l] < found ? low[l] : found;
+    return found;
+  }
+  ASSAY_INLINE double highest() const {
+    double found = high[0];
+    for (std::size_t l = 1; l < Lanes; ++l) found = high[l] > found ? high[l] : found;
+    return found;
+  }
+};
+
+/// For which weights are made together.
+inline constexpr std::size_t particles_at_once = 64;
+
 /// Turns a position into cell coordinates of the local grid.
 template <int Dim>
 struct Locator {
-  double inverse_spacing = 0;
+  double spacing = 0, inverse_spacing = 0;
   Vec<Dim> first{};      ///< global index of the first node
   Vec<Dim> last_cell{};  ///< cell coordinates must be below this
   std::array<std::int32_t, Dim> stride{};
 
   Locator() = default;
-  explicit Locator(const GridGeometry<Dim>& grid) : inverse_spacing(1 / grid.spacing) {
+  explicit Locator(const GridGeometry<Dim>& grid) : spacing(grid.spacing), inverse_spacing(1 / grid.spacing) {
     std::int32_t product = 1;
     for (std::size_t d = 0; d < Dim; ++d) {
       first[d] = grid.first[d];
@@ -66,56 +97,16 @@ struct Locator {
     }
   }
 
-  /// Node at the lower corner of the cell and the fraction inside it; false outside the grid or where x is no number.
-  bool cell_of(const Vec<Dim>& x, std::int32_t& node, Vec<Dim>& fraction) const {
-    node = 0;
-    bool inside = true;
+  /// Cell coordinates of x; zero and false outside the grid or where x is no number.
+  ASSAY_INLINE bool inside(const Vec<Dim>& x, Vec<Dim>& along) const {
+    bool good = true;
     for (std::size_t d = 0; d < Dim; ++d) {
-      const double along = x[d] * inverse_spacing - first[d];
-      inside = inside && along >= 0 && along < last_cell[d];
-      const auto cell = inside ? static_cast<std::int32_t>(along) : 0;
-      fraction[d] = along - cell;
-      node += cell * stride[d];
+      along[d] = x[d] * inverse_spacing - first[d];
+      good = good && along[d] >= 0 && along[d] < last_cell[d];
     }
-    return inside;
+    if (!good) along = {};
+    return good;
   }
 };
-
-/// Cell coordinates of a node [h], from the local grid's first node.
-template <int Dim>
-Vec<Dim> coordinates_of(const Locator<Dim>& locator, std::int32_t node) {
-  Vec<Dim> along{};
-  for (std::size_t d = Dim; d-- > 0;) {
-    const std::int32_t at = node / locator.stride[d];
-    node -= at * locator.stride[d];
-    along[d] = at;
-  }
-  return along;
-}
-
-/// The 2^Dim weights of a cell's corners at a fraction, first direction fastest.
-template <int Dim>
-std::array<double, 1 << Dim> multilinear(const Vec<Dim>& f) {
-  if constexpr (Dim == 2) {
-    const double gx = 1 - f[0], gy = 1 - f[1];
-    return {gx * gy, f[0] * gy, gx * f[1], f[0] * f[1]};
-  } else {
-    const double gx = 1 - f[0], gy = 1 - f[1], gz = 1 - f[2];
-    return {gx * gy * gz,   f[0] * gy * gz,   gx * f[1] * gz,   f[0] * f[1] * gz,
-            gx * gy * f[2], f[0] * gy * f[2], gx * f[1] * f[2], f[0] * f[1] * f[2]};
-  }
-}
-
-/// Offset of corner c of a cell from its lower node.
-template <int Dim>
-std::array<std::int32_t, 1 << Dim> corner_offsets(const Locator<Dim>& locator) {
-  std::array<std::int32_t, 1 << Dim> offsets{};
-  for (int c = 0; c < 1 << Dim; ++c) {
-    for (int d = 0; d < Dim; ++d) {
-      if (c >> d & 1) offsets[static_cast<std::size_t>(c)] += locator.stride[static_cast<std::size_t>(d)];
-    }
-  }
-  return offsets;
-}
 
 }  // namespace assay::mpm

@@ -11,82 +11,95 @@
 namespace assay::mpm {
 
 template <int Dim, int Degree>
-class BsplineBasis : public SeparableBasis<Dim, Degree + 1> {
+class BsplineBasis : public SeparableBasis<BsplineBasis<Dim, Degree>, Dim, Degree + 1> {
   static_assert(Degree == 2 || Degree == 3);
 
  public:
   static constexpr const char* name = Degree == 2 ? "bspline2" : "bspline3";
   static constexpr bool uses_deformation = false;
   static constexpr std::size_t domain_components = 0;
+  static constexpr bool may_cross_edges = true;
+  static constexpr std::size_t bytes = Dim * sizeof(double);  ///< of the weights a particle
 
   BsplineBasis(const GridGeometry<Dim>& grid, const Vec<Dim>&, std::size_t particles)
-      : SeparableBasis<Dim, width>(grid, particles), count_(grid.count) {}
+      : SeparableBasis<BsplineBasis, Dim, width>(grid), along_(particles) {}
 
-  bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>&) {
-    auto& w = this->weights_[p];
-    w.node = 0;
+  ASSAY_INLINE bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>&) {
+    Vec<Dim>& along = along_[p];
+    bool inside = true;
     for (std::size_t d = 0; d < Dim; ++d) {
-      const double along = x[d] * this->locator_.inverse_spacing - this->locator_.first[d];
-      if (!(along >= 0 && along <= this->locator_.last_cell[d])) return false;
-      // Degree 2: around the nearest node; 3: around the cell.
-      const auto middle = static_cast<std::int32_t>(Degree == 2 ? along + 0.5 : along);
-      values_at(along - middle, w.value[d], w.slope[d]);
-      std::int32_t first = middle - 1;
-      if (first < 0) first = fold_lower(w.value[d], w.slope[d]);
-      if (first + width > count_[d]) first = fold_upper(first, count_[d], w.value[d], w.slope[d]);
-      w.node += first * this->locator_.stride[d];
+      along[d] = x[d] * this->locator_.inverse_spacing - this->locator_.first[d];
+      inside = inside && along[d] >= 0 && along[d] <= this->locator_.last_cell[d];
     }
-    return true;
+    if (!inside) along = {};
+    return inside;
+  }
+
+  ASSAY_INLINE double along(std::size_t p, std::size_t d) const { return along_[p][d]; }
+
+  ASSAY_INLINE void line(std::size_t p, std::size_t d, double* value, double* slope, std::int32_t& first) const {
+    const double along = along_[p][d], s = this->locator_.inverse_spacing;
+    // Degree 2: around the nearest node; 3: around the cell.
+    const auto middle = static_cast<std::int32_t>(Degree == 2 ? along + 0.5 : along);
+    const double f = along - middle;
+    first = middle - 1;
+    if constexpr (Degree == 2) {
+      const double below = 0.5 - f, above = 0.5 + f;
+      value[0] = 0.5 * below * below;
+      value[1] = 0.75 - f * f;
+      value[2] = 0.5 * above * above;
+      slope[0] = -s * below;
+      slope[1] = -2 * s * f;
+      slope[2] = s * above;
+    } else {
+      constexpr double sixth = 1.0 / 6;
+      const double g = 1 - f;
+      value[0] = sixth * g * g * g;
+      value[1] = sixth * (4 + f * f * (3 * f - 6));
+      value[2] = sixth * (4 + g * g * (3 * g - 6));
+      value[3] = sixth * f * f * f;
+      slope[0] = -0.5 * s * g * g;
+      slope[1] = s * f * (1.5 * f - 2);
+      slope[2] = -s * g * (1.5 * g - 2);
+      slope[3] = 0.5 * s * f * f;
+    }
+  }
+
+  ASSAY_INLINE void fold(std::size_t d, std::int32_t& first, double* value, double* slope) const {
+    if (first < 0) {
+      fold_lower(value);
+      fold_lower(slope);
+      first = 0;
+    }
+    for (; first + width > this->count_[d]; --first) {
+      fold_upper(this->count_[d] - first, value);
+      fold_upper(this->count_[d] - first, slope);
+    }
   }
 
  private:
   static constexpr int width = Degree + 1;
-  using Line = std::array<double, static_cast<std::size_t>(width)>;
 
-  void values_at(double f, Line& value, Line& slope) const {
-    const double s = this->locator_.inverse_spacing;
-    if constexpr (Degree == 2) {
-      value = {0.5 * (0.5 - f) * (0.5 - f), 0.75 - f * f, 0.5 * (0.5 + f) * (0.5 + f)};
-      slope = {s * (f - 0.5), -2 * s * f, s * (f + 0.5)};
-    } else {
-      const double g = 1 - f;
-      value = {g * g * g / 6, (4 + f * f * (3 * f - 6)) / 6, (4 + g * g * (3 * g - 6)) / 6, f * f * f / 6};
-      slope = {-0.5 * s * g * g, s * f * (1.5 * f - 2), -s * g * (1.5 * g - 2), 0.5 * s * f * f};
+  /// The first weight is of node -1.
+  ASSAY_INLINE static void fold_lower(double* w) {
+    w[1] += 2 * w[0];
+    w[2] -= w[0];
+    for (int k = 0; k + 1 < width; ++k) w[k] = w[k + 1];
+    w[width - 1] = 0;
+  }
+
+  /// Weight `beyond` and any after it are of nodes beyond the last. Two of them only where a cubic stands on the edge
+  /// itself, and the second is zero there.
+  ASSAY_INLINE static void fold_upper(std::int32_t beyond, double* w) {
+    if (beyond < width) {
+      w[beyond - 1] += 2 * w[beyond];
+      w[beyond - 2] -= w[beyond];
+      for (int k = beyond; k > 0; --k) w[k] = w[k - 1];
+      w[0] = 0;
     }
   }
 
-  /// The first weight is of node -1. Returns the first node.
-  static std::int32_t fold_lower(Line& value, Line& slope) {
-    for (Line* line : {&value, &slope}) {
-      Line& w = *line;
-      w[1] += 2 * w[0];
-      w[2] -= w[0];
-      for (std::size_t k = 0; k + 1 < w.size(); ++k) w[k] = w[k + 1];
-      w.back() = 0;
-    }
-    return 0;
-  }
-
-  /// One or two of the last weights are of nodes beyond the last; two only where a cubic stands on the edge itself, and
-  /// the second is zero there.
-  static std::int32_t fold_upper(std::int32_t first, std::int32_t count, Line& value, Line& slope) {
-    while (first + width > count) {
-      const auto beyond = static_cast<std::size_t>(count - first);
-      for (Line* line : {&value, &slope}) {
-        Line& w = *line;
-        if (beyond < w.size()) {
-          w[beyond - 1] += 2 * w[beyond];
-          w[beyond - 2] -= w[beyond];
-          for (std::size_t k = beyond; k > 0; --k) w[k] = w[k - 1];
-          w[0] = 0;
-        }
-      }
-      --first;
-    }
-    return first;
-  }
-
-  std::array<std::int32_t, Dim> count_;
+  std::vector<Vec<Dim>> along_;  ///< cell coordinates
 };
 
 template <int Dim>

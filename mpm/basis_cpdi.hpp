@@ -6,12 +6,14 @@
 // corners, averaged over the domain.
 #pragma once
 
-#include "mpm/corners.hpp"
+#include "mpm/basis_corners.hpp"
 
 namespace assay::mpm {
 
 template <int Dim>
-class CpdiBasis {
+class CpdiBasis : public CornerBasis<CpdiBasis<Dim>, Dim> {
+  using Corner = CornerBasis<CpdiBasis<Dim>, Dim>;
+
  public:
   static constexpr int corners = 1 << Dim;
   static constexpr const char* name = "cpdi";
@@ -19,29 +21,18 @@ class CpdiBasis {
   static constexpr std::size_t domain_components = Dim * Dim;
   static constexpr double share = 1.0 / corners;
   /// Bytes of the weights a particle.
-  static constexpr std::size_t bytes =
-      corners * (sizeof(std::int32_t) + Dim * sizeof(double)) + Dim * Dim * sizeof(double);
+  static constexpr std::size_t bytes = Corner::bytes_of_places + Dim * Dim * sizeof(double);
 
   CpdiBasis(const GridGeometry<Dim>& grid, const Vec<Dim>& half_size, std::size_t particles)
-      : locator_(grid), offsets_(corner_offsets(locator_)), half_(half_size), weights_(particles) {}
-
-  bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>& F) {
-    Weights& w = weights_[p];
-    const Mat<Dim> inverse = inverse_transpose<Dim>(F, determinant<Dim>(F));
-    Mat<Dim> r;  // column d: half edge d of the domain
-    for (std::size_t i = 0; i < Dim; ++i) {
-      for (std::size_t d = 0; d < Dim; ++d) {
-        r[i * Dim + d] = F[i * Dim + d] * half_[d];
-        w.gradient[d * Dim + i] = share * inverse[i * Dim + d] / half_[d];
-      }
-    }
-    return place_corners(w, x, r);
+      : Corner(grid, particles), gradients_(particles) {
+    for (std::size_t d = 0; d < Dim; ++d) half_[d * Dim + d] = half_size[d];
   }
 
+  ASSAY_INLINE bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>& F) { return place(p, x, F, half_); }
+
   /// half: column d is half edge d of the reference domain, which need not follow the axes [m].
-  bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>& F, const Mat<Dim>& half) {
-    Weights& w = weights_[p];
-    Mat<Dim> r{};
+  ASSAY_INLINE bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>& F, const Mat<Dim>& half) {
+    Mat<Dim> r{};  // column d: half edge d of the domain
     for (std::size_t i = 0; i < Dim; ++i) {
       for (std::size_t d = 0; d < Dim; ++d) {
         for (std::size_t k = 0; k < Dim; ++k) r[i * Dim + d] += F[i * Dim + k] * half[k * Dim + d];
@@ -49,102 +40,39 @@ class CpdiBasis {
     }
     const Mat<Dim> inverse = inverse_transpose<Dim>(r, determinant<Dim>(r));
     for (std::size_t i = 0; i < Dim; ++i) {
-      for (std::size_t d = 0; d < Dim; ++d) w.gradient[d * Dim + i] = share * inverse[i * Dim + d];
+      for (std::size_t d = 0; d < Dim; ++d) gradients_[p][d * Dim + i] = share * inverse[i * Dim + d];
     }
-    return place_corners(w, x, r);
+    Pack<corners> at[Dim];
+    for (std::size_t i = 0; i < Dim; ++i) {
+      at[i] = x[i] + Pack<corners>{};
+      for (std::size_t d = 0; d < Dim; ++d) at[i] += signs(d) * r[i * Dim + d];
+    }
+    return this->place_corners(p, at);
   }
 
-  template <int K, int G>
-  void scatter(std::size_t p, const std::array<double, K>& A, const std::array<double, G * Dim>& B,
-               GridField<K>& field) const {
-    const Weights& w = weights_[p];
-    std::array<double, G * Dim> slope{};  // B times each row of `gradient`
-    for (std::size_t d = 0; d < Dim; ++d) {
-      for (std::size_t k = 0; k < G; ++k) {
-        for (std::size_t i = 0; i < Dim; ++i) slope[d * G + k] += B[k * Dim + i] * w.gradient[d * Dim + i];
-      }
+  ASSAY_INLINE CornerWeights<Dim> weights(std::size_t p) const {
+    CornerWeights<Dim> w;
+    w.value.fill(share);
+    for (std::size_t i = 0; i < Dim; ++i) {
+      Pack<corners> g{};
+      for (std::size_t d = 0; d < Dim; ++d) g += signs(d) * gradients_[p][d * Dim + i];
+      store<corners>(w.gradient[i].data(), g);
     }
-    for (std::size_t c = 0; c < corners; ++c) {
-      std::array<double, K> value;
-      for (std::size_t k = 0; k < K; ++k) value[k] = share * A[k];
-      for (std::size_t d = 0; d < Dim; ++d) {
-        for (std::size_t k = 0; k < G; ++k) value[K - G + k] += (c >> d & 1) ? slope[d * G + k] : -slope[d * G + k];
-      }
-      const auto N = multilinear<Dim>(w.fraction[c]);
-      for (std::size_t n = 0; n < corners; ++n) {
-        double* node = field.node(static_cast<std::size_t>(w.node[c] + offsets_[n]));
-        for (std::size_t k = 0; k < K; ++k) node[k] += N[n] * value[k];
-      }
-    }
-  }
-
-  template <int K, int G>
-  void gather(std::size_t p, const GridField<K>& field, std::array<double, K>& value,
-              std::array<double, G * Dim>& gradient) const {
-    const Weights& w = weights_[p];
-    value.fill(0);
-    std::array<double, G * Dim> slope{};  // sum_c xi_c,d f_c
-    for (std::size_t c = 0; c < corners; ++c) {
-      const auto N = multilinear<Dim>(w.fraction[c]);
-      std::array<double, K> corner{};
-      for (std::size_t n = 0; n < corners; ++n) {
-        const double* node = field.node(static_cast<std::size_t>(w.node[c] + offsets_[n]));
-        for (std::size_t k = 0; k < K; ++k) corner[k] += N[n] * node[k];
-      }
-      for (std::size_t k = 0; k < K; ++k) value[k] += corner[k];
-      for (std::size_t d = 0; d < Dim; ++d) {
-        for (std::size_t k = 0; k < G; ++k) slope[d * G + k] += (c >> d & 1) ? corner[k] : -corner[k];
-      }
-    }
-    for (std::size_t k = 0; k < K; ++k) value[k] *= share;
-    gradient.fill(0);
-    for (std::size_t k = 0; k < G; ++k) {
-      for (std::size_t d = 0; d < Dim; ++d) {
-        for (std::size_t i = 0; i < Dim; ++i) gradient[k * Dim + i] += slope[d * G + k] * w.gradient[d * Dim + i];
-      }
-    }
-  }
-
-  template <class Visitor>
-  void each_node(std::size_t p, Visitor&& visitor) const {
-    const Weights& w = weights_[p];
-    std::array<Vec<Dim>, corners> cell;
-    Vec<Dim> middle{};
-    for (std::size_t c = 0; c < corners; ++c) {
-      cell[c] = coordinates_of(locator_, w.node[c]);
-      for (std::size_t d = 0; d < Dim; ++d) middle[d] += share * (cell[c][d] + w.fraction[c][d]);
-    }
-    for (std::size_t c = 0; c < corners; ++c) {
-      const auto N = multilinear<Dim>(w.fraction[c]);
-      for (std::size_t n = 0; n < corners; ++n) {
-        Vec<Dim> r;
-        for (std::size_t d = 0; d < Dim; ++d) {
-          r[d] = (cell[c][d] + ((n >> d & 1) ? 1 : 0) - middle[d]) / locator_.inverse_spacing;
-        }
-        visitor(static_cast<std::size_t>(w.node[c] + offsets_[n]), share * N[n], r);
-      }
-    }
+    return w;
   }
 
  private:
-  struct Weights {
-    std::array<Vec<Dim>, corners> fraction;
-    Mat<Dim> gradient;  ///< row d: 2^-Dim F^-T e_d / half_d; g_c = sum_d xi_c,d row_d
-    std::array<std::int32_t, corners> node;
-  };
-  static_assert(sizeof(Weights) == bytes);
-
-  bool place_corners(Weights& w, const Vec<Dim>& x, const Mat<Dim>& r) {
-    bool inside = true;
-    const Corners<Dim> at = corners_of<Dim>(x, r);
-    for (std::size_t c = 0; c < corners; ++c) inside = locator_.cell_of(at[c], w.node[c], w.fraction[c]) && inside;
-    return inside;
+  /// xi_c,d
+  ASSAY_INLINE static Pack<corners> signs(std::size_t d) {
+    double sign[corners];
+    for (std::size_t c = 0; c < corners; ++c) sign[c] = (c >> d & 1) ? 1 : -1;
+    Pack<corners> found;
+    load<corners>(found, sign);
+    return found;
   }
 
-  Locator<Dim> locator_;
-  std::array<std::int32_t, corners> offsets_;
-  Vec<Dim> half_;
-  std::vector<Weights> weights_;
+  Mat<Dim> half_{};
+  std::vector<Mat<Dim>> gradients_;  ///< row d: 2^-Dim F^-T e_d / half_d; g_c = sum_d xi_c,d row_d
 };
 
 }  // namespace assay::mpm

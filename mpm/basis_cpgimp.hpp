@@ -6,7 +6,9 @@
 // its integral. l is at most h: beyond, a particle would reach more than four nodes.
 #pragma once
 
+#ifndef ASSAY_ONLY_2D
 #include <Eigen/Eigenvalues>
+#endif
 #include <algorithm>
 #include <cmath>
 
@@ -15,82 +17,88 @@
 namespace assay::mpm {
 
 /// Diagonal of U = (F^T F)^(1/2).
-template <int Dim>
-Vec<Dim> stretches_along_axes(const Mat<Dim>& F) {
-  using Matrix = Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor>;
-  const Eigen::Map<const Matrix> gradient(F.data());
-  const Matrix C = gradient.transpose() * gradient;
-  Vec<Dim> diagonal;
-  if constexpr (Dim == 2) {  // Cayley and Hamilton: U = (C + J I) / (tr C + 2 J)^(1/2)
-    const double J = std::sqrt(std::max(0.0, C.determinant())), trace_U = std::sqrt(C.trace() + 2 * J);
-    for (int d = 0; d < 2; ++d) diagonal[static_cast<std::size_t>(d)] = (C(d, d) + J) / trace_U;
-  } else {
-    const Matrix U = Eigen::SelfAdjointEigenSolver<Matrix>(C).operatorSqrt();
-    for (int d = 0; d < Dim; ++d) diagonal[static_cast<std::size_t>(d)] = U(d, d);
-  }
-  return diagonal;
+ASSAY_INLINE Vec<2> stretches_along_axes(const Mat<2>& F) {
+  const double a = F[0] * F[0] + F[2] * F[2], b = F[1] * F[1] + F[3] * F[3];  // of C = F^T F
+  const double J = std::abs(determinant<2>(F));
+  const double trace_U = std::sqrt(a + b + 2 * J);  // Cayley and Hamilton: U = (C + J I) / (tr C + 2 J)^(1/2)
+  return {(a + J) / trace_U, (b + J) / trace_U};
 }
 
+#ifndef ASSAY_ONLY_2D
+inline Vec<3> stretches_along_axes(const Mat<3>& F) {
+  using Matrix = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  const Eigen::Map<const Matrix> gradient(F.data());
+  const Matrix U = Eigen::SelfAdjointEigenSolver<Matrix>(gradient.transpose() * gradient).operatorSqrt();
+  return {U(0, 0), U(1, 1), U(2, 2)};
+}
+#endif
+
 template <int Dim>
-class CpgimpBasis : public SeparableBasis<Dim, 4> {
+class CpgimpBasis : public SeparableBasis<CpgimpBasis<Dim>, Dim, 4> {
  public:
   static constexpr const char* name = "cpgimp";
   static constexpr bool uses_deformation = true;
   static constexpr std::size_t domain_components = Dim;
+  static constexpr bool may_cross_edges = false;
+  static constexpr std::size_t bytes = 2 * Dim * sizeof(double);  ///< of the weights a particle
 
   CpgimpBasis(const GridGeometry<Dim>& grid, const Vec<Dim>& half_size, std::size_t particles)
-      : SeparableBasis<Dim, 4>(grid, particles), count_(grid.count), half_(half_size) {}
+      : SeparableBasis<CpgimpBasis<Dim>, Dim, 4>(grid), half_(half_size), places_(particles) {}
 
-  bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>& F) { return place(p, x, F, half_); }
+  ASSAY_INLINE bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>& F) { return place(p, x, F, half_); }
 
-  bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>& F, const Vec<Dim>& half_size) {
-    auto& w = this->weights_[p];
-    const Vec<Dim> stretch = stretches_along_axes<Dim>(F);
-    w.node = 0;
+  /// At the edge of the grid the box must not reach over it.
+  ASSAY_INLINE bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>& F, const Vec<Dim>& half_size) {
+    Place& at = places_[p];
+    const Vec<Dim> stretch = stretches_along_axes(F);
+    bool inside = true;
     for (std::size_t d = 0; d < Dim; ++d) {
       const double along = x[d] * this->locator_.inverse_spacing - this->locator_.first[d];
       const double l = half_size[d] * stretch[d] * this->locator_.inverse_spacing;
-      if (!(along >= 0 && along <= this->locator_.last_cell[d]) || !std::isfinite(l)) return false;
-      const auto cell = static_cast<std::int32_t>(along);
-      for (std::size_t k = 0; k < 4; ++k) {
-        average(along - cell + 1 - static_cast<double>(k), std::clamp(l, least, 1.0), w.value[d][k], w.slope[d][k]);
-      }
-      std::int32_t first = cell - 1;
-      if (!shift_inside(first, count_[d], w.value[d], w.slope[d])) return false;
-      w.node += first * this->locator_.stride[d];
+      at.along[d] = along;
+      at.half[d] = std::min(std::max(l, least), 1.0);
+      inside = inside && along >= at.half[d] && along <= this->locator_.last_cell[d] - at.half[d] && std::isfinite(l);
     }
-    return true;
+    if (!inside) at.along.fill(1);
+    return inside;
+  }
+
+  ASSAY_INLINE double along(std::size_t p, std::size_t d) const { return places_[p].along[d]; }
+
+  /// The four nodes around the cell, none of them beyond the grid's first and last.
+  ASSAY_INLINE void line(std::size_t p, std::size_t d, double* value, double* slope, std::int32_t& first) const {
+    const Place& at = places_[p];
+    const std::int32_t before = static_cast<std::int32_t>(at.along[d]) - 1, last = this->count_[d] - 4;
+    first = before < last ? before : last;
+    first = first > 0 ? first : 0;
+    const double along = at.along[d] - first, l = at.half[d], scale = 0.5 / l;
+    for (int k = 0; k < 4; ++k) {
+      double above = 0, below = 0, slope_above = 0, slope_below = 0;
+      integral_of_hat(along - k + l, above, slope_above);
+      integral_of_hat(along - k - l, below, slope_below);
+      value[k] = (above - below) * scale;
+      slope[k] = (slope_above - slope_below) * scale * this->locator_.inverse_spacing;
+    }
   }
 
  private:
-  using Line = std::array<double, 4>;
+  struct Place {
+    Vec<Dim> along, half;  ///< cell coordinates; half sizes [h]
+  };
+  static_assert(sizeof(Place) == bytes);
+
   static constexpr double least = 1e-6;  ///< of h: below, differences of the integral lose their digits
 
-  static double hat(double r) { return std::max(0.0, 1 - std::abs(r)); }
-  static double integral_of_hat(double r) {
-    const double tail = std::max(0.0, 1 - std::abs(r));
-    return r < 0 ? 0.5 * tail * tail : 1 - 0.5 * tail * tail;
-  }
-  void average(double r, double l, double& value, double& slope) const {
-    value = (integral_of_hat(r + l) - integral_of_hat(r - l)) / (2 * l);
-    slope = (hat(r + l) - hat(r - l)) / (2 * l) * this->locator_.inverse_spacing;
+  /// The hat's integral from -infinity to r, and the hat itself.
+  ASSAY_INLINE static void integral_of_hat(double r, double& integral, double& hat) {
+    const double tail = 1 - (r < 0 ? -r : r);
+    hat = tail > 0 ? tail : 0;
+    const double half = 0.5 * hat * hat;
+    integral = r < 0 ? half : 1 - half;
   }
 
-  /// Where the four nodes reach over an edge of the grid with weights of zero; false where they have any.
-  static bool shift_inside(std::int32_t& first, std::int32_t count, Line& value, Line& slope) {
-    for (; first < 0; ++first) {
-      if (value[0] != 0 || slope[0] != 0) return false;
-      for (Line* line : {&value, &slope}) std::rotate(line->begin(), line->begin() + 1, line->end());
-    }
-    for (; first + 4 > count; --first) {
-      if (value[3] != 0 || slope[3] != 0) return false;
-      for (Line* line : {&value, &slope}) std::rotate(line->begin(), line->begin() + 3, line->end());
-    }
-    return true;
-  }
-
-  std::array<std::int32_t, Dim> count_;
   Vec<Dim> half_;
+  std::vector<Place> places_;
 };
 
 }  // namespace assay::mpm

@@ -5,74 +5,67 @@
 //   |r| < l:            1 - (r^2 + l^2) / (2 h l)
 //   l <= |r| < h - l:   1 - |r| / h
 //   h - l <= |r| < h+l: (h + l - |r|)^2 / (4 h l)
+// From the nearest node, |r| <= h/2, the nodes on its sides have these in one of two forms, and what they leave to one
+// is its own:
+//   r > l: r / h of the node above, none of the one below; |r| <= l: (l +- r)^2 / (4 h l)
 #pragma once
-
-#include <cmath>
 
 #include "mpm/basis_separable.hpp"
 
 namespace assay::mpm {
 
 template <int Dim>
-class UgimpBasis : public SeparableBasis<Dim, 3> {
+class UgimpBasis : public SeparableBasis<UgimpBasis<Dim>, Dim, 3> {
  public:
   static constexpr const char* name = "ugimp";
   static constexpr bool uses_deformation = false;
   static constexpr std::size_t domain_components = Dim;
+  static constexpr bool may_cross_edges = false;
+  static constexpr std::size_t bytes = 2 * Dim * sizeof(double);  ///< of the weights a particle
 
   UgimpBasis(const GridGeometry<Dim>& grid, const Vec<Dim>& half_size, std::size_t particles)
-      : SeparableBasis<Dim, 3>(grid, particles) {
-    for (std::size_t d = 0; d < Dim; ++d) half_[d] = half_size[d] / grid.spacing;
+      : SeparableBasis<UgimpBasis<Dim>, Dim, 3>(grid), half_size_(half_size), places_(particles) {}
+
+  ASSAY_INLINE bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>& F) { return place(p, x, F, half_size_); }
+
+  ASSAY_INLINE bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>&, const Vec<Dim>& half_size) {
+    Place& at = places_[p];
+    bool inside = true;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      at.along[d] = x[d] * this->locator_.inverse_spacing - this->locator_.first[d];
+      at.half[d] = half_size[d] * this->locator_.inverse_spacing;
+      inside = inside && at.along[d] >= 0.5 && at.along[d] < this->locator_.last_cell[d] - 0.5;
+    }
+    if (!inside) at.along.fill(1);
+    return inside;
   }
 
-  bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>&) { return place_with(p, x, half_); }
+  ASSAY_INLINE double along(std::size_t p, std::size_t d) const { return places_[p].along[d]; }
 
-  bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>&, const Vec<Dim>& half_size) {
-    Vec<Dim> half;
-    for (std::size_t d = 0; d < Dim; ++d) half[d] = half_size[d] * this->locator_.inverse_spacing;
-    return place_with(p, x, half);
+  ASSAY_INLINE void line(std::size_t p, std::size_t d, double* value, double* slope, std::int32_t& first) const {
+    const Place& at = places_[p];
+    const double above_half = at.along[d] + 0.5;  // the nearest node: along is positive
+    const auto middle = static_cast<std::int32_t>(above_half);
+    const double r = at.along[d] - middle, l = at.half[d], s = this->locator_.inverse_spacing;
+    first = middle - 1;
+    const double half = 0.5 / l, below = l - r, above = l + r;
+    const double lower = below > 0 ? below : 0, upper = above > 0 ? above : 0;
+    value[0] = above < 0 ? -r : 0.5 * half * lower * lower;
+    value[2] = below < 0 ? r : 0.5 * half * upper * upper;
+    value[1] = 1 - value[0] - value[2];
+    slope[0] = above < 0 ? -s : -s * half * lower;
+    slope[2] = below < 0 ? s : s * half * upper;
+    slope[1] = -slope[0] - slope[2];
   }
 
  private:
-  bool place_with(std::size_t p, const Vec<Dim>& x, const Vec<Dim>& half) {
-    auto& w = this->weights_[p];
-    Vec<Dim> shifted = x, fraction;  // to the cell of half a spacing below: its lower node is the first of the three
-    for (std::size_t d = 0; d < Dim; ++d) shifted[d] -= 0.5 * spacing();
-    if (!this->locator_.cell_of(shifted, w.node, fraction)) return false;
-    for (std::size_t d = 0; d < Dim; ++d) {
-      if (!(shifted[d] * this->locator_.inverse_spacing - this->locator_.first[d] < this->locator_.last_cell[d] - 1)) {
-        return false;
-      }
-      const double l = half[d];            // in units of h, as r below
-      const double r = fraction[d] - 0.5;  // from the middle node: [-1/2, 1/2)
-      along(r + 1, l, w.value[d][0], w.slope[d][0]);
-      along(r, l, w.value[d][1], w.slope[d][1]);
-      along(r - 1, l, w.value[d][2], w.slope[d][2]);
-    }
-    return true;
-  }
+  struct Place {
+    Vec<Dim> along, half;  ///< cell coordinates; half sizes [h]
+  };
+  static_assert(sizeof(Place) == bytes);
 
-  double spacing() const { return 1 / this->locator_.inverse_spacing; }
-
-  void along(double r, double l, double& value, double& slope) const {
-    const double a = std::abs(r), sign = r < 0 ? -1 : 1;
-    const double tail = 1 + l - a;
-    if (a < l) {
-      value = 1 - (r * r + l * l) / (2 * l);
-      slope = -r / l;
-    } else if (a < 1 - l) {
-      value = 1 - a;
-      slope = -sign;
-    } else if (tail > 0) {
-      value = tail * tail / (4 * l);
-      slope = -sign * tail / (2 * l);
-    } else {
-      value = slope = 0;
-    }
-    slope *= this->locator_.inverse_spacing;
-  }
-
-  Vec<Dim> half_{};
+  Vec<Dim> half_size_;
+  std::vector<Place> places_;
 };
 
 }  // namespace assay::mpm

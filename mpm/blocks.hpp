@@ -34,10 +34,22 @@ class FirstBad {
 inline constexpr std::size_t block_size = 256;
 static_assert(block_size <= ASSAY_BATCH_MAX);
 
+/// Particles [begin, end), and where they add to the grid's inertia and force: the grid itself or a copy of it.
+struct Block {
+  std::size_t begin = 0, end = 0;
+  double* inertia = nullptr;
+  double* force = nullptr;
+};
+
+/// No particle of a block.
+inline constexpr std::size_t none_bad = ~std::size_t{0};
+
+inline std::size_t blocks_of(std::size_t particles) { return (particles + block_size - 1) / block_size; }
+
 /// body(begin, end) for all blocks of n particles, on so many threads.
 template <class Body>
 void for_blocks(std::size_t n, int threads, const Body& body) {
-  const auto blocks = static_cast<std::int64_t>((n + block_size - 1) / block_size);
+  const auto blocks = static_cast<std::int64_t>(blocks_of(n));
   const auto run = [&](std::int64_t b) {
     const std::size_t begin = static_cast<std::size_t>(b) * block_size;
     body(begin, std::min(n, begin + block_size));

@@ -3,29 +3,21 @@
 #pragma once
 
 #include <array>
-#include <memory>
 
-#include "mpm/state.hpp"
+#include "mpm/kernel_state.hpp"
 
 namespace assay::mpm {
 
-/// The weights of all particles, made where the first pass asks for them.
-template <class B, int Dim>
-B& basis_of(State<Dim>& s) {
-  if (!s.basis) s.basis = std::make_shared<B>(s.setup.grid, s.setup.seeds.half_size, s.particles);
-  return *static_cast<B*>(s.basis.get());
-}
-
 /// Pointers to the components of a column.
 template <int N, int Dim>
-std::array<double*, N> components(State<Dim>& s, Column which) {
+ASSAY_INLINE std::array<double*, N> components(KernelState<Dim>& s, Column which) {
   std::array<double*, N> pointers;
   for (int c = 0; c < N; ++c) pointers[static_cast<std::size_t>(c)] = s.column(which, c);
   return pointers;
 }
 
 template <std::size_t N>
-std::array<double, N> load(const std::array<double*, N>& column, std::size_t p) {
+ASSAY_INLINE std::array<double, N> load(const std::array<double*, N>& column, std::size_t p) {
   std::array<double, N> values;
   for (std::size_t c = 0; c < N; ++c) values[c] = column[c][p];
   return values;

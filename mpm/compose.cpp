@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "mpm/affine.hpp"
-#include "mpm/bases.hpp"
+#include "mpm/mass_matrix.hpp"
 #include "mpm/material_batch.hpp"
 #include "mpm/passes_affine.hpp"
 #include "mpm/passes_corners.hpp"
@@ -13,41 +13,23 @@
 #include "mpm/passes_particle.hpp"
 #include "mpm/passes_to_grid.hpp"
 #include "mpm/passes_to_particles.hpp"
+#include "mpm/sweep.hpp"
+#include "mpm/with_basis.hpp"
 
 namespace assay::mpm {
 
 namespace {
-
-/// Calls visit with the basis's type as a tag.
-template <int Dim, class Visitor>
-auto with_basis(Basis basis, const Visitor& visit) {
-  switch (basis) {
-    case Basis::linear:
-      return visit(std::type_identity<LinearBasis<Dim>>());
-    case Basis::ugimp:
-      return visit(std::type_identity<UgimpBasis<Dim>>());
-    case Basis::cpgimp:
-      return visit(std::type_identity<CpgimpBasis<Dim>>());
-    case Basis::bspline2:
-      return visit(std::type_identity<Bspline2Basis<Dim>>());
-    case Basis::bspline3:
-      return visit(std::type_identity<Bspline3Basis<Dim>>());
-    case Basis::cpdi2:
-      return visit(std::type_identity<Cpdi2Basis<Dim>>());
-    case Basis::cpdi:
-      break;
-  }
-  return visit(std::type_identity<CpdiBasis<Dim>>());
-}
 
 template <int Dim>
 Pass<Dim> stress_of(const Setup<Dim>& setup) {
   return stress_pass<Dim>(setup.material->state_size() > 0);
 }
 
+}  // namespace
+
 /// The order of the passes in each update scheme.
-template <class B, int Dim>
-std::vector<Pass<Dim>> compose_with(const Setup<Dim>& setup) {
+template <int Dim>
+std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
   std::vector<Pass<Dim>> step;
   const auto add = [&](Pass<Dim> pass) { step.push_back(std::move(pass)); };
   const Method& method = setup.method;
@@ -61,33 +43,33 @@ std::vector<Pass<Dim>> compose_with(const Setup<Dim>& setup) {
   const auto add_gradient_and_stress = [&] {
     add(grid_velocity_pass<Dim>());
     add_held({});
-    add(velocity_gradient_pass<B, Dim>());
+    add(velocity_gradient_pass<Dim>());
   };
   if constexpr (Dim == 2) {
     if (body_force) add(body_force_pass<Dim>(setup.evaluation));
     if (body_force && setup.frame && setup.frame->spin != 0) add(moving_frame_pass<Dim>(setup.evaluation));
   }
-  add(weights_pass<B, Dim>(method.formulation, !setup.seeds.half_edges.empty()));
-  if (method.is_affine() && method.affine == Affine::moment) add(first_affine_moment_pass<B, Dim>());
-  add(particles_to_grid_pass<B, Dim>(method, setup.hold_outside));
+  add(weights_pass<Dim>(method, !setup.seeds.half_edges.empty()));
+  if (method.is_affine() && method.affine == Affine::moment) add(first_affine_moment_pass<Dim>());
+  add(particles_to_grid_pass<Dim>(method, setup.hold_outside));
   if (method.update == Update::usf) {
     add_gradient_and_stress();
     add(stress_of(setup));
   }
-  add(force_pass<B, Dim>(method.formulation, body_force));
+  add(force_pass<Dim>(method, body_force));
   if (method.is_lumped()) {
     add(grid_update_pass<Dim>());
     add_held(reaction_of(method));
   } else {
-    add(mass_matrix_pass<B, Dim>(method));
+    add(mass_matrix_pass<Dim>(method));
   }
-  add(grid_to_particles_pass<B, Dim>(method, method.update == Update::usl, setup.accounts && body_force));
-  if constexpr (MovesCorners<B>) add(corners_pass<B, Dim>());
+  add(grid_to_particles_pass<Dim>(method, method.update == Update::usl, setup.accounts && body_force));
+  if (traits_of<Dim>(method.basis).moves_corners) add(corners_pass<Dim>());
   if (method.is_affine() && affine_column(method) == Column::affine) {
-    add(affine_pass<B, Dim>(method, method.update == Update::usl));
+    add(affine_pass<Dim>(method));
   }
   if (method.update == Update::musl) {
-    Pass<Dim> again = particles_to_grid_pass<B, Dim>(method, setup.hold_outside);
+    Pass<Dim> again = particles_to_grid_pass<Dim>(method, setup.hold_outside);
     again.name = "particles_to_grid_again";
     again.doc = "nodal momentum from the updated particle velocities (MUSL)";
     again.called_for_by = "method.update";
@@ -97,14 +79,6 @@ std::vector<Pass<Dim>> compose_with(const Setup<Dim>& setup) {
   add_accounts();
   if (method.update != Update::usf) add(stress_of(setup));
   return step;
-}
-
-}  // namespace
-
-template <int Dim>
-std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
-  return with_basis<Dim>(setup.method.basis,
-                         [&](auto tag) { return compose_with<typename decltype(tag)::type, Dim>(setup); });
 }
 
 template <int Dim>
@@ -130,12 +104,11 @@ std::size_t bytes_of(Column column, const Setup<Dim>& setup) {
     case Column::corners:
       return doubles(corner_components<Dim>);
     case Column::domain:
-      return with_basis<Dim>(setup.method.basis,
-                             [](auto tag) { return decltype(tag)::type::domain_components * sizeof(double); });
+      return doubles(static_cast<int>(traits_of<Dim>(setup.method.basis).domain_components));
     case Column::weights:
       break;
   }
-  return with_basis<Dim>(setup.method.basis, [](auto tag) { return decltype(tag)::type::bytes; });
+  return traits_of<Dim>(setup.method.basis).bytes;
 }
 
 template <int Dim>
@@ -158,9 +131,13 @@ std::vector<ColumnUse> columns_of(const std::vector<Pass<Dim>>& passes, const Se
 
 template <int Dim>
 std::size_t grid_bytes_per_node(const Setup<Dim>& setup) {
-  const std::size_t fields = (Dim + 1) + Dim + 2 * Dim;  // inertia, force, motion
-  const std::size_t of_matrix = solver_fields(setup.method) * Dim;
-  return (fields + of_matrix + (setup.hold_outside ? 1 : 0)) * sizeof(double);
+  const std::size_t inertia = GridField<Dim + 1>::stride, force = GridField<Dim>::stride;
+  const std::size_t fields = inertia + force + GridField<2 * Dim>::stride;
+  const std::size_t copies = tile_copies(setup.seeds.size(), setup.threads) * (inertia + force);
+  const int across = mass_nodes_across<Dim>(setup.method);
+  const std::size_t of_stencil = across == 0 ? 0 : MassStencil<Dim>::entries(across);
+  const std::size_t of_matrix = setup.method.is_lumped() ? 0 : solver_fields(setup.method) * force + 1 + of_stencil;
+  return (fields + copies + of_matrix + (setup.hold_outside ? 1 : 0)) * sizeof(double);
 }
 
 template std::vector<Pass<2>> compose(const Setup<2>&);

@@ -19,7 +19,7 @@ struct CornerAverage {
 /// With x = m + a xi + b eta + c xi eta, J = J0 + J1 xi + J2 eta: J0 = a x b, J1 = a x c, J2 = c x b, the area is 4 J0
 /// and the average of Q_c is 1/4 + (xi_c J1 + eta_c J2) / (12 J0). int grad Q_c is half the diagonal between the
 /// neighbours of corner c, turned outward. Sadeghirad, Brannon and Guilkey (2013), in another order of the corners.
-inline CornerAverage<2> average_over(const Corners<2>& x) {
+ASSAY_INLINE CornerAverage<2> average_over(const Corners<2>& x) {
   CornerAverage<2> found;
   const double ax = x[3][0] - x[0][0], ay = x[3][1] - x[0][1];  // diagonals: from 0 to 3, from 1 to 2
   const double bx = x[2][0] - x[1][0], by = x[2][1] - x[1][1];
@@ -33,7 +33,7 @@ inline CornerAverage<2> average_over(const Corners<2>& x) {
 }
 
 /// By 2 x 2 x 2 Gauss points, exact for what is integrated: of degree 3 in each direction.
-inline CornerAverage<3> average_over(const Corners<3>& x) {
+ASSAY_INLINE CornerAverage<3> average_over(const Corners<3>& x) {
   CornerAverage<3> found;
   found.value.fill(0);
   for (auto& gradient : found.gradient) gradient.fill(0);

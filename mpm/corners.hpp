@@ -21,7 +21,7 @@ concept MovesCorners = requires {
 
 /// x_c = x + sum_d +-r_d, where column d of r is half edge d of the parallelepiped [m].
 template <int Dim>
-Corners<Dim> corners_of(const Vec<Dim>& x, const Mat<Dim>& r) {
+ASSAY_INLINE Corners<Dim> corners_of(const Vec<Dim>& x, const Mat<Dim>& r) {
   Corners<Dim> corners;
   for (std::size_t c = 0; c < corners.size(); ++c) {
     corners[c] = x;

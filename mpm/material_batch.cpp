@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <stdexcept>
 
 #include "harness/material_failure.hpp"
@@ -29,26 +28,6 @@ StressColumns<Dim> columns_of(State<Dim>& s) {
   columns.rate_of_F = s.setup.method.is_total();
   return columns;
 }
-
-/// The outcomes of blocks: that of the smallest particle that went wrong. Safe for several threads.
-class FirstFinding {
- public:
-  void note(BlockOutcome outcome) {
-    const std::size_t at = place(outcome);
-    if (at == none) return;
-    const std::lock_guard lock(guard_);
-    if (at < place(first_)) first_ = std::move(outcome);
-  }
-  BlockOutcome found() { return std::move(first_); }
-
- private:
-  static constexpr std::size_t none = ~std::size_t{0};
-  static std::size_t place(const BlockOutcome& outcome) {
-    return std::min(outcome.inverted.value_or(none), outcome.refused.value_or(none));
-  }
-  std::mutex guard_;
-  BlockOutcome first_;
-};
 
 }  // namespace
 
@@ -94,31 +73,35 @@ std::vector<double> MaterialBatches<Dim>::directions(std::size_t begin, std::siz
   return found;
 }
 
-template <int Dim>
-BlockOutcome MaterialBatches<Dim>::update(std::size_t begin, std::size_t end, const Instant& now) {
-  const auto thread = static_cast<std::size_t>(omp_get_thread_num());
-  const Material& material = instances_[instances_.size() == 1 ? 0 : thread];
-  return update_block(columns_, material, begin, end, now, scratch_[thread]);
+void FirstOutcome::note(BlockOutcome outcome) {
+  const std::size_t at = place(outcome);
+  if (at == none_bad) return;
+  const std::lock_guard lock(guard_);
+  if (at < place(first_)) first_ = std::move(outcome);
 }
 
 template <int Dim>
-BlockOutcome MaterialBatches<Dim>::update_all(const Instant& now) {
-  FirstFinding first;
+std::size_t MaterialBatches<Dim>::update(std::size_t begin, std::size_t end, const Instant& now) {
+  const auto thread = static_cast<std::size_t>(omp_get_thread_num());
+  const Material& material = instances_[instances_.size() == 1 ? 0 : thread];
+  BlockOutcome outcome = update_block(columns_, material, begin, end, now, scratch_[thread]);
+  const std::size_t bad = FirstOutcome::place(outcome);
+  if (bad != none_bad) first_.note(std::move(outcome));
+  return bad;
+}
+
+template <int Dim>
+BlockOutcome MaterialBatches<Dim>::update_elsewhere(const Instant& now) {
   const Setup<Dim>& setup = state_->setup;
-  if (!setup.offload) {
-    for_blocks(state_->particles, setup.threads,
-               [&](std::size_t begin, std::size_t end) { first.note(update(begin, end, now)); });
-    return first.found();
-  }
-  const std::size_t blocks = (state_->particles + block_size - 1) / block_size;
+  const std::size_t blocks = blocks_of(state_->particles);
   const auto threads = static_cast<std::size_t>(setup.threads);
 #pragma omp parallel for schedule(static, 1) num_threads(setup.threads)
   for (std::size_t k = 0; k < threads; ++k) {
     const std::size_t begin = k * blocks / threads * block_size;
     const std::size_t end = std::min(state_->particles, (k + 1) * blocks / threads * block_size);
-    if (begin < end) first.note(setup.offload->update(k, begin, end, now));
+    if (begin < end) first_.note(setup.offload->update(k, begin, end, now));
   }
-  return first.found();
+  return first_.take();
 }
 
 template class MaterialBatches<2>;

@@ -6,8 +6,8 @@
 
 namespace assay::mpm {
 
-/// x_c += dt v(x_c), by the grid's velocity. Of bases that MovesCorners.
-template <class B, int Dim>
+/// x_c += dt v(x_c), by the grid's velocity. Of bases that move corners.
+template <int Dim>
 Pass<Dim> corners_pass();
 
 }  // namespace assay::mpm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The grid update where the mass matrix is more than its row sums. Templates on the basis.
+// The grid update where the mass matrix is more than its row sums.
 #pragma once
 
 #include "mpm/pass.hpp"
@@ -18,7 +18,7 @@ inline std::size_t solver_fields(const Method& method) {
 ///   xpic(k):     series of m v; f is divided by M_L
 ///   fmpm(k):     series of m v + dt f
 /// What holding takes from the particles' momentum enters the account.
-template <class B, int Dim>
+template <int Dim>
 Pass<Dim> mass_matrix_pass(const Method& method);
 
 }  // namespace assay::mpm

@@ -23,9 +23,12 @@ ReferenceDomains domains_of_setup(const Setup<2>& setup) {
 Kernel averaged_kernel(State<2>& s) {
   const auto& vortex = std::get<Vortex>(*s.setup.motion);
   auto field = std::make_shared<DomainAverage>(vortex, s.setup.density, domains_of_setup(s.setup));
-  return [&s, field](const Instant& now) {
+  const InPieces pieces = [threads = s.setup.threads](std::size_t n, const auto& body) {
+    for_blocks(n, threads, body);
+  };
+  return [&s, field, pieces](const Instant& now) {
     field->evaluate(*s.setup.response, now.t, std::span(s.column(Column::body_force, 0), s.particles),
-                    std::span(s.column(Column::body_force, 1), s.particles));
+                    std::span(s.column(Column::body_force, 1), s.particles), pieces);
   };
 }
 
@@ -82,6 +85,35 @@ Pass<Dim> moving_frame_pass(Evaluation evaluation) {
   return pass;
 }
 
+namespace {
+
+template <int Dim>
+void end_stress(State<Dim>& s, BlockOutcome outcome) {
+  s.material_calls += static_cast<std::int64_t>(s.particles);
+  if (outcome.inverted) {
+    s.finding = Finding{Finding::Kind::unstable, "det F <= 0", static_cast<std::int64_t>(*outcome.inverted)};
+  } else if (outcome.refused) {
+    s.finding = Finding{Finding::Kind::material_failed, outcome.message, static_cast<std::int64_t>(*outcome.refused),
+                        std::move(outcome.step)};
+  }
+}
+
+template <int Dim>
+Kernel stress_kernel(State<Dim>& s) {
+  auto materials = std::make_shared<MaterialBatches<Dim>>(s);
+  if (s.setup.offload) {
+    return [&s, materials](const Instant& now) { end_stress(s, materials->update_elsewhere(now)); };
+  }
+  Kernel kernel;
+  kernel.block = [materials](const Instant& now, const Block& block) {
+    return materials->update(block.begin, block.end, now);
+  };
+  kernel.end = [&s, materials](const Instant&, std::optional<std::size_t>) { end_stress(s, materials->take_first()); };
+  return kernel;
+}
+
+}  // namespace
+
 template <int Dim>
 Pass<Dim> stress_pass(bool with_history) {
   Pass<Dim> pass;
@@ -94,19 +126,7 @@ Pass<Dim> stress_pass(bool with_history) {
     pass.reads.push_back(Column::history);
     pass.writes.push_back(Column::history);
   }
-  pass.bind = [](State<Dim>& s) -> Kernel {
-    auto materials = std::make_shared<MaterialBatches<Dim>>(s);
-    return [&s, materials](const Instant& now) {
-      BlockOutcome outcome = materials->update_all(now);
-      s.material_calls += static_cast<std::int64_t>(s.particles);
-      if (outcome.inverted) {
-        s.finding = Finding{Finding::Kind::unstable, "det F <= 0", static_cast<std::int64_t>(*outcome.inverted)};
-      } else if (outcome.refused) {
-        s.finding = Finding{Finding::Kind::material_failed, outcome.message,
-                            static_cast<std::int64_t>(*outcome.refused), std::move(outcome.step)};
-      }
-    };
-  };
+  pass.bind = stress_kernel<Dim>;
   return pass;
 }
 
@@ -157,14 +177,16 @@ Pass<Dim> accounts_pass(bool with_body_force) {
   }
   pass.grid_fields = {"mass"};
   pass.bind = [with_body_force](State<Dim>& s) -> Kernel {
-    auto blocks = std::make_shared<std::vector<BlockSums>>((s.particles + block_size - 1) / block_size);
+    auto blocks = std::make_shared<std::vector<BlockSums>>(blocks_of(s.particles));
     double particle_mass = 0;
     for (std::size_t p = 0; p < s.particles; ++p) particle_mass += s.column(Column::mass)[p];
     for (const double m : s.held_mass) particle_mass += m;
-    return [&s, with_body_force, blocks, particle_mass](const Instant& now) {
-      for_blocks(s.particles, s.setup.threads, [&](std::size_t begin, std::size_t end) {
-        (*blocks)[begin / block_size] = sums_of_block(s, with_body_force, begin, end);
-      });
+    Kernel kernel;
+    kernel.block = [&s, with_body_force, blocks](const Instant&, const Block& block) {
+      (*blocks)[block.begin / block_size] = sums_of_block(s, with_body_force, block.begin, block.end);
+      return none_bad;
+    };
+    kernel.end = [&s, blocks, particle_mass](const Instant& now, std::optional<std::size_t>) {
       for (const BlockSums& sums : *blocks) {
         for (std::size_t d = 0; d < 3; ++d) s.ledger.impulse[d] += now.kick * sums.impulse[d];
         s.ledger.angular_impulse += now.kick * sums.torque;
@@ -174,6 +196,7 @@ Pass<Dim> accounts_pass(bool with_body_force) {
       for (std::size_t i = 0; i < s.inertia.nodes(); ++i) grid_mass += s.inertia.node(i)[0];
       s.ledger.mass_defect = std::max(s.ledger.mass_defect, std::abs(grid_mass / particle_mass - 1));
     };
+    return kernel;
   };
   return pass;
 }

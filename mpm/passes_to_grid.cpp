@@ -1,119 +1,79 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/passes_to_grid.hpp"
 
+#include <cmath>
+
 #include "mpm/affine.hpp"
-#include "mpm/bases.hpp"
-#include "mpm/blocks.hpp"
-#include "mpm/column_access.hpp"
+#include "mpm/kernels.hpp"
+#include "mpm/with_basis.hpp"
 
 namespace assay::mpm {
 
-template <class B, int Dim>
-void place_corners(State<Dim>& s, B& basis, std::size_t begin, std::size_t end, FirstBad& outside) {
-  const auto columns = components<corner_components<Dim>>(s, Column::corners);
-  for (std::size_t p = begin; p < end; ++p) {
-    Corners<Dim> corners;
-    for (std::size_t k = 0; k < columns.size(); ++k) corners[k / Dim][k % Dim] = columns[k][p];
-    if (!basis.place(p, corners)) outside.report(p);
-  }
-}
-
-/// The weights of a block of particles, whose domains are all alike or one each.
-template <class B, int Dim>
-void place_block(State<Dim>& s, B& basis, std::size_t begin, std::size_t end, FirstBad& outside) {
-  const bool total = s.setup.method.is_total();
-  const auto x = components<Dim>(s, total ? Column::reference_position : Column::position);
-  const auto F = components<Dim * Dim>(s, Column::deformation_gradient);
-  Mat<Dim> undeformed{};
-  for (std::size_t d = 0; d < Dim; ++d) undeformed[d * Dim + d] = 1;
-  const auto F_of = [&](std::size_t p) { return B::uses_deformation && !total ? load(F, p) : undeformed; };
-  if constexpr (B::domain_components > 0) {
-    if (s.has(Column::domain)) {
-      const auto half = components<static_cast<int>(B::domain_components)>(s, Column::domain);
-      for (std::size_t p = begin; p < end; ++p) {
-        if (!basis.place(p, load(x, p), F_of(p), load(half, p))) outside.report(p);
-      }
-      return;
-    }
-  }
-  for (std::size_t p = begin; p < end; ++p) {
-    if (!basis.place(p, load(x, p), F_of(p))) outside.report(p);
-  }
-}
-
-template <class B, int Dim>
-Pass<Dim> weights_pass(Formulation formulation, bool domains_differ) {
+template <int Dim>
+Pass<Dim> weights_pass(const Method& method, bool domains_differ) {
   Pass<Dim> pass;
   pass.name = "weights";
-  pass.doc = "nodes, phi_ip and grad phi_ip of every particle, shared by the passes of the step";
   pass.called_for_by = "method.basis";
-  const bool total = formulation == Formulation::total;
-  if (total) pass.doc = "nodes, phi_ip and grad phi_ip of every particle in the reference configuration";
-  pass.once = total;
-  pass.reads = {MovesCorners<B> ? Column::corners : total ? Column::reference_position : Column::position};
-  if (B::uses_deformation && !total) pass.reads.push_back(Column::deformation_gradient);
-  if (domains_differ && B::domain_components > 0) pass.reads.push_back(Column::domain);
+  pass.once = method.is_total();
+  pass.doc = pass.once ? "nodes, phi_ip and grad phi_ip of every particle in the reference configuration"
+                       : "nodes, phi_ip and grad phi_ip of every particle, shared by the passes of the step";
+  const BasisTraits basis = traits_of<Dim>(method.basis);
+  pass.reads = {basis.moves_corners ? Column::corners : pass.once ? Column::reference_position : Column::position};
+  if (basis.uses_deformation && !pass.once) pass.reads.push_back(Column::deformation_gradient);
+  if (domains_differ && basis.domain_components > 0) pass.reads.push_back(Column::domain);
   pass.writes = {Column::weights};
-  pass.bind = [](State<Dim>& s) -> Kernel {
-    B& basis = basis_of<B>(s);
-    return [&s, &basis](const Instant&) {
-      FirstBad outside;
-      for_blocks(s.particles, s.setup.threads, [&](std::size_t begin, std::size_t end) {
-        if constexpr (MovesCorners<B>) {
-          place_corners(s, basis, begin, end, outside);
-        } else {
-          place_block(s, basis, begin, end, outside);
-        }
+  pass.bind = [basis](State<Dim>& s) -> Kernel {
+    s.reach.resize(blocks_of(s.particles));
+    if (!s.basis) {
+      s.basis = with_basis<Dim>(s.setup.method.basis, [&](auto tag) -> std::shared_ptr<void> {
+        return std::make_shared<typename decltype(tag)::type>(s.setup.grid, s.setup.seeds.half_size, s.particles);
       });
-      if (const auto p = outside.found()) {
-        s.finding = Finding{Finding::Kind::unstable,
-                            MovesCorners<B> ? "a corner of a domain left the grid, or a domain turned inside out"
-                                            : "a particle or a corner of its domain left the grid",
-                            static_cast<std::int64_t>(*p)};
-      }
+    }
+    Kernel kernel;
+    const auto place = s.kernels.place;
+    kernel.block = [&s, place](const Instant& now, const Block& block) { return place(s, block, now); };
+    kernel.end = [&s, basis](const Instant&, std::optional<std::size_t> outside) {
+      if (!outside) return;
+      s.finding = Finding{Finding::Kind::unstable,
+                          basis.moves_corners ? "a corner of a domain left the grid, or a domain turned inside out"
+                                              : "a particle or a corner of its domain left the grid",
+                          static_cast<std::int64_t>(*outside)};
     };
+    return kernel;
   };
   return pass;
 }
 
-/// Particles that never move give the grid their mass once.
-template <class B, int Dim>
-std::vector<double> mass_of_held(const State<Dim>& s) {
-  const Seeds<Dim>& seeds = s.setup.seeds;
-  const Tensor turn = rotation_about_z(seeds.angle);  // of the domain, as a rigid motion would turn it
+namespace {
+
+/// Particles that never move give the grid their mass once. Their domains are turned as a rigid motion would.
+template <int Dim>
+std::vector<double> mass_of_held(const Setup<Dim>& setup) {
+  const Seeds<Dim>& seeds = setup.seeds;
   Mat<Dim> F{};
-  for (std::size_t i = 0; i < Dim; ++i) {
-    for (std::size_t d = 0; d < Dim; ++d) F[i * Dim + d] = turn(static_cast<int>(i), static_cast<int>(d));
-  }
-  GridField<1> mass;
-  mass.allocate(s.setup.grid.nodes());
-  B basis(s.setup.grid, seeds.half_size, 1);
-  for (const auto& X : seeds.held) {
-    if (basis.place(0, X, F)) basis.template scatter<1, 0>(0, {s.setup.density * seeds.volume()}, {}, mass);
-  }
-  return std::vector<double>(mass.data(), mass.data() + mass.nodes());
-}
-
-template <class B, bool Affine, int Dim>
-void scatter_momentum(State<Dim>& s, const B& basis, Column affine) {
-  const double* mass = s.column(Column::mass);
-  const auto v = components<Dim>(s, Column::velocity);
-  for (std::size_t p = 0; p < s.particles; ++p) {
-    std::array<double, Dim + 1> A;
-    A[0] = mass[p];
-    for (std::size_t d = 0; d < Dim; ++d) A[d + 1] = mass[p] * v[d][p];
-    if constexpr (Affine) {
-      Mat<Dim> C = load(components<Dim * Dim>(s, affine), p);
-      if (s.setup.method.affine == mpm::Affine::moment) C = product<Dim>(C, inverse<Dim>(second_moment<Dim>(basis, p)));
-      for (double& c : C) c *= mass[p];
-      scatter_affine(basis, p, A, C, s.inertia);
-    } else {
-      basis.template scatter<Dim + 1, 0>(p, A, {}, s.inertia);
+  for (std::size_t d = 0; d < Dim; ++d) F[d * Dim + d] = 1;
+  F[0] = F[Dim + 1] = std::cos(seeds.angle);
+  F[Dim] = std::sin(seeds.angle);
+  F[1] = -F[Dim];
+  std::vector<double> mass(setup.grid.nodes(), 0.0);
+  with_basis<Dim>(setup.method.basis, [&](auto tag) {
+    typename decltype(tag)::type basis(setup.grid, seeds.half_size, 1);
+    for (const auto& X : seeds.held) {
+      if (basis.place(0, X, F)) basis.template scatter<1, 0>(0, {setup.density * seeds.volume()}, {}, mass.data());
     }
-  }
+  });
+  return mass;
 }
 
-template <class B, int Dim>
+template <int Dim>
+BlockKernel<Dim> momentum_kernel(const State<Dim>& s) {
+  if (!s.method.is_affine()) return s.kernels.momentum;
+  return s.method.affine == Affine::moment ? s.kernels.momentum_of_moment : s.kernels.momentum_of_gradient;
+}
+
+}  // namespace
+
+template <int Dim>
 Pass<Dim> particles_to_grid_pass(const Method& method, bool hold_outside) {
   Pass<Dim> pass;
   pass.name = "particles_to_grid";
@@ -121,64 +81,30 @@ Pass<Dim> particles_to_grid_pass(const Method& method, bool hold_outside) {
                                 : "nodal mass and momentum";
   pass.called_for_by = method.is_affine() ? "method.transfer" : "method";
   pass.reads = {Column::weights, Column::mass, Column::velocity};
-  const Column affine = affine_column(method);
-  if (method.is_affine()) pass.reads.push_back(affine);
+  if (method.is_affine()) pass.reads.push_back(affine_column(method));
   pass.grid_fields = {"mass", "momentum"};
-  pass.bind = [hold_outside, affine, is_affine = method.is_affine()](State<Dim>& s) -> Kernel {
-    const B& basis = basis_of<B>(s);
-    if (hold_outside) s.held_mass = mass_of_held<B>(s);
-    const auto scatter = is_affine ? scatter_momentum<B, true, Dim> : scatter_momentum<B, false, Dim>;
-    return [&s, &basis, hold_outside, scatter, affine](const Instant&) {
+  pass.bind = [hold_outside](State<Dim>& s) -> Kernel {
+    if (hold_outside) s.held_mass = mass_of_held(s.setup);
+    Kernel kernel;
+    kernel.scatters = true;
+    kernel.begin = [&s, hold_outside](const Instant&) {
       s.inertia.zero();
-      if (hold_outside) {
-        for (std::size_t i = 0; i < s.held_mass.size(); ++i) s.inertia.node(i)[0] = s.held_mass[i];
-      }
-      scatter(s, basis, affine);
-      s.inertia.reduce_ghosts();
+      for (std::size_t i = 0; hold_outside && i < s.held_mass.size(); ++i) s.inertia.node(i)[0] = s.held_mass[i];
     };
+    const auto scatter = momentum_kernel(s);
+    kernel.block = [&s, scatter](const Instant& now, const Block& block) { return scatter(s, block, now); };
+    kernel.end = [&s](const Instant&, std::optional<std::size_t>) { s.inertia.reduce_ghosts(); };
+    return kernel;
   };
   return pass;
 }
 
-/// V sigma of the gradients that the basis gives: in the current configuration, or V0 P.
 template <int Dim>
-Mat<Dim> weighted_stress(const std::array<double*, stress_components<Dim>>& sigma, const Mat<Dim>& F, double V0,
-                         std::size_t p, bool total) {
-  const double V = V0 * determinant<Dim>(F);
-  Mat<Dim> cauchy;
-  for (std::size_t i = 0; i < Dim; ++i) {
-    for (std::size_t d = 0; d < Dim; ++d) cauchy[i * Dim + d] = V * sigma[stress_index<Dim>(i, d)][p];
-  }
-  return total ? product<Dim>(cauchy, inverse_transpose<Dim>(F, determinant<Dim>(F))) : cauchy;
-}
-
-template <class B, bool WithBody, int Dim>
-void scatter_forces(State<Dim>& s, const B& basis) {
-  s.force.zero();
-  const bool total = s.setup.method.is_total();
-  const auto F = components<Dim * Dim>(s, Column::deformation_gradient);
-  const auto sigma = components<stress_components<Dim>>(s, Column::stress);
-  const double *volume = s.column(Column::volume), *mass = s.column(Column::mass);
-  std::array<double*, Dim> b{};
-  if constexpr (WithBody) b = components<Dim>(s, Column::body_force);
-  for (std::size_t p = 0; p < s.particles; ++p) {
-    std::array<double, Dim> A{};
-    if constexpr (WithBody) {
-      for (std::size_t i = 0; i < Dim; ++i) A[i] = mass[p] * b[i][p];
-    }
-    Mat<Dim> stress = weighted_stress<Dim>(sigma, load(F, p), volume[p], p, total);
-    for (double& component : stress) component = -component;
-    basis.template scatter<Dim, Dim>(p, A, stress, s.force);
-  }
-  s.force.reduce_ghosts();
-}
-
-template <class B, int Dim>
-Pass<Dim> force_pass(Formulation formulation, bool with_body_force) {
+Pass<Dim> force_pass(const Method& method, bool with_body_force) {
   Pass<Dim> pass;
   pass.name = "grid_forces";
   pass.doc = with_body_force ? "nodal internal and body force" : "nodal internal force";
-  if (formulation == Formulation::total) pass.doc += ", by the first Piola-Kirchhoff stress";
+  if (method.is_total()) pass.doc += ", by the first Piola-Kirchhoff stress";
   pass.called_for_by = "method";
   pass.reads = {Column::weights, Column::stress, Column::volume, Column::deformation_gradient};
   if (with_body_force) {
@@ -187,19 +113,24 @@ Pass<Dim> force_pass(Formulation formulation, bool with_body_force) {
   }
   pass.grid_fields = {"force"};
   pass.bind = [with_body_force](State<Dim>& s) -> Kernel {
-    const B& basis = basis_of<B>(s);
-    if (with_body_force) return [&s, &basis](const Instant&) { scatter_forces<B, true>(s, basis); };
-    return [&s, &basis](const Instant&) { scatter_forces<B, false>(s, basis); };
+    Kernel kernel;
+    kernel.scatters = true;
+    kernel.begin = [&s](const Instant&) { s.force.zero(); };
+    const auto scatter = s.kernels.force[with_body_force ? 1 : 0];
+    kernel.block = [&s, scatter](const Instant& now, const Block& block) { return scatter(s, block, now); };
+    kernel.end = [&s](const Instant&, std::optional<std::size_t>) { s.force.reduce_ghosts(); };
+    return kernel;
   };
   return pass;
 }
 
-#define ASSAY_PASSES(BASIS, DIM)                                                   \
-  template Pass<DIM> weights_pass<BASIS<DIM>, DIM>(Formulation, bool);             \
-  template Pass<DIM> particles_to_grid_pass<BASIS<DIM>, DIM>(const Method&, bool); \
-  template Pass<DIM> force_pass<BASIS<DIM>, DIM>(Formulation, bool);
+#define ASSAY_PASSES(DIM)                                              \
+  template Pass<DIM> weights_pass<DIM>(const Method&, bool);           \
+  template Pass<DIM> particles_to_grid_pass<DIM>(const Method&, bool); \
+  template Pass<DIM> force_pass<DIM>(const Method&, bool);
 
-ASSAY_FOR_EACH_BASIS(ASSAY_PASSES)
+ASSAY_PASSES(2)
+ASSAY_PASSES(3)
 #undef ASSAY_PASSES
 
 }  // namespace assay::mpm

@@ -13,27 +13,12 @@
 #include "harness/material.hpp"
 #include "harness/motion.hpp"
 #include "harness/reference_domain.hpp"
+#include "mpm/grid_geometry.hpp"
+#include "mpm/instructions.hpp"
 #include "mpm/method.hpp"
 #include "mpm/offload.hpp"
 
 namespace assay::mpm {
-
-/// Nodes at multiples of the spacing h, from index `first` to `first + count - 1` in each direction.
-template <int Dim>
-struct GridGeometry {
-  double spacing = 0;                     ///< h [m]
-  std::array<std::int32_t, Dim> first{};  ///< global index of the first local node
-  std::array<std::int32_t, Dim> count{};  ///< local nodes
-
-  std::size_t nodes() const {
-    std::size_t product = 1;
-    for (const auto c : count) product *= static_cast<std::size_t>(c);
-    return product;
-  }
-  double coordinate(int direction, std::int32_t local) const {
-    return spacing * static_cast<double>(first[static_cast<std::size_t>(direction)] + local);
-  }
-};
 
 /// Particles of a body in the reference configuration, in cell order.
 template <int Dim>
@@ -75,7 +60,8 @@ struct Setup {
   bool hold_outside = false;                 ///< nodes and particles outside the vortex's ring are held
   bool accounts = false;                     ///< momentum and energy accounts
   int threads = 1;
-  std::shared_ptr<const Offload> offload;  ///< of the stress pass; null: in this process. In two dimensions
+  Instructions instructions = best_instructions();  ///< of the kernels
+  std::shared_ptr<const Offload> offload;           ///< of the stress pass; null: in this process. In two dimensions
 };
 
 }  // namespace assay::mpm

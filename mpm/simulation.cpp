@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/simulation.hpp"
 
-#include <chrono>
 #include <cmath>
 
 #include "mpm/affine.hpp"
 #include "mpm/corners.hpp"
+#include "mpm/sweep.hpp"
 
 namespace assay::mpm {
 
@@ -44,12 +44,19 @@ Simulation<Dim>::Simulation(Setup<Dim> setup, const std::vector<Pass<Dim>>& pass
   if (state_.setup.hold_outside) hold_outside();
   for (const auto& pass : passes) {
     kernels_.push_back(pass.bind(state_));
-    once_.push_back(pass.once);
     PassTime time{pass.name, 0, 0};
     for (const auto* list : {&pass.reads, &pass.writes}) {
       for (const Column column : *list) time.bytes_per_particle += bytes_of(column, state_.setup);
     }
     times_.push_back(std::move(time));
+  }
+  for (std::size_t k = 0; k < passes.size(); ++k) {
+    for (const std::size_t later : {0, 1}) {
+      if (passes[k].once && later) continue;
+      steps_[later].kernels.push_back(&kernels_[k]);
+      steps_[later].passes.push_back(k);
+      steps_[later].seconds.push_back(0);
+    }
   }
 }
 
@@ -72,6 +79,11 @@ void Simulation<Dim>::allocate(const std::vector<Pass<Dim>>& passes) {
   s.inertia.allocate(nodes);
   s.force.allocate(nodes);
   s.motion.allocate(nodes);
+  s.tile_copies.resize(tile_copies(s.particles, s.setup.threads));
+  for (TileCopy<Dim>& copy : s.tile_copies) {
+    copy.inertia.allocate(nodes);
+    copy.force.allocate(nodes);
+  }
 }
 
 /// Particles in the reference configuration with the exact initial velocity: not zero, v = g'(0) h(R) E_z x X.
@@ -149,18 +161,14 @@ void Simulation<Dim>::hold_outside() {
 
 template <int Dim>
 const std::optional<Finding>& Simulation<Dim>::step(double t, double dt) {
-  using Clock = std::chrono::steady_clock;
   const bool staggered = state_.setup.method.integrator == Integrator::leapfrog;
   const Instant now(t, dt, staggered && !begun_ ? 0.5 * dt : dt);
   velocity_time_ = staggered ? t + 0.5 * dt : t + dt;
-  auto before = Clock::now();
-  for (std::size_t k = 0; k < kernels_.size(); ++k) {
-    if (once_[k] && begun_) continue;
-    kernels_[k](now);
-    const auto after = Clock::now();
-    times_[k].seconds += std::chrono::duration<double>(after - before).count();
-    before = after;
-    if (state_.finding) break;
+  Step& step = steps_[begun_ ? 1 : 0];
+  run<Dim>(state_, step.kernels, now, step.seconds);
+  for (std::size_t k = 0; k < step.passes.size(); ++k) {
+    times_[step.passes[k]].seconds += step.seconds[k];
+    step.seconds[k] = 0;
   }
   begun_ = true;
   return state_.finding;

@@ -2,6 +2,7 @@
 // A setup brought to life: columns allocated, passes bound, one step at a time.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,7 @@ class Simulation {
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// One step from t to t + dt. A finding ends the run: the state is that of the pass which found it.
+  /// One step from t to t + dt. A finding ends the run, in the middle of a step.
   const std::optional<Finding>& step(double t, double dt);
 
   /// To which the particles' velocities belong after the last step [s].
@@ -44,7 +45,13 @@ class Simulation {
 
   State<Dim> state_;
   std::vector<Kernel> kernels_;
-  std::vector<bool> once_;  ///< of each kernel: before the first step alone
+  /// In the first step, and in those after it.
+  struct Step {
+    std::vector<const Kernel*> kernels;
+    std::vector<std::size_t> passes;
+    std::vector<double> seconds;
+  };
+  std::array<Step, 2> steps_;
   bool begun_ = false;
   double velocity_time_ = 0;
   std::vector<PassTime> times_;

@@ -2,14 +2,11 @@
 // Everything that a running simulation owns; passes work on it.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "harness/failed_step.hpp"
-#include "mpm/basis.hpp"
-#include "mpm/columns.hpp"
-#include "mpm/grid_field.hpp"
+#include "mpm/kernels.hpp"
 #include "mpm/setup.hpp"
 
 namespace assay::mpm {
@@ -32,32 +29,28 @@ struct Ledger {
   double mass_defect = 0;           ///< largest |grid mass - particle mass| / particle mass
 };
 
+/// Where a thread adds up what its tile gives to the grid; zero between tiles.
 template <int Dim>
-struct State {
-  explicit State(Setup<Dim> s) : setup(std::move(s)), particles(setup.seeds.size()) {}
+struct TileCopy {
+  GridField<Dim + 1> inertia;
+  GridField<Dim> force;
+};
+
+template <int Dim>
+struct State : KernelState<Dim> {
+  explicit State(Setup<Dim> s) : KernelState<Dim>{s.method, s.seeds.size()}, setup(std::move(s)) {}
 
   Setup<Dim> setup;
-  std::size_t particles;
-  std::array<ColumnData, column_count> columns;
-  GridField<Dim + 1> inertia;          ///< mass, momentum
-  GridField<Dim> force;                ///< internal and body force [N]
-  GridField<2 * Dim> motion;           ///< velocity, acceleration
+  Kernels<Dim> kernels = kernels_of<Dim>(setup.method.basis, setup.instructions);
   std::vector<GridField<Dim>> solver;  ///< of a mass matrix that is not lumped
+  std::vector<double> inverse_mass;    ///< of a mass matrix that is not lumped: 1 / row sum of a node that moves, or 0
   std::vector<double> held_mass;       ///< of particles that never move, a node; empty where nothing is held
   std::vector<std::uint32_t> held_nodes;
   std::array<ColumnData, 2> history;  ///< material state by block, [c * n + p]: begin and end of the step
-  std::shared_ptr<void> basis;        ///< the weights of all particles; its type is known to the passes
+  std::vector<TileCopy<Dim>> tile_copies;
   std::optional<Finding> finding;
   Ledger ledger;
   std::int64_t material_calls = 0;  ///< points updated
-
-  double* column(Column which, int component = 0) {
-    return columns[static_cast<std::size_t>(which)].component(component);
-  }
-  const double* column(Column which, int component = 0) const {
-    return columns[static_cast<std::size_t>(which)].component(component);
-  }
-  bool has(Column which) const { return !columns[static_cast<std::size_t>(which)].empty(); }
 };
 
 }  // namespace assay::mpm

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "mpm/basis.hpp"
+#include "mpm/advance.hpp"
 
 namespace assay::mpm {
 
@@ -21,45 +21,22 @@ constexpr std::size_t stress_row(int c) {
   return c < Dim * Dim ? row_of<Dim>(c) : 8;  // 33 comes last in plane strain
 }
 
-/// F of a particle after the step.
-template <int Dim>
-Mat<Dim> advanced(const std::array<double*, Dim * Dim>& F, const std::array<const double*, Dim * Dim>& L, std::size_t p,
-                  double dt, bool rate_of_F) {
-  Mat<Dim> now;
-  for (std::size_t i = 0; i < Dim; ++i) {
-    for (std::size_t j = 0; j < Dim; ++j) {
-      double rate = 0;
-      if (rate_of_F) {
-        rate = L[i * Dim + j][p];
-      } else {
-        for (std::size_t k = 0; k < Dim; ++k) rate += L[i * Dim + k][p] * F[k * Dim + j][p];
-      }
-      now[i * Dim + j] = F[i * Dim + j][p] + dt * rate;
-    }
-  }
-  return now;
-}
-
 /// F of a block after the step, F before and after as batches. The first particle whose det F is not positive.
 template <int Dim>
-std::optional<std::size_t> advance_deformation(const StressColumns<Dim>& columns, std::size_t begin, std::size_t n,
-                                               double dt, BlockScratch<Dim>& scratch) {
-  std::array<double*, Dim * Dim> F, F1;
-  std::array<const double*, Dim * Dim> L;
+std::optional<std::size_t> advance_block(const StressColumns<Dim>& columns, std::size_t begin, std::size_t n, double dt,
+                                         BlockScratch<Dim>& scratch) {
+  static const AdvanceDeformation<Dim> advance = advance_deformation<Dim>(best_instructions());
+  Deformations<Dim> d;
+  d.rate_of_F = columns.rate_of_F;
   for (int c = 0; c < Dim * Dim; ++c) {
     const auto k = static_cast<std::size_t>(c);
-    F[k] = columns.deformation_gradient[k] + begin;
-    L[k] = columns.velocity_gradient[k] + begin;
-    F1[k] = scratch.F1() + row_of<Dim>(c) * n;
-    std::copy_n(F[k], n, scratch.F0() + row_of<Dim>(c) * n);
+    d.F[k] = columns.deformation_gradient[k] + begin;
+    d.rate[k] = columns.velocity_gradient[k] + begin;
+    d.before[k] = scratch.F0() + row_of<Dim>(c) * n;
+    d.now[k] = scratch.F1() + row_of<Dim>(c) * n;
   }
-  std::optional<std::size_t> inverted;
-  for (std::size_t p = 0; p < n; ++p) {
-    const Mat<Dim> now = advanced<Dim>(F, L, p, dt, columns.rate_of_F);
-    for (std::size_t c = 0; c < Dim * Dim; ++c) F[c][p] = F1[c][p] = now[c];
-    if (!(determinant<Dim>(now) > 0) && !inverted) inverted = begin + p;
-  }
-  return inverted;
+  const std::size_t bad = advance(d, n, dt);
+  return bad == n ? std::nullopt : std::optional(begin + bad);
 }
 
 }  // namespace
@@ -85,7 +62,7 @@ BlockOutcome update_block(const StressColumns<Dim>& columns, const Material& mat
   const std::size_t n = end - begin, state_size = material.state_size();
   scratch.resize(n);
   BlockOutcome outcome;
-  outcome.inverted = advance_deformation(columns, begin, n, now.dt, scratch);
+  outcome.inverted = advance_block(columns, begin, n, now.dt, scratch);
   if (outcome.inverted) return outcome;
   const double* state0 = state_size ? columns.history[0] + begin * state_size : nullptr;
   double* state1 = state_size ? columns.history[1] + begin * state_size : nullptr;

@@ -4,7 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "adapters/models/vector_log.h"
 #include "harness/assay_material.h"
+#include "harness/vector_clones.h"
 
 typedef struct { double lambda, mu; } Model;
 
@@ -26,24 +28,38 @@ static double determinant(const double F[9]) {
   return F[0] * (F[4] * F[8] - F[5] * F[7]) - F[1] * (F[3] * F[8] - F[5] * F[6]) + F[2] * (F[3] * F[7] - F[4] * F[6]);
 }
 
+/* In loops that vectorise: one for J, one for ln J, one for the stress. */
+ASSAY_VECTOR_CLONES
 static void update(void *self, const assay_step *step, size_t n, const double *state0, double *state1, double *cauchy,
                    int32_t *status, double *dt_factor, char *message) {
   const Model m = *(const Model *)self;
+  const double *restrict F1 = step->F1;
+  double *restrict sigma = cauchy;
+  double J[ASSAY_BATCH_MAX], pressure[ASSAY_BATCH_MAX];
   (void)state0, (void)state1, (void)dt_factor;
+  int bad = 0;
   for (size_t p = 0; p < n; ++p) {
     double F[9];
-    for (size_t c = 0; c < 9; ++c) F[c] = step->F1[c * n + p];
-    const double J = determinant(F), pressure = m.lambda * log(J) / J, shear = m.mu / J;
+    for (size_t c = 0; c < 9; ++c) F[c] = F1[c * n + p];
+    J[p] = determinant(F);
+  }
+  for (size_t p = 0; p < n; ++p) pressure[p] = m.lambda * vector_log(J[p]) / J[p];
+  for (size_t p = 0; p < n; ++p) {
+    double F[9];
+    for (size_t c = 0; c < 9; ++c) F[c] = F1[c * n + p];
+    const double shear = m.mu / J[p];
     for (size_t i = 0; i < 3; ++i) {
       for (size_t j = 0; j < 3; ++j) {
-        const double I = i == j ? 1 : 0;
         const double b = F[3 * i] * F[3 * j] + F[3 * i + 1] * F[3 * j + 1] + F[3 * i + 2] * F[3 * j + 2]; /* F F^T */
-        cauchy[(3 * i + j) * n + p] = pressure * I + shear * (b - I);
+        sigma[(3 * i + j) * n + p] = i == j ? pressure[p] + shear * (b - 1) : shear * b;
       }
     }
-    status[p] = J > 0 ? ASSAY_GOOD : ASSAY_FAILED;
-    if (!(J > 0)) strcpy(message, "det F <= 0");
   }
+  for (size_t p = 0; p < n; ++p) {
+    status[p] = J[p] > 0 ? ASSAY_GOOD : ASSAY_FAILED;
+    bad |= !(J[p] > 0);
+  }
+  if (bad) strcpy(message, "det F <= 0");
 }
 
 static void destroy(void *self) { free(self); }

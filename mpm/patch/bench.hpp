@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "harness/check/battery.hpp"
+#include "mpm/basis.hpp"
 #include "mpm/patch/methods.hpp"
 #include "mpm/simulation.hpp"
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "mpm/bases.hpp"
+#include "mpm/with_basis.hpp"
 
 namespace assay::mpm {
 
@@ -107,7 +107,7 @@ struct BasisFixture {
     std::array<double, Dim + 1> A{1};
     Mat<Dim> identity{};
     for (std::size_t d = 0; d < size; ++d) identity[d * size + d] = 1;
-    basis.template scatter<Dim + 1, Dim>(0, A, identity, field);
+    basis.template scatter<Dim + 1, Dim>(0, A, identity, field.data());
     return field;
   }
 

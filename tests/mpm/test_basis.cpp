@@ -51,7 +51,7 @@ TYPED_TEST(EveryBasisTest, GatherIsTheAdjointOfScatter) {
     const auto B = this->random.template array<G * N>(1);
     GridField<K> nodal;
     nodal.allocate(this->grid.nodes());
-    this->basis.template scatter<K, G>(0, A, B, nodal);
+    this->basis.template scatter<K, G>(0, A, B, nodal.data());
     GridField<K> field, shifted;  // `shifted`: the last G components first, as gather differentiates those
     field.allocate(this->grid.nodes());
     shifted.allocate(this->grid.nodes());
@@ -68,13 +68,72 @@ TYPED_TEST(EveryBasisTest, GatherIsTheAdjointOfScatter) {
     std::array<double, K> value, unused;
     std::array<double, G * N> gradient;
     std::array<double, 0> none;
-    this->basis.template gather<K, 0>(0, field, value, none);
-    this->basis.template gather<K, G>(0, shifted, unused, gradient);
+    this->basis.template gather<K, 0>(0, field.data(), value, none);
+    this->basis.template gather<K, G>(0, shifted.data(), unused, gradient);
     double right = 0;
     for (std::size_t c = 0; c < K; ++c) right += A[c] * value[c];
     for (std::size_t c = 0; c < G * N; ++c) right += B[c] * gradient[c];
     EXPECT_NEAR(left, right, round_off * std::max(1.0, scale));
     for (std::size_t c = 0; c < K; ++c) EXPECT_EQ(unused[(c + G) % K], value[c]);
+  }
+}
+
+// Against the weights of the nodes one by one: r_i = x_i - sum_j w_j x_j.
+TYPED_TEST(EveryBasisTest, MomentsAndAffineScatterAreSumsOverNodes) {
+  constexpr std::size_t N = TypeParam::Dim;
+  constexpr int K = 2 * static_cast<int>(N), M = static_cast<int>(N) + 1;
+  const double h = this->grid.spacing;
+  for (int k = 0; k < places; ++k) {
+    this->place_at_random();
+    const auto w = this->weights();
+    Vec<N> middle{};
+    for (std::size_t i = 0; i < w.nodes(); ++i) {
+      for (std::size_t d = 0; d < N; ++d) middle[d] += w.node(i)[0] * this->node_position(i)[d];
+    }
+    const auto A = this->random.template array<M>(1);
+    const auto C = this->random.template array<N * N>(1 / h);
+    GridField<K> field;
+    GridField<M> found;
+    field.allocate(this->grid.nodes());
+    found.allocate(this->grid.nodes());
+    this->basis.template scatter_affine<M>(0, A, C, found.data());
+    Mat<N> first{}, second{};
+    for (std::size_t i = 0; i < w.nodes(); ++i) {
+      const double weight = w.node(i)[0];
+      Vec<N> r;
+      for (std::size_t d = 0; d < N; ++d) r[d] = this->node_position(i)[d] - middle[d];
+      for (std::size_t c = 0; c < K; ++c) field.node(i)[c] = this->random();
+      for (std::size_t c = 0; c < N * N; ++c) {
+        first[c] += weight * field.node(i)[c / N] * r[c % N];
+        second[c] += weight * r[c / N] * r[c % N];
+      }
+      for (std::size_t c = 0; c < M; ++c) {
+        double value = A[c];
+        for (std::size_t d = 0; c > 0 && d < N; ++d) value += C[(c - 1) * N + d] * r[d];
+        EXPECT_NEAR(found.node(i)[c], weight * value, round_off);
+      }
+    }
+    const Mat<N> moment = this->basis.template first_moment<K>(0, field.data());
+    const Mat<N> spread = this->basis.second_moment(0);
+    for (std::size_t c = 0; c < N * N; ++c) {
+      EXPECT_NEAR(moment[c], first[c], round_off * h);
+      EXPECT_NEAR(spread[c], second[c], round_off * h * h);
+    }
+  }
+}
+
+TYPED_TEST(EveryBasisTest, ReachHoldsAllNodesThatHaveWeight) {
+  for (int k = 0; k < places; ++k) {
+    this->place_at_random();
+    const auto w = this->weights();
+    std::int32_t first = 0, end = 0;
+    this->basis.reach(0, 1, first, end);
+    ASSERT_GE(first, 0);
+    ASSERT_LE(static_cast<std::size_t>(end), w.nodes());
+    for (std::size_t i = 0; i < w.nodes(); ++i) {
+      const bool inside = i >= static_cast<std::size_t>(first) && i < static_cast<std::size_t>(end);
+      for (int c = 0; c <= TypeParam::Dim && !inside; ++c) EXPECT_EQ(w.node(i)[c], 0);
+    }
   }
 }
 
@@ -93,7 +152,7 @@ TYPED_TEST(EveryBasisTest, InternalForcesHaveNoResultantAndNoMoment) {
       }
       GridField<static_cast<int>(N)> force;
       force.allocate(this->grid.nodes());
-      this->basis.template scatter<N, N>(0, {}, sigma, force);
+      this->basis.template scatter<N, N>(0, {}, sigma, force.data());
       Vec<N> total{};
       double moment = 0, scale = 0;  // about the third axis
       for (std::size_t i = 0; i < force.nodes(); ++i) {

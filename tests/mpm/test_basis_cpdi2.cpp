@@ -131,7 +131,7 @@ TYPED_TEST(Cpdi2BasisTest, IsCpdiWhereTheDomainIsAParallelepiped) {
     theirs.allocate(this->grid.nodes());
     Mat<N> identity{};
     for (std::size_t d = 0; d < N; ++d) identity[d * N + d] = 1;
-    other.template scatter<N + 1, N>(0, {1}, identity, theirs);
+    other.template scatter<N + 1, N>(0, {1}, identity, theirs.data());
     for (std::size_t i = 0; i < own.nodes(); ++i) {
       EXPECT_NEAR(own.node(i)[0], theirs.node(i)[0], round_off);
       for (std::size_t d = 1; d <= N; ++d) EXPECT_NEAR(own.node(i)[d], theirs.node(i)[d], 100 * round_off / 0.1);

@@ -28,8 +28,8 @@ TYPED_TEST(CpgimpBasisTest, IsUgimpWhereNothingIsStretched) {
     GridField<1> a, b;
     a.allocate(this->grid.nodes());
     b.allocate(this->grid.nodes());
-    this->basis.template scatter<1, 0>(0, {1}, {}, a);
-    ugimp.template scatter<1, 0>(0, {1}, {}, b);
+    this->basis.template scatter<1, 0>(0, {1}, {}, a.data());
+    ugimp.template scatter<1, 0>(0, {1}, {}, b.data());
     for (std::size_t i = 0; i < a.nodes(); ++i) EXPECT_NEAR(a.node(i)[0], b.node(i)[0], round_off);
   }
 }
@@ -39,7 +39,7 @@ TYPED_TEST(CpgimpBasisTest, BoxesStretchWithU) {
   constexpr int samples = 4000;
   for (int k = 0; k < 10; ++k) {
     this->place_at_random();
-    const Vec<N> stretch = stretches_along_axes<TypeParam::Dim>(this->F);
+    const Vec<N> stretch = stretches_along_axes(this->F);
     const auto w = this->weights();
     for (std::size_t d = 0; d < N; ++d) {  // the sum over the other directions is the weight along this one
       const double extent = std::min(this->half[d] * stretch[d], this->grid.spacing);
@@ -74,7 +74,7 @@ TEST(CpgimpStretch, IsTheDiagonalOfTheRightStretch) {
       inverse = 0.5 * (inverse + U.inverse()).eval();
       U = next;
     }
-    const Vec<3> stretch = stretches_along_axes<3>(F);
+    const Vec<3> stretch = stretches_along_axes(F);
     for (int d = 0; d < 3; ++d) EXPECT_NEAR(stretch[static_cast<std::size_t>(d)], U(d, d), 1e-10 * U.norm());
   }
 }

@@ -6,6 +6,7 @@
 
 #include "mpm/blocks.hpp"
 #include "mpm/passes_particle.hpp"
+#include "mpm/sweep.hpp"
 #include "tests/harness/builtin_material.hpp"
 #include "tests/mpm/basis_cases.hpp"
 #include "tests/mpm/vortex_setup.hpp"
@@ -78,7 +79,7 @@ TEST(MaterialBatches, GiveBitForBitWhatPointsAloneGive) {
         const Instant now{0.01 * k, 0.01};
         randomize_velocity_gradient(s, random);
         for (std::size_t p = 0; p < n; ++p) twins[p].step(s, p, now);
-        stress(now);
+        run(s, stress, now);
         ASSERT_FALSE(s.finding);
       }
       for (std::size_t p = 0; p < n; ++p) {
@@ -101,7 +102,7 @@ std::optional<Finding> finding_of(Simulation<2>& simulation, const std::vector<s
   State<2>& s = simulation.state();
   std::fill_n(s.column(Column::velocity_gradient, 0), s.particles, 0.1);
   for (const std::size_t p : which) s.column(Column::velocity_gradient, 0)[p] = growth;
-  stress_pass<2>(false).bind(s)({0, 1});
+  run(s, stress_pass<2>(false).bind(s), {0, 1});
   return s.finding;
 }
 
@@ -201,7 +202,7 @@ double difference_to_exact_stress(const std::array<double, 3>& direction, bool t
     const Tensor F = vortex.at(X(p), t).F;
     for (int c = 0; c < 4; ++c) s.column(Column::deformation_gradient, c)[p] = F(c / 2, c % 2);
   }
-  stress_pass<2>(true).bind(s)({t, 1e-3});
+  run(s, stress_pass<2>(true).bind(s), {t, 1e-3});
   double difference = 0, scale = 0;
   for (std::size_t p = 0; p < s.particles; ++p) {
     Tensor tau, slope;

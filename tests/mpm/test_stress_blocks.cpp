@@ -7,6 +7,7 @@
 
 #include "mpm/offload.hpp"
 #include "mpm/passes_particle.hpp"
+#include "mpm/sweep.hpp"
 #include "tests/mpm/basis_cases.hpp"
 #include "tests/mpm/one_place.hpp"
 #include "tests/mpm/vortex_setup.hpp"
@@ -117,7 +118,7 @@ TEST(Offload, ThreadsShareTheBlocksAndEachParticleOnce) {
         return BlockOutcome{};
       };
       Simulation<2> simulation(offloaded(n, threads, offload));
-      stress_pass<2>(true).bind(simulation.state())({0, 0.01});
+      run(simulation.state(), stress_pass<2>(true).bind(simulation.state()), {0, 0.01});
       EXPECT_GT(placed, 0);
       EXPECT_FALSE(simulation.state().finding);
       std::vector<int> asked(n, 0);
@@ -146,7 +147,7 @@ TEST(Offload, TheFindingIsThatOfTheFirstParticle) {
     return outcome;
   };
   Simulation<2> simulation(offloaded(n, 3, offload));
-  stress_pass<2>(true).bind(simulation.state())({0, 0.01});
+  run(simulation.state(), stress_pass<2>(true).bind(simulation.state()), {0, 0.01});
   const auto& finding = simulation.state().finding;
   ASSERT_TRUE(finding);
   EXPECT_EQ(finding->kind, Finding::Kind::material_failed);

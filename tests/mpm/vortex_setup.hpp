@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "mpm/basis.hpp"
 #include "mpm/lattice.hpp"
 #include "mpm/patch/methods.hpp"
 #include "mpm/simulation.hpp"

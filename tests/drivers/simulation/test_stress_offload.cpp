@@ -11,6 +11,7 @@
 #include "drivers/material/material_table.hpp"
 #include "mpm/passes_particle.hpp"
 #include "mpm/simulation.hpp"
+#include "mpm/sweep.hpp"
 #include "tests/mpm/one_place.hpp"
 
 namespace assay::drivers {
@@ -52,7 +53,7 @@ class StressPass {
     for (std::size_t p = 0; p < s.particles; ++p) {
       for (int c = 0; c < 4; ++c) s.column(mpm::Column::velocity_gradient, c)[p] = uniform(random);
     }
-    stress_({0.01 * k, 0.01});
+    mpm::run(simulation_->state(), stress_, {0.01 * k, 0.01});
   }
 
   std::vector<double> columns() {

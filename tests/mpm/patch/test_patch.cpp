@@ -8,6 +8,7 @@
 
 #include "mpm/basis_linear.hpp"
 #include "mpm/basis_ugimp.hpp"
+#include "mpm/kernels/table.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
 namespace assay::mpm {
@@ -74,12 +75,16 @@ struct Defect {
   std::function<void(State<2>&, const Instant&)> act;
   std::vector<Method> methods;
   std::set<std::string> must_fail;
+  std::function<void(State<2>&)> bind = {};  ///< before the passes after it are bound
 };
 
 Pass<2> pass_of(const Defect& defect) {
   Pass<2> pass;
   pass.name = defect.name;
-  pass.bind = [act = defect.act](State<2>& s) -> Kernel { return [&s, act](const Instant& now) { act(s, now); }; };
+  pass.bind = [act = defect.act, bind = defect.bind](State<2>& s) -> Kernel {
+    if (bind) bind(s);
+    return [&s, act](const Instant& now) { act(s, now); };
+  };
   return pass;
 }
 
@@ -98,20 +103,53 @@ Bench broken_bench(const Defect& defect) {
   return bench;
 }
 
-/// The stored weights of a basis, for whoever wants to spoil them.
-template <class B>
-struct Opened : B {
-  static auto& weights(State<2>& s) { return static_cast<B*>(s.basis.get())->*(&Opened::weights_); }
+/// A basis whose weights somebody has spoilt.
+template <class Inner, int Width, auto Spoil>
+class Spoilt : public SeparableBasis<Spoilt<Inner, Width, Spoil>, 2, Width> {
+ public:
+  static constexpr bool uses_deformation = Inner::uses_deformation;
+  static constexpr std::size_t domain_components = Inner::domain_components;
+  static constexpr bool may_cross_edges = false;
+
+  Spoilt(const GridGeometry<2>& grid, const Vec<2>& half_size, std::size_t particles)
+      : SeparableBasis<Spoilt, 2, Width>(grid), inner_(grid, half_size, particles) {}
+
+  template <class... Domain>
+  bool place(std::size_t p, const Vec<2>& x, const Mat<2>& F, const Domain&... half) {
+    return inner_.place(p, x, F, half...);
+  }
+  double along(std::size_t p, std::size_t d) const { return inner_.along(p, d); }
+  void line(std::size_t p, std::size_t d, double* value, double* slope, std::int32_t& first) const {
+    inner_.line(p, d, value, slope, first);
+    for (int k = 0; k < Width; ++k) Spoil(d, k, Width, value[k], slope[k]);
+  }
+
+ private:
+  Inner inner_;
 };
 
-template <class Act>
-void for_each_weight(State<2>& s, const Act& act) {
+template <class Basis>
+void use(State<2>& s) {
+  s.basis = std::make_shared<Basis>(s.setup.grid, s.setup.seeds.half_size, s.particles);
+  s.kernels = baseline::table<Basis, 2>();
+}
+
+template <auto Spoil>
+void spoil(State<2>& s) {
   if (s.setup.method.basis == Basis::linear) {
-    for (auto& w : Opened<LinearBasis<2>>::weights(s)) act(w);
+    use<Spoilt<LinearBasis<2>, 2, Spoil>>(s);
   } else {
-    for (auto& w : Opened<UgimpBasis<2>>::weights(s)) act(w);
+    use<Spoilt<UgimpBasis<2>, 3, Spoil>>(s);
   }
 }
+
+constexpr auto no_last_weight = [](std::size_t d, int k, int width, double& value, double&) {
+  if (d == 0 && k + 1 == width) value = 0;
+};
+constexpr auto other_sign = [](std::size_t, int, int, double&, double& slope) { slope = -slope; };
+constexpr auto no_first_slope = [](std::size_t d, int k, int, double&, double& slope) {
+  if (d == 1 && k == 0) slope = 0;
+};
 
 void transpose(State<2>& s, Column column) {
   for (std::size_t p = 0; p < s.particles; ++p) std::swap(s.column(column, 1)[p], s.column(column, 2)[p]);
@@ -132,28 +170,25 @@ std::vector<Defect> defects() {
   return {
       {"a weight is missing",
        "weights",
-       false,
-       [](State<2>& s, const Instant&) { for_each_weight(s, [](auto& w) { w.value[0].back() = 0; }); },
+       true,
+       [](State<2>&, const Instant&) {},
        {linear, ugimp},
-       {"weights.unity", "weights.linear", "translation"}},
+       {"weights.unity", "weights.linear", "translation"},
+       spoil<no_last_weight>},
       {"the gradient has the other sign",
        "weights",
-       false,
-       [](State<2>& s, const Instant&) {
-         for_each_weight(s, [](auto& w) {
-           for (auto& along : w.slope) {
-             for (double& slope : along) slope = -slope;
-           }
-         });
-       },
+       true,
+       [](State<2>&, const Instant&) {},
        {linear, ugimp},
-       {"weights.linear"}},
+       {"weights.linear"},
+       spoil<other_sign>},
       {"the gradient of one node is missing",
        "weights",
-       false,
-       [](State<2>& s, const Instant&) { for_each_weight(s, [](auto& w) { w.slope[1].front() = 0; }); },
+       true,
+       [](State<2>&, const Instant&) {},
        {linear, ugimp},
-       {"weights.unity", "weights.linear", "translation", "stress.seeded"}},
+       {"weights.unity", "weights.linear", "translation", "stress.seeded"},
+       spoil<no_first_slope>},
       {"CPDI convects its domains with F transposed",
        "weights",
        true,

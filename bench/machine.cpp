@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bench/machine.hpp"
+
+#include "harness/vector_clones.h"
+
+namespace assay::bench {
+
+namespace {
+
+ASSAY_VECTOR_CLONES void triad_of(double* __restrict a, const double* __restrict b, const double* __restrict c,
+                                  std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) a[i] = b[i] + 3 * c[i];
+}
+
+}  // namespace
+
+void triad(double* a, const double* b, const double* c, std::size_t n, int threads) {
+  const auto pieces = static_cast<std::size_t>(threads);
+#pragma omp parallel for schedule(static, 1) num_threads(threads)
+  for (std::size_t k = 0; k < pieces; ++k) {
+    const std::size_t begin = k * n / pieces, end = (k + 1) * n / pieces;
+    triad_of(a + begin, b + begin, c + begin, end - begin);
+  }
+}
+
+ASSAY_VECTOR_CLONES double multiply_add(std::size_t rounds) {
+  constexpr std::size_t lanes = operations_a_round / 2;
+  double x[lanes];
+  for (std::size_t l = 0; l < lanes; ++l) x[l] = static_cast<double>(l);
+  for (std::size_t k = 0; k < rounds; ++k) {
+    for (std::size_t l = 0; l < lanes; ++l) x[l] = 0.999 * x[l] + 0.001;
+  }
+  double sum = 0;
+  for (const double value : x) sum += value;
+  return sum;
+}
+
+}  // namespace assay::bench

@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The kernels of mpm once more for each set of instructions that a processor may have beyond the common ones; the best
+# is taken at run time. Optimised builds only: in others, functions of the standard library that are not inlined would
+# be compiled with these instructions, too, and could be the ones that the linker takes for the whole program.
+# Loops over particles become vector instructions where no comparison is thought to trap.
+file(GLOB kernels CONFIGURE_DEPENDS mpm/kernels/*.cpp)
+set_source_files_properties(${kernels} PROPERTIES COMPILE_OPTIONS "-O3;-fno-trapping-math;-fno-math-errno")
+string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND build_type MATCHES "^REL" AND NOT ASSAY_SANITIZE)
+  set(instructions_v3 -mavx2 -mbmi -mbmi2)
+  set(instructions_v4 ${instructions_v3} -mavx512f -mavx512vl -mavx512dq -mavx512bw -mavx512cd)
+  foreach(set IN ITEMS v3 v4)
+    add_library(assay_kernels_${set} OBJECT ${kernels})
+    target_compile_definitions(assay_kernels_${set} PRIVATE ASSAY_INSTRUCTIONS=${set} ASSAY_ONLY_2D)
+    target_compile_options(assay_kernels_${set} PRIVATE ${instructions_${set}} -Wno-psabi)
+    target_include_directories(assay_kernels_${set} PRIVATE ${PROJECT_SOURCE_DIR})
+    target_link_libraries(assay_kernels_${set} PRIVATE assay_options OpenMP::OpenMP_CXX)
+    set_target_properties(assay_kernels_${set} PROPERTIES UNITY_BUILD OFF)
+    target_sources(assay_mpm PRIVATE $<TARGET_OBJECTS:assay_kernels_${set}>)
+  endforeach()
+  target_compile_definitions(assay_mpm PRIVATE ASSAY_DISPATCHES)
+endif()
+target_compile_options(assay_mpm PUBLIC $<$<COMPILE_LANGUAGE:CXX>:-Wno-psabi>)

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the kernels see of a running simulation: plain numbers. They are compiled for several sets of instructions, and
+// what stands here must be the same for all of them; Eigen's types need not be.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "mpm/columns.hpp"
+#include "mpm/grid_field.hpp"
+#include "mpm/method.hpp"
+
+namespace assay::mpm {
+
+/// Between which nodes, in the order of the grid, those of some particles lie.
+struct NodeRange {
+  std::int32_t first = std::numeric_limits<std::int32_t>::max(), end = 0;
+
+  void include(const NodeRange& other) {
+    first = std::min(first, other.first);
+    end = std::max(end, other.end);
+  }
+};
+
+template <int Dim>
+struct KernelState {
+  Method method;
+  std::size_t particles = 0;
+  std::array<ColumnData, column_count> columns{};
+  GridField<Dim + 1> inertia{};       ///< mass, momentum
+  GridField<Dim> force{};             ///< internal and body force [N]
+  GridField<2 * Dim> motion{};        ///< velocity, acceleration
+  std::shared_ptr<void> basis{};      ///< the weights of all particles; its type is known to the kernels
+  std::vector<NodeRange> reach{};     ///< of the particles of each block
+  std::vector<double> block_power{};  ///< of the body force, by block; empty where accounts are not kept [W]
+
+  double* column(Column which, int component = 0) {
+    return columns[static_cast<std::size_t>(which)].component(component);
+  }
+  const double* column(Column which, int component = 0) const {
+    return columns[static_cast<std::size_t>(which)].component(component);
+  }
+  bool has(Column which) const { return !columns[static_cast<std::size_t>(which)].empty(); }
+};
+
+}  // namespace assay::mpm

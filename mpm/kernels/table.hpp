@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The kernels of one basis.
+#pragma once
+
+#include "mpm/kernels/to_grid.hpp"
+#include "mpm/kernels/to_particles.hpp"
+
+namespace assay::mpm::ASSAY_INSTRUCTIONS {
+
+template <class B, Velocity Kind, int Dim>
+constexpr std::array<std::array<BlockKernel<Dim>, 2>, 2> gathers() {
+  return {{{gather<B, Kind, false, false, Dim>, gather<B, Kind, false, true, Dim>},
+           {gather<B, Kind, true, false, Dim>, gather<B, Kind, true, true, Dim>}}};
+}
+
+template <class B, int Dim>
+Kernels<Dim> table() {
+  Kernels<Dim> k;
+  k.place = place<B, Dim>;
+  k.momentum = momentum<B, Dim>;
+  k.momentum_of_gradient = affine_momentum<B, Around::gradient, Dim>;
+  k.momentum_of_moment = affine_momentum<B, Around::moment, Dim>;
+  k.force = {force<B, false, Dim>, force<B, true, Dim>};
+  k.gather = {gathers<B, Velocity::of_grid, Dim>(), gathers<B, Velocity::kept, Dim>(),
+              gathers<B, Velocity::blended, Dim>()};
+  k.velocity_gradient = velocity_gradient<B, Dim>;
+  k.moment = carry<B, Carried::moment, Dim>;
+  k.gradient = carry<B, Carried::gradient, Dim>;
+  k.convected = carry<B, Carried::convected, Dim>;
+  k.fitted = carry<B, Carried::fitted, Dim>;
+  k.first_moment = first_moment<B, Dim>;
+  if constexpr (MovesCorners<B>) k.corners = corners<B, Dim>;
+  k.multiply_mass = multiply_mass<B, Dim>;
+  return k;
+}
+
+}  // namespace assay::mpm::ASSAY_INSTRUCTIONS

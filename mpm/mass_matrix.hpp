@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The mass matrix M_ij = sum m_p phi_ip phi_jp and ways to invert it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "mpm/mass_stencil.hpp"
+#include "mpm/sweep.hpp"
+#include "mpm/with_basis.hpp"
+
+namespace assay::mpm {
+
+inline constexpr double converged = 1e-12;  ///< residual of conjugate gradients over that at first
+inline constexpr int most_iterations = 400;
+/// Nodes of less mass [of rho0 h^Dim] lie at an edge of the body: with few particles around them M is as good as
+/// singular there, and they keep their row sums.
+inline constexpr double edge_mass = 0.75;
+
+/// Over how many nodes in each direction a particle reaches, where the matrix is made once; 0 where it is not.
+template <int Dim>
+int mass_nodes_across(const Method& method) {
+  return method.is_total() && !method.is_lumped() ? traits_of<Dim>(method.basis).nodes_across : 0;
+}
+
+/// M and M_L on the nodes that are free to move and have mass.
+template <int Dim>
+class MassMatrix {
+ public:
+  using Field = GridField<Dim>;
+
+  explicit MassMatrix(State<Dim>& s)
+      : s_(&s),
+        multiply_block_(s.kernels.multiply_mass),
+        residual_(s.solver[2]),
+        image_(s.solver[3]),
+        direction_(last_of(s, 4)),
+        scaled_(last_of(s, 5)),
+        divided_(last_of(s, 6)),
+        shared_(last_of(s, 7)),
+        inverse_(s.inverse_mass) {
+    inverse_.assign(s.setup.grid.nodes(), 0.0);
+  }
+
+  /// Weights that never change make the matrix of nodes once: call when they are placed.
+  void assemble() {
+    const int across = mass_nodes_across<Dim>(s_->method);
+    if (across == 0 || stencil_) return;
+    stencil_.emplace(s_->setup.grid, across, [&](const Field& x, Field& y) { multiply_by_particles(x, y); });
+  }
+
+  /// M_L^-1 of every node: at the beginning of each step.
+  void invert_sums() {
+    for (std::size_t i = 0; i < inverse_.size(); ++i) {
+      const double mass = s_->inertia.node(i)[0];
+      inverse_[i] = mass > 0 ? 1 / mass : 0;
+    }
+    for (const std::uint32_t i : s_->held_nodes) inverse_[i] = 0;
+  }
+
+  bool is_free(std::size_t i) const { return inverse_[i] > 0; }
+
+  /// x = k terms of the series times q, which x holds at first.
+  void apply_series(Field& x, int terms) {
+    divide(x);
+    residual_ = x;
+    for (int l = 1; l < terms; ++l) {
+      multiply_particles(residual_, image_);
+      const bool held = !s_->held_mass.empty();
+      for (std::size_t i = 0; i < x.nodes(); ++i) {
+        double *of_x = x.node(i), *rest = residual_.node(i);
+        const double *image = image_.node(i), mass = held ? s_->held_mass[i] : 0;
+        for (std::size_t d = 0; d < Dim; ++d) {
+          rest[d] -= inverse_[i] * (image[d] + mass * rest[d]);
+          of_x[d] += rest[d];
+        }
+      }
+    }
+  }
+
+  /// Finds the nodes at the edges, and what the others share with them: before `solve`, in every step.
+  void find_edges() {
+    const auto& setup = s_->setup;
+    const double whole = setup.density * std::pow(setup.grid.spacing, Dim);
+    edge_.assign(residual_.nodes(), false);
+    image_.zero();
+    for (std::size_t i = 0; i < edge_.size(); ++i) {
+      edge_[i] = is_free(i) && s_->inertia.node(i)[0] < edge_mass * whole;
+      if (edge_[i]) std::fill_n(image_.node(i), Dim, 1.0);
+    }
+    std::swap(image_, direction_);
+    multiply_particles(direction_, image_);
+    shared_ = image_;
+  }
+
+  /// x = M^-1 q, which x holds at first, M_ij = 0 between nodes at the edges and others, of the same row sums. False
+  /// where it does not converge.
+  bool solve(Field& x) {
+    constrain(x);
+    residual_ = x;
+    x.zero();
+    Field& z = divided_;
+    z = residual_;
+    divide(z);
+    direction_ = z;
+    double rho = dot(residual_, z);
+    const double target = rho * converged * converged;
+    for (int k = 0; k < most_iterations && rho > target; ++k) {
+      multiply_inside(direction_, image_);
+      const double alpha = rho / dot(direction_, image_);
+      for (std::size_t c = 0; c < size(); ++c) {
+        x.data()[c] += alpha * direction_.data()[c];
+        residual_.data()[c] -= alpha * image_.data()[c];
+      }
+      z = residual_;
+      divide(z);
+      const double next = dot(residual_, z), beta = next / rho;
+      rho = next;
+      for (std::size_t c = 0; c < size(); ++c) {
+        direction_.data()[c] = z.data()[c] + beta * direction_.data()[c];
+      }
+    }
+    return rho <= target;
+  }
+
+  /// M_L^-1, zero on nodes that are not free.
+  void divide(Field& x) const {
+    for (std::size_t i = 0; i < x.nodes(); ++i) {
+      for (std::size_t d = 0; d < Dim; ++d) x.node(i)[d] *= inverse_[i];
+    }
+  }
+
+ private:
+  /// A series has no such fields.
+  static Field& last_of(State<Dim>& s, std::size_t k) { return s.solver[std::min(k, s.solver.size() - 1)]; }
+
+  std::size_t size() const { return residual_.nodes() * Field::stride; }
+
+  void constrain(Field& x) const {
+    for (std::size_t i = 0; i < x.nodes(); ++i) {
+      if (!is_free(i)) std::fill_n(x.node(i), Dim, 0.0);
+    }
+  }
+
+  double dot(const Field& a, const Field& b) const {
+    double sum = 0;
+    for (std::size_t c = 0; c < size(); ++c) sum += a.data()[c] * b.data()[c];
+    return sum;
+  }
+
+  /// y = M x; particles that never move count by their row sums.
+  void multiply(const Field& x, Field& y) const {
+    multiply_particles(x, y);
+    for (std::size_t i = 0; i < s_->held_mass.size(); ++i) {
+      for (std::size_t d = 0; d < Dim; ++d) y.node(i)[d] += s_->held_mass[i] * x.node(i)[d];
+    }
+    constrain(y);
+  }
+
+  void multiply_inside(const Field& x, Field& y) {
+    scaled_ = x;
+    for (std::size_t i = 0; i < edge_.size(); ++i) {
+      if (edge_[i]) std::fill_n(scaled_.node(i), Dim, 0.0);
+    }
+    multiply(scaled_, y);
+    for (std::size_t i = 0; i < edge_.size(); ++i) {
+      const double mass = s_->inertia.node(i)[0];
+      for (std::size_t d = 0; d < Dim; ++d) {
+        double& value = y.node(i)[d];
+        value = edge_[i] ? mass * x.node(i)[d] : value + shared_.node(i)[d] * scaled_.node(i)[d];
+      }
+    }
+  }
+
+  /// y = M x of the particles that move.
+  void multiply_particles(const Field& x, Field& y) const {
+    if (stencil_) {
+      stencil_->multiply(x, y, s_->setup.threads);
+    } else {
+      multiply_by_particles(x, y);
+    }
+  }
+
+  void multiply_by_particles(const Field& x, Field& y) const {
+    y.zero();
+    for_tiles(*s_, nullptr, y.data(), [&](std::size_t first, std::size_t end, double*, double* sums) {
+      const Block all{first * block_size, std::min(s_->particles, end * block_size), nullptr, sums};
+      multiply_block_(*s_, all, x.data());
+    });
+  }
+
+  State<Dim>* s_;
+  void (*multiply_block_)(const KernelState<Dim>&, const Block&, const double*);
+  Field &residual_, &image_;
+  Field &direction_, &scaled_, &divided_;  ///< of conjugate gradients
+  Field& shared_;                          ///< sum of M_ij over nodes j at the edges [kg]
+  std::vector<double>& inverse_;           ///< of M_L; zero where a node is not free [1/kg]
+  std::vector<bool> edge_;
+  std::optional<MassStencil<Dim>> stencil_;
+};
+
+}  // namespace assay::mpm

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/sweep.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+namespace assay::mpm {
+
+namespace {
+
+constexpr std::size_t blocks_of_tile = 16, most_tiles = 8;
+/// Side by side with blocks; a step has fewer.
+constexpr std::size_t most_kernels = 16;
+/// Of this many blocks one is timed, pass by pass: reading the clock takes as long as two particles.
+constexpr std::size_t timed_block = 8;
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point& before) {
+  const auto now = Clock::now();
+  const double seconds = std::chrono::duration<double>(now - before).count();
+  before = now;
+  return seconds;
+}
+
+/// Kernels side by side.
+class Group {
+ public:
+  Group(std::span<const Kernel* const> kernels, const Instant& now) : kernels_(kernels), now_(&now) {}
+
+  void run_block(const Block& block, std::array<double, most_kernels>& seconds) {
+    const bool timed = block.begin / block_size % timed_block == 0;
+    Clock::time_point before;
+    if (timed) before = Clock::now();
+    for (std::size_t k = 0; k < kernels_.size(); ++k) {
+      const std::size_t bad = kernels_[k]->block(*now_, block);
+      if (timed) seconds[k] += seconds_since(before);
+      if (bad == none_bad) continue;
+      bad_[k].report(bad);
+      break;
+    }
+  }
+
+  std::optional<std::size_t> bad(std::size_t k) const { return bad_[k].found(); }
+
+ private:
+  std::span<const Kernel* const> kernels_;
+  const Instant* now_;
+  std::array<FirstBad, most_kernels> bad_;
+};
+
+/// to += from, which is zero afterwards.
+void move_nodes(double* to, double* from, NodeRange nodes, std::size_t stride) {
+  const auto begin = static_cast<std::size_t>(nodes.first) * stride, end = static_cast<std::size_t>(nodes.end) * stride;
+  for (std::size_t c = begin; c < end; ++c) to[c] += from[c];
+  std::fill(from + begin, from + end, 0.0);
+}
+
+Block block_at(std::size_t b, std::size_t particles, double* inertia, double* force) {
+  return {b * block_size, std::min(particles, (b + 1) * block_size), inertia, force};
+}
+
+template <int Dim>
+void run_blocks(State<Dim>& s, Group& group, bool scatters, std::array<double, most_kernels>& seconds) {
+  if (scatters) {
+    for_tiles(s, s.inertia.data(), s.force.data(), [&](std::size_t first, std::size_t end, double* m, double* f) {
+      std::array<double, most_kernels> mine{};
+      for (std::size_t b = first; b < end; ++b) group.run_block(block_at(b, s.particles, m, f), mine);
+#pragma omp critical(assay_seconds)
+      for (std::size_t k = 0; k < most_kernels; ++k) seconds[k] += mine[k];
+    });
+    return;
+  }
+  for_blocks(s.particles, s.setup.threads, [&](std::size_t begin, std::size_t end) {
+    std::array<double, most_kernels> mine{};
+    group.run_block({begin, end, nullptr, nullptr}, mine);
+    if (begin / block_size % timed_block != 0) return;
+#pragma omp critical(assay_seconds)
+    for (std::size_t k = 0; k < most_kernels; ++k) seconds[k] += mine[k];
+  });
+}
+
+/// Kernels with blocks, together.
+template <int Dim>
+void run_group(State<Dim>& s, std::span<const Kernel* const> kernels, const Instant& now, std::span<double> seconds) {
+  auto before = Clock::now();
+  bool scatters = false;
+  for (std::size_t k = 0; k < kernels.size(); ++k) {
+    if (kernels[k]->begin) kernels[k]->begin(now);
+    scatters = scatters || kernels[k]->scatters;
+    seconds[k] += seconds_since(before);
+  }
+  Group group(kernels, now);
+  std::array<double, most_kernels> sampled{};
+  run_blocks(s, group, scatters, sampled);
+  double sum = 0;
+  for (const double part : sampled) sum += part;
+  const double all = seconds_since(before);
+  for (std::size_t k = 0; k < kernels.size(); ++k) seconds[k] += sum > 0 ? all * sampled[k] / sum : 0;
+  for (std::size_t k = 0; k < kernels.size() && !s.finding; ++k) {
+    if (kernels[k]->end) kernels[k]->end(now, group.bad(k));
+    seconds[k] += seconds_since(before);
+  }
+}
+
+}  // namespace
+
+std::size_t tiles_of(std::size_t particles) {
+  return std::clamp<std::size_t>(blocks_of(particles) / blocks_of_tile, 1, most_tiles);
+}
+
+std::size_t tile_copies(std::size_t particles, int threads) {
+  const std::size_t tiles = tiles_of(particles);
+  return tiles == 1 ? 0 : std::min<std::size_t>(tiles, static_cast<std::size_t>(threads));
+}
+
+template <int Dim>
+void for_tiles(State<Dim>& s, double* inertia, double* force, const TileBody& body) {
+  const std::size_t tiles = tiles_of(s.particles), blocks = blocks_of(s.particles);
+  const auto run_tile = [&](std::size_t k, double* m, double* f) {
+    body(k * blocks / tiles, (k + 1) * blocks / tiles, m, f);
+  };
+  if (tiles == 1) {
+    run_tile(0, inertia, force);
+    return;
+  }
+  const auto add_up = [&](std::size_t k, TileCopy<Dim>& copy) {
+    NodeRange nodes;
+    for (std::size_t b = k * blocks / tiles; b < (k + 1) * blocks / tiles; ++b) nodes.include(s.reach[b]);
+    if (inertia) move_nodes(inertia, copy.inertia.data(), nodes, GridField<Dim + 1>::stride);
+    if (force) move_nodes(force, copy.force.data(), nodes, GridField<Dim>::stride);
+  };
+  const int team = static_cast<int>(s.tile_copies.size());
+#pragma omp parallel for ordered schedule(static, 1) num_threads(team) if (team > 1)
+  for (std::size_t k = 0; k < tiles; ++k) {
+    TileCopy<Dim>& copy = s.tile_copies[static_cast<std::size_t>(omp_get_thread_num())];
+    if (k == 0) {
+      run_tile(0, inertia, force);
+    } else {
+      run_tile(k, copy.inertia.data(), copy.force.data());
+    }
+#pragma omp ordered
+    if (k > 0) add_up(k, copy);
+  }
+}
+
+template <int Dim>
+void run(State<Dim>& s, std::span<const Kernel* const> kernels, const Instant& now, std::span<double> seconds) {
+  for (std::size_t k = 0; k < kernels.size() && !s.finding;) {
+    std::size_t end = k;
+    while (end < kernels.size() && end - k < most_kernels && kernels[end]->block) ++end;
+    if (end > k) {
+      run_group(s, kernels.subspan(k, end - k), now, seconds.subspan(k, end - k));
+      k = end;
+    } else {
+      auto before = Clock::now();
+      kernels[k]->begin(now);
+      seconds[k++] += seconds_since(before);
+    }
+  }
+}
+
+template <int Dim>
+void run(State<Dim>& s, const Kernel& kernel, const Instant& now) {
+  const Kernel* one = &kernel;
+  double seconds = 0;
+  run(s, std::span(&one, 1), now, std::span(&seconds, 1));
+}
+
+#define ASSAY_SWEEPS(DIM)                                                                            \
+  template void for_tiles(State<DIM>&, double*, double*, const TileBody&);                           \
+  template void run(State<DIM>&, std::span<const Kernel* const>, const Instant&, std::span<double>); \
+  template void run(State<DIM>&, const Kernel&, const Instant&);
+
+ASSAY_SWEEPS(2)
+ASSAY_SWEEPS(3)
+
+}  // namespace assay::mpm

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Kernels for instructions that not every processor has define symbols in their own namespace alone. An inline function
+# of a header that both sides use would be one function to the linker, and could be the one with these instructions.
+# Arguments: NM, OBJECTS (semicolons and | between them)
+string(REPLACE "|" ";" objects "${OBJECTS}")
+list(LENGTH objects count)
+if(count LESS 2)
+  message(FATAL_ERROR "no objects: ${OBJECTS}")
+endif()
+foreach(object IN LISTS objects)
+  execute_process(COMMAND ${NM} --demangle --defined-only --extern-only ${object} OUTPUT_VARIABLE symbols
+    COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX REPLACE "\n$" "" symbols "${symbols}")
+  string(REPLACE ";" "," symbols "${symbols}")
+  string(REPLACE "\n" ";" symbols "${symbols}")
+  foreach(symbol IN LISTS symbols)
+    if(NOT symbol MATCHES "assay::mpm::v[34]::")
+      message(FATAL_ERROR "${object} defines ${symbol}")
+    endif()
+    set(seen ON)
+  endforeach()
+endforeach()
+if(NOT seen)
+  message(FATAL_ERROR "no symbol in ${OBJECTS}")
+endif()
