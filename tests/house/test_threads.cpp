@@ -13,9 +13,10 @@ namespace {
 using namespace assay::house;
 namespace fs = std::filesystem;
 
+/// Tests run side by side: each has its own folder.
 std::string errors_of_run(const std::string& scene, int run, const std::string& more) {
-  const fs::path folder =
-      fs::path(ASSAY_BINARY_DIR) / "tests" / ("threads_" + fs::path(scene).stem().string() + std::to_string(run));
+  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+  const fs::path folder = fs::path(ASSAY_BINARY_DIR) / "tests" / ("threads_" + test + std::to_string(run));
   fs::remove_all(folder);
   const Outcome outcome = run_assay(
       "run '" ASSAY_SOURCE_DIR "/" + scene + "' -o '" + folder.string() +
