@@ -27,6 +27,7 @@ struct BandMap {
   double xi_of(double s) const;
   double s_of(double xi) const;  ///< clamped to [0, 1]
   double slope(double s) const;  ///< d xi / d s
+  bool is_linear() const { return !grazes_lower && !grazes_upper; }
 };
 
 struct Band {

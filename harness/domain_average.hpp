@@ -48,10 +48,12 @@ class DomainAverage {
 
  private:
   /// A point on a boundary: T.N dS = S_11 n1 e + S_12 n2 e + (S_21 n1 + S_22 n2) e', S = Q(alpha) tau,
-  /// with e along E_R, e' along E_Theta; of an arc e is the integral of E_R.
+  /// with e along E_R, e' along E_Theta (of an arc e is the integral of E_R), n the normal in E_R, E_Theta times the
+  /// weight [m].
   struct BoundaryPoint {
-    double e_x = 1, e_y = 0;
-    double n1 = 0, n2 = 0;  ///< normal in E_R, E_Theta, times the weight [m]
+    BoundaryPoint(const Point& e, const Point& n)
+        : along_x{e[0] * n[0], e[0] * n[1]}, along_y{e[1] * n[0], e[1] * n[1]} {}
+    Point along_x, along_y;  ///< e_x n, e_y n [m]
     std::uint32_t radius = 0;
   };
   struct Edge {
@@ -65,25 +67,24 @@ class DomainAverage {
   };
   struct Shape {
     std::uint32_t sides_begin = 0, sides_end = 0;
-    double volume = 0;
+    double of_inertia = 0, of_flux = 0;  ///< 1/V0 [1/m^2], -1/(rho0 V0)
   };
 
-  void add_edges(const ReferenceDomains& domains);
+  void add_edges(const ReferenceDomains& domains, double density);
   std::uint32_t add_arc(const BoundaryPiece& arc, std::vector<double>& radius);
   std::uint32_t add_straight(const Point& a, const Point& b, std::vector<double>& radius);
   void add_points(const Point& a, const Point& b, std::vector<BoundaryPoint>& points,
                   std::vector<double>& radius) const;
-  void share_radii(std::vector<double>& radius);
+  void share_radii(std::span<const double> radius);
   Point flux_of(std::span<const BoundaryPoint> points, std::span<const Rotated> S) const;
   void cuts_of(const Edge& edge, std::span<const double> radii, std::vector<double>& cuts) const;
   std::vector<Rotated> rotated_at(const PlaneResponse& response, double t, double g,
                                   std::span<const double> radius) const;
   void split_at_fronts(const PlaneResponse& response, double t, double g);
   void accelerations(const AmplitudeValue& g);
-  Point force_on(std::size_t shape) const;
+  void force_on(std::size_t shape);
 
   Vortex vortex_;
-  double density_;
   int gauss_points_;
   RadiiOfXi radii_of_xi_;
   std::vector<ReferenceDomains::Place> places_;
@@ -97,7 +98,7 @@ class DomainAverage {
   std::vector<Rotated> rotated_;
   std::vector<Point> flux_;    // of each edge [N/m]
   std::vector<Point> node_a_;  // along X and E_z x X [1/s^2]
-  std::vector<Point> force_;   // of each shape [m/s^2]
+  std::vector<Point> force_;   // of each shape: integral of a, then b [m/s^2]
 };
 
 }  // namespace assay

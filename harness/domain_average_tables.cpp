@@ -45,12 +45,11 @@ double nearest_radius(const Point& a, const Point& b) {
 
 DomainAverage::DomainAverage(const Vortex& vortex, double density, const ReferenceDomains& domains, int gauss_points)
     : vortex_(vortex),
-      density_(density),
       gauss_points_(gauss_points),
       radii_of_xi_(vortex),
       places_(domains.places),
       moments_(vortex, domains) {
-  add_edges(domains);
+  add_edges(domains, density);
   tau_.resize(4 * xi_.size());
   rotated_.resize(xi_.size());
   flux_.resize(edges_.size());
@@ -65,7 +64,7 @@ void DomainAverage::add_points(const Point& a, const Point& b, std::vector<Bound
   for (const GaussPoint& gauss : rule_of(gauss_points_)) {
     const double x = 0.5 * (a[0] + b[0]) + gauss.at * dx, y = 0.5 * (a[1] + b[1]) + gauss.at * dy;
     const double R = std::hypot(x, y), c = x / R, s = y / R, w = gauss.weight;
-    points.push_back({c, s, w * (c * dy - s * dx), w * (-s * dy - c * dx), 0});  // N dS = (dy, -dx)
+    points.push_back({{c, s}, {w * (c * dy - s * dx), w * (-s * dy - c * dx)}});  // N dS = (dy, -dx)
     radius.push_back(R);
   }
 }
@@ -74,7 +73,7 @@ void DomainAverage::add_points(const Point& a, const Point& b, std::vector<Bound
 std::uint32_t DomainAverage::add_arc(const BoundaryPiece& arc, std::vector<double>& radius) {
   const auto begin = static_cast<std::uint32_t>(points_.size());
   const double R = arc.radius, middle = arc.from + 0.5 * arc.sweep;
-  points_.push_back({std::cos(middle), std::sin(middle), 2 * R * std::sin(0.5 * arc.sweep), 0, 0});
+  points_.push_back({{std::cos(middle), std::sin(middle)}, {2 * R * std::sin(0.5 * arc.sweep), 0}});
   radius.push_back(R);
   edges_.push_back({begin, begin + 1, arc.a, arc.b, R, R});
   return static_cast<std::uint32_t>(edges_.size() - 1);
@@ -89,12 +88,13 @@ std::uint32_t DomainAverage::add_straight(const Point& a, const Point& b, std::v
 }
 
 /// Edges that two shapes share are integrated once: kept from their lower end to the upper one.
-void DomainAverage::add_edges(const ReferenceDomains& domains) {
+void DomainAverage::add_edges(const ReferenceDomains& domains, double density) {
   std::unordered_map<std::array<double, 4>, std::uint32_t, PositionHash> known;
   std::vector<double> radius;
   for (const auto& shape : domains.shapes) {
     Shape mine;
-    mine.volume = shape.volume;
+    mine.of_inertia = 1 / shape.volume;
+    mine.of_flux = -1 / (density * shape.volume);
     mine.sides_begin = static_cast<std::uint32_t>(sides_.size());
     for (const BoundaryPiece& piece : shape.boundary) {
       if (!piece.straight()) {  // where the domain goes on beyond, the jump of T.N to 0 is part of the average
@@ -113,16 +113,14 @@ void DomainAverage::add_edges(const ReferenceDomains& domains) {
   share_radii(radius);
 }
 
-void DomainAverage::share_radii(std::vector<double>& radius) {
-  std::vector<double> distinct = radius;
-  std::sort(distinct.begin(), distinct.end());
-  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+/// In the order of the edges, so that those of neighbours stand side by side.
+void DomainAverage::share_radii(std::span<const double> radius) {
+  std::unordered_map<double, std::uint32_t> known;
   for (std::size_t i = 0; i < radius.size(); ++i) {
-    points_[i].radius =
-        static_cast<std::uint32_t>(std::lower_bound(distinct.begin(), distinct.end(), radius[i]) - distinct.begin());
-  }
-  for (const double R : distinct) {
-    const Vortex::Profile profile = vortex_.profile(R);
+    const auto [it, is_new] = known.try_emplace(radius[i], static_cast<std::uint32_t>(xi_.size()));
+    points_[i].radius = it->second;
+    if (!is_new) continue;
+    const Vortex::Profile profile = vortex_.profile(radius[i]);
     xi_.push_back(profile.xi);
     h_.push_back(profile.h);
   }

@@ -42,9 +42,9 @@ void FrameForce::add_means(const AmplitudeValue& g, std::span<double> b_x, std::
     factor_[k] = factor(g, moments_->node_h()[k]);
     factor_[k][0] += square;
   }
+  moments_->integrals(factor_, 0, force_.size(), force_);
   for (std::size_t k = 0; k < force_.size(); ++k) {
-    const Point sum = moments_->integral(k, factor_);
-    force_[k] = {sum[0] / volume_[k], sum[1] / volume_[k]};
+    for (double& component : force_[k]) component /= volume_[k];
   }
   for (std::size_t p = 0; p < X_.size(); ++p) {
     const Point more = places_[p].turned(force_[places_[p].shape]);

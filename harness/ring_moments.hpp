@@ -17,13 +17,14 @@ class RingMoments {
   /// h at the radial nodes between which f is interpolated.
   std::span<const double> node_h() const { return node_h_; }
 
-  /// Integral over a shape of X f(R) dA. f: at the nodes, its parts along X and E_z x X.
-  Point integral(std::size_t shape, std::span<const Point> f) const;
+  /// Integrals over the shapes first to last - 1 of X f(R) dA. f: at the nodes, its parts along X and E_z x X.
+  void integrals(std::span<const Point> f, std::size_t first, std::size_t last, std::span<Point> out) const;
 
  private:
   struct Range {
     std::uint32_t begin = 0, end = 0, node = 0;  ///< weights of nodes from `node` on
   };
+  static void sum_up(std::span<const Range> ranges, const Point* weights, const Point* f, Point* out);
   int lay_out_panels(const Vortex& vortex, const ReferenceDomains& domains);
 
   std::vector<double> node_h_;

@@ -38,6 +38,7 @@ class Slice {
 
  private:
   const Range& range_of(double parameter) const;
+  std::size_t neighbours_from(std::span<const double> xi, const Range& range, double* x) const;
   std::vector<Range> ranges_;
   double factor_;
 };
