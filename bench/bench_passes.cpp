@@ -8,6 +8,7 @@
 
 #include "bench/machine.hpp"
 #include "mpm/lattice.hpp"
+#include "mpm/particle_order.hpp"
 #include "mpm/simulation.hpp"
 
 extern "C" const assay_material* assay_builtin_neo_hookean(std::uint32_t host_major, std::uint32_t index);
@@ -50,6 +51,7 @@ Setup<2> vortex(const Method& method, int across, int threads) {
   setup.seeds = cartesian_lattice(lower, upper, h, {2, 2}, [&](const auto& X) {
     return motion.moves({X[0], X[1], 0}) ? Fate::stepped : Fate::absent;
   });
+  order_by_nodes(setup);
   setup.density = 1000;
   setup.material = std::make_shared<const Material>(assay_builtin_neo_hookean(ASSAY_ABI_MAJOR, 0),
                                                     std::map<std::string, double>{{"E", 1e3}, {"nu", 0.3}});

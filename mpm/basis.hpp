@@ -2,16 +2,18 @@
 // What every basis offers to the kernels, and what the bases share.
 //
 // A basis keeps what the weights of all particles follow from, `bytes` of each, for one step:
-//   expand(begin, n, nodes)      weights of a few neighbouring particles at once, for add and sum
 //   place(p, x, F)               finds the nodes of a particle; false where it reaches outside the grid
 //   place(p, x, F, half)         the same for a reference domain of its own, given by domain_components numbers: the
 //                                half edges along the axes, or Dim x Dim row-major whose column d is half edge d [m]
 //   reach(begin, end, first, last)  between which nodes those of particles lie
-//   scatter<K, G>(p, A, B, f)    adds w_i A + (0, B grad w_i) to each node i: A has K components, B acts on the last G
-//   scatter_affine<K>(p,A,C,f)   adds w_i (A + (0, C r_i)): C acts on the last Dim
-//   gather<K, G>(p, f, v, g)     v = sum_i w_i f_i (K components), g = sum_i f_i (x) grad w_i of the first G of them
-//   first_moment(p, f)           sum_i w_i f_i (x) r_i of the first Dim components
-//   second_moment(p)             D = sum_i w_i r_i (x) r_i [m^2]; moments(p, f, first, second): both at once
+// and makes them again, for a few neighbouring particles at once:
+//   expand(begin, n, nodes)           weights and slopes
+//   slopes_to_moments(n, nodes)       w_i r_i in place of grad w_i, for add_affine and moment
+//   add_all<K, WithSlopes>(nodes, n, given, f)   adds w_i A + sum_d B_d grad_d w_i to each node i; add for one of them
+//   add_all_affine<K>(nodes, n, given, f)        adds w_i (A + sum_d B_d r_i,d); add_affine for one of them
+//   sum_all<K, G>(nodes, n, f, taken)            sum_i w_i f_i (K components), sum_i f_i (x) grad w_i of the first G;
+//   sum moment<K>(nodes, k, f)            sum_i w_i f_i (x) r_i of the first Dim components spread(nodes, k) D = sum_i
+//   w_i r_i (x) r_i [m^2]
 // where w_i is phi_ip, the weight of node i for particle p, grad w_i its gradient [1/m] and r_i = x_i - sum_j w_j x_j.
 #pragma once
 
@@ -74,9 +76,6 @@ struct Extremes {
     return found;
   }
 };
-
-/// For which weights are made together.
-inline constexpr std::size_t particles_at_once = 64;
 
 /// Turns a position into cell coordinates of the local grid.
 template <int Dim>

@@ -47,7 +47,7 @@ class CpdiBasis : public CornerBasis<CpdiBasis<Dim>, Dim> {
       at[i] = x[i] + Pack<corners>{};
       for (std::size_t d = 0; d < Dim; ++d) at[i] += signs(d) * r[i * Dim + d];
     }
-    return this->place_corners(p, at);
+    return this->places_.place(p, at);
   }
 
   ASSAY_INLINE CornerWeights<Dim> weights(std::size_t p) const {

@@ -48,7 +48,7 @@ class Cpdi2Basis : public CornerBasis<Cpdi2Basis<Dim>, Dim> {
       }
       load<corners>(at[d], along);
     }
-    const bool inside = this->place_corners(p, at);
+    const bool inside = this->places_.place(p, at);
     return inside && average.volume > 0;
   }
 

@@ -51,12 +51,14 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
   }
   add(weights_pass<Dim>(method, !setup.seeds.half_edges.empty()));
   if (method.is_affine() && method.affine == Affine::moment) add(first_affine_moment_pass<Dim>());
-  add(particles_to_grid_pass<Dim>(method, setup.hold_outside));
   if (method.update == Update::usf) {
+    add(particles_to_grid_pass<Dim>(method, setup.hold_outside));
     add_gradient_and_stress();
     add(stress_of(setup));
+    add(force_pass<Dim>(method, body_force));
+  } else {
+    add(particles_and_forces_to_grid_pass<Dim>(method, setup.hold_outside, body_force));
   }
-  add(force_pass<Dim>(method, body_force));
   if (method.is_lumped()) {
     add(grid_update_pass<Dim>());
     add_held(reaction_of(method));

@@ -21,15 +21,20 @@ using BlockKernel = std::size_t (*)(KernelState<Dim>&, const Block&, const Insta
 /// The particle's velocity after the step: the grid's, its own and what the grid gains, or a blend.
 enum class Velocity { of_grid, kept, blended };
 
+/// What particles carry of the velocity around them: its gradient, or its first moment.
+enum class Around { nothing, gradient, moment };
+
 /// Of one basis.
 template <int Dim>
 struct Kernels {
   /// Weights; bad: a particle whose domain reaches outside the grid or is turned inside out.
   BlockKernel<Dim> place = nullptr;
-  /// Mass and momentum to the grid: of particles, of the velocity gradient around them, of its first moment.
-  BlockKernel<Dim> momentum = nullptr, momentum_of_gradient = nullptr, momentum_of_moment = nullptr;
+  /// Mass and momentum to the grid; by Around.
+  std::array<BlockKernel<Dim>, 3> momentum{};
   /// Internal force to the grid; [1]: and body force.
   std::array<BlockKernel<Dim>, 2> force{};
+  /// Both at once.
+  std::array<std::array<BlockKernel<Dim>, 2>, 3> momentum_and_force{};
   /// Positions and velocities from the grid; by Velocity, whether L is wanted, whether the body force's power is.
   std::array<std::array<std::array<BlockKernel<Dim>, 2>, 2>, 3> gather{};
   BlockKernel<Dim> velocity_gradient = nullptr;

@@ -18,6 +18,12 @@
 #else
 #define ASSAY_INDEPENDENT _Pragma("GCC ivdep")
 #endif
+/// Before a loop of few rounds: what it works on is to stay in registers.
+#ifdef __clang__
+#define ASSAY_UNROLLED _Pragma("unroll")
+#else
+#define ASSAY_UNROLLED _Pragma("GCC unroll 8")
+#endif
 
 namespace assay::mpm {
 
@@ -93,6 +99,23 @@ ASSAY_INLINE void add(double* to, const Pack<N>& pack) {
   std::memcpy(&sum, to, sizeof sum);
   sum += pack;
   std::memcpy(to, &sum, sizeof sum);
+}
+
+/// Four numbers and four more, side by side; and apart again.
+ASSAY_INLINE void join(Pack<8>& both, const Pack<4>& low, const Pack<4>& high) {
+#ifdef __AVX512F__
+  both = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+#else
+  both = {low, high};
+#endif
+}
+ASSAY_INLINE void split(const Pack<8>& both, Pack<4>& low, Pack<4>& high) {
+#ifdef __AVX512F__
+  low = __builtin_shufflevector(both, both, 0, 1, 2, 3);
+  high = __builtin_shufflevector(both, both, 4, 5, 6, 7);
+#else
+  low = both.low, high = both.high;
+#endif
 }
 
 /// Each rounded towards zero, |x| < 2^31.

@@ -66,9 +66,33 @@ std::vector<double> mass_of_held(const Setup<Dim>& setup) {
 }
 
 template <int Dim>
-BlockKernel<Dim> momentum_kernel(const State<Dim>& s) {
-  if (!s.method.is_affine()) return s.kernels.momentum;
-  return s.method.affine == Affine::moment ? s.kernels.momentum_of_moment : s.kernels.momentum_of_gradient;
+std::size_t around_of(const Method& method) {
+  if (!method.is_affine()) return static_cast<std::size_t>(Around::nothing);
+  return static_cast<std::size_t>(method.affine == Affine::moment ? Around::moment : Around::gradient);
+}
+
+template <int Dim>
+Kernel scatter_kernel(State<Dim>& s, BlockKernel<Dim> scatter, bool momentum, bool force) {
+  Kernel kernel;
+  kernel.scatters = true;
+  kernel.begin = [&s, momentum, force](const Instant&) {
+    if (momentum) s.inertia.zero();
+    for (std::size_t i = 0; momentum && i < s.held_mass.size(); ++i) s.inertia.node(i)[0] = s.held_mass[i];
+    if (force) s.force.zero();
+  };
+  kernel.block = [&s, scatter](const Instant& now, const Block& block) { return scatter(s, block, now); };
+  kernel.end = [&s, momentum, force](const Instant&, std::optional<std::size_t>) {
+    if (momentum) s.inertia.reduce_ghosts();
+    if (force) s.force.reduce_ghosts();
+  };
+  return kernel;
+}
+
+template <int Dim>
+void call_for_force(Pass<Dim>& pass, bool with_body_force) {
+  pass.reads.insert(pass.reads.end(), {Column::stress, Column::volume, Column::deformation_gradient});
+  if (with_body_force) pass.reads.push_back(Column::body_force);
+  pass.grid_fields.push_back("force");
 }
 
 }  // namespace
@@ -83,18 +107,23 @@ Pass<Dim> particles_to_grid_pass(const Method& method, bool hold_outside) {
   pass.reads = {Column::weights, Column::mass, Column::velocity};
   if (method.is_affine()) pass.reads.push_back(affine_column(method));
   pass.grid_fields = {"mass", "momentum"};
-  pass.bind = [hold_outside](State<Dim>& s) -> Kernel {
+  pass.bind = [hold_outside, around = around_of<Dim>(method)](State<Dim>& s) -> Kernel {
     if (hold_outside) s.held_mass = mass_of_held(s.setup);
-    Kernel kernel;
-    kernel.scatters = true;
-    kernel.begin = [&s, hold_outside](const Instant&) {
-      s.inertia.zero();
-      for (std::size_t i = 0; hold_outside && i < s.held_mass.size(); ++i) s.inertia.node(i)[0] = s.held_mass[i];
-    };
-    const auto scatter = momentum_kernel(s);
-    kernel.block = [&s, scatter](const Instant& now, const Block& block) { return scatter(s, block, now); };
-    kernel.end = [&s](const Instant&, std::optional<std::size_t>) { s.inertia.reduce_ghosts(); };
-    return kernel;
+    return scatter_kernel(s, s.kernels.momentum[around], true, false);
+  };
+  return pass;
+}
+
+template <int Dim>
+Pass<Dim> particles_and_forces_to_grid_pass(const Method& method, bool hold_outside, bool with_body_force) {
+  Pass<Dim> pass = particles_to_grid_pass<Dim>(method, hold_outside);
+  pass.doc =
+      std::string("nodal mass, momentum") + (with_body_force ? ", internal and body force" : " and internal force");
+  if (method.is_total()) pass.doc += ", by the first Piola-Kirchhoff stress";
+  call_for_force(pass, with_body_force);
+  pass.bind = [hold_outside, with_body_force, around = around_of<Dim>(method)](State<Dim>& s) -> Kernel {
+    if (hold_outside) s.held_mass = mass_of_held(s.setup);
+    return scatter_kernel(s, s.kernels.momentum_and_force[around][with_body_force ? 1 : 0], true, true);
   };
   return pass;
 }
@@ -106,27 +135,19 @@ Pass<Dim> force_pass(const Method& method, bool with_body_force) {
   pass.doc = with_body_force ? "nodal internal and body force" : "nodal internal force";
   if (method.is_total()) pass.doc += ", by the first Piola-Kirchhoff stress";
   pass.called_for_by = "method";
-  pass.reads = {Column::weights, Column::stress, Column::volume, Column::deformation_gradient};
-  if (with_body_force) {
-    pass.reads.push_back(Column::mass);
-    pass.reads.push_back(Column::body_force);
-  }
-  pass.grid_fields = {"force"};
+  pass.reads = {Column::weights};
+  if (with_body_force) pass.reads.push_back(Column::mass);
+  call_for_force(pass, with_body_force);
   pass.bind = [with_body_force](State<Dim>& s) -> Kernel {
-    Kernel kernel;
-    kernel.scatters = true;
-    kernel.begin = [&s](const Instant&) { s.force.zero(); };
-    const auto scatter = s.kernels.force[with_body_force ? 1 : 0];
-    kernel.block = [&s, scatter](const Instant& now, const Block& block) { return scatter(s, block, now); };
-    kernel.end = [&s](const Instant&, std::optional<std::size_t>) { s.force.reduce_ghosts(); };
-    return kernel;
+    return scatter_kernel(s, s.kernels.force[with_body_force ? 1 : 0], false, true);
   };
   return pass;
 }
 
-#define ASSAY_PASSES(DIM)                                              \
-  template Pass<DIM> weights_pass<DIM>(const Method&, bool);           \
-  template Pass<DIM> particles_to_grid_pass<DIM>(const Method&, bool); \
+#define ASSAY_PASSES(DIM)                                                               \
+  template Pass<DIM> weights_pass<DIM>(const Method&, bool);                            \
+  template Pass<DIM> particles_to_grid_pass<DIM>(const Method&, bool);                  \
+  template Pass<DIM> particles_and_forces_to_grid_pass<DIM>(const Method&, bool, bool); \
   template Pass<DIM> force_pass<DIM>(const Method&, bool);
 
 ASSAY_PASSES(2)

@@ -19,4 +19,8 @@ Pass<Dim> particles_to_grid_pass(const Method& method, bool hold_outside);
 template <int Dim>
 Pass<Dim> force_pass(const Method& method, bool with_body_force);
 
+/// Both at once, under the first one's name: the weights are made once.
+template <int Dim>
+Pass<Dim> particles_and_forces_to_grid_pass(const Method& method, bool hold_outside, bool with_body_force);
+
 }  // namespace assay::mpm

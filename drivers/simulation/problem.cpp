@@ -10,6 +10,7 @@
 #include "drivers/simulation/seeds.hpp"
 #include "harness/wave_speed.hpp"
 #include "mpm/lattice.hpp"
+#include "mpm/particle_order.hpp"
 #include "mpm/patch/methods.hpp"
 
 namespace assay::drivers {
@@ -193,6 +194,7 @@ Problem assemble(const Scene& scene, int threads) {
   setup.method = *scene.method;
   setup.grid = grid_of(scene);
   setup.seeds = seeds_of(scene);
+  mpm::order_by_nodes(setup);
   setup.density = density;
   setup.material = problem.material;
   setup.body_force = scene.force.response != ForceChoice::Response::none;

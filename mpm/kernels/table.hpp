@@ -13,14 +13,20 @@ constexpr std::array<std::array<BlockKernel<Dim>, 2>, 2> gathers() {
            {gather<B, Kind, true, false, Dim>, gather<B, Kind, true, true, Dim>}}};
 }
 
+template <class B, Around Kind, int Dim>
+constexpr std::array<BlockKernel<Dim>, 2> both() {
+  return {momentum_and_force<B, Kind, false, Dim>, momentum_and_force<B, Kind, true, Dim>};
+}
+
 template <class B, int Dim>
 Kernels<Dim> table() {
   Kernels<Dim> k;
   k.place = place<B, Dim>;
-  k.momentum = momentum<B, Dim>;
-  k.momentum_of_gradient = affine_momentum<B, Around::gradient, Dim>;
-  k.momentum_of_moment = affine_momentum<B, Around::moment, Dim>;
+  k.momentum = {momentum<B, Around::nothing, Dim>, momentum<B, Around::gradient, Dim>,
+                momentum<B, Around::moment, Dim>};
   k.force = {force<B, false, Dim>, force<B, true, Dim>};
+  k.momentum_and_force = {both<B, Around::nothing, Dim>(), both<B, Around::gradient, Dim>(),
+                          both<B, Around::moment, Dim>()};
   k.gather = {gathers<B, Velocity::of_grid, Dim>(), gathers<B, Velocity::kept, Dim>(),
               gathers<B, Velocity::blended, Dim>()};
   k.velocity_gradient = velocity_gradient<B, Dim>;

@@ -51,62 +51,56 @@ std::size_t place(KernelState<Dim>& s, const Block& block, const Instant&) {
   return bad;
 }
 
-enum class Around { gradient, moment };
-
-/// Of particles that do not carry the velocity around them.
-template <class B, int Dim>
-std::size_t momentum(KernelState<Dim>& s, const Block& block, const Instant&) {
-  constexpr int S = GridField<Dim + 1>::stride;
-  const B& basis = basis_of<B>(s);
-  const double *mass = s.column(Column::mass), *v = s.column(Column::velocity);
-  typename B::Nodes nodes;
-  for (std::size_t begin = block.begin; begin < block.end; begin += particles_at_once) {
-    const std::size_t n = count_at(begin, block);
-    double A[particles_at_once][S] = {};
-    for (std::size_t k = 0; k < n; ++k) {
-      A[k][0] = mass[begin + k];
-      for (std::size_t d = 0; d < Dim; ++d) A[k][1 + d] = mass[begin + k] * v[d * s.particles + begin + k];
-    }
-    basis.expand(begin, n, nodes);
-    for (std::size_t k = 0; k < n; ++k) {
-      NodePacks<Dim + 1, Dim> value;
-      load<S>(value.value, A[k]);
-      basis.template add<Dim + 1, false>(nodes, k, value, block.inertia);
-    }
-  }
-  return none_bad;
+/// m C of a particle, row-major.
+template <class B, Around Kind, int Dim>
+ASSAY_INLINE Mat<Dim> carried(const B& basis, const typename B::Nodes& nodes, std::size_t k, double mass,
+                              const double* around, std::size_t particles) {
+  Mat<Dim> C;
+  for (std::size_t c = 0; c < Dim * Dim; ++c) C[c] = around[c * particles + k];
+  if constexpr (Kind == Around::moment) C = product<Dim>(C, inverse<Dim>(basis.spread(nodes, k)));
+  for (double& component : C) component *= mass;
+  return C;
 }
 
-/// Of particles that do.
+/// Mass and momentum of n particles; slopes become moments where they carry anything.
 template <class B, Around Kind, int Dim>
-std::size_t affine_momentum(KernelState<Dim>& s, const Block& block, const Instant&) {
-  constexpr int S = GridField<Dim + 1>::stride;
+ASSAY_INLINE void add_momentum(const KernelState<Dim>& s, const B& basis, std::size_t begin, std::size_t n,
+                               typename B::Nodes& nodes, double* inertia) {
+  constexpr std::size_t S = GridField<Dim + 1>::stride;
+  const double *mass = s.column(Column::mass) + begin, *v = s.column(Column::velocity) + begin;
+  Given<Dim + 1, Dim> given;
+  ASSAY_INDEPENDENT
+  for (std::size_t k = 0; k < n; ++k) {
+    given.value[k][0] = mass[k];
+    for (std::size_t d = 0; d < Dim; ++d) given.value[k][1 + d] = mass[k] * v[d * s.particles + k];
+    for (std::size_t c = Dim + 1; c < S; ++c) given.value[k][c] = 0;
+  }
+  if constexpr (Kind == Around::nothing) {
+    basis.template add_all<Dim + 1, false>(nodes, n, given, inertia);
+  } else {
+    const double* around = s.column(affine_column(s.method)) + begin;
+    ASSAY_INDEPENDENT
+    for (std::size_t k = 0; k < n; ++k) {
+      const Mat<Dim> C = carried<B, Kind, Dim>(basis, nodes, k, mass[k], around, s.particles);
+      for (std::size_t d = 0; d < Dim; ++d) {
+        given.other[d][k][0] = 0;
+        for (std::size_t i = 0; i < Dim; ++i) given.other[d][k][1 + i] = C[i * Dim + d];
+        for (std::size_t c = Dim + 1; c < S; ++c) given.other[d][k][c] = 0;
+      }
+    }
+    basis.slopes_to_moments(n, nodes);
+    basis.template add_all_affine<Dim + 1>(nodes, n, given, inertia);
+  }
+}
+
+template <class B, Around Kind, int Dim>
+std::size_t momentum(KernelState<Dim>& s, const Block& block, const Instant&) {
   const B& basis = basis_of<B>(s);
-  const double *mass = s.column(Column::mass), *v = s.column(Column::velocity),
-               *around = s.column(affine_column(s.method));
   typename B::Nodes nodes;
   for (std::size_t begin = block.begin; begin < block.end; begin += particles_at_once) {
     const std::size_t n = count_at(begin, block);
-    double A[particles_at_once][S] = {}, B_of[Dim][particles_at_once][S] = {};
-    for (std::size_t k = 0; k < n; ++k) {
-      const std::size_t p = begin + k;
-      Mat<Dim> C;
-      for (std::size_t c = 0; c < Dim * Dim; ++c) C[c] = around[c * s.particles + p];
-      if constexpr (Kind == Around::moment) C = product<Dim>(C, inverse<Dim>(basis.second_moment(p)));
-      A[k][0] = mass[p];
-      for (std::size_t i = 0; i < Dim; ++i) {
-        A[k][1 + i] = mass[p] * v[i * s.particles + p];
-        for (std::size_t d = 0; d < Dim; ++d) B_of[d][k][1 + i] = mass[p] * C[i * Dim + d];
-      }
-    }
     basis.expand(begin, n, nodes);
-    basis.slopes_to_moments(n, nodes);
-    for (std::size_t k = 0; k < n; ++k) {
-      NodePacks<Dim + 1, Dim> value;
-      load<S>(value.value, A[k]);
-      for (std::size_t d = 0; d < Dim; ++d) load<S>(value.other[d], B_of[d][k]);
-      basis.template add_affine<Dim + 1>(nodes, k, value, block.inertia);
-    }
+    add_momentum<B, Kind>(s, basis, begin, n, nodes, block.inertia);
   }
   return none_bad;
 }
@@ -127,9 +121,7 @@ ASSAY_INLINE Mat<Dim> weighted_stress(const Mat<Dim>& cauchy, const Mat<Dim>& F,
 
 /// What n particles give to the nodes: m b, and the columns of the weighted stress.
 template <bool WithBody, bool Total, int Dim>
-ASSAY_INLINE void forces_of(const KernelState<Dim>& s, std::size_t begin, std::size_t n,
-                            double (&A)[particles_at_once][GridField<Dim>::stride],
-                            double (&B)[Dim][particles_at_once][GridField<Dim>::stride]) {
+ASSAY_INLINE void forces_of(const KernelState<Dim>& s, std::size_t begin, std::size_t n, Given<Dim, Dim>& given) {
   const double *F = s.column(Column::deformation_gradient), *sigma = s.column(Column::stress),
                *volume = s.column(Column::volume), *mass = s.column(Column::mass),
                *b = WithBody ? s.column(Column::body_force) : nullptr;
@@ -142,34 +134,47 @@ ASSAY_INLINE void forces_of(const KernelState<Dim>& s, std::size_t begin, std::s
       deformation[c] = F[c * s.particles + p];
     }
     const Mat<Dim> stress = weighted_stress<Dim>(cauchy, deformation, volume[p], Total);
-    for (std::size_t i = 0; i < Dim; ++i) {
-      A[k][i] = WithBody ? mass[p] * b[i * s.particles + p] : 0;
-      for (std::size_t d = 0; d < Dim; ++d) B[d][k][i] = stress[i * Dim + d];
+    for (std::size_t i = 0; i < GridField<Dim>::stride; ++i) {
+      given.value[k][i] = WithBody && i < Dim ? mass[p] * b[i * s.particles + p] : 0;
+      for (std::size_t d = 0; d < Dim; ++d) given.other[d][k][i] = i < Dim ? stress[i * Dim + d] : 0;
     }
   }
 }
 
-template <class Basis, bool WithBody, int Dim>
+template <class B, bool WithBody, int Dim>
+ASSAY_INLINE void add_force(const KernelState<Dim>& s, const B& basis, std::size_t begin, std::size_t n,
+                            const typename B::Nodes& nodes, double* force) {
+  Given<Dim, Dim> given;
+  if (s.method.is_total()) {
+    forces_of<WithBody, true>(s, begin, n, given);
+  } else {
+    forces_of<WithBody, false>(s, begin, n, given);
+  }
+  basis.template add_all<Dim, true>(nodes, n, given, force);
+}
+
+template <class B, bool WithBody, int Dim>
 std::size_t force(KernelState<Dim>& s, const Block& block, const Instant&) {
-  constexpr int S = GridField<Dim>::stride;
-  const Basis& basis = basis_of<Basis>(s);
-  const bool total = s.method.is_total();
-  typename Basis::Nodes nodes;
+  const B& basis = basis_of<B>(s);
+  typename B::Nodes nodes;
   for (std::size_t begin = block.begin; begin < block.end; begin += particles_at_once) {
     const std::size_t n = count_at(begin, block);
-    double A[particles_at_once][S] = {}, B[Dim][particles_at_once][S] = {};
-    if (total) {
-      forces_of<WithBody, true>(s, begin, n, A, B);
-    } else {
-      forces_of<WithBody, false>(s, begin, n, A, B);
-    }
     basis.expand(begin, n, nodes);
-    for (std::size_t k = 0; k < n; ++k) {
-      NodePacks<Dim, Dim> value;
-      load<S>(value.value, A[k]);
-      for (std::size_t d = 0; d < Dim; ++d) load<S>(value.other[d], B[d][k]);
-      basis.template add<Dim, true>(nodes, k, value, block.force);
-    }
+    add_force<B, WithBody>(s, basis, begin, n, nodes, block.force);
+  }
+  return none_bad;
+}
+
+/// Both, for which the weights are made once.
+template <class B, Around Kind, bool WithBody, int Dim>
+std::size_t momentum_and_force(KernelState<Dim>& s, const Block& block, const Instant&) {
+  const B& basis = basis_of<B>(s);
+  typename B::Nodes nodes;
+  for (std::size_t begin = block.begin; begin < block.end; begin += particles_at_once) {
+    const std::size_t n = count_at(begin, block);
+    basis.expand(begin, n, nodes);
+    add_force<B, WithBody>(s, basis, begin, n, nodes, block.force);
+    add_momentum<B, Kind>(s, basis, begin, n, nodes, block.inertia);
   }
   return none_bad;
 }

@@ -8,17 +8,14 @@
 
 namespace assay::mpm::ASSAY_INSTRUCTIONS {
 
-/// Grid motion at a few particles, and its slopes in each direction.
-template <int Dim>
-struct MotionOfParticles {
-  static constexpr int stride = GridField<2 * Dim>::stride;
-  double value[particles_at_once][stride], slope[Dim][particles_at_once][stride];
-};
+/// Grid motion at a few particles: velocity and acceleration, and the slopes of the velocity.
+template <bool Gradient, int Dim>
+using MotionOfParticles = Taken<2 * Dim, Gradient ? Dim : 0, Dim>;
 
 /// Positions, velocities, L. Whether all positions and velocities are numbers.
 template <Velocity Kind, bool Gradient, int Dim>
-ASSAY_INLINE bool move(KernelState<Dim>& s, std::size_t begin, std::size_t n, const MotionOfParticles<Dim>& motion,
-                       const Instant& now) {
+ASSAY_INLINE bool move(KernelState<Dim>& s, std::size_t begin, std::size_t n,
+                       const MotionOfParticles<Gradient, Dim>& motion, const Instant& now) {
   const double flip = s.method.flip, dt = now.dt, kick = now.kick;
   int lost = 0;
   for (std::size_t d = 0; d < Dim; ++d) {
@@ -26,12 +23,12 @@ ASSAY_INLINE bool move(KernelState<Dim>& s, std::size_t begin, std::size_t n, co
            *v = s.column(Column::velocity, static_cast<int>(d)) + begin;
     ASSAY_INDEPENDENT
     for (std::size_t k = 0; k < n; ++k) {
-      const double of_grid = motion.value[k][d];
+      const double of_grid = motion.value[d][k];
       x[k] += dt * of_grid;
       if constexpr (Kind == Velocity::of_grid) {
         v[k] = of_grid;
       } else {
-        const double kept = v[k] + kick * motion.value[k][Dim + d];
+        const double kept = v[k] + kick * motion.value[Dim + d][k];
         v[k] = Kind == Velocity::kept ? kept : flip * kept + (1 - flip) * of_grid;
       }
     }
@@ -40,7 +37,7 @@ ASSAY_INLINE bool move(KernelState<Dim>& s, std::size_t begin, std::size_t n, co
       for (std::size_t i = 0; i < Dim; ++i) {
         double* L = s.column(Column::velocity_gradient, static_cast<int>(i * Dim + d)) + begin;
         ASSAY_INDEPENDENT
-        for (std::size_t k = 0; k < n; ++k) L[k] = motion.slope[d][k][i];
+        for (std::size_t k = 0; k < n; ++k) L[k] = motion.slope[d][i][k];
       }
     }
   }
@@ -62,25 +59,19 @@ std::size_t first_lost(const KernelState<Dim>& s, std::size_t begin, std::size_t
 /// another one: with it the energy account would not close however short the step.)
 template <class B, Velocity Kind, bool Gradient, bool Power, int Dim>
 std::size_t gather(KernelState<Dim>& s, const Block& block, const Instant& now) {
-  constexpr int S = GridField<2 * Dim>::stride;
   const B& basis = basis_of<B>(s);
   typename B::Nodes nodes;
-  MotionOfParticles<Dim> motion;
+  MotionOfParticles<Gradient, Dim> motion;
   double power = 0;
   std::size_t bad = none_bad;
   for (std::size_t begin = block.begin; begin < block.end; begin += particles_at_once) {
     const std::size_t n = count_at(begin, block);
     basis.expand(begin, n, nodes);
-    for (std::size_t k = 0; k < n; ++k) {
-      NodePacks<2 * Dim, Dim> found;
-      basis.template sum<2 * Dim, Gradient>(nodes, k, s.motion.data(), found);
-      store<S>(motion.value[k], found.value);
-      for (std::size_t d = 0; Gradient && d < Dim; ++d) store<S>(motion.slope[d][k], found.other[d]);
-    }
+    basis.sum_all(nodes, n, s.motion.data(), motion);
     if constexpr (Power) {
       const double *mass = s.column(Column::mass) + begin, *b = s.column(Column::body_force) + begin;
       for (std::size_t k = 0; k < n; ++k) {
-        for (std::size_t d = 0; d < Dim; ++d) power += mass[k] * b[d * s.particles + k] * motion.value[k][d];
+        for (std::size_t d = 0; d < Dim; ++d) power += mass[k] * b[d * s.particles + k] * motion.value[d][k];
       }
     }
     if (!move<Kind, Gradient>(s, begin, n, motion, now) && bad == none_bad) bad = first_lost(s, begin, n);
@@ -91,10 +82,13 @@ std::size_t gather(KernelState<Dim>& s, const Block& block, const Instant& now) 
 
 /// L = sum_i v_i (x) grad phi_ip of the grid velocity.
 template <class B, int Dim>
-ASSAY_INLINE Mat<Dim> gradient_at(const KernelState<Dim>& s, const B& basis, std::size_t p) {
+ASSAY_INLINE Mat<Dim> gradient_at(const KernelState<Dim>& s, const B& basis, const typename B::Nodes& nodes,
+                                  std::size_t k) {
+  NodePacks<2 * Dim, Dim> found;
+  basis.template sum<2 * Dim, true>(nodes, k, s.motion.data(), found);
   std::array<double, 2 * Dim> motion;
   Mat<Dim> gradient;
-  basis.template gather<2 * Dim, Dim>(p, s.motion.data(), motion, gradient);
+  found.template get<Dim>(motion, gradient);
   return gradient;
 }
 
@@ -102,9 +96,14 @@ template <class B, int Dim>
 std::size_t velocity_gradient(KernelState<Dim>& s, const Block& block, const Instant&) {
   const B& basis = basis_of<B>(s);
   const auto L = components<Dim * Dim>(s, Column::velocity_gradient);
-  for (std::size_t p = block.begin; p < block.end; ++p) {
-    const Mat<Dim> gradient = gradient_at(s, basis, p);
-    for (std::size_t c = 0; c < Dim * Dim; ++c) L[c][p] = gradient[c];
+  typename B::Nodes nodes;
+  for (std::size_t begin = block.begin; begin < block.end; begin += particles_at_once) {
+    const std::size_t n = count_at(begin, block);
+    basis.expand(begin, n, nodes);
+    for (std::size_t k = 0; k < n; ++k) {
+      const Mat<Dim> gradient = gradient_at(s, basis, nodes, k);
+      for (std::size_t c = 0; c < Dim * Dim; ++c) L[c][begin + k] = gradient[c];
+    }
   }
   return none_bad;
 }
@@ -120,22 +119,31 @@ ASSAY_INLINE Mat<Dim> convected_by(const Mat<Dim>& L, double dt) {
 enum class Carried { moment, gradient, convected, fitted };
 
 template <class B, Carried Kind, int Dim>
+ASSAY_INLINE Mat<Dim> carried_by(const KernelState<Dim>& s, const B& basis, const typename B::Nodes& nodes,
+                                 std::size_t k, double dt) {
+  if constexpr (Kind == Carried::gradient || Kind == Carried::convected) {
+    const Mat<Dim> gradient = gradient_at(s, basis, nodes, k);
+    return Kind == Carried::convected ? convected_by<Dim>(gradient, dt) : gradient;
+  } else {
+    const Mat<Dim> moment = basis.template moment<2 * Dim>(nodes, k, s.motion.data());
+    if constexpr (Kind == Carried::moment) return moment;
+    return convected_by<Dim>(product<Dim>(moment, inverse<Dim>(basis.spread(nodes, k))), dt);
+  }
+}
+
+template <class B, Carried Kind, int Dim>
 std::size_t carry(KernelState<Dim>& s, const Block& block, const Instant& now) {
   const B& basis = basis_of<B>(s);
   const auto C = components<Dim * Dim>(s, Column::affine);
-  for (std::size_t p = block.begin; p < block.end; ++p) {
-    Mat<Dim> found;
-    if constexpr (Kind == Carried::moment) {
-      found = basis.template first_moment<2 * Dim>(p, s.motion.data());
-    } else if constexpr (Kind == Carried::fitted) {
-      Mat<Dim> first, second;
-      basis.template moments<2 * Dim>(p, s.motion.data(), first, second);
-      found = product<Dim>(first, inverse<Dim>(second));
-    } else {
-      found = gradient_at(s, basis, p);
+  typename B::Nodes nodes;
+  for (std::size_t begin = block.begin; begin < block.end; begin += particles_at_once) {
+    const std::size_t n = count_at(begin, block);
+    basis.expand(begin, n, nodes);
+    if constexpr (Kind == Carried::moment || Kind == Carried::fitted) basis.slopes_to_moments(n, nodes);
+    for (std::size_t k = 0; k < n; ++k) {
+      const Mat<Dim> found = carried_by<B, Kind>(s, basis, nodes, k, now.dt);
+      for (std::size_t c = 0; c < Dim * Dim; ++c) C[c][begin + k] = found[c];
     }
-    if constexpr (Kind == Carried::fitted || Kind == Carried::convected) found = convected_by<Dim>(found, now.dt);
-    for (std::size_t c = 0; c < Dim * Dim; ++c) C[c][p] = found[c];
   }
   return none_bad;
 }
@@ -144,8 +152,10 @@ template <class B, int Dim>
 std::size_t first_moment(KernelState<Dim>& s, const Block& block, const Instant&) {
   const B& basis = basis_of<B>(s);
   const auto C = components<Dim * Dim>(s, Column::affine);
+  typename B::Nodes nodes;
   for (std::size_t p = block.begin; p < block.end; ++p) {
-    const Mat<Dim> moment = product<Dim>(load(C, p), basis.second_moment(p));
+    basis.expand(p, 1, nodes);
+    const Mat<Dim> moment = product<Dim>(load(C, p), basis.spread(nodes, 0));
     for (std::size_t c = 0; c < Dim * Dim; ++c) C[c][p] = moment[c];
   }
   return none_bad;

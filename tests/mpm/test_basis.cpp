@@ -122,6 +122,49 @@ TYPED_TEST(EveryBasisTest, MomentsAndAffineScatterAreSumsOverNodes) {
   }
 }
 
+/// Some that share their nodes, four and fewer and more in a row, and some that do not.
+TYPED_TEST(EveryBasisTest, SeveralAtOnceGiveTheBitsOfOneByOne) {
+  constexpr std::size_t N = TypeParam::Dim, n = 29;
+  constexpr int K = 2 * TypeParam::Dim, G = TypeParam::Dim;
+  typename TypeParam::Basis several(this->grid, this->half, n);
+  Mat<N> identity{};
+  for (std::size_t d = 0; d < N; ++d) identity[d * N + d] = 1;
+  for (std::size_t p = 0; p < n; ++p) {
+    Vec<N> at = this->random.template array<N>(1e-3 * this->grid.spacing);
+    for (std::size_t d = 0; d < N; ++d)
+      at[d] += (p < 11 ? 0.3 : p < 17 ? 1.3 : 0.41 * static_cast<double>(p % 5)) * this->grid.spacing;
+    ASSERT_TRUE(several.place(p, at, identity));
+  }
+  typename TypeParam::Basis::Nodes nodes;
+  several.expand(0, n, nodes);
+  GridField<K> field, together, apart;
+  for (auto* f : {&field, &together, &apart}) f->allocate(this->grid.nodes());
+  for (std::size_t i = 0; i < field.nodes(); ++i) {
+    for (std::size_t c = 0; c < K; ++c) field.node(i)[c] = this->random();
+  }
+  Taken<K, G, N> taken;
+  several.sum_all(nodes, n, field.data(), taken);
+  Given<K, N> given;
+  for (std::size_t p = 0; p < n; ++p) {
+    NodePacks<K, N> found, given_one;
+    several.template sum<K, true>(nodes, p, field.data(), found);
+    for (std::size_t c = 0; c < K; ++c) {
+      EXPECT_EQ(taken.value[c][p], found.value[c]) << p;
+      for (std::size_t d = 0; c < G && d < N; ++d) EXPECT_EQ(taken.slope[d][c][p], found.other[d][c]) << p;
+    }
+    for (std::size_t c = 0; c < GridField<K>::stride; ++c) {
+      given.value[p][c] = c < K ? this->random() : 0;
+      for (std::size_t d = 0; d < N; ++d) given.other[d][p][c] = c < K ? this->random() : 0;
+    }
+    given.template get<true>(p, given_one);
+    several.template add<K, true>(nodes, p, given_one, apart.data());
+  }
+  several.template add_all<K, true>(nodes, n, given, together.data());
+  for (std::size_t i = 0; i < field.nodes(); ++i) {
+    for (std::size_t c = 0; c < K; ++c) EXPECT_EQ(together.node(i)[c], apart.node(i)[c]) << i;
+  }
+}
+
 TYPED_TEST(EveryBasisTest, ReachHoldsAllNodesThatHaveWeight) {
   for (int k = 0; k < places; ++k) {
     this->place_at_random();

@@ -70,7 +70,7 @@ TEST(PatchMethods, NoneIsExemptFromTheEssentials) {
 /// A defect: a pass put behind another one, or before it.
 struct Defect {
   const char* name;
-  const char* at;  ///< the pass it is put to
+  const char* at;  ///< the pass it is put to; "forces": the one that gives them
   bool before = false;
   std::function<void(State<2>&, const Instant&)> act;
   std::vector<Method> methods;
@@ -93,8 +93,10 @@ Bench broken_bench(const Defect& defect) {
   Bench bench = quick_bench();
   bench.passes = [defect](const Setup<2>& setup) {
     auto passes = compose(setup);
+    std::string at = defect.at;
+    if (at == "forces") at = setup.method.update == Update::usf ? "grid_forces" : "particles_to_grid";
     for (std::size_t k = 0; k < passes.size(); ++k) {
-      if (passes[k].name != defect.at) continue;
+      if (passes[k].name != at) continue;
       passes.insert(passes.begin() + static_cast<std::ptrdiff_t>(k + (defect.before ? 0 : 1)), pass_of(defect));
       ++k;
     }
@@ -227,19 +229,19 @@ std::vector<Defect> defects() {
        {cpdi_usf},
        {"weights.linear", "rotation.deformation"}},
       {"every seventh particle gives no force",
-       "grid_forces",
+       "forces",
        true,
        scale_all(Column::stress, 5, 0, 7),
        {linear, ugimp, cpdi},
        {"stress.seeded", "stress.shifted"}},
       {"there is no force",
-       "grid_forces",
+       "forces",
        false,
        [](State<2>& s, const Instant&) { s.force.zero(); },
        {linear, ugimp, cpdi, pic},
        {"stress.total"}},
       {"the force has the other sign",
-       "grid_forces",
+       "forces",
        false,
        [](State<2>& s, const Instant&) {
          for (std::size_t i = 0; i < s.force.nodes(); ++i) {
@@ -249,7 +251,7 @@ std::vector<Defect> defects() {
        {linear, cpdi, cpdi2},
        {"stress.total"}},
       {"the volume is that of the reference",
-       "grid_forces",
+       "forces",
        true,
        [](State<2>& s, const Instant&) {
          for (std::size_t p = 0; p < s.particles; ++p) {
