@@ -13,8 +13,9 @@
 
 namespace assay::mpm {
 
-/// Residual of conjugate gradients over that at first; 1e-12 leaves errors of 2e-12 in the velocities of a rigid body.
-inline constexpr double converged = 1e-13;
+/// Residual of conjugate gradients over that at first: 1e-12, 1e-13 and 1e-14 leave errors of 2e-12, 2e-13 and 1e-13 in
+/// the translation of a body.
+inline constexpr double converged = 1e-14;
 inline constexpr int most_iterations = 400;
 /// Nodes of less mass [of rho0 h^Dim] lie at an edge of the body: with few particles around them M is as good as
 /// singular there, and they keep their row sums.
