@@ -14,13 +14,10 @@
 #include <set>
 #include <string>
 
+#include "bench/study_run.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/output_folder.hpp"
-#include "drivers/scene/scene_reader.hpp"
-#include "drivers/screening.hpp"
-#include "drivers/simulation/response_source.hpp"
-#include "drivers/simulation/simulate.hpp"
 #include "harness/norms.hpp"
 
 namespace {
@@ -30,26 +27,6 @@ using namespace assay::drivers;
 
 constexpr double spacings[] = {0.1, 0.05, 0.025, 0.0125};  // [m]
 
-/// Screened as `assay run` does it.
-Result result_of(const std::string& file, double h, OutputFolder& folder) {
-  Result result;
-  Problem problem = assemble(read_scene(file, {"grid.spacing=" + number_text(h)}), 1);
-  const Scene& scene = problem.scene;
-  result.screen = screen_of(scene, *problem.material, scene.time.end);
-  result.reason = instability_sentence(*result.screen, problem.material->name());
-  if (!result.reason.empty()) {
-    result.outcome = "refused";
-    return result;
-  }
-  const auto response = response_of(scene, problem.material, baseline_path(scene), scene.time.end);
-  Snapshots snapshots(problem, folder);
-  Progress progress(scene.title, true);
-  simulate(problem, response, snapshots, progress, result);
-  return result;
-}
-
-std::string text_of(const Figure& figure) { return figure ? rounded_text(*figure, 4) : ""; }
-
 /// The rows of one scene, printed as they come.
 std::string rows_of(const std::filesystem::path& file, double finest, OutputFolder& folder) {
   std::string rows;
@@ -57,7 +34,7 @@ std::string rows_of(const std::filesystem::path& file, double finest, OutputFold
   double coarser_spacing = 0;
   for (const double h : spacings) {
     if (h < finest) continue;
-    const Result result = result_of(file.string(), h, folder);
+    const Result result = result_of(file.string(), {"grid.spacing=" + number_text(h)}, folder);
     const Figure error = result.error.l2_max;
     const Figure order = error && coarser ? Figure(observed_order(coarser_spacing, *coarser, h, *error)) : std::nullopt;
     const std::string row = file.stem().string().substr(std::strlen("vortex_")) + "," + number_text(h) + "," +

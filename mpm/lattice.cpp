@@ -17,15 +17,11 @@ std::int32_t cell_above(double x, double h) { return static_cast<std::int32_t>(s
 
 }  // namespace
 
-Seeds<2> cartesian_lattice(const std::array<double, 2>& lower, const std::array<double, 2>& upper, double spacing,
-                           const std::array<int, 2>& per_cell,
-                           const std::function<Fate(const std::array<double, 2>&)>& fate) {
+Seeds<2> lattice_of(const std::array<double, 2>& lower, const std::array<double, 2>& upper, double spacing,
+                    const std::array<int, 2>& per_cell, const CellPoint& coordinate,
+                    const std::function<Fate(const std::array<double, 2>&)>& fate) {
   Seeds<2> seeds;
-  // (2 i + 1) half: the same |X| to the last bit on both sides of the origin
   for (std::size_t d = 0; d < 2; ++d) seeds.half_size[d] = 0.5 * spacing / per_cell[d];
-  const auto coordinate = [&](std::size_t d, std::int32_t cell, int k) {
-    return (2.0 * (static_cast<double>(cell) * per_cell[d] + k) + 1) * seeds.half_size[d];
-  };
   for (std::int32_t j = cell_below(lower[1], spacing); j < cell_above(upper[1], spacing); ++j) {
     for (std::int32_t i = cell_below(lower[0], spacing); i < cell_above(upper[0], spacing); ++i) {
       for (int b = 0; b < per_cell[1]; ++b) {
@@ -42,6 +38,44 @@ Seeds<2> cartesian_lattice(const std::array<double, 2>& lower, const std::array<
     }
   }
   return seeds;
+}
+
+Seeds<2> cartesian_lattice(const std::array<double, 2>& lower, const std::array<double, 2>& upper, double spacing,
+                           const std::array<int, 2>& per_cell,
+                           const std::function<Fate(const std::array<double, 2>&)>& fate) {
+  // (2 i + 1) half: the same |X| to the last bit on both sides of the origin
+  const std::array<double, 2> half{0.5 * spacing / per_cell[0], 0.5 * spacing / per_cell[1]};
+  const auto coordinate = [&](std::size_t d, std::int32_t cell, int k) {
+    return (2.0 * (static_cast<double>(cell) * per_cell[d] + k) + 1) * half[d];
+  };
+  return lattice_of(lower, upper, spacing, per_cell, coordinate, fate);
+}
+
+namespace {
+
+/// All bits of the result depend on all bits of x (the finaliser of SplitMix64; Steele, Lea and Flood 2014).
+std::uint64_t mixed(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15u;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+/// Between -1 and 1, both excluded: 52 bits of a hash, no rounding.
+double noise(std::uint64_t seed, std::uint64_t number) {
+  return (static_cast<double>(mixed(mixed(seed) ^ number) >> 12) + 0.5) * 0x1p-51 - 1;
+}
+
+}  // namespace
+
+void disturb(Seeds<2>& seeds, double fraction, std::uint64_t seed) {
+  const auto offset = [&](std::size_t particle, std::size_t d) {
+    return fraction * 2 * seeds.half_size[d] * noise(seed, 2 * particle + d);
+  };
+  for (std::size_t d = 0; d < 2; ++d) {
+    for (std::size_t p = 0; p < seeds.size(); ++p) seeds.X[d][p] += offset(p, d);
+    for (std::size_t k = 0; k < seeds.held.size(); ++k) seeds.held[k][d] += offset(seeds.size() + k, d);
+  }
 }
 
 namespace {

@@ -17,6 +17,16 @@ Seeds<2> cartesian_lattice(const std::array<double, 2>& lower, const std::array<
                            const std::array<int, 2>& per_cell,
                            const std::function<Fate(const std::array<double, 2>&)>& fate);
 
+/// The same with points anywhere in their cells: the coordinate along axis d of point k of a cell [m].
+using CellPoint = std::function<double(std::size_t d, std::int32_t cell, int k)>;
+Seeds<2> lattice_of(const std::array<double, 2>& lower, const std::array<double, 2>& upper, double spacing,
+                    const std::array<int, 2>& per_cell, const CellPoint& coordinate,
+                    const std::function<Fate(const std::array<double, 2>&)>& fate);
+
+/// Moves every particle, held ones too, along each axis by less than `fraction` of the distance between particles, to
+/// either side: as a hash of seed, particle and axis says, which is the same on all machines. Volumes and domains stay.
+void disturb(Seeds<2>& seeds, double fraction, std::uint64_t seed);
+
 /// The part of each cell of a Cartesian lattice inside the ring is a particle, at the part's centroid and with its
 /// volume. For the basis its domain is a whole cell around the centroid: as good as the part's box or the rectangle of
 /// its second moments (errors within 3 %, measured), and no sliver's domain is small, so that no node's force can be

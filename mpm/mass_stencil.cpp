@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <numeric>
 
 namespace assay::mpm {
 
@@ -37,7 +38,7 @@ std::size_t MassStencil<Dim>::entries(int nodes_across) {
 template <int Dim>
 MassStencil<Dim>::MassStencil(const GridGeometry<Dim>& grid, int nodes_across, const Multiply& multiply,
                               Instructions instructions)
-    : nodes_(grid.nodes()), add_products_(add_products_of<Dim>(instructions)) {
+    : nodes_(grid.nodes()), nodes_across_(nodes_across), add_products_(add_products_of<Dim>(instructions)) {
   const int span = 2 * nodes_across - 1, neighbours = static_cast<int>(entries(nodes_across));
   GridField<Dim> x, y;
   x.allocate(nodes_);
@@ -50,6 +51,7 @@ MassStencil<Dim>::MassStencil(const GridGeometry<Dim>& grid, int nodes_across, c
       neighbours_[static_cast<std::size_t>(k)].offset += steps[d] * stride;
       stride *= grid.count[d];
     }
+    neighbours_[static_cast<std::size_t>(k)].steps = steps;
     neighbours_[static_cast<std::size_t>(k)].values.assign(nodes_, 0.0);
   }
   for (int colour = 0; colour < neighbours; ++colour) {
@@ -90,6 +92,25 @@ void MassStencil<Dim>::find_pieces() {
       pieces_.push_back({i, i});
     ++pieces_.back().end;
   }
+}
+
+template <int Dim>
+std::array<std::vector<double>, Dim> MassStencil<Dim>::means() const {
+  std::array<std::vector<double>, Dim> means;
+  for (auto& mean : means) mean.assign(static_cast<std::size_t>(nodes_across_), 0.0);
+  double all = 0;
+  for (const Neighbour& neighbour : neighbours_) {
+    const double sum = std::accumulate(neighbour.values.begin(), neighbour.values.end(), 0.0);
+    all += sum;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const int step = neighbour.steps[d];
+      means[d][static_cast<std::size_t>(std::abs(step))] += step == 0 ? sum : 0.5 * sum;
+    }
+  }
+  for (auto& mean : means) {
+    for (double& share : mean) share /= all;
+  }
+  return means;
 }
 
 template <int Dim>

@@ -3,6 +3,7 @@
 // to apply than by way of the particles.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -41,11 +42,15 @@ class MassStencil {
   /// y = M x.
   void multiply(const GridField<Dim>& x, GridField<Dim>& y, int threads) const;
 
+  /// Share of all rows' sums that lies k steps away along each axis, on one side: [axis][k].
+  std::array<std::vector<double>, Dim> means() const;
+
   /// Numbers a node of such a matrix.
   static std::size_t entries(int nodes_across);
 
  private:
   struct Neighbour {
+    std::array<int, Dim> steps{};
     std::ptrdiff_t offset = 0;   ///< of its node
     std::vector<double> values;  ///< M between each node and this neighbour of it [kg]
   };
@@ -55,6 +60,7 @@ class MassStencil {
   void find_pieces();
 
   std::size_t nodes_;
+  int nodes_across_;
   std::vector<Neighbour> neighbours_;
   std::vector<Piece> pieces_;  ///< of nodes that have mass
   AddProducts add_products_;

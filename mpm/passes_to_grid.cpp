@@ -58,8 +58,9 @@ std::vector<double> mass_of_held(const Setup<Dim>& setup) {
   std::vector<double> mass(setup.grid.nodes(), 0.0);
   with_basis<Dim>(setup.method.basis, [&](auto tag) {
     typename decltype(tag)::type basis(setup.grid, seeds.half_size, 1);
-    for (const auto& X : seeds.held) {
-      if (basis.place(0, X, F)) basis.template scatter<1, 0>(0, {setup.density * seeds.volume()}, {}, mass.data());
+    for (std::size_t k = 0; k < seeds.held.size(); ++k) {
+      const double m = setup.density * seeds.held_volume(k);
+      if (basis.place(0, seeds.held[k], F)) basis.template scatter<1, 0>(0, {m}, {}, mass.data());
     }
   });
   return mass;

@@ -31,6 +31,7 @@ struct Seeds {
   /// What the body force is averaged over; null: half_size around each particle.
   std::shared_ptr<const ReferenceDomains> domains;
   std::vector<std::array<double, Dim>> held;  ///< reference positions of particles that never move [m]
+  std::vector<double> held_volumes;           ///< of these where they differ, else empty [m^Dim]
   double angle = 0;                           ///< by which the lattice is turned against the grid, about E_z [rad]
   std::size_t size() const { return X[0].size(); }
   double volume() const {  ///< reference volume of a particle whose domain is half_size around it [m^Dim]
@@ -39,6 +40,7 @@ struct Seeds {
     return product;
   }
   double volume(std::size_t p) const { return volumes.empty() ? volume() : volumes[p]; }
+  double held_volume(std::size_t k) const { return held_volumes.empty() ? volume() : held_volumes[k]; }
 };
 
 /// The method and the effects that a scene calls for.

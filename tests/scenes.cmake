@@ -20,4 +20,7 @@ foreach(scene IN LISTS scenes)
   if(name MATCHES "^models/" AND NOT name MATCHES "^models/vortex_(neo_hookean|damage)$")
     set_tests_properties(scene/${name} PROPERTIES LABELS long)
   endif()
+  if(name STREQUAL "methods/smoothest") # minutes
+    set_tests_properties(scene/${name} PROPERTIES LABELS long)
+  endif()
 endforeach()

@@ -34,10 +34,12 @@ struct Body {
   Outside outside = Outside::held;  ///< of the ring, on square and box: prescribed to stand still, or left to itself
   std::array<double, 2> lower{-1.5, -1.5}, upper{1.5, 1.5};  ///< corners of square and box [m]
   std::array<int, 2> per_cell{2, 2};                         ///< particles a cell in each direction
-  enum class Lattice { cartesian, polar };
+  enum class Lattice { cartesian, polar, gauss, jittered };
   enum class Cut { clipped, whole };
   Lattice lattice = Lattice::cartesian;
-  Cut cut = Cut::clipped;  ///< of lattice cells at the ring's edges, on a ring with a Cartesian lattice
+  Cut cut = Cut::clipped;  ///< of lattice cells at the ring's edges, on a ring with a Cartesian or jittered lattice
+  double jitter = 0.25;    ///< of a jittered lattice: longest way along an axis [distance between particles]
+  int seed = 1;            ///< of its pseudo-random numbers
 };
 
 struct GridChoice {

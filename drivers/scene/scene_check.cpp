@@ -6,6 +6,7 @@
 #include "drivers/output/numbers.hpp"
 #include "drivers/scene/body_box.hpp"
 #include "drivers/scene/scene_keys.hpp"
+#include "mpm/patch/methods.hpp"
 
 namespace assay::drivers {
 
@@ -67,6 +68,56 @@ void check_corners(const std::array<double, 2>& lower, const std::array<double, 
     refuse(where, section + ".lower",
            "must be less than " + section + ".upper, found " + text(lower) + " and " + text(upper));
   }
+}
+
+bool is_node(double x, double h) {
+  constexpr double rounding = 1e-9;  // of a cell, as the lattices count it
+  return std::abs(x / h - std::round(x / h)) <= rounding;
+}
+
+void check_gauss_lattice(const Scene& scene, const Where& where) {
+  const std::string points = "Gauss points integrate over whole cells of the grid, ";
+  const Body& body = scene.body;
+  if (body.domain == Body::Domain::ring) {
+    refuse(where, "body.lattice", points + "which a ring's edges cut: take a square or a box");
+  }
+  if (scene.frame && scene.frame->angle != 0) {
+    refuse(where, "body.lattice", points + "and frame.angle turns the body against these");
+  }
+  for (std::size_t d = 0; scene.grid && d < 2; ++d) {
+    const double h = scene.grid->spacing;
+    if (is_node(body.lower[d], h) && is_node(body.upper[d], h)) continue;
+    refuse(where, "body.lattice",
+           points + "and the body's corners " + text(body.lower) + " and " + text(body.upper) +
+               " are no multiples of grid.spacing, " + number_text(h));
+  }
+  using enum mpm::Basis;
+  if (!scene.method) return;
+  const auto basis = scene.method->basis;
+  const std::string name = mpm::names_of(*scene.method).basis;
+  if (basis != linear && basis != bspline2 && basis != bspline3) {
+    refuse(where, "body.lattice",
+           "Gauss points are not the centres of domains that fill their cell, which " + name +
+               " needs: take linear, bspline2 or bspline3");
+  }
+}
+
+void check_jittered_lattice(const Scene& scene, const Where& where) {
+  if (!scene.method) return;
+  const auto basis = scene.method->basis;
+  if (basis != mpm::Basis::cpdi && basis != mpm::Basis::cpdi2) return;
+  refuse(where, "body.lattice",
+         "particles of " + mpm::names_of(*scene.method).basis +
+             " share the edges of their domains, which would overlap and leave gaps: take another basis");
+}
+
+void check_lattice(const Scene& scene, const Where& where) {
+  const bool jittered = scene.body.lattice == Body::Lattice::jittered;
+  for (const char* key : {"body.jitter", "body.seed"}) {
+    if (scene.places.contains(key) && !jittered) refuse(where, key, "is of lattice: jittered, and lattice is another");
+  }
+  if (jittered) check_jittered_lattice(scene, where);
+  if (scene.body.lattice == Body::Lattice::gauss) check_gauss_lattice(scene, where);
 }
 
 void check_body(const Scene& scene, const Where& where) {
@@ -153,6 +204,7 @@ void check_scene(const Scene& scene, const std::function<Location(const std::str
     refuse(where, "material.direction", "must not be zero");
   }
   check_body(scene, where);
+  check_lattice(scene, where);
   if (scene.method && !scene.grid) refuse(where, "grid", "required by method and not given");
   if (scene.frame) check_frame(scene, where);
   if (scene.grid) check_grid(scene, where);

@@ -22,7 +22,7 @@ const std::vector<std::string> affines{"gradient", "moment"};
 const std::vector<std::string> integrators{"symplectic_euler", "leapfrog"};
 const std::vector<std::string> masses{"lumped", "series", "consistent"};
 const std::vector<std::string> updates{"usf", "usl", "musl"};
-const std::vector<std::string> lattices{"cartesian", "polar"};
+const std::vector<std::string> lattices{"cartesian", "polar", "gauss", "jittered"};
 const std::vector<std::string> cuts{"clipped", "whole"};
 const std::vector<std::string> evaluations{"point", "domain_average"};
 const std::vector<std::string> responses{"none", "closed_form", "sheet", "shadow"};
@@ -61,13 +61,19 @@ std::vector<Key> body_keys() {
       {"body.per_cell", pair, "particles a cell in each direction",
        GET((std::vector<double>{double(s.body.per_cell[0]), double(s.body.per_cell[1])})),
        SET((s.body.per_cell = {int(two(v)[0]), int(two(v)[1])})), {.lower = 1, .upper = 16, .whole = true}},
-      {"body.lattice", choice, "arrangement of the particles: squares along the axes; on a ring, or sectors of rings",
+      {"body.lattice", choice, "arrangement of the particles: squares along the axes; sectors of rings, on a ring; Gauss points of the cells; squares moved at random",
        GET(name_of(lattices, s.body.lattice)), SET(s.body.lattice = picked<Body::Lattice>(lattices, v)), {}, lattices},
       {"body.cut", choice,
        "cells of a Cartesian lattice at the ring's edges: clipped, or whole where their centre is in",
-       GET(s.body.lattice == Body::Lattice::cartesian ? name_of(cuts, s.body.cut) : Value()),
+       GET(s.body.lattice != Body::Lattice::polar ? name_of(cuts, s.body.cut) : Value()),
        SET(s.body.cut = picked<Body::Cut>(cuts, v)), {}, cuts, false,
        "clipped with domain_average, whole with point", {}, {"ring"}},
+      {"body.jitter", number, "of a jittered lattice: particles are moved along each axis by less than this [distance between them]",
+       GET(s.body.lattice == Body::Lattice::jittered ? Value(s.body.jitter) : Value()), SET(s.body.jitter = real(v)),
+       {.lower = 0, .upper = 0.5, .lower_open = true}, {}, false, "0.25"},
+      {"body.seed", number, "of a jittered lattice: another number moves the particles otherwise",
+       GET(s.body.lattice == Body::Lattice::jittered ? Value(double(s.body.seed)) : Value()),
+       SET(s.body.seed = whole(v)), {.lower = 0, .upper = 1e9, .whole = true}, {}, false, "1"},
       {"grid.spacing", number, "h [m]; nodes lie at multiples of h", GET(s.grid ? Value(s.grid->spacing) : Value()),
        SET(s.grid->spacing = real(v)), positive, {}, true},
       {"grid.lower", pair, "lower corner [m]", GET(s.grid ? pair_of(s.grid->lower) : Value()),

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "drivers/scene/body_box.hpp"
+#include "mpm/gauss_lattice.hpp"
 #include "mpm/lattice.hpp"
 
 namespace assay::drivers {
@@ -14,51 +15,75 @@ namespace {
 /// A cell that reaches into the ring by less [relative to the radius] lies outside it.
 constexpr double edge_rounding = 1e-12;
 
-/// Whether a part of the lattice cell around X lies in the ring.
-bool partly_inside(const Scene& scene, const std::array<double, 2>& X) {
-  const auto& vortex = std::get<Vortex>(scene.motion);
+/// Whether a part of a particle's domain lies in the ring.
+bool partly_inside(const Vortex& vortex, const Rectangle& domain) {
   std::array<double, 2> nearest{}, farthest{};
   for (std::size_t d = 0; d < 2; ++d) {
-    const double half = 0.5 * scene.grid->spacing / scene.body.per_cell[d];
-    nearest[d] = std::max(0.0, std::abs(X[d]) - half);
-    farthest[d] = std::abs(X[d]) + half;
+    nearest[d] = std::max({0.0, domain.lower[d], -domain.upper[d]});
+    farthest[d] = std::max(-domain.lower[d], domain.upper[d]);
   }
   return std::hypot(nearest[0], nearest[1]) < vortex.outer * (1 - edge_rounding) &&
          std::hypot(farthest[0], farthest[1]) > vortex.inner * (1 + edge_rounding);
 }
 
-/// Of the body in its own frame.
-mpm::Seeds<2> own_seeds_of(const Scene& scene) {
+bool is_averaged(const Scene& scene) { return scene.force.evaluation == ForceChoice::Evaluation::domain_average; }
+
+/// Particles in the cells of the grid, whole.
+mpm::Seeds<2> whole_cells(const Scene& scene) {
   const auto& vortex = std::get<Vortex>(scene.motion);
   const Body& body = scene.body;
   const double h = scene.grid->spacing;
-  if (body.domain == Body::Domain::ring) {
-    const Annulus ring{vortex.inner, vortex.outer};
-    if (body.lattice == Body::Lattice::polar) return mpm::polar_lattice(ring, h, body.per_cell);
-    if (body.cut == Body::Cut::clipped) return mpm::clipped_lattice(ring, h, body.per_cell);
-  }
-  const bool averaged = scene.force.evaluation == ForceChoice::Evaluation::domain_average;
+  const bool gauss = body.lattice == Body::Lattice::gauss;
+  const mpm::GaussCells cells(h, body.per_cell);
+  const auto domain_of = [&](const std::array<double, 2>& X) {
+    if (gauss) return cells.rectangle_around(X);
+    const std::array<double, 2> half{0.5 * h / body.per_cell[0], 0.5 * h / body.per_cell[1]};
+    return Rectangle{{X[0] - half[0], X[1] - half[1]}, {X[0] + half[0], X[1] + half[1]}};
+  };
   const auto fate = [&](const std::array<double, 2>& X) {
     if (vortex.moves({X[0], X[1], 0})) return mpm::Fate::stepped;
     if (body.domain == Body::Domain::ring) return mpm::Fate::absent;
-    if (body.outside == Body::Outside::free || (averaged && partly_inside(scene, X))) return mpm::Fate::stepped;
-    return mpm::Fate::held;
+    if (body.outside == Body::Outside::free) return mpm::Fate::stepped;
+    return is_averaged(scene) && partly_inside(vortex, domain_of(X)) ? mpm::Fate::stepped : mpm::Fate::held;
   };
   const Box box = body_box(scene);
-  return mpm::cartesian_lattice(box.lower, box.upper, h, body.per_cell, fate);
+  if (!gauss) return mpm::cartesian_lattice(box.lower, box.upper, h, body.per_cell, fate);
+  mpm::Seeds<2> seeds = mpm::gauss_lattice(box.lower, box.upper, h, body.per_cell, fate);
+  if (is_averaged(scene)) {
+    const Annulus ring{vortex.inner, vortex.outer};
+    seeds.domains = std::make_shared<const ReferenceDomains>(mpm::gauss_domains(seeds, cells, ring));
+  }
+  return seeds;
+}
+
+/// Of the body in its own frame, before any jitter.
+mpm::Seeds<2> still_seeds_of(const Scene& scene) {
+  const auto& vortex = std::get<Vortex>(scene.motion);
+  const Body& body = scene.body;
+  if (body.domain == Body::Domain::ring) {
+    const Annulus ring{vortex.inner, vortex.outer};
+    const double h = scene.grid->spacing;
+    if (body.lattice == Body::Lattice::polar) return mpm::polar_lattice(ring, h, body.per_cell);
+    if (body.cut == Body::Cut::clipped) return mpm::clipped_lattice(ring, h, body.per_cell);
+  }
+  return whole_cells(scene);
 }
 
 }  // namespace
 
 mpm::Seeds<2> seeds_of(const Scene& scene) {
-  mpm::Seeds<2> seeds = own_seeds_of(scene);
-  if (!scene.frame || scene.frame->angle == 0) return seeds;
-  const auto& vortex = std::get<Vortex>(scene.motion);
-  if (!seeds.domains && scene.force.evaluation == ForceChoice::Evaluation::domain_average) {
+  mpm::Seeds<2> seeds = still_seeds_of(scene);
+  const bool jittered = scene.body.lattice == Body::Lattice::jittered;
+  const bool turned = scene.frame && scene.frame->angle != 0;
+  if ((jittered || turned) && !seeds.domains && is_averaged(scene)) {  // the domains as they are before
+    const auto& vortex = std::get<Vortex>(scene.motion);
     seeds.domains = std::make_shared<const ReferenceDomains>(mpm::rectangles_of(seeds, {vortex.inner, vortex.outer}));
   }
-  mpm::turn(seeds, scene.frame->angle,
-            scene.method->basis == Method::Basis::cpdi || scene.method->basis == Method::Basis::cpdi2);
+  if (jittered) mpm::disturb(seeds, scene.body.jitter, static_cast<std::uint64_t>(scene.body.seed));
+  if (turned) {
+    mpm::turn(seeds, scene.frame->angle,
+              scene.method->basis == Method::Basis::cpdi || scene.method->basis == Method::Basis::cpdi2);
+  }
   return seeds;
 }
 

@@ -164,6 +164,63 @@ TEST(PolarLattice, StandsOnCirclesAtTheCentroidsOfItsSectors) {
   for (std::size_t d = 0; d < 2; ++d) EXPECT_NEAR(first[d], 0, 1e-14);
 }
 
+std::array<std::vector<double>, 2> disturbed(double fraction, std::uint64_t seed, Seeds<2> seeds) {
+  disturb(seeds, fraction, seed);
+  return seeds.X;
+}
+
+TEST(Disturb, MovesEachParticleByLessThanTheFractionTheSameWayEveryTime) {
+  for (const Seeds<2>& seeds : {vortex_setup(10, {}, {2, 3}).seeds, clipped_lattice(ring, 0.05, {2, 3})}) {
+    const auto once = disturbed(0.25, 1, seeds), again = disturbed(0.25, 1, seeds), other = disturbed(0.25, 2, seeds);
+    EXPECT_EQ(once, again);
+    for (std::size_t d = 0; d < 2; ++d) {
+      const double most = 0.25 * 2 * seeds.half_size[d];
+      double mean = 0, square = 0, largest = 0;
+      std::size_t same = 0;
+      for (std::size_t p = 0; p < seeds.size(); ++p) {
+        const double way = once[d][p] - seeds.X[d][p];
+        mean += way / most, square += way * way / (most * most), largest = std::max(largest, std::abs(way));
+        same += once[d][p] == other[d][p];
+      }
+      const auto count = static_cast<double>(seeds.size());
+      EXPECT_LT(largest, most * (1 + 1e-12));
+      EXPECT_GT(largest, 0.99 * most);
+      EXPECT_NEAR(mean / count, 0, 5 / std::sqrt(3 * count));  // five standard deviations of an even distribution
+      EXPECT_NEAR(square / count, 1.0 / 3, 5 * std::sqrt(4.0 / 45 / count));
+      EXPECT_EQ(same, 0u);
+    }
+  }
+}
+
+// The hash is one of integers: its first values, worked out apart from it, hold on every machine.
+TEST(Disturb, IsTheSameOnAllMachines) {
+  Seeds<2> seeds;
+  seeds.half_size.fill(0.5);
+  seeds.X = {std::vector<double>(2, 0.0), std::vector<double>(2, 0.0)};
+  disturb(seeds, 0.5, 1);
+  EXPECT_EQ(seeds.X[0], (std::vector<double>{-0.13181048434833043, 0.23769925269011705}));
+  EXPECT_EQ(seeds.X[1], (std::vector<double>{0.414022462870303, 0.026717995571827857}));
+}
+
+TEST(Disturb, MovesHeldParticlesTooAndLeavesVolumesAndDomains) {
+  Seeds<2> seeds = cartesian_lattice({-0.2, -0.2}, {0.2, 0.2}, 0.1, {2, 2},
+                                     [](const Point& X) { return X[0] < 0 ? Fate::held : Fate::stepped; });
+  const Seeds<2> before = seeds;
+  disturb(seeds, 0.5, 3);
+  for (std::size_t k = 0; k < seeds.held.size(); ++k) {
+    for (std::size_t d = 0; d < 2; ++d) {
+      EXPECT_NE(seeds.held[k][d], before.held[k][d]);
+      EXPECT_LT(std::abs(seeds.held[k][d] - before.held[k][d]), 0.025);
+    }
+  }
+  Seeds<2> clipped = clipped_lattice(ring, 0.1, {2, 2});
+  const auto domains = clipped.domains;
+  const std::vector<double> volumes = clipped.volumes;
+  disturb(clipped, 0.5, 3);
+  EXPECT_EQ(clipped.domains, domains);
+  EXPECT_EQ(clipped.volumes, volumes);
+}
+
 /// Turned particles stand where the domains of the averaged force are, and the basis's domains turn with them.
 TEST(Turn, TakesParticlesAndDomainsAlong) {
   for (Seeds<2> seeds : {clipped_lattice(ring, 0.1, {2, 3}), polar_lattice(ring, 0.1, {2, 2})}) {

@@ -116,6 +116,29 @@ TEST(Simulation, TheAveragedForceOfALatticeIsThatOfItsCells) {
   }
 }
 
+// With weights that differ, too, what the particles gain is what the body force gave.
+TEST(Simulation, ParticlesAtGaussPointsOrMovedAtRandomFollowTheVortexAndKeepMomentum) {
+  for (const Formulation formulation : {Formulation::updated, Formulation::total}) {
+    Method method{Basis::bspline2};
+    method.formulation = formulation;
+    Simulation<2> regular(vortex_setup(5, method));
+    run(regular, 100);
+    for (const bool gauss : {true, false}) {
+      mpm::Setup<2> setup = square_setup(5, gauss, method);
+      setup.accounts = true;
+      Simulation<2> simulation(setup);
+      const State<2>& s = simulation.state();
+      const Vec<2> before = momentum(s);
+      run(simulation, 100);
+      const double scale = momentum_scale(s);
+      for (std::size_t d = 0; d < 2; ++d) {
+        EXPECT_NEAR(momentum(s)[d] - before[d], s.ledger.impulse[d], 1e-12 * scale);
+      }
+      EXPECT_LT(displacement_error(s, 0.1), 1.5 * displacement_error(regular.state(), 0.1)) << gauss;
+    }
+  }
+}
+
 /// Against the frame's own formula, which knows nothing of the turns by which b is made: positions after a while, and
 /// velocities at the start.
 TEST(Simulation, FollowsTheMotionThatAFrameSees) {

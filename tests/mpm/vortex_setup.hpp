@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "mpm/basis.hpp"
+#include "mpm/gauss_lattice.hpp"
 #include "mpm/lattice.hpp"
 #include "mpm/patch/methods.hpp"
 #include "mpm/simulation.hpp"
@@ -49,6 +50,19 @@ inline Setup<2> averaged_setup(int across, bool polar, const Method& way = {}) {
   setup.seeds =
       polar ? polar_lattice(ring, setup.grid.spacing, {2, 2}) : clipped_lattice(ring, setup.grid.spacing, {2, 2});
   setup.evaluation = Evaluation::domain_average;
+  return setup;
+}
+
+/// The square around the ring with free faces, its particles at the cells' Gauss points or moved at random.
+inline Setup<2> square_setup(int across, bool gauss, const Method& way = {}) {
+  Setup<2> setup = vortex_setup(across, way);
+  const std::array<double, 2> lower{-1.5, -1.5}, upper{1.5, 1.5};
+  const double h = setup.grid.spacing;
+  const auto always = [](const auto&) { return Fate::stepped; };
+  setup.grid = grid_around(lower, upper, h, 4);
+  setup.seeds =
+      gauss ? gauss_lattice(lower, upper, h, {2, 2}, always) : cartesian_lattice(lower, upper, h, {2, 2}, always);
+  if (!gauss) disturb(setup.seeds, 0.25, 1);
   return setup;
 }
 

@@ -54,6 +54,7 @@ TEST(Resolved, SettingsReadBack) {
                                           "motion.allow_unstable=true",
                                           "time={end: 0.3, step: 1e-3}",
                                           "body={domain: square}",
+                                          "body={lattice: jittered, jitter: 0.125, seed: 12}",
                                           "body={domain: box, lower: [-2, -3], upper: [2, 3.5], outside: free}",
                                           "grid={spacing: 0.1, lower: [-2, -2], upper: [2, 2]}",
                                           "material.adapter=lib.so:x",
@@ -87,9 +88,10 @@ TEST(Resolved, RandomNumbersReadBack) {
 }
 
 TEST(Resolved, HoldsEveryKeyThatApplies) {
-  Scene scene = scene_from_text(scene_text("grid: {spacing: .1, lower: [-2, -2], upper: [2, 2]}\nmethod: {transfer: "
-                                           "aflip, mass: series}\ntime: {step: .1}\nframe: {}\n"),
-                                "f");
+  Scene scene = scene_from_text(
+      scene_text("grid: {spacing: .1, lower: [-2, -2], upper: [2, 2]}\nmethod: {basis: ugimp, transfer: "
+                 "aflip, mass: series}\nbody: {lattice: jittered}\ntime: {step: .1}\nframe: {}\n"),
+      "f");
   scene.material.direction = {0.0, 1.0, 0.0};  // of a model that has one
   scene.material.isolation = Isolation::none;  // filled in with the material
   const std::string text = resolved_yaml(scene);

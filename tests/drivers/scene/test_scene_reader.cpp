@@ -173,7 +173,7 @@ TEST(SceneReader, RefusesWhatLaterVersionsMayKnow) {
   EXPECT_TRUE(has(refused_set("method.transfer=picflip"), "known: pic, flip, xpic, fmpm, apic, aflip"));
   EXPECT_TRUE(has(refused_set("force.evaluation=corner_average"), "known: point, domain_average"));
   EXPECT_TRUE(has(refused_set("motion.type=twisting_ring"), "known: vortex, homogeneous"));
-  EXPECT_TRUE(has(refused_set("body.lattice=random"), "known: cartesian, polar"));
+  EXPECT_TRUE(has(refused_set("body.lattice=random"), "known: cartesian, polar, gauss, jittered"));
 }
 
 TEST(SceneReader, RefusesMethodsThatMakeNoSenseWithTheReason) {
@@ -214,6 +214,46 @@ TEST(SceneReader, RefusesLatticesAndCutsThatABodyCannotHave) {
   EXPECT_EQ(refused_extra("body: {lattice: polar, cut: clipped}"),
             "f.yaml:3:29: body.cut: a polar lattice has no cell to cut: it follows the ring's edges");
   EXPECT_TRUE(has(refused_extra("body: {domain: box, cut: whole}"), "body.cut: does not belong to body.domain box"));
+}
+
+TEST(SceneReader, AGaussLatticeNeedsWholeCellsAndABasisWithoutDomains) {
+  const auto gauss = [](const std::string& body, const std::string& rest) {
+    return refused(scene_text("body: {lattice: gauss" + body + "}\ngrid: {spacing: 0.25}\n" + rest + "\n"));
+  };
+  const std::string square = ", domain: square", bspline = "method: {basis: bspline2}";
+  EXPECT_EQ(gauss(square, bspline), "accepted");
+  EXPECT_EQ(gauss(square + ", outside: free", bspline + "\nframe: {velocity: [1, 0]}"), "accepted");
+  EXPECT_EQ(gauss("", bspline),
+            "f.yaml:3:17: body.lattice: Gauss points integrate over whole cells of the grid, which a ring's edges cut: "
+            "take a square or a box");
+  EXPECT_TRUE(has(gauss(square + ", lower: [-1.4, -1.5], upper: [1.6, 1.5]", bspline),
+                  "the body's corners [-1.4, -1.5] and [1.6, 1.5] are no multiples of grid.spacing, 0.25"));
+  EXPECT_TRUE(has(gauss(square, bspline + "\nframe: {angle: 0.7}"), "frame.angle turns the body against these"));
+  for (const std::string basis : {"ugimp", "cpgimp", "cpdi", "cpdi2"}) {
+    EXPECT_EQ(gauss(square, "method: {basis: " + basis + "}"),
+              "f.yaml:3:17: body.lattice: Gauss points are not the centres of domains that fill their cell, which " +
+                  basis + " needs: take linear, bspline2 or bspline3");
+  }
+}
+
+TEST(SceneReader, JitterAndSeedAreOfAJitteredLattice) {
+  const auto jittered = [](const std::string& body, const std::string& basis) {
+    return refused(
+        scene_text("body: {lattice: jittered" + body + "}\ngrid: {spacing: 0.1}\nmethod: {basis: " + basis + "}\n"));
+  };
+  EXPECT_EQ(jittered("", "ugimp"), "accepted");
+  EXPECT_EQ(jittered(", domain: square, jitter: 0.5, seed: 7", "bspline2"), "accepted");
+  EXPECT_EQ(
+      jittered("", "cpdi"),
+      "f.yaml:3:17: body.lattice: particles of cpdi share the edges of their domains, which would overlap and leave "
+      "gaps: take another basis");
+  EXPECT_TRUE(has(jittered(", jitter: 0.51", "linear"), "3:35: body.jitter: must be"));
+  EXPECT_TRUE(has(jittered(", jitter: 0", "linear"), "3:35: body.jitter: must be"));
+  EXPECT_TRUE(has(jittered(", seed: 1.5", "linear"), "3:33: body.seed: must be a whole number, found '1.5'"));
+  EXPECT_EQ(refused_extra("body: {jitter: 0.1}"),
+            "f.yaml:3:16: body.jitter: is of lattice: jittered, and lattice is another");
+  EXPECT_EQ(refused_extra("body: {lattice: polar, seed: 2}"),
+            "f.yaml:3:30: body.seed: is of lattice: jittered, and lattice is another");
 }
 
 TEST(SceneReader, RefusesWhatIsMissing) {
