@@ -38,7 +38,7 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
   };
   const bool body_force = Dim == 2 && setup.body_force;  // the vortex's lives in the plane
   const auto add_accounts = [&] {
-    if (setup.accounts) add(accounts_pass<Dim>(body_force));
+    if (setup.accounts) add(accounts_pass<Dim>(method, body_force));
   };
   const auto add_gradient_and_stress = [&] {
     add(grid_velocity_pass<Dim>());
