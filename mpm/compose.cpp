@@ -57,7 +57,9 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
     add(stress_of(setup));
   }
   add(force_pass<Dim>(method, body_force));
-  if (method.is_lumped()) {
+  if (method.has_stages()) {
+    add(kick_pass<Dim>(method));
+  } else if (method.is_lumped()) {
     add(grid_update_pass<Dim>());
     add_held(reaction_of(method));
   } else {

@@ -38,6 +38,7 @@ template <int Dim>
 Pass<Dim> body_force_pass(Evaluation evaluation) {
   Pass<Dim> pass;
   pass.name = "body_force";
+  pass.stages = Stages::kicks;
   pass.writes = {Column::body_force};
   if (evaluation == Evaluation::domain_average) {
     pass.doc = "b of the exact motion, averaged over the particles' reference domains";
@@ -65,6 +66,7 @@ template <int Dim>
 Pass<Dim> moving_frame_pass(Evaluation evaluation) {
   Pass<Dim> pass;
   pass.name = "moving_frame";
+  pass.stages = Stages::kicks;
   pass.doc = "b turned into the spinning frame, with its Coriolis and centrifugal terms";
   pass.called_for_by = "frame.spin";
   pass.reads = {Column::reference_position, Column::body_force};
@@ -180,6 +182,7 @@ template <int Dim>
 Pass<Dim> accounts_pass(const Method& method, bool with_body_force) {
   Pass<Dim> pass;
   pass.name = "accounts";
+  pass.stages = Stages::kicks;
   pass.doc = "momentum, mass and energy accounts";
   pass.called_for_by = "output.accounts";
   pass.reads = {Column::mass, Column::volume, Column::deformation_gradient, Column::stress, Column::velocity_gradient};

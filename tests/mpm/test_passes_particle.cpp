@@ -132,7 +132,9 @@ Gaps gaps_of(const Method& way, double step) {
     const Ledger& given = s.ledger;
     const auto P = momentum(s);
     const double L = angular_momentum(s), K = kinetic_energy(s);
-    EXPECT_NEAR(given.external_work, work, 1e-10 * E_scale);
+    if (!way.has_stages()) {
+      EXPECT_NEAR(given.external_work, work, 1e-10 * E_scale);
+    }
     P_scale = std::max(P_scale, momentum_scale(s));
     L_scale = std::max(L_scale, std::abs(L));
     E_scale = std::max({E_scale, K, std::abs(given.internal_work)});
@@ -167,6 +169,11 @@ TEST_P(Accounts, CloseAsFarAsTheMethodConserves) {
     EXPECT_LT(coarse.energy, 0.5);
     EXPECT_LT(fine.energy, 0.5);
     EXPECT_LT(coarse.angular, 2e-2);
+    return;
+  }
+  if (GetParam().has_stages()) {  // work over each kick: round-off is left
+    EXPECT_LT(coarse.energy, 1e-12);
+    EXPECT_LT(coarse.angular, 1.5e-2);
     return;
   }
   // Angular momentum is kept up to the distance of nodes from their particles' centre of mass.
