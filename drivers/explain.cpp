@@ -13,6 +13,7 @@
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/simulate.hpp"
 #include "drivers/verbs.hpp"
+#include "mpm/stages.hpp"
 
 namespace assay::drivers {
 
@@ -39,14 +40,16 @@ Composition composition_of(const Problem& problem) {
   return c;
 }
 
-std::string passes_text(const Composition& c) {
+std::string passes_text(const Problem& problem, const Composition& c) {
   std::string text = "passes of a step\n";
   const std::string indent(22, ' ');
   for (const auto& pass : c.passes) {
     text += wrapped(pass.doc, fmt::format("  {:20}", pass.name), indent);
     if (!pass.reads.empty()) text += wrapped("reads " + columns_text(pass.reads), indent + "  ", indent + "    ");
     if (!pass.writes.empty()) text += wrapped("writes " + columns_text(pass.writes), indent + "  ", indent + "    ");
-    text += wrapped("because of " + pass.called_for_by, indent + "  ", indent);
+    const std::size_t times = mpm::times_a_step(pass, problem.setup.method);
+    text += wrapped("because of " + pass.called_for_by + (times > 1 ? fmt::format("; {} times a step", times) : ""),
+                    indent + "  ", indent);
   }
   return text;
 }
@@ -129,6 +132,7 @@ std::string json_text(const Problem& problem, const Composition& c, const Respon
                               {"reads", names(pass.reads)},
                               {"writes", names(pass.writes)},
                               {"grid_fields", pass.grid_fields},
+                              {"times_a_step", mpm::times_a_step(pass, problem.setup.method)},
                               {"called_for_by", pass.called_for_by}});
   }
   json["observers"] = nlohmann::ordered_json::array();
@@ -171,10 +175,11 @@ int explain(const ExplainOptions& options) {
           response_of(problem.scene, problem.material, baseline_path(problem.scene), problem.scene.time.end, 1, true);
     }
     const ScreenFigures screen = screen_of(problem.scene, *problem.material, problem.scene.time.end);
-    const std::string text = options.json ? json_text(problem, c, response.get(), screen)
-                                          : passes_text(c) + observers_text(problem) + memory_text(problem, c) +
-                                                steps_text(problem) + frame_line(problem) + sheet_text(response.get()) +
-                                                wrapped(screen_sentence(screen), "motion: ", "  ");
+    const std::string text = options.json
+                                 ? json_text(problem, c, response.get(), screen)
+                                 : passes_text(problem, c) + observers_text(problem) + memory_text(problem, c) +
+                                       steps_text(problem) + frame_line(problem) + sheet_text(response.get()) +
+                                       wrapped(screen_sentence(screen), "motion: ", "  ");
     std::fputs(text.c_str(), stdout);
     return 0;
   } catch (const MaterialFailure& failure) {

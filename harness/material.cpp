@@ -231,6 +231,12 @@ std::string message_text(char* message) {
 
 }  // namespace
 
+bool Material::is_function_of_F() const {
+  if (has(ASSAY_USES_INCREMENT) || has(ASSAY_RATE_DEPENDENT)) return false;
+  return std::all_of(table_->state, table_->state + table_->state_count,
+                     [](const assay_state_variable& variable) { return variable.role == ASSAY_ROLE_DIRECTION; });
+}
+
 UpdateReport Material::update(double t, double dt, std::size_t n, const double* F0, const double* F1,
                               const double* state0, double* state1, double* cauchy) const {
   const assay_step step{t, dt, F0, F1};

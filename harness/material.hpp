@@ -65,6 +65,9 @@ class Material {
   bool has(std::uint32_t flag) const { return (table_->flags & flag) != 0; }
   /// Whether it takes an F with that component (index 0..8): ASSAY_IN_PLANE.
   bool takes(int component) const { return !has(ASSAY_IN_PLANE) || is_in_plane(component); }
+  /// Whether the stress follows from F alone, whatever was before and however fast: no increment, no rate, no state but
+  /// directions.
+  bool is_function_of_F() const;
   bool path_independent() const { return state_size_ == 0 && !has(ASSAY_RATE_DEPENDENT); }
 
   /// In declared order, defaults filled.

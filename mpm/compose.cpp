@@ -38,7 +38,7 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
   };
   const bool body_force = Dim == 2 && setup.body_force;  // the vortex's lives in the plane
   const auto add_accounts = [&] {
-    if (setup.accounts) add(accounts_pass<Dim>(body_force));
+    if (setup.accounts) add(accounts_pass<Dim>(method, body_force));
   };
   const auto add_gradient_and_stress = [&] {
     add(grid_velocity_pass<Dim>());
@@ -51,15 +51,19 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
   }
   add(weights_pass<Dim>(method, !setup.seeds.half_edges.empty()));
   if (method.is_affine() && method.affine == Affine::moment) add(first_affine_moment_pass<Dim>());
-  if (method.update == Update::usf) {
-    add(particles_to_grid_pass<Dim>(method, setup.hold_outside));
-    add_gradient_and_stress();
-    add(stress_of(setup));
-    add(force_pass<Dim>(method, body_force));
-  } else {
+  if (method.update != Update::usf && !method.has_stages()) {
     add(particles_and_forces_to_grid_pass<Dim>(method, setup.hold_outside, body_force));
+  } else {
+    add(particles_to_grid_pass<Dim>(method, setup.hold_outside));
+    if (method.update == Update::usf) {
+      add_gradient_and_stress();
+      add(stress_of(setup));
+    }
+    add(force_pass<Dim>(method, body_force));
   }
-  if (method.is_lumped()) {
+  if (method.has_stages()) {
+    add(kick_pass<Dim>(method));
+  } else if (method.is_lumped()) {
     add(grid_update_pass<Dim>());
     add_held(reaction_of(method));
   } else {

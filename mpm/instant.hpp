@@ -3,9 +3,9 @@
 
 namespace assay::mpm {
 
-/// A step in time.
+/// A step in time, or a stage of one: a kick, then a drift, which may go back in time.
 struct Instant {
-  double t = 0;     ///< at the beginning of the step [s]
+  double t = 0;     ///< at the beginning [s]
   double dt = 0;    ///< over which the body moves [s]
   double kick = 0;  ///< over which forces act [s]
 

@@ -128,6 +128,12 @@ class MassMatrix {
     return rho <= target;
   }
 
+  /// M x of the particles that move, until the next use of the matrix.
+  const Field& image_of(const Field& x) {
+    multiply_particles(x, image_);
+    return image_;
+  }
+
   /// M_L^-1, zero on nodes that are not free.
   void divide(Field& x) const {
     for (std::size_t i = 0; i < x.nodes(); ++i) {

@@ -12,8 +12,9 @@ enum class Basis { linear, ugimp, cpgimp, cpdi, cpdi2, bspline2, bspline3 };
 enum class Formulation { updated, total };
 enum class Transfer { pic, flip, xpic, fmpm, apic, aflip };
 enum class Update { usf, usl, musl };
-/// Velocities are those of the time of the positions, to first order in dt; or of half a step before, to second.
-enum class Integrator { symplectic_euler, leapfrog };
+/// Velocities are those of the time of the positions, to first order in dt; of half a step before, to second; of the
+/// time of the positions, to fourth, by stages.
+enum class Integrator { symplectic_euler, leapfrog, symplectic_rkn4 };
 /// What carries the velocity around a particle: its gradient, convected with the body, so that affine motions are
 /// exact; or its first moment, so that no angular momentum is lost.
 enum class Affine { gradient, moment };
@@ -38,9 +39,13 @@ struct Method {
   bool is_affine() const { return transfer == Transfer::apic || transfer == Transfer::aflip; }
   /// Whether particles keep their velocity and add what the grid gains, besides a share of the grid's own.
   bool keeps_velocity() const { return transfer == Transfer::flip || transfer == Transfer::aflip; }
+  /// Whether a step has stages: kicks by the forces, and drifts of the body in between, forth and back.
+  bool has_stages() const { return integrator == Integrator::symplectic_rkn4; }
   bool has_terms() const { return mass == Mass::series || transfer == Transfer::xpic || transfer == Transfer::fmpm; }
   /// Whether the grid's accelerations and velocities are sums divided by masses, node by node.
-  bool is_lumped() const { return mass == Mass::lumped && transfer != Transfer::xpic && transfer != Transfer::fmpm; }
+  bool is_lumped() const {
+    return mass == Mass::lumped && transfer != Transfer::xpic && transfer != Transfer::fmpm && !has_stages();
+  }
 };
 
 /// Why a combination makes no sense, and the scene key of the choice that is one too many.

@@ -16,6 +16,10 @@
 
 namespace assay::mpm {
 
+/// In which stages of a step a pass runs, where the integrator has several: all; the first, in which no force acts; the
+/// others.
+enum class Stages { all, first, kicks };
+
 /// What is known of a pass without running it.
 struct PassInfo {
   std::string name;
@@ -24,6 +28,7 @@ struct PassInfo {
   std::vector<Column> reads, writes;
   std::vector<std::string> grid_fields;  ///< that it touches
   bool once = false;                     ///< before the first step alone
+  Stages stages = Stages::all;
 };
 
 /// A pass bound to a state.

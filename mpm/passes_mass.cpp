@@ -74,6 +74,67 @@ Kernel mass_matrix_kernel(State<Dim>& s, const Method& method) {
   };
 }
 
+/// x = M^-1 q, which x holds at first. False where it could not be found.
+template <int Dim>
+bool invert(MassMatrix<Dim>& matrix, const Method& method, GridField<Dim>& x) {
+  if (method.mass == Mass::consistent) return matrix.solve(x);
+  matrix.apply_series(x, method.mass == Mass::series ? method.terms : 1);
+  return true;
+}
+
+/// Momentum of the nodes that of the particles after they gained kick a.
+template <int Dim>
+void kick_momentum(State<Dim>& s, const GridField<Dim>& a, double kick, MassMatrix<Dim>& matrix) {
+  const GridField<Dim>& gained = matrix.image_of(a);
+  for (std::size_t i = 0; i < a.nodes(); ++i) {
+    for (std::size_t d = 0; d < Dim; ++d) s.inertia.node(i)[1 + d] += kick * gained.node(i)[d];
+  }
+}
+
+/// Forces work with the mean of the velocities before and after the kick; the accounts take the one after it.
+template <int Dim>
+void book_kick(State<Dim>& s, const GridField<Dim>& v, double kick) {
+  double power = 0;
+  for (std::size_t i = 0; i < v.nodes(); ++i) {
+    for (std::size_t d = 0; d < Dim; ++d) power += s.force.node(i)[d] * (v.node(i)[d] - s.motion.node(i)[d]);
+  }
+  s.ledger.internal_work += 0.5 * kick * power;
+}
+
+template <int Dim>
+Kernel kick_kernel(State<Dim>& s, const Method& method) {
+  s.solver.assign(solver_fields(method), GridField<Dim>());
+  for (auto& field : s.solver) field.allocate(s.setup.grid.nodes());
+  auto matrix_of_run = std::make_shared<MassMatrix<Dim>>(s);
+  return [&s, method, matrix_of_run](const Instant& now) {
+    MassMatrix<Dim>& matrix = *matrix_of_run;
+    GridField<Dim>&v = s.solver[0], &a = s.solver[1];
+    const bool kicks = now.kick != 0;  // the first stage of a step does not
+    bool solved = true;
+    if (!kicks) {
+      matrix.assemble();
+      matrix.invert_sums();
+      if (method.mass == Mass::consistent) matrix.find_edges();
+      a.zero();
+    } else {
+      std::copy_n(s.force.data(), a.nodes() * GridField<Dim>::stride, a.data());
+      solved = invert(matrix, method, a);
+      kick_momentum(s, a, now.kick, matrix);
+    }
+    load_momentum(s, 0, false, v);
+    solved = invert(matrix, method, v) && solved;
+    if (kicks) book_kick(s, v, now.kick);
+    for (std::size_t i = 0; i < v.nodes(); ++i) {
+      for (std::size_t d = 0; d < Dim; ++d) {
+        s.motion.node(i)[d] = v.node(i)[d];
+        s.motion.node(i)[Dim + d] = a.node(i)[d];
+      }
+    }
+    if (kicks) book_reaction(s, reaction_of(method), now.kick);
+    if (!solved) s.finding = Finding{Finding::Kind::unstable, "the consistent mass matrix could not be inverted", 0};
+  };
+}
+
 }  // namespace
 
 template <int Dim>
@@ -90,7 +151,23 @@ Pass<Dim> mass_matrix_pass(const Method& method) {
   return pass;
 }
 
+template <int Dim>
+Pass<Dim> kick_pass(const Method& method) {
+  Pass<Dim> pass;
+  pass.name = "grid_update";
+  pass.doc = method.mass == Mass::lumped
+                 ? "nodal acceleration and velocity, and the particles' momentum after the kick"
+                 : "nodal acceleration and velocity by the mass matrix, momentum after the kick";
+  pass.called_for_by = "method.integrator";
+  pass.reads = {Column::weights, Column::mass};
+  pass.grid_fields = {"mass", "momentum", "force", "velocity", "acceleration"};
+  pass.bind = [method](State<Dim>& s) -> Kernel { return kick_kernel(s, method); };
+  return pass;
+}
+
 template Pass<2> mass_matrix_pass(const Method&);
 template Pass<3> mass_matrix_pass(const Method&);
+template Pass<2> kick_pass(const Method&);
+template Pass<3> kick_pass(const Method&);
 
 }  // namespace assay::mpm

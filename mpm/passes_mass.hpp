@@ -21,4 +21,10 @@ inline std::size_t solver_fields(const Method& method) {
 template <int Dim>
 Pass<Dim> mass_matrix_pass(const Method& method);
 
+/// Of an integrator with stages: a = M^-1 f, m v += dt sum m_p phi_ip phi_jp a_j, v = M^-1 (m v), the same M^-1 twice,
+/// so that drifts and kicks are adjoint and the energy of the particles is that of the system. What the particles gain
+/// reaches the nodes by the matrix: no transfer between the stages.
+template <int Dim>
+Pass<Dim> kick_pass(const Method& method);
+
 }  // namespace assay::mpm

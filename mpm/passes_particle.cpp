@@ -38,6 +38,7 @@ template <int Dim>
 Pass<Dim> body_force_pass(Evaluation evaluation) {
   Pass<Dim> pass;
   pass.name = "body_force";
+  pass.stages = Stages::kicks;
   pass.writes = {Column::body_force};
   if (evaluation == Evaluation::domain_average) {
     pass.doc = "b of the exact motion, averaged over the particles' reference domains";
@@ -65,6 +66,7 @@ template <int Dim>
 Pass<Dim> moving_frame_pass(Evaluation evaluation) {
   Pass<Dim> pass;
   pass.name = "moving_frame";
+  pass.stages = Stages::kicks;
   pass.doc = "b turned into the spinning frame, with its Coriolis and centrifugal terms";
   pass.called_for_by = "frame.spin";
   pass.reads = {Column::reference_position, Column::body_force};
@@ -163,12 +165,24 @@ BlockSums sums_of_block(const State<Dim>& s, bool with_body_force, std::size_t b
   return sums;
 }
 
+/// Of all forces with what the nodes' velocities gain by them. Half of it is what the velocity after a kick gives them
+/// too much: they work with the mean of those before and after.
+template <int Dim>
+double power_of_kick(const State<Dim>& s, double kick) {
+  double power = 0;
+  for (std::size_t i = 0; i < s.force.nodes(); ++i) {
+    for (std::size_t d = 0; d < Dim; ++d) power += kick * s.force.node(i)[d] * s.motion.node(i)[Dim + d];
+  }
+  return power;
+}
+
 }  // namespace
 
 template <int Dim>
-Pass<Dim> accounts_pass(bool with_body_force) {
+Pass<Dim> accounts_pass(const Method& method, bool with_body_force) {
   Pass<Dim> pass;
   pass.name = "accounts";
+  pass.stages = Stages::kicks;
   pass.doc = "momentum, mass and energy accounts";
   pass.called_for_by = "output.accounts";
   pass.reads = {Column::mass, Column::volume, Column::deformation_gradient, Column::stress, Column::velocity_gradient};
@@ -176,7 +190,9 @@ Pass<Dim> accounts_pass(bool with_body_force) {
     pass.reads.insert(pass.reads.end(), {Column::body_force, Column::position});
   }
   pass.grid_fields = {"mass"};
-  pass.bind = [with_body_force](State<Dim>& s) -> Kernel {
+  const bool staggered = method.integrator == Integrator::leapfrog;
+  if (staggered) pass.grid_fields.insert(pass.grid_fields.end(), {"force", "acceleration"});
+  pass.bind = [with_body_force, staggered](State<Dim>& s) -> Kernel {
     auto blocks = std::make_shared<std::vector<BlockSums>>(blocks_of(s.particles));
     double particle_mass = 0;
     for (std::size_t p = 0; p < s.particles; ++p) particle_mass += s.column(Column::mass)[p];
@@ -186,12 +202,13 @@ Pass<Dim> accounts_pass(bool with_body_force) {
       (*blocks)[block.begin / block_size] = sums_of_block(s, with_body_force, block.begin, block.end);
       return none_bad;
     };
-    kernel.end = [&s, blocks, particle_mass](const Instant& now, std::optional<std::size_t>) {
+    kernel.end = [&s, blocks, particle_mass, staggered](const Instant& now, std::optional<std::size_t>) {
       for (const BlockSums& sums : *blocks) {
         for (std::size_t d = 0; d < 3; ++d) s.ledger.impulse[d] += now.kick * sums.impulse[d];
         s.ledger.angular_impulse += now.kick * sums.torque;
-        s.ledger.internal_work += now.dt * sums.internal;
+        s.ledger.internal_work += now.kick * sums.internal;
       }
+      if (staggered) s.ledger.internal_work += 0.5 * now.kick * power_of_kick(s, now.kick);
       double grid_mass = 0;
       for (std::size_t i = 0; i < s.inertia.nodes(); ++i) grid_mass += s.inertia.node(i)[0];
       s.ledger.mass_defect = std::max(s.ledger.mass_defect, std::abs(grid_mass / particle_mass - 1));
@@ -206,7 +223,7 @@ template Pass<2> body_force_pass<2>(Evaluation);
 template Pass<2> moving_frame_pass<2>(Evaluation);
 template Pass<2> stress_pass<2>(bool);
 template Pass<3> stress_pass<3>(bool);
-template Pass<2> accounts_pass<2>(bool);
-template Pass<3> accounts_pass<3>(bool);
+template Pass<2> accounts_pass<2>(const Method&, bool);
+template Pass<3> accounts_pass<3>(const Method&, bool);
 
 }  // namespace assay::mpm

@@ -19,8 +19,9 @@ Pass<Dim> moving_frame_pass(Evaluation evaluation);
 template <int Dim>
 Pass<Dim> stress_pass(bool with_history);
 
-/// Impulse of the body force, work of the stress; mass on the grid against mass of the particles.
+/// Impulse of the body force, work of the stress; mass on the grid against mass of the particles. Forces work with the
+/// velocity that they leave; where velocities belong to the middles of steps, with the mean over the kick.
 template <int Dim>
-Pass<Dim> accounts_pass(bool with_body_force);
+Pass<Dim> accounts_pass(const Method& method, bool with_body_force);
 
 }  // namespace assay::mpm

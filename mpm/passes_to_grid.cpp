@@ -102,6 +102,7 @@ template <int Dim>
 Pass<Dim> particles_to_grid_pass(const Method& method, bool hold_outside) {
   Pass<Dim> pass;
   pass.name = "particles_to_grid";
+  pass.stages = Stages::first;
   pass.doc = method.is_affine() ? "nodal mass and momentum, of the velocity around the particles, too"
                                 : "nodal mass and momentum";
   pass.called_for_by = method.is_affine() ? "method.transfer" : "method";
@@ -133,6 +134,7 @@ template <int Dim>
 Pass<Dim> force_pass(const Method& method, bool with_body_force) {
   Pass<Dim> pass;
   pass.name = "grid_forces";
+  pass.stages = Stages::kicks;
   pass.doc = with_body_force ? "nodal internal and body force" : "nodal internal force";
   if (method.is_total()) pass.doc += ", by the first Piola-Kirchhoff stress";
   pass.called_for_by = "method";

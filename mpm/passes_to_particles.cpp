@@ -14,7 +14,7 @@ Velocity velocity_of(const Method& method) {
 
 template <int Dim>
 void end_gather(State<Dim>& s, const Instant& now, std::optional<std::size_t> bad) {
-  for (const double power : s.block_power) s.ledger.external_work += now.dt * power;
+  for (const double power : s.block_power) s.ledger.external_work += now.kick * power;  // none without a kick
   if (!bad) return;
   s.finding = Finding{Finding::Kind::unstable, "a particle's position or velocity is not finite",
                       static_cast<std::int64_t>(*bad)};

@@ -48,14 +48,25 @@ Simulation<Dim>::Simulation(Setup<Dim> setup, const std::vector<Pass<Dim>>& pass
     for (const auto* list : {&pass.reads, &pass.writes}) {
       for (const Column column : *list) time.bytes_per_particle += bytes_of(column, state_.setup);
     }
+    time.bytes_per_particle *= times_a_step(pass, state_.setup.method);
     times_.push_back(std::move(time));
   }
-  for (std::size_t k = 0; k < passes.size(); ++k) {
-    for (const std::size_t later : {0, 1}) {
-      if (passes[k].once && later) continue;
-      steps_[later].kernels.push_back(&kernels_[k]);
-      steps_[later].passes.push_back(k);
-      steps_[later].seconds.push_back(0);
+  plan(passes);
+}
+
+template <int Dim>
+void Simulation<Dim>::plan(const std::vector<Pass<Dim>>& passes) {
+  const std::vector<SymplecticStage> parts = stages_of(state_.setup.method);
+  for (const bool later : {false, true}) {
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      Stage stage{parts[k], {}, {}, {}};
+      for (std::size_t p = 0; p < passes.size(); ++p) {
+        if (!runs_in(passes[p], k, parts.size(), later)) continue;
+        stage.kernels.push_back(&kernels_[p]);
+        stage.passes.push_back(p);
+        stage.seconds.push_back(0);
+      }
+      steps_[later ? 1 : 0].push_back(std::move(stage));
     }
   }
 }
@@ -162,13 +173,15 @@ void Simulation<Dim>::hold_outside() {
 template <int Dim>
 const std::optional<Finding>& Simulation<Dim>::step(double t, double dt) {
   const bool staggered = state_.setup.method.integrator == Integrator::leapfrog;
-  const Instant now(t, dt, staggered && !begun_ ? 0.5 * dt : dt);
   velocity_time_ = staggered ? t + 0.5 * dt : t + dt;
-  Step& step = steps_[begun_ ? 1 : 0];
-  run<Dim>(state_, step.kernels, now, step.seconds);
-  for (std::size_t k = 0; k < step.passes.size(); ++k) {
-    times_[step.passes[k]].seconds += step.seconds[k];
-    step.seconds[k] = 0;
+  for (Stage& stage : steps_[begun_ ? 1 : 0]) {
+    const SymplecticStage& part = stage.part;
+    const Instant now(t + part.begin * dt, part.drift * dt, (staggered && !begun_ ? 0.5 : part.kick) * dt);
+    run<Dim>(state_, stage.kernels, now, stage.seconds);
+    for (std::size_t k = 0; k < stage.passes.size(); ++k) {
+      times_[stage.passes[k]].seconds += stage.seconds[k];
+      stage.seconds[k] = 0;
+    }
   }
   begun_ = true;
   return state_.finding;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mpm/compose.hpp"
+#include "mpm/stages.hpp"
 
 namespace assay::mpm {
 
@@ -42,16 +43,17 @@ class Simulation {
   void fill_domain(std::size_t p);
   void fill_corners(std::size_t p);
   void hold_outside();
+  void plan(const std::vector<Pass<Dim>>& passes);
 
   State<Dim> state_;
   std::vector<Kernel> kernels_;
-  /// In the first step, and in those after it.
-  struct Step {
+  struct Stage {
+    SymplecticStage part;
     std::vector<const Kernel*> kernels;
     std::vector<std::size_t> passes;
     std::vector<double> seconds;
   };
-  std::array<Step, 2> steps_;
+  std::array<std::vector<Stage>, 2> steps_;  ///< the first step, and those after it
   bool begun_ = false;
   double velocity_time_ = 0;
   std::vector<PassTime> times_;

@@ -2,6 +2,7 @@
 #include "mpm/stress_blocks.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "mpm/advance.hpp"
 
@@ -66,12 +67,13 @@ BlockOutcome update_block(const StressColumns<Dim>& columns, const Material& mat
   if (outcome.inverted) return outcome;
   const double* state0 = state_size ? columns.history[0] + begin * state_size : nullptr;
   double* state1 = state_size ? columns.history[1] + begin * state_size : nullptr;
+  const double length = std::abs(now.dt);  // back in time go models that ask for F alone, and the ABI promises dt > 0
   const UpdateReport report =
-      material.update(now.t, now.dt, n, scratch.F0(), scratch.F1(), state0, state1, scratch.cauchy());
+      material.update(now.t, length, n, scratch.F0(), scratch.F1(), state0, state1, scratch.cauchy());
   if (report.worst == ASSAY_FAILED) {
     outcome.refused = begin + report.worst_point;
     outcome.message = report.message;
-    outcome.step = failed_step(now.t, now.dt, n, report.worst_point, scratch.F0(), scratch.F1(), state0, state_size);
+    outcome.step = failed_step(now.t, length, n, report.worst_point, scratch.F0(), scratch.F1(), state0, state_size);
     return outcome;
   }
   if (state_size) std::copy_n(state1, n * state_size, columns.history[0] + begin * state_size);

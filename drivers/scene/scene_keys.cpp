@@ -19,7 +19,7 @@ const std::vector<std::string> bases{"linear", "ugimp", "cpgimp", "cpdi", "cpdi2
 const std::vector<std::string> formulations{"updated", "total"};
 const std::vector<std::string> transfers{"pic", "flip", "xpic", "fmpm", "apic", "aflip"};
 const std::vector<std::string> affines{"gradient", "moment"};
-const std::vector<std::string> integrators{"symplectic_euler", "leapfrog"};
+const std::vector<std::string> integrators{"symplectic_euler", "leapfrog", "symplectic_rkn4"};
 const std::vector<std::string> masses{"lumped", "series", "consistent"};
 const std::vector<std::string> updates{"usf", "usl", "musl"};
 const std::vector<std::string> lattices{"cartesian", "polar", "gauss", "jittered"};
@@ -104,7 +104,7 @@ std::vector<Key> method_keys() {
       {"method.update", choice, "when the stress is updated: first, last, last with remapped velocity",
        GET(s.method ? name_of(updates, s.method->update) : Value()),
        SET(s.method->update = picked<Method::Update>(updates, v)), {}, updates},
-      {"method.integrator", choice, "velocities at the time of the positions, or half a step before: second order",
+      {"method.integrator", choice, "of first, of second order (velocities half a step before the positions), of fourth (four forces a step)",
        GET(s.method ? name_of(integrators, s.method->integrator) : Value()),
        SET(s.method->integrator = picked<mpm::Integrator>(integrators, v)), {}, integrators},
       {"method.mass", choice, "mass matrix: its row sums, a series of its inverse, itself",

@@ -139,6 +139,15 @@ void require_runnable(const Scene& scene) {
   if (!scene.grid) throw InputError(scene.place("grid"), "grid", "required to run");
 }
 
+/// Stages of a step go back in time, which only a stress that follows from F alone can do with them.
+void require_reversible(const Scene& scene, const Material& material) {
+  if (!scene.method->has_stages() || material.is_function_of_F()) return;
+  throw InputError(scene.place("method.integrator"), "method.integrator",
+                   "symplectic_rkn4 goes back in time within a step, and the stress of '" + material.name() +
+                       "' is not a function of F alone: it has a history or a rate",
+                   "symplectic_euler, leapfrog");
+}
+
 }  // namespace
 
 std::string frame_text(const Frame& frame) {
@@ -189,6 +198,7 @@ Problem assemble(const Scene& scene, int threads) {
   Problem problem;
   problem.scene = scene;
   problem.material = material_of(problem.scene, problem.library);
+  require_reversible(problem.scene, *problem.material);
   const double density = problem.scene.material.density;
   mpm::Setup<2>& setup = problem.setup;
   setup.method = *scene.method;

@@ -24,6 +24,15 @@ void add_choices(const Method& plain, std::vector<Method>& methods) {
   for (const Transfer transfer : {Transfer::flip, Transfer::aflip}) add(transfer, Mass::series);
   // Its matrix is that of the basis: one of each kind tells.
   if (plain.basis == (plain.is_total() ? Basis::bspline2 : Basis::cpdi)) add(Transfer::flip, Mass::consistent);
+  // The matrix of nodes, and by way of the particles.
+  if (!plain.is_total() || (plain.basis != Basis::bspline2 && plain.basis != Basis::cpdi)) return;
+  for (const Mass mass : {Mass::lumped, Mass::series}) {
+    if (plain.basis == Basis::cpdi && mass != Mass::lumped) continue;
+    Method method = plain;
+    method.mass = mass;
+    method.integrator = Integrator::symplectic_rkn4;
+    methods.push_back(method);
+  }
 }
 
 }  // namespace
@@ -70,6 +79,7 @@ std::string name_of(const Method& method) {
   name += "/" + names.update;
   if (method.mass == Mass::series) name += "/series" + std::to_string(method.terms);
   if (method.mass == Mass::consistent) name += "/consistent";
+  if (method.has_stages()) name += "/symplectic_rkn4";
   return method.is_total() ? name + "/total" : name;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -83,6 +84,17 @@ TEST(Explain, TellsWhatTheBodyForceIsTakenAt) {
   EXPECT_EQ(point["reads"][0], "reference_position");
   EXPECT_TRUE(names(explained({"body.lattice=polar"})["columns"]).contains("domain"));
   EXPECT_FALSE(names(explained({"force.evaluation=domain_average"})["columns"]).contains("domain"));
+}
+
+TEST(Explain, TellsHowOftenAPassRunsInAStep) {
+  const auto once = explained({});
+  for (const auto& pass : once["passes"]) EXPECT_EQ(pass["times_a_step"], 1) << pass["name"];
+  const auto staged = explained({"method={basis: bspline2, formulation: total, integrator: symplectic_rkn4}"});
+  std::map<std::string, int> times;
+  for (const auto& pass : staged["passes"]) times[pass["name"]] = pass["times_a_step"];
+  EXPECT_EQ(times["particles_to_grid"], 1);
+  EXPECT_EQ(times["grid_forces"], 4);
+  EXPECT_EQ(times["stress"], 5);
 }
 
 TEST(Explain, CountsWhatTheRunCounts) {

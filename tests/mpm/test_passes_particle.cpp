@@ -132,7 +132,9 @@ Gaps gaps_of(const Method& way, double step) {
     const Ledger& given = s.ledger;
     const auto P = momentum(s);
     const double L = angular_momentum(s), K = kinetic_energy(s);
-    EXPECT_NEAR(given.external_work, work, 1e-10 * E_scale);
+    if (!way.has_stages()) {
+      EXPECT_NEAR(given.external_work, work, 1e-10 * E_scale);
+    }
     P_scale = std::max(P_scale, momentum_scale(s));
     L_scale = std::max(L_scale, std::abs(L));
     E_scale = std::max({E_scale, K, std::abs(given.internal_work)});
@@ -169,6 +171,11 @@ TEST_P(Accounts, CloseAsFarAsTheMethodConserves) {
     EXPECT_LT(coarse.angular, 2e-2);
     return;
   }
+  if (GetParam().has_stages()) {  // work over each kick: round-off is left
+    EXPECT_LT(coarse.energy, 1e-12);
+    EXPECT_LT(coarse.angular, 1.5e-2);
+    return;
+  }
   // Angular momentum is kept up to the distance of nodes from their particles' centre of mass.
   EXPECT_LT(coarse.angular, GetParam().is_total() ? 1.5e-2 : 4e-3);
   if (GetParam().transfer != Transfer::flip || GetParam().mass == Mass::series) {
@@ -181,6 +188,26 @@ TEST_P(Accounts, CloseAsFarAsTheMethodConserves) {
   if (GetParam().mass == Mass::lumped) {
     EXPECT_LT(fine.angular, coarse.angular);
   }
+}
+
+// Velocities belong to the middles of steps, and so does the work. Work with the velocity after each kick leaves 2e-2.
+TEST(LeapfrogAccounts, CloseWhereTheMassMatrixIsConsistent) {
+  Method method{Basis::bspline2};
+  method.formulation = Formulation::total;
+  method.mass = Mass::consistent;
+  method.integrator = Integrator::leapfrog;
+  mpm::Setup<2> setup = free_square_setup(5, method);
+  setup.accounts = true;
+  Simulation<2> simulation(setup);
+  const State<2>& s = simulation.state();
+  const double first = kinetic_energy(s);
+  double most = 0;
+  for (int k = 0; k < 50; ++k) {
+    ASSERT_FALSE(simulation.step(5e-3 * k, 5e-3));
+    most = std::max(most, std::abs(kinetic_energy(s) - first + s.ledger.internal_work - s.ledger.external_work));
+  }
+  // what nodes at the body's edge take, which keep their row sums
+  EXPECT_LT(most, 1e-4 * first);
 }
 
 }  // namespace

@@ -42,6 +42,15 @@ inline Setup<2> vortex_setup(int across, const Method& way = {}, std::array<int,
   return setup;
 }
 
+/// The ring as part of a square whose faces are free, far from what moves.
+inline Setup<2> free_square_setup(int across, const Method& way) {
+  Setup<2> setup = vortex_setup(across, way);
+  const std::array<double, 2> lower{-2, -2}, upper{2, 2};
+  setup.grid = grid_around(lower, upper, setup.grid.spacing, 4);
+  setup.seeds = cartesian_lattice(lower, upper, setup.grid.spacing, {2, 2}, [](const auto&) { return Fate::stepped; });
+  return setup;
+}
+
 /// The same ring, clipped from the lattice or cut into sectors, with the averaged body force.
 inline Setup<2> averaged_setup(int across, bool polar, const Method& way = {}) {
   Setup<2> setup = vortex_setup(across, way);

@@ -189,9 +189,20 @@ TEST(SceneReader, RefusesMethodsThatMakeNoSenseWithTheReason) {
   EXPECT_TRUE(has(refused_method("{transfer: flip, terms: 3}"), "counts the terms of mass: series"));
   EXPECT_TRUE(has(refused_method("{transfer: flip, affine: moment}"), "is of transfer: apic and aflip"));
   EXPECT_TRUE(has(refused_method("{transfer: xpic, terms: 0}"), "from 1 to 100"));
-  for (const char* good : {"{basis: bspline2, formulation: total, transfer: aflip, mass: series, terms: 4}",
-                           "{transfer: flip, flip: 0.95}", "{transfer: xpic, terms: 5}", "{mass: consistent}",
-                           "{transfer: apic, affine: moment, integrator: leapfrog}"}) {
+  EXPECT_TRUE(has(refused_method("{integrator: symplectic_rkn4}"), "take formulation: total"));
+  EXPECT_TRUE(has(refused_method("{formulation: total, transfer: aflip, integrator: symplectic_rkn4}"),
+                  "method.transfer: symplectic_rkn4 has no place for the gradient"));
+  EXPECT_TRUE(has(refused_method("{formulation: total, transfer: xpic, integrator: symplectic_rkn4}"), "take flip"));
+  EXPECT_TRUE(has(refused_method("{formulation: total, flip: 0.9, integrator: symplectic_rkn4}"), "method.flip: "));
+  EXPECT_TRUE(has(refused_method("{formulation: total, update: usf, integrator: symplectic_rkn4}"), "take usl"));
+  EXPECT_TRUE(has(refused_method("{integrator: symplectic4}"), "known: symplectic_euler, leapfrog, symplectic_rkn4"));
+  EXPECT_EQ(refused(scene_text("grid: {spacing: .1}\nmethod: {transfer: flip, integrator: symplectic_rkn4}\n"), {})
+                .find("f.yaml:4:"),
+            0u);
+  for (const char* good :
+       {"{basis: bspline2, formulation: total, transfer: aflip, mass: series, terms: 4}",
+        "{formulation: total, mass: consistent, integrator: symplectic_rkn4}", "{transfer: flip, flip: 0.95}",
+        "{transfer: xpic, terms: 5}", "{mass: consistent}", "{transfer: apic, affine: moment, integrator: leapfrog}"}) {
     EXPECT_EQ(refused_method(good), "accepted") << good;
   }
 }

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/simulation/problem.hpp"
+
+#include <gtest/gtest.h>
+
+#include "drivers/scene/scene_reader.hpp"
+#include "tests/drivers/refusal.hpp"
+
+namespace assay::drivers {
+namespace {
+
+std::string refused_model(const std::string& material) {
+  const std::string text = "motion: {type: vortex, amplitude: {peak: 0.1}}\nmaterial: " + material +
+                           "\nbody: {domain: ring}\ngrid: {spacing: 0.1}\n"
+                           "method: {basis: bspline2, formulation: total, integrator: symplectic_rkn4}\n";
+  return refusal_of([&] { assemble(scene_from_text(text, "f.yaml", {}), 1); });
+}
+
+// A table of what each built-in model is: a step of stages goes back in time.
+TEST(Problem, StagesTakeModelsWhoseStressFollowsFromF) {
+  for (const char* good : {"{adapter: neo_hookean, parameters: {E: 1e3, nu: 0.3}, density: 1000}",
+                           "{adapter: saint_venant_kirchhoff, parameters: {E: 1e3, nu: 0.3}, density: 1000}",
+                           "{adapter: hypoelastic_logarithmic, parameters: {E: 1e3, nu: 0.3}, density: 1000}"}) {
+    EXPECT_EQ(refused_model(good), "accepted");
+  }
+  for (const char* bad : {"{adapter: hypoelastic_jaumann, parameters: {E: 1e3, nu: 0.3}, density: 1000}",
+                          "{adapter: zener, parameters: {E: 1e3, nu: 0.3, relaxation_time: 0.5}, density: 1000}"}) {
+    const std::string said = refused_model(bad);
+    EXPECT_EQ(said.find("f.yaml:5:"), 0u) << said;
+    EXPECT_NE(said.find("method.integrator: symplectic_rkn4 goes back in time"), std::string::npos) << said;
+    EXPECT_NE(said.find("known: symplectic_euler, leapfrog"), std::string::npos) << said;
+  }
+}
+
+}  // namespace
+}  // namespace assay::drivers
