@@ -6,7 +6,7 @@
 #   MATERIAL    what to check: a target of assay_add_material (by default <name>), a registered name, a library, or a
 #               description, relative to the source folder; a description's library is also looked for where this
 #               folder's targets, or those of the target <name>, are built
-#   PARAMETERS  in place of the defaults
+#   PARAMETERS  in place of the defaults; what has none takes the value of the model's example (assay.example/1)
 #   QUICK       fewer steps and states
 #   DIAGNOSIS   the test passes where `check` finds that cause: for models that are broken on purpose
 function(assay_add_material_test name)

@@ -17,7 +17,9 @@ if(CMAKE_UNITY_BUILD)
     drivers/scene/scene_keys.cpp
     drivers/scene/schema.cpp
     harness/check/repeated_stretch.cpp
+    harness/check/rotation.cpp
     harness/check/rotation_at_rest.cpp
+    harness/check/stability.cpp
     harness/history_rates.cpp
     harness/sheet_build.cpp
     harness/stiff_integrator.cpp

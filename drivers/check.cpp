@@ -60,28 +60,21 @@ ResolvedMaterial material_to_check(const CheckOptions& options) {
   for (const auto& [name, value] : parameters_in(options.parameters)) choice.parameters[name] = value;
   if (!(choice.density > 0)) choice.density = 1;  // no test needs one
   choice.isolation = Isolation::worker;           // nobody's code runs in this process
-  return resolve_material(choice);
+  return resolve_material(choice, Example::where_required);
 }
 
 /// At what its author shows it, where its parameters have no default; `given` before all, as far as it takes them.
 ResolvedMaterial registered_material(const std::string& name, const std::map<std::string, double>& given) {
   const MaterialSource source = find_material(name, {}, "", Isolation::none);
-  const assay_material& table = *source.table;
-  const auto* example = static_cast<const assay_example*>(extension_of(&table, ASSAY_EXTENSION_EXAMPLE));
   MaterialChoice choice;
   choice.adapter = name;
   choice.isolation = Isolation::none;  // it is called in a process that may die
   choice.density = source.density.value_or(1);
-  for (std::uint32_t i = 0; i < table.parameter_count; ++i) {
-    const std::string parameter = table.parameters[i].name;
-    const auto found = given.find(parameter);
-    if (found != given.end()) {
-      choice.parameters[parameter] = found->second;
-    } else if (example && source.parameters.count(parameter) == 0) {
-      choice.parameters[parameter] = example->parameters[i];
-    }
+  for (std::uint32_t i = 0; i < source.table->parameter_count; ++i) {
+    const auto found = given.find(source.table->parameters[i].name);
+    if (found != given.end()) choice.parameters.insert(*found);
   }
-  return resolve_material(choice);
+  return resolve_material(choice, Example::all);
 }
 
 CheckSettings settings_of(const CheckOptions& options) {

@@ -105,7 +105,9 @@ ResolvedMaterial in_this_process(const ResolvedMaterial& apart) {
   if (!apart.library.empty()) choice.adapter = apart.library + ":" + apart.material.name();
   if (!apart.description.empty()) choice.adapter = apart.description;
   choice.isolation = Isolation::none;
-  return resolve_material(choice);
+  ResolvedMaterial here = resolve_material(choice);
+  here.of_example = apart.of_example;
+  return here;
 }
 
 CheckedMaterial check_material(const ResolvedMaterial& material, const std::string& name, const CheckSettings& settings,
@@ -119,6 +121,7 @@ CheckedMaterial check_material(const ResolvedMaterial& material, const std::stri
   for (std::uint32_t i = 0; i < material.material.table().parameter_count; ++i) {
     checked.parameters.emplace_back(material.material.table().parameters[i].name, material.material.parameters()[i]);
   }
+  checked.of_example = material.of_example;
   reporter.material(checked);
   const std::string only = settings.only == process_test ? std::string() : settings.only;
   const bool repeats = only.empty() || only == "calls.repeated";

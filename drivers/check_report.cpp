@@ -37,6 +37,7 @@ Json json_of(const CheckedMaterial& checked) {
   out["model"] = checked.model.empty() ? Json(nullptr) : Json(checked.model);
   out["parameters"] = Json::object();
   for (const auto& [name, value] : checked.parameters) out["parameters"][name] = number(value);
+  if (!checked.of_example.empty()) out["parameters_of_example"] = checked.of_example;
   out["verdict"] = overall(checked);
   out["error"] = checked.error.empty() ? Json(nullptr) : Json(checked.error);
   out["unwritten"] = checked.unwritten.empty() ? Json(nullptr) : Json(checked.unwritten);
@@ -112,6 +113,9 @@ CheckedMaterial checked_in(const Json& found) {
   for (const auto& [name, value] : found.at("parameters").items()) {
     checked.parameters.emplace_back(name, number_in(value).value_or(NAN));
   }
+  if (const auto names = found.find("parameters_of_example"); names != found.end()) {
+    checked.of_example = names->get<std::vector<std::string>>();
+  }
   checked.model = text_in(found.at("model"));
   checked.error = text_in(found.at("error"));
   checked.unwritten = text_in(found.at("unwritten"));
@@ -157,6 +161,13 @@ std::string timestamp() {
   return text;
 }
 
+/// "E, nu"
+std::string joined(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
 /// The same wherever the library lies.
 std::string class_of(const CheckedMaterial& checked) {
   return "assay.check." + (is_material_name(checked.name) || checked.model.empty() ? checked.name : checked.model);
@@ -196,6 +207,10 @@ std::string suite(const CheckedMaterial& checked, std::size_t id) {
       attribute("time", decimal(checked.wall_s)) + ">\n    <properties>\n";
   for (const auto& [name, value] : checked.parameters) {
     page += "      <property" + attribute("name", name) + attribute("value", number_text(value)) + "/>\n";
+  }
+  if (!checked.of_example.empty()) {
+    page += "      <property" + attribute("name", "parameters of the example") +
+            attribute("value", joined(checked.of_example)) + "/>\n";
   }
   page += "    </properties>\n";
   for (const TestResult& test : report.tests) page += test_case(checked, test);

@@ -28,6 +28,8 @@ struct CheckedMaterial {
   std::string printed = {};         ///< by the model, beginning and end
   std::uint64_t printed_bytes = 0;  ///< in all
 
+  std::vector<std::string> of_example = {};  ///< parameters that have the values of the model's own example
+
   std::string unwritten = {};  ///< why a replay file could not be written; empty: all were
 
   bool passes() const { return error.empty() && report.passes(); }

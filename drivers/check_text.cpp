@@ -40,6 +40,16 @@ std::string unusual_effort(const check::Report& report) {
   return text;
 }
 
+/// "c10 = 120, c01 = 40": what was not given.
+std::string example_values(const CheckedMaterial& checked) {
+  std::string text;
+  for (const auto& [name, value] : checked.parameters) {
+    if (std::find(checked.of_example.begin(), checked.of_example.end(), name) == checked.of_example.end()) continue;
+    text += (text.empty() ? "" : ", ") + name + " = " + rounded_text(value, 6);
+  }
+  return text;
+}
+
 std::string summary(const CheckedMaterial& checked) {
   const check::Report& report = checked.report;
   return checked.name + ": " + (report.passes() ? "pass" : "FAIL") + "; " +
@@ -74,6 +84,9 @@ std::string check_text(const CheckedMaterial& checked, Verbosity verbosity) {
     page += "\n";
   }
   page += wrapped(summary(checked), "", "    ");
+  if (!checked.of_example.empty()) {
+    page += wrapped(example_values(checked), "required and not given, from the model's own example: ", "    ");
+  }
   for (const check::Diagnosis& d : checked.report.diagnosis) {
     page += wrapped(d.cause, "diagnosis: ", "");
     page += wrapped(d.sentence, "    ", "    ");

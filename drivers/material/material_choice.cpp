@@ -2,6 +2,7 @@
 #include "drivers/material/material_choice.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "drivers/material/registry.hpp"
 
@@ -41,9 +42,22 @@ Material created(const MaterialChoice& choice, const MaterialSource& source) {
   }
 }
 
+/// The names of the parameters that it fills in.
+std::vector<std::string> filled_from_example(const assay_material& table, Example which, MaterialChoice& choice) {
+  std::vector<std::string> names;
+  const auto* example = static_cast<const assay_example*>(extension_of(&table, ASSAY_EXTENSION_EXAMPLE));
+  if (which == Example::none || !example || example->struct_size < sizeof(assay_example)) return names;
+  for (std::uint32_t i = 0; i < table.parameter_count; ++i) {
+    const assay_parameter& parameter = table.parameters[i];
+    if (which == Example::where_required && !std::isnan(parameter.default_value)) continue;
+    if (choice.parameters.emplace(parameter.name, example->parameters[i]).second) names.emplace_back(parameter.name);
+  }
+  return names;
+}
+
 }  // namespace
 
-ResolvedMaterial resolve_material(const MaterialChoice& given) {
+ResolvedMaterial resolve_material(const MaterialChoice& given, Example example) {
   const MaterialSource source = find_material(given.adapter, given.where, "material.adapter", given.isolation);
   MaterialChoice choice = given;
   choice.isolation = source.isolation;
@@ -54,11 +68,13 @@ ResolvedMaterial resolve_material(const MaterialChoice& given) {
     }
     choice.density = *source.density;
   }
+  std::vector<std::string> of_example = filled_from_example(*source.table, example, choice);
   Material material = created(choice, source);
   for (std::uint32_t i = 0; i < source.table->parameter_count; ++i) {
     choice.parameters[source.table->parameters[i].name] = material.parameters()[i];
   }
-  return {std::move(material), std::move(choice), source.library, source.is_foreign ? source.description : ""};
+  return {std::move(material), std::move(choice), source.library, source.is_foreign ? source.description : "",
+          std::move(of_example)};
 }
 
 ResolvedMaterial resolve_material(const Scene& scene) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "drivers/scene/scene.hpp"
 #include "harness/material.hpp"
@@ -14,7 +15,11 @@ struct ResolvedMaterial {
   MaterialChoice choice;         ///< all parameters and the density filled in: what resolved.yaml should hold
   std::string library;           ///< absolute path of the shared library; empty: built in
   std::string description = {};  ///< the YAML file of a foreign model
+  std::vector<std::string> of_example = {};  ///< names of the parameters that have the values of the model's example
 };
+
+/// Which parameters that are not given take the value at which the model's author shows it (assay.example/1).
+enum class Example { none, where_required, all };
 
 /// Finds and creates it. Throws InputError: not found, not loadable, a parameter that it does not take or lacks, no
 /// density, refused by the model itself; for a vortex, a material that is anisotropic in Cartesian axes; a direction
@@ -22,6 +27,6 @@ struct ResolvedMaterial {
 ResolvedMaterial resolve_material(const Scene& scene);
 
 /// The same without a motion to suit.
-ResolvedMaterial resolve_material(const MaterialChoice& choice);
+ResolvedMaterial resolve_material(const MaterialChoice& choice, Example example = Example::none);
 
 }  // namespace assay::drivers

@@ -162,7 +162,8 @@ std::string misdeed_in_batches(const Material& material, const Effort& effort) {
     const int steps = n < 64 ? usual_steps : n == 64 ? usual_steps / 2 : effort.quick ? 2 : 5;
     for (const Course course : {turning_stretch, expansion}) {
       for (const double amplitude : {1e-2, 0.15}) {
-        if (n == ASSAY_BATCH_MAX && (course != turning_stretch || amplitude < 0.1)) continue;
+        const bool large = amplitude > 0.1;  // steps that a law may divide into many
+        if (n == ASSAY_BATCH_MAX && (course != turning_stretch || large == effort.quick)) continue;
         const std::string what = misdeed(material, n, course, std::min(amplitude, effort.strain), steps);
         if (!what.empty()) return what + " in a step of " + std::to_string(n) + (n == 1 ? " point" : " points");
       }

@@ -16,11 +16,13 @@
 #include "harness/check/initial_stress.hpp"
 #include "harness/check/loading.hpp"
 #include "harness/check/memory.hpp"
+#include "harness/check/refusals.hpp"
 #include "harness/check/repeated_stretch.hpp"
 #include "harness/check/rest.hpp"
 #include "harness/check/rotation.hpp"
 #include "harness/check/stability.hpp"
 #include "harness/check/steps.hpp"
+#include "harness/check/threads.hpp"
 
 namespace assay::check {
 
@@ -88,6 +90,8 @@ std::vector<Entry> entries() {
       {"dissipation", nullptr, plain(dissipation)},
       {"ellipticity", nullptr, plain(ellipticity)},
       {"calls.increment", nullptr, plain(undeclared_increment)},
+      {"calls.refused", nullptr, plain(refusals)},
+      {"calls.threads", nullptr, plain(threads)},
       {"calls.senseless", nullptr, plain(senseless_deformation)},
   };
 }
@@ -220,6 +224,7 @@ Report run_battery(const Material& material, const Options& options) {
   first.effort = options.effort;
   Options other = options;
   other.effort.strain = first.strain;
+  other.has_refused = true;
   other.elsewhere.clear();  // of the strain that was asked for
   while (any_refused(first) && (other.effort.strain *= smaller) > least) {
     Report again = run_once(material, other);

@@ -7,40 +7,12 @@
 
 #include "harness/check/derivatives.hpp"
 #include "harness/check/judge.hpp"
+#include "harness/check/strain_cycle.hpp"
+#include "harness/check/work.hpp"
 
 namespace assay::check {
 
 namespace {
-
-/// Work on a body along a history from rest [J/m^3].
-class Work {
- public:
-  Work(const Specimen& specimen, double length) : material_(*specimen.material), length_(length) {
-    now_.state = specimen.rest_state();
-  }
-
-  /// A step of the history to F1, `length` long [s].
-  void step(const Tensor& F1) {
-    now_ = stepped(material_, t_, length_, F0_, F1, now_.state);
-    const Tensor P1 = first_piola_kirchhoff(now_.cauchy, F1);
-    largest_ = now_.cauchy.cwiseAbs().maxCoeff();
-    const double work = 0.5 * (P0_ + P1).cwiseProduct(F1 - F0_).sum();
-    done_ += work;
-    paid_ += std::abs(work);
-    F0_ = F1, P0_ = P1, t_ += length_;
-  }
-
-  double done() const { return done_; }
-  double paid() const { return paid_; }        ///< and returned, both counted as positive
-  double largest() const { return largest_; }  ///< component of stress, now [Pa]
-  const std::vector<double>& state() const { return now_.state; }
-
- private:
-  const Material& material_;
-  double length_, t_ = 0, done_ = 0, paid_ = 0, largest_ = 0;
-  Point now_;
-  Tensor F0_ = Tensor::Identity(), P0_ = Tensor::Zero();
-};
 
 /// The most that comes back of what was lost, over the work: what is stored is known.
 double out_of_what_was_lost(const Specimen& specimen, const assay_energy& form) {
@@ -94,7 +66,8 @@ double out_of_a_square(const Specimen& specimen, bool other_way, double time) {
 
 /// Laws in increments store no energy exactly: their small elastic cycles may give some work.
 void judge_squares(const Specimen& specimen, const std::vector<double>& times, TestResult& result) {
-  constexpr double most = 0.01;  // of stresses of ln V that are no energy's, in common use: 0.003
+  constexpr double of_steps = 1e-5;  // which steps of finite length leave below a tenth of this
+  constexpr double most = 0.01;      // of stresses of ln V that are no energy's, in common use: 0.003
   if (specimen.material->has(ASSAY_USES_INCREMENT)) return;
   double worst = 0;
   for (const bool other_way : {false, true}) {
@@ -104,6 +77,10 @@ void judge_squares(const Specimen& specimen, const std::vector<double>& times, T
       } catch (const MaterialFailure&) {  // it may not stand the corners
       }
     }
+  }
+  if (worst > of_steps && worst <= most && specimen.material->path_independent()) {
+    result.sentence += "; a remark: the stress has no potential, " + percent(worst) +
+                       " of the work comes out once around a square in the space of strains";
   }
   if (worst <= most) return;
   result = {.id = "dissipation", .verdict = Verdict::fail, .measure = worst, .threshold = most};
@@ -177,6 +154,18 @@ void judge_cycles(const Specimen& specimen, TestResult& result) {
                     " times while their number doubles: flow feeds what drives it";
 }
 
+/// Unloading of what has yielded is elastic, or loses work.
+void judge_unloading(const Specimen& specimen, TestResult& result) {
+  constexpr double most =
+      0.05;  // of plasticity without a potential, of damage and of steps of finite length below 0.01
+  const double worst = out_of_a_cycle_after_yield(specimen).value_or(0);
+  if (worst <= most) return;
+  result = {.id = "dissipation", .verdict = Verdict::fail, .measure = worst, .threshold = most};
+  result.cause = causes::dissipation;
+  result.sentence = "after yield, a cycle of strain in which the load turns about and is taken back gives " +
+                    percent(worst) + " of the work of loading on: unloading undoes the flow";
+}
+
 TestResult judged(double worst, double most, const std::string& words) {
   TestResult result{.id = "dissipation", .measure = worst, .threshold = most};
   result.verdict = worst <= most ? Verdict::pass : Verdict::fail;
@@ -219,6 +208,7 @@ TestResult dissipation(const Specimen& specimen) {
     judge_relaxation(specimen, result);
   else
     judge_cycles(specimen, result);
+  if (result.verdict == Verdict::pass) judge_unloading(specimen, result);
   return result;
 }
 

@@ -39,6 +39,7 @@ double amplitude_of(Specimen& specimen) {
       if (specimen.rate_dependent() || specimen.pressure > 0 || stress >= little * specimen.modulus * a) return a;
     } catch (const MaterialFailure& failure) {
       if (failure.not_finite) specimen.not_finite.emplace(failure);
+      specimen.has_refused |= !failure.not_finite;
       if (a < least_amplitude && stood == 0) throw;
     }
     if (a < least_amplitude) return stood;

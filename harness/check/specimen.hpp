@@ -25,8 +25,9 @@ struct Specimen {
   /// At the least strain beyond `amplitude` that was tried, in short steps, too; nothing where the material flows in
   /// time before that.
   std::optional<MaterialFailure> not_finite = {};
-  double onset = 0;     ///< strain up to which it is nearly linear; what never is has none
-  double pressure = 0;  ///< at rest [Pa]: some soils have no stiffness, or no state, without one
+  bool has_refused = false;  ///< a step by its own word, while it was found out how far it can be loaded
+  double onset = 0;          ///< strain up to which it is nearly linear; what never is has none
+  double pressure = 0;       ///< at rest [Pa]: some soils have no stiffness, or no state, without one
 
   std::vector<double> rest_state(const Vector3& direction = Vector3::UnitX()) const {
     return state_at_rest(*material, pressure, direction);

@@ -65,6 +65,22 @@ TEST(Check, TakesSceneDescriptionAndLibrary) {
   }
 }
 
+TEST(Check, WhatIsRequiredAndNotGivenIsThatOfTheExample) {
+  const ScratchFolder scratch;
+  const std::string json = scratch / "check.json", junit = scratch / "check.xml";
+  std::string said;
+  EXPECT_EQ(checked({"mooney_rivlin", "--quick", "--parameters", "bulk_modulus=900", "--json", json, "--junit", junit},
+                    &said),
+            0);
+  EXPECT_NE(said.find("not given, from the model's own example: "), std::string::npos) << said;
+  EXPECT_NE(said.find("c10 = 120"), std::string::npos) << said;
+  const auto found = nlohmann::json::parse(read_bytes(json));
+  EXPECT_EQ(found["parameters"]["bulk_modulus"], 900);
+  EXPECT_EQ(found["parameters_of_example"], nlohmann::json::array({"c10"}));
+  EXPECT_NE(read_bytes(junit).find("<property name=\"parameters of the example\" value=\"c10\"/>"), std::string::npos)
+      << read_bytes(junit);
+}
+
 /// The file is what readers of JUnit files ask for (tests/drivers/junit.rng).
 void expect_junit(const std::string& file) {
   if (std::system("xmllint --version > /dev/null 2>&1") != 0)
@@ -208,7 +224,7 @@ TEST(Check, ReplayFilesAreOfTheLastCheck) {
 
 TEST(Check, RefusesBadInputInOneLine) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
-      {{"neo_hookean"}, "E"},
+      {{plugins + "anisotropic.so"}, "modulus"},
       {{"neo_hookeen"}, "neo_hookean"},
       {{"neo_hookean", "--parameters", "E"}, "NAME=NUMBER"},
       {{"neo_hookean", "--parameters", "E=1,E=2"}, "twice"},

@@ -52,7 +52,8 @@ double plastic(const Model& m, Tensor& sigma, Tensor& back, double p) {
   const Tensor shifted = deviator(sigma) - back;
   const double weight = m.defect == shear_once_in_norm ? std::sqrt(0.5) : 1;
   const double size = sheared(shifted, weight).norm(), radius = std::sqrt(2.0 / 3) * (m.yield + m.isotropic * p);
-  if (size <= radius) return p;
+  const bool unloads = size <= radius && !(m.defect == unloading_undoes_flow && p > 0 && size > 0);
+  if (unloads) return p;
   if (m.defect == infinite_first_slope && p == 0) sigma *= NAN;
   const double flow = (size - radius) / (2 * mu + 2.0 / 3 * (m.isotropic + m.kinematic));
   const Tensor n = (m.defect == swapped_flow ? exchanged(shifted) : shifted) / size;
@@ -131,7 +132,9 @@ void update(void* self, const assay_step* step, std::size_t n, const double* sta
     write(unturned ? Tensor(polar(F1).transpose() * back * polar(F1)) : back, state1, n, q, back_at);
     if (m.defect != leaves_a_component) state1[p_at * n + q] = p;
     write(found, cauchy, n, q);
-    status[q] = ASSAY_GOOD;
+    const bool flows = p > state0[p_at * n + q];
+    const bool refuses = m.defect == refuses_by_the_last_digits && flows && std::sin(1e13 * F1(0, 0)) > 0.9;
+    status[q] = refuses ? ASSAY_FAILED : ASSAY_GOOD;
     // A batch whose points share what should be each one's own.
     if (m.defect == shared_scratch && n > 1) write(read(cauchy, n, 0), cauchy, n, q);
   }

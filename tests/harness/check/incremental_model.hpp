@@ -57,6 +57,8 @@ enum Defect : int {
   back_stress_feeds_itself,
   yields_as_at_first,
   back_stress_kept_in_the_reference,
+  unloading_undoes_flow,
+  refuses_by_the_last_digits,
   defects
 };
 

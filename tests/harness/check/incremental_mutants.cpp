@@ -99,7 +99,9 @@ std::vector<Subject> incremental_subjects() {
                         {"hardens_by_the_step", hardens_by_the_step, drifts},
                         {"rotation_of_F", rotation_of_F, wrong_spin},
                         {"infinite_first_slope", infinite_first_slope, not_finite},
-                        {"back_stress_feeds_itself", back_stress_feeds_itself, dissipation}};
+                        {"back_stress_feeds_itself", back_stress_feeds_itself, dissipation},
+                        {"unloading_undoes_flow", unloading_undoes_flow, dissipation},
+                        {"refuses_by_the_last_digits", refuses_by_the_last_digits, refuses}};
   std::vector<Subject> subjects;
   add(subjects, table(), planted);
   static const assay_material silent = [] {

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Neo-Hookean elasticity of (34) as a total law, with tangent and energy; a parameter plants one defect.
+#include <array>
+#include <atomic>
+#include <thread>
+
 #include "harness/check/battery.hpp"
 #include "harness/check/tangent_conventions.hpp"
 #include "tests/harness/check/model_table.hpp"
@@ -39,13 +43,33 @@ enum Defect : int {
   of_mid_step,
   unsigned_volume,
   stiffer_at_once,
+  refuses_large_stretches,
+  moves_its_limit,
+  static_scratch,
   defects
 };
 
 struct Model {
   double mu, lambda;
   int defect;
+  double limit = 30;  ///< of tr C - 3, where one is kept
 };
+
+/// Through memory that all threads share.
+Tensor by_way_of_statics(const Tensor& F) {
+  static std::array<std::atomic<double>, 9> scratch;
+  for (std::size_t c = 0; c < 9; ++c) scratch[c] = component(F, static_cast<int>(c));
+  std::this_thread::yield();
+  Tensor found;
+  for (std::size_t c = 0; c < 9; ++c) component(found, static_cast<int>(c)) = scratch[c];
+  return found;
+}
+
+/// Stiffer as the chains come to their limit; 1 without one.
+double near_limit(const Model& m, double stretched) {
+  const bool limited = m.defect == refuses_large_stretches || m.defect == moves_its_limit;
+  return limited ? m.limit / (m.limit - stretched) : 1;
+}
 
 Tensor neo_hookean(const Model& m, const Tensor& F) {
   const double det = F.determinant(), J = m.defect == unsigned_volume ? std::abs(det) : det;
@@ -148,15 +172,18 @@ double stiffening(const Model& m, double state) { return m.defect == healing ? 1
 
 void update(void* self, const assay_step* step, std::size_t n, const double* state0, double* state1, double* cauchy,
             std::int32_t* status, double*, char*) {
-  const auto& m = *static_cast<const Model*>(self);
+  auto& m = *static_cast<Model*>(self);
   for (std::size_t p = 0; p < n; ++p) {
     const Tensor F = read(step->F1, n, p);
     const double stretched = (F * F.transpose()).trace() - 3;
     state1[p] = stretched > state0[p] ? stretched : state0[p];
-    const Tensor of = m.defect == of_mid_step ? Tensor(0.5 * (read(step->F0, n, p) + F)) : F;
-    const Tensor sigma = stiffening(m, state1[p]) * cauchy_of(m, of);
+    Tensor of = m.defect == of_mid_step ? Tensor(0.5 * (read(step->F0, n, p) + F)) : F;
+    if (m.defect == static_scratch) of = by_way_of_statics(of);
+    const double factor = near_limit(m, stretched);
+    const Tensor sigma = factor * stiffening(m, state1[p]) * cauchy_of(m, of);
     for (std::size_t c = 0; c < 9; ++c) cauchy[c * n + p] = component(sigma, static_cast<int>(c));
-    status[p] = ASSAY_GOOD;
+    status[p] = factor > 0 ? ASSAY_GOOD : ASSAY_FAILED;
+    if (m.defect == moves_its_limit && !(factor > 0)) m.limit = 1.05 * stretched;
   }
 }
 
@@ -259,7 +286,10 @@ std::vector<Subject> total_subjects() {
       {"turned_back", turned_back, wrong_spin},
       {"of_mid_step", of_mid_step, undeclared_increment},
       {"unsigned_volume", unsigned_volume, not_a_number},
-      {"stiffer_at_once", stiffer_at_once, jump}};
+      {"stiffer_at_once", stiffer_at_once, jump},
+      {"refuses_large_stretches", refuses_large_stretches, ""},
+      {"moves_its_limit", moves_its_limit, hidden_state},
+      {"static_scratch", static_scratch, hidden_state}};
   std::vector<Subject> subjects;
   for (const auto& [name, defect, cause] : list) {
     const bool has_both = defect == none || (defect >= transposed_tangent && defect <= doubled_energy);
