@@ -22,28 +22,42 @@ constexpr double settled = 1e-13;    ///< fall of the value that ends a refineme
 constexpr double coincident = 1e-9;  ///< difference of eigenvalues, relative
 constexpr double flat = 1e-9;        ///< curvature, relative
 
-using Fourth = std::array<std::array<Tensor, 3>, 3>;  ///< [i][k](J, L) of A_iJkL
+constexpr std::size_t pairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+using Six = Eigen::Matrix<double, 6, 1>;
 
-Fourth arranged(const TangentModulus& A) {
-  Fourth f;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      f[i][k] = A.block<3, 3>(3 * static_cast<int>(i), 3 * static_cast<int>(k));
+/// Symmetric part of A_iJkL (u_J v_L + v_J u_L) / 2: linear in the symmetric part of u v, six numbers to six.
+class Acoustic {
+ public:
+  explicit Acoustic(const TangentModulus& A) {
+    const auto at = [&](std::size_t i, std::size_t J, std::size_t k, std::size_t L) {
+      return A(static_cast<int>(3 * i + J), static_cast<int>(3 * k + L));
+    };
+    for (int q = 0; q < 6; ++q) {
+      const auto [i, k] = pairs[q];
+      for (int n = 0; n < 6; ++n) {
+        const auto [J, L] = pairs[n];
+        double sum = 0.5 * (at(i, J, k, L) + at(k, J, i, L));
+        if (J != L) sum += 0.5 * (at(i, L, k, J) + at(k, L, i, J));
+        of_pairs_(q, n) = sum;
+      }
     }
   }
-  return f;
-}
 
-/// Symmetric part of A_iJkL (u_J v_L + v_J u_L) / 2.
-Tensor acoustic(const Fourth& A, const Vector3& u, const Vector3& v) {
-  Tensor Q;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      Q(static_cast<int>(i), static_cast<int>(k)) = 0.5 * (u.dot(A[i][k] * v) + v.dot(A[i][k] * u));
+  Tensor operator()(const Vector3& u, const Vector3& v) const {
+    Six product;
+    for (int n = 0; n < 6; ++n) {
+      const auto J = static_cast<int>(pairs[n][0]), L = static_cast<int>(pairs[n][1]);
+      product(n) = 0.5 * (u(J) * v(L) + v(J) * u(L));
     }
+    const Six q = of_pairs_ * product;
+    Tensor Q;
+    Q << q(0), q(5), q(4), q(5), q(1), q(3), q(4), q(3), q(2);
+    return Q;
   }
-  return 0.5 * (Q + Q.transpose());
-}
+
+ private:
+  Eigen::Matrix<double, 6, 6> of_pairs_;
+};
 
 /// The smallest eigenvalue over the sphere near N: f(y) = value + slope.y + y.curvature y / 2, y in the plane
 /// `tangent`.
@@ -55,8 +69,8 @@ struct Model {
 };
 
 /// By perturbation of the eigenvalue to second order; an eigenvalue that coincides with it is left out.
-Model model_at(const Fourth& A, const Vector3& N, double scale) {
-  const Eigen::SelfAdjointEigenSolver<Tensor> solver(acoustic(A, N, N));
+Model model_at(const Acoustic& acoustic, const Vector3& N, double scale) {
+  const Eigen::SelfAdjointEigenSolver<Tensor> solver(acoustic(N, N));
   const Vector3 m = solver.eigenvectors().col(0);
   Model f;
   f.value = solver.eigenvalues()(0);
@@ -64,12 +78,12 @@ Model model_at(const Fourth& A, const Vector3& N, double scale) {
   f.tangent.col(1) = N.cross(Vector3(f.tangent.col(0)));
   Eigen::Matrix<double, 3, 2> coupling;  // of each eigenvector with m, for each direction
   for (int a = 0; a < 2; ++a) {
-    coupling.col(a) = solver.eigenvectors().transpose() * (2 * acoustic(A, N, f.tangent.col(a)) * m);
+    coupling.col(a) = solver.eigenvectors().transpose() * (2 * acoustic(N, f.tangent.col(a)) * m);
   }
   f.slope = coupling.row(0).transpose();
   for (int a = 0; a < 2; ++a) {
     for (int b = 0; b < 2; ++b) {
-      f.curvature(a, b) = 2 * m.dot(acoustic(A, f.tangent.col(a), f.tangent.col(b)) * m) - (a == b ? 2 * f.value : 0);
+      f.curvature(a, b) = 2 * m.dot(acoustic(f.tangent.col(a), f.tangent.col(b)) * m) - (a == b ? 2 * f.value : 0);
       for (int k = 1; k < 3; ++k) {
         const double gap = solver.eigenvalues()(k) - f.value;
         if (gap > coincident * scale) f.curvature(a, b) -= 2 * coupling(k, a) * coupling(k, b) / gap;
@@ -91,13 +105,13 @@ Eigen::Vector2d step_of(const Model& f, double radius, double scale) {
 }
 
 /// Newton's method in a region of trust, from N to a minimum nearby.
-AcousticExtreme refined(const Fourth& A, Vector3 N, double scale) {
-  Model f = model_at(A, N, scale);
+AcousticExtreme refined(const Acoustic& acoustic, Vector3 N, double scale) {
+  Model f = model_at(acoustic, N, scale);
   double radius = first_radius;
   for (int k = 0; k < most_refinements && radius > smallest_radius; ++k) {
     const Eigen::Vector2d y = step_of(f, radius, scale);
     const Vector3 there = (N + f.tangent * y).normalized();
-    const Model next = model_at(A, there, scale);
+    const Model next = model_at(acoustic, there, scale);
     const double fall = f.value - next.value;
     if (fall > 0) {
       N = there, f = next;
@@ -111,27 +125,35 @@ AcousticExtreme refined(const Fourth& A, Vector3 N, double scale) {
 }
 
 /// Directions on the upper half sphere in a golden-angle spiral.
-Vector3 spiral(int k) {
-  const double z = (k + 0.5) / directions, phi = k * std::numbers::pi * (3 - std::sqrt(5.0));
-  const double r = std::sqrt(1 - z * z);
-  return {r * std::cos(phi), r * std::sin(phi), z};
+const std::array<Vector3, directions>& spiral() {
+  static const std::array<Vector3, directions> found = [] {
+    std::array<Vector3, directions> points;
+    for (int k = 0; k < directions; ++k) {
+      const double z = (k + 0.5) / directions, phi = k * std::numbers::pi * (3 - std::sqrt(5.0));
+      const double r = std::sqrt(1 - z * z);
+      points[static_cast<std::size_t>(k)] = {r * std::cos(phi), r * std::sin(phi), z};
+    }
+    return points;
+  }();
+  return found;
 }
 
 }  // namespace
 
 AcousticExtreme smallest_acoustic_eigenvalue(const TangentModulus& modulus) {
-  const Fourth A = arranged(modulus);
+  const Acoustic acoustic(modulus);
   std::vector<std::pair<double, int>> tried;
   for (int k = 0; k < directions; ++k) {
+    const Vector3& N = spiral()[static_cast<std::size_t>(k)];
     Eigen::SelfAdjointEigenSolver<Tensor> solver;
-    solver.computeDirect(acoustic(A, spiral(k), spiral(k)), Eigen::EigenvaluesOnly);  // good enough to rank them
+    solver.computeDirect(acoustic(N, N), Eigen::EigenvaluesOnly);  // good enough to rank them
     tried.emplace_back(solver.eigenvalues()(0), k);
   }
   std::partial_sort(tried.begin(), tried.begin() + starts, tried.end());
   const double scale = modulus.cwiseAbs().maxCoeff();
   AcousticExtreme best{std::numeric_limits<double>::infinity(), Vector3::Zero()};
   for (std::size_t s = 0; s < starts; ++s) {
-    const AcousticExtreme found = refined(A, spiral(tried[s].second), scale);
+    const AcousticExtreme found = refined(acoustic, spiral()[static_cast<std::size_t>(tried[s].second)], scale);
     if (found.value < best.value) best = found;
   }
   return best;
