@@ -22,19 +22,22 @@ class CornerBasis : public OneParticle<Derived, Dim> {
   static constexpr int corners = 1 << Dim;
   static constexpr int nodes_across = 0;  ///< as its domain is large
 
-  /// Nothing is made in advance.
+  /// Cells of the corners of neighbouring particles.
   struct Nodes {
     std::size_t begin = 0;
+    CornerCells<Dim> cells[particles_at_once];
   };
-  ASSAY_INLINE void expand(std::size_t begin, std::size_t, Nodes& nodes) const { nodes.begin = begin; }
+  ASSAY_INLINE void expand(std::size_t begin, std::size_t n, Nodes& nodes) const {
+    nodes.begin = begin;
+    for (std::size_t k = 0; k < n; ++k) places_.find(begin + k, nodes.cells[k]);
+  }
   ASSAY_INLINE void slopes_to_moments(std::size_t, Nodes&) const {}
 
   template <int K, bool WithSlopes>
   ASSAY_INLINE void add(const Nodes& nodes, std::size_t k, const NodePacks<K, Dim>& v, double* field) const {
     constexpr int S = GridField<K>::stride;
     decltype(auto) w = derived().weights(nodes.begin + k);
-    Cells cells;
-    places_.find(nodes.begin + k, cells);
+    const Cells& cells = nodes.cells[k];
     for (std::size_t c = 0; c < corners; ++c) {
       Pack<S> value = w.value[c] * v.value;
       if constexpr (WithSlopes) {
@@ -60,21 +63,28 @@ class CornerBasis : public OneParticle<Derived, Dim> {
   ASSAY_INLINE void add_affine(const Nodes& nodes, std::size_t k, NodePacks<K, Dim> v, double* field) const {
     constexpr int S = GridField<K>::stride;
     decltype(auto) w = derived().weights(nodes.begin + k);
-    Cells cells;
-    places_.find(nodes.begin + k, cells);
-    Pack<corners> from_middle[Dim];
-    find_distances(w, cells, from_middle);
+    const Cells& cells = nodes.cells[k];
+    double share[corners][corners], lowest[Dim][corners];  // [n][c]: w_c N_n(x_c)
+    Pack<corners> weight, part, from_middle[Dim];
+    load<corners>(weight, w.value.data());
+    for (std::size_t n = 0; n < corners; ++n) {
+      load<corners>(part, cells.share[n].data());
+      store<corners>(share[n], weight * part);
+    }
+    find_distances(w, nodes.begin + k, from_middle);
+    for (std::size_t d = 0; d < Dim; ++d) store<corners>(lowest[d], from_middle[d] - cells.fraction[d]);
     for (std::size_t d = 0; d < Dim; ++d) v.other[d] = places_.spacing() * v.other[d];  // by one cell
+    ASSAY_UNROLLED
     for (std::size_t c = 0; c < corners; ++c) {
       Pack<S> at_node[corners];
       at_node[0] = v.value;
-      for (std::size_t d = 0; d < Dim; ++d) at_node[0] += (from_middle[d][c] - cells.fraction[d][c]) * v.other[d];
+      for (std::size_t d = 0; d < Dim; ++d) at_node[0] += lowest[d][c] * v.other[d];
       for (std::size_t d = 0; d < Dim; ++d) {
         for (std::size_t n = 0; n < std::size_t{1} << d; ++n) at_node[n + (1 << d)] = at_node[n] + v.other[d];
       }
       double* lower = field + std::ptrdiff_t{cells.node[c]} * S;
       for (std::size_t n = 0; n < corners; ++n) {
-        assay::mpm::add<S>(places_.template node_of<S>(lower, n), (w.value[c] * cells.share[n][c]) * at_node[n]);
+        assay::mpm::add<S>(places_.template node_of<S>(lower, n), share[n][c] * at_node[n]);
       }
     }
   }
@@ -91,8 +101,7 @@ class CornerBasis : public OneParticle<Derived, Dim> {
   template <int K, bool WithSlopes>
   ASSAY_INLINE void sum(const Nodes& nodes, std::size_t k, const double* field, NodePacks<K, Dim>& found) const {
     decltype(auto) w = derived().weights(nodes.begin + k);
-    Cells cells;
-    places_.find(nodes.begin + k, cells);
+    const Cells& cells = nodes.cells[k];
     found = {};
     for (std::size_t c = 0; c < corners; ++c) {
       Pack<GridField<K>::stride> corner;
@@ -132,11 +141,14 @@ class CornerBasis : public OneParticle<Derived, Dim> {
   ASSAY_INLINE Mat<Dim> moment(const Nodes& nodes, std::size_t k, const double* field) const {
     constexpr int S = GridField<K>::stride;
     decltype(auto) w = derived().weights(nodes.begin + k);
-    Cells cells;
-    places_.find(nodes.begin + k, cells);
-    Pack<corners> from_middle[Dim];
-    find_distances(w, cells, from_middle);
+    const Cells& cells = nodes.cells[k];
+    Pack<corners> from_middle[Dim], weight;
+    double lowest[Dim][corners];  // distance of the lowest node, times the weight
+    load<corners>(weight, w.value.data());
+    find_distances(w, nodes.begin + k, from_middle);
+    for (std::size_t d = 0; d < Dim; ++d) store<corners>(lowest[d], weight * (from_middle[d] - cells.fraction[d]));
     Pack<S> moment[Dim] = {};
+    ASSAY_UNROLLED
     for (std::size_t c = 0; c < corners; ++c) {
       const double* lower = field + std::ptrdiff_t{cells.node[c]} * S;
       Pack<S> corner{}, upper[Dim] = {};
@@ -149,9 +161,7 @@ class CornerBasis : public OneParticle<Derived, Dim> {
           if (n >> d & 1) upper[d] += part;
         }
       }
-      for (std::size_t d = 0; d < Dim; ++d) {
-        moment[d] += w.value[c] * ((from_middle[d][c] - cells.fraction[d][c]) * corner + upper[d]);
-      }
+      for (std::size_t d = 0; d < Dim; ++d) moment[d] += lowest[d][c] * corner + w.value[c] * upper[d];
     }
     Mat<Dim> found;
     for (std::size_t c = 0; c < Dim * Dim; ++c) found[c] = places_.spacing() * moment[c % Dim][c / Dim];
@@ -160,18 +170,19 @@ class CornerBasis : public OneParticle<Derived, Dim> {
 
   ASSAY_INLINE Mat<Dim> spread(const Nodes& nodes, std::size_t k) const {
     decltype(auto) w = derived().weights(nodes.begin + k);
-    Cells cells;
-    places_.find(nodes.begin + k, cells);
-    Pack<corners> from_middle[Dim];
-    find_distances(w, cells, from_middle);
-    Mat<Dim> D{};
-    for (std::size_t c = 0; c < corners; ++c) {
-      for (std::size_t i = 0; i < Dim; ++i) {
-        for (std::size_t j = 0; j < Dim; ++j) D[i * Dim + j] += w.value[c] * from_middle[i][c] * from_middle[j][c];
-        D[i * Dim + i] += w.value[c] * cells.fraction[i][c] * (1 - cells.fraction[i][c]);
+    const double square = places_.spacing() * places_.spacing();
+    Pack<corners> from_middle[Dim], weight;
+    load<corners>(weight, w.value.data());
+    find_distances(w, nodes.begin + k, from_middle);
+    Mat<Dim> D;
+    for (std::size_t i = 0; i < Dim; ++i) {
+      const Pack<corners> f = nodes.cells[k].fraction[i];
+      for (std::size_t j = 0; j <= i; ++j) {
+        Pack<corners> product = from_middle[i] * from_middle[j];
+        if (i == j) product += f * (1 - f);
+        D[i * Dim + j] = D[j * Dim + i] = square * sum_of<corners>(weight * product);
       }
     }
-    for (double& d : D) d *= places_.spacing() * places_.spacing();
     return D;
   }
 
@@ -191,12 +202,12 @@ class CornerBasis : public OneParticle<Derived, Dim> {
   ASSAY_INLINE const Derived& derived() const { return static_cast<const Derived&>(*this); }
 
   /// Of the corners from sum_c w_c x_c, by which no momentum drifts [h].
-  ASSAY_INLINE static void find_distances(const CornerWeights<Dim>& w, const Cells& cells, Pack<corners>* distance) {
+  ASSAY_INLINE void find_distances(const CornerWeights<Dim>& w, std::size_t p, Pack<corners>* distance) const {
     for (std::size_t d = 0; d < Dim; ++d) {
-      const Pack<corners> along = cells.lower[d] + cells.fraction[d];
-      double middle = 0;
-      for (std::size_t c = 0; c < corners; ++c) middle += w.value[c] * along[c];
-      distance[d] = along - middle;
+      const Pack<corners> along = places_.along(p, d);
+      Pack<corners> weight;
+      load<corners>(weight, w.value.data());
+      distance[d] = along - sum_of<corners>(weight * along);
     }
   }
 

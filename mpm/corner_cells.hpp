@@ -11,7 +11,7 @@ namespace assay::mpm {
 template <int Dim>
 struct CornerCells {
   static constexpr int corners = 1 << Dim;
-  Pack<corners> lower[Dim], fraction[Dim];
+  Pack<corners> fraction[Dim];
   std::array<std::array<double, corners>, corners> share;
   std::array<std::int32_t, corners> node;  ///< the lowest of each cell
 };
@@ -48,6 +48,13 @@ class CornerPlaces {
     return inside;
   }
 
+  /// Of the corners, in cells from the grid's first node.
+  ASSAY_INLINE Pack<corners> along(std::size_t p, std::size_t d) const {
+    Pack<corners> found;
+    load<corners>(found, along_[p][d].data());
+    return found;
+  }
+
   /// Node n of the cell of a corner, from its lower node on; S numbers a node.
   template <int S, class Number>
   ASSAY_INLINE Number* node_of(Number* lower, std::size_t n) const {
@@ -59,11 +66,11 @@ class CornerPlaces {
     Pack<corners> share[corners];
     share[0] = 1 - Pack<corners>{};
     for (std::size_t d = 0; d < Dim; ++d) {
-      Pack<corners> along;
+      Pack<corners> lower;
+      const Pack<corners> at = along(p, d);
       std::array<std::int32_t, corners> cell;
-      load<corners>(along, along_[p][d].data());
-      truncate<corners>(along, cell, cells.lower[d]);
-      const Pack<corners> f = along - cells.lower[d], g = 1 - f;
+      truncate<corners>(at, cell, lower);
+      const Pack<corners> f = at - lower, g = 1 - f;
       cells.fraction[d] = f;
       for (std::size_t c = 0; c < corners; ++c) cells.node[c] += cell[c] * stride_[d];
       for (std::size_t n = 0; n < std::size_t{1} << d; ++n) {

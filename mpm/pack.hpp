@@ -101,6 +101,17 @@ ASSAY_INLINE void add(double* to, const Pack<N>& pack) {
   std::memcpy(to, &sum, sizeof sum);
 }
 
+/// Of all numbers.
+template <int N>
+ASSAY_INLINE double sum_of(const Pack<N>& pack) {
+  double sums[N];
+  store<N>(sums, pack);
+  for (int width = N / 2; width > 0; width /= 2) {
+    for (int k = 0; k < width; ++k) sums[k] += sums[k + width];
+  }
+  return sums[0];
+}
+
 /// Four numbers and four more, side by side; and apart again.
 ASSAY_INLINE void join(Pack<8>& both, const Pack<4>& low, const Pack<4>& high) {
 #ifdef __AVX512F__
