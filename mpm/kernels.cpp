@@ -7,41 +7,34 @@
 
 namespace assay::mpm {
 
-namespace baseline {
-template <class B, int Dim>
-Kernels<Dim> table();
-template <int Dim>
-std::size_t advance(const Deformations<Dim>& deformations, std::size_t n, double dt);
-template <int Dim>
-void add_products(const StencilLine& line);
-}  // namespace baseline
-namespace v3 {
-template <class B, int Dim>
-Kernels<Dim> table();
-template <int Dim>
-std::size_t advance(const Deformations<Dim>& deformations, std::size_t n, double dt);
-template <int Dim>
-void add_products(const StencilLine& line);
-}  // namespace v3
-namespace v4 {
-template <class B, int Dim>
-Kernels<Dim> table();
-template <int Dim>
-std::size_t advance(const Deformations<Dim>& deformations, std::size_t n, double dt);
-template <int Dim>
-void add_products(const StencilLine& line);
-}  // namespace v4
+#define ASSAY_DECLARE_KERNELS(SET)                                                      \
+  namespace SET {                                                                       \
+  template <class B, int Dim>                                                           \
+  Kernels<Dim> table();                                                                 \
+  template <int Dim>                                                                    \
+  std::size_t advance(const Deformations<Dim>& deformations, std::size_t n, double dt); \
+  template <int Dim>                                                                    \
+  void add_products(const StencilLine& line);                                           \
+  }
+
+ASSAY_DECLARE_KERNELS(baseline)
+ASSAY_DECLARE_KERNELS(v3)
+ASSAY_DECLARE_KERNELS(v4)
+#undef ASSAY_DECLARE_KERNELS
+
+/// A name in the namespace of a set of instructions.
+#ifdef ASSAY_DISPATCHES
+#define ASSAY_OF(SET, ...) \
+  ((SET) == Instructions::v4 ? v4::__VA_ARGS__ : (SET) == Instructions::v3 ? v3::__VA_ARGS__ : baseline::__VA_ARGS__)
+#else
+#define ASSAY_OF(SET, ...) (static_cast<void>(SET), baseline::__VA_ARGS__)
+#endif
 
 template <>
 Kernels<2> kernels_of(Basis basis, Instructions instructions) {
   return with_basis<2>(basis, [&](auto tag) {
     using B = typename decltype(tag)::type;
-#ifdef ASSAY_DISPATCHES
-    if (instructions == Instructions::v4) return v4::table<B, 2>();
-    if (instructions == Instructions::v3) return v3::table<B, 2>();
-#endif
-    (void)instructions;
-    return baseline::table<B, 2>();
+    return ASSAY_OF(instructions, table<B, 2>());
   });
 }
 
@@ -52,12 +45,7 @@ Kernels<3> kernels_of(Basis basis, Instructions) {
 
 template <>
 AdvanceDeformation<2> advance_deformation(Instructions instructions) {
-#ifdef ASSAY_DISPATCHES
-  if (instructions == Instructions::v4) return v4::advance<2>;
-  if (instructions == Instructions::v3) return v3::advance<2>;
-#endif
-  (void)instructions;
-  return baseline::advance<2>;
+  return ASSAY_OF(instructions, advance<2>);
 }
 
 template <>
@@ -67,12 +55,7 @@ AdvanceDeformation<3> advance_deformation(Instructions) {
 
 template <>
 AddProducts add_products_of<2>(Instructions instructions) {
-#ifdef ASSAY_DISPATCHES
-  if (instructions == Instructions::v4) return v4::add_products<2>;
-  if (instructions == Instructions::v3) return v3::add_products<2>;
-#endif
-  (void)instructions;
-  return baseline::add_products<2>;
+  return ASSAY_OF(instructions, add_products<2>);
 }
 
 template <>
