@@ -48,8 +48,10 @@ std::string passes_text(const Problem& problem, const Composition& c) {
     if (!pass.reads.empty()) text += wrapped("reads " + columns_text(pass.reads), indent + "  ", indent + "    ");
     if (!pass.writes.empty()) text += wrapped("writes " + columns_text(pass.writes), indent + "  ", indent + "    ");
     const std::size_t times = mpm::times_a_step(pass, problem.setup.method);
-    text += wrapped("because of " + pass.called_for_by + (times > 1 ? fmt::format("; {} times a step", times) : ""),
-                    indent + "  ", indent);
+    const std::string often = pass.once   ? "; once, before the first step"
+                              : times > 1 ? fmt::format("; {} times a step", times)
+                                          : "";
+    text += wrapped("because of " + pass.called_for_by + often, indent + "  ", indent);
   }
   return text;
 }

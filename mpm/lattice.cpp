@@ -68,12 +68,16 @@ double noise(std::uint64_t seed, std::uint64_t number) {
 
 }  // namespace
 
-void disturb(Seeds<2>& seeds, double fraction, std::uint64_t seed) {
+void disturb(Seeds<2>& seeds, double fraction, std::uint64_t seed, const std::function<bool(const Point&)>& inside) {
   const auto offset = [&](std::size_t particle, std::size_t d) {
     return fraction * 2 * seeds.half_size[d] * noise(seed, 2 * particle + d);
   };
+  for (std::size_t p = 0; p < seeds.size(); ++p) {
+    const Point X{seeds.X[0][p] + offset(p, 0), seeds.X[1][p] + offset(p, 1)};
+    if (inside && !inside(X)) continue;
+    for (std::size_t d = 0; d < 2; ++d) seeds.X[d][p] = X[d];
+  }
   for (std::size_t d = 0; d < 2; ++d) {
-    for (std::size_t p = 0; p < seeds.size(); ++p) seeds.X[d][p] += offset(p, d);
     for (std::size_t k = 0; k < seeds.held.size(); ++k) seeds.held[k][d] += offset(seeds.size() + k, d);
   }
 }

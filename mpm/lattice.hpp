@@ -25,7 +25,9 @@ Seeds<2> lattice_of(const std::array<double, 2>& lower, const std::array<double,
 
 /// Moves every particle, held ones too, along each axis by less than `fraction` of the distance between particles, to
 /// either side: as a hash of seed, particle and axis says, which is the same on all machines. Volumes and domains stay.
-void disturb(Seeds<2>& seeds, double fraction, std::uint64_t seed);
+/// A stepped particle that would no longer be inside the body stays where it is.
+void disturb(Seeds<2>& seeds, double fraction, std::uint64_t seed,
+             const std::function<bool(const Point&)>& inside = {});
 
 /// The part of each cell of a Cartesian lattice inside the ring is a particle, at the part's centroid and with its
 /// volume. For the basis its domain is a whole cell around the centroid: as good as the part's box or the rectangle of

@@ -14,6 +14,8 @@ using mpm::Column;
 
 /// A sample counts as taken at a time when it lies this close [relative].
 constexpr double same_time = 1e-9;
+/// So far from T/2 [relative] a sample may be: there the motion stands still, and its error hardly changes.
+constexpr double near_half = 0.05;
 
 struct Matrix2 {
   double a11, a12, a21, a22;
@@ -141,11 +143,12 @@ ErrorFigures figures_of(const std::vector<ErrorSample>& history, double half_per
     grow(f.stress.linf_max, sample.stress.linf);
     if (std::abs(sample.t - end) <= same_time * end) f.l2_end = sample.displacement.l2, f.rms36_end = sample.rms36;
   }
-  // T/2: the nearest sample where the run got that far; exactly T/2 wherever the steps meet it
+  // T/2: the nearest sample where the run got that far, unless its steps are so long that it is of another time
   const auto nearest = std::min_element(history.begin(), history.end(), [&](const auto& a, const auto& b) {
     return std::abs(a.t - half_period) < std::abs(b.t - half_period);
   });
-  if (nearest != history.end() && history.back().t >= half_period * (1 - same_time)) {
+  if (nearest != history.end() && history.back().t >= half_period * (1 - same_time) &&
+      std::abs(nearest->t - half_period) <= near_half * half_period) {
     f.l2_half = nearest->displacement.l2;
     f.rms36_half = nearest->rms36;
   }

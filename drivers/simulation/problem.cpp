@@ -162,9 +162,16 @@ std::string frame_text(const Frame& frame) {
 
 std::string Problem::subject() const {
   const mpm::MethodNames names = mpm::names_of(setup.method);
-  return material->name() + "; " + names.basis + ", " + names.transfer + ", " + names.update +
-         "; h = " + rounded_text(scene.grid->spacing, 4) + " m; " + std::to_string(scene.body.per_cell[0]) + "x" +
-         std::to_string(scene.body.per_cell[1]) + " a cell; amplitude " + rounded_text(vortex().amplitude.peak, 4) +
+  const mpm::Method& method = setup.method;
+  constexpr const char* integrators[] = {"", ", leapfrog", ", symplectic_rkn4"};
+  constexpr const char* lattices[] = {"", ", polar", ", gauss", ", jittered"};
+  std::string way = names.basis + (method.is_total() ? ", total, " : ", ") + names.transfer + ", " + names.update;
+  if (method.mass != mpm::Mass::lumped) way += ", " + names.mass;
+  if (method.has_terms()) way += " " + std::to_string(method.terms);
+  way += integrators[static_cast<int>(method.integrator)];
+  return material->name() + "; " + way + "; h = " + rounded_text(scene.grid->spacing, 4) + " m; " +
+         std::to_string(scene.body.per_cell[0]) + "x" + std::to_string(scene.body.per_cell[1]) + " a cell" +
+         lattices[static_cast<int>(scene.body.lattice)] + "; amplitude " + rounded_text(vortex().amplitude.peak, 4) +
          (scene.frame ? "; frame: " + frame_text(*scene.frame) : "");
 }
 

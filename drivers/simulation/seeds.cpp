@@ -79,7 +79,12 @@ mpm::Seeds<2> seeds_of(const Scene& scene) {
     const auto& vortex = std::get<Vortex>(scene.motion);
     seeds.domains = std::make_shared<const ReferenceDomains>(mpm::rectangles_of(seeds, {vortex.inner, vortex.outer}));
   }
-  if (jittered) mpm::disturb(seeds, scene.body.jitter, static_cast<std::uint64_t>(scene.body.seed));
+  if (jittered) {
+    const auto& vortex = std::get<Vortex>(scene.motion);
+    std::function<bool(const Point&)> inside;
+    if (scene.body.domain == Body::Domain::ring) inside = [&](const Point& X) { return vortex.moves({X[0], X[1], 0}); };
+    mpm::disturb(seeds, scene.body.jitter, static_cast<std::uint64_t>(scene.body.seed), inside);
+  }
   if (turned) {
     mpm::turn(seeds, scene.frame->angle,
               scene.method->basis == Method::Basis::cpdi || scene.method->basis == Method::Basis::cpdi2);
