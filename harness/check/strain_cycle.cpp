@@ -53,7 +53,10 @@ double out_of_a_cycle(const Specimen& specimen, const Plane& plane, double yield
   };
   for (int k = 1; k <= steps; ++k) to(beyond * k / steps, 0);
   const double before = work.done();
-  const double once_more = deviator(work.stress()).norm() * yield;
+  const double shear = deviator(work.stress()).norm();
+  constexpr double least_shear = 1e-6;  // of the stress: what has only a pressure, as a gas, does not yield
+  if (!(shear > least_shear * work.stress().norm())) return 0;
+  const double once_more = shear * yield;
   for (int k = 1; k <= steps; ++k) {
     const double angle = std::numbers::pi * k / steps;
     to(beyond - 1 + std::cos(angle), std::sin(angle));
