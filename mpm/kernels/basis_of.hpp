@@ -27,4 +27,15 @@ ASSAY_INLINE std::size_t count_at(std::size_t begin, const Block& block) {
   return block.end - begin < particles_at_once ? block.end - begin : particles_at_once;
 }
 
+/// body(begin, n, nodes) for neighbouring particles of the block, a few at a time, with their weights.
+template <class B, class Body>
+ASSAY_INLINE void for_chunks(const B& basis, const Block& block, const Body& body) {
+  typename B::Nodes nodes;
+  for (std::size_t begin = block.begin; begin < block.end; begin += particles_at_once) {
+    const std::size_t n = count_at(begin, block);
+    basis.expand(begin, n, nodes);
+    body(begin, n, nodes);
+  }
+}
+
 }  // namespace assay::mpm::ASSAY_INSTRUCTIONS

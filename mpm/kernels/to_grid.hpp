@@ -96,12 +96,9 @@ ASSAY_INLINE void add_momentum(const KernelState<Dim>& s, const B& basis, std::s
 template <class B, Around Kind, int Dim>
 std::size_t momentum(KernelState<Dim>& s, const Block& block, const Instant&) {
   const B& basis = basis_of<B>(s);
-  typename B::Nodes nodes;
-  for (std::size_t begin = block.begin; begin < block.end; begin += particles_at_once) {
-    const std::size_t n = count_at(begin, block);
-    basis.expand(begin, n, nodes);
+  for_chunks(basis, block, [&](std::size_t begin, std::size_t n, auto& nodes) {
     add_momentum<B, Kind>(s, basis, begin, n, nodes, block.inertia);
-  }
+  });
   return none_bad;
 }
 
@@ -156,12 +153,9 @@ ASSAY_INLINE void add_force(const KernelState<Dim>& s, const B& basis, std::size
 template <class B, bool WithBody, int Dim>
 std::size_t force(KernelState<Dim>& s, const Block& block, const Instant&) {
   const B& basis = basis_of<B>(s);
-  typename B::Nodes nodes;
-  for (std::size_t begin = block.begin; begin < block.end; begin += particles_at_once) {
-    const std::size_t n = count_at(begin, block);
-    basis.expand(begin, n, nodes);
+  for_chunks(basis, block, [&](std::size_t begin, std::size_t n, auto& nodes) {
     add_force<B, WithBody>(s, basis, begin, n, nodes, block.force);
-  }
+  });
   return none_bad;
 }
 
@@ -169,13 +163,10 @@ std::size_t force(KernelState<Dim>& s, const Block& block, const Instant&) {
 template <class B, Around Kind, bool WithBody, int Dim>
 std::size_t momentum_and_force(KernelState<Dim>& s, const Block& block, const Instant&) {
   const B& basis = basis_of<B>(s);
-  typename B::Nodes nodes;
-  for (std::size_t begin = block.begin; begin < block.end; begin += particles_at_once) {
-    const std::size_t n = count_at(begin, block);
-    basis.expand(begin, n, nodes);
+  for_chunks(basis, block, [&](std::size_t begin, std::size_t n, auto& nodes) {
     add_force<B, WithBody>(s, basis, begin, n, nodes, block.force);
     add_momentum<B, Kind>(s, basis, begin, n, nodes, block.inertia);
-  }
+  });
   return none_bad;
 }
 
@@ -183,17 +174,14 @@ template <class B, int Dim>
 void multiply_mass(const KernelState<Dim>& s, const Block& block, const double* x) {
   const B& basis = basis_of<B>(s);
   const double* mass = s.column(Column::mass);
-  typename B::Nodes nodes;
-  for (std::size_t begin = block.begin; begin < block.end; begin += particles_at_once) {
-    const std::size_t n = count_at(begin, block);
-    basis.expand(begin, n, nodes);
+  for_chunks(basis, block, [&](std::size_t begin, std::size_t n, auto& nodes) {
     for (std::size_t k = 0; k < n; ++k) {
       NodePacks<Dim, Dim> found;
       basis.template sum<Dim, false>(nodes, k, x, found);
       found.value *= mass[begin + k];
       basis.template add<Dim, false>(nodes, k, found, block.force);
     }
-  }
+  });
 }
 
 }  // namespace assay::mpm::ASSAY_INSTRUCTIONS

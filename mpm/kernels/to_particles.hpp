@@ -60,13 +60,10 @@ std::size_t first_lost(const KernelState<Dim>& s, std::size_t begin, std::size_t
 template <class B, Velocity Kind, bool Gradient, bool Power, int Dim>
 std::size_t gather(KernelState<Dim>& s, const Block& block, const Instant& now) {
   const B& basis = basis_of<B>(s);
-  typename B::Nodes nodes;
   MotionOfParticles<Gradient, Dim> motion;
   double power = 0;
   std::size_t bad = none_bad;
-  for (std::size_t begin = block.begin; begin < block.end; begin += particles_at_once) {
-    const std::size_t n = count_at(begin, block);
-    basis.expand(begin, n, nodes);
+  for_chunks(basis, block, [&](std::size_t begin, std::size_t n, auto& nodes) {
     basis.sum_all(nodes, n, s.motion.data(), motion);
     if constexpr (Power) {
       const double *mass = s.column(Column::mass) + begin, *b = s.column(Column::body_force) + begin;
@@ -75,7 +72,7 @@ std::size_t gather(KernelState<Dim>& s, const Block& block, const Instant& now) 
       }
     }
     if (!move<Kind, Gradient>(s, begin, n, motion, now) && bad == none_bad) bad = first_lost(s, begin, n);
-  }
+  });
   if constexpr (Power) s.block_power[block.begin / block_size] = power;
   return bad;
 }
@@ -96,15 +93,12 @@ template <class B, int Dim>
 std::size_t velocity_gradient(KernelState<Dim>& s, const Block& block, const Instant&) {
   const B& basis = basis_of<B>(s);
   const auto L = components<Dim * Dim>(s, Column::velocity_gradient);
-  typename B::Nodes nodes;
-  for (std::size_t begin = block.begin; begin < block.end; begin += particles_at_once) {
-    const std::size_t n = count_at(begin, block);
-    basis.expand(begin, n, nodes);
+  for_chunks(basis, block, [&](std::size_t begin, std::size_t n, auto& nodes) {
     for (std::size_t k = 0; k < n; ++k) {
       const Mat<Dim> gradient = gradient_at(s, basis, nodes, k);
       for (std::size_t c = 0; c < Dim * Dim; ++c) L[c][begin + k] = gradient[c];
     }
-  }
+  });
   return none_bad;
 }
 
@@ -135,16 +129,13 @@ template <class B, Carried Kind, int Dim>
 std::size_t carry(KernelState<Dim>& s, const Block& block, const Instant& now) {
   const B& basis = basis_of<B>(s);
   const auto C = components<Dim * Dim>(s, Column::affine);
-  typename B::Nodes nodes;
-  for (std::size_t begin = block.begin; begin < block.end; begin += particles_at_once) {
-    const std::size_t n = count_at(begin, block);
-    basis.expand(begin, n, nodes);
+  for_chunks(basis, block, [&](std::size_t begin, std::size_t n, auto& nodes) {
     if constexpr (Kind == Carried::moment || Kind == Carried::fitted) basis.slopes_to_moments(n, nodes);
     for (std::size_t k = 0; k < n; ++k) {
       const Mat<Dim> found = carried_by<B, Kind>(s, basis, nodes, k, now.dt);
       for (std::size_t c = 0; c < Dim * Dim; ++c) C[c][begin + k] = found[c];
     }
-  }
+  });
   return none_bad;
 }
 
