@@ -64,8 +64,8 @@ Setup<2> vortex(const Method& method, int across, int threads) {
 }
 
 /// Of all methods: a table has the same columns in each line.
-constexpr const char* passes[] = {
-    "body_force", "weights", "particles_to_grid", "grid_update", "grid_to_particles", "corners", "affine", "stress"};
+constexpr const char* passes[] = {"body_force", "weights", "particles_to_grid", "grid_update", "grid_to_particles",
+                                  "affine",     "stress"};
 
 /// bytes_per_second: of memory.
 void memory(benchmark::State& state, int threads) {

@@ -100,17 +100,50 @@ class CornerBasis : public OneParticle<Derived, Dim> {
 
   template <int K, bool WithSlopes>
   ASSAY_INLINE void sum(const Nodes& nodes, std::size_t k, const double* field, NodePacks<K, Dim>& found) const {
+    sum_visiting<K, WithSlopes>(nodes, k, field, found, [](std::size_t, const auto&) {});
+  }
+
+  /// visit(c, sum_i N_i(x_c) f_i) for each corner, too.
+  template <int K, bool WithSlopes, class Visit>
+  ASSAY_INLINE void sum_visiting(const Nodes& nodes, std::size_t k, const double* field, NodePacks<K, Dim>& found,
+                                 const Visit& visit) const {
     decltype(auto) w = derived().weights(nodes.begin + k);
-    const Cells& cells = nodes.cells[k];
     found = {};
+    ASSAY_UNROLLED
     for (std::size_t c = 0; c < corners; ++c) {
       Pack<GridField<K>::stride> corner;
-      sum_at_corner<K>(cells, c, field, corner);
-      found.value += w.value[c] * corner;
-      if constexpr (WithSlopes) {
-        for (std::size_t d = 0; d < Dim; ++d) found.other[d] += w.gradient[d][c] * corner;
-      }
+      sum_at_corner<K>(nodes.cells[k], c, field, corner);
+      add_corner<WithSlopes>(w, c, corner, found);
+      visit(c, corner);
     }
+  }
+
+  /// As that, and the moment sum_i w_i f_i (x) r_i of the first Dim components.
+  template <int K, bool WithSlopes, class Visit>
+  ASSAY_INLINE Mat<Dim> sum_and_moment(const Nodes& nodes, std::size_t k, const double* field, NodePacks<K, Dim>& found,
+                                       const Visit& visit) const {
+    constexpr int S = GridField<K>::stride;
+    decltype(auto) w = derived().weights(nodes.begin + k);
+    const Cells& cells = nodes.cells[k];
+    Pack<corners> from_middle[Dim], weight;
+    double lowest[Dim][corners];  // distance of the lowest node, times the weight
+    load<corners>(weight, w.value.data());
+    find_distances(w, nodes.begin + k, from_middle);
+    for (std::size_t d = 0; d < Dim; ++d) store<corners>(lowest[d], weight * (from_middle[d] - cells.fraction[d]));
+    Pack<S> moment[Dim] = {};
+    found = {};
+    ASSAY_UNROLLED
+    for (std::size_t c = 0; c < corners; ++c) {
+      Pack<S> corner, upper[Dim];
+      sum_by_sides<K>(cells, c, field, corner, upper);
+      add_corner<WithSlopes>(w, c, corner, found);
+      // sum_n N_n (x_n - x_c) = 0: a corner adds its value times its own distance, and what its nodes differ.
+      for (std::size_t d = 0; d < Dim; ++d) moment[d] += lowest[d][c] * corner + w.value[c] * upper[d];
+      visit(c, corner);
+    }
+    Mat<Dim> B;
+    for (std::size_t c = 0; c < Dim * Dim; ++c) B[c] = places_.spacing() * moment[c % Dim][c / Dim];
+    return B;
   }
 
   template <int K, int G>
@@ -122,50 +155,10 @@ class CornerBasis : public OneParticle<Derived, Dim> {
     }
   }
 
-  /// sum_i N_i(x_c) f_i at each corner.
-  template <int K>
-  ASSAY_INLINE void at_corners(std::size_t p, const double* field,
-                               std::array<std::array<double, K>, corners>& values) const {
-    Cells cells;
-    places_.find(p, cells);
-    for (std::size_t c = 0; c < corners; ++c) {
-      Pack<GridField<K>::stride> corner;
-      sum_at_corner<K>(cells, c, field, corner);
-      for (std::size_t k = 0; k < K; ++k) values[c][k] = corner[k];
-    }
-  }
-
-  /// The nodes of a corner's cell lie symmetrically enough: sum_n N_n (x_n - x_c) = 0, so each corner adds its own
-  /// value times its own distance, and what its nodes differ.
   template <int K>
   ASSAY_INLINE Mat<Dim> moment(const Nodes& nodes, std::size_t k, const double* field) const {
-    constexpr int S = GridField<K>::stride;
-    decltype(auto) w = derived().weights(nodes.begin + k);
-    const Cells& cells = nodes.cells[k];
-    Pack<corners> from_middle[Dim], weight;
-    double lowest[Dim][corners];  // distance of the lowest node, times the weight
-    load<corners>(weight, w.value.data());
-    find_distances(w, nodes.begin + k, from_middle);
-    for (std::size_t d = 0; d < Dim; ++d) store<corners>(lowest[d], weight * (from_middle[d] - cells.fraction[d]));
-    Pack<S> moment[Dim] = {};
-    ASSAY_UNROLLED
-    for (std::size_t c = 0; c < corners; ++c) {
-      const double* lower = field + std::ptrdiff_t{cells.node[c]} * S;
-      Pack<S> corner{}, upper[Dim] = {};
-      for (std::size_t n = 0; n < corners; ++n) {
-        Pack<S> part;
-        load<S>(part, places_.template node_of<S>(lower, n));
-        part *= cells.share[n][c];
-        corner += part;
-        for (std::size_t d = 0; d < Dim; ++d) {
-          if (n >> d & 1) upper[d] += part;
-        }
-      }
-      for (std::size_t d = 0; d < Dim; ++d) moment[d] += lowest[d][c] * corner + w.value[c] * upper[d];
-    }
-    Mat<Dim> found;
-    for (std::size_t c = 0; c < Dim * Dim; ++c) found[c] = places_.spacing() * moment[c % Dim][c / Dim];
-    return found;
+    NodePacks<K, Dim> found;
+    return sum_and_moment<K, false>(nodes, k, field, found, [](std::size_t, const auto&) {});
   }
 
   ASSAY_INLINE Mat<Dim> spread(const Nodes& nodes, std::size_t k) const {
@@ -211,16 +204,36 @@ class CornerBasis : public OneParticle<Derived, Dim> {
     }
   }
 
+  template <bool WithSlopes, int K>
+  ASSAY_INLINE static void add_corner(const CornerWeights<Dim>& w, std::size_t c,
+                                      const Pack<GridField<K>::stride>& corner, NodePacks<K, Dim>& found) {
+    found.value += w.value[c] * corner;
+    for (std::size_t d = 0; WithSlopes && d < Dim; ++d) found.other[d] += w.gradient[d][c] * corner;
+  }
+
   template <int K>
   ASSAY_INLINE void sum_at_corner(const Cells& cells, std::size_t c, const double* field,
                                   Pack<GridField<K>::stride>& sum) const {
+    Pack<GridField<K>::stride> upper[Dim];
+    sum_by_sides<K>(cells, c, field, sum, upper);
+  }
+
+  /// upper[d]: of the nodes on the upper side of direction d alone.
+  template <int K>
+  ASSAY_INLINE void sum_by_sides(const Cells& cells, std::size_t c, const double* field,
+                                 Pack<GridField<K>::stride>& sum, Pack<GridField<K>::stride>* upper) const {
     constexpr int S = GridField<K>::stride;
     const double* lower = field + std::ptrdiff_t{cells.node[c]} * S;
     sum = Pack<S>{};
+    for (std::size_t d = 0; d < Dim; ++d) upper[d] = Pack<S>{};
     for (std::size_t n = 0; n < corners; ++n) {
       Pack<S> part;
       load<S>(part, places_.template node_of<S>(lower, n));
-      sum += cells.share[n][c] * part;
+      part *= cells.share[n][c];
+      sum += part;
+      for (std::size_t d = 0; d < Dim; ++d) {
+        if (n >> d & 1) upper[d] += part;
+      }
     }
   }
 };

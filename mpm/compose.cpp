@@ -7,7 +7,6 @@
 #include "mpm/mass_matrix.hpp"
 #include "mpm/material_batch.hpp"
 #include "mpm/passes_affine.hpp"
-#include "mpm/passes_corners.hpp"
 #include "mpm/passes_grid.hpp"
 #include "mpm/passes_mass.hpp"
 #include "mpm/passes_particle.hpp"
@@ -70,8 +69,7 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
     add(mass_matrix_pass<Dim>(method));
   }
   add(grid_to_particles_pass<Dim>(method, method.update == Update::usl, setup.accounts && body_force));
-  if (traits_of<Dim>(method.basis).moves_corners) add(corners_pass<Dim>());
-  if (method.is_affine() && affine_column(method) == Column::affine) {
+  if (method.is_affine() && affine_column(method) == Column::affine && !fits_with_corners<Dim>(method)) {
     add(affine_pass<Dim>(method));
   }
   if (method.update == Update::musl) {

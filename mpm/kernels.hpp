@@ -24,6 +24,10 @@ enum class Velocity { of_grid, kept, blended };
 /// What particles carry of the velocity around them: its gradient, or its first moment.
 enum class Around { nothing, gradient, moment };
 
+/// By Velocity, whether L is wanted, whether the body force's power is.
+template <int Dim>
+using Gathers = std::array<std::array<std::array<BlockKernel<Dim>, 2>, 2>, 3>;
+
 /// Of one basis.
 template <int Dim>
 struct Kernels {
@@ -35,15 +39,15 @@ struct Kernels {
   std::array<BlockKernel<Dim>, 2> force{};
   /// Both at once.
   std::array<std::array<BlockKernel<Dim>, 2>, 3> momentum_and_force{};
-  /// Positions and velocities from the grid; by Velocity, whether L is wanted, whether the body force's power is.
-  std::array<std::array<std::array<BlockKernel<Dim>, 2>, 2>, 3> gather{};
+  /// Positions and velocities from the grid, and corners that move one by one.
+  Gathers<Dim> gather{};
+  /// And what `fitted` does; null where no corners move.
+  Gathers<Dim> gather_and_fit{};
   BlockKernel<Dim> velocity_gradient = nullptr;
   /// What carries the velocity around a particle: its first moment; the gradient; that convected; fitted and convected.
   BlockKernel<Dim> moment = nullptr, gradient = nullptr, convected = nullptr, fitted = nullptr;
   /// Of the initial velocity gradient to its first moment.
   BlockKernel<Dim> first_moment = nullptr;
-  /// Corners by the grid velocity; null where they do not move one by one.
-  BlockKernel<Dim> corners = nullptr;
   /// force += M x, x of Dim components a node in packs.
   void (*multiply_mass)(const KernelState<Dim>&, const Block&, const double* x) = nullptr;
 };

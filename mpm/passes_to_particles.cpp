@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/passes_to_particles.hpp"
 
+#include "mpm/affine.hpp"
 #include "mpm/kernels.hpp"
+#include "mpm/with_basis.hpp"
 
 namespace assay::mpm {
 
@@ -23,6 +25,11 @@ void end_gather(State<Dim>& s, const Instant& now, std::optional<std::size_t> ba
 }  // namespace
 
 template <int Dim>
+bool fits_with_corners(const Method& method) {
+  return traits_of<Dim>(method.basis).moves_corners && method.is_affine() && fits_gradient(method);
+}
+
+template <int Dim>
 Pass<Dim> grid_to_particles_pass(const Method& method, bool with_velocity_gradient, bool with_work) {
   Pass<Dim> pass;
   const Velocity kind = velocity_of(method);
@@ -36,11 +43,18 @@ Pass<Dim> grid_to_particles_pass(const Method& method, bool with_velocity_gradie
   if (with_work) pass.reads.insert(pass.reads.end(), {Column::mass, Column::body_force});
   pass.writes = {Column::position, Column::velocity};
   if (with_velocity_gradient) pass.writes.push_back(Column::velocity_gradient);
+  const bool fits = fits_with_corners<Dim>(method);
+  if (traits_of<Dim>(method.basis).moves_corners) {
+    pass.doc += fits ? "; corners and the fitted gradient" : "; corners";
+    pass.reads.push_back(Column::corners);
+    pass.writes.push_back(Column::corners);
+  }
+  if (fits) pass.writes.push_back(Column::affine);
   pass.grid_fields = {"velocity", "acceleration"};
-  pass.bind = [kind, with_velocity_gradient, with_work](State<Dim>& s) -> Kernel {
+  pass.bind = [=](State<Dim>& s) -> Kernel {
     if (with_work) s.block_power.assign(blocks_of(s.particles), 0.0);
-    const auto gather =
-        s.kernels.gather[static_cast<std::size_t>(kind)][with_velocity_gradient ? 1 : 0][with_work ? 1 : 0];
+    const Gathers<Dim>& gathers = fits ? s.kernels.gather_and_fit : s.kernels.gather;
+    const auto gather = gathers[static_cast<std::size_t>(kind)][with_velocity_gradient ? 1 : 0][with_work ? 1 : 0];
     Kernel kernel;
     kernel.block = [&s, gather](const Instant& now, const Block& block) { return gather(s, block, now); };
     kernel.end = [&s](const Instant& now, std::optional<std::size_t> bad) { end_gather(s, now, bad); };
@@ -67,6 +81,8 @@ Pass<Dim> velocity_gradient_pass() {
   return pass;
 }
 
+template bool fits_with_corners<2>(const Method&);
+template bool fits_with_corners<3>(const Method&);
 template Pass<2> grid_to_particles_pass(const Method&, bool, bool);
 template Pass<3> grid_to_particles_pass(const Method&, bool, bool);
 template Pass<2> velocity_gradient_pass();

@@ -7,10 +7,16 @@
 
 namespace assay::mpm::ASSAY_INSTRUCTIONS {
 
-template <class B, Velocity Kind, int Dim>
+template <class B, Velocity Kind, bool Fits, int Dim>
 constexpr std::array<std::array<BlockKernel<Dim>, 2>, 2> gathers() {
-  return {{{gather<B, Kind, false, false, Dim>, gather<B, Kind, false, true, Dim>},
-           {gather<B, Kind, true, false, Dim>, gather<B, Kind, true, true, Dim>}}};
+  return {{{gather<B, Kind, false, false, Fits, Dim>, gather<B, Kind, false, true, Fits, Dim>},
+           {gather<B, Kind, true, false, Fits, Dim>, gather<B, Kind, true, true, Fits, Dim>}}};
+}
+
+template <class B, bool Fits, int Dim>
+constexpr Gathers<Dim> all_gathers() {
+  return {gathers<B, Velocity::of_grid, Fits, Dim>(), gathers<B, Velocity::kept, Fits, Dim>(),
+          gathers<B, Velocity::blended, Fits, Dim>()};
 }
 
 template <class B, Around Kind, int Dim>
@@ -27,15 +33,14 @@ Kernels<Dim> table() {
   k.force = {force<B, false, Dim>, force<B, true, Dim>};
   k.momentum_and_force = {both<B, Around::nothing, Dim>(), both<B, Around::gradient, Dim>(),
                           both<B, Around::moment, Dim>()};
-  k.gather = {gathers<B, Velocity::of_grid, Dim>(), gathers<B, Velocity::kept, Dim>(),
-              gathers<B, Velocity::blended, Dim>()};
+  k.gather = all_gathers<B, false, Dim>();
+  if constexpr (MovesCorners<B>) k.gather_and_fit = all_gathers<B, true, Dim>();
   k.velocity_gradient = velocity_gradient<B, Dim>;
   k.moment = carry<B, Carried::moment, Dim>;
   k.gradient = carry<B, Carried::gradient, Dim>;
   k.convected = carry<B, Carried::convected, Dim>;
-  k.fitted = carry<B, Carried::fitted, Dim>;
+  k.fitted = carry_fitted<B, Dim>;
   k.first_moment = first_moment<B, Dim>;
-  if constexpr (MovesCorners<B>) k.corners = corners<B, Dim>;
   k.multiply_mass = multiply_mass<B, Dim>;
   return k;
 }

@@ -285,7 +285,7 @@ std::vector<Defect> defects() {
        {linear, ugimp, cpdi, cpdi2, pic},
        {"momentum.linear", "translation"}},
       {"the corners fall behind",
-       "corners",
+       "grid_to_particles",
        false,
        scale_all(Column::corners, 8, 1 - 1e-4, 1),
        {cpdi2},

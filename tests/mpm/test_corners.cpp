@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mpm/passes_corners.hpp"
+#include "mpm/corners.hpp"
 
 #include <gtest/gtest.h>
 
