@@ -107,6 +107,12 @@ std::string frame_line(const Problem& problem) {
   return problem.scene.frame ? wrapped(frame_text(*problem.scene.frame), "frame: ", "  ") : "";
 }
 
+std::string exact_solution_line(const Problem& problem) {
+  if (!problem.setup.uses_exact_solution()) return "";
+  return wrapped("particles are given the inertia of the exact motion: the error says less of the method",
+                 "uses the exact solution: ", "  ");
+}
+
 std::string sheet_text(const Response* response) {
   if (!response) return "no body force\n";
   const Sheet* sheet = response->sheet();
@@ -150,6 +156,7 @@ std::string json_text(const Problem& problem, const Composition& c, const Respon
   json["nodes"] = problem.setup.grid.nodes();
   json["particles"] = problem.particles();
   json["stepped_particles"] = problem.setup.seeds.size();
+  json["uses_exact_solution"] = problem.setup.uses_exact_solution();
   json["steps"] = problem.steps;
   json["dt"] = problem.dt;
   json["wave_speed"] = problem.wave_speed;
@@ -180,8 +187,8 @@ int explain(const ExplainOptions& options) {
     const std::string text = options.json
                                  ? json_text(problem, c, response.get(), screen)
                                  : passes_text(problem, c) + observers_text(problem) + memory_text(problem, c) +
-                                       steps_text(problem) + frame_line(problem) + sheet_text(response.get()) +
-                                       wrapped(screen_sentence(screen), "motion: ", "  ");
+                                       steps_text(problem) + frame_line(problem) + exact_solution_line(problem) +
+                                       sheet_text(response.get()) + wrapped(screen_sentence(screen), "motion: ", "  ");
     std::fputs(text.c_str(), stdout);
     return 0;
   } catch (const MaterialFailure& failure) {

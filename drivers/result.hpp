@@ -113,6 +113,7 @@ struct Result {
   std::string printed;                            ///< by a material that runs apart; not in result.json
   Figure t, dt;
   std::optional<std::int64_t> steps, particles, moving_particles;
+  bool uses_exact_solution = false;  ///< the method is told more than b and the initial state
   ErrorFigures error;
   double setup_s = 0, wall_s = 0, cpu_s = 0;
   std::int64_t peak_rss_bytes = 0;

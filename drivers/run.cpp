@@ -104,6 +104,7 @@ int run(const RunOptions& options) {
     problem = assemble(scene, options.threads);
     scene = problem->scene;
     result.subject = problem->subject();
+    result.uses_exact_solution = problem->setup.uses_exact_solution();
     result.provenance.material = material_provenance(*problem->material, problem->library);
     runs = admitted(*problem, result);
   } catch (const MaterialFailure& failure) {

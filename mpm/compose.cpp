@@ -8,6 +8,7 @@
 #include "mpm/material_batch.hpp"
 #include "mpm/passes_affine.hpp"
 #include "mpm/passes_grid.hpp"
+#include "mpm/passes_inertia.hpp"
 #include "mpm/passes_mass.hpp"
 #include "mpm/passes_particle.hpp"
 #include "mpm/passes_to_grid.hpp"
@@ -47,6 +48,7 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
   if constexpr (Dim == 2) {
     if (body_force) add(body_force_pass<Dim>(setup.evaluation));
     if (body_force && setup.frame && setup.frame->spin != 0) add(moving_frame_pass<Dim>(setup.evaluation));
+    if (setup.uses_exact_solution()) add(inertia_pass<Dim>(method, setup.accounts));
   }
   add(weights_pass<Dim>(method, !setup.seeds.half_edges.empty()));
   if (method.is_affine() && method.affine == Affine::moment) add(first_affine_moment_pass<Dim>());

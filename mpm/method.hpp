@@ -22,6 +22,9 @@ enum class Affine { gradient, moment };
 enum class Mass { lumped, series, consistent };
 /// Of the body force: at the particle's reference position, or averaged over its reference domain.
 enum class Evaluation { point, domain_average };
+/// b reaches the particles by the grid; or its part a, of the exact motion, is given to them and b - a goes by the
+/// grid.
+enum class Inertia { grid, particles };
 
 struct Method {
   Basis basis = Basis::cpdi;

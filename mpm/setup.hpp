@@ -56,11 +56,14 @@ struct Setup {
   std::array<double, 3> material_direction{1, 0, 0};
   bool body_force = false;  ///< b of the exact motion acts
   Evaluation evaluation = Evaluation::point;
+  Inertia inertia = Inertia::grid;
   std::shared_ptr<const Response> response;  ///< what b is made of; needed to run, not to compose
   std::optional<Motion> motion;              ///< gives the initial velocity; null: at rest
   std::optional<Frame> frame;                ///< from which the motion is seen; null: the body's own
   bool hold_outside = false;                 ///< nodes and particles outside the vortex's ring are held
   bool accounts = false;                     ///< momentum and energy accounts
+  /// Whether the method is told where particles belong: of such a one the error says less.
+  bool uses_exact_solution() const { return body_force && inertia == Inertia::particles; }
   int threads = 1;
   Instructions instructions = best_instructions();  ///< of the kernels
   std::shared_ptr<const Offload> offload;           ///< of the stress pass; null: in this process. In two dimensions

@@ -50,7 +50,7 @@ std::string key_figures(const Result& result) {
   out += tile("Largest error of a particle", with_unit(figure(result.error.linf_max), "m"));
   out += tile("Relative to the motion", figure(result.error.relative));
   out += tile("Particles", count(result.particles),
-              result.moving_particles ? count(result.moving_particles) + " of them moved" : "");
+              result.moving_particles ? count(result.moving_particles) + " of them stepped" : "");
   out += tile("Steps", count(result.steps), result.dt ? "\u0394t = " + with_unit(figure(result.dt), "s") : "");
   out += tile("Reached", result.t ? "t = " + with_unit(figure(result.t), "s") : none);
   out += tile("Wall time", rounded_text(result.wall_s, 3) + "\u202fs",

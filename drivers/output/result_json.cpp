@@ -123,6 +123,9 @@ Json tree(const Result& result) {
   out["dt"] = figure(result.dt);
   out["steps"] = count(result.steps);
   out["particles"] = count(result.particles);
+  out["particles_held"] =
+      result.particles && result.moving_particles ? Json(*result.particles - *result.moving_particles) : Json(nullptr);
+  out["uses_exact_solution"] = result.uses_exact_solution;
   out["error"] = errors(result.error);
   out["setup_s"] = figure(result.setup_s);
   out["wall_s"] = figure(result.wall_s);

@@ -59,6 +59,7 @@ struct ForceChoice {
   Response response = Response::sheet;  ///< none: no body force at all
   using Evaluation = mpm::Evaluation;
   Evaluation evaluation = Evaluation::domain_average;
+  mpm::Inertia inertia = mpm::Inertia::grid;
   int radii = 400;          ///< of response shadow
   bool cache = true;        ///< a sheet is kept on disk and taken from there
   double tolerance = 1e-8;  ///< requested relative error of the sheet

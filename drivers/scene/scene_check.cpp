@@ -192,6 +192,20 @@ void check_frame(const Scene& scene, const Where& where) {
   }
 }
 
+void check_inertia(const Scene& scene, const Where& where) {
+  const std::string key = "force.inertia";
+  if (scene.force.response == ForceChoice::Response::none) {
+    refuse(where, key, "is a part of the body force, and force.response is none");
+  }
+  if (!scene.method) return;
+  if (scene.method->is_affine() && scene.method->affine == mpm::Affine::moment) {
+    refuse(where, key, "particles gives the gradient of a, too, and they carry a moment: take affine: gradient");
+  }
+  if (scene.method->has_stages()) {
+    refuse(where, key, "particles kicks them before the grid does, and symplectic_rkn4 has its own kicks: take grid");
+  }
+}
+
 }  // namespace
 
 void check_scene(const Scene& scene, const std::function<Location(const std::string&)>& where) {
@@ -209,6 +223,7 @@ void check_scene(const Scene& scene, const std::function<Location(const std::str
   if (scene.frame) check_frame(scene, where);
   if (scene.grid) check_grid(scene, where);
   if (scene.method) check_method(scene, where);
+  if (scene.force.inertia == mpm::Inertia::particles) check_inertia(scene, where);
   if (scene.time.step && *scene.time.step > scene.time.end) {
     refuse(where, "time.step", "must not exceed time.end, found " + number_text(*scene.time.step));
   }

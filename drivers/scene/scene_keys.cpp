@@ -25,6 +25,7 @@ const std::vector<std::string> updates{"usf", "usl", "musl"};
 const std::vector<std::string> lattices{"cartesian", "polar", "gauss", "jittered"};
 const std::vector<std::string> cuts{"clipped", "whole"};
 const std::vector<std::string> evaluations{"point", "domain_average"};
+const std::vector<std::string> inertias{"grid", "particles"};
 const std::vector<std::string> responses{"none", "closed_form", "sheet", "shadow"};
 
 #define GET(expression) [](const Scene& s) -> Value { return expression; }
@@ -122,6 +123,9 @@ std::vector<Key> method_keys() {
       {"force.evaluation", choice, "body force at the particle's reference position, or averaged over its domain",
        GET(name_of(evaluations, s.force.evaluation)),
        SET(s.force.evaluation = picked<ForceChoice::Evaluation>(evaluations, v)), {}, evaluations},
+      {"force.inertia", choice, "b by the grid; or its part a given to the particles, which uses the exact solution",
+       GET(name_of(inertias, s.force.inertia)), SET(s.force.inertia = picked<mpm::Inertia>(inertias, v)), {},
+       inertias},
       {"force.radii", number, "histories that response shadow takes along", GET(double(s.force.radii)),
        SET(s.force.radii = whole(v)), {.lower = 4, .upper = 1e6, .whole = true}},
       {"force.cache", boolean, "keep the sheet on disk, and take it from there", GET(s.force.cache),

@@ -22,7 +22,9 @@ constexpr int speed_samples = 400;
 constexpr double wave_periods = 4;                     ///< in which the fastest wave is looked for
 constexpr double most_steps = 1e15;                    ///< beyond, step times would not be told apart
 constexpr double cell_bytes = 420, sector_bytes = 90;  ///< that averaging over a particle's domain takes (measured)
-constexpr double spin_bytes = 120;    ///< that a spinning frame's force takes, its means included (counted)
+constexpr double spin_bytes = 120;  ///< that a spinning frame's force takes, its means included (counted)
+constexpr double inertia_bytes =
+    92;  ///< that giving particles their inertia takes where no two radii are equal (counted)
 constexpr double whole_steps = 1e-9;  ///< a number of steps this close to a whole one [relative] is that one
 
 mpm::GridGeometry<2> grid_of(const Scene& scene) {
@@ -172,7 +174,8 @@ std::string Problem::subject() const {
   return material->name() + "; " + way + "; h = " + rounded_text(scene.grid->spacing, 4) + " m; " +
          std::to_string(scene.body.per_cell[0]) + "x" + std::to_string(scene.body.per_cell[1]) + " a cell" +
          lattices[static_cast<int>(scene.body.lattice)] + "; amplitude " + rounded_text(vortex().amplitude.peak, 4) +
-         (scene.frame ? "; frame: " + frame_text(*scene.frame) : "");
+         (scene.frame ? "; frame: " + frame_text(*scene.frame) : "") +
+         (setup.uses_exact_solution() ? "; inertia given: uses the exact solution" : "");
 }
 
 double Problem::estimated_bytes() const {
@@ -188,6 +191,7 @@ double Problem::estimated_bytes() const {
     bytes += stepped * (scene.body.lattice == Body::Lattice::polar ? sector_bytes : cell_bytes);
   }
   if (setup.frame && setup.frame->spin != 0) bytes += stepped * spin_bytes;
+  if (setup.uses_exact_solution()) bytes += stepped * inertia_bytes;
   if (setup.body_force && scene.output.pictures) bytes += stepped * 2 * 9 * sizeof(double);  // two frames
   return bytes;
 }
@@ -216,6 +220,7 @@ Problem assemble(const Scene& scene, int threads) {
   setup.material = problem.material;
   setup.body_force = scene.force.response != ForceChoice::Response::none;
   setup.evaluation = scene.force.evaluation;
+  setup.inertia = scene.force.inertia;
   setup.motion = scene.motion;
   setup.frame = scene.frame;
   setup.hold_outside = scene.body.domain != Body::Domain::ring && scene.body.outside == Body::Outside::held;

@@ -97,6 +97,11 @@ TEST(Explain, TellsHowOftenAPassRunsInAStep) {
   EXPECT_EQ(times["stress"], 5);
 }
 
+TEST(Explain, SaysWhetherTheMethodUsesTheExactSolution) {
+  EXPECT_FALSE(explained({})["uses_exact_solution"].get<bool>());
+  EXPECT_TRUE(explained({"force.inertia=particles"})["uses_exact_solution"].get<bool>());
+}
+
 TEST(Explain, CountsWhatTheRunCounts) {
   const auto told = explained({});
   std::size_t bytes = 0;

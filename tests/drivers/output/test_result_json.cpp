@@ -21,17 +21,30 @@ std::set<std::string> keys_of(const Json& object) {
 
 TEST(ResultJson, has_every_key_before_anything_was_reached) {
   const Json json = Json::parse(result_json(Result{}));
-  EXPECT_EQ(keys_of(json), (std::set<std::string>{"outcome",    "reason",
-                                                  "warnings",   "t",
-                                                  "dt",         "steps",
-                                                  "particles",  "error",
-                                                  "setup_s",    "wall_s",
-                                                  "cpu_s",      "peak_rss_bytes",
-                                                  "work",       "particle_steps_per_s",
-                                                  "passes",     "sheet",
-                                                  "drift",      "expect",
-                                                  "provenance", "reference",
-                                                  "replay",     "screen",
+  EXPECT_EQ(keys_of(json), (std::set<std::string>{"outcome",
+                                                  "reason",
+                                                  "warnings",
+                                                  "t",
+                                                  "dt",
+                                                  "steps",
+                                                  "particles",
+                                                  "particles_held",
+                                                  "uses_exact_solution",
+                                                  "error",
+                                                  "setup_s",
+                                                  "wall_s",
+                                                  "cpu_s",
+                                                  "peak_rss_bytes",
+                                                  "work",
+                                                  "particle_steps_per_s",
+                                                  "passes",
+                                                  "sheet",
+                                                  "drift",
+                                                  "expect",
+                                                  "provenance",
+                                                  "reference",
+                                                  "replay",
+                                                  "screen",
                                                   "rim"}));
   EXPECT_EQ(keys_of(json["error"]),
             (std::set<std::string>{"l2_half", "l2_end", "l2_max", "linf_max", "rms36_half", "rms36_end", "rms36_max",
@@ -48,6 +61,8 @@ TEST(ResultJson, has_every_key_before_anything_was_reached) {
             (std::set<std::string>{"version", "git", "compiler", "flags", "libraries", "material", "scene_sha256"}));
   EXPECT_TRUE(json["sheet"]["points"].is_null());
   EXPECT_TRUE(json["steps"].is_null());
+  EXPECT_TRUE(json["particles_held"].is_null());
+  EXPECT_EQ(json["uses_exact_solution"], false);
 }
 
 TEST(ResultJson, carries_values_and_turns_what_is_not_finite_into_null) {

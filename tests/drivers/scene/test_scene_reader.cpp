@@ -207,6 +207,18 @@ TEST(SceneReader, RefusesMethodsThatMakeNoSenseWithTheReason) {
   }
 }
 
+TEST(SceneReader, GivesInertiaToParticlesWhereThatMakesSense) {
+  const auto refused_with = [](const std::string& method, const std::string& force) {
+    return refused(scene_text("grid: {spacing: .1}\n"), {"method=" + method, "force=" + force});
+  };
+  EXPECT_TRUE(has(refused_with("{transfer: flip}", "{inertia: particles, response: none}"), "part of the body force"));
+  EXPECT_TRUE(has(refused_with("{transfer: apic, affine: moment}", "{inertia: particles}"), "take affine: gradient"));
+  EXPECT_TRUE(has(refused_with("{formulation: total, integrator: symplectic_rkn4}", "{inertia: particles}"),
+                  "force.inertia: "));
+  EXPECT_EQ(refused_with("{transfer: aflip}", "{inertia: particles}"), "accepted");
+  EXPECT_EQ(scene_from_text(scene_text(), "f.yaml", {}).force.inertia, mpm::Inertia::grid);
+}
+
 TEST(SceneReader, AveragesByDefaultAndClipsTheRingThatItAveragesOver) {
   const auto body_of = [](const std::vector<std::string>& sets) {
     return scene_from_text(scene_text(), "f.yaml", sets).body;
