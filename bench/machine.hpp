@@ -11,6 +11,8 @@ void triad(double* a, const double* b, const double* c, std::size_t n, int threa
 
 /// Multiplications and additions, two operations each, in numbers that stay in registers. Returns their sum.
 double multiply_add(std::size_t rounds);
+/// The same, fused; slow where the processor cannot.
+double fused_multiply_add(std::size_t rounds);
 inline constexpr std::size_t operations_a_round = 2 * 96;
 
 }  // namespace assay::bench

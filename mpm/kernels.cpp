@@ -14,7 +14,7 @@ namespace assay::mpm {
   template <int Dim>                                                                    \
   std::size_t advance(const Deformations<Dim>& deformations, std::size_t n, double dt); \
   template <int Dim>                                                                    \
-  void add_products(const StencilLine& line);                                           \
+  void multiply_rows(const StencilRows& rows);                                          \
   }
 
 ASSAY_DECLARE_KERNELS(baseline)
@@ -54,13 +54,13 @@ AdvanceDeformation<3> advance_deformation(Instructions) {
 }
 
 template <>
-AddProducts add_products_of<2>(Instructions instructions) {
-  return ASSAY_OF(instructions, add_products<2>);
+MultiplyRows multiply_rows_of<2>(Instructions instructions) {
+  return ASSAY_OF(instructions, multiply_rows<2>);
 }
 
 template <>
-AddProducts add_products_of<3>(Instructions) {
-  return baseline::add_products<3>;
+MultiplyRows multiply_rows_of<3>(Instructions) {
+  return baseline::multiply_rows<3>;
 }
 
 }  // namespace assay::mpm

@@ -65,22 +65,42 @@ class MassMatrix {
 
   bool is_free(std::size_t i) const { return inverse_[i] > 0; }
 
+  /// body(begin, end) for all nodes that have mass, and maybe others.
+  template <class Body>
+  void for_nodes(const Body& body) const {
+    if (stencil_) {
+      stencil_->for_nodes(s_->setup.threads, body);
+    } else {
+      body(std::size_t{0}, inverse_.size());
+    }
+  }
+
+  /// M_L^-1, zero on nodes that are not free.
+  double inverse_sum(std::size_t i) const { return inverse_[i]; }
+
+  /// x = k terms of the series times q, where x = M_L^-1 q at first.
+  void add_terms(Field& x, int terms) {
+    residual_ = x;
+    const bool held = !s_->held_mass.empty();
+    for (int l = 1; l < terms; ++l) {
+      multiply_particles(residual_, image_, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          double *of_x = x.node(i), *next = image_.node(i);
+          const double *rest = residual_.node(i), mass = held ? s_->held_mass[i] : 0;
+          for (std::size_t d = 0; d < Dim; ++d) {
+            next[d] = rest[d] - inverse_[i] * (next[d] + mass * rest[d]);
+            of_x[d] += next[d];
+          }
+        }
+      });
+      std::swap(residual_, image_);
+    }
+  }
+
   /// x = k terms of the series times q, which x holds at first.
   void apply_series(Field& x, int terms) {
     divide(x);
-    residual_ = x;
-    for (int l = 1; l < terms; ++l) {
-      multiply_particles(residual_, image_);
-      const bool held = !s_->held_mass.empty();
-      for (std::size_t i = 0; i < x.nodes(); ++i) {
-        double *of_x = x.node(i), *rest = residual_.node(i);
-        const double *image = image_.node(i), mass = held ? s_->held_mass[i] : 0;
-        for (std::size_t d = 0; d < Dim; ++d) {
-          rest[d] -= inverse_[i] * (image[d] + mass * rest[d]);
-          of_x[d] += rest[d];
-        }
-      }
-    }
+    add_terms(x, terms);
   }
 
   /// Finds the nodes at the edges, and what the others share with them: before `solve`, in every step.
@@ -209,6 +229,17 @@ class MassMatrix {
       stencil_->multiply(x, y, s_->setup.threads);
     } else {
       multiply_by_particles(x, y);
+    }
+  }
+
+  /// The same on nodes that have mass, and after(begin, end) as soon as it is known there.
+  template <class After>
+  void multiply_particles(const Field& x, Field& y, const After& after) const {
+    if (stencil_) {
+      stencil_->multiply(x, y, s_->setup.threads, after);
+    } else {
+      multiply_by_particles(x, y);
+      after(std::size_t{0}, y.nodes());
     }
   }
 

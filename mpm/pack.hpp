@@ -129,6 +129,18 @@ ASSAY_INLINE void split(const Pack<8>& both, Pack<4>& low, Pack<4>& high) {
 #endif
 }
 
+/// Four numbers, each twice.
+ASSAY_INLINE void load_twice(Pack<8>& pack, const double* from) {
+#ifdef __AVX512F__
+  Pack<4> once;
+  load<4>(once, from);
+  pack = __builtin_shufflevector(once, once, 0, 0, 1, 1, 2, 2, 3, 3);
+#else
+  const double twice[8] = {from[0], from[0], from[1], from[1], from[2], from[2], from[3], from[3]};
+  load<8>(pack, twice);
+#endif
+}
+
 /// Each rounded towards zero, |x| < 2^31.
 template <int N>
 ASSAY_INLINE void truncate(const Pack<N>& x, std::array<std::int32_t, N>& whole, Pack<N>& rounded) {

@@ -11,19 +11,18 @@ namespace assay::mpm {
 
 namespace {
 
-/// Momentum or force of every node.
+/// Momentum of every node.
 template <int Dim>
-void load_momentum(const State<Dim>& s, double kick, bool with_force, GridField<Dim>& x) {
+void load_momentum(const State<Dim>& s, GridField<Dim>& x) {
   for (std::size_t i = 0; i < x.nodes(); ++i) {
-    for (std::size_t d = 0; d < Dim; ++d) {
-      x.node(i)[d] = s.inertia.node(i)[1 + d] + (with_force ? kick * s.force.node(i)[d] : 0);
-    }
+    for (std::size_t d = 0; d < Dim; ++d) x.node(i)[d] = s.inertia.node(i)[1 + d];
   }
 }
 
 /// Momentum that the particles gain against what the nodes were given.
 template <int Dim>
 void book_reaction(State<Dim>& s, const Reaction& share, double kick) {
+  if (!s.setup.accounts) return;
   for (std::size_t i = 0; i < s.motion.nodes(); ++i) {
     const double m = s.inertia.node(i)[0] - (s.held_mass.empty() ? 0 : s.held_mass[i]);
     for (std::size_t d = 0; d < Dim; ++d) {
@@ -32,6 +31,44 @@ void book_reaction(State<Dim>& s, const Reaction& share, double kick) {
                              share.of_acceleration * (m * kick * s.motion.node(i)[Dim + d] - force);
     }
   }
+}
+
+/// v and a as row sums give them; of FMPM v is that after the kick.
+template <int Dim>
+void divide_by_sums(const State<Dim>& s, const MassMatrix<Dim>& matrix, double kick, GridField<Dim>& v,
+                    GridField<Dim>& a) {
+  matrix.for_nodes([&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const double inverse = matrix.inverse_sum(i);
+      for (std::size_t d = 0; d < Dim; ++d) {
+        v.node(i)[d] = inverse * (s.inertia.node(i)[1 + d] + kick * s.force.node(i)[d]);
+        a.node(i)[d] = inverse * s.force.node(i)[d];
+      }
+    }
+  });
+}
+
+/// False where M could not be inverted.
+template <int Dim>
+bool find_velocity(State<Dim>& s, const Method& method, double kick, MassMatrix<Dim>& matrix) {
+  GridField<Dim>&v = s.solver[0], &a = s.solver[1];
+  const bool fmpm = method.transfer == Transfer::fmpm, consistent = method.mass == Mass::consistent;
+  bool solved = true;
+  divide_by_sums(s, matrix, fmpm ? kick : 0, v, a);
+  if (consistent) {
+    matrix.find_edges();
+    if (!method.is_affine()) {
+      load_momentum(s, v);
+      solved = matrix.solve(v);
+    }
+    std::copy_n(s.force.data(), a.nodes() * GridField<Dim>::stride, a.data());
+    solved = matrix.solve(a) && solved;
+  } else if (method.mass == Mass::series) {
+    matrix.add_terms(a, method.terms);
+  } else {
+    matrix.add_terms(v, method.terms);  // XPIC, FMPM
+  }
+  return solved;
 }
 
 template <int Dim>
@@ -43,32 +80,17 @@ Kernel mass_matrix_kernel(State<Dim>& s, const Method& method) {
     MassMatrix<Dim>& matrix = *matrix_of_run;
     matrix.assemble();
     matrix.invert_sums();
-    GridField<Dim>&v = s.solver[0], &a = s.solver[1];
-    const bool fmpm = method.transfer == Transfer::fmpm;
-    bool solved = true;
-    if (method.mass == Mass::consistent) matrix.find_edges();
-    load_momentum(s, now.kick, fmpm, v);
-    if (fmpm || method.transfer == Transfer::xpic) {
-      matrix.apply_series(v, method.terms);
-    } else if (method.mass == Mass::consistent && !method.is_affine()) {
-      solved = matrix.solve(v);
-    } else {
-      matrix.divide(v);
-    }
-    std::copy_n(s.force.data(), a.nodes() * GridField<Dim>::stride, a.data());
-    if (method.mass == Mass::series) {
-      matrix.apply_series(a, method.terms);
-    } else if (method.mass == Mass::consistent) {
-      solved = matrix.solve(a) && solved;
-    } else {
-      matrix.divide(a);
-    }
-    for (std::size_t i = 0; i < v.nodes(); ++i) {
-      for (std::size_t d = 0; d < Dim; ++d) {
-        s.motion.node(i)[d] = v.node(i)[d] + (fmpm ? 0 : now.kick * a.node(i)[d]);
-        s.motion.node(i)[Dim + d] = a.node(i)[d];
+    const bool solved = find_velocity(s, method, now.kick, matrix);
+    const GridField<Dim>&v = s.solver[0], &a = s.solver[1];
+    const double kick = method.transfer == Transfer::fmpm ? 0 : now.kick;
+    matrix.for_nodes([&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        for (std::size_t d = 0; d < Dim; ++d) {
+          s.motion.node(i)[d] = v.node(i)[d] + kick * a.node(i)[d];
+          s.motion.node(i)[Dim + d] = a.node(i)[d];
+        }
       }
-    }
+    });
     book_reaction(s, reaction_of(method), now.kick);
     if (!solved) s.finding = Finding{Finding::Kind::unstable, "the consistent mass matrix could not be inverted", 0};
   };
@@ -121,7 +143,7 @@ Kernel kick_kernel(State<Dim>& s, const Method& method) {
       solved = invert(matrix, method, a);
       kick_momentum(s, a, now.kick, matrix);
     }
-    load_momentum(s, 0, false, v);
+    load_momentum(s, v);
     solved = invert(matrix, method, v) && solved;
     if (kicks) book_kick(s, v, now.kick);
     for (std::size_t i = 0; i < v.nodes(); ++i) {
