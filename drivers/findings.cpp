@@ -78,7 +78,7 @@ void leave_replay(const Scene& scene, OutputFolder& folder, Result& result) {
     folder.write(result.replay, replay_yaml(replay_of(scene, *result.failed_step, result.reason)));
     return;
   }
-  Replay replay = replay_of(resolve_material(scene.material), {}, result.warnings.front());
+  Replay replay = replay_of(resolve_material(scene.material), {}, result.warnings.back());
   replay.test = process_test;
   folder.write(result.replay, replay_yaml(replay));
 }

@@ -65,6 +65,9 @@ const Flavour& flavour_of(const NewMaterialOptions& options) {
     if (each.language == options.language && each.interface == options.interface) return each;
     if (languages.empty() || languages.back() != each.language) languages.emplace_back(each.language);
   }
+  if (options.language == "umat") {
+    throw InputError({}, "--language", "umat is an interface: --language fortran --interface umat", joined(languages));
+  }
   if (std::find(languages.begin(), languages.end(), options.language) == languages.end()) {
     throw InputError({}, "--language",
                      unknown("language '" + one_line(options.language, 60) + "'", options.language, languages),

@@ -105,6 +105,8 @@ int run(const RunOptions& options) {
     scene = problem->scene;
     result.subject = problem->subject();
     result.uses_exact_solution = problem->setup.uses_exact_solution();
+    if (const std::string sentence = long_step_sentence(*problem); !sentence.empty())
+      result.warnings.push_back(sentence);
     result.provenance.material = material_provenance(*problem->material, problem->library);
     runs = admitted(*problem, result);
   } catch (const MaterialFailure& failure) {

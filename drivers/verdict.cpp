@@ -95,7 +95,8 @@ std::string expectations_text(const Result& result) {
 
 std::string verdict_text(const Result& result, const std::string& folder, bool with_profile) {
   std::string text = (result.title.empty() ? "" : result.title + ": ") + result.outcome;
-  text += result.t ? fmt::format(" at t = {} s\n", figure(result.t)) : "\n";
+  if (result.t) text += fmt::format(" at t = {} s", figure(result.t));
+  text = wrapped(text, "", "  ");
   if (!result.subject.empty()) text += wrapped(result.subject, "  ", "    ");
   if (!result.reason.empty()) text += wrapped(result.reason, "  ", "  ");
   text += process_lines(result);

@@ -52,7 +52,7 @@ std::optional<Contradiction> contradiction(const Method& m) {
                          "the second moment of linear functions vanishes at their nodes: take affine: gradient"};
   }
   if (m.flip != 1 && !m.keeps_velocity()) {
-    return Contradiction{"method.flip", "blends flip or aflip with the grid's velocity, and transfer is another"};
+    return Contradiction{"method.flip", "blends flip or aflip with the grid's velocity, and transfer is neither"};
   }
   return m.has_stages() ? contradiction_of_stages(m) : std::nullopt;
 }

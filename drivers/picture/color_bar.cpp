@@ -51,11 +51,12 @@ std::array<double, 2> color_range(std::span<const double> values, ColorMap map) 
   if (!(low <= high)) return {0, 1};
   if (map == ColorMap::diverging) {
     high = std::max(std::abs(low), std::abs(high));
+    if (high == 0) high = 1;
     low = -high;
   } else if (low > 0 && low < 0.3 * high) {
     low = 0;
   }
-  if (!(high > low)) high = low + std::max(std::abs(low), 1e-300);
+  if (!(high > low)) high = low + (low == 0 ? 1 : std::abs(low));
   return {low, high};
 }
 

@@ -157,7 +157,7 @@ void check_method(const Scene& scene, const Where& where) {
            "counts the terms of mass: series, transfer: xpic or fmpm, and there is none of them");
   }
   if (scene.places.contains("method.affine") && !method.is_affine()) {
-    refuse(where, "method.affine", "is of transfer: apic and aflip, and transfer is another");
+    refuse(where, "method.affine", "is of transfer: apic and aflip, and transfer is " + mpm::names_of(method).transfer);
   }
   if (const auto found = mpm::contradiction(method)) refuse(where, found->key, found->reason);
 }

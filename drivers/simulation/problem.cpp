@@ -87,6 +87,8 @@ void plan_steps(Problem& problem) {
   problem.dt = scene.time.step ? *scene.time.step : scene.time.end / steps;
 }
 
+bool takes_shadow(const Scene& scene) { return scene.force.response == ForceChoice::Response::shadow; }
+
 void check_limits(const Problem& problem) {
   const Scene& scene = problem.scene;
   const double gib = problem.estimated_bytes() / (1024.0 * 1024 * 1024);
@@ -95,7 +97,9 @@ void check_limits(const Problem& problem) {
                      "the run would need " + rounded_text(gib, 3) + " GiB, the limit is " +
                          rounded_text(scene.limits.memory_gib, 6));
   }
-  const double particle_steps = static_cast<double>(problem.steps) * static_cast<double>(problem.setup.seeds.size());
+  const double histories = takes_shadow(scene) ? scene.force.radii : 0;
+  const double particle_steps =
+      static_cast<double>(problem.steps) * (static_cast<double>(problem.setup.seeds.size()) + histories);
   if (particle_steps > scene.limits.particle_steps) {
     throw InputError(scene.place("limits.particle_steps"), "limits.particle_steps",
                      "the run would take " + rounded_text(particle_steps, 3) + " particle-steps, the limit is " +
@@ -192,8 +196,19 @@ double Problem::estimated_bytes() const {
   }
   if (setup.frame && setup.frame->spin != 0) bytes += stepped * spin_bytes;
   if (setup.uses_exact_solution()) bytes += stepped * inertia_bytes;
+  if (takes_shadow(scene)) {  // states and stress at both ends of a step, and F
+    bytes += scene.force.radii * sizeof(double) * (2.0 * static_cast<double>(material->state_size()) + 4 * 9);
+  }
   if (setup.body_force && scene.output.pictures) bytes += stepped * 2 * 9 * sizeof(double);  // two frames
   return bytes;
+}
+
+std::string long_step_sentence(const Problem& problem) {
+  const double speed = problem.wave_speed + problem.particle_speed;
+  const double courant = problem.dt * speed / problem.scene.grid->spacing;
+  if (!problem.scene.time.step || courant <= 1) return "";
+  return "time.step = " + rounded_text(problem.dt, 3) + " s is " + rounded_text(courant, 3) +
+         " times what the fastest wave takes to cross a cell: the run will hardly be stable";
 }
 
 std::shared_ptr<const Material> material_of(Scene& scene, std::string& library) {

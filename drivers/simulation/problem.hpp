@@ -30,6 +30,9 @@ struct Problem {
   double estimated_bytes() const;
 };
 
+/// Empty unless time.step is beyond a Courant number of 1.
+std::string long_step_sentence(const Problem& problem);
+
 /// "turned by 0.7 rad, spin 1.3 rad/s, velocity (0.4, -0.2) m/s", of which what is zero is left out.
 std::string frame_text(const Frame& frame);
 

@@ -2,8 +2,10 @@
 #include "drivers/simulation/snapshots.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "drivers/output/number_format.hpp"
+#include "mpm/gauss_lattice.hpp"
 
 namespace assay::drivers {
 
@@ -71,10 +73,21 @@ ParticleFrame Snapshots::frame_of(const mpm::State<2>& s, double t) const {
     for (double& at : frame.x) at -= seen->velocity.x() * t;
     for (double& at : frame.y) at -= seen->velocity.y() * t;
   }
+  std::optional<mpm::GaussCells> gauss;
+  const Scene& scene = problem_->scene;
+  if (scene.body.lattice == Body::Lattice::gauss) gauss.emplace(scene.grid->spacing, scene.body.per_cell);
   for (auto* edge : {&frame.r1x, &frame.r1y, &frame.r2x, &frame.r2y}) edge->resize(s.particles);
   for (std::size_t p = 0; p < s.particles; ++p) {
     std::array<double, 4> H{seeds.half_size[0], 0, 0, seeds.half_size[1]};
     if (!seeds.half_edges.empty()) H = seeds.half_edges[p];
+    if (gauss) {  // the part of its cell that its weight stands for is not around it
+      const std::array<double, 2> X{s.column(Column::reference_position, 0)[p],
+                                    s.column(Column::reference_position, 1)[p]};
+      const Rectangle r = gauss->rectangle_around(X);
+      H = {0.5 * (r.upper[0] - r.lower[0]), 0, 0, 0.5 * (r.upper[1] - r.lower[1])};
+      frame.x[p] += 0.5 * (r.lower[0] + r.upper[0]) - X[0];
+      frame.y[p] += 0.5 * (r.lower[1] + r.upper[1]) - X[1];
+    }
     std::array<double, 4> F{1, 0, 0, 1};
     for (int c = 0; convects && c < 4; ++c) {
       F[static_cast<std::size_t>(c)] = s.column(Column::deformation_gradient, c)[p];

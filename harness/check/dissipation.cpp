@@ -8,6 +8,7 @@
 #include "harness/check/derivatives.hpp"
 #include "harness/check/judge.hpp"
 #include "harness/check/strain_cycle.hpp"
+#include "harness/check/viscosity.hpp"
 #include "harness/check/work.hpp"
 
 namespace assay::check {
@@ -203,6 +204,7 @@ TestResult dissipation(const Specimen& specimen) {
   }
   TestResult result = judged(worst, of_history, ": from rest and back there");
   if (result.verdict == Verdict::pass) judge_squares(specimen, times, result);
+  if (result.verdict == Verdict::pass) result = viscosity(specimen, times).value_or(std::move(result));
   if (result.verdict != Verdict::pass) return result;
   if (specimen.rate_dependent())
     judge_relaxation(specimen, result);

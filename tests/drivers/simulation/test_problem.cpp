@@ -32,5 +32,32 @@ TEST(Problem, StagesTakeModelsWhoseStressFollowsFromF) {
   }
 }
 
+std::string scene_with(const std::string& more) {
+  return "motion: {type: vortex, amplitude: {peak: 0.1}}\n"
+         "material: {adapter: neo_hookean, parameters: {E: 1e3, nu: 0.3}, density: 1000}\n"
+         "body: {domain: ring}\ngrid: {spacing: 0.1}\nmethod: {basis: cpdi}\n" +
+         more;
+}
+
+TEST(Problem, SaysThatAStepIsTooLongToBeStable) {
+  const auto said = [](const std::string& more) {
+    return long_step_sentence(assemble(scene_from_text(scene_with(more), "f.yaml", {}), 1));
+  };
+  EXPECT_EQ(said(""), "");
+  EXPECT_EQ(said("time: {step: 0.01}\n"), "");
+  EXPECT_NE(said("time: {step: 0.25}\n").find("times what the fastest wave takes to cross a cell"), std::string::npos);
+}
+
+TEST(Problem, CountsTheHistoriesOfAShadow) {
+  const auto said = [](const std::string& more) {
+    return refusal_of([&] { assemble(scene_from_text(scene_with(more), "f.yaml", {}), 1); });
+  };
+  const std::string many = "force: {response: shadow, radii: 1000000}\n";
+  EXPECT_EQ(said("force: {response: shadow}\nlimits: {particle_steps: 1e6}\n"), "accepted");
+  EXPECT_NE(said(many + "limits: {particle_steps: 1e6}\n").find("limits.particle_steps"), std::string::npos);
+  EXPECT_EQ(said(many), "accepted");
+  EXPECT_NE(said(many + "limits: {memory_gib: 0.1}\n").find("limits.memory_gib"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace assay::drivers

@@ -21,6 +21,7 @@ enum Defect : int {
   without_stress,
   negative_viscosity,
   rate_of_the_step,
+  tension_either_way,
   defects
 };
 
@@ -42,6 +43,7 @@ struct Fluid {
     const double rate = std::sqrt(2.0) * d.norm(), eta = viscosity * std::pow(rate * rate + 1e-4, 0.5 * (power - 1));
     Tensor viscous = 2 * eta * d;
     if (defect == negative_viscosity) viscous *= -1;
+    if (defect == tension_either_way) viscous += viscosity * std::abs(l.trace()) * Tensor::Identity();
     if (defect == without_stress) return Tensor(Tensor::Zero());
     if (defect == thicker_along_an_axis) viscous *= 1 + 100 * d(0, 0) * d(0, 0);
     if (defect == noise) viscous *= 1 + 0.3 * std::sin(1e9 * step.F1(0, 0));
@@ -75,6 +77,7 @@ std::vector<Subject> fluid_subjects() {
        {"unsymmetric_gradient", full_gradient, not_symmetric},
        {"fluid_without_stress", without_stress, no_stress},
        {"negative_viscosity", negative_viscosity, dissipation},
+       {"tension_either_way", tension_either_way, dissipation},
        {"thicker_along_an_axis", thicker_along_an_axis, not_indifferent},
        {"viscous_noise", noise, no_convergence},
        {"rate_of_the_step", rate_of_the_step, drifts},
