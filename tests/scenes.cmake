@@ -12,7 +12,8 @@ foreach(scene IN LISTS scenes)
   endif()
   add_test(NAME scene/${name}
     COMMAND assay ${verb} ${PROJECT_SOURCE_DIR}/configs/${scene} -o ${PROJECT_BINARY_DIR}/scenes/${name} --quiet)
-  set_property(TEST scene/${name} APPEND PROPERTY ENVIRONMENT "${test_environment}")
+  set_property(TEST scene/${name} APPEND PROPERTY ENVIRONMENT ${test_environment}
+    "ASSAY_DATA_HOME=${PROJECT_BINARY_DIR}/data" "ASSAY_MATERIAL_PATH=${PROJECT_BINARY_DIR}/tests/foreign")
   if(name MATCHES "umat$" AND NOT CMAKE_Fortran_COMPILER)
     set_tests_properties(scene/${name} PROPERTIES DISABLED ON)
   endif()
