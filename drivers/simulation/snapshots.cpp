@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/simulation/snapshots.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -116,13 +117,31 @@ void Snapshots::add(const mpm::State<2>& state, const ErrorSampler* sampler, dou
   }
 }
 
+namespace {
+
+/// Half the width of what pictures show: the ring with a margin; of a body whose outside moves all of it [m].
+double picture_reach(const Problem& problem) {
+  const Scene& scene = problem.scene;
+  const double ring = 1.1 * problem.vortex().outer;
+  if (scene.body.domain == Body::Domain::ring || scene.body.outside == Body::Outside::held) return ring;
+  double reach = ring;
+  for (const double x : {scene.body.lower[0], scene.body.upper[0]}) {
+    for (const double y : {scene.body.lower[1], scene.body.upper[1]}) {
+      reach = std::max(reach, 1.03 * (scene.frame ? std::hypot(x, y) : std::max(std::abs(x), std::abs(y))));
+    }
+  }
+  return reach;
+}
+
+}  // namespace
+
 std::vector<Snapshots::Written> Snapshots::finish() {
   if (!entries_.empty()) folder_->write("particles.pvd", pvd_text(entries_));
   std::vector<Written> written;
   if (frames_.empty()) return written;
   ParticlePicture picture;
   const Vortex& vortex = problem_->vortex();
-  const double reach = 1.1 * vortex.outer;
+  const double reach = picture_reach(*problem_);
   picture.rings = {vortex.inner, vortex.outer};
   picture.lower = {-reach, -reach};
   picture.upper = {reach, reach};
