@@ -125,7 +125,7 @@ Seeds<2> clipped_lattice(const Annulus& ring, double spacing, const std::array<i
   return seeds;
 }
 
-Seeds<2> polar_lattice(const Annulus& ring, double spacing, const std::array<int, 2>& per_cell) {
+Seeds<2> polar_lattice(const Annulus& ring, double spacing, const std::array<int, 2>& per_cell, bool share_corners) {
   Seeds<2> seeds;
   for (std::size_t d = 0; d < 2; ++d) seeds.half_size[d] = 0.5 * spacing / per_cell[d];
   const double width = ring.outer - ring.inner;
@@ -134,7 +134,7 @@ Seeds<2> polar_lattice(const Annulus& ring, double spacing, const std::array<int
   std::vector<int> count;
   for (int k = 0; k < rings; ++k) {
     const double inner = ring.inner + width * k / rings, outer = ring.inner + width * (k + 1) / rings;
-    const double quarter = 0.25 * std::numbers::pi * (inner + outer);
+    const double quarter = 0.25 * std::numbers::pi * (share_corners ? ring.inner + ring.outer : inner + outer);
     count.push_back(4 * static_cast<int>(std::ceil(quarter / (2 * seeds.half_size[1]) - rounding)));
     const double half = std::numbers::pi / count.back();
     sectors.push_back({inner, outer, -half, half});
@@ -150,6 +150,12 @@ Seeds<2> polar_lattice(const Annulus& ring, double spacing, const std::array<int
     seeds.X[1].push_back(R * si);
     seeds.volumes.push_back(volume);
     seeds.half_edges.push_back({half * c, -across * si, half * si, across * c});  // along E_R, E_Theta
+    if (!share_corners) continue;
+    const auto corner = [&](double radius, double angle) {
+      return place.turned({radius * std::cos(angle), radius * std::sin(angle)});
+    };
+    seeds.corners.push_back(
+        {corner(s.inner, s.begin), corner(s.outer, s.begin), corner(s.inner, s.end), corner(s.outer, s.end)});
   }
   seeds.domains = std::make_shared<const ReferenceDomains>(std::move(domains));
   return seeds;
@@ -184,6 +190,9 @@ void turn(Seeds<2>& seeds, double angle, bool half_edges) {
   for (auto& H : seeds.half_edges) {
     const Point first = by.turned({H[0], H[2]}), second = by.turned({H[1], H[3]});
     H = {first[0], second[0], first[1], second[1]};
+  }
+  for (auto& corners : seeds.corners) {
+    for (Point& X : corners) X = by.turned(X);
   }
   for (std::size_t p = 0; p < seeds.size(); ++p) {
     const Point X = by.turned({seeds.X[0][p], seeds.X[1][p]});

@@ -37,8 +37,10 @@ Seeds<2> clipped_lattice(const Annulus& ring, double spacing, const std::array<i
 
 /// Rings of sectors, ring by ring from the inside, each particle at its sector's centroid. Rings are as wide as h /
 /// per_cell[0] or a little less; each holds a multiple of four sectors, as long in the middle as h / per_cell[1] or a
-/// little less.
-Seeds<2> polar_lattice(const Annulus& ring, double spacing, const std::array<int, 2>& per_cell);
+/// little less. share_corners: all rings hold as many sectors as one in the middle would, and the domains for the basis
+/// have the sectors' corners, which neighbours share.
+Seeds<2> polar_lattice(const Annulus& ring, double spacing, const std::array<int, 2>& per_cell,
+                       bool share_corners = false);
 
 /// Rectangles half_size around the particles; neighbours share corners to the last bit where they stand on a lattice.
 ReferenceDomains rectangles_of(const Seeds<2>& seeds, const Annulus& ring);

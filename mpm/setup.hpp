@@ -28,6 +28,8 @@ struct Seeds {
   std::vector<double> volumes;             ///< of each particle where they differ, else empty [m^Dim]
   /// Of each particle where they differ, else empty: column d is half edge d of its domain for the basis [m].
   std::vector<std::array<double, Dim * Dim>> half_edges;
+  /// Of each particle where its domain is no parallelepiped, else empty; in the order of `Corners` [m].
+  std::vector<std::array<std::array<double, Dim>, 1 << Dim>> corners;
   /// What the body force is averaged over; null: half_size around each particle.
   std::shared_ptr<const ReferenceDomains> domains;
   std::vector<std::array<double, Dim>> held;  ///< reference positions of particles that never move [m]

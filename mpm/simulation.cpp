@@ -144,7 +144,9 @@ void Simulation<Dim>::fill_corners(std::size_t p) {
   Vec<Dim> X;
   Mat<Dim> half{};
   for (std::size_t d = 0; d < Dim; ++d) X[d] = seeds.X[d][p], half[d * Dim + d] = seeds.half_size[d];
-  const Corners<Dim> corners = corners_of<Dim>(X, seeds.half_edges.empty() ? half : seeds.half_edges[p]);
+  const Corners<Dim> corners = seeds.corners.empty()
+                                   ? corners_of<Dim>(X, seeds.half_edges.empty() ? half : seeds.half_edges[p])
+                                   : seeds.corners[p];
   for (int k = 0; k < corner_components<Dim>; ++k) {
     s.column(Column::corners, k)[p] = corners[static_cast<std::size_t>(k / Dim)][static_cast<std::size_t>(k % Dim)];
   }

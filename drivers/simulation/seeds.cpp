@@ -63,7 +63,9 @@ mpm::Seeds<2> still_seeds_of(const Scene& scene) {
   if (body.domain == Body::Domain::ring) {
     const Annulus ring{vortex.inner, vortex.outer};
     const double h = scene.grid->spacing;
-    if (body.lattice == Body::Lattice::polar) return mpm::polar_lattice(ring, h, body.per_cell);
+    if (body.lattice == Body::Lattice::polar) {
+      return mpm::polar_lattice(ring, h, body.per_cell, scene.method->basis == Method::Basis::cpdi2);
+    }
     if (body.cut == Body::Cut::clipped) return mpm::clipped_lattice(ring, h, body.per_cell);
   }
   return whole_cells(scene);

@@ -164,6 +164,41 @@ TEST(PolarLattice, StandsOnCirclesAtTheCentroidsOfItsSectors) {
   for (std::size_t d = 0; d < 2; ++d) EXPECT_NEAR(first[d], 0, 1e-14);
 }
 
+/// Twice the area of a quadrilateral whose corners come in the order of `Corners`.
+double doubled_area(const std::array<Point, 4>& x) {
+  return (x[3][0] - x[0][0]) * (x[2][1] - x[1][1]) - (x[3][1] - x[0][1]) * (x[2][0] - x[1][0]);
+}
+
+TEST(PolarLattice, NeighboursShareCornersWhereTheyAreAskedTo) {
+  Seeds<2> seeds = polar_lattice(ring, 0.05, {4, 1}, true);
+  ASSERT_EQ(seeds.corners.size(), seeds.size());
+  const std::size_t sectors = seeds.size() / 40;  // rings
+  ASSERT_EQ(seeds.size() % 40, 0u);
+  EXPECT_NEAR(static_cast<double>(sectors), 2 * M_PI / 0.05, 4);  // one cell wide at the radius 1
+  const double angle = 2 * M_PI / static_cast<double>(sectors);
+  constexpr double rounding = 1e-14;
+  const auto expect_same = [&](const Point& a, const Point& b) {
+    for (std::size_t d = 0; d < 2; ++d) EXPECT_NEAR(a[d], b[d], rounding);
+  };
+  for (const double turned : {0.0, 0.7}) {
+    if (turned > 0) turn(seeds, turned, true);
+    double area = 0;
+    for (std::size_t p = 0; p < seeds.size(); ++p) {
+      const auto& x = seeds.corners[p];
+      const std::size_t next = p % sectors + 1 == sectors ? p + 1 - sectors : p + 1, outer = p + sectors;
+      for (std::size_t d = 0; d < 2; ++d) expect_same(x[2 + d], seeds.corners[next][d]);
+      for (std::size_t c = 0; c < 2 && outer < seeds.size(); ++c)
+        expect_same(x[2 * c + 1], seeds.corners[outer][2 * c]);
+      EXPECT_GT(doubled_area(x), 0);
+      area += 0.5 * doubled_area(x);
+      Point middle{};
+      for (const Point& corner : x) middle[0] += 0.25 * corner[0], middle[1] += 0.25 * corner[1];
+      EXPECT_LT(std::hypot(middle[0] - seeds.X[0][p], middle[1] - seeds.X[1][p]), 0.002);  // of 0.0125 and 0.05
+    }
+    EXPECT_NEAR(area, ring_area * std::sin(angle) / angle, 1e-12);  // of the polygons
+  }
+}
+
 std::array<std::vector<double>, 2> disturbed(double fraction, std::uint64_t seed, Seeds<2> seeds) {
   disturb(seeds, fraction, seed);
   return seeds.X;
