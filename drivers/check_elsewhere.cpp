@@ -12,19 +12,24 @@
 #include <cmath>
 #include <csignal>
 #include <exception>
+#include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
 #include "adapters/worker/descendants.hpp"
 #include "drivers/exit_guard.hpp"
+#include "harness/check/calls.hpp"
 #include "harness/progress_mark.hpp"
 
 namespace assay::drivers {
 
 namespace {
 
+using Maker = std::function<check::History()>;
+
 /// Row by row, each after its length.
-[[noreturn]] void send(const Material& material, double amplitude, int out) {
+[[noreturn]] void send(const Maker& make, int out) {
   call_mark = nullptr;
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   ::dup2(nowhere, STDOUT_FILENO);
@@ -33,7 +38,7 @@ namespace {
   std::signal(SIGBUS, SIG_DFL);
   std::vector<double> all;
   try {
-    for (const auto& row : check::history(material, amplitude)) {
+    for (const auto& row : make()) {
       all.push_back(static_cast<double>(row.size()));
       all.insert(all.end(), row.begin(), row.end());
     }
@@ -89,15 +94,14 @@ void end_group(pid_t process, bool is_near) {
   for (int waited = 0; ::kill(-process, SIGKILL) == 0 && waited < patience_ms; ++waited) ::usleep(1000);
 }
 
-}  // namespace
-
-check::History history_elsewhere(const Material& material, const check::Effort& effort, double limit_s) {
+/// What `make` gives in a process of its own.
+check::History made_elsewhere(const Maker& make, double limit_s) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) return {};
   const pid_t process = ::fork();
   if (process == 0) {  // between the two, for models that kill whoever has started them
     ::setpgid(0, 0);
-    if (::fork() == 0) send(material, check::amplitudes_of_first(effort).back(), ends[1]);
+    if (::fork() == 0) send(make, ends[1]);
     ::close(ends[1]);
     while (::wait(nullptr) < 0 && errno == EINTR) {
     }
@@ -110,6 +114,34 @@ check::History history_elsewhere(const Material& material, const check::Effort& 
   if (process < 0) return {};
   end_group(process, all.has_value());
   return all ? rows_of(*all) : check::History();
+}
+
+}  // namespace
+
+check::History history_elsewhere(const Material& material, const check::Effort& effort, double limit_s) {
+  return made_elsewhere([&] { return check::history(material, check::amplitudes_of_first(effort).back()); }, limit_s);
+}
+
+check::History history_of_others(const ResolvedMaterial& material, const check::Effort& effort, double limit_s) {
+  if (material.library.empty() || !material.description.empty()) return {};
+  std::error_code code;
+  std::string folder = (std::filesystem::temp_directory_path(code) / "assay-XXXXXX").string();
+  if (code || ::mkdtemp(folder.data()) == nullptr) return {};
+  const std::filesystem::path copy = std::filesystem::path(folder) / "copy.so";
+  std::filesystem::copy_file(material.library, copy, code);
+  check::History found;
+  if (!code) {
+    const Maker make = [&] {
+      MaterialChoice choice = material.choice;
+      choice.adapter = copy.string() + ":" + material.material.name();
+      choice.parameters = check::other_parameters(material.material);
+      choice.isolation = Isolation::none;
+      return check::history(resolve_material(choice).material, check::amplitudes_of_first(effort).back());
+    };
+    found = made_elsewhere(make, limit_s);
+  }
+  std::filesystem::remove_all(folder, code);
+  return found;
 }
 
 }  // namespace assay::drivers

@@ -2,6 +2,7 @@
 // What a model does in a process that begins in another way: one that keeps something of its first call shows it.
 #pragma once
 
+#include "drivers/material/material_choice.hpp"
 #include "harness/check/arrays.hpp"
 
 namespace assay::drivers {
@@ -9,5 +10,10 @@ namespace assay::drivers {
 /// The last of the battery's first histories, as the first of a process of its own; empty where that comes to nothing
 /// within limit_s. For a process that has not called the model yet.
 check::History history_elsewhere(const Material& material, const check::Effort& effort, double limit_s = 1);
+
+/// The same of other parameters (harness/check/calls.hpp), from a copy of the library whose first instance has these:
+/// a library that was loaded before may keep what its first instance was. Empty, too, of a model that is no native
+/// plug-in.
+check::History history_of_others(const ResolvedMaterial& material, const check::Effort& effort, double limit_s = 1);
 
 }  // namespace assay::drivers

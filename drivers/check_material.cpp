@@ -127,11 +127,13 @@ CheckedMaterial check_material(const ResolvedMaterial& material, const std::stri
   const bool repeats = only.empty() || only == "calls.repeated";
   const check::History elsewhere =
       repeats && reporter.first_calls ? history_elsewhere(material.material, settings.effort) : check::History();
+  const check::History others = repeats ? history_of_others(material, settings.effort) : check::History();
   checked.report = check::run_battery(material.material, {.effort = settings.effort,
                                                           .only = only,
                                                           .without = settings.without,
                                                           .declarations = declarations_of(material),
                                                           .elsewhere = elsewhere,
+                                                          .others_elsewhere = others,
                                                           .begins = reporter.begins,
                                                           .ends = reporter.ends});
   judge_foreign_tangent(material, checked.report);

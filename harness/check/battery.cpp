@@ -226,6 +226,7 @@ Report run_battery(const Material& material, const Options& options) {
   other.effort.strain = first.strain;
   other.has_refused = true;
   other.elsewhere.clear();  // of the strain that was asked for
+  other.others_elsewhere.clear();
   while (any_refused(first) && (other.effort.strain *= smaller) > least) {
     Report again = run_once(material, other);
     again.effort = other.effort;

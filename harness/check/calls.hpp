@@ -2,6 +2,9 @@
 // That `update` is a pure function of its arguments, and knows what is no number.
 #pragma once
 
+#include <map>
+#include <string>
+
 #include "harness/check/arrays.hpp"
 #include "harness/check/specimen.hpp"
 
@@ -10,6 +13,9 @@ namespace assay::check {
 /// The same step again, after others, in a batch, in another order, and of another instance, gives the same; so do the
 /// histories that were the first of the process.
 TestResult repeated_calls(const Specimen& specimen, const std::vector<History>& first);
+
+/// Each parameter a little larger, where its bounds allow that.
+std::map<std::string, double> other_parameters(const Material& material);
 
 /// A model that does not declare ASSAY_USES_INCREMENT does not read F0.
 TestResult undeclared_increment(const Specimen& specimen);

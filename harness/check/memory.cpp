@@ -47,6 +47,15 @@ bool reads(const Material& material, const Sample& s, const Place& place) {
   return false;
 }
 
+bool changes(const std::vector<Sample>& samples, const Place& place) {
+  return std::any_of(samples.begin(), samples.end(), [&](const Sample& s) {
+    for (std::size_t c = place.first; c < place.first + place.size; ++c) {
+      if (s.end.state[c] != s.state0[c]) return true;
+    }
+    return false;
+  });
+}
+
 /// The largest departure of component c from its first value on the way.
 double departure(const Specimen& specimen, std::size_t c, int steps) {
   const auto F = [&](int k) { return specimen.space.stretch(specimen.amplitude, static_cast<double>(k) / steps); };
@@ -81,9 +90,11 @@ TestResult memory(const Specimen& specimen) {
     return {.id = "memory", .verdict = Verdict::not_applicable, .sentence = "the model has no state of its own"};
   }
   const std::vector<Sample> samples = samples_of(specimen);
-  std::string unread;
+  std::string unread, constant;
   for (const Place& place : all) {
     if (std::any_of(samples.begin(), samples.end(), [&](const Sample& s) { return reads(material, s, place); })) {
+      if (!changes(samples, place))
+        constant += (constant.empty() ? "'" : ", '") + std::string(place.variable->name) + "'";
       continue;
     }
     const std::string name = place.variable->name;
@@ -101,6 +112,7 @@ TestResult memory(const Specimen& specimen) {
   }
   result.sentence = unread.empty() ? "steps read every variable of the state"
                                    : "no step reads " + unread + " of the state: no more than an output";
+  if (!constant.empty()) result.sentence += "; a remark: no step changes " + constant + ", which steps read";
   return result;
 }
 

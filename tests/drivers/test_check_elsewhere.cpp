@@ -60,6 +60,34 @@ TEST(CheckElsewhere, NamesWhatIsKeptOfTheFirstCall) {
   EXPECT_NE(wrong.diagnosis.front().sentence.find("another process"), std::string::npos);
 }
 
+ResolvedMaterial library(const std::string& file) {
+  MaterialChoice choice;
+  choice.adapter = ASSAY_BINARY_DIR + file;
+  choice.density = 1000;
+  return resolve_material(choice, Example::all);
+}
+
+TEST(CheckElsewhere, NamesWhatIsKeptOfTheFirstInstance) {
+  const ResolvedMaterial wrong = library("/tests/plugins/first_instance.so");
+  check::Options options;
+  options.only = "calls.repeated";
+  const auto verdict_with = [&](const check::History& others) {
+    options.others_elsewhere = others;
+    const check::Report report = check::run_battery(wrong.material, options);
+    return report.diagnosis.empty() ? std::string() : report.diagnosis.front().sentence;
+  };
+  EXPECT_EQ(verdict_with({}).find("of an instance of other parameters"), std::string::npos);
+  EXPECT_NE(verdict_with(history_of_others(wrong, {})).find("of an instance of other parameters"), std::string::npos);
+}
+
+TEST(CheckElsewhere, LoadsACopyOfAnyLibraryAndOfNothingElse) {
+  EXPECT_FALSE(history_of_others(library("/materials/libneo_hookean.so"), {}).empty());
+  MaterialChoice built_in;
+  built_in.adapter = "zener";
+  built_in.density = 1000;
+  EXPECT_TRUE(history_of_others(resolve_material(built_in, Example::all), {}).empty());
+}
+
 TEST(CheckElsewhere, IsTheSameHistoryToTheLastBit) {
   const Material material = spring(none);
   const check::Effort effort;
