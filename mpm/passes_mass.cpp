@@ -53,22 +53,21 @@ template <int Dim>
 bool find_velocity(State<Dim>& s, const Method& method, double kick, MassMatrix<Dim>& matrix) {
   GridField<Dim>&v = s.solver[0], &a = s.solver[1];
   const bool fmpm = method.transfer == Transfer::fmpm, consistent = method.mass == Mass::consistent;
-  bool solved = true;
-  divide_by_sums(s, matrix, fmpm ? kick : 0, v, a);
-  if (consistent) {
-    matrix.find_edges();
-    if (!method.is_affine()) {
-      load_momentum(s, v);
-      solved = matrix.solve(v);
-    }
-    std::copy_n(s.force.data(), a.nodes() * GridField<Dim>::stride, a.data());
-    solved = matrix.solve(a) && solved;
-  } else if (method.mass == Mass::series) {
-    matrix.add_terms(a, method.terms);
-  } else {
-    matrix.add_terms(v, method.terms);  // XPIC, FMPM
+  if (!consistent) {
+    divide_by_sums(s, matrix, fmpm ? kick : 0, v, a);
+    matrix.add_terms(method.mass == Mass::series ? a : v, method.terms);  // v: of XPIC and FMPM
+    return true;
   }
-  return solved;
+  matrix.find_edges();
+  load_momentum(s, v);
+  std::copy_n(s.force.data(), a.nodes() * GridField<Dim>::stride, a.data());
+  bool solved = true;
+  if (method.is_affine()) {
+    matrix.divide(v);
+  } else {
+    solved = matrix.solve(v);
+  }
+  return matrix.solve(a) && solved;
 }
 
 template <int Dim>

@@ -9,6 +9,7 @@
 #include "drivers/scene/body_box.hpp"
 #include "drivers/simulation/seeds.hpp"
 #include "harness/wave_speed.hpp"
+#include "mpm/corners.hpp"
 #include "mpm/lattice.hpp"
 #include "mpm/particle_order.hpp"
 #include "mpm/patch/methods.hpp"
@@ -196,6 +197,7 @@ double Problem::estimated_bytes() const {
   }
   if (setup.frame && setup.frame->spin != 0) bytes += stepped * spin_bytes;
   if (setup.uses_exact_solution()) bytes += stepped * inertia_bytes;
+  bytes += static_cast<double>(setup.seeds.corners.size() * sizeof(mpm::Corners<2>));
   if (takes_shadow(scene)) {  // states and stress at both ends of a step, and F
     bytes += scene.force.radii * sizeof(double) * (2.0 * static_cast<double>(material->state_size()) + 4 * 9);
   }

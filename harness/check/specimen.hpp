@@ -20,14 +20,14 @@ struct Specimen {
   Stiffness stiffness = Stiffness::Zero();
   double modulus = 0;                    ///< largest component of `stiffness` [Pa]
   bool linear = false;                   ///< its response to small strains from rest is
+  bool has_refused = false;              ///< a step by its own word, while it was found out how far it can be loaded
   std::vector<RelaxingPart> parts = {};  ///< of a rate-dependent material
   double amplitude = 0;                  ///< of strain, that the material stands along `loading`
   /// At the least strain beyond `amplitude` that was tried, in short steps, too; nothing where the material flows in
   /// time before that.
   std::optional<MaterialFailure> not_finite = {};
-  bool has_refused = false;  ///< a step by its own word, while it was found out how far it can be loaded
-  double onset = 0;          ///< strain up to which it is nearly linear; what never is has none
-  double pressure = 0;       ///< at rest [Pa]: some soils have no stiffness, or no state, without one
+  double onset = 0;     ///< strain up to which it is nearly linear; what never is has none
+  double pressure = 0;  ///< at rest [Pa]: some soils have no stiffness, or no state, without one
 
   std::vector<double> rest_state(const Vector3& direction = Vector3::UnitX()) const {
     return state_at_rest(*material, pressure, direction);
