@@ -67,22 +67,36 @@ void watch(pid_t process, int deaths, int lifeline, int told) {
   }
 }
 
+/// The kept process: at work once its keeper has said who it is, since a model may end the keeper at once.
+[[noreturn]] void begin_work(const std::function<void()>& work, const Pipe& begin) {
+  unblock_signals();
+  ::close(begin.ends[1]);
+  char told;
+  if (::read(begin.ends[0], &told, 1) != 1) leave_process(3);
+  ::close(begin.ends[0]);
+  work();
+  leave_process(3);
+}
+
 [[noreturn]] void keep(const std::function<void()>& work, const std::vector<int>& files, int lifeline, int told,
-                       const std::string& folder) {
+                       const Pipe& begin, const std::string& folder) {
   ::setpgid(0, 0);  // not ended by the terminal's Ctrl-C
   adapters::adopt_orphans();
   const int deaths = deaths_of_children();
   const pid_t process = ::fork();
   if (process == 0) {
     close_all({lifeline, told, deaths});
-    unblock_signals();
-    work();
-    leave_process(3);
+    begin_work(work, begin);
   }
   close_all(files);
+  ::close(begin.ends[0]);
   if (process < 0) leave_process(3);
   ::setpgid(process, process);
-  if (::write(told, &process, sizeof process) == sizeof process) watch(process, deaths, lifeline, told);
+  if (::write(told, &process, sizeof process) == sizeof process) {
+    [[maybe_unused]] const ssize_t written = ::write(begin.ends[1], "", 1);
+    ::close(begin.ends[1]);
+    watch(process, deaths, lifeline, told);
+  }
   ::kill(-process, SIGKILL);
   adapters::end_descendants();
   std::error_code ignored;
@@ -94,7 +108,7 @@ void watch(pid_t process, int deaths, int lifeline, int told) {
 
 Keeper start_kept(const std::function<void()>& work, const std::vector<int>& files, const std::vector<int>& others,
                   const std::string& folder) {
-  const Pipe lifeline, told;
+  const Pipe lifeline, told, begin;
   Keeper keeper;
   keeper.lifeline = lifeline.ends[1];
   keeper.told = told.ends[0];
@@ -103,9 +117,9 @@ Keeper start_kept(const std::function<void()>& work, const std::vector<int>& fil
   if (keeper.pid == 0) {
     close_all(others);
     close_all({lifeline.ends[1], told.ends[0]});
-    keep(work, files, lifeline.ends[0], told.ends[1], folder);
+    keep(work, files, lifeline.ends[0], told.ends[1], begin, folder);
   }
-  close_all({lifeline.ends[0], told.ends[1]});
+  close_all({lifeline.ends[0], told.ends[1], begin.ends[0], begin.ends[1]});
   if (::read(keeper.told, &keeper.process, sizeof keeper.process) != sizeof keeper.process) refuse("fork");
   ::fcntl(keeper.told, F_SETFL, O_NONBLOCK);
   return keeper;

@@ -122,7 +122,7 @@ TestResult end_to_end_vortex(const ResolvedMaterial& resolved, std::optional<dou
   try {
     examined = check::examine(material, {});
     const check::Specimen& specimen = *examined;
-    if (specimen.pressure > 0) return not_applicable("the vortex begins without stress");
+    if (specimen.rest_pressure() > 0) return not_applicable("the vortex begins without stress");
     if (!(specimen.stiffness(0, 0) > 0)) return not_applicable("the material has no stiffness at rest");
     if (estimated_s(material, specimen) > patience_s) return not_applicable("the material takes too long for a run");
   } catch (const std::runtime_error&) {

@@ -7,7 +7,8 @@
 
 namespace assay::mpm {
 
-enum class Basis { linear, ugimp, cpgimp, cpdi, cpdi2, bspline2, bspline3 };
+enum class Basis { linear, ugimp, cpgimp, cpdi, cpdi2, bspline2, bspline3, bspline4 };
+constexpr bool is_spline(Basis basis) { return basis >= Basis::bspline2; }
 /// Configuration in which weights are made and forces integrated: the current one, or that of the beginning.
 enum class Formulation { updated, total };
 enum class Transfer { pic, flip, xpic, fmpm, apic, aflip };

@@ -29,6 +29,8 @@ auto with_basis(Basis basis, const Visitor& visit) {
       return visit(std::type_identity<Bspline2Basis<Dim>>());
     case Basis::bspline3:
       return visit(std::type_identity<Bspline3Basis<Dim>>());
+    case Basis::bspline4:
+      return visit(std::type_identity<Bspline4Basis<Dim>>());
     case Basis::cpdi2:
       return visit(std::type_identity<Cpdi2Basis<Dim>>());
     case Basis::cpdi:

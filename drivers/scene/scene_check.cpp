@@ -95,10 +95,10 @@ void check_gauss_lattice(const Scene& scene, const Where& where) {
   if (!scene.method) return;
   const auto basis = scene.method->basis;
   const std::string name = mpm::names_of(*scene.method).basis;
-  if (basis != linear && basis != bspline2 && basis != bspline3) {
+  if (basis != linear && !mpm::is_spline(basis)) {
     refuse(where, "body.lattice",
            "Gauss points are not the centres of domains that fill their cell, which " + name +
-               " needs: take linear, bspline2 or bspline3");
+               " needs: take linear, bspline2, bspline3 or bspline4");
   }
 }
 

@@ -15,7 +15,7 @@ const Range positive{.lower = 0, .lower_open = true};
 const std::vector<std::string> isolations{"automatic", "worker", "none"};
 const std::vector<std::string> domains{"ring", "square", "box"};
 const std::vector<std::string> outsides{"held", "free"};
-const std::vector<std::string> bases{"linear", "ugimp", "cpgimp", "cpdi", "cpdi2", "bspline2", "bspline3"};
+const std::vector<std::string> bases{"linear", "ugimp", "cpgimp", "cpdi", "cpdi2", "bspline2", "bspline3", "bspline4"};
 const std::vector<std::string> formulations{"updated", "total"};
 const std::vector<std::string> transfers{"pic", "flip", "xpic", "fmpm", "apic", "aflip"};
 const std::vector<std::string> affines{"gradient", "moment"};
@@ -87,7 +87,7 @@ std::vector<Key> body_keys() {
 std::vector<Key> method_keys() {
   using enum KeyType;
   return {
-      {"method.basis", choice, "weights of the grid: linear, uGIMP, cpGIMP, CPDI (R4), CPDI2 (Q4), B-splines of degree 2 and 3",
+      {"method.basis", choice, "weights of the grid: linear, uGIMP, cpGIMP, CPDI (R4), CPDI2 (Q4), B-splines of degree 2, 3 and 4",
        GET(s.method ? name_of(bases, s.method->basis) : Value()),
        SET(s.method->basis = picked<Method::Basis>(bases, v)), {}, bases},
       {"method.formulation", choice, "configuration in which weights are made and forces integrated",

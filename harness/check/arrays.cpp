@@ -17,11 +17,14 @@ constexpr double no_value = -7.25e77;
 constexpr double length = 0.05;  ///< of a step [s]
 constexpr int usual_steps = 20;
 
+constexpr std::size_t promised = 8;  ///< alignment [bytes]: arrays of the tests stand there and at no multiple of 16
+
 /// An array with guard words around it, all of one value: as many as twenty components of n points.
 template <class T>
 class Guarded {
  public:
-  Guarded(std::size_t used, std::size_t n, T mark) : guard_(20 * n + 256), all_(used + 2 * guard_, mark), mark_(mark) {}
+  Guarded(std::size_t used, std::size_t n, T mark)
+      : guard_(20 * n + 256 + promised / sizeof(T)), all_(used + 2 * guard_, mark), mark_(mark) {}
 
   T* data() { return all_.data() + guard_; }
   std::vector<T> values() const { return {first(), last()}; }
@@ -39,6 +42,19 @@ class Guarded {
   std::size_t guard_;
   std::vector<T> all_;
   T mark_;
+};
+
+/// Values where no more than the promised alignment is.
+class Misplaced {
+ public:
+  explicit Misplaced(const std::vector<double>& values) : all_(values.size() + 1) {
+    std::copy(values.begin(), values.end(), all_.begin() + 1);
+  }
+  const double* data() const { return all_.data() + 1; }
+  std::vector<double> values() const { return {all_.begin() + 1, all_.end()}; }
+
+ private:
+  std::vector<double> all_;
 };
 
 /// n points that are loaded alike, component-major.
@@ -102,12 +118,13 @@ Deed begin(const Material& material, std::size_t n) {
 /// One step from F0 to F1.
 Deed step(const Material& material, std::size_t n, double t, const Tensor& before, const Tensor& after,
           const std::vector<double>& state0) {
-  const std::vector<double> F0 = repeated(before, n), F1 = repeated(after, n), given[] = {F0, F1, state0};
+  const std::vector<double> given[] = {repeated(before, n), repeated(after, n), state0};
+  const Misplaced F0(given[0]), F1(given[1]), state(state0);
   Guarded<double> cauchy(9 * n, n, no_value), state1(material.state_size() * n, n, no_value), factor(1, n, 1.0);
   Guarded<std::int32_t> status(n, n, -77);
   Guarded<char> message(ASSAY_MESSAGE_SIZE, 1, 0);
   const assay_step step{t, length, F0.data(), F1.data()};
-  material.table().update(material.self(), &step, n, state0.data(), state1.data(), cauchy.data(), status.data(),
+  material.table().update(material.self(), &step, n, state.data(), state1.data(), cauchy.data(), status.data(),
                           factor.data(), message.data());
   const std::uint32_t changes = changes_of_arithmetic();
   if (changes != arithmetic_kept) reset_arithmetic();
@@ -120,7 +137,7 @@ Deed step(const Material& material, std::size_t n, double t, const Tensor& befor
   if (status.broken()) return ends("it writes beyond the status of the points");
   if (message.broken()) return ends("it writes beyond the message");
   if (factor.broken()) return ends("it writes beyond dt_factor");
-  if (!same(given[0], F0) || !same(given[1], F1) || !same(given[2], state0))
+  if (!same(given[0], F0.values()) || !same(given[1], F1.values()) || !same(given[2], state.values()))
     return ends("it writes into what it is given");
   if (status.unwritten()) return ends("it leaves the status of points unwritten");
   if (std::count(found.begin(), found.end(), ASSAY_FAILED) != 0) return ends("");

@@ -4,10 +4,35 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "harness/check/judge.hpp"
 
 namespace assay::check {
+
+namespace {
+
+/// By how much the result of a step depends on the F with which it begins, of its stress; INFINITY where that decides
+/// whether it is taken.
+double trace_of_increment(const Specimen& specimen, const Tensor& F0, const Tensor& F1) {
+  const Material& material = *specimen.material;
+  const Tensor I = Tensor::Identity();
+  const Point before = stepped(material, 0, 1, I, F0, specimen.rest_state());
+  const Point usual = stepped(material, 1, 1, F0, F1, before.state);
+  const double scale = std::max(usual.cauchy.cwiseAbs().maxCoeff(), specimen.least_stress());
+  double most = 0;
+  try {
+    for (const Tensor& other : {I, Tensor(0.9 * I), Tensor(1.1 * I), Tensor(specimen.space.turn(1) * F1)}) {
+      const Point found = stepped(material, 1, 1, specimen.space.within(other), F1, before.state);
+      most = std::max(most, distance(found.cauchy, usual.cauchy) / scale);
+    }
+  } catch (const MaterialFailure&) {
+    return INFINITY;
+  }
+  return most;
+}
+
+}  // namespace
 
 TestResult undeclared_increment(const Specimen& specimen) {
   constexpr double most = 1e-12;
@@ -18,16 +43,18 @@ TestResult undeclared_increment(const Specimen& specimen) {
     result.sentence = "the model declares that it reads F at the beginning of a step";
     return result;
   }
-  const Material& material = *specimen.material;
   const double a = specimen.amplitude;
-  const Tensor F0 = specimen.space.stretch(a, 0.1), F1 = specimen.space.stretch(a, 0.12);
-  const Point before = stepped(material, 0, 1, Tensor::Identity(), F0, specimen.rest_state());
-  const Tensor usual = stepped(material, 1, 1, F0, F1, before.state).cauchy;
-  const double scale = std::max(usual.cwiseAbs().maxCoeff(), specimen.least_stress());
-  try {
-    result.measure = distance(stepped(material, 1, 1, Tensor::Identity(), F1, before.state).cauchy, usual) / scale;
-  } catch (const MaterialFailure&) {
-    result.measure = INFINITY;
+  const Tensor I = Tensor::Identity(), less = (1 - 0.1 * a) * I, more = (1 + 0.1 * a) * I;
+  const Tensor out = specimen.space.stretch(a, 0.1), beyond = specimen.space.stretch(a, 0.12);
+  result.measure = trace_of_increment(specimen, out, beyond);
+  for (const auto& [F0, F1] :
+       {std::pair(beyond, out), std::pair(less, Tensor((1 - 0.12 * a) * I)),
+        std::pair(less, Tensor((1 - 0.05 * a) * I)), std::pair(more, Tensor((1 + 0.05 * a) * I))}) {
+    try {
+      const Tensor from = specimen.space.within(F0), to = specimen.space.within(F1);
+      result.measure = std::max(*result.measure, trace_of_increment(specimen, from, to));
+    } catch (const MaterialFailure&) {  // a step that it does not stand, whatever it begins with
+    }
   }
   if (*result.measure <= most) return result;
   result.verdict = Verdict::fail;

@@ -7,6 +7,7 @@
 
 #include "harness/check/derivatives.hpp"
 #include "harness/check/judge.hpp"
+#include "harness/check/potential.hpp"
 #include "harness/check/strain_cycle.hpp"
 #include "harness/check/viscosity.hpp"
 #include "harness/check/work.hpp"
@@ -44,49 +45,6 @@ double out_of_rest(const Specimen& specimen, int steps, double time) {
   }
   const double share = -least / std::max(work.paid(), specimen.least_stress() * specimen.amplitude);
   return std::isfinite(share) ? share : INFINITY;
-}
-
-/// Once around a square in a plane of strains, from rest: the work that comes out of it, over that which was done and
-/// returned. Of a model that is in equilibrium at rest none does, whichever way and however fast.
-double out_of_a_square(const Specimen& specimen, bool other_way, double time) {
-  Tensor A, B;
-  A << 1, 0.4, -0.3, 0.4, -0.5, 0.2, -0.3, 0.2, 0.3;
-  B << -0.2, 0.5, 0.1, 0.5, 0.6, -0.4, 0.1, -0.4, 0.3;
-  if (other_way) std::swap(A, B);
-  const int steps = specimen.steps();
-  Work work(specimen, 0.25 * time / steps);
-  for (int k = 1; k <= 4 * steps; ++k) {
-    const double along = static_cast<double>(k) / steps;  // corners at the integers
-    const double a = std::clamp(along, 0.0, 1.0) - std::clamp(along - 2, 0.0, 1.0);
-    const double b = std::clamp(along - 1, 0.0, 1.0) - std::clamp(along - 3, 0.0, 1.0);
-    work.step(specimen.space.within(Tensor::Identity() + 0.5 * specimen.amplitude * (a * A + b * B)));
-  }
-  const double share = -work.done() / std::max(work.paid(), specimen.least_stress() * specimen.amplitude);
-  return std::isfinite(share) ? share : 0;
-}
-
-/// Laws in increments store no energy exactly: their small elastic cycles may give some work.
-void judge_squares(const Specimen& specimen, const std::vector<double>& times, TestResult& result) {
-  constexpr double of_steps = 1e-5;  // which steps of finite length leave below a tenth of this
-  constexpr double most = 0.01;      // of stresses of ln V that are no energy's, in common use: 0.003
-  if (specimen.material->has(ASSAY_USES_INCREMENT)) return;
-  double worst = 0;
-  for (const bool other_way : {false, true}) {
-    for (const double time : times) {
-      try {
-        worst = std::max(worst, out_of_a_square(specimen, other_way, time));
-      } catch (const MaterialFailure&) {  // it may not stand the corners
-      }
-    }
-  }
-  if (worst > of_steps && worst <= most && specimen.material->path_independent()) {
-    result.sentence += "; a remark: the stress has no potential, " + percent(worst) +
-                       " of the work comes out once around a square in the space of strains";
-  }
-  if (worst <= most) return;
-  result = {.id = "dissipation", .verdict = Verdict::fail, .measure = worst, .threshold = most};
-  result.cause = causes::dissipation;
-  result.sentence = percent(worst) + " of the work comes out of nothing: once around a square in the space of strains";
 }
 
 /// By how much the deviator of a body that is held grows after it has been less, over the largest of it, from 1e-8 to
@@ -155,6 +113,32 @@ void judge_cycles(const Specimen& specimen, TestResult& result) {
                     " times while their number doubles: flow feeds what drives it";
 }
 
+/// What relaxes bears no more in a long step than in a sudden one.
+void judge_long_steps(const Specimen& specimen, TestResult& result) {
+  constexpr double most = 3, sudden = 1e-9;  // times; [s]
+  const Tensor F = specimen.space.stretch(specimen.amplitude, 0.3);
+  const auto stress = [&](double length) {
+    const Tensor found = stepped(*specimen.material, 0, length, Tensor::Identity(), F, specimen.rest_state()).cauchy;
+    return Tensor(found + specimen.rest_pressure() * Tensor::Identity());
+  };
+  const auto size = [](const Tensor& found) { return std::pair(deviator(found).norm(), std::abs(found.trace())); };
+  try {
+    const auto [shear, pressure] = size(stress(sudden));
+    const double least = std::max(1e-3 * (shear + pressure), specimen.least_stress());
+    for (const double length : {1e-3, 1e-2, 0.1, 1.0, 10.0, 1e3, 1e6}) {
+      const auto [longer_shear, longer_pressure] = size(stress(length));
+      const double times = std::max(longer_shear / std::max(shear, least), longer_pressure / std::max(pressure, least));
+      if (times <= most) continue;
+      result = {.id = "dissipation", .verdict = Verdict::fail, .measure = times, .threshold = most};
+      result.cause = causes::dissipation;
+      result.sentence = "a step of " + rounded(length) + " s brings " + rounded(times) +
+                        " times the stress of a sudden one, and does not ask for a shorter one";
+      return;
+    }
+  } catch (const MaterialFailure&) {  // of the length of a step
+  }
+}
+
 /// Unloading of what has yielded is elastic, or loses work.
 void judge_unloading(const Specimen& specimen, TestResult& result) {
   constexpr double most =
@@ -186,10 +170,11 @@ TestResult dissipation(const Specimen& specimen) {
     TestResult result = judged(out_of_what_was_lost(specimen, *form), of_energy, "");
     if (result.verdict == Verdict::fail) return result;
   }
-  if (specimen.pressure > 0) {
+  if (specimen.rest_pressure() > 0) {
     return {.id = "dissipation",
             .verdict = form ? Verdict::pass : Verdict::not_applicable,
-            .sentence = "the model offers no energy, and stores some at rest: under pressure"};
+            .sentence = form ? "nothing comes back of what was lost of the work"
+                             : "the model offers no energy, and stores some at rest: under pressure"};
   }
   double worst = 0;
   const auto times = specimen.rate_dependent() ? std::vector{1.0, 1e-3, 1e3} : std::vector{1.0};
@@ -203,13 +188,15 @@ TestResult dissipation(const Specimen& specimen) {
     }
   }
   TestResult result = judged(worst, of_history, ": from rest and back there");
-  if (result.verdict == Verdict::pass) judge_squares(specimen, times, result);
+  if (result.verdict == Verdict::pass) judge_potential(specimen, times, result);
   if (result.verdict == Verdict::pass) result = viscosity(specimen, times).value_or(std::move(result));
   if (result.verdict != Verdict::pass) return result;
-  if (specimen.rate_dependent())
+  if (specimen.rate_dependent()) {
     judge_relaxation(specimen, result);
-  else
+    if (result.verdict == Verdict::pass) judge_long_steps(specimen, result);
+  } else {
     judge_cycles(specimen, result);
+  }
   if (result.verdict == Verdict::pass) judge_unloading(specimen, result);
   return result;
 }

@@ -69,7 +69,8 @@ std::vector<Rates> differences(const Specimen& specimen, const Sample& s, const 
   return all;
 }
 
-/// How far the offered rate of a part is from the limit of its differences; nothing where these have none.
+/// How far the offered rate of a part is from the limit of its differences beyond the doubt about that; nothing where
+/// these have none.
 std::optional<double> error_of_part(const std::vector<double>& offered, const std::vector<Rates>& steps,
                                     std::size_t part, double floor) {
   constexpr double settled = 1e-3;
@@ -82,13 +83,13 @@ std::optional<double> error_of_part(const std::vector<double>& offered, const st
     size = std::max({size, std::abs(limit), std::abs(offered[c])});
   }
   if (!(doubt <= settled * size)) return std::nullopt;
-  return error / size;
+  return std::max(0.0, error - doubt) / size;
 }
 
 }  // namespace
 
 TestResult rate_form(const Specimen& specimen) {
-  constexpr double most = 1e-2;
+  constexpr double most = 5e-4;  // right ones: below 1e-8
   const Material& material = *specimen.material;
   const auto* form = material.extension<assay_rate>(ASSAY_EXTENSION_RATE);
   if (!form) return left("rate", "the model offers no rate form");

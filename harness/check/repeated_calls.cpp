@@ -20,22 +20,49 @@ struct Steps {
   double t, dt;
 };
 
+Steps room_for(std::size_t n, std::size_t size, double dt) {
+  return {n, size, std::vector<double>(9 * n), std::vector<double>(9 * n), std::vector<double>(size * n), 0.5, dt};
+}
+
+void put(const Tensor& F, std::vector<double>& all, std::size_t n, std::size_t p) {
+  for (int c = 0; c < 9; ++c) all[static_cast<std::size_t>(c) * n + p] = component(F, c);
+}
+
+/// Shears of other sizes, in other planes: all of the volume 1 to the last bit, by which something may be looked up.
+Steps sheared_steps(const Specimen& specimen, std::size_t n) {
+  const Material& material = *specimen.material;
+  Steps steps = room_for(n, material.state_size(), 0.05);
+  const std::size_t planes = specimen.space.is_plane() ? 1 : 3;
+  for (std::size_t p = 0; p < n; ++p) {
+    const auto sheared = [&](double by) {
+      constexpr int place[] = {1, 5, 6};
+      Tensor F = Tensor::Identity();
+      component(F, place[p % planes]) = specimen.amplitude * by;
+      return F;
+    };
+    const double share = 0.3 * static_cast<double>(p + 1) / static_cast<double>(n);
+    const Tensor before = sheared(share), after = sheared(share + 0.05);
+    put(before, steps.F0, n, p);
+    put(after, steps.F1, n, p);
+    const Point at = stepped(material, 0, steps.t, Tensor::Identity(), before, specimen.rest_state());
+    for (std::size_t c = 0; c < steps.size; ++c) steps.state0[c * n + p] = at.state[c];
+  }
+  return steps;
+}
+
 Steps steps_along(const Specimen& specimen, std::size_t n) {
   const Material& material = *specimen.material;
   const std::size_t size = material.state_size();
-  Steps steps{n, size, std::vector<double>(9 * n), std::vector<double>(9 * n), std::vector<double>(size * n), 0.5, 0};
+  Steps steps = room_for(n, size, 1.0 / static_cast<double>(n));
   std::vector<double> state = specimen.rest_state();
-  steps.dt = 1.0 / static_cast<double>(n);
   const auto F = [&](std::size_t k) {
     const double s = static_cast<double>(k) / static_cast<double>(n);
     return Tensor(specimen.space.turn(1.3 * s) * specimen.space.stretch(specimen.amplitude, s));
   };
   for (std::size_t p = 0; p < n; ++p) {
     const Tensor before = F(p), after = F(p + 1);
-    for (int c = 0; c < 9; ++c) {
-      steps.F0[static_cast<std::size_t>(c) * n + p] = component(before, c);
-      steps.F1[static_cast<std::size_t>(c) * n + p] = component(after, c);
-    }
+    put(before, steps.F0, n, p);
+    put(after, steps.F1, n, p);
     for (std::size_t c = 0; c < size; ++c) steps.state0[c * n + p] = state[c];
     state = stepped(material, steps.t, steps.dt, before, after, state).state;
   }
@@ -131,6 +158,24 @@ void compare_histories(const Specimen& specimen, const std::vector<History>& fir
   }
 }
 
+/// One after the other and in a batch, against each after a step of another volume.
+void compare_shears(const Specimen& specimen, const Steps& others, Difference& difference) {
+  const Material& material = *specimen.material;
+  const Steps steps = sheared_steps(specimen, 9);
+  std::vector<Result> first;
+  for (std::size_t p = 0; p < steps.n; ++p) {
+    alone(material, others, p % others.n);
+    first.push_back(alone(material, steps, p));
+  }
+  const Comparison with(first);
+  for (std::size_t p = steps.n; p-- > 0;) {
+    difference.note(with.difference(p, alone(material, steps, p)),
+                    "of a shear, taken again after others of the volume,");
+  }
+  const std::vector<Result> batch = together(material, steps);
+  for (std::size_t p = 0; p < steps.n; ++p) difference.note(with.difference(p, batch[p]), in_a_batch);
+}
+
 /// None where a model does not take them.
 std::optional<Material> of_other_parameters(const Material& material) {
   try {
@@ -142,9 +187,7 @@ std::optional<Material> of_other_parameters(const Material& material) {
 
 /// So many points that those who work on some at a time begin anew, each with a step of its own.
 Steps many_of(const Steps& steps, std::size_t n) {
-  Steps many{
-      n,       steps.size, std::vector<double>(9 * n), std::vector<double>(9 * n), std::vector<double>(steps.size * n),
-      steps.t, steps.dt};
+  Steps many = room_for(n, steps.size, steps.dt);
   const auto copy = [&](const std::vector<double>& from, std::vector<double>& to) {
     for (std::size_t k = 0; k < to.size(); ++k) to[k] = from[k / n * steps.n + k % n % steps.n];
   };
@@ -225,7 +268,9 @@ TestResult repeated_calls(const Specimen& specimen, const std::vector<History>& 
   Difference difference;
   compare_histories(specimen, first, difference);
   try {
-    compare_steps(specimen, steps_along(specimen, specimen.options.effort.quick ? 12 : 40), difference);
+    const Steps steps = steps_along(specimen, specimen.options.effort.quick ? 12 : 40);
+    compare_steps(specimen, steps, difference);
+    compare_shears(specimen, steps, difference);
   } catch (const MaterialFailure&) {  // where it is loaded while it turns: the tests of rotation tell
   }
   TestResult result{.id = "calls.repeated", .measure = difference.worst, .threshold = most};

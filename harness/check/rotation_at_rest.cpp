@@ -20,7 +20,7 @@ Tensor strain_of_little_turn(const Space& space, double t) {
 Tensor stress_after(const Specimen& specimen, Tensor (*F)(const Space&, double), double length) {
   const MarchOptions options{.steps = specimen.steps(), .phase_length = length, .state = specimen.rest_state()};
   const Loading loading{[&](double t) { return F(specimen.space, t); }, 1};
-  return march(*specimen.material, loading, options).marks[0].cauchy + specimen.pressure * Tensor::Identity();
+  return march(*specimen.material, loading, options).marks[0].cauchy + specimen.rest_pressure() * Tensor::Identity();
 }
 
 /// The stress of a turn Q, as a multiple of that of the strain sym(Q - I).
@@ -68,7 +68,7 @@ RotationFinding rotation_at_rest(const Specimen& specimen) {
   std::array<double, 3> errors{};
   FailedStep last;
   const auto deviation = [&](const March& turned) {
-    return distance(turned.marks[0].cauchy, -specimen.pressure * Tensor::Identity()) / specimen.modulus;
+    return distance(turned.marks[0].cauchy, -specimen.rest_pressure() * Tensor::Identity()) / specimen.modulus;
   };
   for (int k = 0; k < 3; ++k) {
     const Loading loading{[&](double t) { return specimen.space.turn(angle * t); }, 1};

@@ -26,12 +26,15 @@ struct Specimen {
   /// At the least strain beyond `amplitude` that was tried, in short steps, too; nothing where the material flows in
   /// time before that.
   std::optional<MaterialFailure> not_finite = {};
-  double onset = 0;     ///< strain up to which it is nearly linear; what never is has none
-  double pressure = 0;  ///< at rest [Pa]: some soils have no stiffness, or no state, without one
+  double onset = 0;         ///< strain up to which it is nearly linear; what never is has none
+  double pressure = 0;      ///< at rest [Pa]: some soils have no stiffness, or no state, without one
+  double own_pressure = 0;  ///< [Pa], of a gas in absolute pressure: of a law that gives it without being asked
 
   std::vector<double> rest_state(const Vector3& direction = Vector3::UnitX()) const {
     return state_at_rest(*material, pressure, direction);
   }
+
+  double rest_pressure() const { return pressure + own_pressure; }  ///< [Pa]
 
   /// Whether the material stands what it answers in a straight line, and is not finite beyond.
   bool elastic_alone() const { return not_finite && linear && onset >= 0.5 * amplitude; }

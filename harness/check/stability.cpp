@@ -83,7 +83,7 @@ Finding along(const Specimen& specimen, const Baseline& baseline) {
 TestResult ellipticity(const Specimen& specimen) {
   TestResult result{.id = "ellipticity", .verdict = Verdict::not_applicable};
   result.sentence = "a state of rest under pressure has no stress-free wave speeds to compare with";
-  if (specimen.pressure > 0) return result;
+  if (specimen.rest_pressure() > 0) return result;
   double smallest = INFINITY;
   std::string words;
   for (const Baseline& baseline : baselines()) {

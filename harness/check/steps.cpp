@@ -71,6 +71,42 @@ Halvings halvings_of(const Specimen& specimen) {
   return found;
 }
 
+/// What a body that is held for a time [s] after a sudden load loses of its stress, over that.
+double lost_while_held(const Specimen& specimen, const Point& loaded, double time, int steps) {
+  const Tensor F = specimen.space.stretch(specimen.amplitude, 0.3);
+  Point now = loaded;
+  for (int k = 0; k < steps; ++k) {
+    now = stepped(*specimen.material, time * k / steps, time / steps, F, F, now.state);
+  }
+  const double scale = std::max(loaded.cauchy.cwiseAbs().maxCoeff(), specimen.least_stress());
+  return distance(now.cauchy, loaded.cauchy) / scale;
+}
+
+/// What relaxes in few steps does so in many of the same time: one that shorter steps leave out is not found where all
+/// are short enough.
+void judge_held(const Specimen& specimen, TestResult& result) {
+  constexpr double sudden = 1e-9, significant = 0.02, alike = 0.2, sound = 1.2;  // [s]; of the stress
+  constexpr int few = 10, many = 300;
+  try {
+    const Tensor I = Tensor::Identity(), F = specimen.space.stretch(specimen.amplitude, 0.3);
+    const Point loaded = stepped(*specimen.material, 0, sudden, I, F, specimen.rest_state());
+    for (const double time : {1e-2, 1.0, 100.0, 1e4}) {
+      const double in_few = lost_while_held(specimen, loaded, time, few);
+      if (in_few < significant || in_few > sound) continue;  // nothing, or steps too long for the law
+      const double in_many = lost_while_held(specimen, loaded, time, many);
+      if (in_many >= alike * in_few) continue;
+      result.verdict = Verdict::fail;
+      result.measure = in_few - in_many;
+      result.order = {};
+      result.cause = causes::no_convergence;
+      result.sentence = "held for " + rounded(time) + " s, a body loses " + percent(in_few) + " of its stress in " +
+                        std::to_string(few) + " steps and " + percent(in_many) + " in " + std::to_string(many);
+      return;
+    }
+  } catch (const MaterialFailure&) {  // of the length of a step
+  }
+}
+
 }  // namespace
 
 TestResult step_halving(const Specimen& specimen) {
@@ -80,13 +116,15 @@ TestResult step_halving(const Specimen& specimen) {
   TestResult result{.id = "step_halving", .measure = found.left(), .threshold = found.most()};
   if (third <= own_precision * own_precision) {
     result.sentence = "the result does not depend on the number of steps";
+    if (specimen.rate_dependent()) judge_held(specimen, result);
     return result;
   }
   result.order = std::log2(second / third);
   result.verdict = found.have_limit() ? Verdict::pass : Verdict::fail;
   result.sentence = "halving the step changes the stress by " + rounded(second) + ", halving it again by " +
                     rounded(third) + (*result.order < 1.5 ? ": correct, but first order in the step" : "");
-  if (result.verdict == Verdict::pass) return result;
+  if (result.verdict == Verdict::pass && specimen.rate_dependent()) judge_held(specimen, result);
+  if (result.verdict == Verdict::pass || result.cause == causes::no_convergence) return result;
   result.cause = causes::no_convergence;
   result.sentence = "halving the step again and again changes the stress by " + rounded(first) + ", " +
                     rounded(second) + ", " + rounded(third) + ": it has no limit";

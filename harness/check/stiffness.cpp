@@ -25,7 +25,7 @@ struct Probes {
 /// 23 are taken for like the shear 12.
 Probes probes_of(const Material& material, double pressure, double size, double length) {
   const std::vector<double> rest = state_at_rest(material, pressure);
-  const Tensor at_rest = -pressure * Tensor::Identity();
+  const Tensor I = Tensor::Identity(), at_rest = stepped(material, 0, length, I, I, rest).cauchy;
   Probes probes;
   const Space space(material);
   for (int column = 0; column < 6; ++column) {

@@ -69,7 +69,7 @@ double out_of_a_cycle(const Specimen& specimen, const Plane& plane, double yield
 
 std::optional<double> out_of_a_cycle_after_yield(const Specimen& specimen) {
   const bool yields = specimen.linear && specimen.onset < 0.5 * specimen.amplitude;
-  if (specimen.rate_dependent() || specimen.pressure > 0 || !yields) return std::nullopt;
+  if (specimen.rate_dependent() || specimen.rest_pressure() > 0 || !yields) return std::nullopt;
   std::optional<double> most;
   for (const double sign : {1.0, -1.0}) {
     try {

@@ -7,8 +7,8 @@ namespace assay::mpm {
 
 namespace {
 
-constexpr std::array<Basis, 7> all_bases{Basis::linear, Basis::ugimp,    Basis::cpgimp,  Basis::cpdi,
-                                         Basis::cpdi2,  Basis::bspline2, Basis::bspline3};
+constexpr std::array<Basis, 8> all_bases{Basis::linear, Basis::ugimp,    Basis::cpgimp,   Basis::cpdi,
+                                         Basis::cpdi2,  Basis::bspline2, Basis::bspline3, Basis::bspline4};
 
 /// What both formulations take besides pic and flip in all updates.
 void add_choices(const Method& plain, std::vector<Method>& methods) {
@@ -57,7 +57,7 @@ std::vector<Method> all_methods() {
 }
 
 const char* name_of(Basis basis) {
-  constexpr const char* names[] = {"linear", "ugimp", "cpgimp", "cpdi", "cpdi2", "bspline2", "bspline3"};
+  constexpr const char* names[] = {"linear", "ugimp", "cpgimp", "cpdi", "cpdi2", "bspline2", "bspline3", "bspline4"};
   return names[static_cast<int>(basis)];
 }
 

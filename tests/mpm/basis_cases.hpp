@@ -17,11 +17,11 @@ struct BasisCase {
   static constexpr int Dim = D;
   using Basis = B<D>;
 };
-using EveryBasis = testing::Types<BasisCase<LinearBasis, 2>, BasisCase<UgimpBasis, 2>, BasisCase<CpgimpBasis, 2>,
-                                  BasisCase<CpdiBasis, 2>, BasisCase<Cpdi2Basis, 2>, BasisCase<Bspline2Basis, 2>,
-                                  BasisCase<Bspline3Basis, 2>, BasisCase<LinearBasis, 3>, BasisCase<UgimpBasis, 3>,
-                                  BasisCase<CpgimpBasis, 3>, BasisCase<CpdiBasis, 3>, BasisCase<Cpdi2Basis, 3>,
-                                  BasisCase<Bspline2Basis, 3>, BasisCase<Bspline3Basis, 3>>;
+using EveryBasis = testing::Types<
+    BasisCase<LinearBasis, 2>, BasisCase<UgimpBasis, 2>, BasisCase<CpgimpBasis, 2>, BasisCase<CpdiBasis, 2>,
+    BasisCase<Cpdi2Basis, 2>, BasisCase<Bspline2Basis, 2>, BasisCase<Bspline3Basis, 2>, BasisCase<Bspline4Basis, 2>,
+    BasisCase<LinearBasis, 3>, BasisCase<UgimpBasis, 3>, BasisCase<CpgimpBasis, 3>, BasisCase<CpdiBasis, 3>,
+    BasisCase<Cpdi2Basis, 3>, BasisCase<Bspline2Basis, 3>, BasisCase<Bspline3Basis, 3>, BasisCase<Bspline4Basis, 3>>;
 
 struct BasisCaseName {
   template <class T>

@@ -16,7 +16,7 @@ double de_boor_slope(int degree, double u) { return de_boor(degree - 1, u) - de_
 template <class Case>
 struct BsplineBasisTest : testing::Test, BasisFixture<Case> {
   static constexpr std::size_t Dim = Case::Dim;
-  static constexpr int degree = std::is_same_v<typename Case::Basis, Bspline2Basis<Case::Dim>> ? 2 : 3;
+  static constexpr int degree = Case::Basis::nodes_across - 1;
 
   /// Distance of x from where the support of node i's function begins, in spacings.
   double along(std::size_t i, std::size_t d) const {
@@ -30,9 +30,10 @@ struct BsplineBasisTest : testing::Test, BasisFixture<Case> {
     ASSERT_TRUE(this->basis.place(0, at, identity));
   }
 };
-using BothDegrees = testing::Types<BasisCase<Bspline2Basis, 2>, BasisCase<Bspline3Basis, 2>,
-                                   BasisCase<Bspline2Basis, 3>, BasisCase<Bspline3Basis, 3>>;
-TYPED_TEST_SUITE(BsplineBasisTest, BothDegrees, BasisCaseName);
+using EveryDegree =
+    testing::Types<BasisCase<Bspline2Basis, 2>, BasisCase<Bspline3Basis, 2>, BasisCase<Bspline4Basis, 2>,
+                   BasisCase<Bspline2Basis, 3>, BasisCase<Bspline3Basis, 3>, BasisCase<Bspline4Basis, 3>>;
+TYPED_TEST_SUITE(BsplineBasisTest, EveryDegree, BasisCaseName);
 
 TYPED_TEST(BsplineBasisTest, IsThatOfTheRecursion) {
   constexpr std::size_t N = TypeParam::Dim;

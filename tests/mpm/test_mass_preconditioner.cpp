@@ -61,7 +61,7 @@ TEST(MassPreconditioner, InvertsTheProductOfItsLines) {
 }
 
 TEST(MassPreconditioner, ItsMeansAreSharesOfTheMatrix) {
-  for (const Basis basis : {Basis::linear, Basis::bspline2, Basis::bspline3}) {
+  for (const Basis basis : {Basis::linear, Basis::bspline2, Basis::bspline3, Basis::bspline4}) {
     Method method;
     method.basis = basis, method.formulation = Formulation::total, method.mass = Mass::series;
     Simulation<2> simulation(square_setup(4, true, method));

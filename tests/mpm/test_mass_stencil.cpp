@@ -48,7 +48,8 @@ double difference(Setup<Dim> setup, int threads) {
 }
 
 TEST(MassStencil, IsTheMatrixOfTheParticles) {
-  for (const Basis basis : {Basis::linear, Basis::ugimp, Basis::cpgimp, Basis::bspline2, Basis::bspline3}) {
+  for (const Basis basis :
+       {Basis::linear, Basis::ugimp, Basis::cpgimp, Basis::bspline2, Basis::bspline3, Basis::bspline4}) {
     SCOPED_TRACE(name_of(basis));
     for (const int threads : {1, 3}) EXPECT_LT(difference(vortex_setup(10, total_with(basis)), threads), 1e-14);
     EXPECT_LT(difference(block_setup<3>(total_with(basis)), 1), 1e-14);
@@ -57,7 +58,7 @@ TEST(MassStencil, IsTheMatrixOfTheParticles) {
 
 // Particles of their own masses up to the grid's edge, where B-splines are other ones.
 TEST(MassStencil, IsTheMatrixAtTheGridsEdge) {
-  for (const Basis basis : {Basis::linear, Basis::bspline2, Basis::bspline3}) {
+  for (const Basis basis : {Basis::linear, Basis::bspline2, Basis::bspline3, Basis::bspline4}) {
     SCOPED_TRACE(name_of(basis));
     mpm::Setup<2> setup = block_setup<2>(total_with(basis));
     setup.grid.first.fill(-1);

@@ -179,7 +179,8 @@ TEST_P(Accounts, CloseAsFarAsTheMethodConserves) {
   // Angular momentum is kept up to the distance of nodes from their particles' centre of mass.
   EXPECT_LT(coarse.angular, GetParam().is_total() ? 1.5e-2 : 4e-3);
   if (GetParam().transfer != Transfer::flip || GetParam().mass == Mass::series) {
-    EXPECT_LT(coarse.energy, 5e-2);  // the work of forces is not quite what the particles gain
+    // The work of forces is not quite what the particles gain: the wider the functions, the less.
+    EXPECT_LT(coarse.energy, GetParam().basis == Basis::bspline4 ? 6e-2 : 5e-2);
     return;
   }
   // The kinetic energy that FLIP particles gain is the work of the nodal forces, up to the order of the step.

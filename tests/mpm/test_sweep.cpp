@@ -47,8 +47,8 @@ void expect_same_bits(const std::vector<double>& a, const std::vector<double>& b
 /// Of each basis a transfer that carries much: AFLIP with a matrix of mass.
 std::vector<Method> one_of_each_basis() {
   std::vector<Method> methods;
-  for (const Basis basis :
-       {Basis::linear, Basis::ugimp, Basis::cpgimp, Basis::cpdi, Basis::cpdi2, Basis::bspline2, Basis::bspline3}) {
+  for (const Basis basis : {Basis::linear, Basis::ugimp, Basis::cpgimp, Basis::cpdi, Basis::cpdi2, Basis::bspline2,
+                            Basis::bspline3, Basis::bspline4}) {
     Method method;
     method.basis = basis, method.transfer = Transfer::aflip, method.mass = Mass::series;
     methods.push_back(method);

@@ -167,9 +167,9 @@ TEST(SceneReader, RefusesNumbersOutOfRange) {
 }
 
 TEST(SceneReader, RefusesWhatLaterVersionsMayKnow) {
-  EXPECT_TRUE(has(refused_set("method.basis=bspline4"),
-                  "unknown value 'bspline4' (nearest: bspline2); known: linear, ugimp, cpgimp, cpdi, cpdi2, bspline2, "
-                  "bspline3"));
+  EXPECT_TRUE(has(refused_set("method.basis=bspline5"),
+                  "unknown value 'bspline5' (nearest: bspline2); known: linear, ugimp, cpgimp, cpdi, cpdi2, bspline2, "
+                  "bspline3, bspline4"));
   EXPECT_TRUE(has(refused_set("method.transfer=picflip"), "known: pic, flip, xpic, fmpm, apic, aflip"));
   EXPECT_TRUE(has(refused_set("force.evaluation=corner_average"), "known: point, domain_average"));
   EXPECT_TRUE(has(refused_set("motion.type=twisting_ring"), "known: vortex, homogeneous"));
@@ -255,7 +255,7 @@ TEST(SceneReader, AGaussLatticeNeedsWholeCellsAndABasisWithoutDomains) {
   for (const std::string basis : {"ugimp", "cpgimp", "cpdi", "cpdi2"}) {
     EXPECT_EQ(gauss(square, "method: {basis: " + basis + "}"),
               "f.yaml:3:17: body.lattice: Gauss points are not the centres of domains that fill their cell, which " +
-                  basis + " needs: take linear, bspline2 or bspline3");
+                  basis + " needs: take linear, bspline2, bspline3 or bspline4");
   }
 }
 

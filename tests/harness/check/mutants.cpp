@@ -9,8 +9,9 @@ namespace assay::check_tests {
 
 std::vector<Subject> all_subjects() {
   std::vector<Subject> all;
-  for (const auto& subjects : {incremental_subjects, total_subjects, viscous_subjects, fluid_subjects, soil_subjects,
-                               damage_subjects, extension_subjects, fibre_subjects}) {
+  for (const auto& subjects :
+       {incremental_subjects, total_subjects, viscous_subjects, fluid_subjects, soil_subjects, damage_subjects,
+        extension_subjects, fibre_subjects, potential_subjects, melt_subjects}) {
     for (Subject& subject : subjects()) all.push_back(std::move(subject));
   }
   return all;

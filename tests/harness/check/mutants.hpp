@@ -40,6 +40,12 @@ std::vector<Subject> extension_subjects();
 /// Fibres along a direction of the state; and their mutants.
 std::vector<Subject> fibre_subjects();
 
+/// Rubber without an energy, a law that has none; and their mutants.
+std::vector<Subject> potential_subjects();
+
+/// A melt whose state goes with the current body, with its energy; and its mutants.
+std::vector<Subject> melt_subjects();
+
 /// All of them.
 std::vector<Subject> all_subjects();
 

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/check/potential.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/check/judge.hpp"
+#include "harness/check/work.hpp"
+
+namespace assay::check {
+
+namespace {
+
+/// Once around a square in a plane of strains, from rest: the work that comes out of it, over that which was done and
+/// returned. Of a model that is in equilibrium at rest none does, whichever way and however fast.
+double out_of_a_square(const Specimen& specimen, bool other_way, double time) {
+  Tensor A, B;
+  A << 1, 0.4, -0.3, 0.4, -0.5, 0.2, -0.3, 0.2, 0.3;
+  B << -0.2, 0.5, 0.1, 0.5, 0.6, -0.4, 0.1, -0.4, 0.3;
+  if (other_way) std::swap(A, B);
+  const int steps = specimen.steps();
+  Work work(specimen, 0.25 * time / steps);
+  for (int k = 1; k <= 4 * steps; ++k) {
+    const double along = static_cast<double>(k) / steps;  // corners at the integers
+    const double a = std::clamp(along, 0.0, 1.0) - std::clamp(along - 2, 0.0, 1.0);
+    const double b = std::clamp(along - 1, 0.0, 1.0) - std::clamp(along - 3, 0.0, 1.0);
+    work.step(specimen.space.within(Tensor::Identity() + 0.5 * specimen.amplitude * (a * A + b * B)));
+  }
+  const double share = -work.done() / std::max(work.paid(), specimen.least_stress() * specimen.amplitude);
+  return std::isfinite(share) ? share : 0;
+}
+
+/// Whether the deviator of the Cauchy or of the Kirchhoff stress is linear in a strain, whichever: then the difference
+/// of two principal stresses does not depend on the third stretch. Such laws are in common use, and have no potential.
+bool is_linear_in_a_strain(const Specimen& specimen) {
+  if (!specimen.isotropic()) return false;
+  const double a = std::min(specimen.amplitude, 0.1);
+  double least[2] = {INFINITY, INFINITY}, most[2] = {-INFINITY, -INFINITY};  // of sigma, of J sigma
+  for (const double third : {-a, 0.3 * a, a}) {
+    const Tensor F = Vector3(1 + a, 1 - 0.5 * a, 1 + third).asDiagonal();
+    const Tensor sigma = stepped(*specimen.material, 0, 1, Tensor::Identity(), F, specimen.rest_state()).cauchy;
+    for (const int k : {0, 1}) {
+      const double difference = (k == 0 ? 1 : F.determinant()) * (sigma(0, 0) - sigma(1, 1));
+      least[k] = std::min(least[k], difference), most[k] = std::max(most[k], difference);
+    }
+  }
+  const auto alike = [&](int k) { return most[k] - least[k] <= own_precision * std::abs(most[k]); };
+  return alike(0) || alike(1);
+}
+
+}  // namespace
+
+void judge_potential(const Specimen& specimen, const std::vector<double>& times, TestResult& result) {
+  constexpr double of_steps = 1e-5;  // which steps of finite length leave below a tenth of this
+  constexpr double of_elastic = 5e-5, of_linear = 0.05, of_others = 0.01;
+  if (specimen.material->has(ASSAY_USES_INCREMENT)) return;
+  double worst = 0;
+  for (const bool other_way : {false, true}) {
+    for (const double time : times) {
+      try {
+        worst = std::max(worst, out_of_a_square(specimen, other_way, time));
+      } catch (const MaterialFailure&) {  // it may not stand the corners
+      }
+    }
+  }
+  const bool elastic = specimen.material->path_independent();
+  const double most = !elastic                                                ? of_others
+                      : worst > of_elastic && is_linear_in_a_strain(specimen) ? of_linear
+                                                                              : of_elastic;
+  if (worst <= most) {
+    if (elastic && worst > of_steps) {
+      result.sentence += "; a remark: the stress has no potential, " + percent(worst) +
+                         " of the work comes out once around a square in the space of strains";
+    }
+    return;
+  }
+  result = {.id = "dissipation", .verdict = Verdict::fail, .measure = worst, .threshold = most};
+  result.cause = causes::dissipation;
+  result.sentence = percent(worst) + " of the work comes out of nothing: once around a square in the space of strains" +
+                    (elastic ? "; the stress has no potential" : "");
+}
+
+}  // namespace assay::check
