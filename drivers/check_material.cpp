@@ -88,7 +88,8 @@ void add_process(std::uint32_t habits, check::Report& report) {
   check::TestResult test{.id = process_test, .measure = std::popcount(harmful), .threshold = 0};
   test.sentence = "the model leaves the process that runs it as it was";
   const std::string words = "the model " + adapters::habit_words(habits);
-  if (harmful == adapters::no_habit && habits != harmful) test.sentence += "; a remark: " + words;
+  if (harmful == adapters::no_habit && habits != harmful)
+    test.sentence += std::string("; ") + check::remark_words + words;
   if (harmful != adapters::no_habit) {
     test.verdict = check::Verdict::fail;
     test.cause = check::causes::disturbs_process;
@@ -161,7 +162,7 @@ void judge_printing(CheckedMaterial& checked) {
   const std::string words = "the model prints: " + std::to_string(checked.printed_bytes) + " bytes, the last line \"" +
                             adapters::last_line(checked.printed) + "\"";
   if (checked.printed_bytes <= much) {
-    test->sentence += "; a remark: " + words;
+    test->sentence += std::string("; ") + check::remark_words + words;
     return;
   }
   test->sentence = test->verdict == check::Verdict::fail ? test->sentence + "; " + words : words;

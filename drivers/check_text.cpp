@@ -50,6 +50,12 @@ std::string example_values(const CheckedMaterial& checked) {
   return text;
 }
 
+/// What a test that passes has to say all the same, or empty.
+std::string remark_of(const std::string& sentence) {
+  const std::size_t at = sentence.find(check::remark_words);
+  return at == std::string::npos ? "" : sentence.substr(at);
+}
+
 std::string summary(const CheckedMaterial& checked) {
   const check::Report& report = checked.report;
   return checked.name + ": " + (report.passes() ? "pass" : "FAIL") + "; " +
@@ -77,8 +83,9 @@ std::string check_text(const CheckedMaterial& checked, Verbosity verbosity) {
       }
       page += row(test.id, test.verdict == Verdict::fail ? "FAIL" : verdict_name(test.verdict),
                   measured_text(test.measure), measured_text(test.threshold), measured_text(test.order));
-      if (verbosity == Verbosity::verbose || test.verdict == Verdict::fail)
-        page += wrapped(test.sentence, "    ", "    ");
+      const bool whole = verbosity == Verbosity::verbose || test.verdict == Verdict::fail;
+      const std::string words = whole ? test.sentence : remark_of(test.sentence);
+      if (!words.empty()) page += wrapped(words, "    ", "    ");
     }
     if (left > 0) page += row("(" + std::to_string(left) + " others)", "n/a", "-", "-", "-");
     page += "\n";

@@ -119,6 +119,9 @@ inline constexpr const char* disturbs_process = "disturbs its process";
 inline constexpr const char* other_stress = "vortex not reproduced";
 }  // namespace causes
 
+/// With which a remark begins in the sentence of a test that passes.
+inline constexpr const char* remark_words = "a remark: ";
+
 /// How sentences begin of tests that were left because an earlier one has failed.
 inline constexpr const char* not_judged = "cannot be judged before this is cured";
 

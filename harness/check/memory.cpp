@@ -112,7 +112,8 @@ TestResult memory(const Specimen& specimen) {
   }
   result.sentence = unread.empty() ? "steps read every variable of the state"
                                    : "no step reads " + unread + " of the state: no more than an output";
-  if (!constant.empty()) result.sentence += "; a remark: no step changes " + constant + ", which steps read";
+  if (!constant.empty())
+    result.sentence += std::string("; ") + remark_words + "no step changes " + constant + ", which steps read";
   return result;
 }
 

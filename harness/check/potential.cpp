@@ -69,7 +69,7 @@ void judge_potential(const Specimen& specimen, const std::vector<double>& times,
                                                                               : of_elastic;
   if (worst <= most) {
     if (elastic && worst > of_steps) {
-      result.sentence += "; a remark: the stress has no potential, " + percent(worst) +
+      result.sentence += std::string("; ") + remark_words + "the stress has no potential, " + percent(worst) +
                          " of the work comes out once around a square in the space of strains";
     }
     return;

@@ -18,8 +18,8 @@ TestResult stress_at_rest(const Specimen& specimen) {
   TestResult result{.id = "rest", .measure = measure, .threshold = most};
   result.sentence = "stress over modulus of a body that was never deformed: " + rounded(measure);
   if (specimen.own_pressure > 0) {
-    result.sentence = "a remark: under a pressure of its own at rest, " + rounded(specimen.own_pressure) +
-                      " Pa: faces without a traction do not hold it";
+    result.sentence = std::string(remark_words) + "under a pressure of its own at rest, " +
+                      rounded(specimen.own_pressure) + " Pa: faces without a traction do not hold it";
   }
   if (measure <= most) return result;
   result.verdict = Verdict::fail;

@@ -278,6 +278,15 @@ TEST(CheckReport, TextFitsEightyColumnsAndEndsWithTheDiagnosis) {
   EXPECT_EQ(check_text(broken(), Verbosity::quiet).find("rest"), std::string::npos);
 }
 
+TEST(CheckReport, ARemarkIsShownWhereItsTestPasses) {
+  CheckedMaterial checked;
+  checked.report.tests = {{.id = "dissipation", .sentence = "work is lost; a remark: no potential"},
+                          {.id = "rest", .sentence = "no stress at rest"}};
+  const std::string page = check_text(checked, Verbosity::normal);
+  EXPECT_NE(page.find("\n    a remark: no potential\n"), std::string::npos) << page;
+  EXPECT_EQ(page.find("no stress at rest"), std::string::npos) << page;
+}
+
 TEST(CheckReport, JsonHasNoNumberForWhatIsInfinite) {
   CheckedMaterial checked = broken();
   checked.report.tests[1].measure = INFINITY;

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/check/arrays.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+#include "tests/harness/check/mutants.hpp"
+
+namespace assay::check {
+namespace {
+
+const assay_material* inner = nullptr;
+int calls = 0, better_aligned = 0;
+
+void note(const void* array) {
+  if (reinterpret_cast<std::uintptr_t>(array) % 16 != 8) ++better_aligned;
+}
+
+void update(void* self, const assay_step* step, std::size_t n, const double* state0, double* state1, double* cauchy,
+            std::int32_t* status, double* factor, char* message) {
+  ++calls;
+  for (const void* array :
+       {static_cast<const void*>(step->F0), static_cast<const void*>(step->F1), static_cast<const void*>(state0),
+        static_cast<const void*>(state1), static_cast<const void*>(cauchy), static_cast<const void*>(status)}) {
+    note(array);
+  }
+  inner->update(self, step, n, state0, state1, cauchy, status, factor, message);
+}
+
+// Loads of 16 bytes at once, which only a multiple of 16 bears, are met with what the contract promises: 8.
+TEST(GuardedArrays, StandWhereNoMoreThanThePromisedAlignmentIs) {
+  const std::vector<check_tests::Subject> subjects = check_tests::total_subjects();
+  inner = &subjects.front().material.table();
+  assay_material table = *inner;
+  table.update = update;
+  std::vector<History> first;
+  const TestResult result = guarded_arrays(Material(&table, {}), {}, first);
+  EXPECT_EQ(result.verdict, Verdict::pass) << result.sentence;
+  EXPECT_GT(calls, 100);
+  EXPECT_EQ(better_aligned, 0);
+}
+
+}  // namespace
+}  // namespace assay::check
