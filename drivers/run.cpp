@@ -16,6 +16,7 @@
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/rim.hpp"
 #include "drivers/simulation/simulate.hpp"
+#include "drivers/simulation/warnings.hpp"
 #include "drivers/verbs.hpp"
 #include "drivers/verdict.hpp"
 
@@ -105,8 +106,7 @@ int run(const RunOptions& options) {
     scene = problem->scene;
     result.subject = problem->subject();
     result.uses_exact_solution = problem->setup.uses_exact_solution();
-    if (const std::string sentence = long_step_sentence(*problem); !sentence.empty())
-      result.warnings.push_back(sentence);
+    for (const std::string& sentence : warnings_of(*problem)) result.warnings.push_back(sentence);
     result.provenance.material = material_provenance(*problem->material, problem->library);
     runs = admitted(*problem, result);
   } catch (const MaterialFailure& failure) {

@@ -205,14 +205,6 @@ double Problem::estimated_bytes() const {
   return bytes;
 }
 
-std::string long_step_sentence(const Problem& problem) {
-  const double speed = problem.wave_speed + problem.particle_speed;
-  const double courant = problem.dt * speed / problem.scene.grid->spacing;
-  if (!problem.scene.time.step || courant <= 1) return "";
-  return "time.step = " + rounded_text(problem.dt, 3) + " s is " + rounded_text(courant, 3) +
-         " times what the fastest wave takes to cross a cell: the run will hardly be stable";
-}
-
 std::shared_ptr<const Material> material_of(Scene& scene, std::string& library) {
   ResolvedMaterial resolved = resolve_material(scene);
   scene.material = std::move(resolved.choice);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "drivers/scene/scene.hpp"
 #include "harness/response.hpp"
@@ -29,9 +30,6 @@ struct Problem {
   /// Bytes of columns, weights, grid, error sampling and pictures' frames.
   double estimated_bytes() const;
 };
-
-/// Empty unless time.step is beyond a Courant number of 1.
-std::string long_step_sentence(const Problem& problem);
 
 /// "turned by 0.7 rad, spin 1.3 rad/s, velocity (0.4, -0.2) m/s", of which what is zero is left out.
 std::string frame_text(const Frame& frame);

@@ -39,15 +39,6 @@ std::string scene_with(const std::string& more) {
          more;
 }
 
-TEST(Problem, SaysThatAStepIsTooLongToBeStable) {
-  const auto said = [](const std::string& more) {
-    return long_step_sentence(assemble(scene_from_text(scene_with(more), "f.yaml", {}), 1));
-  };
-  EXPECT_EQ(said(""), "");
-  EXPECT_EQ(said("time: {step: 0.01}\n"), "");
-  EXPECT_NE(said("time: {step: 0.25}\n").find("times what the fastest wave takes to cross a cell"), std::string::npos);
-}
-
 TEST(Problem, CountsTheHistoriesOfAShadow) {
   const auto said = [](const std::string& more) {
     return refusal_of([&] { assemble(scene_from_text(scene_with(more), "f.yaml", {}), 1); });
