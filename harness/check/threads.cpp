@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <deque>
+#include <thread>
 
 #include "harness/check/judge.hpp"
 #include "harness/parallel.hpp"
@@ -55,6 +56,14 @@ double difference(const std::vector<double>& expected, const std::vector<double>
   return scale > 0 ? worst / scale : worst;
 }
 
+/// Until all threads have begun, or long enough: where all cores are in use one might end before the other begins.
+void await_others(std::atomic<int>& begun) {
+  constexpr std::int64_t patience_ns = 200'000'000;
+  const std::int64_t begin = now_ns();
+  ++begun;
+  while (begun < at_once && now_ns() - begin < patience_ns) std::this_thread::yield();
+}
+
 /// The largest difference that a thread meets in so many calls.
 double in_threads(const Material& material, const std::vector<Batch>& batches,
                   const std::vector<std::vector<double>>& expected, int calls) {
@@ -62,9 +71,11 @@ double in_threads(const Material& material, const std::vector<Batch>& batches,
   for (int k = 0; k < at_once; ++k) own.push_back(material.clone());
   std::vector<double> worst(batches.size(), 0);
   std::atomic<bool> found{false};
+  std::atomic<int> begun{0};
   for_each_index(at_once, {.threads = at_once}, [&](int thread) {
     const auto k = static_cast<std::size_t>(thread);
     const Material& mine = material.has(ASSAY_THREAD_SAFE) ? own.front() : own[k];
+    await_others(begun);
     for (int call = 0; call < calls && !found; ++call) {
       worst[k] = std::max(worst[k], difference(expected[k], taken(mine, batches[k])));
       if (worst[k] > 0) found = true;
