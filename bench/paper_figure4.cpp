@@ -61,11 +61,10 @@ Scene scene_of(const std::string& basis, int across) {
 Run run_one(const std::string& basis, int across, OutputFolder& folder) {
   Run run{basis, across, {}};
   Problem problem = assemble(scene_of(basis, across), 1);
-  const auto response =
-      response_of(problem.scene, problem.material, baseline_of(problem.scene.motion), problem.scene.time.end);
+  const auto exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end);
   Snapshots snapshots(problem, folder);
   Progress progress(basis + " " + std::to_string(across), false);
-  simulate(problem, response, snapshots, progress, run.result);
+  simulate(problem, exact, snapshots, progress, run.result);
   return run;
 }
 

@@ -22,10 +22,10 @@ Result result_of(const std::string& file, const std::vector<std::string>& sets, 
     result.outcome = "refused";
     return result;
   }
-  const auto response = response_of(scene, problem.material, baseline_path(scene), scene.time.end);
+  const auto exact = exact_solution_of(scene, problem.material, scene.time.end);
   Snapshots snapshots(problem, folder);
   Progress progress(scene.title, true);
-  simulate(problem, response, snapshots, progress, result);
+  simulate(problem, exact, snapshots, progress, result);
   result.cpu_s = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   return result;
 }

@@ -42,6 +42,7 @@ if(CMAKE_UNITY_BUILD)
     tests/harness/test_material.cpp
     tests/harness/test_rotating_stretch.cpp
     tests/harness/test_sheet_disturbed.cpp
+    tests/harness/test_symplectic_stages.cpp
     tests/mpm/patch/test_patch.cpp
     tests/mpm/test_basis_linear.cpp
     tests/mpm/test_basis_ugimp.cpp

@@ -51,12 +51,11 @@ Scene scene_of(const MaterialChoice& choice, double density, double amplitude) {
 Result run_of(const Scene& scene) {
   Result result;
   Problem problem = assemble(scene, 1);
-  const auto response =
-      response_of(problem.scene, problem.material, baseline_path(problem.scene), problem.scene.time.end, 1, true);
+  const auto exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end);
   OutputFolder folder(std::filesystem::temp_directory_path() / hidden_name());
   Snapshots snapshots(problem, folder);
   Progress progress("", true);
-  simulate(problem, response, snapshots, progress, result);
+  simulate(problem, exact, snapshots, progress, result);
   return result;
 }
 

@@ -20,14 +20,10 @@ namespace assay::drivers {
 
 namespace {
 
-/// Whether anything happens out of the plane: then all components are written.
-bool three_dimensional(const Vortex&) { return false; }
-bool three_dimensional(const Homogeneous& motion) {
-  const Tensor& F = motion.final;
-  return F(0, 2) != 0 || F(1, 2) != 0 || F(2, 0) != 0 || F(2, 1) != 0 || F(2, 2) != 1;
+/// Whether all components are written: of what happens out of the plane, and of motions about any axis.
+bool three_dimensional(const Motion& motion) {
+  return std::holds_alternative<RotatingStretch>(motion) || std::holds_alternative<Rigid>(motion) || !is_plane(motion);
 }
-bool three_dimensional(const RotatingStretch&) { return true; }
-bool three_dimensional(const DeformationTable& motion) { return !motion.plane(); }
 
 std::vector<std::string> column_names(bool three, bool normals) {
   std::vector<std::string> names;
@@ -97,14 +93,14 @@ void refuse_input_as_output(const std::string& input, const std::string& out) {
 std::string evaluated(const EvalOptions& options) {
   Scene scene = read_scene(options.scene, options.sets);
   const ReferencePoints points = read_reference_points(options.points);
-  require_within_path(scene, points.points, options.points);
+  require_within_motion(scene, points.points, options.points);
   watch_interrupts();
   const double end = last_time(points, scene.time.end);
   std::string library;
   const auto material = material_of(scene, library);
   warn_of_instability(scene, *material, end);
   if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
-  const bool three = std::visit([](const auto& motion) { return three_dimensional(motion); }, scene.motion);
+  const bool three = three_dimensional(scene.motion);
   CsvText csv(column_names(three, points.has_normals));
   const std::vector<ExactPoint> exact = exact_points(scene, material, points.points, end);
   for (std::size_t i = 0; i < exact.size(); ++i) {

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "drivers/simulation/response_source.hpp"
+#include "harness/axis_aligned_force.hpp"
 #include "harness/body_force.hpp"
 #include "harness/point_driver.hpp"
 
@@ -15,7 +17,8 @@ namespace assay::drivers {
 
 namespace {
 
-constexpr double most_periods = 1000;  ///< of one history
+constexpr double most_periods = 1000;   ///< of one history
+constexpr double edge_rounding = 1e-9;  ///< of a radius: points on the ring's edges are in the ring
 
 /// Stress and body force of the vortex (20), (31).
 ExactStress stress_of(const Vortex& vortex, const Response& response, double density, const Vector3& X, double t,
@@ -29,6 +32,20 @@ ExactStress stress_of(const Vortex& vortex, const Response& response, double den
   const Polar b = body_force(vortex, density, R, t, tau, dtau_dxi);
   const double theta = std::atan2(X.y(), X.x()) + vortex.amplitude.at(t).value * vortex.profile(R).h;
   stress.body_force = rotation_about_z(theta) * Vector3(b.r, b.theta, 0);  // (31), (25)
+  return stress;
+}
+
+/// Stress and body force of a twisting ring.
+ExactStress stress_of(const TwistingRing& ring, const Response& response, double density, const Vector3& X, double t,
+                      const Tensor& F) {
+  const double R = std::clamp(std::hypot(X.x(), X.y()), ring.inner(), ring.outer());
+  const RingKinematics now = ring.ring(R, t);
+  Tensor tau, dtau_dR;
+  response.at(R, t, tau, dtau_dR);
+  ExactStress stress;
+  stress.first_piola_kirchhoff = now.first_piola_kirchhoff(X, tau);
+  stress.cauchy = cauchy_stress(stress.first_piola_kirchhoff, F);
+  stress.body_force = now.cartesian(X, now.body_force(density, R, tau, dtau_dR));
   return stress;
 }
 
@@ -56,15 +73,10 @@ std::vector<Tensor> own_history(const Scene& scene, const Material& material, do
   return tau;
 }
 
-double own_parameter_of(const Motion& motion) {
-  if (const auto* straight = std::get_if<Homogeneous>(&motion)) return straight->own_parameter();
-  return 1;
-}
-
 /// tau at the points of a homogeneous motion [Pa].
 std::vector<Tensor> homogeneous_tau(const Scene& scene, const std::shared_ptr<const Material>& material,
                                     const std::vector<ReferencePoint>& points, double end) {
-  const double own = own_parameter_of(scene.motion);
+  const double own = own_parameter(scene.motion);
   const Path path = baseline_path(scene);
   const bool form = scene.force.response == ForceChoice::Response::closed_form;
   if (!form && !(path.straight() && material->path_independent())) {
@@ -81,9 +93,71 @@ std::vector<Tensor> homogeneous_tau(const Scene& scene, const std::shared_ptr<co
   return tau;
 }
 
+/// The stress of points at rest is that of t = 0, where nothing is deformed.
+void add_box_stress(const Scene& scene, const AxisAligned& motion, const Material& material,
+                    const std::vector<ReferencePoint>& points, const std::vector<Vector3>& X,
+                    std::vector<ExactPoint>& out) {
+  const std::array<double, 3> direction = baseline_path(scene).material_direction;
+  std::map<std::array<double, 2>, std::map<double, std::vector<std::size_t>>> by_place;  // then by time
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].t > 0) by_place[{X[i].x(), X[i].y()}][points[i].t].push_back(i);
+  }
+  for (const auto& [place, by_time] : by_place) {
+    stop_if_interrupted();
+    std::vector<double> times;
+    for (const auto& [t, which] : by_time) times.push_back(t);
+    const auto stress =
+        axis_aligned_stress(material, motion, scene.material.density, {place[0], place[1], 0}, times, direction);
+    std::size_t k = 0;
+    for (const auto& [t, which] : by_time) {
+      for (const std::size_t i : which) out[i].stress = stress[k];
+      ++k;
+    }
+  }
+}
+
+/// Of a polar motion, by tau of the response that the scene asks for (20).
+template <class Ring>
+void add_ring_stress(const Scene& scene, const Ring& ring, const std::shared_ptr<const Material>& material,
+                     const std::vector<ReferencePoint>& points, const std::vector<Vector3>& X, double end,
+                     std::vector<ExactPoint>& out) {
+  const auto response = response_of(scene, material, baseline_path(scene), end);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    stop_if_interrupted();
+    out[i].stress = stress_of(ring, *response, scene.material.density, X[i], points[i].t, out[i].state.F);
+  }
+}
+
+/// P = tau, b = a where F is the same everywhere.
+void add_stress(const Scene& scene, const std::shared_ptr<const Material>& material,
+                const std::vector<ReferencePoint>& points, const std::vector<Vector3>& X, double end,
+                std::vector<ExactPoint>& out) {
+  if (const auto* vortex = std::get_if<Vortex>(&scene.motion)) {
+    add_ring_stress(scene, *vortex, material, points, X, end, out);
+  } else if (const auto* ring = std::get_if<TwistingRing>(&scene.motion)) {
+    add_ring_stress(scene, *ring, material, points, X, end, out);
+  } else if (const auto* box = std::get_if<AxisAligned>(&scene.motion)) {
+    add_box_stress(scene, *box, *material, points, X, out);
+  } else {
+    const std::vector<Tensor> tau = homogeneous_tau(scene, material, points, end);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      out[i].stress = {tau[i], cauchy_stress(tau[i], out[i].state.F), out[i].state.a};
+    }
+  }
+}
+
 }  // namespace
 
-void require_within_path(const Scene& scene, const std::vector<ReferencePoint>& points, const std::string& file) {
+void require_within_motion(const Scene& scene, const std::vector<ReferencePoint>& points, const std::string& file) {
+  if (const auto* ring = std::get_if<TwistingRing>(&scene.motion)) {
+    for (const ReferencePoint& point : points) {
+      const double R = std::hypot(point.X, point.Y);
+      if (R >= ring->inner() * (1 - edge_rounding) && R <= ring->outer() * (1 + edge_rounding)) continue;
+      throw InputError({file, point.line, 1}, "X",
+                       "the point is at the radius " + rounded_text(R, 6) + ", outside of the ring between " +
+                           rounded_text(ring->inner(), 6) + " and " + rounded_text(ring->outer(), 6));
+    }
+  }
   const auto* table = std::get_if<DeformationTable>(&scene.motion);
   for (const ReferencePoint& point : points) {
     if (!table || point.t <= table->last()) continue;
@@ -94,26 +168,15 @@ void require_within_path(const Scene& scene, const std::vector<ReferencePoint>& 
 
 std::vector<ExactPoint> exact_points(const Scene& scene, const std::shared_ptr<const Material>& material,
                                      const std::vector<ReferencePoint>& points, double end) {
-  const auto* vortex = std::get_if<Vortex>(&scene.motion);
-  std::vector<Tensor> tau;
-  std::shared_ptr<const Response> response;
-  if (vortex)
-    response = response_of(scene, material, baseline_path(scene), end);
-  else
-    tau = homogeneous_tau(scene, material, points, end);
+  std::vector<Vector3> X;
   std::vector<ExactPoint> out;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    stop_if_interrupted();
-    const double t = points[i].t;
-    Vector3 X(points[i].X, points[i].Y, points[i].Z);
-    if (scene.frame) X = scene.frame->body_point(X);
-    ExactPoint exact{state_at(scene.motion, X, t), {}};
-    if (vortex)
-      exact.stress = stress_of(*vortex, *response, scene.material.density, X, t, exact.state.F);
-    else  // P = tau, b = a
-      exact.stress = {tau[i], cauchy_stress(tau[i], exact.state.F), exact.state.a};
-    out.push_back(scene.frame ? seen_from(*scene.frame, exact, t) : exact);
+  for (const ReferencePoint& point : points) {
+    X.emplace_back(point.X, point.Y, point.Z);
+    if (scene.frame) X.back() = scene.frame->body_point(X.back());
+    out.push_back({state_at(scene.motion, X.back(), point.t), {}});
   }
+  add_stress(scene, material, points, X, end, out);
+  for (std::size_t i = 0; scene.frame && i < out.size(); ++i) out[i] = seen_from(*scene.frame, out[i], points[i].t);
   return out;
 }
 

@@ -17,12 +17,14 @@ struct ExactPoint {
   ExactStress stress;
 };
 
-/// Throws InputError where a point's time lies beyond the last row of motion.path.
-void require_within_path(const Scene& scene, const std::vector<ReferencePoint>& points, const std::string& file);
+/// Throws InputError where a point's time lies beyond the last row of motion.path, or the point outside a twisting
+/// ring.
+void require_within_motion(const Scene& scene, const std::vector<ReferencePoint>& points, const std::string& file);
 
-/// One for each point, in their order. The vortex takes tau from the response that the scene asks for (20), (31); a
-/// homogeneous motion from one history on its own path, xi = own_parameter(), unless a closed form is asked for or the
-/// response is the curve tau(eps). Throws InputError, MaterialFailure, Interrupted.
+/// One for each point, in their order. The vortex and the twisting ring take tau from the response that the scene asks
+/// for (20), (31), the axis-aligned motion from histories around each point; a homogeneous motion from one history on
+/// its own path, xi = own_parameter(), unless a closed form is asked for or the response is the curve tau(eps). Throws
+/// InputError, MaterialFailure, Interrupted.
 std::vector<ExactPoint> exact_points(const Scene& scene, const std::shared_ptr<const Material>& material,
                                      const std::vector<ReferencePoint>& points, double end);
 

@@ -109,12 +109,19 @@ std::string frame_line(const Problem& problem) {
 
 std::string exact_solution_line(const Problem& problem) {
   if (!problem.setup.uses_exact_solution()) return "";
-  return wrapped("particles are given the inertia of the exact motion: the error says less of the method",
+  return wrapped(problem.setup.has_virtual_stress()
+                     ? "forces are those of the stress beyond the exact one: the error says less of the method"
+                     : "particles are given the inertia of the exact motion: the error says less of the method",
                  "uses the exact solution: ", "  ");
 }
 
-std::string sheet_text(const Response* response) {
-  if (!response) return "no body force\n";
+std::string response_text(const Problem& problem, const Response* response) {
+  if (!problem.compared) return "no body force\n";
+  if (!response) {
+    const std::string forces = problem.setup.body_force ? "body force: the acceleration\n" : "no body force\n";
+    const bool known = problem.material->is_function_of_F();
+    return forces + (known ? "stress: of the motion's F\n" : "stress: one history, with error control\n");
+  }
   const Sheet* sheet = response->sheet();
   if (const Shadow* points = response->shadow())
     return fmt::format("shadow: {} histories taken along\n", points->radii());
@@ -178,17 +185,16 @@ int explain(const ExplainOptions& options) {
   try {
     const Problem problem = assemble(read_scene(options.scene, options.sets), 1);
     const Composition c = composition_of(problem);
+    std::shared_ptr<const ExactSolution> exact;
     std::shared_ptr<const Response> response;
-    if (problem.setup.body_force) {
-      response =
-          response_of(problem.scene, problem.material, baseline_path(problem.scene), problem.scene.time.end, 1, true);
-    }
+    if (problem.compared) exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end);
+    if (exact && exact->response()) response = *exact->response();
     const ScreenFigures screen = screen_of(problem.scene, *problem.material, problem.scene.time.end);
-    const std::string text = options.json
-                                 ? json_text(problem, c, response.get(), screen)
-                                 : passes_text(problem, c) + observers_text(problem) + memory_text(problem, c) +
-                                       steps_text(problem) + frame_line(problem) + exact_solution_line(problem) +
-                                       sheet_text(response.get()) + wrapped(screen_sentence(screen), "motion: ", "  ");
+    const std::string text = options.json ? json_text(problem, c, response.get(), screen)
+                                          : passes_text(problem, c) + observers_text(problem) +
+                                                memory_text(problem, c) + steps_text(problem) + frame_line(problem) +
+                                                exact_solution_line(problem) + response_text(problem, response.get()) +
+                                                wrapped(screen_sentence(screen), "motion: ", "  ");
     std::fputs(text.c_str(), stdout);
     return 0;
   } catch (const MaterialFailure& failure) {

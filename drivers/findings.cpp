@@ -39,6 +39,17 @@ void record_shadow(const Scene& scene, const Response& response, Result& result)
   result.material_calls += points->calls();
 }
 
+void record_history(const Scene& scene, const HomogeneousStress& stress, Result& result) {
+  if (!stress.is_history()) return;
+  SheetFigures figures;
+  figures.points = 1;
+  figures.error_tau = stress.error();
+  figures.shadow = true;
+  figures.asked = scene.force.tolerance;
+  result.sheet = figures;
+  result.material_calls += stress.material_calls();
+}
+
 void record_force_error(const Scene& scene, const Response& response, Result& result) {
   const auto* vortex = std::get_if<Vortex>(&scene.motion);
   if (!vortex || !response.sheet() || !result.sheet) return;

@@ -5,6 +5,7 @@
 #include "drivers/output/output_folder.hpp"
 #include "drivers/result.hpp"
 #include "drivers/scene/scene.hpp"
+#include "harness/homogeneous_stress.hpp"
 #include "harness/point_driver.hpp"
 #include "harness/response.hpp"
 
@@ -15,6 +16,9 @@ void record_sheet(const Scene& scene, const Response& response, double seconds, 
 
 /// Number and error of the shadow points, once the run is over; nothing where the response is something else.
 void record_shadow(const Scene& scene, const Response& response, Result& result);
+
+/// Of a motion whose F is the same everywhere: the error of its one history.
+void record_history(const Scene& scene, const HomogeneousStress& stress, Result& result);
 
 /// What the sheet's error does to the body force of the vortex.
 void record_force_error(const Scene& scene, const Response& response, Result& result);

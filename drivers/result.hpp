@@ -83,6 +83,12 @@ struct RimFigures {
   double cells = 0;  ///< width / h
 };
 
+/// Exponential growth of the displacement's error under tractions.
+struct GrowthFigures {
+  double rate = 0;          ///< [1/s]
+  double from = 0, to = 0;  ///< over which it was seen [s]
+};
+
 struct DriftFigures {
   Figure mass, momentum, angular_momentum, energy;  ///< relative; energy and momenta against the work of the forces
 };
@@ -124,6 +130,7 @@ struct Result {
   std::optional<ScreenFigures> screen;
   std::optional<RimFigures> rim;  ///< absent without kinks
   ReferenceFigures reference;
+  std::optional<GrowthFigures> growth;  ///< absent where the error does not grow so, or no tractions act
   DriftFigures drift;
   std::vector<ExpectationOutcome> expect;
   Provenance provenance;

@@ -30,28 +30,33 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 
 /// The plastic rim, with a warning where the grid is too coarse for it.
 void record_rim(const Problem& problem, const Response& response, Result& result) {
-  result.rim = rim_of(response, problem.vortex(), problem.scene.grid->spacing, problem.scene.time.end);
+  const auto& vortex = std::get<Vortex>(problem.scene.motion);
+  result.rim = rim_of(response, vortex, problem.scene.grid->spacing, problem.scene.time.end);
   const std::string sentence = result.rim ? narrow_rim_sentence(*result.rim) : "";
   if (!sentence.empty()) std::fprintf(stderr, "warning: %s\n", sentence.c_str());
 }
 
-/// Builds the response, steps, and leaves snapshots and pictures in the folder.
+void record_response(const Problem& problem, const Response& response, double seconds, Result& result) {
+  record_sheet(problem.scene, response, seconds, result);
+  record_force_error(problem.scene, response, result);
+  record_rim(problem, response, result);
+}
+
+/// Builds the exact solution, steps, and leaves snapshots and pictures in the folder.
 std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& options, OutputFolder& folder,
                                          Result& result) {
   const auto start = Clock::now();
-  std::shared_ptr<const Response> response;
-  if (problem.setup.body_force) {
-    response = response_of(problem.scene, problem.material, baseline_path(problem.scene), problem.scene.time.end,
-                           problem.setup.threads, true);
-    record_sheet(problem.scene, *response, seconds_since(start), result);
-    record_force_error(problem.scene, *response, result);
-    record_rim(problem, *response, result);
+  std::shared_ptr<const ExactSolution> exact;
+  if (problem.compared) {
+    exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end, problem.setup.threads);
+    if (exact->response()) record_response(problem, **exact->response(), seconds_since(start), result);
   }
   result.setup_s += seconds_since(start);
   Snapshots snapshots(problem, folder);
   Progress progress(problem.scene.title, options.verbosity == Verbosity::quiet);
-  simulate(problem, response, snapshots, progress, result);
-  if (response) record_shadow(problem.scene, *response, result);
+  simulate(problem, exact, snapshots, progress, result);
+  if (exact && exact->response()) record_shadow(problem.scene, **exact->response(), result);
+  if (exact && exact->homogeneous()) record_history(problem.scene, **exact->homogeneous(), result);
   result.cpu_s = cpu_seconds();
   result.peak_rss_bytes = peak_memory();  // before pictures are drawn
   std::vector<ReportPicture> pictures;
@@ -62,7 +67,7 @@ std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& opt
 /// Whether the motion may be run: it is a stable solution for the model, or the scene allows otherwise.
 bool admitted(const Problem& problem, Result& result) {
   const Scene& scene = problem.scene;
-  if (!problem.setup.body_force) return true;  // then the body does not move as the motion says
+  if (!problem.compared) return true;  // then the body does not move as the motion says
   result.screen = screen_of(scene, *problem.material, scene.time.end);
   if (result.screen->unjudged > 0) std::fprintf(stderr, "warning: %s\n", screen_sentence(*result.screen).c_str());
   const std::string sentence = instability_sentence(*result.screen, problem.material->name());

@@ -24,10 +24,11 @@ double rounded_down(double value) {
   return std::floor(value / unit * (1 + 1e-12)) * unit;
 }
 
-/// What scales the motion: the vortex's peak [rad]; of any other motion its parameter, 1 as it stands.
-double peak_of(const Motion& motion) {
-  const auto* vortex = std::get_if<Vortex>(&motion);
-  return vortex ? std::abs(vortex->amplitude.peak) : 1;
+/// What scales the motion: the vortex's peak [rad], that of the bar [m]; of any other motion its parameter, 1 as it
+/// stands.
+double peak_of(const Motion& motion, const Path& path) {
+  const Amplitude* amplitude = amplitude_of(motion);
+  return amplitude && path.straight() ? std::abs(amplitude->peak) : 1;
 }
 
 const char* name_of(StabilityScreen::Verdict verdict) {
@@ -57,7 +58,7 @@ ScreenFigures screen_of(const Scene& scene, const Material& material, double end
     figures.t = found.t;
     figures.xi = found.xi;
     if (path.name == "simple_shear") figures.gamma = 2 * path.eps(found.xi, found.t);
-    figures.largest_safe_amplitude = rounded_down(found.safe_fraction * peak_of(scene.motion));
+    figures.largest_safe_amplitude = rounded_down(found.safe_fraction * peak_of(scene.motion, path));
   }
   figures.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return figures;

@@ -11,11 +11,6 @@
 
 namespace assay {
 
-/// Components of a vector along e_r, e_theta at the current angle Theta + g h(R) (25).
-struct Polar {
-  double r = 0, theta = 0;
-};
-
 /// DIV(T) in the first Piola-Kirchhoff form, (26) and (27), with (d tau / d R)_t = (d tau / d xi)_t xi' [N/m^3].
 Polar divergence_piola(const Vortex::Profile& profile, double g, double R, const Tensor& tau, const Tensor& dtau_dxi);
 

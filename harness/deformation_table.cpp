@@ -39,8 +39,8 @@ Tensor DeformationTable::value(double t, int derivative) const {
 }
 
 ExactState DeformationTable::at(const Vector3& X, double t) const {
-  const Tensor F = value(t, 0);
-  return {F * X, value(t, 1) * X, value(t, 2) * X, F};
+  const Tensor F = value(t, 0), rate = value(t, 1);
+  return {F * X, rate * X, value(t, 2) * X, F, rate};
 }
 
 DeformationTable::Determinant DeformationTable::smallest_determinant() const {

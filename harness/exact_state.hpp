@@ -7,10 +7,11 @@
 namespace assay {
 
 struct ExactState {
-  Vector3 x = Vector3::Zero();    ///< position [m]
-  Vector3 v = Vector3::Zero();    ///< velocity [m/s]
-  Vector3 a = Vector3::Zero();    ///< acceleration [m/s^2]
-  Tensor F = Tensor::Identity();  ///< deformation gradient d x / d X [1]
+  Vector3 x = Vector3::Zero();     ///< position [m]
+  Vector3 v = Vector3::Zero();     ///< velocity [m/s]
+  Vector3 a = Vector3::Zero();     ///< acceleration [m/s^2]
+  Tensor F = Tensor::Identity();   ///< deformation gradient d x / d X [1]
+  Tensor F_rate = Tensor::Zero();  ///< its rate d v / d X [1/s]
 };
 
 /// What the material's response adds to it.

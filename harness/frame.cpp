@@ -21,6 +21,9 @@ ExactState Frame::seen(const ExactState& state, double t) const {
   out.v = R * (state.v + spin * across(state.x)) + velocity;
   out.a = R * (state.a + coriolis_and_centrifugal(state));
   out.F = R * state.F * rotation(0).transpose();
+  Tensor W = Tensor::Zero();  // W a = E_z x a
+  W(0, 1) = -1, W(1, 0) = 1;
+  out.F_rate = R * (state.F_rate + spin * W * state.F) * rotation(0).transpose();
   return out;
 }
 

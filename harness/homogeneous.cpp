@@ -21,6 +21,7 @@ ExactState Homogeneous::at(const Vector3& X, double t) const {
   state.F = Tensor::Identity() + t * rate;
   state.x = state.F * X;  // (37)
   state.v = rate * X;
+  state.F_rate = rate;
   return state;
 }
 

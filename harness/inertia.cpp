@@ -10,6 +10,18 @@ InertiaField::InertiaField(const Vortex& vortex, double spin, std::span<const do
   for (const double R : points_.radius) profile_.push_back(vortex.profile(R));
 }
 
+InertiaField::InertiaField(const Motion& motion, std::span<const double> X, std::span<const double> Y)
+    : uniform_(motion), X_(X.begin(), X.end()), Y_(Y.begin(), Y.end()) {}
+
+void InertiaField::set_uniform(double t) {
+  const Vector3 a = state_at(*uniform_, Vector3::Zero(), t).a;
+  of_origin_.a = {a.x(), a.y()};
+  for (std::size_t d = 0; d < 2; ++d) {
+    const Vector3 along = state_at(*uniform_, Vector3::Unit(static_cast<int>(d)), t).a - a;
+    of_origin_.gradient[d] = along.x(), of_origin_.gradient[2 + d] = along.y();
+  }
+}
+
 InertiaField::Factor InertiaField::factor(const Vortex::Profile& profile, double R, const AmplitudeValue& g,
                                           double t) const {
   using namespace std::complex_literals;
@@ -22,11 +34,19 @@ InertiaField::Factor InertiaField::factor(const Vortex::Profile& profile, double
 }
 
 void InertiaField::set_time(double t) {
+  if (uniform_) return set_uniform(t);
   const AmplitudeValue g = vortex_.amplitude.at(t);
   for (std::size_t k = 0; k < factor_.size(); ++k) factor_[k] = factor(profile_[k], points_.radius[k], g, t);
 }
 
 InertiaField::Inertia InertiaField::at(std::size_t point) const {
+  if (uniform_) {
+    Inertia inertia = of_origin_;
+    for (std::size_t d = 0; d < 2; ++d) {
+      inertia.a[d] += inertia.gradient[2 * d] * X_[point] + inertia.gradient[2 * d + 1] * Y_[point];
+    }
+    return inertia;
+  }
   const std::uint32_t ring = points_.ring[point];
   const auto& [f, slope] = factor_[ring];
   const double R = points_.radius[ring], c = points_.cos_theta[point], s = points_.sin_theta[point];

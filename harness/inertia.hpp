@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The acceleration of the exact vortex and its gradient at fixed reference points, as a spinning frame sees it.
+// The acceleration of the exact vortex and its gradient at fixed reference points, as a spinning frame sees it; and of
+// motions whose F is the same everywhere.
 //
 // Points move as x = X exp(i beta) in the complex plane, beta = g h + w t with w the frame's spin, so that
 //   a = X f,  f = exp(i beta) (i beta.. - beta.^2)                                        (29), [m/s^2]
@@ -7,11 +8,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "harness/motion.hpp"
 #include "harness/ring_points.hpp"
-#include "harness/vortex.hpp"
 
 namespace assay {
 
@@ -25,6 +27,9 @@ class InertiaField {
   /// spin: w [rad/s]; X, Y: reference positions [m].
   InertiaField(const Vortex& vortex, double spin, std::span<const double> X, std::span<const double> Y);
 
+  /// Of a motion whose F is the same everywhere: a = F.. X.
+  InertiaField(const Motion& motion, std::span<const double> X, std::span<const double> Y);
+
   /// To the time of which `at` speaks.
   void set_time(double t);
 
@@ -37,8 +42,13 @@ class InertiaField {
   };
   Factor factor(const Vortex::Profile& profile, double R, const AmplitudeValue& g, double t) const;
 
+  void set_uniform(double t);
+
   Vortex vortex_;
-  double spin_;
+  double spin_ = 0;
+  std::optional<Motion> uniform_;  // of which F is the same everywhere
+  std::vector<double> X_, Y_;
+  Inertia of_origin_;
   RingPoints points_;
   std::vector<Vortex::Profile> profile_;  // of each distinct radius
   std::vector<Factor> factor_;

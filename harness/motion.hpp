@@ -2,16 +2,21 @@
 // The exact motions that a scene can ask for. A new motion is a new alternative here.
 #pragma once
 
+#include <optional>
 #include <variant>
 
+#include "harness/axis_aligned.hpp"
 #include "harness/deformation_table.hpp"
 #include "harness/homogeneous.hpp"
+#include "harness/reference_domain.hpp"
+#include "harness/rigid.hpp"
 #include "harness/rotating_stretch.hpp"
+#include "harness/twisting_ring.hpp"
 #include "harness/vortex.hpp"
 
 namespace assay {
 
-using Motion = std::variant<Vortex, Homogeneous, RotatingStretch, DeformationTable>;
+using Motion = std::variant<Vortex, Homogeneous, RotatingStretch, DeformationTable, TwistingRing, AxisAligned, Rigid>;
 
 inline ExactState state_at(const Motion& motion, const Vector3& X, double t) {
   return std::visit([&](const auto& m) { return m.at(X, t); }, motion);
@@ -23,5 +28,23 @@ inline Path baseline_of(const Motion& motion) {
 
 /// T [s]; of a table the time of its last row.
 double period_of(const Motion& motion);
+
+/// Whether F is the same at all points, so that b = a and P depends on time alone.
+bool is_homogeneous(const Motion& motion);
+
+/// Whether any point is ever accelerated.
+bool accelerates(const Motion& motion);
+
+/// Whether nothing happens out of the plane: F13 .. F32 = 0, F33 = 1.
+bool is_plane(const Motion& motion);
+
+/// The parameter of the baseline at which a motion whose F is the same everywhere runs.
+double own_parameter(const Motion& motion);
+
+/// g(t) of a motion that has one, else null.
+const Amplitude* amplitude_of(const Motion& motion);
+
+/// The ring in which the motion takes place; absent where it is not polar.
+std::optional<Annulus> ring_of(const Motion& motion);
 
 }  // namespace assay

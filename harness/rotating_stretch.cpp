@@ -74,7 +74,7 @@ Deformation deformation(const RotatingStretch& m, double xi, double t) {
 
 ExactState RotatingStretch::at(const Vector3& X, double t) const {
   const Deformation d = deformation(*this, 1, t);
-  return {d.F * X, d.rate * X, d.acceleration * X, d.F};
+  return {d.F * X, d.rate * X, d.acceleration * X, d.F, d.rate};
 }
 
 Path RotatingStretch::baseline() const {

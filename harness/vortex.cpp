@@ -39,6 +39,19 @@ bool Vortex::moves(const Vector3& X) const {
   return R > inner && R < outer;
 }
 
+RingKinematics Vortex::ring(double R, double t) const {
+  const Profile p = profile(R);
+  const AmplitudeValue g = amplitude.at(t);
+  RingKinematics k;
+  k.rho = R;
+  k.alpha = g.value * p.h;      // (5)
+  k.alpha_rate = g.rate * p.h;  // (30)
+  k.alpha_acceleration = g.acceleration * p.h;
+  k.alpha_slope = g.value * p.h_prime;
+  k.alpha_slope_rate = g.rate * p.h_prime;
+  return k;
+}
+
 ExactState Vortex::at(const Vector3& X, double t) const {
   const double R = std::hypot(X.x(), X.y());
   const Profile p = profile(R);
@@ -51,12 +64,16 @@ ExactState Vortex::at(const Vector3& X, double t) const {
   const double omega = g.rate * p.h;                                // (30) [rad/s]
   state.v = omega * A_x;                                            // (28)
   state.a = g.acceleration * p.h * A_x - omega * omega * in_plane;  // (29)
-  Tensor shear = Tensor::Identity();
+  Tensor shear = Tensor::Identity(), shear_rate = Tensor::Zero();
   if (R > 0) {
     const Vector3 E_R(X.x() / R, X.y() / R, 0), E_Theta(-X.y() / R, X.x() / R, 0);
     shear += R * g.value * p.h_prime * E_Theta * E_R.transpose();
+    shear_rate = R * g.rate * p.h_prime * E_Theta * E_R.transpose();
   }
-  state.F = Q * shear;  // (12)
+  state.F = Q * shear;        // (12)
+  Tensor W = Tensor::Zero();  // A of (8)
+  W(0, 1) = -1, W(1, 0) = 1;
+  state.F_rate = omega * W * state.F + Q * shear_rate;
   return state;
 }
 

@@ -5,6 +5,7 @@
 #include "harness/amplitude.hpp"
 #include "harness/exact_state.hpp"
 #include "harness/path.hpp"
+#include "harness/ring_kinematics.hpp"
 
 namespace assay {
 
@@ -32,6 +33,9 @@ struct Vortex {
 
   /// Position (3), velocity (28), acceleration (29) and deformation gradient (12) of reference point X at time t.
   ExactState at(const Vector3& X, double t) const;
+
+  /// rho = R, alpha = g h, at a radius.
+  RingKinematics ring(double R, double t) const;
 
   /// Smallest and largest xi in the ring.
   Interval xi_range() const;

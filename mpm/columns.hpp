@@ -20,13 +20,14 @@ enum class Column {
   corners,
   deformation_gradient,
   stress,
+  excess_stress,
   velocity_gradient,
   affine,
   body_force,
   weights,
   history,
 };
-inline constexpr std::size_t column_count = 14;
+inline constexpr std::size_t column_count = 15;
 
 struct ColumnInfo {
   std::string_view name;
@@ -46,6 +47,7 @@ constexpr ColumnInfo info(Column column) {
       {"corners", "m", "of the domain, where they move one by one"},
       {"deformation_gradient", "1", "F, in-plane components"},
       {"stress", "Pa", "Cauchy stress, in-plane components and 33"},
+      {"excess_stress", "Pa", "Cauchy stress without its exact extension, which virtual_stress takes off"},
       {"velocity_gradient", "1/s", "L of the step; dF/dt in the total formulation"},
       {"affine", "mixed", "velocity around the particle: its gradient, or its first moment"},
       {"body_force", "m/s^2", "b of the exact motion"},

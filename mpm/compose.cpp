@@ -13,6 +13,7 @@
 #include "mpm/passes_particle.hpp"
 #include "mpm/passes_to_grid.hpp"
 #include "mpm/passes_to_particles.hpp"
+#include "mpm/passes_traction.hpp"
 #include "mpm/sweep.hpp"
 #include "mpm/with_basis.hpp"
 
@@ -36,7 +37,7 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
   const auto add_held = [&](const Reaction& reaction) {
     if (setup.hold_outside) add(hold_nodes_pass<Dim>(reaction));
   };
-  const bool body_force = Dim == 2 && setup.body_force;  // the vortex's lives in the plane
+  const bool body_force = Dim == 2 && setup.body_force;  // lives in the plane
   const auto add_accounts = [&] {
     if (setup.accounts) add(accounts_pass<Dim>(method, body_force));
   };
@@ -52,6 +53,12 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
   }
   add(weights_pass<Dim>(method, !setup.seeds.half_edges.empty()));
   if (method.is_affine() && method.affine == Affine::moment) add(first_affine_moment_pass<Dim>());
+  const auto add_virtual_stress = [&] {
+    if constexpr (Dim == 2) {
+      if (setup.has_virtual_stress()) add(virtual_stress_pass(method, setup.traction->form));
+    }
+  };
+  if (method.update != Update::usf) add_virtual_stress();
   if (method.update != Update::usf && !method.has_stages()) {
     add(particles_and_forces_to_grid_pass<Dim>(method, setup.hold_outside, body_force));
   } else {
@@ -59,8 +66,13 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
     if (method.update == Update::usf) {
       add_gradient_and_stress();
       add(stress_of(setup));
+      add_virtual_stress();
     }
     add(force_pass<Dim>(method, body_force));
+  }
+  const bool surface = Dim == 2 && setup.traction && !setup.has_virtual_stress();
+  if constexpr (Dim == 2) {
+    if (surface) add(traction_pass(method, *setup.traction, setup.accounts));
   }
   if (method.has_stages()) {
     add(kick_pass<Dim>(method));
@@ -69,6 +81,9 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
     add_held(reaction_of(method));
   } else {
     add(mass_matrix_pass<Dim>(method));
+  }
+  if constexpr (Dim == 2) {
+    if (surface && setup.accounts) add(traction_work_pass());
   }
   add(grid_to_particles_pass<Dim>(method, method.update == Update::usl, setup.accounts && body_force));
   if (method.is_affine() && affine_column(method) == Column::affine && !fits_with_corners<Dim>(method)) {
@@ -104,6 +119,7 @@ std::size_t bytes_of(Column column, const Setup<Dim>& setup) {
     case Column::affine:
       return doubles(tensor_components<Dim>);
     case Column::stress:
+    case Column::excess_stress:
       return doubles(stress_components<Dim>);
     case Column::history:
       return history_bytes(setup.material->state_size());

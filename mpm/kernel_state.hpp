@@ -31,12 +31,13 @@ struct KernelState {
   Method method;
   std::size_t particles = 0;
   std::array<ColumnData, column_count> columns{};
-  GridField<Dim + 1> inertia{};       ///< mass, momentum
-  GridField<Dim> force{};             ///< internal and body force [N]
-  GridField<2 * Dim> motion{};        ///< velocity, acceleration
-  std::shared_ptr<void> basis{};      ///< the weights of all particles; its type is known to the kernels
-  std::vector<NodeRange> reach{};     ///< of the particles of each block
-  std::vector<double> block_power{};  ///< of the body force, by block; empty where accounts are not kept [W]
+  GridField<Dim + 1> inertia{};              ///< mass, momentum
+  GridField<Dim> force{};                    ///< internal and body force [N]
+  GridField<2 * Dim> motion{};               ///< velocity, acceleration
+  std::shared_ptr<void> basis{};             ///< the weights of all particles; its type is known to the kernels
+  std::vector<NodeRange> reach{};            ///< of the particles of each block
+  Column stress_of_forces = Column::stress;  ///< what internal forces are made of
+  std::vector<double> block_power{};         ///< of the body force, by block; empty where accounts are not kept [W]
 
   double* column(Column which, int component = 0) {
     return columns[static_cast<std::size_t>(which)].component(component);

@@ -60,7 +60,7 @@ template <int Dim>
 std::vector<double> MaterialBatches<Dim>::directions(std::size_t begin, std::size_t n) const {
   const State<Dim>& s = *state_;
   const auto& d = s.setup.material_direction;
-  const bool polar = s.setup.motion && std::holds_alternative<Vortex>(*s.setup.motion);
+  const bool polar = s.setup.motion && ring_of(*s.setup.motion);
   std::vector<double> found(3 * n);
   for (std::size_t p = 0; p < n; ++p) {
     const double X = s.column(Column::reference_position, 0)[begin + p];

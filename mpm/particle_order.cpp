@@ -49,6 +49,9 @@ void order_by_nodes(Setup<2>& setup) {
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return node[a] < node[b]; });
   for (auto& X : seeds.X) permute(X, order);
   permute(seeds.volumes, order);
+  std::vector<std::uint32_t> place(seeds.size());
+  for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<std::uint32_t>(k);
+  for (SurfaceEdge& edge : seeds.surface) edge.particle = place[edge.particle];
   if (!seeds.domains) return;
   ReferenceDomains domains = *seeds.domains;
   permute(domains.places, order);

@@ -8,6 +8,7 @@
 #include "harness/frame_force.hpp"
 #include "mpm/affine.hpp"
 #include "mpm/blocks.hpp"
+#include "mpm/column_access.hpp"
 #include "mpm/lattice.hpp"
 #include "mpm/material_batch.hpp"
 
@@ -18,6 +19,30 @@ namespace {
 ReferenceDomains domains_of_setup(const Setup<2>& setup) {
   const auto& vortex = std::get<Vortex>(*setup.motion);
   return setup.seeds.domains ? *setup.seeds.domains : rectangles_of(setup.seeds, {vortex.inner, vortex.outer});
+}
+
+/// b = a = F.. X where F is the same everywhere: of a domain as of its middle. Virtual stress leaves a of b.
+Kernel acceleration_kernel(State<2>& s) {
+  const auto columns = std::array{Column::reference_position, Column::body_force};
+  auto rate = std::make_shared<Tensor>();  // a = rate X [1/s^2]
+  auto of_origin = std::make_shared<Vector3>();
+  Kernel kernel;
+  kernel.begin = [&s, rate, of_origin](const Instant& now) {
+    const Motion& motion = *s.setup.motion;
+    *of_origin = state_at(motion, Vector3::Zero(), now.t).a;
+    for (int d = 0; d < 3; ++d) rate->col(d) = state_at(motion, Vector3::Unit(d), now.t).a - *of_origin;
+  };
+  kernel.block = [&s, rate, of_origin, columns](const Instant&, const Block& block) {
+    const auto X = components<2>(s, columns[0]), b = components<2>(s, columns[1]);
+    const Tensor& A = *rate;
+    for (std::size_t p = block.begin; p < block.end; ++p) {
+      for (int d = 0; d < 2; ++d) {
+        b[static_cast<std::size_t>(d)][p] = (*of_origin)(d) + A(d, 0) * X[0][p] + A(d, 1) * X[1][p];
+      }
+    }
+    return none_bad;
+  };
+  return kernel;
 }
 
 Kernel averaged_kernel(State<2>& s) {
@@ -50,6 +75,7 @@ Pass<Dim> body_force_pass(Evaluation evaluation) {
   pass.called_for_by = "force.response";
   pass.reads = {Column::reference_position};
   pass.bind = [](State<Dim>& s) -> Kernel {
+    if (is_homogeneous(*s.setup.motion)) return acceleration_kernel(s);
     const std::size_t n = s.particles;
     auto field = std::make_shared<BodyForceField>(std::get<Vortex>(*s.setup.motion), s.setup.density,
                                                   std::span(s.column(Column::reference_position, 0), n),
@@ -137,7 +163,7 @@ namespace {
 /// Sums of one block, added up in the order of the blocks.
 struct BlockSums {
   std::array<double, 3> impulse{};
-  double torque = 0, internal = 0;
+  double torque = 0, internal = 0, external = 0;
 };
 
 template <int Dim>
@@ -158,9 +184,16 @@ BlockSums sums_of_block(const State<Dim>& s, bool with_body_force, std::size_t b
       L[static_cast<std::size_t>(c)] = s.column(Column::velocity_gradient, c)[p];
     }
     if (s.setup.method.is_total()) L = product<Dim>(L, inverse<Dim>(F));  // of dF/dt
-    double power = 0;                                                     // sigma : L
-    for (int c = 0; c < Dim * Dim; ++c) power += s.column(Column::stress, c)[p] * L[static_cast<std::size_t>(c)];
-    sums.internal += s.column(Column::volume)[p] * determinant<Dim>(F) * power;
+    double power = 0, taken = 0;                                          // sigma : L
+    const bool virtual_stress = s.has(Column::excess_stress);
+    for (int c = 0; c < Dim * Dim; ++c) {
+      const double sigma = s.column(Column::stress, c)[p], rate = L[static_cast<std::size_t>(c)];
+      power += sigma * rate;
+      if (virtual_stress) taken += (sigma - s.column(Column::excess_stress, c)[p]) * rate;
+    }
+    const double volume = s.column(Column::volume)[p] * determinant<Dim>(F);
+    sums.internal += volume * power;
+    sums.external += volume * taken;
   }
   return sums;
 }
@@ -207,6 +240,7 @@ Pass<Dim> accounts_pass(const Method& method, bool with_body_force) {
         for (std::size_t d = 0; d < 3; ++d) s.ledger.impulse[d] += now.kick * sums.impulse[d];
         s.ledger.angular_impulse += now.kick * sums.torque;
         s.ledger.internal_work += now.kick * sums.internal;
+        s.ledger.external_work += now.kick * sums.external;
       }
       if (staggered) s.ledger.internal_work += 0.5 * now.kick * power_of_kick(s, now.kick);
       double grid_mass = 0;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "harness/body_force.hpp"
+#include "harness/exact_solution.hpp"
 #include "harness/frame.hpp"
 #include "harness/material.hpp"
 #include "harness/motion.hpp"
@@ -17,6 +18,7 @@
 #include "mpm/instructions.hpp"
 #include "mpm/method.hpp"
 #include "mpm/offload.hpp"
+#include "mpm/traction.hpp"
 
 namespace assay::mpm {
 
@@ -34,6 +36,7 @@ struct Seeds {
   std::shared_ptr<const ReferenceDomains> domains;
   std::vector<std::array<double, Dim>> held;  ///< reference positions of particles that never move [m]
   std::vector<double> held_volumes;           ///< of these where they differ, else empty [m^Dim]
+  std::vector<SurfaceEdge> surface;           ///< on which tractions act; empty where there are none
   double angle = 0;                           ///< by which the lattice is turned against the grid, about E_z [rad]
   std::size_t size() const { return X[0].size(); }
   double volume() const {  ///< reference volume of a particle whose domain is half_size around it [m^Dim]
@@ -59,13 +62,16 @@ struct Setup {
   bool body_force = false;  ///< b of the exact motion acts
   Evaluation evaluation = Evaluation::point;
   Inertia inertia = Inertia::grid;
-  std::shared_ptr<const Response> response;  ///< what b is made of; needed to run, not to compose
-  std::optional<Motion> motion;              ///< gives the initial velocity; null: at rest
-  std::optional<Frame> frame;                ///< from which the motion is seen; null: the body's own
-  bool hold_outside = false;                 ///< nodes and particles outside the vortex's ring are held
-  bool accounts = false;                     ///< momentum and energy accounts
+  std::shared_ptr<const Response> response;    ///< what b is made of; needed to run, not to compose
+  std::optional<Traction> traction;            ///< on the surface of the seeds
+  std::shared_ptr<const ExactSolution> exact;  ///< what tractions are made of; needed to run, not to compose
+  std::optional<Motion> motion;                ///< gives the initial velocity; null: at rest
+  std::optional<Frame> frame;                  ///< from which the motion is seen; null: the body's own
+  bool hold_outside = false;                   ///< nodes and particles outside the vortex's ring are held
+  bool accounts = false;                       ///< momentum and energy accounts
   /// Whether the method is told where particles belong: of such a one the error says less.
-  bool uses_exact_solution() const { return body_force && inertia == Inertia::particles; }
+  bool uses_exact_solution() const { return (body_force && inertia == Inertia::particles) || has_virtual_stress(); }
+  bool has_virtual_stress() const { return traction && traction->algorithm == TractionAlgorithm::virtual_stress; }
   int threads = 1;
   Instructions instructions = best_instructions();  ///< of the kernels
   std::shared_ptr<const Offload> offload;           ///< of the stress pass; null: in this process. In two dimensions

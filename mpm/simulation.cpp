@@ -17,18 +17,16 @@ Vector3 initial_velocity(const Setup<Dim>& setup, const Vector3& X) {
   return setup.frame->seen(state_at(*setup.motion, setup.frame->body_point(X), 0), 0).v;
 }
 
-/// Central differences: exact to 1e-9 of the largest gradient, and the same for every motion and frame.
 template <int Dim>
 Mat<Dim> initial_velocity_gradient(const Setup<Dim>& setup, const Vector3& X) {
-  const double step = 1e-5 * setup.grid.spacing;
-  Mat<Dim> gradient;
-  for (int j = 0; j < Dim; ++j) {
-    Vector3 before = X, after = X;
-    before(j) -= step;
-    after(j) += step;
-    const Vector3 change = initial_velocity(setup, after) - initial_velocity(setup, before);
-    for (int i = 0; i < Dim; ++i) gradient[static_cast<std::size_t>(i * Dim + j)] = change(i) / (after(j) - before(j));
+  Tensor rate;
+  if (setup.frame) {
+    rate = setup.frame->seen(state_at(*setup.motion, setup.frame->body_point(X), 0), 0).F_rate;
+  } else {
+    rate = state_at(*setup.motion, X, 0).F_rate;
   }
+  Mat<Dim> gradient;  // by x, which is X
+  for (int c = 0; c < Dim * Dim; ++c) gradient[static_cast<std::size_t>(c)] = rate(c / Dim, c % Dim);
   return gradient;
 }
 
@@ -156,7 +154,7 @@ void Simulation<Dim>::fill_corners(std::size_t p) {
 template <int Dim>
 void Simulation<Dim>::hold_outside() {
   State<Dim>& s = state_;
-  const auto& vortex = std::get<Vortex>(*s.setup.motion);
+  const Annulus ring = *ring_of(*s.setup.motion);
   const GridGeometry<Dim>& grid = s.setup.grid;
   for (std::size_t i = 0; i < grid.nodes(); ++i) {
     std::size_t rest = i;
@@ -168,7 +166,7 @@ void Simulation<Dim>::hold_outside() {
       rest /= count;
     }
     const double R = std::sqrt(square);
-    if (R <= vortex.inner || R >= vortex.outer) s.held_nodes.push_back(static_cast<std::uint32_t>(i));
+    if (R <= ring.inner || R >= ring.outer) s.held_nodes.push_back(static_cast<std::uint32_t>(i));
   }
 }
 

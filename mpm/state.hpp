@@ -8,6 +8,7 @@
 #include "harness/failed_step.hpp"
 #include "mpm/kernels.hpp"
 #include "mpm/setup.hpp"
+#include "mpm/surface_loads.hpp"
 
 namespace assay::mpm {
 
@@ -46,7 +47,8 @@ struct State : KernelState<Dim> {
   std::vector<double> inverse_mass;    ///< of a mass matrix that is not lumped: 1 / row sum of a node that moves, or 0
   std::vector<double> held_mass;       ///< of particles that never move, a node; empty where nothing is held
   std::vector<std::uint32_t> held_nodes;
-  std::array<ColumnData, 2> history;  ///< material state by block, [c * n + p]: begin and end of the step
+  std::shared_ptr<SurfaceLoads> loads;  ///< of tractions; null without
+  std::array<ColumnData, 2> history;    ///< material state by block, [c * n + p]: begin and end of the step
   std::vector<TileCopy<Dim>> tile_copies;
   std::optional<Finding> finding;
   Ledger ledger;

@@ -79,12 +79,13 @@ ResolvedMaterial resolve_material(const MaterialChoice& given, Example example) 
 
 ResolvedMaterial resolve_material(const Scene& scene) {
   ResolvedMaterial resolved = resolve_material(scene.material);
-  if (std::holds_alternative<Vortex>(scene.motion) && resolved.material.table().symmetry == ASSAY_ANISOTROPIC) {
-    throw InputError(scene.material.where, "material.adapter",
-                     "'" + resolved.material.name() +
-                         "' is anisotropic in fixed axes, and the vortex's response (19) is the same all around the "
-                         "ring only for a material that is isotropic about the ring's axis, or whose axes turn with "
-                         "the radius (cylindrically orthotropic)");
+  if (ring_of(scene.motion) && resolved.material.table().symmetry == ASSAY_ANISOTROPIC) {
+    throw InputError(
+        scene.material.where, "material.adapter",
+        "'" + resolved.material.name() +
+            "' is anisotropic in fixed axes, and the response (19) of its motion is the same all around the ring only "
+            "for a material that is isotropic about the ring's axis, or whose axes turn with "
+            "the radius (cylindrically orthotropic)");
   }
   const bool directed = has_direction(resolved.material.table());
   if (scene.material.direction && !directed) {

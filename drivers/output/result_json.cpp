@@ -77,6 +77,14 @@ Json reference(const ReferenceFigures& figures) {
   return out;
 }
 
+Json growth(const std::optional<GrowthFigures>& figures) {
+  Json out;
+  out["rate"] = figures ? figure(figures->rate) : Json(nullptr);
+  out["from"] = figures ? figure(figures->from) : Json(nullptr);
+  out["to"] = figures ? figure(figures->to) : Json(nullptr);
+  return out;
+}
+
 Json rim(const std::optional<RimFigures>& figures) {
   Json out;
   out["width"] = figures ? figure(figures->width) : Json(nullptr);
@@ -138,6 +146,7 @@ Json tree(const Result& result) {
   out["screen"] = screen(result.screen);
   out["reference"] = reference(result.reference);
   out["rim"] = rim(result.rim);
+  out["growth"] = growth(result.growth);
   out["drift"] = drift(result.drift);
   out["replay"] = result.replay.empty() ? Json(nullptr) : Json(result.replay);
   out["expect"] = expectations(result.expect);

@@ -28,15 +28,35 @@ Box turned_box(const Scene& scene, const Frame& frame) {
   return box;
 }
 
+/// Of a motion whose F is the same everywhere: of the corners, at many times.
+Box affine_swept_box(const Scene& scene) {
+  constexpr int looks = 400;
+  Box box = body_box(scene);
+  const Box own = box;
+  for (int k = 0; k <= looks; ++k) {
+    for (const double X : {own.lower[0], own.upper[0]}) {
+      for (const double Y : {own.lower[1], own.upper[1]}) {
+        const Vector3 x = state_at(scene.motion, {X, Y, 0}, scene.time.end * k / looks).x;
+        for (std::size_t d = 0; d < 2; ++d) {
+          box.lower[d] = std::min(box.lower[d], x[static_cast<int>(d)]);
+          box.upper[d] = std::max(box.upper[d], x[static_cast<int>(d)]);
+        }
+      }
+    }
+  }
+  return box;
+}
+
 }  // namespace
 
 Box body_box(const Scene& scene) {
   if (scene.body.domain != Body::Domain::ring) return {scene.body.lower, scene.body.upper};
-  const double outer = std::get<Vortex>(scene.motion).outer;
+  const double outer = ring_of(scene.motion)->outer;
   return {{-outer, -outer}, {outer, outer}};
 }
 
 Box swept_box(const Scene& scene) {
+  if (is_homogeneous(scene.motion)) return affine_swept_box(scene);
   if (!scene.frame) return body_box(scene);
   Box box = turned_box(scene, *scene.frame);
   for (std::size_t d = 0; d < 2; ++d) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/scene/motion_keys.hpp"
 
+#include <utility>
+
 #include "drivers/scene/key_values.hpp"
 
 namespace assay::drivers {
@@ -9,28 +11,46 @@ namespace {
 
 const Range positive{.lower = 0, .lower_open = true};
 
-const std::vector<std::string> motion_types{"vortex", "homogeneous", "rotating_stretch"};
+const std::vector<std::string> motion_types{
+    "vortex", "homogeneous", "rotating_stretch", "twisting_ring", "axis_aligned", "bar_1d", "rigid"};
 const std::vector<std::string> amplitude_types{"sine", "one_minus_cosine", "ramp"};
 const std::vector<std::string> rotate_types{"none", "simultaneous", "after"};
+constexpr double box_peak = 0.1;  ///< A of the motions in the unit box unless the scene says otherwise
 
-const Vortex& vortex(const Scene& s) { return std::get<Vortex>(s.motion); }
-Vortex& vortex(Scene& s) { return std::get<Vortex>(s.motion); }
-const RotatingStretch& rotating(const Scene& s) { return std::get<RotatingStretch>(s.motion); }
-RotatingStretch& rotating(Scene& s) { return std::get<RotatingStretch>(s.motion); }
+template <class Which>
+Which& as(Scene& s) {
+  return std::get<Which>(s.motion);
+}
+template <class Which>
+const Which& as(const Scene& s) {
+  return std::get<Which>(s.motion);
+}
+
+/// The ring's motion itself, or the twist of one that expands, too.
+const Vortex& vortex(const Scene& s) {
+  const auto* ring = std::get_if<TwistingRing>(&s.motion);
+  return ring ? ring->twist : as<Vortex>(s);
+}
+Vortex& vortex(Scene& s) { return const_cast<Vortex&>(vortex(std::as_const(s))); }
+const Amplitude& amplitude(const Scene& s) { return *amplitude_of(s.motion); }
+Amplitude& amplitude(Scene& s) { return const_cast<Amplitude&>(amplitude(std::as_const(s))); }
 
 std::string type_name(const Vortex&) { return motion_types[0]; }
 std::string type_name(const Homogeneous&) { return motion_types[1]; }
 std::string type_name(const RotatingStretch&) { return motion_types[2]; }
 std::string type_name(const DeformationTable&) { return motion_types[1]; }
+std::string type_name(const TwistingRing&) { return motion_types[3]; }
+std::string type_name(const AxisAligned& motion) { return motion_types[motion.one_dimensional ? 5 : 4]; }
+std::string type_name(const Rigid&) { return motion_types[6]; }
+
+AxisAligned box_motion(bool one_dimensional) { return {{Amplitude::Type::sine, box_peak, 1}, one_dimensional, false}; }
 
 void set_motion(Scene& s, const Value& v) {
-  const auto& name = std::get<std::string>(v);
-  if (name == "vortex")
-    s.motion = Vortex{};
-  else if (name == "homogeneous")
-    s.motion = Homogeneous{};
-  else
-    s.motion = RotatingStretch{};
+  const std::vector<Motion> motions{
+      Vortex{}, Homogeneous{}, RotatingStretch{}, TwistingRing{}, box_motion(false), box_motion(true), Rigid{}};
+  for (std::size_t k = 0; k < motion_types.size(); ++k) {
+    if (motion_types[k] == std::get<std::string>(v)) s.motion = motions[k];
+  }
 }
 
 /// The reader reads the file when it knows where the scene lies.
@@ -41,9 +61,10 @@ Value path_of(const Scene& s) {
 }
 
 void set_period(Scene& s, const Value& v) {
-  if (auto* motion = std::get_if<Vortex>(&s.motion)) motion->amplitude.period = real(v);
+  if (amplitude_of(s.motion)) amplitude(s).period = real(v);
   if (auto* motion = std::get_if<Homogeneous>(&s.motion)) motion->period = real(v);
   if (auto* motion = std::get_if<RotatingStretch>(&s.motion)) motion->period = real(v);
+  if (auto* motion = std::get_if<Rigid>(&s.motion)) motion->period = real(v);
 }
 
 Value final_gradient(const Scene& s) {
@@ -59,43 +80,66 @@ void set_final_gradient(Scene& s, const Value& v) {
   for (int i = 0; motion && i < 9; ++i) component(motion->final, i) = list[static_cast<std::size_t>(i)];
 }
 
+void set_wave_speed(Scene& s, const Value& v) {
+  as<AxisAligned>(s).amplitude.period = 1 / real(v);
+  as<AxisAligned>(s).given_speed = true;
+}
+
+const Vector3& axis(const Scene& s) {
+  const auto* stretch = std::get_if<RotatingStretch>(&s.motion);
+  return stretch ? stretch->axis : as<Rigid>(s).axis;
+}
+Vector3& axis(Scene& s) { return const_cast<Vector3&>(axis(std::as_const(s))); }
+
+Value list_of(const Vector3& v) { return std::vector<double>{v.x(), v.y(), v.z()}; }
+Vector3 vector_of(const Value& v) { return {three(v)[0], three(v)[1], three(v)[2]}; }
+
 #define GET(expression) [](const Scene& s) -> Value { return expression; }
 #define SET(statement) [](Scene& s, const Value& v) { statement; }
 
 // clang-format off
-std::vector<Key> vortex_keys() {
+std::vector<Key> amplitude_keys() {
   using enum KeyType;
-  const std::vector<std::string> of_vortex{"vortex"};
+  const std::vector<std::string> polar{"vortex", "twisting_ring"}, boxes{"axis_aligned", "bar_1d"},
+      all{"vortex", "twisting_ring", "axis_aligned", "bar_1d"};
   return {
       {"motion.profile_power", number, "m of h = (1 - s^2)^m; m = 1 would leave a traction on the ring's faces",
        GET(double(vortex(s).profile_power)), SET(vortex(s).profile_power = whole(v)),
-       {.lower = 2, .upper = 64, .whole = true}, {}, false, {}, of_vortex},
-      {"motion.amplitude.type", choice, "g(t): A sin(pi t/T), A (1 - cos(2 pi t/T))/2, A t/T held after T",
-       GET(name_of(amplitude_types, vortex(s).amplitude.type)),
-       SET(vortex(s).amplitude.type = picked<Amplitude::Type>(amplitude_types, v)), {}, amplitude_types, false, {},
-       of_vortex},
-      {"motion.amplitude.peak", number, "A [rad]", GET(vortex(s).amplitude.peak),
-       SET(vortex(s).amplitude.peak = real(v)), {}, {}, false, {}, of_vortex},
+       {.lower = 2, .upper = 64, .whole = true}, {}, false, {}, polar},
+      {"motion.expansion", number, "e: radii change by e sin(pi t/T) U(R), the outer one by U = 1 [m]",
+       GET(as<TwistingRing>(s).expansion), SET(as<TwistingRing>(s).expansion = real(v)), {}, {}, true, {},
+       {"twisting_ring"}},
+      {"motion.amplitude.type", choice, "g(t): A sin(pi t/T), A (1 - cos(2 pi t/T))/2, A t/T held after T; sine alone where T = 1/c",
+       GET(name_of(amplitude_types, amplitude(s).type)),
+       SET(amplitude(s).type = picked<Amplitude::Type>(amplitude_types, v)), {}, amplitude_types, false, {}, all},
+      {"motion.amplitude.peak", number, "A of a ring [rad]; in the unit box that of the displacement, below 1/pi [m]",
+       GET(amplitude(s).peak), SET(amplitude(s).peak = real(v)), {}, {}, false, "1 of a ring, 0.1 in the unit box", all},
+      {"motion.wave_speed", automatic, "c: the motion takes T = 1/c [m/s]; auto: sqrt(E/rho0) by the material's parameter E",
+       GET(as<AxisAligned>(s).given_speed ? Value(as<AxisAligned>(s).wave_speed()) : Value("auto")), set_wave_speed,
+       positive, {}, false, {}, boxes},
   };
 }
 
 std::vector<Key> stretch_keys() {
   using enum KeyType;
-  const std::vector<std::string> of_stretch{"rotating_stretch"};
+  const std::vector<std::string> of_stretch{"rotating_stretch"}, of_rigid{"rigid"};
   return {
       {"motion.stretch", number, "a: along E1 the length is 1 + a sin^2(pi t/T), or 1 + a q(2 t/T) before rotating [1]",
-       GET(rotating(s).stretch), SET(rotating(s).stretch = real(v)), {.lower = -1, .lower_open = true}, {}, true, {},
-       of_stretch},
-      {"motion.shear", number, "k: U12 = k (U11 - 1)/a [1]", GET(rotating(s).shear), SET(rotating(s).shear = real(v)),
-       {}, {}, false, {}, of_stretch},
-      {"motion.rotation", number, "beta, the whole angle [rad]", GET(rotating(s).rotation),
-       SET(rotating(s).rotation = real(v)), {}, {}, false, {}, of_stretch},
-      {"motion.axis", vector, "of the rotation, normalised",
-       GET((std::vector<double>{rotating(s).axis.x(), rotating(s).axis.y(), rotating(s).axis.z()})),
-       SET((rotating(s).axis = {three(v)[0], three(v)[1], three(v)[2]})), {}, {}, false, {}, of_stretch},
+       GET(as<RotatingStretch>(s).stretch), SET(as<RotatingStretch>(s).stretch = real(v)),
+       {.lower = -1, .lower_open = true}, {}, true, {}, of_stretch},
+      {"motion.shear", number, "k: U12 = k (U11 - 1)/a [1]", GET(as<RotatingStretch>(s).shear),
+       SET(as<RotatingStretch>(s).shear = real(v)), {}, {}, false, {}, of_stretch},
+      {"motion.rotation", number, "beta, the whole angle [rad]", GET(as<RotatingStretch>(s).rotation),
+       SET(as<RotatingStretch>(s).rotation = real(v)), {}, {}, false, {}, of_stretch},
+      {"motion.velocity", vector, "of the whole body [m/s]", GET(list_of(as<Rigid>(s).velocity)),
+       SET(as<Rigid>(s).velocity = vector_of(v)), {}, {}, false, {}, of_rigid},
+      {"motion.spin", number, "of the whole body about the axis through the origin [rad/s]", GET(as<Rigid>(s).spin),
+       SET(as<Rigid>(s).spin = real(v)), {}, {}, false, {}, of_rigid},
+      {"motion.axis", vector, "of the rotation, normalised", GET(list_of(axis(s))), SET(axis(s) = vector_of(v)), {}, {},
+       false, {}, {"rotating_stretch", "rigid"}},
       {"motion.rotate", choice, "not at all, while it stretches, or after it", 
-       GET(name_of(rotate_types, rotating(s).rotate)),
-       SET(rotating(s).rotate = picked<RotatingStretch::Rotate>(rotate_types, v)), {}, rotate_types, false, {},
+       GET(name_of(rotate_types, as<RotatingStretch>(s).rotate)),
+       SET(as<RotatingStretch>(s).rotate = picked<RotatingStretch::Rotate>(rotate_types, v)), {}, rotate_types, false, {},
        of_stretch},
   };
 }
@@ -118,22 +162,23 @@ std::vector<Key> frame_keys() {
 
 std::vector<Key> motion_keys() {
   using enum KeyType;
-  const std::vector<std::string> of_vortex{"vortex"}, of_homogeneous{"homogeneous"};
+  const std::vector<std::string> polar{"vortex", "twisting_ring"}, of_homogeneous{"homogeneous"},
+      with_period{"vortex", "homogeneous", "rotating_stretch", "twisting_ring", "rigid"};
   std::vector<Key> keys{
       {"title", text, "one line for pictures and reports", GET(s.title), SET(s.title = std::get<std::string>(v))},
       {"motion.type", choice, "the manufactured motion", GET(motion_type(s)), set_motion, {}, motion_types, true},
       {"motion.inner", number, "inner radius ri [m]", GET(vortex(s).inner), SET(vortex(s).inner = real(v)), positive,
-       {}, false, {}, of_vortex},
+       {}, false, {}, polar},
       {"motion.outer", number, "outer radius ro [m]", GET(vortex(s).outer), SET(vortex(s).outer = real(v)), positive,
-       {}, false, {}, of_vortex},
+       {}, false, {}, polar},
       {"motion.path", text, "CSV file of F(t) in place of final: columns t, F11, F12, F21, F22 and perhaps the others",
        path_of, set_path, {}, {}, false, "none: F goes straight to final", of_homogeneous},
       {"motion.final", matrix, "deformation gradient at t = period, det > 0 [1]", final_gradient, set_final_gradient,
        {}, {}, false, "none: required unless path is given", of_homogeneous},
       {"motion.period", number, "T [s]; of a path the time of its last row", GET(period_of(s.motion)), set_period,
-       positive},
+       positive, {}, false, {}, with_period},
   };
-  for (auto part : {vortex_keys(), stretch_keys()}) keys.insert(keys.end(), part.begin(), part.end());
+  for (auto part : {amplitude_keys(), stretch_keys()}) keys.insert(keys.end(), part.begin(), part.end());
   keys.push_back({"motion.allow_unstable", boolean,
                   "run a motion that is not a stable solution for the model: it is refused otherwise",
                   GET(s.allow_unstable), SET(s.allow_unstable = std::get<bool>(v))});

@@ -13,6 +13,7 @@
 #include "harness/frame.hpp"
 #include "harness/motion.hpp"
 #include "mpm/method.hpp"
+#include "mpm/traction.hpp"
 
 namespace assay::drivers {
 
@@ -65,6 +66,11 @@ struct ForceChoice {
   double tolerance = 1e-8;  ///< requested relative error of the sheet
 };
 
+struct TractionChoice {
+  mpm::TractionAlgorithm algorithm = mpm::TractionAlgorithm::edges;
+  std::optional<mpm::TractionForm> form;  ///< absent: the stable one of the motion
+};
+
 struct TimeChoice {
   double end = 1;              ///< [s]
   std::optional<double> step;  ///< fixes dt [s] instead of courant
@@ -106,6 +112,7 @@ struct Scene {
   std::optional<GridChoice> grid;
   std::optional<Method> method;
   ForceChoice force;
+  TractionChoice traction;
   TimeChoice time;
   OutputChoice output;
   Limits limits;

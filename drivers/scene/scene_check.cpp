@@ -2,7 +2,10 @@
 #include "drivers/scene/scene_check.hpp"
 
 #include <cmath>
+#include <numbers>
+#include <utility>
 
+#include "drivers/output/number_format.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/scene/body_box.hpp"
 #include "drivers/scene/scene_keys.hpp"
@@ -43,6 +46,49 @@ void check_motion(const Homogeneous& motion, const Scene& scene, const Where& wh
   if (scene.method && !plane) {
     refuse(where, "motion.final", "the method is plane strain: components 13, 23, 31, 32 must be 0 and 33 must be 1");
   }
+}
+
+void check_motion(const TwistingRing& motion, const Scene&, const Where& where) {
+  const double ri = motion.inner(), ro = motion.outer();
+  if (!(ri < ro)) {
+    refuse(where, "motion.inner",
+           "must be less than motion.outer, found " + number_text(ri) + " and " + number_text(ro));
+  }
+  if (std::abs(ro - 3 * ri) <= 1e-9 * ro) {
+    refuse(where, "motion.outer", "must not be 3 times motion.inner: no cubic U then moves the outer face");
+  }
+  constexpr int looks = 200;
+  for (int k = 0; k <= looks; ++k) {  // det F = rho' rho/R
+    const double R = ri + (ro - ri) * k / looks;
+    const TwistingRing::Radial u = motion.radial(R);
+    const double most = std::abs(motion.expansion) * std::max(std::abs(u.slope), std::abs(u.U) / R);
+    if (most < 1) continue;
+    refuse(where, "motion.expansion",
+           "det F <= 0 on the way, at R = " + number_text(R) + ": must be less than " +
+               rounded_text(std::abs(motion.expansion) / most, 4) + " there, found " + number_text(motion.expansion));
+  }
+}
+
+void check_motion(const AxisAligned& motion, const Scene& scene, const Where& where) {
+  if (motion.amplitude.type != Amplitude::Type::sine) {
+    refuse(where, "motion.amplitude.type", "is sine of this motion, whose T is 1/c");
+  }
+  if (!(std::abs(motion.amplitude.peak) < 1 / std::numbers::pi)) {
+    refuse(where, "motion.amplitude.peak",
+           "must be less than 1/pi in size, for det F > 0, found " + number_text(motion.amplitude.peak));
+  }
+  for (const auto& [key, corner] :
+       {std::pair{"body.lower", scene.body.lower}, std::pair{"body.upper", scene.body.upper}}) {
+    for (const double at : corner) {
+      if (at == std::round(at)) continue;
+      refuse(where, key,
+             "the motion's planes of symmetry lie at whole metres, and the body's faces must be such planes");
+    }
+  }
+}
+
+void check_motion(const Rigid& motion, const Scene&, const Where& where) {
+  if (motion.axis == Vector3::Zero()) refuse(where, "motion.axis", "must not be zero");
 }
 
 void check_motion(const RotatingStretch& motion, const Scene&, const Where& where) {
@@ -124,7 +170,9 @@ void check_body(const Scene& scene, const Where& where) {
   const Body& body = scene.body;
   const auto* vortex = std::get_if<Vortex>(&scene.motion);
   if (body.domain == Body::Domain::ring) {
-    if (!vortex) refuse(where, "body.domain", "a ring takes its radii from the vortex, and motion.type is another");
+    if (!ring_of(scene.motion)) {
+      refuse(where, "body.domain", "a ring takes its radii from the motion, and " + motion_type(scene) + " has none");
+    }
     if (body.outside == Body::Outside::held) {
       refuse(where, "body.outside", "a ring alone has nothing outside it that could be held; its faces are free");
     }
@@ -132,6 +180,9 @@ void check_body(const Scene& scene, const Where& where) {
       refuse(where, "body.cut", "a polar lattice has no cell to cut: it follows the ring's edges");
     }
     return;
+  }
+  if (std::holds_alternative<TwistingRing>(scene.motion)) {
+    refuse(where, "body.domain", "a twisting ring is a ring: nothing is known of the motion outside it");
   }
   if (body.lattice == Body::Lattice::polar) {
     refuse(where, "body.lattice", "a polar lattice fills a ring, and body.domain is " + domain_name(body.domain));
@@ -224,7 +275,9 @@ void check_scene(const Scene& scene, const std::function<Location(const std::str
   if (scene.grid) check_grid(scene, where);
   if (scene.method) check_method(scene, where);
   if (scene.force.inertia == mpm::Inertia::particles) check_inertia(scene, where);
-  if (scene.time.step && *scene.time.step > scene.time.end) {
+  const auto* box = std::get_if<AxisAligned>(&scene.motion);
+  const bool known_end = !box || box->given_speed || scene.places.contains("time.end");
+  if (known_end && scene.time.step && *scene.time.step > scene.time.end) {
     refuse(where, "time.step", "must not exceed time.end, found " + number_text(*scene.time.step));
   }
 }

@@ -26,6 +26,8 @@ const std::vector<std::string> lattices{"cartesian", "polar", "gauss", "jittered
 const std::vector<std::string> cuts{"clipped", "whole"};
 const std::vector<std::string> evaluations{"point", "domain_average"};
 const std::vector<std::string> inertias{"grid", "particles"};
+const std::vector<std::string> traction_algorithms{"edges", "virtual_stress", "particles", "undeformed_edges"};
+const std::vector<std::string> traction_forms{"follower", "reference"};
 const std::vector<std::string> responses{"none", "closed_form", "sheet", "shadow"};
 
 #define GET(expression) [](const Scene& s) -> Value { return expression; }
@@ -49,12 +51,12 @@ std::vector<Key> body_keys() {
        GET(s.material.isolation == Isolation::automatic ? Value() : name_of(isolations, s.material.isolation)),
        SET(s.material.isolation = picked<Isolation>(isolations, v)), {}, {"worker", "none"}, false,
        "worker for UMAT, VUMAT and MFront, none for native models"},
-      {"body.domain", choice, "shape; the ring takes its radii from the vortex, square and box have corners",
+      {"body.domain", choice, "shape; the ring takes its radii from the motion, square and box have corners",
        GET(domain_name(s.body.domain)), SET(s.body.domain = picked<Body::Domain>(domains, v)), {}, domains, false,
-       "ring for the vortex, square otherwise"},
+       "ring for the vortex and the twisting ring, square otherwise"},
       {"body.outside", choice, "what surrounds the ring in a square or box stands still (held) or is left to itself",
        GET(name_of(outsides, s.body.outside)), SET(s.body.outside = picked<Body::Outside>(outsides, v)), {}, outsides,
-       false, "free for a ring, held for square and box"},
+       false, "free for a ring, held for square and box", {"vortex"}},
       {"body.lower", pair, "lower corner [m]", GET(pair_of(s.body.lower)), SET(s.body.lower = two(v)), {}, {}, false,
        {}, {}, cornered},
       {"body.upper", pair, "upper corner [m]", GET(pair_of(s.body.upper)), SET(s.body.upper = two(v)), {}, {}, false,
@@ -86,6 +88,7 @@ std::vector<Key> body_keys() {
 
 std::vector<Key> method_keys() {
   using enum KeyType;
+  const std::vector<std::string> with_traction{"homogeneous", "rotating_stretch"};
   return {
       {"method.basis", choice, "weights of the grid: linear, uGIMP, cpGIMP, CPDI (R4), CPDI2 (Q4), B-splines of degree 2, 3 and 4",
        GET(s.method ? name_of(bases, s.method->basis) : Value()),
@@ -132,6 +135,14 @@ std::vector<Key> method_keys() {
        SET(s.force.cache = std::get<bool>(v))},
       {"force.tolerance", number, "requested relative error of the sheet", GET(s.force.tolerance),
        SET(s.force.tolerance = real(v)), {.lower = 1e-14, .upper = 1e-2}},
+      {"traction.algorithm", choice, "by the corners of the domains on the surface (middle of the edge: B-splines); as the exact stress continued beyond it; at the particles; by the undeformed length",
+       GET(name_of(traction_algorithms, s.traction.algorithm)),
+       SET(s.traction.algorithm = picked<mpm::TractionAlgorithm>(traction_algorithms, v)), {}, traction_algorithms,
+       false, {}, with_traction},
+      {"traction.form", choice, "sigma n ds on the surface as it is (follower), or P N dA0 (reference)",
+       GET(s.traction.form ? name_of(traction_forms, *s.traction.form) : Value()),
+       SET(s.traction.form = picked<mpm::TractionForm>(traction_forms, v)), {}, traction_forms, false,
+       "the stable one: reference where the body is stretched, follower where it is compressed", with_traction},
   };
 }
 
@@ -183,6 +194,7 @@ const std::vector<Section>& scene_sections() {
       {"method", "the particle method; without it a scene serves tabulate and eval", false, true,
        [](Scene& s) { s.method.emplace(); }},
       {"force", "the body force"},
+      {"traction", "how prescribed tractions reach the grid"},
       {"time", "the clock"},
       {"output", "what is written"},
       {"limits", "what a run may cost"},

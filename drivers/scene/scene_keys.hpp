@@ -14,7 +14,8 @@ namespace assay::drivers {
 /// monostate: absent.
 using Value = std::variant<std::monostate, bool, double, std::string, std::vector<double>>;
 
-enum class KeyType { number, boolean, text, choice, pair, vector, matrix };
+/// automatic: a number, or the word "auto", which is what stands where nothing is given.
+enum class KeyType { number, automatic, boolean, text, choice, pair, vector, matrix };
 
 struct Key {
   std::string path;  ///< "motion.amplitude.peak"

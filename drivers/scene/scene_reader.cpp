@@ -37,6 +37,9 @@ Value read_value(const Key& key, const Tree& tree) {
   switch (key.type) {
     case KeyType::number:
       return number_value(tree, key.path, key.range);
+    case KeyType::automatic:
+      if (tree.kind == Tree::Kind::scalar && tree.text == "auto") return {};
+      return number_value(tree, key.path, key.range);
     case KeyType::boolean:
       return boolean_value(tree, key.path);
     case KeyType::text:
@@ -74,7 +77,8 @@ void read_key(const Key& key, const Tree& root, Scene& scene) {
     throw InputError(tree->where, key.path, "does not belong to " + why, joined(names_under(parent, &scene)));
   }
   if (tree) {
-    key.set(scene, read_value(key, *tree));
+    const Value value = read_value(key, *tree);
+    if (value.index() != 0) key.set(scene, value);
     scene.places[key.path] = tree->where;
   } else if (key.required && applies(key, scene)) {
     const Tree* section = parent.empty() ? &root : value_at(root, parent);
@@ -129,11 +133,19 @@ void read_motion_path(const Tree& root, const std::string& file, Scene& scene) {
   }
 }
 
+/// What the body is unless the scene says otherwise.
+void begin_body(Scene& scene) {
+  if (ring_of(scene.motion)) return;
+  scene.body.domain = Body::Domain::square;
+  if (std::holds_alternative<AxisAligned>(scene.motion)) scene.body.lower = {0, 0}, scene.body.upper = {1, 1};
+}
+
 /// Defaults that follow from other keys.
 void derive(const Tree& root, Scene& scene) {
   if (!value_at(root, "body.outside")) {
     const bool ring = scene.body.domain == Body::Domain::ring;
-    scene.body.outside = ring ? Body::Outside::free : Body::Outside::held;
+    const bool holds = std::holds_alternative<Vortex>(scene.motion) && !ring;
+    scene.body.outside = holds ? Body::Outside::held : Body::Outside::free;
   }
   if (!value_at(root, "body.cut")) {
     const bool average = scene.force.evaluation == ForceChoice::Evaluation::domain_average;
@@ -157,7 +169,7 @@ Scene scene_from_text(std::string_view text, const std::string& file, const std:
   begin_sections(root, scene);
   for (const Key& key : scene_keys()) {
     read_key(key, root, scene);
-    if (key.path == "motion.type" && motion_type(scene) != "vortex") scene.body.domain = Body::Domain::square;
+    if (key.path == "motion.type") begin_body(scene);
   }
   read_material(root, file, scene);
   read_motion_path(root, file, scene);

@@ -19,16 +19,21 @@ using Json = nlohmann::ordered_json;
 
 /// Every kind of scene, with the optional parts present: what the table's keys are asked for their defaults.
 std::vector<Scene> kinds_of_scene() {
-  Scene ring, square, box, stretch;
+  Scene ring;
   ring.grid.emplace(), ring.method.emplace(), ring.frame.emplace();
-  square = ring;
-  square.motion = Homogeneous{};
-  square.body.domain = Body::Domain::square;
-  box = square;
-  box.body.domain = Body::Domain::box;
-  stretch = square;
-  stretch.motion = RotatingStretch{};
-  return {ring, square, stretch, box};
+  std::vector<Scene> kinds{ring};
+  const auto add = [&](const Motion& motion, Body::Domain domain) {
+    kinds.push_back(ring);
+    kinds.back().motion = motion;
+    kinds.back().body.domain = domain;
+  };
+  for (const Motion& motion : {Motion(Homogeneous{}), Motion(RotatingStretch{}), Motion(Rigid{}),
+                               Motion(AxisAligned{{}, false, false}), Motion(AxisAligned{{}, true, false})}) {
+    add(motion, Body::Domain::square);
+  }
+  add(TwistingRing{}, Body::Domain::ring);
+  add(Homogeneous{}, Body::Domain::box);
+  return kinds;
 }
 
 Json number_schema(const Range& range) {
@@ -46,6 +51,8 @@ Json type_schema(const Key& key) {
   switch (key.type) {
     case KeyType::number:
       return number_schema(key.range);
+    case KeyType::automatic:
+      return {{"anyOf", {number_schema(key.range), Json{{"const", "auto"}}}}};
     case KeyType::boolean:
       return {{"type", "boolean"}};
     case KeyType::text:
@@ -153,10 +160,9 @@ std::string schema_json() {
   const std::vector<Scene> kinds = kinds_of_scene();
   Json out = object_schema("", kinds[0]);
   const std::string doc = out["properties"]["motion"]["description"];
-  out["properties"]["motion"] = {
-      {"description", doc},
-      {"oneOf",
-       {object_schema("motion", kinds[0]), object_schema("motion", kinds[1]), object_schema("motion", kinds[2])}}};
+  Json motions = Json::array();
+  for (std::size_t k = 0; k + 1 < kinds.size(); ++k) motions.push_back(object_schema("motion", kinds[k]));
+  out["properties"]["motion"] = {{"description", doc}, {"oneOf", motions}};
   Json head{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "assay scene"}};
   head.update(out);
   return head.dump(2) + "\n";

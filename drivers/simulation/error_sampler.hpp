@@ -4,16 +4,14 @@
 
 #include "drivers/result.hpp"
 #include "drivers/simulation/problem.hpp"
-#include "harness/ring_points.hpp"
+#include "harness/exact_field.hpp"
 #include "mpm/state.hpp"
 
 namespace assay::drivers {
 
-/// Exact fields of the vortex at the particles' reference points, computed once for each radius and time. To a frame
-/// that spins every ring turns by spin t more; its angle is in the reference points.
 class ErrorSampler {
  public:
-  ErrorSampler(const Problem& problem, std::shared_ptr<const Response> response, const mpm::State<2>& state);
+  ErrorSampler(const Problem& problem, std::shared_ptr<const ExactSolution> solution, const mpm::State<2>& state);
 
   /// Errors of displacement, velocity, F, J and Cauchy stress at time t.
   /// velocity_time: to which the particles' velocities belong [s].
@@ -21,29 +19,16 @@ class ErrorSampler {
 
   /// |u - u_exact| of each particle at the time of the last sample [m].
   const std::vector<double>& displacement_error() const { return displacement_error_; }
-  /// Shear gamma of each particle's own F in its ring's baseline, component 21 of r^T F q (17), at that time [1].
-  const std::vector<double>& shear() const { return shear_; }
+  /// ExactField::measure of each particle's own F at that time: shear of the vortex, else J [1].
+  const std::vector<double>& measure() const { return measure_; }
   /// L2 norm of the exact displacement at that time, over the particles that move, in the body's own frame [m].
   double exact_displacement() const { return exact_displacement_; }
 
  private:
-  struct RingState {
-    double cos_alpha = 1, sin_alpha = 0, gamma = 0;
-    double omega_cos = 0, omega_sin = 0;  ///< omega times cosine and sine of alpha, at the time of the velocities
-    double sigma[5] = {};                 ///< baseline Cauchy stress 11, 12, 21, 22, 33
-  };
-  void update_rings(double t);
-  void update_velocities(double t);
-
-  Vortex vortex_;
   Frame frame_;
-  std::shared_ptr<const Response> response_;
-  RingPoints points_;
-  std::vector<double> xi_;
-  std::vector<bool> moves_;  ///< of each distinct radius
-  std::vector<RingState> rings_;
+  ExactField field_;
   std::size_t held_;
-  std::vector<double> displacement_error_, shear_;
+  std::vector<double> displacement_error_, measure_;
   double exact_displacement_ = 0;
 };
 

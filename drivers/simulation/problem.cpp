@@ -7,6 +7,7 @@
 #include "drivers/material/material_choice.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/scene/body_box.hpp"
+#include "drivers/scene/scene_keys.hpp"
 #include "drivers/simulation/seeds.hpp"
 #include "harness/wave_speed.hpp"
 #include "mpm/corners.hpp"
@@ -43,13 +44,30 @@ mpm::GridGeometry<2> grid_of(const Scene& scene) {
   return mpm::grid_around(*grid.lower, *grid.upper, grid.spacing, 1);  // one cell for the domains at the edge
 }
 
-double fastest_particle(const Vortex& vortex, double end) {
+/// Of a motion whose F is the same everywhere some corner is the fastest.
+double fastest_corner(const Scene& scene) {
+  const Box box = body_box(scene);
+  double fastest = 0;
+  for (int k = 0; k <= speed_samples; ++k) {
+    const double t = scene.time.end * k / speed_samples;
+    for (const double X : {box.lower[0], box.upper[0]}) {
+      for (const double Y : {box.lower[1], box.upper[1]}) {
+        fastest = std::max(fastest, state_at(scene.motion, {X, Y, 0}, t).v.norm());
+      }
+    }
+  }
+  return fastest;
+}
+
+double fastest_particle(const Scene& scene) {
+  if (is_homogeneous(scene.motion)) return fastest_corner(scene);
+  const auto& vortex = std::get<Vortex>(scene.motion);
   double profile = 0, rate = 0;
   for (int k = 0; k <= speed_samples; ++k) {
     const double s = static_cast<double>(k) / speed_samples;
     const double R = vortex.inner + s * (vortex.outer - vortex.inner);
     profile = std::max(profile, R * vortex.profile(R).h);
-    rate = std::max(rate, std::abs(vortex.amplitude.at(s * std::min(end, vortex.amplitude.period)).rate));
+    rate = std::max(rate, std::abs(vortex.amplitude.at(s * std::min(scene.time.end, vortex.amplitude.period)).rate));
   }
   return profile * rate;  // (28)
 }
@@ -67,7 +85,7 @@ double steps_by_courant(const Problem& problem) {
   const double end = problem.scene.time.end;
   const double speed = problem.wave_speed + problem.particle_speed;
   const double longest = problem.scene.method->courant * problem.scene.grid->spacing / speed;
-  const double halves = end / (0.5 * problem.vortex().amplitude.period);
+  const double halves = end / (0.5 * problem.period());
   const bool whole = std::abs(halves - std::round(halves)) < whole_steps * halves;
   const double pieces = whole ? std::round(halves) : 1;
   return pieces * std::max(1.0, std::ceil(end / pieces / longest));
@@ -130,13 +148,33 @@ void check_sizes(const Scene& scene) {
   check(nodes, 9 * sizeof(double), grid.lower ? "grid.upper" : "grid.spacing", "grid nodes");
 }
 
-void require_runnable(const Scene& scene) {
-  if (!std::holds_alternative<Vortex>(scene.motion)) {
-    throw InputError(scene.place("motion.type"), "motion.type",
-                     "a run simulates the vortex; this motion serves tabulate and eval", "vortex");
+/// Edges of domains lie on a box whose corners are corners of these.
+void require_surface(const Scene& scene) {
+  for (std::size_t d = 0; d < 2; ++d) {
+    const double particle = scene.grid->spacing / scene.body.per_cell[d];
+    for (const double corner : {scene.body.lower[d], scene.body.upper[d]}) {
+      if (std::abs(corner / particle - std::round(corner / particle)) <= whole_steps * std::abs(corner / particle))
+        continue;
+      throw InputError(scene.place("body"), "body",
+                       "tractions act on the edges of the particles' domains: the corners must be multiples of "
+                       "grid.spacing / body.per_cell = " +
+                           rounded_text(particle, 6));
+    }
   }
-  const Amplitude& g = std::get<Vortex>(scene.motion).amplitude;
-  if (g.type == Amplitude::Type::ramp && scene.time.end > g.period) {
+}
+
+void require_runnable(const Scene& scene) {
+  const auto* vortex = std::get_if<Vortex>(&scene.motion);
+  if (!vortex && !is_homogeneous(scene.motion)) {
+    throw InputError(scene.place("motion.type"), "motion.type",
+                     "this motion serves tabulate and eval, and cannot be run yet",
+                     "vortex, homogeneous, rotating_stretch, rigid");
+  }
+  if (!is_plane(scene.motion)) {
+    throw InputError(scene.place("motion"), "motion",
+                     "the method is plane strain: nothing may happen out of the plane, and axes must be [0, 0, 1]");
+  }
+  if (vortex && vortex->amplitude.type == Amplitude::Type::ramp && scene.time.end > vortex->amplitude.period) {
     throw InputError(scene.place("time.end"), "time.end",
                      "a ramp stops dead at its period: the velocity jumps there, which no body force can do");
   }
@@ -144,6 +182,33 @@ void require_runnable(const Scene& scene) {
     throw InputError(scene.place("method"), "method",
                      "a scene without a method cannot be run: only tabulated, evaluated and checked");
   if (!scene.grid) throw InputError(scene.place("grid"), "grid", "required to run");
+  if (!vortex) require_surface(scene);
+}
+
+/// Of the two forms of a traction the one that keeps the exact motion stable: P N dA0 where the body is stretched,
+/// sigma n ds where it is compressed, on the mean of both principal directions when it is most deformed.
+/// Virtual stress holds as sigma in both.
+mpm::TractionForm stable_form(const Scene& scene) {
+  constexpr int looks = 200;
+  if (scene.traction.algorithm == mpm::TractionAlgorithm::virtual_stress) return mpm::TractionForm::follower;
+  double most = 0;
+  for (int k = 1; k <= looks; ++k) {
+    const Tensor F = state_at(scene.motion, Vector3::Zero(), scene.time.end * k / looks).F;
+    const double square = F.topLeftCorner<2, 2>().squaredNorm(), J = F.topLeftCorner<2, 2>().determinant();
+    const double stretch = 0.5 * std::sqrt(square + 2 * J) - 1;  // (lambda1 + lambda2)/2 - 1
+    if (std::abs(stretch) > std::abs(most)) most = stretch;
+  }
+  return most >= 0 ? mpm::TractionForm::reference : mpm::TractionForm::follower;
+}
+
+/// On all faces of a body that the motion deforms.
+std::optional<mpm::Traction> traction_of(Scene& scene) {
+  const bool deformed = std::holds_alternative<Homogeneous>(scene.motion) ||
+                        std::holds_alternative<DeformationTable>(scene.motion) ||
+                        std::holds_alternative<RotatingStretch>(scene.motion);
+  if (!deformed || scene.force.response == ForceChoice::Response::none) return std::nullopt;
+  if (!scene.traction.form) scene.traction.form = stable_form(scene);
+  return mpm::Traction{scene.traction.algorithm, *scene.traction.form};
 }
 
 /// Stages of a step go back in time, which only a stress that follows from F alone can do with them.
@@ -167,6 +232,20 @@ std::string frame_text(const Frame& frame) {
   return text.empty() ? "the body's own" : text;
 }
 
+std::string Problem::motion_text() const {
+  if (const auto* vortex = std::get_if<Vortex>(&scene.motion)) {
+    return "; amplitude " + rounded_text(vortex->amplitude.peak, 4);
+  }
+  std::string text = "; " + motion_type(scene);
+  constexpr const char* algorithms[] = {"edges", "virtual stress", "particles", "undeformed edges"};
+  constexpr const char* forms[] = {"follower", "reference"};
+  if (setup.traction) {
+    text += ", traction by " + std::string(algorithms[static_cast<int>(setup.traction->algorithm)]) + ", " +
+            forms[static_cast<int>(setup.traction->form)] + " form";
+  }
+  return text;
+}
+
 std::string Problem::subject() const {
   const mpm::MethodNames names = mpm::names_of(setup.method);
   const mpm::Method& method = setup.method;
@@ -178,9 +257,9 @@ std::string Problem::subject() const {
   way += integrators[static_cast<int>(method.integrator)];
   return material->name() + "; " + way + "; h = " + rounded_text(scene.grid->spacing, 4) + " m; " +
          std::to_string(scene.body.per_cell[0]) + "x" + std::to_string(scene.body.per_cell[1]) + " a cell" +
-         lattices[static_cast<int>(scene.body.lattice)] + "; amplitude " + rounded_text(vortex().amplitude.peak, 4) +
+         lattices[static_cast<int>(scene.body.lattice)] + motion_text() +
          (scene.frame ? "; frame: " + frame_text(*scene.frame) : "") +
-         (setup.uses_exact_solution() ? "; inertia given: uses the exact solution" : "");
+         (setup.uses_exact_solution() ? "; uses the exact solution" : "");
 }
 
 double Problem::estimated_bytes() const {
@@ -191,7 +270,7 @@ double Problem::estimated_bytes() const {
   const auto stepped = static_cast<double>(setup.seeds.size()), held = static_cast<double>(setup.seeds.held.size());
   constexpr double seed = 2 * sizeof(double), ring_point = 2 * sizeof(double) + sizeof(std::uint32_t);
   bytes += seed * (stepped + held);
-  if (setup.body_force) bytes += stepped * (2 * ring_point + 2 * sizeof(double));  // force field and error sampler
+  if (compared) bytes += stepped * (2 * ring_point + 4 * sizeof(double));  // force field and error sampler
   if (setup.seeds.domains || setup.evaluation == mpm::Evaluation::domain_average) {
     bytes += stepped * (scene.body.lattice == Body::Lattice::polar ? sector_bytes : cell_bytes);
   }
@@ -201,25 +280,45 @@ double Problem::estimated_bytes() const {
   if (takes_shadow(scene)) {  // states and stress at both ends of a step, and F
     bytes += scene.force.radii * sizeof(double) * (2.0 * static_cast<double>(material->state_size()) + 4 * 9);
   }
-  if (setup.body_force && scene.output.pictures) bytes += stepped * 2 * 9 * sizeof(double);  // two frames
+  if (compared && scene.output.pictures) bytes += stepped * 2 * 9 * sizeof(double);  // two frames
   return bytes;
 }
+
+namespace {
+
+/// c = sqrt(E/rho0) of a motion in the unit box that does not say it, and the end of the run that follows from it.
+void resolve_wave_speed(Scene& scene) {
+  auto* box = std::get_if<AxisAligned>(&scene.motion);
+  if (!box || box->given_speed) return;
+  const auto modulus = scene.material.parameters.find("E");
+  if (modulus == scene.material.parameters.end() || !(modulus->second > 0)) {
+    throw InputError(scene.place("motion.wave_speed"), "motion.wave_speed",
+                     "auto takes sqrt(E/rho0), and the material has no parameter E above 0: give it [m/s]");
+  }
+  box->amplitude.period = 1 / std::sqrt(modulus->second / scene.material.density);
+  box->given_speed = true;
+  if (!scene.places.contains("time.end")) scene.time.end = box->amplitude.period;
+}
+
+}  // namespace
 
 std::shared_ptr<const Material> material_of(Scene& scene, std::string& library) {
   ResolvedMaterial resolved = resolve_material(scene);
   scene.material = std::move(resolved.choice);
   library = std::move(resolved.library);
+  resolve_wave_speed(scene);
   return std::make_shared<const Material>(std::move(resolved.material));
 }
 
-Problem assemble(const Scene& scene, int threads) {
+Problem assemble(const Scene& given, int threads) {
+  Problem problem;
+  problem.scene = given;
+  Scene& scene = problem.scene;
   require_runnable(scene);
   check_sizes(scene);
-  Problem problem;
-  problem.scene = scene;
-  problem.material = material_of(problem.scene, problem.library);
-  require_reversible(problem.scene, *problem.material);
-  const double density = problem.scene.material.density;
+  problem.material = material_of(scene, problem.library);
+  require_reversible(scene, *problem.material);
+  const double density = scene.material.density;
   mpm::Setup<2>& setup = problem.setup;
   setup.method = *scene.method;
   setup.grid = grid_of(scene);
@@ -227,8 +326,13 @@ Problem assemble(const Scene& scene, int threads) {
   mpm::order_by_nodes(setup);
   setup.density = density;
   setup.material = problem.material;
-  setup.body_force = scene.force.response != ForceChoice::Response::none;
-  setup.evaluation = scene.force.evaluation;
+  const bool forced = scene.force.response != ForceChoice::Response::none;
+  setup.body_force = forced && accelerates(scene.motion);
+  problem.compared = forced;
+  setup.traction = traction_of(scene);
+  if (!setup.traction) setup.seeds.surface.clear();
+  // a force that is linear in X is on a domain what it is in its middle
+  setup.evaluation = is_homogeneous(scene.motion) ? mpm::Evaluation::point : scene.force.evaluation;
   setup.inertia = scene.force.inertia;
   setup.motion = scene.motion;
   setup.frame = scene.frame;
@@ -236,12 +340,12 @@ Problem assemble(const Scene& scene, int threads) {
   setup.accounts = scene.output.accounts;
   setup.threads = threads;
   if (setup.seeds.size() == 0)
-    throw InputError(scene.place("grid.spacing"), "grid.spacing", "leaves no particle in the ring");
-  const Path path = baseline_path(problem.scene);
+    throw InputError(scene.place("grid.spacing"), "grid.spacing", "leaves no particle in the body");
+  const Path path = baseline_path(scene);
   setup.material_direction = path.material_direction;
-  const double watched = std::min(scene.time.end, wave_periods * period_of(scene.motion));
+  const double watched = std::min(scene.time.end, wave_periods * problem.period());
   problem.wave_speed = fastest_wave_on_path(*problem.material, path, density, watched);
-  problem.particle_speed = fastest_particle(problem.vortex(), scene.time.end);
+  problem.particle_speed = fastest_particle(scene);
   if (scene.frame) problem.particle_speed += fastest_of_frame(*scene.frame, setup.seeds);
   plan_steps(problem);
   check_limits(problem);

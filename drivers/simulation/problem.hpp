@@ -22,10 +22,12 @@ struct Problem {
   std::int64_t steps = 0;
   mpm::Setup<2> setup;  ///< complete but for the response
 
-  const Vortex& vortex() const { return std::get<Vortex>(scene.motion); }
+  bool compared = false;  ///< the body moves as the motion says: forced, or free of forces that it would need
+  double period() const { return period_of(scene.motion); }  ///< T of the motion [s]
   std::int64_t particles() const { return static_cast<std::int64_t>(setup.seeds.size() + setup.seeds.held.size()); }
   /// "neo_hookean; cpdi, flip, usl; h = 0.05 m; 2x2 particles a cell; amplitude 1".
   std::string subject() const;
+  std::string motion_text() const;  ///< "; amplitude 1", "; homogeneous, traction by edges, reference form"
   double time_of_step(std::int64_t k) const { return k >= steps ? scene.time.end : static_cast<double>(k) * dt; }
   /// Bytes of columns, weights, grid, error sampling and pictures' frames.
   double estimated_bytes() const;

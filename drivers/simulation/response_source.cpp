@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/simulation/response_source.hpp"
 
+#include <algorithm>
+
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/simulation/sheet_cache.hpp"
@@ -44,6 +46,22 @@ std::shared_ptr<const Response> response_of(const Scene& scene, const std::share
   Sheet sheet(*material, path, options);
   cache.store(sheet);
   return std::make_shared<const Response>(std::move(sheet));
+}
+
+std::shared_ptr<const ExactSolution> exact_solution_of(const Scene& scene,
+                                                       const std::shared_ptr<const Material>& material, double end,
+                                                       int threads) {
+  const Path path = baseline_path(scene);
+  const double density = scene.material.density;
+  if (!is_homogeneous(scene.motion)) {
+    return std::make_shared<const ExactSolution>(scene.motion, density,
+                                                 response_of(scene, material, path, end, threads, true));
+  }
+  constexpr double history_tolerance = 1e-4;  // of a step, of what is asked of the whole
+  return std::make_shared<const ExactSolution>(
+      scene.motion, density,
+      std::make_shared<HomogeneousStress>(material, path, own_parameter(scene.motion), end,
+                                          std::max(1e-13, history_tolerance * scene.force.tolerance)));
 }
 
 }  // namespace assay::drivers

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "drivers/scene/scene.hpp"
-#include "harness/response.hpp"
+#include "harness/exact_solution.hpp"
 
 namespace assay::drivers {
 
@@ -14,5 +14,10 @@ namespace assay::drivers {
 /// form), MaterialFailure, Interrupted.
 std::shared_ptr<const Response> response_of(const Scene& scene, const std::shared_ptr<const Material>& material,
                                             const Path& path, double end, int threads = 1, bool marching = false);
+
+/// The scene's motion with the stress of its material, over times 0 .. end; the rest as above.
+std::shared_ptr<const ExactSolution> exact_solution_of(const Scene& scene,
+                                                       const std::shared_ptr<const Material>& material, double end,
+                                                       int threads = 1);
 
 }  // namespace assay::drivers

@@ -26,6 +26,10 @@ bool partly_inside(const Vortex& vortex, const Rectangle& domain) {
          std::hypot(farthest[0], farthest[1]) > vortex.inner * (1 + edge_rounding);
 }
 
+Rectangle around(const Point& X, const Point& half) {
+  return {{X[0] - half[0], X[1] - half[1]}, {X[0] + half[0], X[1] + half[1]}};
+}
+
 bool is_averaged(const Scene& scene) { return scene.force.evaluation == ForceChoice::Evaluation::domain_average; }
 
 /// Particles in the cells of the grid, whole.
@@ -37,8 +41,7 @@ mpm::Seeds<2> whole_cells(const Scene& scene) {
   const mpm::GaussCells cells(h, body.per_cell);
   const auto domain_of = [&](const std::array<double, 2>& X) {
     if (gauss) return cells.rectangle_around(X);
-    const std::array<double, 2> half{0.5 * h / body.per_cell[0], 0.5 * h / body.per_cell[1]};
-    return Rectangle{{X[0] - half[0], X[1] - half[1]}, {X[0] + half[0], X[1] + half[1]}};
+    return around(X, {0.5 * h / body.per_cell[0], 0.5 * h / body.per_cell[1]});
   };
   const auto fate = [&](const std::array<double, 2>& X) {
     if (vortex.moves({X[0], X[1], 0})) return mpm::Fate::stepped;
@@ -56,8 +59,46 @@ mpm::Seeds<2> whole_cells(const Scene& scene) {
   return seeds;
 }
 
+/// The edges of a particle's domain that lie on the box.
+void add_surface(const Box& box, const Rectangle& domain, std::uint32_t particle, std::vector<mpm::SurfaceEdge>& all) {
+  const auto corner = [&](std::size_t c) {
+    return Point{(c & 1) ? domain.upper[0] : domain.lower[0], (c & 2) ? domain.upper[1] : domain.lower[1]};
+  };
+  const double near = edge_rounding * (box.upper[0] - box.lower[0] + box.upper[1] - box.lower[1]);
+  for (std::size_t d = 0; d < 2; ++d) {
+    const std::size_t along = 1 - d;
+    for (const bool upper : {false, true}) {
+      const double at = upper ? domain.upper[d] : domain.lower[d], face = upper ? box.upper[d] : box.lower[d];
+      if (std::abs(at - face) > near) continue;
+      const auto first = static_cast<std::uint8_t>(upper ? 1u << d : 0u);
+      const auto second = static_cast<std::uint8_t>(first | 1u << along);
+      mpm::SurfaceEdge edge{particle, {first, second}, {}, {corner(first), corner(second)}};
+      edge.N_dA[d] = (upper ? 1 : -1) * (domain.upper[along] - domain.lower[along]);
+      all.push_back(edge);
+    }
+  }
+}
+
+/// A box full of particles, every one stepped, with the edges that bear tractions.
+mpm::Seeds<2> box_seeds(const Scene& scene) {
+  const Box box = body_box(scene);
+  const double h = scene.grid->spacing;
+  const bool gauss = scene.body.lattice == Body::Lattice::gauss;
+  const auto all = [](const Point&) { return mpm::Fate::stepped; };
+  const auto make = gauss ? mpm::gauss_lattice : mpm::cartesian_lattice;
+  mpm::Seeds<2> seeds = make(box.lower, box.upper, h, scene.body.per_cell, all);
+  const mpm::GaussCells cells(h, scene.body.per_cell);
+  for (std::size_t p = 0; p < seeds.size(); ++p) {
+    const Point X{seeds.X[0][p], seeds.X[1][p]};
+    const Rectangle domain = gauss ? cells.rectangle_around(X) : around(X, seeds.half_size);
+    add_surface(box, domain, static_cast<std::uint32_t>(p), seeds.surface);
+  }
+  return seeds;
+}
+
 /// Of the body in its own frame, before any jitter.
 mpm::Seeds<2> still_seeds_of(const Scene& scene) {
+  if (is_homogeneous(scene.motion)) return box_seeds(scene);
   const auto& vortex = std::get<Vortex>(scene.motion);
   const Body& body = scene.body;
   if (body.domain == Body::Domain::ring) {
@@ -77,14 +118,16 @@ mpm::Seeds<2> seeds_of(const Scene& scene) {
   mpm::Seeds<2> seeds = still_seeds_of(scene);
   const bool jittered = scene.body.lattice == Body::Lattice::jittered;
   const bool turned = scene.frame && scene.frame->angle != 0;
-  if ((jittered || turned) && !seeds.domains && is_averaged(scene)) {  // the domains as they are before
+  if ((jittered || turned) && !seeds.domains && is_averaged(scene) &&
+      ring_of(scene.motion)) {  // the domains as they are before
     const auto& vortex = std::get<Vortex>(scene.motion);
     seeds.domains = std::make_shared<const ReferenceDomains>(mpm::rectangles_of(seeds, {vortex.inner, vortex.outer}));
   }
   if (jittered) {
-    const auto& vortex = std::get<Vortex>(scene.motion);
     std::function<bool(const Point&)> inside;
-    if (scene.body.domain == Body::Domain::ring) inside = [&](const Point& X) { return vortex.moves({X[0], X[1], 0}); };
+    if (scene.body.domain == Body::Domain::ring) {
+      inside = [&](const Point& X) { return std::get<Vortex>(scene.motion).moves({X[0], X[1], 0}); };
+    }
     mpm::disturb(seeds, scene.body.jitter, static_cast<std::uint64_t>(scene.body.seed), inside);
   }
   if (turned) {

@@ -11,6 +11,7 @@
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/simulation/accounts.hpp"
+#include "drivers/simulation/growth.hpp"
 #include "drivers/simulation/stress_offload.hpp"
 #include "mpm/simulation.hpp"
 
@@ -29,7 +30,7 @@ std::set<std::int64_t> schedule(const Problem& problem, int count) {
   for (int k = 0; k <= count; ++k) {
     due.insert(static_cast<std::int64_t>(std::llround(static_cast<double>(problem.steps) * k / count)));
   }
-  const double half = 0.5 * problem.vortex().amplitude.period;
+  const double half = 0.5 * problem.period();
   if (half <= problem.scene.time.end) due.insert(std::llround(half / problem.dt));
   return due;
 }
@@ -37,13 +38,13 @@ std::set<std::int64_t> schedule(const Problem& problem, int count) {
 /// One run's moving parts, so that the loop itself reads as it is.
 class Run {
  public:
-  Run(Problem& problem, std::shared_ptr<const Response> response, Snapshots& snapshots, Result& result)
+  Run(Problem& problem, std::shared_ptr<const ExactSolution> exact, Snapshots& snapshots, Result& result)
       : problem_(problem),
         snapshots_(snapshots),
         result_(result),
         workers_(workers_of(problem)),
-        simulation_(setup_of(problem, response, workers_)) {
-    if (response) sampler_.emplace(problem, std::move(response), simulation_.state());
+        simulation_(setup_of(problem, exact, workers_)) {
+    if (exact) sampler_.emplace(problem, std::move(exact), simulation_.state());
     if (problem.scene.output.accounts) accounts_.emplace(simulation_.state());
     due_ = observations_of(problem);
   }
@@ -77,10 +78,11 @@ class Run {
     return apart ? std::make_shared<StressOffload>(problem.setup) : nullptr;
   }
 
-  static mpm::Setup<2> setup_of(const Problem& problem, const std::shared_ptr<const Response>& response,
+  static mpm::Setup<2> setup_of(const Problem& problem, const std::shared_ptr<const ExactSolution>& exact,
                                 const std::shared_ptr<StressOffload>& workers) {
     mpm::Setup<2> setup = problem.setup;
-    setup.response = response;
+    setup.exact = exact;
+    if (exact && exact->response()) setup.response = *exact->response();
     if (workers) setup.offload = StressOffload::offload_of(workers);
     return setup;
   }
@@ -132,9 +134,11 @@ class Run {
     if (!due_.shots.empty()) result_.passes.push_back({"snapshots", output_s_, 0});
     if (stepping > 0) result_.particle_steps_per_s = static_cast<double>(result_.particle_steps) / stepping;
     if (sampler_) {
-      result_.error = figures_of(result_.history, 0.5 * problem_.vortex().amplitude.period, problem_.scene.time.end,
-                                 largest_displacement_);
+      result_.error =
+          figures_of(result_.history, 0.5 * problem_.period(), problem_.scene.time.end, largest_displacement_);
     }
+    if (problem_.setup.traction) result_.growth = growth_of(result_.history);
+    if (result_.growth) result_.warnings.push_back(growth_sentence(*result_.growth, problem_));
     if (accounts_) result_.drift = accounts_->drift();
   }
 
@@ -153,16 +157,16 @@ class Run {
 
 Observations observations_of(const Problem& problem) {
   const OutputChoice& output = problem.scene.output;
-  const bool compared = problem.setup.body_force;
+  const bool compared = problem.compared;
   return {schedule(problem, compared ? std::max(output.errors, 1) : 0),
           schedule(problem, output.particles > 0          ? output.particles
                             : output.pictures && compared ? 2
                                                           : 0)};
 }
 
-void simulate(Problem& problem, std::shared_ptr<const Response> response, Snapshots& snapshots, Progress& progress,
+void simulate(Problem& problem, std::shared_ptr<const ExactSolution> exact, Snapshots& snapshots, Progress& progress,
               Result& result) {
-  Run run(problem, std::move(response), snapshots, result);
+  Run run(problem, std::move(exact), snapshots, result);
   run.loop(progress);
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "drivers/output/number_format.hpp"
+#include "drivers/scene/body_box.hpp"
 #include "mpm/gauss_lattice.hpp"
 
 namespace assay::drivers {
@@ -54,7 +55,8 @@ void Snapshots::write_vtu(const mpm::State<2>& s, const ErrorSampler* sampler, d
                                {"stress", 9, std::span<const double>(stress)}};
   if (sampler) {
     arrays.push_back({"displacement_error", 1, std::span<const double>(sampler->displacement_error())});
-    arrays.push_back({"shear", 1, std::span<const double>(sampler->shear())});
+    const char* measure = std::holds_alternative<Vortex>(problem_->scene.motion) ? "shear" : "jacobian";
+    arrays.push_back({measure, 1, std::span<const double>(sampler->measure())});
   }
   const std::string name = particles_name(static_cast<int>(entries_.size()));
   folder_->write(name, vtu_text(position, arrays, t));
@@ -104,8 +106,8 @@ ParticleFrame Snapshots::frame_of(const mpm::State<2>& s, double t) const {
 void Snapshots::add(const mpm::State<2>& state, const ErrorSampler* sampler, double t) {
   if (problem_->scene.output.particles > 0) write_vtu(state, sampler, t);
   if (!problem_->scene.output.pictures || !sampler) return;
-  Frame frame{t, frame_of(state, t), sampler->displacement_error(), sampler->shear()};
-  const double half = 0.5 * problem_->vortex().amplitude.period;
+  Frame frame{t, frame_of(state, t), sampler->displacement_error(), sampler->measure()};
+  const double half = 0.5 * problem_->period();
   if (frames_.empty()) {
     frames_.push_back(std::move(frame));
   } else if (std::abs(t - half) < std::abs(frames_.front().t - half)) {
@@ -119,18 +121,24 @@ void Snapshots::add(const mpm::State<2>& state, const ErrorSampler* sampler, dou
 
 namespace {
 
-/// Half the width of what pictures show: the ring with a margin; of a body whose outside moves all of it [m].
-double picture_reach(const Problem& problem) {
+/// What pictures show: the ring with a margin; of a body whose outside moves all of it, on all of its way [m].
+Box picture_box(const Problem& problem) {
   const Scene& scene = problem.scene;
-  const double ring = 1.1 * problem.vortex().outer;
-  if (scene.body.domain == Body::Domain::ring || scene.body.outside == Body::Outside::held) return ring;
-  double reach = ring;
-  for (const double x : {scene.body.lower[0], scene.body.upper[0]}) {
-    for (const double y : {scene.body.lower[1], scene.body.upper[1]}) {
-      reach = std::max(reach, 1.03 * (scene.frame ? std::hypot(x, y) : std::max(std::abs(x), std::abs(y))));
+  if (!ring_of(scene.motion)) {
+    Box box = swept_box(scene);
+    const double margin = 0.05 * std::max(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
+    for (std::size_t d = 0; d < 2; ++d) box.lower[d] -= margin, box.upper[d] += margin;
+    return box;
+  }
+  double reach = 1.1 * ring_of(scene.motion)->outer;
+  if (scene.body.domain != Body::Domain::ring && scene.body.outside != Body::Outside::held) {
+    for (const double x : {scene.body.lower[0], scene.body.upper[0]}) {
+      for (const double y : {scene.body.lower[1], scene.body.upper[1]}) {
+        reach = std::max(reach, 1.03 * (scene.frame ? std::hypot(x, y) : std::max(std::abs(x), std::abs(y))));
+      }
     }
   }
-  return reach;
+  return {{-reach, -reach}, {reach, reach}};
 }
 
 }  // namespace
@@ -140,11 +148,11 @@ std::vector<Snapshots::Written> Snapshots::finish() {
   std::vector<Written> written;
   if (frames_.empty()) return written;
   ParticlePicture picture;
-  const Vortex& vortex = problem_->vortex();
-  const double reach = picture_reach(*problem_);
-  picture.rings = {vortex.inner, vortex.outer};
-  picture.lower = {-reach, -reach};
-  picture.upper = {reach, reach};
+  const Motion& motion = problem_->scene.motion;
+  const Box box = picture_box(*problem_);
+  if (const auto ring = ring_of(motion)) picture.rings = {ring->inner, ring->outer};
+  picture.lower = box.lower;
+  picture.upper = box.upper;
   const auto add = [&](const std::string& name, const std::string& title, const std::string& label, ColorMap map,
                        std::vector<double> Frame::*values) {
     picture.title = title;
@@ -159,7 +167,11 @@ std::vector<Snapshots::Written> Snapshots::finish() {
     folder_->write(name, written.back().png);
   };
   add("error.png", "Error of the displacement", "|u − u_{exact}| [m]", ColorMap::viridis, &Frame::error);
-  add("shear.png", "Shear of the particles", "γ = 2ε [1]", ColorMap::diverging, &Frame::shear);
+  if (std::holds_alternative<Vortex>(motion)) {
+    add("shear.png", "Shear of the particles", "γ = 2ε [1]", ColorMap::diverging, &Frame::measure);
+  } else {
+    add("jacobian.png", "Volume of the particles", "J = det F [1]", ColorMap::viridis, &Frame::measure);
+  }
   return written;
 }
 

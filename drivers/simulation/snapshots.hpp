@@ -36,7 +36,7 @@ class Snapshots {
   struct Frame {
     double t = 0;
     ParticleFrame shape;
-    std::vector<double> error, shear;
+    std::vector<double> error, measure;
   };
   std::vector<Frame> frames_;  ///< nearest to T/2, and the last
 };

@@ -119,7 +119,7 @@ ASSAY_INLINE Mat<Dim> weighted_stress(const Mat<Dim>& cauchy, const Mat<Dim>& F,
 /// What n particles give to the nodes: m b, and the columns of the weighted stress.
 template <bool WithBody, bool Total, int Dim>
 ASSAY_INLINE void forces_of(const KernelState<Dim>& s, std::size_t begin, std::size_t n, Given<Dim, Dim>& given) {
-  const double *F = s.column(Column::deformation_gradient), *sigma = s.column(Column::stress),
+  const double *F = s.column(Column::deformation_gradient), *sigma = s.column(s.stress_of_forces),
                *volume = s.column(Column::volume), *mass = s.column(Column::mass),
                *b = WithBody ? s.column(Column::body_force) : nullptr;
   ASSAY_INDEPENDENT

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/exact_field.hpp"
+
+#include <cmath>
+
+namespace assay {
+
+namespace {
+
+using Matrix2 = std::array<double, 4>;
+
+Matrix2 product(const Matrix2& a, const Matrix2& b) {
+  return {a[0] * b[0] + a[1] * b[2], a[0] * b[1] + a[1] * b[3], a[2] * b[0] + a[3] * b[2], a[2] * b[1] + a[3] * b[3]};
+}
+Matrix2 transposed(const Matrix2& a) { return {a[0], a[2], a[1], a[3]}; }
+Matrix2 rotation(double c, double s) { return {c, -s, s, c}; }
+
+std::array<double, 5> plane(const Tensor& s) { return {s(0, 0), s(0, 1), s(1, 0), s(1, 1), s(2, 2)}; }
+
+}  // namespace
+
+ExactField::ExactField(std::shared_ptr<const ExactSolution> solution, const Frame& frame, std::span<const double> X,
+                       std::span<const double> Y)
+    : solution_(std::move(solution)), frame_(frame), X_(X.begin(), X.end()), Y_(Y.begin(), Y.end()) {
+  const auto ring = ring_of(solution_->motion());
+  if (!ring) return;
+  points_ = RingPoints(X, Y);
+  rings_.resize(points_.radius.size());
+  const bool all = std::holds_alternative<TwistingRing>(solution_->motion());  // its faces move, too
+  for (const double R : points_.radius) {
+    moves_.push_back(all || (R > ring->inner && R < ring->outer));
+    parameter_.push_back(ring_parameter(solution_->motion(), R));
+  }
+}
+
+void ExactField::set_time(double t, double velocity_time) {
+  t_ = t;
+  if (!rings_.empty()) return set_rings(t, velocity_time);
+  if (!points_.ring.empty() || X_.empty()) return;
+  now_ = solution_->state(Vector3::Zero(), t);
+  then_ = solution_->state(Vector3::Zero(), velocity_time);
+  sigma_ = plane(solution_->stress(Vector3::Zero(), t).cauchy);
+}
+
+/// To a frame that spins every ring turns by spin t more.
+void ExactField::set_rings(double t, double velocity_time) {
+  for (std::size_t k = 0; k < rings_.size(); ++k) {
+    const double R = points_.radius[k];
+    const RingKinematics now = ring_kinematics(solution_->motion(), R, t);
+    Ring& ring = rings_[k];
+    const double alpha = now.alpha + frame_.spin * t;
+    ring.cos_alpha = std::cos(alpha), ring.sin_alpha = std::sin(alpha);
+    const Tensor B = now.baseline(R);
+    ring.x = {B(1, 1) * ring.cos_alpha, B(1, 1) * ring.sin_alpha};
+    ring.B = {B(0, 0), B(0, 1), B(1, 0), B(1, 1)};
+    const RingKinematics then = ring_kinematics(solution_->motion(), R, velocity_time);
+    const double beta = then.alpha + frame_.spin * velocity_time, c = std::cos(beta), s = std::sin(beta);
+    const double along = R > 0 ? then.rho_rate / R : then.rho_slope_rate;
+    const double across = then.baseline(R)(1, 1) * (then.alpha_rate + frame_.spin);
+    ring.v = {c * along - s * across, s * along + c * across};
+  }
+  (*solution_->response())->at_time(t, parameter_, [&](std::size_t k, const Tensor& tau, const Tensor&) {
+    Tensor B = Tensor::Identity();
+    B(0, 0) = rings_[k].B[0], B(1, 0) = rings_[k].B[2], B(1, 1) = rings_[k].B[3];
+    rings_[k].sigma = plane(cauchy_stress(tau, B));
+  });
+}
+
+PlaneState ExactField::at_ring(std::size_t p) const {
+  const Ring& ring = rings_[points_.ring[p]];
+  const Matrix2 q = rotation(points_.cos_theta[p], points_.sin_theta[p]);
+  const Matrix2 r = product(rotation(ring.cos_alpha, ring.sin_alpha), q);  // (17)
+  const Matrix2 sigma =
+      product(product(r, {ring.sigma[0], ring.sigma[1], ring.sigma[2], ring.sigma[3]}), transposed(r));
+  const double X = X_[p], Y = Y_[p];
+  PlaneState state;
+  state.x = {ring.x[0] * X - ring.x[1] * Y + frame_.velocity.x() * t_,
+             ring.x[1] * X + ring.x[0] * Y + frame_.velocity.y() * t_};
+  state.v = {ring.v[0] * X - ring.v[1] * Y + frame_.velocity.x(), ring.v[1] * X + ring.v[0] * Y + frame_.velocity.y()};
+  state.F = product(product(r, ring.B), transposed(q));
+  state.sigma = {sigma[0], sigma[1], sigma[2], sigma[3], ring.sigma[4]};
+  return state;
+}
+
+PlaneState ExactField::at(std::size_t p) const {
+  if (!rings_.empty()) return at_ring(p);
+  const Vector3 X(X_[p], Y_[p], 0);
+  const Vector3 x = now_.x + now_.F * X, v = then_.v + then_.F_rate * X;
+  return {{x.x(), x.y()}, {v.x(), v.y()}, {now_.F(0, 0), now_.F(0, 1), now_.F(1, 0), now_.F(1, 1)}, sigma_};
+}
+
+double ExactField::measure(std::size_t p, const std::array<double, 4>& F) const {
+  if (!std::holds_alternative<Vortex>(solution_->motion())) return F[0] * F[3] - F[1] * F[2];
+  const Ring& ring = rings_[points_.ring[p]];
+  const Matrix2 q = rotation(points_.cos_theta[p], points_.sin_theta[p]);
+  const Matrix2 r = product(rotation(ring.cos_alpha, ring.sin_alpha), q);
+  return product(product(transposed(r), F), q)[2];
+}
+
+}  // namespace assay

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The exact plane fields at fixed reference points, computed once for each radius of a polar motion, once for all
+// points of one whose F is the same everywhere.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "harness/exact_solution.hpp"
+#include "harness/frame.hpp"
+#include "harness/ring_points.hpp"
+
+namespace assay {
+
+/// In-plane components row-major; sigma 11, 12, 21, 22, 33.
+struct PlaneState {
+  std::array<double, 2> x{}, v{};  ///< [m], [m/s]
+  std::array<double, 4> F{};       ///< [1]
+  std::array<double, 5> sigma{};   ///< Cauchy stress [Pa]
+};
+
+class ExactField {
+ public:
+  /// X, Y: reference positions [m]; frame: from which a vortex is seen, its angle already in the positions.
+  ExactField(std::shared_ptr<const ExactSolution> solution, const Frame& frame, std::span<const double> X,
+             std::span<const double> Y);
+
+  /// To the times of which `at` speaks: velocity_time is that of the velocities [s].
+  void set_time(double t, double velocity_time);
+
+  PlaneState at(std::size_t point) const;
+
+  /// Whether the exact motion moves the point.
+  bool moves(std::size_t point) const { return points_.ring.empty() || moves_[points_.ring[point]]; }
+
+  /// Of a point's own F: component 21 of r^T F q (17), gamma = 2 eps of the vortex; of other motions det F [1].
+  double measure(std::size_t point, const std::array<double, 4>& F) const;
+
+ private:
+  /// Of a distinct radius: what its points share, as factors of X and E_z x X, and baseline components.
+  struct Ring {
+    std::array<double, 2> x{}, v{};
+    double cos_alpha = 1, sin_alpha = 0;
+    std::array<double, 4> B{};
+    std::array<double, 5> sigma{};
+  };
+  void set_rings(double t, double velocity_time);
+  PlaneState at_ring(std::size_t point) const;
+
+  std::shared_ptr<const ExactSolution> solution_;
+  Frame frame_;
+  double t_ = 0;
+  std::vector<double> X_, Y_;
+  RingPoints points_;        ///< of a polar motion
+  std::vector<bool> moves_;  ///< of each distinct radius
+  std::vector<double> parameter_;
+  std::vector<Ring> rings_;
+  ExactState now_, then_;  ///< of the origin, where F is the same everywhere
+  std::array<double, 5> sigma_{};
+};
+
+}  // namespace assay

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Passes of prescribed tractions.
+#pragma once
+
+#include "mpm/pass.hpp"
+
+namespace assay::mpm {
+
+/// Tractions of the exact motion to the grid's forces; with accounts their impulse, too. Not of virtual stress.
+Pass<2> traction_pass(const Method& method, const Traction& traction, bool accounts);
+
+/// Work of the tractions with the velocity that they leave.
+Pass<2> traction_work_pass();
+
+/// The particles' stress without that of the exact motion: what internal forces are made of. On the exact state nothing
+/// is left, inside and on the surface. The reference form takes off the exact P.
+Pass<2> virtual_stress_pass(const Method& method, TractionForm form);
+
+}  // namespace assay::mpm

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Homogeneous motions under tractions on all faces: to rounding, with the form that is stable, for every stiffness,
+// grid and method of which that is promised; and not, with the others.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drivers/scene/scene_reader.hpp"
+#include "drivers/simulation/response_source.hpp"
+#include "drivers/simulation/simulate.hpp"
+#include "tests/drivers/scratch_folder.hpp"
+
+namespace assay::drivers {
+namespace {
+
+constexpr double rounding = 1e-12;        ///< [m], of E up to 1e6
+constexpr double stiff_rounding = 1e-11;  ///< of E = 1e9: what is left grows with the number of steps
+const std::string table1 = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/table1_traction.yaml";
+const std::string stretch = std::string(ASSAY_SOURCE_DIR) + "/configs/motions/rotating_stretch.yaml";
+
+Result result_of(const std::string& scene, std::vector<std::string> sets) {
+  sets.insert(sets.end(), {"output.particles=0", "output.pictures=false", "output.report=false"});
+  const ScratchFolder scratch;
+  Problem problem = assemble(read_scene(scene, sets), 1);
+  const auto exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end);
+  OutputFolder folder(scratch / "out");
+  Snapshots snapshots(problem, folder);
+  Progress progress("", true);
+  Result result;
+  simulate(problem, exact, snapshots, progress, result);
+  return result;
+}
+
+std::string number(double x) { return std::to_string(x); }
+
+struct Case {
+  std::string name;
+  std::vector<std::string> method;
+  double stiffest = 1e9, softest_stretch = 0.4;  ///< up to which, and from which on, it is promised
+};
+
+const std::vector<Case> cases{{"cpdi2", {"method.basis=cpdi2"}},
+                              {"cpdi", {"method.basis=cpdi"}, 1e6, 1},
+                              {"ugimp_virtual", {"method.basis=ugimp", "traction.algorithm=virtual_stress"}, 1e6},
+                              {"bspline2_virtual", {"method.basis=bspline2", "traction.algorithm=virtual_stress"}},
+                              {"ugimp_total", {"method.basis=ugimp", "method.formulation=total"}, 1e9, 1},
+                              {"bspline2_total", {"method.basis=bspline2", "method.formulation=total"}, 1e9, 1}};
+
+Result table1_of(const Case& which, double E, int cells, double stretched, std::vector<std::string> more = {}) {
+  std::vector<std::string> sets = which.method;
+  sets.insert(sets.end(), {"material.parameters.E=" + number(E), "grid.spacing=" + number(1.0 / cells),
+                           "motion.final=[[" + number(stretched) + ", 0, 0], [0, 1, 0], [0, 0, 1]]"});
+  sets.insert(sets.end(), more.begin(), more.end());
+  return result_of(table1, sets);
+}
+
+class Traction : public testing::TestWithParam<Case> {};
+
+void holds_to_rounding(const Case& which, double E, std::vector<int> cells, double limit) {
+  for (const double stretched : {2.0, 4.0, 0.4}) {
+    if (E > which.stiffest || stretched < which.softest_stretch) continue;
+    for (const int n : cells) {
+      const Result result = table1_of(which, E, n, stretched);
+      EXPECT_EQ(result.outcome, "completed") << "E = " << E << ", " << n << " cells, " << stretched;
+      EXPECT_LE(result.error.l2_max.value_or(INFINITY), limit) << "E = " << E << ", " << n << " cells, " << stretched;
+      EXPECT_FALSE(result.growth) << "E = " << E << ", " << n << " cells, " << stretched;
+    }
+  }
+}
+
+TEST_P(Traction, HoldsToRounding) {
+  for (const double E : {1e3, 1e6}) holds_to_rounding(GetParam(), E, {2, 4, 8}, rounding);
+}
+
+TEST_P(Traction, HoldsToRoundingWhereItIsStiff) { holds_to_rounding(GetParam(), 1e9, {2, 4}, stiff_rounding); }
+
+class LongTraction : public testing::TestWithParam<Case> {};
+
+TEST_P(LongTraction, HoldsToRoundingOnFineGrids) {
+  for (const double E : {1e3, 1e6}) holds_to_rounding(GetParam(), E, {16, 32}, rounding);
+  holds_to_rounding(GetParam(), 1e9, {8, 16}, stiff_rounding);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, Traction, testing::ValuesIn(cases),
+                         [](const auto& which) { return which.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(Methods, LongTraction, testing::ValuesIn(cases),
+                         [](const auto& which) { return which.param.name; });
+
+// A homogeneous F of any kind, shear included.
+TEST(TractionMotions, CompressionShearAndBiaxial) {
+  for (const char* final : {"[[0.7, 0, 0], [0, 0.8, 0], [0, 0, 1]]", "[[1, 0.8, 0], [0, 1, 0], [0, 0, 1]]",
+                            "[[1.5, 0.3, 0], [-0.2, 1.4, 0], [0, 0, 1]]", "[[1.6, 0, 0], [0, 0.8, 0], [0, 0, 1]]"}) {
+    const Result result = result_of(table1, {"motion.final=" + std::string(final)});
+    EXPECT_LE(result.error.l2_max.value_or(INFINITY), rounding) << final;
+  }
+}
+
+// What the paper's table is close to, .0733, .0724 and .0724 m; and tractions at particles, of first order.
+TEST(TractionAlgorithms, UndeformedEdgesLeaveAnErrorThatNoGridHeals) {
+  double lumped_before = INFINITY;
+  for (const int n : {2, 4, 8}) {
+    const Result undeformed = table1_of(cases[0], 1e6, n, 2, {"traction.algorithm=undeformed_edges"});
+    EXPECT_NEAR(undeformed.error.l2_end.value_or(INFINITY), 0.045, 0.003) << n;
+    const double lumped =
+        table1_of(cases[0], 1e6, n, 2, {"traction.algorithm=particles"}).error.l2_end.value_or(INFINITY);
+    EXPECT_GT(lumped, 1e-3) << n;
+    EXPECT_LT(lumped, 0.6 * lumped_before) << n;
+    lumped_before = lumped;
+  }
+}
+
+// P N dA0 on a compressed body: it wants to turn round.
+TEST(TractionForms, TheUnstableOneGrowsWithTheWaveSpeedAndSaysSo) {
+  const auto rate = [](double E, double end) {
+    const Result result =
+        table1_of(cases[0], E, 8, 0.4, {"traction.form=reference", "time.end=" + number(end), "output.errors=200"});
+    EXPECT_TRUE(result.growth) << E;
+    EXPECT_NE(result.warnings.back().find("take traction.form: follower"), std::string::npos);
+    return result.growth ? result.growth->rate : 0;
+  };
+  const double soft = rate(1e6, 0.6), stiff = rate(1e8, 0.2);
+  EXPECT_GT(soft, 40);
+  EXPECT_LT(soft, 120);
+  EXPECT_GT(stiff / soft, 3);  // 10 by the wave speed; the rounding of the stiff body has grown up at less compression
+}
+
+TEST(TractionForms, TheDefaultIsTheStableOne) {
+  const auto form = [](const std::string& stretched, const std::string& algorithm) {
+    const Problem problem =
+        assemble(read_scene(table1, {"motion.final=[[" + stretched + ", 0, 0], [0, 1, 0], [0, 0, 1]]",
+                                     "traction.algorithm=" + algorithm}),
+                 1);
+    return problem.setup.traction->form;
+  };
+  EXPECT_EQ(form("2", "edges"), mpm::TractionForm::reference);
+  EXPECT_EQ(form("0.4", "edges"), mpm::TractionForm::follower);
+  EXPECT_EQ(form("2", "virtual_stress"), mpm::TractionForm::follower);
+}
+
+// Negative control: tractions of a material that is 1 % stiffer, which is a wrong sigma_hat as well.
+TEST(TractionNegativeControl, AnErrorOfOnePercentIsCaught) {
+  for (const std::string algorithm : {"edges", "virtual_stress"}) {
+    Problem problem = assemble(read_scene(table1, {"traction.algorithm=" + algorithm, "output.particles=0"}), 1);
+    Scene stiffer = problem.scene;
+    stiffer.material.parameters["E"] *= 1.01;
+    std::string library;
+    const auto other = material_of(stiffer, library);
+    const auto wrong = exact_solution_of(stiffer, other, problem.scene.time.end);
+    const ScratchFolder scratch;
+    OutputFolder folder(scratch / "out");
+    Snapshots snapshots(problem, folder);
+    Progress progress("", true);
+    Result result;
+    simulate(problem, wrong, snapshots, progress, result);
+    EXPECT_GT(result.error.l2_max.value_or(INFINITY), 1e-3) << algorithm;
+  }
+}
+
+// Momentum, its moment and energy against impulse and work of the tractions.
+TEST(TractionAccounts, Balance) {
+  for (const std::string formulation : {"updated", "total"}) {
+    const Result result =
+        result_of(stretch, {"method.basis=cpdi", "method.formulation=" + formulation, "time.step=0.001"});
+    EXPECT_LT(result.drift.momentum.value_or(INFINITY), 1e-10) << formulation;
+    EXPECT_LT(result.drift.angular_momentum.value_or(INFINITY), 1e-2) << formulation;
+    EXPECT_LT(result.drift.energy.value_or(INFINITY), 1e-2) << formulation;
+  }
+}
+
+// Body force, tractions and the method's time step together.
+TEST(RotatingStretchRun, IsOfSecondOrderInTimeWhateverTheGrid) {
+  for (const std::string rotate : {"simultaneous", "after"}) {
+    std::vector<double> finest;
+    for (const double h : {0.25, 0.125}) {
+      std::vector<double> errors;
+      for (const double dt : {0.01, 0.005, 0.0025, 0.00125}) {
+        const Result result =
+            result_of(stretch, {"motion.rotate=" + rotate, "grid.spacing=" + number(h), "time.step=" + number(dt)});
+        errors.push_back(result.error.l2_max.value_or(INFINITY));
+      }
+      for (std::size_t k = 0; k + 1 < errors.size(); ++k) {
+        EXPECT_NEAR(std::log2(errors[k] / errors[k + 1]), 2, 0.05) << rotate << " h = " << h;
+      }
+      finest.push_back(errors.back());
+    }
+    EXPECT_LT(std::max(finest[0], finest[1]) / std::min(finest[0], finest[1]), 1.5) << rotate;
+  }
+}
+
+// With histories: J2 within the error of its increments, Zener as smooth models.
+TEST(TractionMaterials, WithHistory) {
+  const std::string zener =
+      "material={adapter: zener, parameters: {E: 1.0e6, nu: 0.25, viscous_ratio: 0.5, relaxation_time: 0.3}, "
+      "density: 1000}";
+  const std::string j2 =
+      "material={adapter: j2_multiplicative, parameters: {E: 1.0e6, nu: 0.25, yield_stress: 2.0e4, "
+      "hardening_modulus: 1.0e5}, density: 1000}";
+  EXPECT_LT(result_of(table1, {zener}).error.l2_max.value_or(INFINITY), 1e-6);
+  EXPECT_LT(result_of(table1, {j2, "motion.final=[[1.1, 0, 0], [0, 1, 0], [0, 0, 1]]"}).error.l2_max.value_or(INFINITY),
+            1e-6);
+}
+
+}  // namespace
+}  // namespace assay::drivers
