@@ -52,7 +52,7 @@ Json type_schema(const Key& key) {
     case KeyType::number:
       return number_schema(key.range);
     case KeyType::automatic:
-      return {{"anyOf", {number_schema(key.range), Json{{"const", "auto"}}}}};
+      return {{"oneOf", Json::array({number_schema(key.range), Json{{"const", "auto"}}})}};
     case KeyType::boolean:
       return {{"type", "boolean"}};
     case KeyType::text:
@@ -124,6 +124,9 @@ std::string parent_of(const std::string& path) {
   return dot == path.npos ? std::string() : path.substr(0, dot);
 }
 
+/// The section whose alternatives are the motions; in others every key is listed that some motion knows.
+bool is_of_motion(const std::string& section) { return section.starts_with("motion"); }
+
 Json object_schema(const std::string& path, const Scene& scene);
 
 /// One alternative for each motion where the keys of a section depend on it.
@@ -137,14 +140,14 @@ Json section_schema(const Section& section, const Scene& scene) {
 Json object_schema(const std::string& path, const Scene& scene) {
   Json properties = Json::object(), required = Json::array();
   for (const Key& key : scene_keys()) {
-    if (parent_of(key.path) != path || !of_motion(key, scene)) continue;
+    if (parent_of(key.path) != path || (is_of_motion(path) && !of_motion(key, scene))) continue;
     const std::string name = key.path.substr(path.empty() ? 0 : path.size() + 1);
     properties[name] = key_schema(key);
     if (key.path == "motion.type") properties[name] = {{"const", motion_type(scene)}, {"description", key.doc}};
     if (key.required) required.push_back(name);
   }
   for (const Section& section : scene_sections()) {
-    if (parent_of(section.path) != path || !applies(section, scene)) continue;
+    if (parent_of(section.path) != path || (is_of_motion(section.path) && !applies(section, scene))) continue;
     const std::string name = section.path.substr(path.empty() ? 0 : path.size() + 1);
     properties[name] = section_schema(section, scene);
     if (section.required) required.push_back(name);

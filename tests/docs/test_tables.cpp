@@ -42,6 +42,9 @@ std::string type(const Json& key) {
     for (const Json& word : key["enum"]) words += (words.empty() ? "" : ", ") + word.get<std::string>();
     return words;
   }
+  if (key.contains("oneOf")) {
+    return "number" + bounds(key["oneOf"][0]) + ", or " + key["oneOf"][1]["const"].get<std::string>();
+  }
   if (key["type"].is_array()) return "text";
   const std::string name = key["type"];
   if (name != "array") return name + bounds(key);
@@ -91,7 +94,8 @@ void collect(const Json& object, const std::string& path, Rows& rows) {
     if (inner == "expect") continue;  // its keys are those of result.json
     const Json required = object.value("required", Json::array());
     const bool is_required = std::find(required.begin(), required.end(), item.key()) != required.end();
-    if (key.contains("oneOf") || key.contains("properties")) {
+    const bool alternatives = key.contains("oneOf") && key["oneOf"][0].contains("properties");
+    if (alternatives || key.contains("properties")) {
       collect(key, inner, rows);
     } else if (key.value("type", Json()) == "object") {
       rows.paths.push_back(inner);

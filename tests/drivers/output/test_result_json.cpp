@@ -45,7 +45,8 @@ TEST(ResultJson, has_every_key_before_anything_was_reached) {
                                                   "reference",
                                                   "replay",
                                                   "screen",
-                                                  "rim"}));
+                                                  "rim",
+                                                  "growth"}));
   EXPECT_EQ(keys_of(json["error"]),
             (std::set<std::string>{"l2_half", "l2_end", "l2_max", "linf_max", "rms36_half", "rms36_end", "rms36_max",
                                    "velocity", "deformation_gradient", "jacobian", "stress", "relative"}));

@@ -110,8 +110,7 @@ TEST(SceneReader, EveryShippedSceneIsRead) {
 TEST(SceneReader, RefusesUnknownKeysWithTheNearest) {
   EXPECT_EQ(refused_extra("grdi: {spacing: 1}\n"),
             "f.yaml:3:1: grdi: unknown key (nearest: grid); known: title, motion, frame, material, body, grid, method, "
-            "force, "
-            "time, output, limits, expect");
+            "force, traction, time, output, limits, expect");
   EXPECT_EQ(refused_extra("grid: {spacng: 1}\n"),
             "f.yaml:3:8: grid.spacng: unknown key (nearest: spacing); known: spacing, lower, upper");
   EXPECT_TRUE(has(refused_set("motion.amplitude.pek=1"), "--set motion.amplitude.pek: unknown key (nearest: peak)"));
@@ -172,7 +171,7 @@ TEST(SceneReader, RefusesWhatLaterVersionsMayKnow) {
                   "bspline3, bspline4"));
   EXPECT_TRUE(has(refused_set("method.transfer=picflip"), "known: pic, flip, xpic, fmpm, apic, aflip"));
   EXPECT_TRUE(has(refused_set("force.evaluation=corner_average"), "known: point, domain_average"));
-  EXPECT_TRUE(has(refused_set("motion.type=twisting_ring"), "known: vortex, homogeneous"));
+  EXPECT_TRUE(has(refused_set("motion.type=taylor_bar"), "known: vortex, homogeneous"));
   EXPECT_TRUE(has(refused_set("body.lattice=random"), "known: cartesian, polar, gauss, jittered"));
 }
 
@@ -294,7 +293,8 @@ TEST(SceneReader, RefusesWhatDoesNotFitTogether) {
   EXPECT_TRUE(has(refused(homogeneous_text(), {"motion.inner=1"}),
                   "does not belong to motion.type homogeneous; known: type, "
                   "path, final, period, allow_unstable"));
-  EXPECT_TRUE(has(refused(homogeneous_text("body: {domain: ring}")), "a ring takes its radii from the vortex"));
+  EXPECT_TRUE(has(refused(homogeneous_text("body: {domain: ring}")),
+                  "a ring takes its radii from the motion, and homogeneous has none"));
   EXPECT_TRUE(has(refused_set("body={domain: ring, outside: held}"), "--set body.outside: a ring alone"));
   EXPECT_TRUE(
       has(refused_set("body={domain: square, lower: [-1, -1], upper: [1, 1]}"), "must contain the ring of the vortex"));
