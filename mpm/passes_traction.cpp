@@ -176,7 +176,7 @@ Pass<2> virtual_stress_pass(const Method& method, TractionForm form) {
   pass.called_for_by = "traction.algorithm";
   pass.reads = {Column::reference_position, Column::deformation_gradient, Column::stress};
   pass.writes = {Column::excess_stress};
-  pass.bind = [method, form](State<2>& s) -> Kernel {
+  pass.bind = [form](State<2>& s) -> Kernel {
     s.stress_of_forces = Column::excess_stress;
     const std::span X(s.column(Column::reference_position, 0), s.particles),
         Y(s.column(Column::reference_position, 1), s.particles);
