@@ -55,7 +55,7 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
   if (method.is_affine() && method.affine == Affine::moment) add(first_affine_moment_pass<Dim>());
   const auto add_virtual_stress = [&] {
     if constexpr (Dim == 2) {
-      if (setup.has_virtual_stress()) add(virtual_stress_pass(method, setup.traction->form));
+      if (setup.has_virtual_stress()) add(virtual_stress_pass(setup.traction->form));
     }
   };
   if (method.update != Update::usf) add_virtual_stress();

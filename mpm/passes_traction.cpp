@@ -167,7 +167,7 @@ Pass<2> traction_work_pass() {
   return pass;
 }
 
-Pass<2> virtual_stress_pass(const Method& method, TractionForm form) {
+Pass<2> virtual_stress_pass(TractionForm form) {
   Pass<2> pass;
   pass.name = "virtual_stress";
   pass.stages = Stages::kicks;

@@ -14,6 +14,6 @@ Pass<2> traction_work_pass();
 
 /// The particles' stress without that of the exact motion: what internal forces are made of. On the exact state nothing
 /// is left, inside and on the surface. The reference form takes off the exact P.
-Pass<2> virtual_stress_pass(const Method& method, TractionForm form);
+Pass<2> virtual_stress_pass(TractionForm form);
 
 }  // namespace assay::mpm
