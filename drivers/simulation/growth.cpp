@@ -16,12 +16,12 @@ constexpr std::size_t fewest_samples = 7;    ///< of a stretch
 constexpr double least_factor = 1e3;         ///< rounding that adds up step by step grows less in the same time
 const double nearness = std::log(3.0);       ///< to the line, of all samples: t^2 strays further in such a stretch
 
-struct Point {
+struct Moment {
   double t, log_error;
 };
 
-std::vector<Point> points_of(const std::vector<ErrorSample>& history) {
-  std::vector<Point> points;
+std::vector<Moment> moments_of(const std::vector<ErrorSample>& history) {
+  std::vector<Moment> points;
   const std::size_t stride = history.size() / most_looked_at + 1;
   for (std::size_t k = 0; k < history.size(); k += stride) {
     const double error = history[k].displacement.l2;
@@ -31,13 +31,13 @@ std::vector<Point> points_of(const std::vector<ErrorSample>& history) {
 }
 
 /// The line of least squares through points; nothing where one is further from it than `nearness`.
-std::optional<double> slope_of(std::span<const Point> points) {
+std::optional<double> slope_of(std::span<const Moment> points) {
   double t = 0, y = 0, tt = 0, ty = 0;
   const auto n = static_cast<double>(points.size());
-  for (const Point& p : points) t += p.t / n, y += p.log_error / n;
-  for (const Point& p : points) tt += (p.t - t) * (p.t - t), ty += (p.t - t) * (p.log_error - y);
+  for (const Moment& p : points) t += p.t / n, y += p.log_error / n;
+  for (const Moment& p : points) tt += (p.t - t) * (p.t - t), ty += (p.t - t) * (p.log_error - y);
   const double slope = ty / tt;
-  for (const Point& p : points) {
+  for (const Moment& p : points) {
     if (!(std::abs(p.log_error - y - slope * (p.t - t)) <= nearness)) return std::nullopt;
   }
   return slope;
@@ -46,7 +46,7 @@ std::optional<double> slope_of(std::span<const Point> points) {
 }  // namespace
 
 std::optional<GrowthFigures> growth_of(const std::vector<ErrorSample>& history) {
-  const std::vector<Point> points = points_of(history);
+  const std::vector<Moment> points = moments_of(history);
   std::optional<GrowthFigures> best;
   double most = std::log(least_factor);
   for (std::size_t i = 0; i < points.size(); ++i) {
