@@ -10,7 +10,7 @@
 namespace assay {
 namespace {
 
-constexpr double mu = 400, lambda = 600, density = 1000;
+constexpr double shear_modulus = 400, lame_modulus = 600, density = 1000;
 
 TwistingRing sample(double expansion, double peak) {
   TwistingRing ring;
@@ -23,7 +23,7 @@ TwistingRing sample(double expansion, double peak) {
 /// First Piola-Kirchhoff stress of (34).
 Tensor neo_hookean(const Tensor& F) {
   const Tensor inverse = F.inverse().transpose();
-  return mu * (F - inverse) + lambda * std::log(F.determinant()) * inverse;
+  return shear_modulus * (F - inverse) + lame_modulus * std::log(F.determinant()) * inverse;
 }
 
 /// b in Cartesian coordinates by differences of P, of fourth order: an independent route.

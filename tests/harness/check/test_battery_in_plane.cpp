@@ -19,7 +19,7 @@ using check_tests::battery_of;
 using check_tests::read;
 using check_tests::Subject;
 
-const assay_material* inner = nullptr;  ///< of the table that was made last
+const assay_material* wrapped_table = nullptr;  ///< of the table that was made last
 
 bool leaves_plane(const double* F, std::size_t n) {
   for (std::size_t p = 0; p < n; ++p) {
@@ -32,7 +32,7 @@ bool leaves_plane(const double* F, std::size_t n) {
 
 void update_in_plane(void* self, const assay_step* step, std::size_t n, const double* state0, double* state1,
                      double* cauchy, std::int32_t* status, double* factor, char* message) {
-  inner->update(self, step, n, state0, state1, cauchy, status, factor, message);
+  wrapped_table->update(self, step, n, state0, state1, cauchy, status, factor, message);
   if (!leaves_plane(step->F0, n) && !leaves_plane(step->F1, n)) return;
   for (std::size_t p = 0; p < n; ++p) status[p] = ASSAY_FAILED;
   std::strcpy(message, "a step out of the plane");
@@ -40,8 +40,8 @@ void update_in_plane(void* self, const assay_step* step, std::size_t n, const do
 
 /// The same model that refuses what is not of the plane. One at a time.
 Subject in_plane(const Subject& solid, assay_material& table) {
-  inner = &solid.material.table();
-  table = *inner;
+  wrapped_table = &solid.material.table();
+  table = *wrapped_table;
   table.flags |= ASSAY_IN_PLANE;
   table.update = update_in_plane;
   std::map<std::string, double> parameters;

@@ -18,8 +18,8 @@ struct Fragile {
 
 double green_strain(const Tensor& F) { return (0.5 * (F.transpose() * F - Tensor::Identity())).cwiseAbs().maxCoeff(); }
 
-void update(void* self, const assay_step* step, std::size_t n, const double* state0, double* state1, double* cauchy,
-            std::int32_t* status, double*, char* message) {
+void update_fragile(void* self, const assay_step* step, std::size_t n, const double* state0, double* state1,
+                    double* cauchy, std::int32_t* status, double*, char* message) {
   const Fragile& m = *static_cast<const Fragile*>(self);
   for (std::size_t p = 0; p < n; ++p) {
     const Tensor F = read(step->F1, n, p), strain = 0.5 * (F.transpose() * F - Tensor::Identity());
@@ -53,7 +53,7 @@ Material fragile(const std::map<std::string, double>& knobs) {
       std::fill_n(state0, n, 0.0);
       return std::all_of(cauchy, cauchy + 9 * n, [](double c) { return c == 0; }) ? ASSAY_GOOD : ASSAY_FAILED;
     };
-    t.update = update;
+    t.update = update_fragile;
     return t;
   }();
   return Material(&table, knobs);
