@@ -51,9 +51,8 @@ void record_history(const Scene& scene, const HomogeneousStress& stress, Result&
 }
 
 void record_force_error(const Scene& scene, const Response& response, Result& result) {
-  const auto* vortex = std::get_if<Vortex>(&scene.motion);
-  if (!vortex || !response.sheet() || !result.sheet) return;
-  result.sheet->error_b = force_error(*vortex, scene.material.density, *response.sheet(), scene.time.end);
+  if (!ring_of(scene.motion) || !response.sheet() || !result.sheet) return;
+  result.sheet->error_b = force_error(scene.motion, scene.material.density, *response.sheet(), scene.time.end);
 }
 
 std::string material_provenance(const Material& material, const std::string& library) {

@@ -30,8 +30,9 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 
 /// The plastic rim, with a warning where the grid is too coarse for it.
 void record_rim(const Problem& problem, const Response& response, Result& result) {
-  const auto& vortex = std::get<Vortex>(problem.scene.motion);
-  result.rim = rim_of(response, vortex, problem.scene.grid->spacing, problem.scene.time.end);
+  const auto* vortex = std::get_if<Vortex>(&problem.scene.motion);
+  if (!vortex) return;
+  result.rim = rim_of(response, *vortex, problem.scene.grid->spacing, problem.scene.time.end);
   const std::string sentence = result.rim ? narrow_rim_sentence(*result.rim) : "";
   if (!sentence.empty()) std::fprintf(stderr, "warning: %s\n", sentence.c_str());
 }

@@ -64,19 +64,22 @@ Tensor rotated_to(const Vortex& vortex, const Vector3& X, double t, const Tensor
   return rotation_about_z(theta) * tau * rotation_about_z(Theta).transpose();       // (20)
 }
 
-BodyForceField::BodyForceField(const Vortex& vortex, double density, std::span<const double> X,
+BodyForceField::BodyForceField(const Motion& motion, double density, std::span<const double> X,
                                std::span<const double> Y)
-    : vortex_(vortex), density_(density), points_(X, Y), force_(points_.radius.size()) {
+    : motion_(motion), density_(density), points_(X, Y), force_(points_.radius.size()) {
   for (const double R : points_.radius) {
-    profile_.push_back(vortex.profile(R));
-    xi_.push_back(profile_.back().xi);
+    profile_.push_back(turn_of(motion).profile(R));
+    xi_.push_back(ring_parameter(motion, R).value);
   }
 }
 
 void BodyForceField::evaluate(const Response& response, double t, std::span<double> b_x, std::span<double> b_y) {
-  const AmplitudeValue g = vortex_.amplitude.at(t);
+  const bool is_vortex = std::holds_alternative<Vortex>(motion_);
+  const AmplitudeValue g = turn_of(motion_).amplitude.at(t);
   response.at_time(t, xi_, [&](std::size_t k, const Tensor& tau, const Tensor& dtau_dxi) {
-    const Polar b = body_force(profile_[k], g, density_, points_.radius[k], tau, dtau_dxi);
+    const double R = points_.radius[k];
+    const Polar b = is_vortex ? body_force(profile_[k], g, density_, R, tau, dtau_dxi)
+                              : ring_kinematics(motion_, R, t).body_force(density_, R, tau, dtau_dxi);
     const double alpha = g.value * profile_[k].h;  // (5)
     const double c = std::cos(alpha), s = std::sin(alpha);
     force_[k] = {c * b.r - s * b.theta, s * b.r + c * b.theta};  // along E_R, E_Theta

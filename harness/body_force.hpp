@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The body force of the generalized vortex, (24) to (33), from the baseline response of any material.
+// The body force of the generalized vortex, (24) to (33), and of the twisting ring, from the baseline response of any
+// material.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "harness/motion.hpp"
 #include "harness/response.hpp"
 #include "harness/ring_points.hpp"
-#include "harness/vortex.hpp"
 
 namespace assay {
 
@@ -35,8 +36,8 @@ Tensor rotated_to(const Vortex& vortex, const Vector3& X, double t, const Tensor
 /// b at fixed reference points, all of them at once for a time: computed once for each distinct radius.
 class BodyForceField {
  public:
-  /// X, Y: reference positions [m] of n points.
-  BodyForceField(const Vortex& vortex, double density, std::span<const double> X, std::span<const double> Y);
+  /// motion: the vortex or the twisting ring; X, Y: reference positions [m] of n points.
+  BodyForceField(const Motion& motion, double density, std::span<const double> X, std::span<const double> Y);
 
   /// Writes b [m/s^2], n components each.
   void evaluate(const Response& response, double t, std::span<double> b_x, std::span<double> b_y);
@@ -44,7 +45,7 @@ class BodyForceField {
   const RingPoints& points() const { return points_; }
 
  private:
-  Vortex vortex_;
+  Motion motion_;
   double density_;
   RingPoints points_;
   std::vector<Vortex::Profile> profile_;  // of each distinct radius

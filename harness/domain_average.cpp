@@ -46,7 +46,7 @@ Point DomainAverage::flux_of(std::span<const BoundaryPoint> points, std::span<co
 
 /// Where |a + s (b - a)| takes one of the radii, s in (0, 1), with 0 and 1 around; empty where it takes none.
 void DomainAverage::cuts_of(const Edge& edge, std::span<const double> radii, std::vector<double>& cuts) const {
-  const double near = front_snap * vortex_.outer;
+  const double near = front_snap * turn_of(motion_).outer;
   const Point &a = edge.a, d{edge.b[0] - a[0], edge.b[1] - a[1]};
   const double dd = d[0] * d[0] + d[1] * d[1], ad = a[0] * d[0] + a[1] * d[1];
   cuts.clear();
@@ -94,8 +94,8 @@ std::vector<DomainAverage::Rotated> DomainAverage::rotated_at(const PlaneRespons
   const std::size_t n = radius.size();
   std::vector<double> xi(n), h(n), tau(4 * n);
   for (std::size_t i = 0; i < n; ++i) {
-    const Vortex::Profile profile = vortex_.profile(radius[i]);
-    xi[i] = profile.xi, h[i] = profile.h;
+    xi[i] = ring_parameter(motion_, radius[i]).value;
+    h[i] = turn_of(motion_).profile(radius[i]).h;
   }
   response.tau(t, xi, tau);
   std::vector<Rotated> S(n);
@@ -103,19 +103,20 @@ std::vector<DomainAverage::Rotated> DomainAverage::rotated_at(const PlaneRespons
   return S;
 }
 
-/// f of a = X f (29) at the radial nodes.
-void DomainAverage::accelerations(const AmplitudeValue& g) {
-  const std::span<const double> node_h = moments_.node_h();
-  for (std::size_t k = 0; k < node_h.size(); ++k) {
-    const double h = node_h[k], c = std::cos(g.value * h), s = std::sin(g.value * h);
-    const double along = -std::pow(g.rate * h, 2), across = g.acceleration * h;  // along x and E_z x x
-    node_a_[k] = {along * c - across * s, along * s + across * c};
+/// f of a = X f, (29) of the vortex, at the radial nodes.
+void DomainAverage::accelerations(double t) {
+  const std::span<const double> nodes = moments_.nodes();
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const RingKinematics ring = ring_kinematics(motion_, nodes[k], t);
+    const Polar a = ring.acceleration();
+    const double c = std::cos(ring.alpha), s = std::sin(ring.alpha);
+    node_a_[k] = {(c * a.r - s * a.theta) / nodes[k], (s * a.r + c * a.theta) / nodes[k]};
   }
 }
 
 void DomainAverage::evaluate(const PlaneResponse& response, double t, std::span<double> b_x, std::span<double> b_y,
                              const InPieces& pieces) {
-  const AmplitudeValue g = vortex_.amplitude.at(t);
+  const AmplitudeValue g = turn_of(motion_).amplitude.at(t);
   response.tau(t, xi_, tau_);
   pieces(xi_.size(), [&](std::size_t begin, std::size_t end) {
     rotate(g.value, h_.data(), tau_.data(), xi_.size(), begin, end, rotated_.data());
@@ -126,7 +127,7 @@ void DomainAverage::evaluate(const PlaneResponse& response, double t, std::span<
     }
   });
   split_at_fronts(response, t, g.value);
-  accelerations(g);
+  accelerations(t);
   pieces(shapes_.size(), [&](std::size_t begin, std::size_t end) {
     moments_.integrals(node_a_, begin, end, force_);
     for (std::size_t k = begin; k < end; ++k) force_on(k);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The body force of the vortex averaged over the particles' reference domains, from tau alone: no derivative of it.
+// The body force of a polar motion averaged over the particles' reference domains, from tau alone: no derivative of it.
 //
-//   b_avg = a_avg - 1/(rho0 V) closed integral of T.N dS,   T = r tau q^T (20), 0 outside the ring
+//   b_avg = a_avg - 1/(rho0 V) closed integral of T.N dS,   T = r tau q^T (20), 0 outside the vortex's ring
 //
 // Straight edges are split at the ring's edges (by ReferenceDomains) and, at each time, at the fronts of the material;
 // two Gauss points a piece. Along an arc tau and alpha are constant: the angle is integrated exactly.
@@ -12,17 +12,16 @@
 #include <vector>
 
 #include "harness/in_pieces.hpp"
-#include "harness/radii_of_xi.hpp"
+#include "harness/motion.hpp"
 #include "harness/reference_domain.hpp"
 #include "harness/response.hpp"
 #include "harness/ring_moments.hpp"
-#include "harness/vortex.hpp"
 
 namespace assay {
 
 /// What the average asks of a material's response.
 struct PlaneResponse {
-  /// tau[c * n + i] at n values of xi, c = 11, 12, 21, 22 [Pa].
+  /// tau[c * n + i] at n values of the baseline's parameter xi, c = 11, 12, 21, 22 [Pa].
   std::function<void(double t, std::span<const double> xi, std::span<double> tau)> tau;
   std::function<std::vector<double>(double t)> fronts;  ///< xi, ascending, at which (d tau / d xi)_t jumps
 };
@@ -34,8 +33,8 @@ class DomainAverage {
     double s11 = 0, s12 = 0, s21 = 0, s22 = 0;
   };
 
-  /// density: rho0 [kg/m^3]; gauss_points: of each straight piece, 1 to 8.
-  DomainAverage(const Vortex& vortex, double density, const ReferenceDomains& domains, int gauss_points = 2);
+  /// motion: the vortex or the twisting ring; density: rho0 [kg/m^3]; gauss_points: of each straight piece, 1 to 8.
+  DomainAverage(const Motion& motion, double density, const ReferenceDomains& domains, int gauss_points = 2);
 
   /// Writes b_avg [m/s^2] of each particle. Allocates nothing where there are no fronts.
   void evaluate(const PlaneResponse& response, double t, std::span<double> b_x, std::span<double> b_y,
@@ -81,12 +80,12 @@ class DomainAverage {
   std::vector<Rotated> rotated_at(const PlaneResponse& response, double t, double g,
                                   std::span<const double> radius) const;
   void split_at_fronts(const PlaneResponse& response, double t, double g);
-  void accelerations(const AmplitudeValue& g);
+  void accelerations(double t);
   void force_on(std::size_t shape);
 
-  Vortex vortex_;
+  Motion motion_;
   int gauss_points_;
-  RadiiOfXi radii_of_xi_;
+  std::function<std::vector<double>(double)> radii_of_xi_;
   std::vector<ReferenceDomains::Place> places_;
   RingMoments moments_;
   std::vector<Shape> shapes_;

@@ -43,17 +43,17 @@ double nearest_radius(const Point& a, const Point& b) {
 
 }  // namespace
 
-DomainAverage::DomainAverage(const Vortex& vortex, double density, const ReferenceDomains& domains, int gauss_points)
-    : vortex_(vortex),
+DomainAverage::DomainAverage(const Motion& motion, double density, const ReferenceDomains& domains, int gauss_points)
+    : motion_(motion),
       gauss_points_(gauss_points),
-      radii_of_xi_(vortex),
+      radii_of_xi_(radii_of_parameter(motion)),
       places_(domains.places),
-      moments_(vortex, domains) {
+      moments_(*ring_of(motion), domains) {
   add_edges(domains, density);
   tau_.resize(4 * xi_.size());
   rotated_.resize(xi_.size());
   flux_.resize(edges_.size());
-  node_a_.resize(moments_.node_h().size());
+  node_a_.resize(moments_.nodes().size());
   force_.resize(shapes_.size());
 }
 
@@ -120,9 +120,8 @@ void DomainAverage::share_radii(std::span<const double> radius) {
     const auto [it, is_new] = known.try_emplace(radius[i], static_cast<std::uint32_t>(xi_.size()));
     points_[i].radius = it->second;
     if (!is_new) continue;
-    const Vortex::Profile profile = vortex_.profile(radius[i]);
-    xi_.push_back(profile.xi);
-    h_.push_back(profile.h);
+    xi_.push_back(ring_parameter(motion_, radius[i]).value);
+    h_.push_back(turn_of(motion_).profile(radius[i]).h);
   }
 }
 

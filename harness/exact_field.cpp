@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/exact_field.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace assay {
@@ -29,7 +30,7 @@ ExactField::ExactField(std::shared_ptr<const ExactSolution> solution, const Fram
   const bool all = std::holds_alternative<TwistingRing>(solution_->motion());  // its faces move, too
   for (const double R : points_.radius) {
     moves_.push_back(all || (R > ring->inner && R < ring->outer));
-    parameter_.push_back(ring_parameter(solution_->motion(), R));
+    parameter_.push_back(ring_parameter(solution_->motion(), R).value);
   }
 }
 
@@ -39,7 +40,9 @@ void ExactField::set_time(double t, double velocity_time) {
   if (!points_.ring.empty() || X_.empty()) return;
   now_ = solution_->state(Vector3::Zero(), t);
   then_ = solution_->state(Vector3::Zero(), velocity_time);
-  sigma_ = plane(solution_->stress(Vector3::Zero(), t).cauchy);
+  const ExactStress stress = solution_->stress(Vector3::Zero(), t);
+  sigma_ = plane(stress.cauchy);
+  std::copy_n(plane(stress.first_piola_kirchhoff).begin(), piola_.size(), piola_.begin());
 }
 
 /// To a frame that spins every ring turns by spin t more.
@@ -63,6 +66,7 @@ void ExactField::set_rings(double t, double velocity_time) {
     Tensor B = Tensor::Identity();
     B(0, 0) = rings_[k].B[0], B(1, 0) = rings_[k].B[2], B(1, 1) = rings_[k].B[3];
     rings_[k].sigma = plane(cauchy_stress(tau, B));
+    std::copy_n(plane(tau).begin(), rings_[k].tau.size(), rings_[k].tau.begin());
   });
 }
 
@@ -87,6 +91,14 @@ PlaneState ExactField::at(std::size_t p) const {
   const Vector3 X(X_[p], Y_[p], 0);
   const Vector3 x = now_.x + now_.F * X, v = then_.v + then_.F_rate * X;
   return {{x.x(), x.y()}, {v.x(), v.y()}, {now_.F(0, 0), now_.F(0, 1), now_.F(1, 0), now_.F(1, 1)}, sigma_};
+}
+
+std::array<double, 4> ExactField::first_piola_kirchhoff(std::size_t p) const {
+  if (rings_.empty()) return piola_;
+  const Ring& ring = rings_[points_.ring[p]];
+  const Matrix2 q = rotation(points_.cos_theta[p], points_.sin_theta[p]);
+  const Matrix2 r = product(rotation(ring.cos_alpha, ring.sin_alpha), q);
+  return product(product(r, ring.tau), transposed(q));  // (20)
 }
 
 double ExactField::measure(std::size_t p, const std::array<double, 4>& F) const {

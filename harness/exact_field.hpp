@@ -32,6 +32,9 @@ class ExactField {
 
   PlaneState at(std::size_t point) const;
 
+  /// P, in-plane components row-major [Pa].
+  std::array<double, 4> first_piola_kirchhoff(std::size_t point) const;
+
   /// Whether the exact motion moves the point.
   bool moves(std::size_t point) const { return points_.ring.empty() || moves_[points_.ring[point]]; }
 
@@ -44,6 +47,7 @@ class ExactField {
     std::array<double, 2> x{}, v{};
     double cos_alpha = 1, sin_alpha = 0;
     std::array<double, 4> B{};
+    std::array<double, 4> tau{};
     std::array<double, 5> sigma{};
   };
   void set_rings(double t, double velocity_time);
@@ -58,6 +62,7 @@ class ExactField {
   std::vector<double> parameter_;
   std::vector<Ring> rings_;
   ExactState now_, then_;  ///< of the origin, where F is the same everywhere
+  std::array<double, 4> piola_{};
   std::array<double, 5> sigma_{};
 };
 

@@ -43,10 +43,4 @@ class ExactSolution {
   std::variant<std::shared_ptr<const Response>, std::shared_ptr<HomogeneousStress>> source_;
 };
 
-/// rho, alpha and their derivatives of a polar motion at a radius.
-RingKinematics ring_kinematics(const Motion& motion, double R, double t);
-
-/// The parameter of a polar motion's baseline at a radius: xi of the vortex, R of the twisting ring.
-double ring_parameter(const Motion& motion, double R);
-
 }  // namespace assay

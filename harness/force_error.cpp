@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "harness/body_force.hpp"
-
 namespace assay {
 
 namespace {
@@ -15,24 +13,25 @@ constexpr int radii = 64, times = 32;  ///< at which b is looked at, away from t
 
 }  // namespace
 
-double force_error(const Vortex& vortex, double density, const Sheet& sheet, double end) {
+double force_error(const Motion& motion, double density, const Sheet& sheet, double end) {
   const double tau_error = sheet.error().tau * sheet.error().tau_scale;
   const double dtau_error = sheet.error().dtau * sheet.error().dtau_scale;
+  const Annulus ring = *ring_of(motion);
   double largest_error = 0, largest_force = 0;
   for (int j = 0; j < times; ++j) {
     const double t = end * (j + 0.5) / times;
-    const AmplitudeValue g = vortex.amplitude.at(t);
     const Slice slice = sheet.slice(t);
     for (int i = 0; i < radii; ++i) {
-      const double R = vortex.inner + (vortex.outer - vortex.inner) * (i + 0.5) / radii;
-      const Vortex::Profile profile = vortex.profile(R);
+      const double R = ring.inner + (ring.outer - ring.inner) * (i + 0.5) / radii;
+      const RingParameter xi = ring_parameter(motion, R);
+      const RingKinematics kinematics = ring_kinematics(motion, R, t);
       Tensor tau, dtau;
-      slice.at(profile.xi, tau, dtau);
-      const Polar b = body_force(profile, g, density, R, tau, dtau);
+      slice.at(xi.value, tau, dtau);
+      const Polar b = kinematics.body_force(density, R, tau, xi.slope * dtau);
       largest_force = std::max(largest_force, std::hypot(b.r, b.theta));
-      const double divergence = std::abs(profile.xi_prime) * dtau_error +
-                                (std::abs(g.value * profile.h_prime) + 2 / R) * tau_error;  // (26), (27)
-      largest_error = std::max(largest_error, std::numbers::sqrt2 * divergence / density);  // both components
+      const double divergence =
+          std::abs(xi.slope) * dtau_error + (std::abs(kinematics.alpha_slope) + 2 / R) * tau_error;  // (26), (27)
+      largest_error = std::max(largest_error, std::numbers::sqrt2 * divergence / density);           // both components
     }
   }
   return largest_force > 0 ? largest_error / largest_force : 0;

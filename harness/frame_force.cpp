@@ -13,9 +13,10 @@ FrameForce::FrameForce(const Vortex& vortex, double spin, std::span<const double
 FrameForce::FrameForce(const Vortex& vortex, double spin, std::span<const double> X, std::span<const double> Y,
                        const ReferenceDomains& domains)
     : vortex_(vortex), spin_(spin), X_(X.begin(), X.end()), Y_(Y.begin(), Y.end()), places_(domains.places) {
-  moments_.emplace(vortex, domains);
+  moments_.emplace(Annulus{vortex.inner, vortex.outer}, domains);
+  for (const double R : moments_->nodes()) node_h_.push_back(vortex.profile(R).h);
   for (const auto& shape : domains.shapes) volume_.push_back(shape.volume);
-  factor_.resize(moments_->node_h().size());
+  factor_.resize(node_h_.size());
   force_.resize(volume_.size());
 }
 
@@ -39,7 +40,7 @@ void FrameForce::add_at_points(const AmplitudeValue& g, std::span<double> b_x, s
 void FrameForce::add_means(const AmplitudeValue& g, std::span<double> b_x, std::span<double> b_y) {
   const double square = spin_ * spin_;
   for (std::size_t k = 0; k < factor_.size(); ++k) {
-    factor_[k] = factor(g, moments_->node_h()[k]);
+    factor_[k] = factor(g, node_h_[k]);
     factor_[k][0] += square;
   }
   moments_->integrals(factor_, 0, force_.size(), force_);

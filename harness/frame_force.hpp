@@ -39,6 +39,7 @@ class FrameForce {
   std::vector<double> X_, Y_;
   RingPoints points_;                   // of terms taken at the points
   std::optional<RingMoments> moments_;  // of means
+  std::vector<double> node_h_;          // at the radial nodes of these
   std::vector<ReferenceDomains::Place> places_;
   std::vector<double> volume_;  // of each shape [m^3]
   std::vector<Point> factor_;   // at each distinct radius, or radial node: along X and E_z x X [1/s^2]

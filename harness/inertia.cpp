@@ -5,42 +5,48 @@
 
 namespace assay {
 
-InertiaField::InertiaField(const Vortex& vortex, double spin, std::span<const double> X, std::span<const double> Y)
-    : vortex_(vortex), spin_(spin), points_(X, Y), factor_(points_.radius.size()) {
-  for (const double R : points_.radius) profile_.push_back(vortex.profile(R));
+InertiaField::InertiaField(const Motion& motion, double spin, std::span<const double> X, std::span<const double> Y)
+    : motion_(motion), spin_(spin) {
+  if (!ring_of(motion)) {
+    X_.assign(X.begin(), X.end()), Y_.assign(Y.begin(), Y.end());
+    return;
+  }
+  points_ = RingPoints(X, Y);
+  for (const double R : points_.radius) profile_.push_back(turn_of(motion).profile(R));
+  factor_.resize(points_.radius.size());
 }
 
-InertiaField::InertiaField(const Motion& motion, std::span<const double> X, std::span<const double> Y)
-    : uniform_(motion), X_(X.begin(), X.end()), Y_(Y.begin(), Y.end()) {}
-
 void InertiaField::set_uniform(double t) {
-  const Vector3 a = state_at(*uniform_, Vector3::Zero(), t).a;
+  const Vector3 a = state_at(motion_, Vector3::Zero(), t).a;
   of_origin_.a = {a.x(), a.y()};
   for (std::size_t d = 0; d < 2; ++d) {
-    const Vector3 along = state_at(*uniform_, Vector3::Unit(static_cast<int>(d)), t).a - a;
+    const Vector3 along = state_at(motion_, Vector3::Unit(static_cast<int>(d)), t).a - a;
     of_origin_.gradient[d] = along.x(), of_origin_.gradient[2 + d] = along.y();
   }
 }
 
-InertiaField::Factor InertiaField::factor(const Vortex::Profile& profile, double R, const AmplitudeValue& g,
-                                          double t) const {
+InertiaField::Factor InertiaField::factor(double R, RingKinematics ring, double t) const {
   using namespace std::complex_literals;
-  const double rate = g.rate * profile.h + spin_;
-  const std::complex<double> turn = std::polar(1.0, g.value * profile.h + spin_ * t);
-  const std::complex<double> f = turn * (1i * g.acceleration * profile.h - rate * rate);
-  const std::complex<double> slope =
-      R * profile.h_prime * (1i * g.value * f + turn * (1i * g.acceleration - 2 * g.rate * rate));
+  ring.alpha += spin_ * t, ring.alpha_rate += spin_;
+  const Polar a = ring.acceleration(), a_slope = ring.acceleration_slope();
+  const std::complex<double> z = a.r + 1i * a.theta, z_slope = a_slope.r + 1i * a_slope.theta;
+  const std::complex<double> turn = std::polar(1.0, ring.alpha), f = turn * (R > 0 ? z / R : z_slope);
+  const std::complex<double> slope = turn * (z_slope + 1i * ring.alpha_slope * z) - f;
   return {{f.real(), f.imag()}, {slope.real(), slope.imag()}};
 }
 
 void InertiaField::set_time(double t) {
-  if (uniform_) return set_uniform(t);
-  const AmplitudeValue g = vortex_.amplitude.at(t);
-  for (std::size_t k = 0; k < factor_.size(); ++k) factor_[k] = factor(profile_[k], points_.radius[k], g, t);
+  if (factor_.empty()) return set_uniform(t);
+  const bool is_vortex = std::holds_alternative<Vortex>(motion_);
+  const AmplitudeValue g = turn_of(motion_).amplitude.at(t);
+  for (std::size_t k = 0; k < factor_.size(); ++k) {
+    const double R = points_.radius[k];
+    factor_[k] = factor(R, is_vortex ? Vortex::ring(R, profile_[k], g) : ring_kinematics(motion_, R, t), t);
+  }
 }
 
 InertiaField::Inertia InertiaField::at(std::size_t point) const {
-  if (uniform_) {
+  if (factor_.empty()) {
     Inertia inertia = of_origin_;
     for (std::size_t d = 0; d < 2; ++d) {
       inertia.a[d] += inertia.gradient[2 * d] * X_[point] + inertia.gradient[2 * d + 1] * Y_[point];

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The acceleration of the exact vortex and its gradient at fixed reference points, as a spinning frame sees it; and of
+// The acceleration of a polar motion and its gradient at fixed reference points, as a spinning frame sees it; and of
 // motions whose F is the same everywhere.
 //
-// Points move as x = X exp(i beta) in the complex plane, beta = g h + w t with w the frame's spin, so that
-//   a = X f,  f = exp(i beta) (i beta.. - beta.^2)                                        (29), [m/s^2]
-//   da = dX f + X f' dR,  f' = h' (i g f + exp(i beta) (i g.. - 2 g. beta.))              [1/s^2]
+// Points move as x = E_R rho exp(i beta) in the complex plane, beta = alpha + w t with w the frame's spin, so that
+//   a = X f,  f = exp(i beta) z / R,  z = a_r + i a_theta = rho (i beta.. - beta.^2) + rho.. + 2 i rho. beta.
+//   da = dX f + X f' dR,  R f' = exp(i beta) (z' + i beta' z - z/R)                       [1/s^2]
+// of which f = exp(i beta) (i beta.. - beta.^2) is the vortex's (29).
 #pragma once
 
 #include <array>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,11 +24,9 @@ class InertiaField {
     std::array<double, 4> gradient{};  ///< d a_i / d X_j, row-major [1/s^2]
   };
 
-  /// spin: w [rad/s]; X, Y: reference positions [m].
-  InertiaField(const Vortex& vortex, double spin, std::span<const double> X, std::span<const double> Y);
-
-  /// Of a motion whose F is the same everywhere: a = F.. X.
-  InertiaField(const Motion& motion, std::span<const double> X, std::span<const double> Y);
+  /// motion: polar, or one whose F is the same everywhere, a = F.. X; spin: w of a polar one [rad/s]; X, Y: reference
+  /// positions [m].
+  InertiaField(const Motion& motion, double spin, std::span<const double> X, std::span<const double> Y);
 
   /// To the time of which `at` speaks.
   void set_time(double t);
@@ -40,16 +38,15 @@ class InertiaField {
   struct Factor {
     std::array<double, 2> f{}, slope{};
   };
-  Factor factor(const Vortex::Profile& profile, double R, const AmplitudeValue& g, double t) const;
+  Factor factor(double R, RingKinematics ring, double t) const;
 
   void set_uniform(double t);
 
-  Vortex vortex_;
+  Motion motion_;
   double spin_ = 0;
-  std::optional<Motion> uniform_;  // of which F is the same everywhere
-  std::vector<double> X_, Y_;
+  std::vector<double> X_, Y_;  // of a motion whose F is the same everywhere
   Inertia of_origin_;
-  RingPoints points_;
+  RingPoints points_;                     // of a polar one
   std::vector<Vortex::Profile> profile_;  // of each distinct radius
   std::vector<Factor> factor_;
 };

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/motion.hpp"
 
+#include <algorithm>
+
+#include "harness/radii_of_xi.hpp"
+
 namespace assay {
 
 namespace {
@@ -68,6 +72,30 @@ std::optional<Annulus> ring_of(const Motion& motion) {
   if (const auto* vortex = std::get_if<Vortex>(&motion)) return Annulus{vortex->inner, vortex->outer};
   if (const auto* ring = std::get_if<TwistingRing>(&motion)) return Annulus{ring->inner(), ring->outer()};
   return std::nullopt;
+}
+
+const Vortex& turn_of(const Motion& motion) {
+  if (const auto* ring = std::get_if<TwistingRing>(&motion)) return ring->twist;
+  return std::get<Vortex>(motion);
+}
+
+RingKinematics ring_kinematics(const Motion& motion, double R, double t) {
+  if (const auto* ring = std::get_if<TwistingRing>(&motion)) return ring->ring(R, t);
+  return std::get<Vortex>(motion).ring(R, t);
+}
+
+RingParameter ring_parameter(const Motion& motion, double R) {
+  if (const auto* vortex = std::get_if<Vortex>(&motion)) {
+    const Vortex::Profile profile = vortex->profile(R);
+    return {profile.xi, profile.xi_prime};
+  }
+  const auto& ring = std::get<TwistingRing>(motion);
+  return {std::clamp(R, ring.inner(), ring.outer()), 1};
+}
+
+std::function<std::vector<double>(double)> radii_of_parameter(const Motion& motion) {
+  if (const auto* vortex = std::get_if<Vortex>(&motion)) return RadiiOfXi(*vortex);
+  return [](double R) { return std::vector{R}; };
 }
 
 }  // namespace assay

@@ -2,8 +2,10 @@
 // The exact motions that a scene can ask for. A new motion is a new alternative here.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "harness/axis_aligned.hpp"
 #include "harness/deformation_table.hpp"
@@ -46,5 +48,22 @@ const Amplitude* amplitude_of(const Motion& motion);
 
 /// The ring in which the motion takes place; absent where it is not polar.
 std::optional<Annulus> ring_of(const Motion& motion);
+
+// Of a polar motion, the vortex or the twisting ring, at a radius R [m]:
+
+/// The turn alpha = g(t) h(R) alone, without a change of the radii.
+const Vortex& turn_of(const Motion& motion);
+
+/// rho, alpha and their derivatives.
+RingKinematics ring_kinematics(const Motion& motion, double R, double t);
+
+/// The parameter of the baseline and its slope: xi and xi' of the vortex; R and 1 of the twisting ring.
+struct RingParameter {
+  double value = 0, slope = 0;
+};
+RingParameter ring_parameter(const Motion& motion, double R);
+
+/// The inverse of it: the radii at which the parameter has a value, ascending [m].
+std::function<std::vector<double>(double)> radii_of_parameter(const Motion& motion);
 
 }  // namespace assay

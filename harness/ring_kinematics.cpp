@@ -31,6 +31,12 @@ Polar RingKinematics::acceleration() const {
   return {rho_acceleration - rho * alpha_rate * alpha_rate, rho * alpha_acceleration + 2 * rho_rate * alpha_rate};
 }
 
+Polar RingKinematics::acceleration_slope() const {
+  return {rho_slope_acceleration - rho_slope * alpha_rate * alpha_rate - 2 * rho * alpha_rate * alpha_slope_rate,
+          rho_slope * alpha_acceleration + rho * alpha_slope_acceleration +
+              2 * (rho_slope_rate * alpha_rate + rho_rate * alpha_slope_rate)};
+}
+
 ExactState RingKinematics::state(const Vector3& X) const {
   const double R = std::hypot(X.x(), X.y());
   const Tensor q = rotation_about_z(angle_of(X)), r = rotation_about_z(angle_of(X) + alpha);

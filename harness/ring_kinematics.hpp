@@ -16,7 +16,9 @@ struct Polar {
 /// rho [m] and alpha [rad] at one R and t; slope: d / d R, rate: d / d t.
 struct RingKinematics {
   double rho = 0, rho_slope = 1, rho_rate = 0, rho_slope_rate = 0, rho_acceleration = 0;
+  double rho_slope_acceleration = 0;
   double alpha = 0, alpha_slope = 0, alpha_rate = 0, alpha_slope_rate = 0, alpha_acceleration = 0;
+  double alpha_slope_acceleration = 0;
 
   /// B = [[rho', 0], [rho alpha', rho/R]], 1 in E3 E3 [1].
   Tensor baseline(double R) const;
@@ -25,6 +27,8 @@ struct RingKinematics {
 
   /// a_r = rho.. - rho alpha.^2, a_theta = rho alpha.. + 2 rho. alpha. [m/s^2].
   Polar acceleration() const;
+  /// d / d R of both [1/s^2].
+  Polar acceleration_slope() const;
 
   /// Of the reference point X, whose distance from the axis is R.
   ExactState state(const Vector3& X) const;

@@ -45,8 +45,8 @@ std::array<double, panel_nodes> lagrange(double x) {
 }  // namespace
 
 /// f is interpolated between radial nodes that all shapes share, in panels.
-int RingMoments::lay_out_panels(const Vortex& vortex, const ReferenceDomains& domains) {
-  const double ri = vortex.inner, width = vortex.outer - vortex.inner;
+int RingMoments::lay_out_panels(const Annulus& ring, const ReferenceDomains& domains) {
+  const double ri = ring.inner, width = ring.outer - ring.inner;
   double largest_volume = 0;
   for (const auto& shape : domains.shapes) largest_volume = std::max(largest_volume, shape.volume);
   double panel = width / fewest_panels;
@@ -54,17 +54,17 @@ int RingMoments::lay_out_panels(const Vortex& vortex, const ReferenceDomains& do
   const int panels = static_cast<int>(std::ceil(width / panel - 1e-9));
   for (int k = 0; k < panels; ++k) {
     for (const GaussPoint& node : gauss_rule<panel_nodes>()) {
-      node_h_.push_back(vortex.profile(ri + width * (k + 0.5 * (1 + node.at)) / panels).h);
+      nodes_.push_back(ri + width * (k + 0.5 * (1 + node.at)) / panels);
     }
   }
   return panels;
 }
 
 /// The integral of X times each node's polynomial, over every shape.
-RingMoments::RingMoments(const Vortex& vortex, const ReferenceDomains& domains) {
-  const int panels = lay_out_panels(vortex, domains);
-  const double ri = vortex.inner, scale = panels / (vortex.outer - vortex.inner);
-  std::vector<Point> sums(node_h_.size(), Point{});
+RingMoments::RingMoments(const Annulus& ring, const ReferenceDomains& domains) {
+  const int panels = lay_out_panels(ring, domains);
+  const double ri = ring.inner, scale = panels / (ring.outer - ring.inner);
+  std::vector<Point> sums(nodes_.size(), Point{});
   for (const auto& shape : domains.shapes) {
     std::size_t low = sums.size(), high = 0;
     for_each_area_point(shape.boundary, [&](const Point& X, double w) {

@@ -6,16 +6,15 @@
 #include <vector>
 
 #include "harness/reference_domain.hpp"
-#include "harness/vortex.hpp"
 
 namespace assay {
 
 class RingMoments {
  public:
-  RingMoments(const Vortex& vortex, const ReferenceDomains& domains);
+  RingMoments(const Annulus& ring, const ReferenceDomains& domains);
 
-  /// h at the radial nodes between which f is interpolated.
-  std::span<const double> node_h() const { return node_h_; }
+  /// The radial nodes between which f is interpolated [m].
+  std::span<const double> nodes() const { return nodes_; }
 
   /// Integrals over the shapes first to last - 1 of X f(R) dA. f: at the nodes, its parts along X and E_z x X.
   void integrals(std::span<const Point> f, std::size_t first, std::size_t last, std::span<Point> out) const;
@@ -25,9 +24,9 @@ class RingMoments {
     std::uint32_t begin = 0, end = 0, node = 0;  ///< weights of nodes from `node` on
   };
   static void sum_up(std::span<const Range> ranges, const Point* weights, const Point* f, Point* out);
-  int lay_out_panels(const Vortex& vortex, const ReferenceDomains& domains);
+  int lay_out_panels(const Annulus& ring, const ReferenceDomains& domains);
 
-  std::vector<double> node_h_;
+  std::vector<double> nodes_;   // [m]
   std::vector<Point> weights_;  // integral of X L_k(R) dA over a shape [m^3]
   std::vector<Range> ranges_;   // of each shape
 };

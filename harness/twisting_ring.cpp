@@ -29,6 +29,7 @@ RingKinematics TwistingRing::ring(double R, double t) const {
   k.rho_rate = expansion * s.rate * u.U;
   k.rho_slope_rate = expansion * s.rate * u.slope;
   k.rho_acceleration = expansion * s.acceleration * u.U;
+  k.rho_slope_acceleration = expansion * s.acceleration * u.slope;
   return k;
 }
 

@@ -39,9 +39,7 @@ bool Vortex::moves(const Vector3& X) const {
   return R > inner && R < outer;
 }
 
-RingKinematics Vortex::ring(double R, double t) const {
-  const Profile p = profile(R);
-  const AmplitudeValue g = amplitude.at(t);
+RingKinematics Vortex::ring(double R, const Profile& p, const AmplitudeValue& g) {
   RingKinematics k;
   k.rho = R;
   k.alpha = g.value * p.h;      // (5)
@@ -49,6 +47,7 @@ RingKinematics Vortex::ring(double R, double t) const {
   k.alpha_acceleration = g.acceleration * p.h;
   k.alpha_slope = g.value * p.h_prime;
   k.alpha_slope_rate = g.rate * p.h_prime;
+  k.alpha_slope_acceleration = g.acceleration * p.h_prime;
   return k;
 }
 

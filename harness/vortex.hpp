@@ -35,7 +35,8 @@ struct Vortex {
   ExactState at(const Vector3& X, double t) const;
 
   /// rho = R, alpha = g h, at a radius.
-  RingKinematics ring(double R, double t) const;
+  RingKinematics ring(double R, double t) const { return ring(R, profile(R), amplitude.at(t)); }
+  static RingKinematics ring(double R, const Profile& profile, const AmplitudeValue& g);
 
   /// Smallest and largest xi in the ring.
   Interval xi_range() const;

@@ -51,9 +51,7 @@ Kernel inertia_kernel(State<2>& s, bool accounts) {
   const double spin = s.setup.frame ? s.setup.frame->spin : 0;
   const std::span X(s.column(Column::reference_position, 0), s.particles),
       Y(s.column(Column::reference_position, 1), s.particles);
-  const Motion& motion = *s.setup.motion;
-  auto field = is_homogeneous(motion) ? std::make_shared<InertiaField>(motion, X, Y)
-                                      : std::make_shared<InertiaField>(std::get<Vortex>(motion), spin, X, Y);
+  auto field = std::make_shared<InertiaField>(*s.setup.motion, spin, X, Y);
   return [&s, field, accounts](const Instant& now) {
     field->set_time(now.t);
     for_blocks(s.particles, s.setup.threads,

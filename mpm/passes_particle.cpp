@@ -17,8 +17,7 @@ namespace assay::mpm {
 namespace {
 
 ReferenceDomains domains_of_setup(const Setup<2>& setup) {
-  const auto& vortex = std::get<Vortex>(*setup.motion);
-  return setup.seeds.domains ? *setup.seeds.domains : rectangles_of(setup.seeds, {vortex.inner, vortex.outer});
+  return setup.seeds.domains ? *setup.seeds.domains : rectangles_of(setup.seeds, *ring_of(*setup.motion));
 }
 
 /// b = a = F.. X where F is the same everywhere: of a domain as of its middle. Virtual stress leaves a of b.
@@ -46,8 +45,7 @@ Kernel acceleration_kernel(State<2>& s) {
 }
 
 Kernel averaged_kernel(State<2>& s) {
-  const auto& vortex = std::get<Vortex>(*s.setup.motion);
-  auto field = std::make_shared<DomainAverage>(vortex, s.setup.density, domains_of_setup(s.setup));
+  auto field = std::make_shared<DomainAverage>(*s.setup.motion, s.setup.density, domains_of_setup(s.setup));
   const InPieces pieces = [threads = s.setup.threads](std::size_t n, const auto& body) {
     for_blocks(n, threads, body);
   };
@@ -77,7 +75,7 @@ Pass<Dim> body_force_pass(Evaluation evaluation) {
   pass.bind = [](State<Dim>& s) -> Kernel {
     if (is_homogeneous(*s.setup.motion)) return acceleration_kernel(s);
     const std::size_t n = s.particles;
-    auto field = std::make_shared<BodyForceField>(std::get<Vortex>(*s.setup.motion), s.setup.density,
+    auto field = std::make_shared<BodyForceField>(*s.setup.motion, s.setup.density,
                                                   std::span(s.column(Column::reference_position, 0), n),
                                                   std::span(s.column(Column::reference_position, 1), n));
     return [&s, field, n](const Instant& now) {

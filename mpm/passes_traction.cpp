@@ -23,13 +23,11 @@ Mat<2> deformation_gradient(const State<2>& s, std::size_t p) {
   return F;
 }
 
-Vec<2> times(const Tensor& A, const Vec<2>& v) {
-  return {A(0, 0) * v[0] + A(0, 1) * v[1], A(1, 0) * v[0] + A(1, 1) * v[1]};
-}
+Vec<2> times(const Mat<2>& A, const Vec<2>& v) { return {A[0] * v[0] + A[1] * v[1], A[2] * v[0] + A[3] * v[1]}; }
 
 /// n ds of an edge: of the line between its corners where these move, else J F^-T N dA0 of its particle.
 Vec<2> current_normal(const State<2>& s, const SurfaceEdge& edge) {
-  if (s.has(Column::corners)) {
+  if (s.has(Column::corners) && edge.on_corners) {
     const auto corner = [&](std::size_t k, std::size_t d) {
       return s.column(Column::corners, static_cast<int>(2 * edge.corners[k] + d))[edge.particle];
     };
@@ -43,21 +41,20 @@ Vec<2> current_normal(const State<2>& s, const SurfaceEdge& edge) {
           cofactor[2] * edge.N_dA[0] + cofactor[3] * edge.N_dA[1]};
 }
 
-/// Force on an edge at a time [N].
-Vec<2> force_on(const State<2>& s, const SurfaceEdge& edge, double t) {
+/// Force on an edge, of whose middle the field speaks at `k` [N].
+Vec<2> force_on(const State<2>& s, const SurfaceEdge& edge, const ExactField& field, std::size_t k) {
   const Traction& traction = *s.setup.traction;
-  const std::array<double, 2> X = edge.middle();
-  const ExactStress stress = s.setup.exact->stress({X[0], X[1], 0}, t);
   const bool undeformed = traction.algorithm == TractionAlgorithm::undeformed_edges;
   if (traction.form == TractionForm::reference && !undeformed) {
-    return times(stress.first_piola_kirchhoff, edge.N_dA);
+    return times(field.first_piola_kirchhoff(k), edge.N_dA);
   }
   Vec<2> n = current_normal(s, edge);
   if (undeformed) {
     const double share = std::hypot(edge.N_dA[0], edge.N_dA[1]) / std::hypot(n[0], n[1]);
     for (double& component : n) component *= share;
   }
-  return times(stress.cauchy, n);
+  const auto sigma = field.at(k).sigma;
+  return times(Mat<2>{sigma[0], sigma[1], sigma[2], sigma[3]}, n);
 }
 
 /// Where the force of an edge acts: the reference vectors from the particle, and the shares.
@@ -66,9 +63,10 @@ std::vector<SurfacePoint> points_of(const State<2>& s, const SurfaceEdge& edge) 
     return Vec<2>{X[0] - s.setup.seeds.X[0][edge.particle], X[1] - s.setup.seeds.X[1][edge.particle]};
   };
   if (s.setup.traction->algorithm == TractionAlgorithm::particles) return {{edge.particle, -1, {}, 1}};
-  if (is_spline(s.method.basis)) return {{edge.particle, -1, from_particle(edge.middle()), 1}};
-  return {{edge.particle, edge.corners[0], from_particle(edge.X[0]), 0.5},
-          {edge.particle, edge.corners[1], from_particle(edge.X[1]), 0.5}};
+  if (is_spline(s.method.basis)) return {{edge.particle, -1, from_particle(edge.middle), 1}};
+  const auto corner = [&](std::size_t k) { return edge.on_corners ? edge.corners[k] : -1; };
+  return {{edge.particle, corner(0), from_particle(edge.X[0]), 0.5},
+          {edge.particle, corner(1), from_particle(edge.X[1]), 0.5}};
 }
 
 /// x of a point of the surface: where its corner is, or by its particle's F.
@@ -91,15 +89,24 @@ void book(State<2>& s, const SurfacePoint& point, double kick) {
 }
 
 /// Forces of the edges, shared out to the points of the surface.
-void load_points(State<2>& s, SurfaceLoads& loads, double t) {
+void load_points(State<2>& s, SurfaceLoads& loads, const ExactField& field) {
   std::size_t k = 0;
-  for (const SurfaceEdge& edge : s.setup.seeds.surface) {
-    const Vec<2> force = force_on(s, edge, t);
+  const std::vector<SurfaceEdge>& surface = s.setup.seeds.surface;
+  for (std::size_t e = 0; e < surface.size(); ++e) {
+    const SurfaceEdge& edge = surface[e];
+    const Vec<2> force = force_on(s, edge, field, e);
     for (; k < loads.points.size() && loads.points[k].edge == &edge; ++k) {
       SurfacePoint& point = loads.points[k];
       point.force = {point.share * force[0], point.share * force[1]};
     }
   }
+}
+
+/// At the middles of the edges.
+std::shared_ptr<ExactField> field_of(const State<2>& s) {
+  std::vector<double> X, Y;
+  for (const SurfaceEdge& edge : s.setup.seeds.surface) X.push_back(edge.middle[0]), Y.push_back(edge.middle[1]);
+  return std::make_shared<ExactField>(s.setup.exact, Frame{}, X, Y);
 }
 
 std::shared_ptr<SurfaceLoads> loads_of(State<2>& s) {
@@ -132,9 +139,11 @@ Pass<2> traction_pass(const Method& method, const Traction& traction, bool accou
   pass.grid_fields = {"force"};
   pass.bind = [accounts](State<2>& s) -> Kernel {
     s.loads = loads_of(s);
-    return [&s, accounts](const Instant& now) {
+    return [&s, accounts, field = field_of(s)](const Instant& now) {
       SurfaceLoads& loads = *s.loads;
-      load_points(s, loads, time_of_forces(s.method, now));
+      const double t = time_of_forces(s.method, now);
+      field->set_time(t, t);
+      load_points(s, loads, *field);
       for (std::size_t k = 0; k < loads.points.size(); ++k) {
         SurfacePoint& point = loads.points[k];
         if (!loads.place(k, position_of(s, point, s.method.is_total()))) {

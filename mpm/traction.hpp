@@ -26,13 +26,15 @@ struct Traction {
   TractionForm form = TractionForm::reference;
 };
 
-/// A piece of the body's surface, an edge of a particle's domain.
+/// A piece of the body's surface, an edge of a particle's domain or an arc at its end.
 struct SurfaceEdge {
   std::uint32_t particle = 0;
-  std::array<std::uint8_t, 2> corners{};     ///< of the domain, in the order of `Corners`
-  std::array<double, 2> N_dA{};              ///< outward normal of the reference configuration times the length [m]
+  std::array<std::uint8_t, 2> corners{};  ///< of the domain, in the order of `Corners`
+  std::array<double, 2>
+      N_dA{};  ///< outward normal of the reference configuration times the length of the line between its ends [m]
   std::array<std::array<double, 2>, 2> X{};  ///< where those corners are in it [m]
-  std::array<double, 2> middle() const { return {0.5 * (X[0][0] + X[1][0]), 0.5 * (X[0][1] + X[1][1])}; }
+  std::array<double, 2> middle{};            ///< the point of the surface of which the traction is taken [m]
+  bool on_corners = true;                    ///< whether its ends are those
 };
 
 }  // namespace assay::mpm

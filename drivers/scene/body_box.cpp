@@ -28,9 +28,10 @@ Box turned_box(const Scene& scene, const Frame& frame) {
   return box;
 }
 
-/// Of a motion whose F is the same everywhere: of the corners, at many times.
-Box affine_swept_box(const Scene& scene) {
-  constexpr int looks = 400;
+constexpr int looks = 400;  ///< over the time of a run
+
+/// Of a box whose faces stay straight: of the corners, at many times.
+Box corner_swept_box(const Scene& scene) {
   Box box = body_box(scene);
   const Box own = box;
   for (int k = 0; k <= looks; ++k) {
@@ -56,7 +57,14 @@ Box body_box(const Scene& scene) {
 }
 
 Box swept_box(const Scene& scene) {
-  if (is_homogeneous(scene.motion)) return affine_swept_box(scene);
+  if (!ring_of(scene.motion)) return corner_swept_box(scene);
+  if (const auto* ring = std::get_if<TwistingRing>(&scene.motion)) {
+    double outer = ring->outer();
+    for (int k = 0; k <= looks; ++k) {
+      outer = std::max(outer, ring->ring(ring->outer(), scene.time.end * k / looks).rho);
+    }
+    return {{-outer, -outer}, {outer, outer}};
+  }
   if (!scene.frame) return body_box(scene);
   Box box = turned_box(scene, *scene.frame);
   for (std::size_t d = 0; d < 2; ++d) {

@@ -72,9 +72,31 @@ void add_surface(const Box& box, const Rectangle& domain, std::uint32_t particle
       if (std::abs(at - face) > near) continue;
       const auto first = static_cast<std::uint8_t>(upper ? 1u << d : 0u);
       const auto second = static_cast<std::uint8_t>(first | 1u << along);
-      mpm::SurfaceEdge edge{particle, {first, second}, {}, {corner(first), corner(second)}};
+      const Point a = corner(first), b = corner(second);
+      mpm::SurfaceEdge edge{particle, {first, second}, {}, {a, b}, {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])}};
       edge.N_dA[d] = (upper ? 1 : -1) * (domain.upper[along] - domain.lower[along]);
       all.push_back(edge);
+    }
+  }
+}
+
+/// The arcs of the particles' domains that lie on the ring's faces. P N is constant along an arc but for its direction,
+/// so that its force is that of P N in the middle on the chord.
+void add_faces(const Annulus& ring, mpm::Seeds<2>& seeds) {
+  for (std::size_t p = 0; p < seeds.size(); ++p) {
+    const ReferenceDomains::Place& place = seeds.domains->places[p];
+    for (const BoundaryPiece& piece : seeds.domains->shapes[place.shape].boundary) {
+      const bool outer = piece.sweep > 0;
+      if (piece.straight() || piece.radius != (outer ? ring.outer : ring.inner)) continue;
+      const double middle = piece.from + 0.5 * piece.sweep, chord = 2 * piece.radius * std::sin(0.5 * piece.sweep);
+      const Point out = place.turned({std::cos(middle), std::sin(middle)});
+      mpm::SurfaceEdge edge{static_cast<std::uint32_t>(p), {}, {chord * out[0], chord * out[1]}, {}, {}};
+      edge.X = {place.turned(piece.a), place.turned(piece.b)};
+      edge.middle = {piece.radius * out[0], piece.radius * out[1]};
+      if (!outer) std::swap(edge.X[0], edge.X[1]);  // counterclockwise
+      edge.on_corners = !seeds.corners.empty();     // in the order in which polar_lattice gives them
+      edge.corners = outer ? std::array<std::uint8_t, 2>{1, 3} : std::array<std::uint8_t, 2>{0, 2};
+      seeds.surface.push_back(edge);
     }
   }
 }
@@ -98,16 +120,15 @@ mpm::Seeds<2> box_seeds(const Scene& scene) {
 
 /// Of the body in its own frame, before any jitter.
 mpm::Seeds<2> still_seeds_of(const Scene& scene) {
-  if (is_homogeneous(scene.motion)) return box_seeds(scene);
-  const auto& vortex = std::get<Vortex>(scene.motion);
+  const auto ring = ring_of(scene.motion);
+  if (!ring) return box_seeds(scene);
   const Body& body = scene.body;
   if (body.domain == Body::Domain::ring) {
-    const Annulus ring{vortex.inner, vortex.outer};
     const double h = scene.grid->spacing;
     if (body.lattice == Body::Lattice::polar) {
-      return mpm::polar_lattice(ring, h, body.per_cell, scene.method->basis == Method::Basis::cpdi2);
+      return mpm::polar_lattice(*ring, h, body.per_cell, scene.method->basis == Method::Basis::cpdi2);
     }
-    if (body.cut == Body::Cut::clipped) return mpm::clipped_lattice(ring, h, body.per_cell);
+    if (body.cut == Body::Cut::clipped) return mpm::clipped_lattice(*ring, h, body.per_cell);
   }
   return whole_cells(scene);
 }
@@ -116,17 +137,17 @@ mpm::Seeds<2> still_seeds_of(const Scene& scene) {
 
 mpm::Seeds<2> seeds_of(const Scene& scene) {
   mpm::Seeds<2> seeds = still_seeds_of(scene);
+  if (std::holds_alternative<TwistingRing>(scene.motion)) add_faces(*ring_of(scene.motion), seeds);
   const bool jittered = scene.body.lattice == Body::Lattice::jittered;
   const bool turned = scene.frame && scene.frame->angle != 0;
   if ((jittered || turned) && !seeds.domains && is_averaged(scene) &&
       ring_of(scene.motion)) {  // the domains as they are before
-    const auto& vortex = std::get<Vortex>(scene.motion);
-    seeds.domains = std::make_shared<const ReferenceDomains>(mpm::rectangles_of(seeds, {vortex.inner, vortex.outer}));
+    seeds.domains = std::make_shared<const ReferenceDomains>(mpm::rectangles_of(seeds, *ring_of(scene.motion)));
   }
   if (jittered) {
     std::function<bool(const Point&)> inside;
     if (scene.body.domain == Body::Domain::ring) {
-      inside = [&](const Point& X) { return std::get<Vortex>(scene.motion).moves({X[0], X[1], 0}); };
+      inside = [&](const Point& X) { return turn_of(scene.motion).moves({X[0], X[1], 0}); };
     }
     mpm::disturb(seeds, scene.body.jitter, static_cast<std::uint64_t>(scene.body.seed), inside);
   }

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/simulation/time_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drivers/output/number_format.hpp"
+#include "drivers/scene/body_box.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr int speed_samples = 400;
+constexpr double most_steps = 1e15;   ///< beyond, step times would not be told apart
+constexpr double whole_steps = 1e-9;  ///< a number of steps this close to a whole one [relative] is that one
+
+/// Where a motion is looked at to find its fastest point: the corners where F is the same everywhere, radii of a polar
+/// motion, a lattice of the box.
+std::vector<Vector3> places_of(const Scene& scene) {
+  constexpr int radii = 128, across = 16;
+  std::vector<Vector3> places;
+  if (const auto ring = ring_of(scene.motion)) {
+    for (int k = 0; k <= radii; ++k) {
+      places.emplace_back(ring->inner + (ring->outer - ring->inner) * k / radii, 0, 0);
+    }
+    return places;
+  }
+  const Box box = body_box(scene);
+  const int pieces = is_homogeneous(scene.motion) ? 1 : across;
+  for (int i = 0; i <= pieces; ++i) {
+    for (int j = 0; j <= pieces; ++j) {
+      places.emplace_back(box.lower[0] + (box.upper[0] - box.lower[0]) * i / pieces,
+                          box.lower[1] + (box.upper[1] - box.lower[1]) * j / pieces, 0);
+    }
+  }
+  return places;
+}
+
+/// |v| = R h |g'| is largest where both are (28).
+double fastest_of_vortex(const Vortex& vortex, double end) {
+  double profile = 0, rate = 0;
+  for (int k = 0; k <= speed_samples; ++k) {
+    const double s = static_cast<double>(k) / speed_samples;
+    const double R = vortex.inner + s * (vortex.outer - vortex.inner);
+    profile = std::max(profile, R * vortex.profile(R).h);
+    rate = std::max(rate, std::abs(vortex.amplitude.at(s * std::min(end, vortex.amplitude.period)).rate));
+  }
+  return profile * rate;
+}
+
+double fastest_of_motion(const Scene& scene) {
+  if (const auto* vortex = std::get_if<Vortex>(&scene.motion)) return fastest_of_vortex(*vortex, scene.time.end);
+  double fastest = 0;
+  for (const Vector3& X : places_of(scene)) {
+    for (int k = 0; k <= speed_samples; ++k) {
+      fastest = std::max(fastest, state_at(scene.motion, X, scene.time.end * k / speed_samples).v.norm());
+    }
+  }
+  return fastest;
+}
+
+/// What a frame adds to it: its spin at the farthest particle, and its velocity.
+double fastest_of_frame(const Frame& frame, const mpm::Seeds<2>& seeds) {
+  double farthest = 0;
+  for (std::size_t p = 0; p < seeds.size(); ++p)
+    farthest = std::max(farthest, std::hypot(seeds.X[0][p], seeds.X[1][p]));
+  return std::abs(frame.spin) * farthest + frame.velocity.norm();
+}
+
+/// Equal steps that also meet T/2 where the end is a multiple of it: the error is asked for there.
+double steps_by_courant(const Problem& problem) {
+  const double end = problem.scene.time.end;
+  const double speed = problem.wave_speed + problem.particle_speed;
+  const double longest = problem.scene.method->courant * problem.scene.grid->spacing / speed;
+  const double halves = end / (0.5 * problem.period());
+  const bool whole = std::abs(halves - std::round(halves)) < whole_steps * halves;
+  const double pieces = whole ? std::round(halves) : 1;
+  return pieces * std::max(1.0, std::ceil(end / pieces / longest));
+}
+
+}  // namespace
+
+double fastest_particle(const Problem& problem) {
+  const double own = fastest_of_motion(problem.scene);
+  return problem.scene.frame ? own + fastest_of_frame(*problem.scene.frame, problem.setup.seeds) : own;
+}
+
+void plan_steps(Problem& problem) {
+  const Scene& scene = problem.scene;
+  const std::string key = scene.time.step ? "time.step" : "method.courant";
+  const double steps =
+      scene.time.step ? std::ceil(scene.time.end / *scene.time.step * (1 - whole_steps)) : steps_by_courant(problem);
+  if (!(steps >= 1 && steps < most_steps)) {
+    throw InputError(scene.place(key), key,
+                     "gives " + rounded_text(steps, 3) + " steps to time.end = " + rounded_text(scene.time.end, 6) +
+                         " s (fastest wave on the path " + rounded_text(problem.wave_speed, 3) +
+                         " m/s, fastest particle " + rounded_text(problem.particle_speed, 3) + " m/s)");
+  }
+  problem.steps = static_cast<std::int64_t>(steps);
+  problem.dt = scene.time.step ? *scene.time.step : scene.time.end / steps;
+}
+
+}  // namespace assay::drivers
