@@ -34,6 +34,14 @@ ExactState AxisAligned::at(const Vector3& X, double t) const {
   return state;
 }
 
+Tensor AxisAligned::acceleration_gradient(const Vector3& X, double t) const {
+  const double g = strain(amplitude, t).acceleration;
+  Tensor gradient = Tensor::Zero();
+  gradient(0, 0) = g * std::cos(pi * X.x());
+  if (!one_dimensional) gradient(1, 1) = -g * std::cos(pi * X.y());
+  return gradient;
+}
+
 Path AxisAligned::section(double s) const {
   Path path;
   path.parameter = {-1, 1};

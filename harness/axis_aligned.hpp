@@ -19,6 +19,9 @@ struct AxisAligned {
 
   ExactState at(const Vector3& X, double t) const;
 
+  /// d a / d X, diagonal [1/s^2].
+  Tensor acceleration_gradient(const Vector3& X, double t) const;
+
   /// F = diag(1 + g cos(pi X), 1 - g cos(pi Y), 1) with g = pi A sin(c pi t): the family with the parameter cos(pi X)
   /// in
   /// [-1, 1] at one cos(pi Y) [1]. Of the bar uniaxial strain (38).

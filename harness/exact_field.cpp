@@ -23,6 +23,7 @@ std::array<double, 5> plane(const Tensor& s) { return {s(0, 0), s(0, 1), s(1, 0)
 ExactField::ExactField(std::shared_ptr<const ExactSolution> solution, const Frame& frame, std::span<const double> X,
                        std::span<const double> Y)
     : solution_(std::move(solution)), frame_(frame), X_(X.begin(), X.end()), Y_(Y.begin(), Y.end()) {
+  if (const auto* box = solution_->box()) box_.emplace(**box, X, Y);
   const auto ring = ring_of(solution_->motion());
   if (!ring) return;
   points_ = RingPoints(X, Y);
@@ -35,7 +36,11 @@ ExactField::ExactField(std::shared_ptr<const ExactSolution> solution, const Fram
 }
 
 void ExactField::set_time(double t, double velocity_time) {
-  t_ = t;
+  t_ = t, velocity_time_ = velocity_time;
+  if (const auto* box = solution_->box()) {
+    (*box)->set_time(t);
+    return box_->update(**box);
+  }
   if (!rings_.empty()) return set_rings(t, velocity_time);
   if (!points_.ring.empty() || X_.empty()) return;
   now_ = solution_->state(Vector3::Zero(), t);
@@ -86,7 +91,19 @@ PlaneState ExactField::at_ring(std::size_t p) const {
   return state;
 }
 
+PlaneState ExactField::in_box(std::size_t p) const {
+  const Vector3 X(X_[p], Y_[p], 0);
+  const ExactState now = solution_->state(X, t_), then = solution_->state(X, velocity_time_);
+  const auto P = box_->at(p);
+  const double F11 = now.F(0, 0), F22 = now.F(1, 1);
+  return {{now.x.x(), now.x.y()},
+          {then.v.x(), then.v.y()},
+          {F11, 0, 0, F22},
+          {P[0] / F22, 0, 0, P[1] / F11, P[2] / (F11 * F22)}};  // sigma = P F^T / J
+}
+
 PlaneState ExactField::at(std::size_t p) const {
+  if (box_) return in_box(p);
   if (!rings_.empty()) return at_ring(p);
   const Vector3 X(X_[p], Y_[p], 0);
   const Vector3 x = now_.x + now_.F * X, v = then_.v + then_.F_rate * X;
@@ -94,6 +111,10 @@ PlaneState ExactField::at(std::size_t p) const {
 }
 
 std::array<double, 4> ExactField::first_piola_kirchhoff(std::size_t p) const {
+  if (box_) {
+    const auto P = box_->at(p);
+    return {P[0], 0, 0, P[1]};
+  }
   if (rings_.empty()) return piola_;
   const Ring& ring = rings_[points_.ring[p]];
   const Matrix2 q = rotation(points_.cos_theta[p], points_.sin_theta[p]);

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The exact plane fields at fixed reference points, computed once for each radius of a polar motion, once for all
-// points of one whose F is the same everywhere.
+// points of one whose F is the same everywhere; of the axis-aligned motion by its series.
 #pragma once
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "harness/box_field.hpp"
 #include "harness/exact_solution.hpp"
 #include "harness/frame.hpp"
 #include "harness/ring_points.hpp"
@@ -52,6 +54,7 @@ class ExactField {
   };
   void set_rings(double t, double velocity_time);
   PlaneState at_ring(std::size_t point) const;
+  PlaneState in_box(std::size_t point) const;
 
   std::shared_ptr<const ExactSolution> solution_;
   Frame frame_;
@@ -61,6 +64,8 @@ class ExactField {
   std::vector<bool> moves_;  ///< of each distinct radius
   std::vector<double> parameter_;
   std::vector<Ring> rings_;
+  std::optional<BoxField> box_;  ///< of the axis-aligned motion
+  double velocity_time_ = 0;
   ExactState now_, then_;  ///< of the origin, where F is the same everywhere
   std::array<double, 4> piola_{};
   std::array<double, 5> sigma_{};

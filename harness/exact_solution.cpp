@@ -17,6 +17,11 @@ ExactStress ExactSolution::stress(const Vector3& X, double t) const {
   if (homogeneous()) {
     stress.first_piola_kirchhoff = (*homogeneous())->at(t);
     stress.body_force = now.a;
+  } else if (box()) {
+    (*box())->set_time(t);
+    const BoxStress::Local local = (*box())->at(X.x(), X.y());
+    for (int d = 0; d < 3; ++d) stress.first_piola_kirchhoff(d, d) = local.piola[static_cast<std::size_t>(d)];
+    stress.body_force = now.a - Vector3(local.along_X[0], local.along_Y[1], 0) / density_;
   } else {
     const double R = std::hypot(X.x(), X.y());
     const RingKinematics kinematics = ring_kinematics(motion_, R, t);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <variant>
 
+#include "harness/box_stress.hpp"
 #include "harness/homogeneous_stress.hpp"
 #include "harness/motion.hpp"
 #include "harness/response.hpp"
@@ -20,6 +21,10 @@ class ExactSolution {
   ExactSolution(Motion motion, double density, std::shared_ptr<HomogeneousStress> stress)
       : motion_(std::move(motion)), density_(density), source_(std::move(stress)) {}
 
+  /// Of the axis-aligned motion and the bar.
+  ExactSolution(Motion motion, double density, std::shared_ptr<BoxStress> stress)
+      : motion_(std::move(motion)), density_(density), source_(std::move(stress)) {}
+
   const Motion& motion() const { return motion_; }
   ExactState state(const Vector3& X, double t) const { return state_at(motion_, X, t); }
 
@@ -33,6 +38,7 @@ class ExactSolution {
   const std::shared_ptr<HomogeneousStress>* homogeneous() const {
     return std::get_if<std::shared_ptr<HomogeneousStress>>(&source_);
   }
+  const std::shared_ptr<BoxStress>* box() const { return std::get_if<std::shared_ptr<BoxStress>>(&source_); }
   const std::shared_ptr<const Response>* response() const {
     return std::get_if<std::shared_ptr<const Response>>(&source_);
   }
@@ -40,7 +46,7 @@ class ExactSolution {
  private:
   Motion motion_;
   double density_;
-  std::variant<std::shared_ptr<const Response>, std::shared_ptr<HomogeneousStress>> source_;
+  std::variant<std::shared_ptr<const Response>, std::shared_ptr<HomogeneousStress>, std::shared_ptr<BoxStress>> source_;
 };
 
 }  // namespace assay

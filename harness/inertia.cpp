@@ -8,6 +8,7 @@ namespace assay {
 InertiaField::InertiaField(const Motion& motion, double spin, std::span<const double> X, std::span<const double> Y)
     : motion_(motion), spin_(spin) {
   if (!ring_of(motion)) {
+    in_box_ = std::holds_alternative<AxisAligned>(motion);
     X_.assign(X.begin(), X.end()), Y_.assign(Y.begin(), Y.end());
     return;
   }
@@ -36,6 +37,8 @@ InertiaField::Factor InertiaField::factor(double R, RingKinematics ring, double 
 }
 
 void InertiaField::set_time(double t) {
+  t_ = t;
+  if (in_box_) return;
   if (factor_.empty()) return set_uniform(t);
   const bool is_vortex = std::holds_alternative<Vortex>(motion_);
   const AmplitudeValue g = turn_of(motion_).amplitude.at(t);
@@ -46,6 +49,12 @@ void InertiaField::set_time(double t) {
 }
 
 InertiaField::Inertia InertiaField::at(std::size_t point) const {
+  if (in_box_) {
+    const auto& motion = std::get<AxisAligned>(motion_);
+    const Vector3 X(X_[point], Y_[point], 0), a = motion.at(X, t_).a;
+    const Tensor gradient = motion.acceleration_gradient(X, t_);
+    return {{a.x(), a.y()}, {gradient(0, 0), 0, 0, gradient(1, 1)}};
+  }
   if (factor_.empty()) {
     Inertia inertia = of_origin_;
     for (std::size_t d = 0; d < 2; ++d) {

@@ -24,8 +24,8 @@ class InertiaField {
     std::array<double, 4> gradient{};  ///< d a_i / d X_j, row-major [1/s^2]
   };
 
-  /// motion: polar, or one whose F is the same everywhere, a = F.. X; spin: w of a polar one [rad/s]; X, Y: reference
-  /// positions [m].
+  /// motion: polar, axis-aligned, or one whose F is the same everywhere, a = F.. X; spin: w of a polar one [rad/s]; X,
+  /// Y: reference positions [m].
   InertiaField(const Motion& motion, double spin, std::span<const double> X, std::span<const double> Y);
 
   /// To the time of which `at` speaks.
@@ -43,8 +43,9 @@ class InertiaField {
   void set_uniform(double t);
 
   Motion motion_;
-  double spin_ = 0;
-  std::vector<double> X_, Y_;  // of a motion whose F is the same everywhere
+  double spin_ = 0, t_ = 0;
+  bool in_box_ = false;        // axis-aligned
+  std::vector<double> X_, Y_;  // of a motion that is not polar
   Inertia of_origin_;
   RingPoints points_;                     // of a polar one
   std::vector<Vortex::Profile> profile_;  // of each distinct radius

@@ -7,7 +7,9 @@
 #include "mpm/mass_matrix.hpp"
 #include "mpm/material_batch.hpp"
 #include "mpm/passes_affine.hpp"
+#include "mpm/passes_body_force.hpp"
 #include "mpm/passes_grid.hpp"
+#include "mpm/passes_images.hpp"
 #include "mpm/passes_inertia.hpp"
 #include "mpm/passes_mass.hpp"
 #include "mpm/passes_particle.hpp"
@@ -37,13 +39,18 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
   const auto add_held = [&](const Reaction& reaction) {
     if (setup.hold_outside) add(hold_nodes_pass<Dim>(reaction));
   };
+  const auto add_fold = [&](bool forces) {
+    if (setup.has_images()) add(fold_images_pass<Dim>(forces, forces && setup.accounts));
+  };
   const bool body_force = Dim == 2 && setup.body_force;  // lives in the plane
   const auto add_accounts = [&] {
     if (setup.accounts) add(accounts_pass<Dim>(method, body_force));
   };
   const auto add_gradient_and_stress = [&] {
+    add_fold(false);
     add(grid_velocity_pass<Dim>());
     add_held({});
+    if (setup.has_images()) add(unfold_images_pass<Dim>({}, false));
     add(velocity_gradient_pass<Dim>());
   };
   if constexpr (Dim == 2) {
@@ -74,6 +81,7 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
   if constexpr (Dim == 2) {
     if (surface) add(traction_pass(method, *setup.traction, setup.accounts));
   }
+  add_fold(true);
   if (method.has_stages()) {
     add(kick_pass<Dim>(method));
   } else if (method.is_lumped()) {
@@ -82,6 +90,7 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
   } else {
     add(mass_matrix_pass<Dim>(method));
   }
+  if (setup.has_images()) add(unfold_images_pass<Dim>(reaction_of(method), setup.accounts));
   if constexpr (Dim == 2) {
     if (surface && setup.accounts) add(traction_work_pass());
   }

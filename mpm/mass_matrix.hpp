@@ -83,7 +83,7 @@ class MassMatrix {
     residual_ = x;
     const bool held = !s_->held_mass.empty();
     for (int l = 1; l < terms; ++l) {
-      multiply_particles(residual_, image_, [&](std::size_t begin, std::size_t end) {
+      multiply_then(residual_, image_, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           double *of_x = x.node(i), *next = image_.node(i);
           const double *rest = residual_.node(i), mass = held ? s_->held_mass[i] : 0;
@@ -110,7 +110,7 @@ class MassMatrix {
     edge_.assign(residual_.nodes(), false);
     image_.zero();
     for (std::size_t i = 0; i < edge_.size(); ++i) {
-      edge_[i] = is_free(i) && s_->inertia.node(i)[0] < edge_mass * whole;
+      edge_[i] = is_free(i) && s_->inertia.node(i)[0] < edge_mass * whole * s_->images.share(i);
       if (edge_[i]) std::fill_n(image_.node(i), Dim, 1.0);
     }
     std::swap(image_, direction_);
@@ -149,7 +149,7 @@ class MassMatrix {
   }
 
   /// M x of the particles that move, until the next use of the matrix.
-  const Field& image_of(const Field& x) {
+  const Field& image_of(Field& x) {
     multiply_particles(x, image_);
     return image_;
   }
@@ -200,7 +200,7 @@ class MassMatrix {
   }
 
   /// y = M x; particles that never move count by their row sums.
-  void multiply(const Field& x, Field& y) const {
+  void multiply(Field& x, Field& y) const {
     multiply_particles(x, y);
     for (std::size_t i = 0; i < s_->held_mass.size(); ++i) {
       for (std::size_t d = 0; d < Dim; ++d) y.node(i)[d] += s_->held_mass[i] * x.node(i)[d];
@@ -223,22 +223,24 @@ class MassMatrix {
     }
   }
 
-  /// y = M x of the particles that move.
-  void multiply_particles(const Field& x, Field& y) const {
+  /// y = M x of the particles that move. Images in x are given what their nodes have, and those in y are zero.
+  void multiply_particles(Field& x, Field& y) const {
+    s_->images.unfold(x);
     if (stencil_) {
       stencil_->multiply(x, y, s_->setup.threads);
     } else {
       multiply_by_particles(x, y);
     }
+    s_->images.fold(y);
   }
 
   /// The same on nodes that have mass, and after(begin, end) as soon as it is known there.
   template <class After>
-  void multiply_particles(const Field& x, Field& y, const After& after) const {
-    if (stencil_) {
+  void multiply_then(Field& x, Field& y, const After& after) const {
+    if (stencil_ && s_->images.empty()) {
       stencil_->multiply(x, y, s_->setup.threads, after);
     } else {
-      multiply_by_particles(x, y);
+      multiply_particles(x, y);
       after(std::size_t{0}, y.nodes());
     }
   }

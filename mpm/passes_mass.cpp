@@ -22,7 +22,7 @@ void load_momentum(const State<Dim>& s, GridField<Dim>& x) {
 /// Momentum that the particles gain against what the nodes were given.
 template <int Dim>
 void book_reaction(State<Dim>& s, const Reaction& share, double kick) {
-  if (!s.setup.accounts) return;
+  if (!s.setup.accounts || !s.images.empty()) return;  // of images the pass that unfolds them keeps the account
   for (std::size_t i = 0; i < s.motion.nodes(); ++i) {
     const double m = s.inertia.node(i)[0] - (s.held_mass.empty() ? 0 : s.held_mass[i]);
     for (std::size_t d = 0; d < Dim; ++d) {
@@ -105,7 +105,7 @@ bool invert(MassMatrix<Dim>& matrix, const Method& method, GridField<Dim>& x) {
 
 /// Momentum of the nodes that of the particles after they gained kick a.
 template <int Dim>
-void kick_momentum(State<Dim>& s, const GridField<Dim>& a, double kick, MassMatrix<Dim>& matrix) {
+void kick_momentum(State<Dim>& s, GridField<Dim>& a, double kick, MassMatrix<Dim>& matrix) {
   const GridField<Dim>& gained = matrix.image_of(a);
   for (std::size_t i = 0; i < a.nodes(); ++i) {
     for (std::size_t d = 0; d < Dim; ++d) s.inertia.node(i)[1 + d] += kick * gained.node(i)[d];

@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Passes on the particles alone: stress, body force, accounts.
+// Passes on the particles alone: stress and accounts.
 #pragma once
 
 #include "mpm/pass.hpp"
 
 namespace assay::mpm {
-
-/// b at the particles' reference positions or averaged over their reference domains, at the time at which the step
-/// begins.
-template <int Dim>
-Pass<Dim> body_force_pass(Evaluation evaluation);
-
-/// Of a frame that spins: turns b into it and adds the Coriolis and centrifugal terms.
-template <int Dim>
-Pass<Dim> moving_frame_pass(Evaluation evaluation);
 
 /// F <- (I + dt L) F, then the material's update in batches; finds det F <= 0 and failed points.
 template <int Dim>

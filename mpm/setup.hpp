@@ -15,6 +15,7 @@
 #include "harness/motion.hpp"
 #include "harness/reference_domain.hpp"
 #include "mpm/grid_geometry.hpp"
+#include "mpm/images.hpp"
 #include "mpm/instructions.hpp"
 #include "mpm/method.hpp"
 #include "mpm/offload.hpp"
@@ -68,10 +69,17 @@ struct Setup {
   std::optional<Motion> motion;                ///< gives the initial velocity; null: at rest
   std::optional<Frame> frame;                  ///< from which the motion is seen; null: the body's own
   bool hold_outside = false;                   ///< nodes and particles outside the vortex's ring are held
+  std::array<AxisEnds, Dim> ends{};            ///< symmetry planes and periodic ends of the body
   bool accounts = false;                       ///< momentum and energy accounts
   /// Whether the method is told where particles belong: of such a one the error says less.
   bool uses_exact_solution() const { return (body_force && inertia == Inertia::particles) || has_virtual_stress(); }
   bool has_virtual_stress() const { return traction && traction->algorithm == TractionAlgorithm::virtual_stress; }
+  bool has_images() const {
+    for (const AxisEnds& axis : ends) {
+      if (axis.any()) return true;
+    }
+    return false;
+  }
   int threads = 1;
   Instructions instructions = best_instructions();  ///< of the kernels
   std::shared_ptr<const Offload> offload;           ///< of the stress pass; null: in this process. In two dimensions

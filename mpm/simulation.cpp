@@ -40,6 +40,7 @@ Simulation<Dim>::Simulation(Setup<Dim> setup, const std::vector<Pass<Dim>>& pass
   allocate(passes);
   fill();
   if (state_.setup.hold_outside) hold_outside();
+  if (state_.setup.has_images()) state_.images = Images<Dim>(state_.setup.grid, state_.setup.ends);
   for (const auto& pass : passes) {
     kernels_.push_back(pass.bind(state_));
     PassTime time{pass.name, 0, 0};

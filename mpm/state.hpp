@@ -6,6 +6,7 @@
 #include <string>
 
 #include "harness/failed_step.hpp"
+#include "mpm/images.hpp"
 #include "mpm/kernels.hpp"
 #include "mpm/setup.hpp"
 #include "mpm/surface_loads.hpp"
@@ -37,6 +38,12 @@ struct TileCopy {
   GridField<Dim> force;
 };
 
+/// Of all nodes before images were folded.
+struct UnfoldedSums {
+  std::vector<double> image_mass;             ///< of each image [kg]
+  std::array<double, 3> momentum{}, force{};  ///< [N s], [N]
+};
+
 template <int Dim>
 struct State : KernelState<Dim> {
   explicit State(Setup<Dim> s) : KernelState<Dim>{s.method, s.seeds.size()}, setup(std::move(s)) {}
@@ -47,6 +54,8 @@ struct State : KernelState<Dim> {
   std::vector<double> inverse_mass;    ///< of a mass matrix that is not lumped: 1 / row sum of a node that moves, or 0
   std::vector<double> held_mass;       ///< of particles that never move, a node; empty where nothing is held
   std::vector<std::uint32_t> held_nodes;
+  Images<Dim> images;                   ///< of symmetry planes and periodic ends; empty without
+  UnfoldedSums unfolded;                ///< for the accounts of these
   std::shared_ptr<SurfaceLoads> loads;  ///< of tractions; null without
   std::array<ColumnData, 2> history;    ///< material state by block, [c * n + p]: begin and end of the step
   std::vector<TileCopy<Dim>> tile_copies;

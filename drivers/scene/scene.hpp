@@ -41,6 +41,11 @@ struct Body {
   Cut cut = Cut::clipped;  ///< of lattice cells at the ring's edges, on a ring with a Cartesian or jittered lattice
   double jitter = 0.25;    ///< of a jittered lattice: longest way along an axis [distance between particles]
   int seed = 1;            ///< of its pseudo-random numbers
+  enum class Periodic { none, x, y, both };
+  Periodic periodic = Periodic::none;  ///< directions in which square and box repeat
+  bool is_periodic(std::size_t d) const {
+    return periodic == Periodic::both || periodic == (d == 0 ? Periodic::x : Periodic::y);
+  }
 };
 
 struct GridChoice {

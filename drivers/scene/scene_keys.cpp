@@ -27,6 +27,7 @@ const std::vector<std::string> cuts{"clipped", "whole"};
 const std::vector<std::string> evaluations{"point", "domain_average"};
 const std::vector<std::string> inertias{"grid", "particles"};
 const std::vector<std::string> traction_algorithms{"edges", "virtual_stress", "particles", "undeformed_edges"};
+const std::vector<std::string> periodics{"none", "x", "y", "both"};
 const std::vector<std::string> traction_forms{"follower", "reference"};
 const std::vector<std::string> responses{"none", "closed_form", "sheet", "shadow"};
 
@@ -77,6 +78,9 @@ std::vector<Key> body_keys() {
       {"body.seed", number, "of a jittered lattice: another number moves the particles otherwise",
        GET(s.body.lattice == Body::Lattice::jittered ? Value(double(s.body.seed)) : Value()),
        SET(s.body.seed = whole(v)), {.lower = 0, .upper = 1e9, .whole = true}, {}, false, "1"},
+      {"body.periodic", choice, "directions in which the body repeats; other faces at whole metres of the unit box's motions are symmetry planes",
+       GET(name_of(periodics, s.body.periodic)), SET(s.body.periodic = picked<Body::Periodic>(periodics, v)), {},
+       periodics, false, {}, {"axis_aligned", "bar_1d", "rigid"}, cornered},
       {"grid.spacing", number, "h [m]; nodes lie at multiples of h", GET(s.grid ? Value(s.grid->spacing) : Value()),
        SET(s.grid->spacing = real(v)), positive, {}, true},
       {"grid.lower", pair, "lower corner [m]", GET(s.grid ? pair_of(s.grid->lower) : Value()),
@@ -88,7 +92,7 @@ std::vector<Key> body_keys() {
 
 std::vector<Key> method_keys() {
   using enum KeyType;
-  const std::vector<std::string> with_traction{"homogeneous", "rotating_stretch"};
+  const std::vector<std::string> with_traction{"homogeneous", "rotating_stretch", "twisting_ring", "axis_aligned", "bar_1d"};
   return {
       {"method.basis", choice, "weights of the grid: linear, uGIMP, cpGIMP, CPDI (R4), CPDI2 (Q4), B-splines of degree 2, 3 and 4",
        GET(s.method ? name_of(bases, s.method->basis) : Value()),

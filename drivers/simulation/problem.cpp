@@ -8,6 +8,7 @@
 #include "drivers/output/number_format.hpp"
 #include "drivers/scene/body_box.hpp"
 #include "drivers/scene/scene_keys.hpp"
+#include "drivers/simulation/body_ends.hpp"
 #include "drivers/simulation/runnable.hpp"
 #include "drivers/simulation/seeds.hpp"
 #include "drivers/simulation/time_steps.hpp"
@@ -154,8 +155,11 @@ Problem assemble(const Scene& given, int threads) {
   problem.compared = forced;
   setup.traction = traction_of(scene);
   if (!setup.traction) setup.seeds.surface.clear();
-  // a force that is linear in X is on a domain what it is in its middle
-  setup.evaluation = is_homogeneous(scene.motion) ? mpm::Evaluation::point : scene.force.evaluation;
+  setup.ends = ends_of(scene);
+  // a force that is linear in X is on a domain what it is in its middle; at Gauss points their rule takes the mean
+  const bool pointwise =
+      is_homogeneous(scene.motion) || (!ring_of(scene.motion) && scene.body.lattice == Body::Lattice::gauss);
+  setup.evaluation = pointwise ? mpm::Evaluation::point : scene.force.evaluation;
   setup.inertia = scene.force.inertia;
   setup.motion = scene.motion;
   setup.frame = scene.frame;

@@ -53,9 +53,14 @@ std::shared_ptr<const ExactSolution> exact_solution_of(const Scene& scene,
                                                        int threads) {
   const Path path = baseline_path(scene);
   const double density = scene.material.density;
-  if (!is_homogeneous(scene.motion)) {
+  if (ring_of(scene.motion)) {
     return std::make_shared<const ExactSolution>(scene.motion, density,
                                                  response_of(scene, material, path, end, threads, true));
+  }
+  if (const auto* box = std::get_if<AxisAligned>(&scene.motion)) {
+    BoxStressOptions options{.tolerance = scene.force.tolerance, .end = end, .direction = path.material_direction};
+    return std::make_shared<const ExactSolution>(scene.motion, density,
+                                                 std::make_shared<BoxStress>(material, *box, options));
   }
   constexpr double history_tolerance = 1e-4;  // of a step, of what is asked of the whole
   return std::make_shared<const ExactSolution>(

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "drivers/scene/body_box.hpp"
+#include "drivers/simulation/body_ends.hpp"
 #include "mpm/gauss_lattice.hpp"
 #include "mpm/lattice.hpp"
 
@@ -59,8 +60,9 @@ mpm::Seeds<2> whole_cells(const Scene& scene) {
   return seeds;
 }
 
-/// The edges of a particle's domain that lie on the box.
-void add_surface(const Box& box, const Rectangle& domain, std::uint32_t particle, std::vector<mpm::SurfaceEdge>& all) {
+/// The edges of a particle's domain that lie on faces of the box which are neither symmetry planes nor periodic.
+void add_surface(const Box& box, const std::array<mpm::AxisEnds, 2>& ends, const Rectangle& domain,
+                 std::uint32_t particle, std::vector<mpm::SurfaceEdge>& all) {
   const auto corner = [&](std::size_t c) {
     return Point{(c & 1) ? domain.upper[0] : domain.lower[0], (c & 2) ? domain.upper[1] : domain.lower[1]};
   };
@@ -69,7 +71,7 @@ void add_surface(const Box& box, const Rectangle& domain, std::uint32_t particle
     const std::size_t along = 1 - d;
     for (const bool upper : {false, true}) {
       const double at = upper ? domain.upper[d] : domain.lower[d], face = upper ? box.upper[d] : box.lower[d];
-      if (std::abs(at - face) > near) continue;
+      if (std::abs(at - face) > near || (upper ? ends[d].upper : ends[d].lower)) continue;
       const auto first = static_cast<std::uint8_t>(upper ? 1u << d : 0u);
       const auto second = static_cast<std::uint8_t>(first | 1u << along);
       const Point a = corner(first), b = corner(second);
@@ -104,6 +106,7 @@ void add_faces(const Annulus& ring, mpm::Seeds<2>& seeds) {
 /// A box full of particles, every one stepped, with the edges that bear tractions.
 mpm::Seeds<2> box_seeds(const Scene& scene) {
   const Box box = body_box(scene);
+  const auto ends = ends_of(scene);
   const double h = scene.grid->spacing;
   const bool gauss = scene.body.lattice == Body::Lattice::gauss;
   const auto all = [](const Point&) { return mpm::Fate::stepped; };
@@ -113,7 +116,7 @@ mpm::Seeds<2> box_seeds(const Scene& scene) {
   for (std::size_t p = 0; p < seeds.size(); ++p) {
     const Point X{seeds.X[0][p], seeds.X[1][p]};
     const Rectangle domain = gauss ? cells.rectangle_around(X) : around(X, seeds.half_size);
-    add_surface(box, domain, static_cast<std::uint32_t>(p), seeds.surface);
+    add_surface(box, ends, domain, static_cast<std::uint32_t>(p), seeds.surface);
   }
   return seeds;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The accounts, and the body force that is planted wrong.
+#include "mpm/passes_body_force.hpp"
 #include "mpm/passes_particle.hpp"
 #include "mpm/sweep.hpp"
 

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/box_field.hpp"
+
+#include <algorithm>
+
+namespace assay {
+
+namespace {
+
+std::vector<Interval> points_on_axis(std::span<const double> X) {
+  std::vector<Interval> points;
+  for (const double x : X) points.push_back({x, x});
+  return points;
+}
+
+}  // namespace
+
+BoxField::BoxField(const BoxStress& stress, std::span<const double> X, std::span<const double> Y)
+    : along_X_(stress.modes(0), points_on_axis(X)),
+      along_Y_(stress.modes(1), points_on_axis(Y)),
+      modes_Y_(static_cast<std::size_t>(stress.modes(1))) {
+  for (auto& sums : sums_) sums.resize(along_X_.rows() * modes_Y_);
+}
+
+void BoxField::update(const BoxStress& stress) {
+  for (std::size_t c = 0; c < sums_.size(); ++c) {
+    std::fill(sums_[c].begin(), sums_[c].end(), 0.0);
+    for (std::size_t row = 0; row < along_X_.rows(); ++row) {
+      const std::span<const double> mode = along_X_.mean(row);
+      for (std::size_t k = 0; k < mode.size(); ++k) {
+        for (std::size_t l = 0; l < modes_Y_; ++l) {
+          sums_[c][row * modes_Y_ + l] += mode[k] * stress.coefficients(c)[k * modes_Y_ + l];
+        }
+      }
+    }
+  }
+}
+
+std::array<double, BoxStress::components> BoxField::at(std::size_t point) const {
+  std::array<double, BoxStress::components> piola{};
+  const std::span<const double> mode = along_Y_.mean(along_Y_.row_of(point));
+  for (std::size_t c = 0; c < piola.size(); ++c) {
+    const double* sums = sums_[c].data() + along_X_.row_of(point) * modes_Y_;
+    for (std::size_t l = 0; l < modes_Y_; ++l) piola[c] += mode[l] * sums[l];
+  }
+  return piola;
+}
+
+}  // namespace assay
