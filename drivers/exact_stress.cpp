@@ -10,86 +10,42 @@
 #include "drivers/simulation/problem.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "harness/axis_aligned_force.hpp"
-#include "harness/body_force.hpp"
-#include "harness/point_driver.hpp"
 
 namespace assay::drivers {
 
 namespace {
 
-constexpr double most_periods = 1000;   ///< of one history
-constexpr double edge_rounding = 1e-9;  ///< of a radius: points on the ring's edges are in the ring
-
-/// Stress and body force of the vortex (20), (31).
-ExactStress stress_of(const Vortex& vortex, const Response& response, double density, const Vector3& X, double t,
-                      const Tensor& F) {
-  const double R = std::hypot(X.x(), X.y());
-  Tensor tau, dtau_dxi;
-  response.at(vortex.profile(R).xi, t, tau, dtau_dxi);
-  ExactStress stress;
-  stress.first_piola_kirchhoff = rotated_to(vortex, X, t, tau);
-  stress.cauchy = cauchy_stress(stress.first_piola_kirchhoff, F);
-  const Polar b = body_force(vortex, density, R, t, tau, dtau_dxi);
-  const double theta = std::atan2(X.y(), X.x()) + vortex.amplitude.at(t).value * vortex.profile(R).h;
-  stress.body_force = rotation_about_z(theta) * Vector3(b.r, b.theta, 0);  // (31), (25)
-  return stress;
-}
-
-/// Stress and body force of a twisting ring.
-ExactStress stress_of(const TwistingRing& ring, const Response& response, double density, const Vector3& X, double t,
-                      const Tensor& F) {
-  const double R = std::clamp(std::hypot(X.x(), X.y()), ring.inner(), ring.outer());
-  const RingKinematics now = ring.ring(R, t);
-  Tensor tau, dtau_dR;
-  response.at(R, t, tau, dtau_dR);
-  ExactStress stress;
-  stress.first_piola_kirchhoff = now.first_piola_kirchhoff(X, tau);
-  stress.cauchy = cauchy_stress(stress.first_piola_kirchhoff, F);
-  stress.body_force = now.cartesian(X, now.body_force(density, R, tau, dtau_dR));
-  return stress;
-}
+constexpr double most_periods = 1000;        ///< of one history
+constexpr double history_tolerance = 1e-13;  ///< of a step
+constexpr double edge_rounding = 1e-9;       ///< of a radius: points on the ring's edges are in the ring
 
 ExactPoint seen_from(const Frame& frame, const ExactPoint& point, double t) {
   return {frame.seen(point.state, t), frame.seen(point.stress, point.state, t)};
 }
 
-/// tau of one history at the times of the points [Pa].
-std::vector<Tensor> own_history(const Scene& scene, const Material& material, double own,
-                                const std::vector<ReferencePoint>& points) {
-  std::vector<double> times;
-  for (const ReferencePoint& point : points) times.push_back(point.t);
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  if (!times.empty() && times.back() == 0) return std::vector<Tensor>(points.size(), Tensor::Zero());
-  const Path path = baseline_path(scene);
-  const Histories history = integrate_histories(material, path, std::array{own}, times, {.tolerance = 1e-13});
-  std::vector<Tensor> tau(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto k = std::lower_bound(times.begin(), times.end(), points[i].t) - times.begin();
-    for (int c = 0; c < 9; ++c) {
-      component(tau[i], c) = history.tau[static_cast<std::size_t>(k)][static_cast<std::size_t>(c)];
-    }
-  }
-  return tau;
-}
-
-/// tau at the points of a homogeneous motion [Pa].
+/// P at the points of a motion whose F is the same everywhere [Pa].
 std::vector<Tensor> homogeneous_tau(const Scene& scene, const std::shared_ptr<const Material>& material,
                                     const std::vector<ReferencePoint>& points, double end) {
   const double own = own_parameter(scene.motion);
   const Path path = baseline_path(scene);
-  const bool form = scene.force.response == ForceChoice::Response::closed_form;
-  if (!form && !(path.straight() && material->path_independent())) {
-    if (end > most_periods * period_of(scene.motion)) {
-      throw InputError(scene.place("time.end"), "time.end",
-                       "a history holds at most " + rounded_text(most_periods, 6) + " periods");
-    }
-    return own_history(scene, *material, own, points);
+  std::vector<Tensor> tau(points.size(), Tensor::Zero());
+  if (scene.force.response == ForceChoice::Response::closed_form) {
+    const auto response = response_of(scene, material, path, end);
+    Tensor slope;
+    for (std::size_t i = 0; i < points.size(); ++i) response->at(own, points[i].t, tau[i], slope);
+    return tau;
   }
-  const auto response = response_of(scene, material, path, end);
-  std::vector<Tensor> tau(points.size());
-  Tensor slope;
-  for (std::size_t i = 0; i < points.size(); ++i) response->at(own, points[i].t, tau[i], slope);
+  HomogeneousStress stress(material, path, own, end, history_tolerance);
+  if (stress.is_history() && end > most_periods * period_of(scene.motion)) {
+    throw InputError(scene.place("time.end"), "time.end",
+                     "a history holds at most " + rounded_text(most_periods, 6) + " periods");
+  }
+  std::map<double, std::vector<std::size_t>> by_time;
+  for (std::size_t i = 0; i < points.size(); ++i) by_time[points[i].t].push_back(i);
+  for (const auto& [t, which] : by_time) {
+    stop_if_interrupted();
+    for (const std::size_t i : which) tau[i] = stress.at(t);
+  }
   return tau;
 }
 
@@ -117,14 +73,14 @@ void add_box_stress(const Scene& scene, const AxisAligned& motion, const Materia
 }
 
 /// Of a polar motion, by tau of the response that the scene asks for (20).
-template <class Ring>
-void add_ring_stress(const Scene& scene, const Ring& ring, const std::shared_ptr<const Material>& material,
+void add_ring_stress(const Scene& scene, const std::shared_ptr<const Material>& material,
                      const std::vector<ReferencePoint>& points, const std::vector<Vector3>& X, double end,
                      std::vector<ExactPoint>& out) {
-  const auto response = response_of(scene, material, baseline_path(scene), end);
+  const ExactSolution solution(scene.motion, scene.material.density,
+                               response_of(scene, material, baseline_path(scene), end));
   for (std::size_t i = 0; i < points.size(); ++i) {
     stop_if_interrupted();
-    out[i].stress = stress_of(ring, *response, scene.material.density, X[i], points[i].t, out[i].state.F);
+    out[i].stress = solution.stress(X[i], points[i].t);
   }
 }
 
@@ -132,10 +88,8 @@ void add_ring_stress(const Scene& scene, const Ring& ring, const std::shared_ptr
 void add_stress(const Scene& scene, const std::shared_ptr<const Material>& material,
                 const std::vector<ReferencePoint>& points, const std::vector<Vector3>& X, double end,
                 std::vector<ExactPoint>& out) {
-  if (const auto* vortex = std::get_if<Vortex>(&scene.motion)) {
-    add_ring_stress(scene, *vortex, material, points, X, end, out);
-  } else if (const auto* ring = std::get_if<TwistingRing>(&scene.motion)) {
-    add_ring_stress(scene, *ring, material, points, X, end, out);
+  if (ring_of(scene.motion)) {
+    add_ring_stress(scene, material, points, X, end, out);
   } else if (const auto* box = std::get_if<AxisAligned>(&scene.motion)) {
     add_box_stress(scene, *box, *material, points, X, out);
   } else {

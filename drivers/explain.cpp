@@ -115,8 +115,31 @@ std::string exact_solution_line(const Problem& problem) {
                  "uses the exact solution: ", "  ");
 }
 
-std::string response_text(const Problem& problem, const Response* response) {
+std::string ends_text(const Problem& problem) {
+  constexpr const char* axes[] = {"x", "y"};
+  std::string text;
+  for (std::size_t d = 0; d < 2; ++d) {
+    const mpm::AxisEnds& ends = problem.setup.ends[d];
+    const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
+    if (ends.periodic) {
+      add(std::string("periodic along ") + axes[d]);
+      continue;
+    }
+    for (const auto& at : {ends.lower, ends.upper}) {
+      if (at) add(std::string("a symmetry plane at ") + axes[d] + " = " + rounded_text(*at, 6) + " m");
+    }
+  }
+  return text.empty() ? "" : wrapped(text, "faces: ", "  ");
+}
+
+std::string response_text(const Problem& problem, const ExactSolution* exact) {
   if (!problem.compared) return "no body force\n";
+  if (exact->box()) {
+    const BoxStress& box = **exact->box();
+    return fmt::format("response: a cosine series of {} x {} modes, {} at each node\n", box.modes(0), box.modes(1),
+                       box.is_history() ? "a history" : "an update");
+  }
+  const Response* response = exact->response() ? exact->response()->get() : nullptr;
   if (!response) {
     const std::string forces = problem.setup.body_force ? "body force: the acceleration\n" : "no body force\n";
     const bool known = problem.material->is_function_of_F();
@@ -190,11 +213,12 @@ int explain(const ExplainOptions& options) {
     if (problem.compared) exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end);
     if (exact && exact->response()) response = *exact->response();
     const ScreenFigures screen = screen_of(problem.scene, *problem.material, problem.scene.time.end);
-    const std::string text = options.json ? json_text(problem, c, response.get(), screen)
-                                          : passes_text(problem, c) + observers_text(problem) +
-                                                memory_text(problem, c) + steps_text(problem) + frame_line(problem) +
-                                                exact_solution_line(problem) + response_text(problem, response.get()) +
-                                                wrapped(screen_sentence(screen), "motion: ", "  ");
+    const std::string text = options.json
+                                 ? json_text(problem, c, response.get(), screen)
+                                 : passes_text(problem, c) + observers_text(problem) + memory_text(problem, c) +
+                                       steps_text(problem) + frame_line(problem) + exact_solution_line(problem) +
+                                       ends_text(problem) + response_text(problem, exact.get()) +
+                                       wrapped(screen_sentence(screen), "motion: ", "  ");
     std::fputs(text.c_str(), stdout);
     return 0;
   } catch (const MaterialFailure& failure) {

@@ -20,7 +20,7 @@ namespace assay::drivers {
 void record_sheet(const Scene& scene, const Response& response, double seconds, Result& result) {
   const Sheet* sheet = response.sheet();
   if (!sheet) return;
-  SheetFigures figures{sheet->points(), sheet->error_tau(), sheet->error_dtau(), {}, seconds};
+  SheetFigures figures{sheet->points(), sheet->error_tau(), sheet->error_dtau(), {}, seconds, false, {}, 0};
   figures.cached = sheet->restored();
   figures.asked = scene.force.tolerance;
   result.sheet = figures;
@@ -33,7 +33,7 @@ void record_shadow(const Scene& scene, const Response& response, Result& result)
   SheetFigures figures;
   figures.points = points->radii();
   figures.error_tau = points->error();
-  figures.shadow = true;
+  figures.along = grouped_text(points->radii()) + " shadow histories";
   figures.asked = scene.force.tolerance;
   result.sheet = figures;
   result.material_calls += points->calls();
@@ -44,7 +44,19 @@ void record_history(const Scene& scene, const HomogeneousStress& stress, Result&
   SheetFigures figures;
   figures.points = 1;
   figures.error_tau = stress.error();
-  figures.shadow = true;
+  figures.along = "one history";
+  figures.asked = scene.force.tolerance;
+  result.sheet = figures;
+  result.material_calls += stress.material_calls();
+}
+
+void record_box(const Scene& scene, const BoxStress& stress, Result& result) {
+  SheetFigures figures;
+  figures.points = stress.modes(0) * stress.modes(1);
+  const std::string size = std::to_string(stress.modes(0)) + " x " + std::to_string(stress.modes(1));
+  figures.error_tau = stress.error();
+  figures.along = "a cosine series of " + size + " modes, by " + (stress.is_history() ? "a history" : "an update") +
+                  " at each of its nodes";
   figures.asked = scene.force.tolerance;
   result.sheet = figures;
   result.material_calls += stress.material_calls();

@@ -5,6 +5,7 @@
 #include "drivers/output/output_folder.hpp"
 #include "drivers/result.hpp"
 #include "drivers/scene/scene.hpp"
+#include "harness/box_stress.hpp"
 #include "harness/homogeneous_stress.hpp"
 #include "harness/point_driver.hpp"
 #include "harness/response.hpp"
@@ -20,7 +21,10 @@ void record_shadow(const Scene& scene, const Response& response, Result& result)
 /// Of a motion whose F is the same everywhere: the error of its one history.
 void record_history(const Scene& scene, const HomogeneousStress& stress, Result& result);
 
-/// What the sheet's error does to the body force of the vortex.
+/// Of a motion in the unit box: size and error of its series, once the run is over.
+void record_box(const Scene& scene, const BoxStress& stress, Result& result);
+
+/// What the sheet's error does to the body force of a polar motion.
 void record_force_error(const Scene& scene, const Response& response, Result& result);
 
 /// "neo_hookean 1.0, built in" or "soft_clay 0.3, /path/libclay.so, sha256 ...". Throws InputError where the library

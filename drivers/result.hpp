@@ -53,11 +53,11 @@ struct PassFigures {
 struct SheetFigures {
   std::int64_t points = 0;
   double error_tau = 0;  ///< relative to the largest component
-  Figure error_dtau;     ///< likewise; not known of a shadow
+  Figure error_dtau;     ///< likewise; not known of what is taken along
   Figure error_b;        ///< estimate of the error of the vortex's b at a point, over the largest |b|
   double wall_s = 0;
   bool cached = false;  ///< read from disk
-  bool shadow = false;  ///< histories taken along the run
+  std::string along;    ///< what was taken along the run instead of a sheet: "400 shadow histories"; empty: nothing
   double asked = 0;     ///< force.tolerance
 };
 

@@ -57,6 +57,7 @@ std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& opt
   Progress progress(problem.scene.title, options.verbosity == Verbosity::quiet);
   simulate(problem, exact, snapshots, progress, result);
   if (exact && exact->response()) record_shadow(problem.scene, **exact->response(), result);
+  if (exact && exact->box()) record_box(problem.scene, **exact->box(), result);
   if (exact && exact->homogeneous()) record_history(problem.scene, **exact->homogeneous(), result);
   result.cpu_s = cpu_seconds();
   result.peak_rss_bytes = peak_memory();  // before pictures are drawn

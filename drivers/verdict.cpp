@@ -72,9 +72,9 @@ std::string process_lines(const Result& result) {
 std::string sheet_text(const SheetFigures& sheet) {
   const bool missed = !(sheet.error_tau <= sheet.asked) || !(sheet.error_dtau.value_or(0) <= sheet.asked);
   const std::string asked = missed ? " (asked: " + rounded_text(sheet.asked, 2) + ")" : "";
-  if (sheet.shadow) {
-    return fmt::format("  shadow: {} histories taken along, error {} of tau{}\n", grouped_text(sheet.points),
-                       rounded_text(sheet.error_tau, 2), asked);
+  if (!sheet.along.empty()) {
+    return wrapped(fmt::format("response: {}, error {} of tau{}", sheet.along, rounded_text(sheet.error_tau, 2), asked),
+                   "  ", "    ");
   }
   const std::string of_b = sheet.error_b ? fmt::format(", {} of b", rounded_text(*sheet.error_b, 2)) : "";
   return wrapped(

@@ -3,12 +3,20 @@
 
 #include <cmath>
 
+#include "harness/body_force.hpp"
+
 namespace assay {
 
-void ExactSolution::baseline_stress(double R, double t, Tensor& tau, Tensor& dtau_dR) const {
-  const RingParameter xi = ring_parameter(motion_, R);
-  (*response())->at(xi.value, t, tau, dtau_dR);
-  dtau_dR *= xi.slope;  // (21), corrected
+/// P and b of a polar motion, (20) and (31).
+ExactStress ExactSolution::ring_stress(const Vector3& X, double t) const {
+  const double R = std::hypot(X.x(), X.y());
+  const RingKinematics kinematics = ring_kinematics(motion_, R, t);
+  Tensor tau, dtau_dxi;
+  (*response())->at(ring_parameter(motion_, R).value, t, tau, dtau_dxi);
+  const auto* vortex = std::get_if<Vortex>(&motion_);
+  const Polar b = vortex ? assay::body_force(*vortex, density_, R, t, tau, dtau_dxi)
+                         : kinematics.body_force(density_, R, tau, dtau_dxi);
+  return {kinematics.first_piola_kirchhoff(X, tau), Tensor::Zero(), kinematics.cartesian(X, b)};
 }
 
 ExactStress ExactSolution::stress(const Vector3& X, double t) const {
@@ -23,12 +31,7 @@ ExactStress ExactSolution::stress(const Vector3& X, double t) const {
     for (int d = 0; d < 3; ++d) stress.first_piola_kirchhoff(d, d) = local.piola[static_cast<std::size_t>(d)];
     stress.body_force = now.a - Vector3(local.along_X[0], local.along_Y[1], 0) / density_;
   } else {
-    const double R = std::hypot(X.x(), X.y());
-    const RingKinematics kinematics = ring_kinematics(motion_, R, t);
-    Tensor tau, dtau_dR;
-    baseline_stress(R, t, tau, dtau_dR);
-    stress.first_piola_kirchhoff = kinematics.first_piola_kirchhoff(X, tau);
-    stress.body_force = kinematics.cartesian(X, kinematics.body_force(density_, R, tau, dtau_dR));
+    stress = ring_stress(X, t);
   }
   stress.cauchy = cauchy_stress(stress.first_piola_kirchhoff, now.F);
   return stress;

@@ -31,9 +31,6 @@ class ExactSolution {
   /// P, sigma and b at a reference point. Where the response or the history goes forward only, times must not descend.
   ExactStress stress(const Vector3& X, double t) const;
 
-  /// tau and d tau / d R of a polar motion at a radius [Pa], [Pa/m].
-  void baseline_stress(double R, double t, Tensor& tau, Tensor& dtau_dR) const;
-
   /// Null where the stress is something else.
   const std::shared_ptr<HomogeneousStress>* homogeneous() const {
     return std::get_if<std::shared_ptr<HomogeneousStress>>(&source_);
@@ -44,6 +41,8 @@ class ExactSolution {
   }
 
  private:
+  ExactStress ring_stress(const Vector3& X, double t) const;
+
   Motion motion_;
   double density_;
   std::variant<std::shared_ptr<const Response>, std::shared_ptr<HomogeneousStress>, std::shared_ptr<BoxStress>> source_;

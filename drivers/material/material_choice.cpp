@@ -87,6 +87,14 @@ ResolvedMaterial resolve_material(const Scene& scene) {
             "for a material that is isotropic about the ring's axis, or whose axes turn with "
             "the radius (cylindrically orthotropic)");
   }
+  if (scene.method && std::holds_alternative<AxisAligned>(scene.motion) &&
+      resolved.material.table().symmetry != ASSAY_ISOTROPIC) {
+    throw InputError(
+        scene.material.where, "material.adapter",
+        "'" + resolved.material.name() +
+            "' is not isotropic, and the faces of the unit box are symmetry planes, without shear, only of "
+            "one that is");
+  }
   const bool directed = has_direction(resolved.material.table());
   if (scene.material.direction && !directed) {
     throw InputError(scene.place("material.direction"), "material.direction",

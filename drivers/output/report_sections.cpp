@@ -31,14 +31,14 @@ std::string profile_section(const Result& result) {
 std::string credibility_section(const Result& result) {
   std::string out = "<dl class=\"facts\">\n";
   if (result.sheet) {
-    const bool shadow = result.sheet->shadow;
+    const std::string& along = result.sheet->along;
     const std::string points = grouped_text(result.sheet->points);
-    out += shadow ? fact("Response", points + " shadow histories taken along")
-                  : fact("Response sheet", points + " points, " +
-                                               (result.sheet->cached ? "read from disk in " : "made in ") +
-                                               rounded_text(result.sheet->wall_s, 3) + "\u202fs");
+    out += !along.empty() ? fact("Response", along)
+                          : fact("Response sheet", points + " points, " +
+                                                       (result.sheet->cached ? "read from disk in " : "made in ") +
+                                                       rounded_text(result.sheet->wall_s, 3) + "\u202fs");
     const std::string of_slope =
-        shadow ? "" : ", " + rounded_text(*result.sheet->error_dtau, 2) + " in d\u03c4/d\u03be";
+        !along.empty() ? "" : ", " + rounded_text(*result.sheet->error_dtau, 2) + " in d\u03c4/d\u03be";
     out += fact("Its error",
                 rounded_text(result.sheet->error_tau, 2) + " in \u03c4" + of_slope + ", of the largest component");
     if (result.sheet->error_b) {

@@ -20,7 +20,7 @@ std::string long_step_sentence(const Problem& problem) {
 
 std::string stress_at_rest_sentence(const Problem& problem) {
   constexpr double significant = 1e-6;  // of rho c^2
-  if (problem.setup.hold_outside) return "";
+  if (problem.setup.hold_outside || problem.setup.traction) return "";
   const auto& direction = problem.setup.material_direction;
   const Tensor I = Tensor::Identity();
   double stress = 0;

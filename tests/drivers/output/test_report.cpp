@@ -106,7 +106,7 @@ TEST(Report, table_shows_half_period_period_and_maximum_with_its_time) {
 TEST(Report, tells_shadow_points_from_a_sheet) {
   Result result = sample();
   result.sheet->error_dtau = {};
-  result.sheet->shadow = true;
+  result.sheet->along = "400 shadow histories";
   const std::string page = report_html(result, {1.0, {}, {}});
   EXPECT_TRUE(contains(page, "shadow histories"));
   EXPECT_FALSE(contains(page, "nan"));
