@@ -7,6 +7,7 @@
 #include "drivers/scene/body_box.hpp"
 #include "mpm/gauss_lattice.hpp"
 #include "mpm/lattice.hpp"
+#include "mpm/surface_edges.hpp"
 
 namespace assay::drivers {
 
@@ -59,26 +60,6 @@ mpm::Seeds<2> whole_cells(const Scene& scene) {
   return seeds;
 }
 
-/// The edges of a particle's domain that lie on the box.
-void add_surface(const Box& box, const Rectangle& domain, std::uint32_t particle, std::vector<mpm::SurfaceEdge>& all) {
-  const auto corner = [&](std::size_t c) {
-    return Point{(c & 1) ? domain.upper[0] : domain.lower[0], (c & 2) ? domain.upper[1] : domain.lower[1]};
-  };
-  const double near = edge_rounding * (box.upper[0] - box.lower[0] + box.upper[1] - box.lower[1]);
-  for (std::size_t d = 0; d < 2; ++d) {
-    const std::size_t along = 1 - d;
-    for (const bool upper : {false, true}) {
-      const double at = upper ? domain.upper[d] : domain.lower[d], face = upper ? box.upper[d] : box.lower[d];
-      if (std::abs(at - face) > near) continue;
-      const auto first = static_cast<std::uint8_t>(upper ? 1u << d : 0u);
-      const auto second = static_cast<std::uint8_t>(first | 1u << along);
-      mpm::SurfaceEdge edge{particle, {first, second}, {}, {corner(first), corner(second)}};
-      edge.N_dA[d] = (upper ? 1 : -1) * (domain.upper[along] - domain.lower[along]);
-      all.push_back(edge);
-    }
-  }
-}
-
 /// A box full of particles, every one stepped, with the edges that bear tractions.
 mpm::Seeds<2> box_seeds(const Scene& scene) {
   const Box box = body_box(scene);
@@ -91,7 +72,7 @@ mpm::Seeds<2> box_seeds(const Scene& scene) {
   for (std::size_t p = 0; p < seeds.size(); ++p) {
     const Point X{seeds.X[0][p], seeds.X[1][p]};
     const Rectangle domain = gauss ? cells.rectangle_around(X) : around(X, seeds.half_size);
-    add_surface(box, domain, static_cast<std::uint32_t>(p), seeds.surface);
+    mpm::add_surface_edges({box.lower, box.upper}, domain, static_cast<std::uint32_t>(p), seeds.surface);
   }
   return seeds;
 }
