@@ -15,7 +15,7 @@ _assay() {
     return
   fi
   case $prev in
-    -o | --junit)
+    -o | --junit | --markdown)
       mapfile -t COMPREPLY < <(compgen -f -- "$cur")
       compopt -o filenames
       return
@@ -45,7 +45,7 @@ _assay() {
     tabulate) options+=' -o --set --points --json' ;;
     eval) options+=' -o --set --points' ;;
     explain) options+=' --set --json' ;;
-    check) options+=' --parameters --json --junit --quick --strain --pressure --methods --all --replay -o' ;;
+    check) options+=' --parameters --json --junit --quick --strain --pressure --methods --markdown --all --replay -o' ;;
     materials) options+=' --json' ;;
     register) options+=' --as --remove' ;;
     new-material) options+=' --language --interface -o' ;;

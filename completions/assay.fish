@@ -23,6 +23,7 @@ complete -c assay -n "__fish_seen_subcommand_from check" -l quick -d 'Fewer step
 complete -c assay -n "__fish_seen_subcommand_from check" -l strain -x -d 'Largest of the histories'
 complete -c assay -n "__fish_seen_subcommand_from check" -l pressure -x -d 'At rest [Pa]'
 complete -c assay -n "__fish_seen_subcommand_from check" -l methods -d 'The particle methods'
+complete -c assay -n "__fish_seen_subcommand_from check" -l markdown -r -F -d 'Table of the methods'
 complete -c assay -n "__fish_seen_subcommand_from check" -l all -d 'Everything that is registered'
 complete -c assay -n "__fish_seen_subcommand_from check" -l replay -r -F -d 'A failure again'
 complete -c assay -n "__fish_seen_subcommand_from check" -s o -r -F -d 'Folder of replay files'

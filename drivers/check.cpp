@@ -172,6 +172,10 @@ void refuse_what_contradicts(const CheckOptions& options) {
   if (!options.json.empty() && options.json == options.junit) {
     throw InputError({}, "--junit", "is the same file as --json: '" + one_line(options.json, 60) + "'");
   }
+  if (!options.markdown.empty() && (options.markdown == options.json || options.markdown == options.junit)) {
+    throw InputError({}, "--markdown",
+                     "is the same file as --json or --junit: '" + one_line(options.markdown, 60) + "'");
+  }
 }
 
 /// A name that no material has is a slip.

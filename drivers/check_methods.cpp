@@ -5,7 +5,7 @@
 #include "adapters/builtin.hpp"
 #include "drivers/check_output.hpp"
 #include "drivers/interrupt.hpp"
-#include "drivers/methods_report.hpp"
+#include "drivers/methods_table.hpp"
 #include "drivers/verbs.hpp"
 
 namespace assay::drivers {
@@ -23,7 +23,8 @@ int check_methods(const CheckOptions& options) {
   }
   checked.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   stop_if_interrupted();
-  tell(options, methods_text(checked, options.verbosity), methods_json(checked), methods_junit(checked));
+  tell(options, methods_text(checked, options.verbosity), methods_json(checked), methods_junit(checked),
+       methods_markdown(checked));
   return checked.passes() ? 0 : 1;
 }
 

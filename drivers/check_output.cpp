@@ -1,16 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/check_output.hpp"
 
+#include <array>
 #include <iostream>
 
 #include "drivers/output/whole_file.hpp"
 
 namespace assay::drivers {
 
-void tell(const CheckOptions& options, const std::string& text, const std::string& json, const std::string& junit) {
-  std::cout << (options.json == "-" ? json : options.junit == "-" ? junit : text) << std::flush;
-  if (!options.json.empty() && options.json != "-") write_file(options.json, json);
-  if (!options.junit.empty() && options.junit != "-") write_file(options.junit, junit);
+void tell(const CheckOptions& options, const std::string& text, const std::string& json, const std::string& junit,
+          const std::string& markdown) {
+  struct Page {
+    const std::string &file, &text;
+  };
+  const std::array<Page, 3> pages{{{options.json, json}, {options.junit, junit}, {options.markdown, markdown}}};
+  const std::string* shown = &text;
+  for (const Page& page : pages) {
+    if (page.file == "-") shown = &page.text;
+  }
+  std::cout << *shown << std::flush;
+  for (const Page& page : pages) {
+    if (!page.file.empty() && page.file != "-") write_file(page.file, page.text);
+  }
 }
 
 }  // namespace assay::drivers

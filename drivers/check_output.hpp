@@ -8,8 +8,9 @@
 
 namespace assay::drivers {
 
-/// What was found first, on standard output: the text, or what --json - or --junit - asks for. Then the files, whatever
-/// becomes of them. Throws SystemError.
-void tell(const CheckOptions& options, const std::string& text, const std::string& json, const std::string& junit);
+/// What was found first, on standard output: the text, or what --json -, --junit - or --markdown - asks for. Then the
+/// files, whatever becomes of them. Throws SystemError.
+void tell(const CheckOptions& options, const std::string& text, const std::string& json, const std::string& junit,
+          const std::string& markdown = {});
 
 }  // namespace assay::drivers

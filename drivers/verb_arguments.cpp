@@ -132,20 +132,23 @@ Verb check_verb(CLI::App& app, Arguments& given) {
   parameters->type_name("NAME=NUMBER,...");
   verb.add_option("--json", given.json_file, "verdicts and diagnosis (- for standard output)")->type_name("FILE");
   verb.add_option("--junit", given.junit_file, "the same for CI, JUnit's XML")->type_name("FILE");
+  auto* markdown = verb.add_option("--markdown", given.markdown_file, "the methods' table (- for standard output)");
+  markdown->type_name("FILE");
   verb.add_flag("--quick", given.quick, "fewer steps and states");
   verb.add_option("--strain", given.strain, "largest of the histories (0.15)")->type_name("NUMBER");
   verb.add_option("--pressure", given.pressure, "at rest [Pa] (what the model needs)")->type_name("NUMBER");
   add_out(verb, given, "DIR", "folder of the replay files of failures (results/check)");
-  return {&verb, [&given, checked, all, replay, methods, parameters] {
+  return {&verb, [&given, checked, all, replay, methods, parameters, markdown] {
             const auto given_of = [](const CLI::Option* option) { return option->count() > 0 ? 1 : 0; };
             if (given_of(checked) + given_of(all) + given_of(replay) + given_of(methods) != 1)
               throw InputError("assay check: takes one of MATERIAL, --all, --methods and --replay FILE");
             if (given_of(parameters) && given_of(methods) + given_of(replay) > 0)
               throw InputError("assay check: --methods and --replay take no --parameters");
+            if (given_of(markdown) > given_of(methods)) throw InputError("assay check: --markdown goes with --methods");
             return check({given.material, given.parameters, given.json_file, given.junit_file,
                           given.out.empty() ? "results/check" : given.out, given.replay, given.all, given.quick,
                           given.verbosity(), given.methods, number_in("--strain", given.strain, 0.5),
-                          number_in("--pressure", given.pressure, 1e12)});
+                          number_in("--pressure", given.pressure, 1e12), given.markdown_file});
           }};
 }
 

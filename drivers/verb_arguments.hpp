@@ -17,6 +17,7 @@ namespace assay::drivers {
 /// Everything that any verb takes, as text.
 struct Arguments {
   std::string scene, out, points, threads, material, file, name, remove, parameters, json_file, junit_file, replay;
+  std::string markdown_file;
   std::string language, interface = "native", strain, pressure;
   std::vector<std::string> sets;
   bool json = false, quick = false, all = false, methods = false, quiet = false, verbose = false;

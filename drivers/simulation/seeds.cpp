@@ -8,6 +8,7 @@
 #include "drivers/simulation/body_ends.hpp"
 #include "mpm/gauss_lattice.hpp"
 #include "mpm/lattice.hpp"
+#include "mpm/surface_edges.hpp"
 
 namespace assay::drivers {
 
@@ -60,49 +61,6 @@ mpm::Seeds<2> whole_cells(const Scene& scene) {
   return seeds;
 }
 
-/// The edges of a particle's domain that lie on faces of the box which are neither symmetry planes nor periodic.
-void add_surface(const Box& box, const std::array<mpm::AxisEnds, 2>& ends, const Rectangle& domain,
-                 std::uint32_t particle, std::vector<mpm::SurfaceEdge>& all) {
-  const auto corner = [&](std::size_t c) {
-    return Point{(c & 1) ? domain.upper[0] : domain.lower[0], (c & 2) ? domain.upper[1] : domain.lower[1]};
-  };
-  const double near = edge_rounding * (box.upper[0] - box.lower[0] + box.upper[1] - box.lower[1]);
-  for (std::size_t d = 0; d < 2; ++d) {
-    const std::size_t along = 1 - d;
-    for (const bool upper : {false, true}) {
-      const double at = upper ? domain.upper[d] : domain.lower[d], face = upper ? box.upper[d] : box.lower[d];
-      if (std::abs(at - face) > near || (upper ? ends[d].upper : ends[d].lower)) continue;
-      const auto first = static_cast<std::uint8_t>(upper ? 1u << d : 0u);
-      const auto second = static_cast<std::uint8_t>(first | 1u << along);
-      const Point a = corner(first), b = corner(second);
-      mpm::SurfaceEdge edge{particle, {first, second}, {}, {a, b}, {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])}};
-      edge.N_dA[d] = (upper ? 1 : -1) * (domain.upper[along] - domain.lower[along]);
-      all.push_back(edge);
-    }
-  }
-}
-
-/// The arcs of the particles' domains that lie on the ring's faces. P N is constant along an arc but for its direction,
-/// so that its force is that of P N in the middle on the chord.
-void add_faces(const Annulus& ring, mpm::Seeds<2>& seeds) {
-  for (std::size_t p = 0; p < seeds.size(); ++p) {
-    const ReferenceDomains::Place& place = seeds.domains->places[p];
-    for (const BoundaryPiece& piece : seeds.domains->shapes[place.shape].boundary) {
-      const bool outer = piece.sweep > 0;
-      if (piece.straight() || piece.radius != (outer ? ring.outer : ring.inner)) continue;
-      const double middle = piece.from + 0.5 * piece.sweep, chord = 2 * piece.radius * std::sin(0.5 * piece.sweep);
-      const Point out = place.turned({std::cos(middle), std::sin(middle)});
-      mpm::SurfaceEdge edge{static_cast<std::uint32_t>(p), {}, {chord * out[0], chord * out[1]}, {}, {}};
-      edge.X = {place.turned(piece.a), place.turned(piece.b)};
-      edge.middle = {piece.radius * out[0], piece.radius * out[1]};
-      if (!outer) std::swap(edge.X[0], edge.X[1]);  // counterclockwise
-      edge.on_corners = !seeds.corners.empty();     // in the order in which polar_lattice gives them
-      edge.corners = outer ? std::array<std::uint8_t, 2>{1, 3} : std::array<std::uint8_t, 2>{0, 2};
-      seeds.surface.push_back(edge);
-    }
-  }
-}
-
 /// A box full of particles, every one stepped, with the edges that bear tractions.
 mpm::Seeds<2> box_seeds(const Scene& scene) {
   const Box box = body_box(scene);
@@ -116,7 +74,7 @@ mpm::Seeds<2> box_seeds(const Scene& scene) {
   for (std::size_t p = 0; p < seeds.size(); ++p) {
     const Point X{seeds.X[0][p], seeds.X[1][p]};
     const Rectangle domain = gauss ? cells.rectangle_around(X) : around(X, seeds.half_size);
-    add_surface(box, ends, domain, static_cast<std::uint32_t>(p), seeds.surface);
+    mpm::add_surface_edges({box.lower, box.upper}, ends, domain, static_cast<std::uint32_t>(p), seeds.surface);
   }
   return seeds;
 }
@@ -140,7 +98,7 @@ mpm::Seeds<2> still_seeds_of(const Scene& scene) {
 
 mpm::Seeds<2> seeds_of(const Scene& scene) {
   mpm::Seeds<2> seeds = still_seeds_of(scene);
-  if (std::holds_alternative<TwistingRing>(scene.motion)) add_faces(*ring_of(scene.motion), seeds);
+  if (std::holds_alternative<TwistingRing>(scene.motion)) mpm::add_face_arcs(*ring_of(scene.motion), seeds);
   const bool jittered = scene.body.lattice == Body::Lattice::jittered;
   const bool turned = scene.frame && scene.frame->angle != 0;
   if ((jittered || turned) && !seeds.domains && is_averaged(scene) &&

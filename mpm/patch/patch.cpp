@@ -15,7 +15,7 @@ bool MethodReport::passes() const {
 
 MethodReport run_patch_tests(const Method& method, const Bench& bench) {
   MethodReport report{method, {}};
-  for (const auto group : {completeness, translation, rotation, constant_stress, momentum}) {
+  for (const auto group : {completeness, translation, rotation, constant_stress, surface, momentum}) {
     for (check::TestResult& result : group(method, bench)) report.tests.push_back(std::move(result));
   }
   return report;

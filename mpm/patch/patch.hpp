@@ -32,6 +32,10 @@ std::vector<check::TestResult> rotation(const Method& method, const Bench& bench
 /// Internal force at inner nodes of a body under constant stress, in five arrangements of the particles.
 std::vector<check::TestResult> constant_stress(const Method& method, const Bench& bench);
 
+/// Force at all nodes of a loaded body under constant stress, its surface included: tension between two ends with free
+/// sides, and tractions on all faces.
+std::vector<check::TestResult> surface(const Method& method, const Bench& bench);
+
 /// Sum of the weights, of their gradients, and of both with the nodes' positions, on an irregular set.
 std::vector<check::TestResult> completeness(const Method& method, const Bench& bench);
 

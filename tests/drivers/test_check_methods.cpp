@@ -14,8 +14,8 @@ namespace {
 
 TEST(CheckMethods, RunsEveryMethodAndSaysItInJsonAndJUnit) {
   const ScratchFolder scratch;
-  const std::string json = scratch / "methods.json", junit = scratch / "methods.xml";
-  const Ending ending = assay({"check", "--methods", "--quick", "--json", json, "--junit", junit});
+  const std::string json = scratch / "methods.json", junit = scratch / "methods.xml", table = scratch / "methods.md";
+  const Ending ending = assay({"check", "--methods", "--quick", "--json", json, "--junit", junit, "--markdown", table});
   EXPECT_EQ(ending.status, 0) << ending.said;
   const auto found = nlohmann::json::parse(bytes_of(json));
   EXPECT_EQ(found["verdict"], "pass");
@@ -38,6 +38,7 @@ TEST(CheckMethods, RunsEveryMethodAndSaysItInJsonAndJUnit) {
   EXPECT_NE(xml.find("name=\"cpdi/flip/usl rotation.volume\""), std::string::npos);
   EXPECT_EQ(xml.find("<failure"), std::string::npos);
   EXPECT_NE(xml.find("not promised: "), std::string::npos);
+  EXPECT_EQ(bytes_of(table).rfind("All " + std::to_string(found["methods"].size()) + " methods pass `", 0), 0u);
 
   std::istringstream page(ending.said);
   std::string line, method;
@@ -59,6 +60,18 @@ TEST(CheckMethods, WritesJsonAloneOnStandardOutput) {
   const Ending ending = assay({"check", "--methods", "--quick", "--json", "-"});
   EXPECT_EQ(ending.status, 0);
   EXPECT_TRUE(nlohmann::json::parse(ending.said)["tests"].is_array());
+}
+
+TEST(CheckMethods, MarkdownGoesWithMethodsToAFileOfItsOwn) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"check", "neo_hookean", "--parameters", "E=1", "--quick", "--markdown", "-"},
+        {"check", "--methods", "--json", "-", "--markdown", "-"},
+        {"check", "--methods", "--junit", "same", "--markdown", "same"}}) {
+    const Ending ending = assay(words);
+    EXPECT_EQ(ending.status, 2);
+    EXPECT_NE(ending.said.find("--markdown"), std::string::npos) << ending.said;
+    EXPECT_EQ(std::count(ending.said.begin(), ending.said.end(), '\n'), 1) << ending.said;
+  }
 }
 
 TEST(CheckMethods, TakesNoMaterial) {

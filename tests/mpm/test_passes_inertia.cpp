@@ -66,10 +66,10 @@ TEST(InertiaPass, ALumpedGridTurnsItWorse) {
 }
 
 /// Of the vortex to T/4: gaps of the accounts, over the amounts.
-struct Gaps {
+struct InertiaGaps {
   double momentum = 0, angular = 0, energy = 0;
 };
-Gaps gaps_of(const Method& method, int steps) {
+InertiaGaps inertia_gaps_of(const Method& method, int steps) {
   Setup<2> setup = vortex_setup(6, method);
   setup.inertia = Inertia::particles;
   setup.accounts = true;
@@ -91,7 +91,7 @@ Gaps gaps_of(const Method& method, int steps) {
 TEST(InertiaPass, IsInTheAccounts) {
   constexpr double rounding = 1e-12;
   const Method flip{Basis::cpdi2, Transfer::flip, Update::usl};
-  const Gaps coarse = gaps_of(flip, 200), fine = gaps_of(flip, 400);
+  const InertiaGaps coarse = inertia_gaps_of(flip, 200), fine = inertia_gaps_of(flip, 400);
   EXPECT_LT(coarse.momentum, rounding);
   // kept up to the distance of nodes from their particles' centre of mass, of what the grid still carries
   EXPECT_LT(coarse.angular, 4e-3);

@@ -4,33 +4,21 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-
 #include "mpm/basis_linear.hpp"
 #include "mpm/basis_ugimp.hpp"
 #include "mpm/kernels/table.hpp"
-#include "tests/mpm/vortex_setup.hpp"
+#include "tests/mpm/patch/planted.hpp"
 
 namespace assay::mpm {
 namespace {
-
-Bench quick_bench() { return bench_of(elastic_material(), true); }
-
-std::set<std::string> failed(const MethodReport& report) {
-  std::set<std::string> ids;
-  for (const auto& test : report.tests) {
-    if (test.verdict == check::Verdict::fail) ids.insert(test.id);
-  }
-  return ids;
-}
 
 struct EveryPatchedMethod : testing::TestWithParam<Method> {};
 INSTANTIATE_TEST_SUITE_P(Method, EveryPatchedMethod, testing::ValuesIn(all_methods()), way_name);
 
 TEST_P(EveryPatchedMethod, KeepsWhatItPromisesAndTellsTheRest) {
-  const MethodReport report = run_patch_tests(GetParam(), quick_bench());
+  const MethodReport report = run_patch_tests(GetParam(), quick_patch_bench());
   EXPECT_TRUE(report.passes());
-  EXPECT_EQ(report.tests.size(), 14u);
+  EXPECT_EQ(report.tests.size(), 16u);
   std::set<std::string> ids;
   for (const auto& test : report.tests) {
     EXPECT_TRUE(ids.insert(test.id).second) << test.id;
@@ -65,44 +53,6 @@ TEST(PatchMethods, NoneIsExemptFromTheEssentials) {
       EXPECT_EQ(exemption(method, id), "") << name_of(method) << " " << id;
     }
   }
-}
-
-/// A defect: a pass put behind another one, or before it.
-struct Defect {
-  const char* name;
-  const char* at;  ///< the pass it is put to; "forces": the one that gives them
-  bool before = false;
-  std::function<void(State<2>&, const Instant&)> act;
-  std::vector<Method> methods;
-  std::set<std::string> must_fail;
-  std::function<void(State<2>&)> bind = {};  ///< before the passes after it are bound
-};
-
-Pass<2> pass_of(const Defect& defect) {
-  Pass<2> pass;
-  pass.name = defect.name;
-  pass.bind = [act = defect.act, bind = defect.bind](State<2>& s) -> Kernel {
-    if (bind) bind(s);
-    return [&s, act](const Instant& now) { act(s, now); };
-  };
-  return pass;
-}
-
-/// The bench of a method with the defect in every step.
-Bench broken_bench(const Defect& defect) {
-  Bench bench = quick_bench();
-  bench.passes = [defect](const Setup<2>& setup) {
-    auto passes = compose(setup);
-    std::string at = defect.at;
-    if (at == "forces") at = setup.method.update == Update::usf ? "grid_forces" : "particles_to_grid";
-    for (std::size_t k = 0; k < passes.size(); ++k) {
-      if (passes[k].name != at) continue;
-      passes.insert(passes.begin() + static_cast<std::ptrdiff_t>(k + (defect.before ? 0 : 1)), pass_of(defect));
-      ++k;
-    }
-    return passes;
-  };
-  return bench;
 }
 
 /// A basis whose weights somebody has spoilt.
@@ -294,18 +244,7 @@ std::vector<Defect> defects() {
 }
 
 TEST(PatchTests, CatchEveryPlantedDefect) {
-  for (Defect& defect : defects()) {
-    for (const Method& method : defect.methods) {
-      const std::string where = std::string(defect.name) + ", " + name_of(method);
-      const auto report = run_patch_tests(method, broken_bench(defect));
-      EXPECT_FALSE(report.passes()) << where;
-      const auto found = failed(report);
-      for (const std::string& id : defect.must_fail) EXPECT_EQ(found.count(id), 1u) << where << ": " << id;
-      for (const auto& test : report.tests) {
-        EXPECT_EQ(test.cause.empty(), test.verdict != check::Verdict::fail) << where << ": " << test.id;
-      }
-    }
-  }
+  for (const Defect& defect : defects()) expect_caught(defect);
 }
 
 // A run that dies is a figure without bound, and fails where the method promises the test.
