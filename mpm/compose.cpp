@@ -54,7 +54,8 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
     add(velocity_gradient_pass<Dim>());
   };
   if constexpr (Dim == 2) {
-    if (body_force) add(body_force_pass<Dim>(setup.evaluation));
+    const bool is_acceleration = setup.has_virtual_stress() || (setup.motion && is_homogeneous(*setup.motion));
+    if (body_force) add(body_force_pass<Dim>(setup.evaluation, is_acceleration));
     if (body_force && setup.frame && setup.frame->spin != 0) add(moving_frame_pass<Dim>(setup.evaluation));
     if (setup.uses_exact_solution()) add(inertia_pass<Dim>(method, setup.accounts));
   }

@@ -4,6 +4,7 @@
 #include "harness/box_force.hpp"
 #include "harness/domain_average.hpp"
 #include "harness/frame_force.hpp"
+#include "harness/inertia.hpp"
 #include "mpm/blocks.hpp"
 #include "mpm/column_access.hpp"
 #include "mpm/lattice.hpp"
@@ -16,24 +17,18 @@ ReferenceDomains domains_of_setup(const Setup<2>& setup) {
   return setup.seeds.domains ? *setup.seeds.domains : rectangles_of(setup.seeds, *ring_of(*setup.motion));
 }
 
-/// b = a = F.. X where F is the same everywhere: of a domain as of its middle. Virtual stress leaves a of b.
+/// b = a: where F is the same everywhere, and where the virtual stress leaves no more of b.
 Kernel acceleration_kernel(State<2>& s) {
-  const auto columns = std::array{Column::reference_position, Column::body_force};
-  auto rate = std::make_shared<Tensor>();  // a = rate X [1/s^2]
-  auto of_origin = std::make_shared<Vector3>();
+  const std::span X(s.column(Column::reference_position, 0), s.particles),
+      Y(s.column(Column::reference_position, 1), s.particles);
+  auto field = std::make_shared<InertiaField>(*s.setup.motion, 0, X, Y);
   Kernel kernel;
-  kernel.begin = [&s, rate, of_origin](const Instant& now) {
-    const Motion& motion = *s.setup.motion;
-    *of_origin = state_at(motion, Vector3::Zero(), now.t).a;
-    for (int d = 0; d < 3; ++d) rate->col(d) = state_at(motion, Vector3::Unit(d), now.t).a - *of_origin;
-  };
-  kernel.block = [&s, rate, of_origin, columns](const Instant&, const Block& block) {
-    const auto X = components<2>(s, columns[0]), b = components<2>(s, columns[1]);
-    const Tensor& A = *rate;
+  kernel.begin = [field](const Instant& now) { field->set_time(now.t); };
+  kernel.block = [&s, field](const Instant&, const Block& block) {
+    const auto b = components<2>(s, Column::body_force);
     for (std::size_t p = block.begin; p < block.end; ++p) {
-      for (int d = 0; d < 2; ++d) {
-        b[static_cast<std::size_t>(d)][p] = (*of_origin)(d) + A(d, 0) * X[0][p] + A(d, 1) * X[1][p];
-      }
+      const auto a = field->at(p).a;
+      for (std::size_t d = 0; d < 2; ++d) b[d][p] = a[d];
     }
     return none_bad;
   };
@@ -72,11 +67,18 @@ Kernel averaged_kernel(State<2>& s) {
 }  // namespace
 
 template <int Dim>
-Pass<Dim> body_force_pass(Evaluation evaluation) {
+Pass<Dim> body_force_pass(Evaluation evaluation, bool is_acceleration) {
   Pass<Dim> pass;
   pass.name = "body_force";
   pass.stages = Stages::kicks;
   pass.writes = {Column::body_force};
+  if (is_acceleration) {
+    pass.doc = "b of the exact motion, which is its acceleration";
+    pass.called_for_by = "force.response";
+    pass.reads = {Column::reference_position};
+    pass.bind = acceleration_kernel;
+    return pass;
+  }
   if (evaluation == Evaluation::domain_average) {
     pass.doc = "b of the exact motion, averaged over the particles' reference domains";
     pass.called_for_by = "force.evaluation";
@@ -87,7 +89,6 @@ Pass<Dim> body_force_pass(Evaluation evaluation) {
   pass.called_for_by = "force.response";
   pass.reads = {Column::reference_position};
   pass.bind = [](State<Dim>& s) -> Kernel {
-    if (is_homogeneous(*s.setup.motion)) return acceleration_kernel(s);
     if (std::holds_alternative<AxisAligned>(*s.setup.motion)) return box_kernel(s, Evaluation::point);
     const std::size_t n = s.particles;
     auto field = std::make_shared<BodyForceField>(*s.setup.motion, s.setup.density,
@@ -127,7 +128,7 @@ Pass<Dim> moving_frame_pass(Evaluation evaluation) {
 }
 
 // The body force lives in the plane; three dimensions serve the property tests of transfer and stress.
-template Pass<2> body_force_pass<2>(Evaluation);
+template Pass<2> body_force_pass<2>(Evaluation, bool);
 template Pass<2> moving_frame_pass<2>(Evaluation);
 
 }  // namespace assay::mpm

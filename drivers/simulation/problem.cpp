@@ -134,6 +134,29 @@ std::shared_ptr<const Material> material_of(Scene& scene, std::string& library) 
   return std::make_shared<const Material>(std::move(resolved.material));
 }
 
+namespace {
+
+/// Body force, tractions, and what the body's other faces are.
+void choose_forces(Problem& problem) {
+  Scene& scene = problem.scene;
+  mpm::Setup<2>& setup = problem.setup;
+  const bool forced = scene.force.response != ForceChoice::Response::none;
+  setup.body_force = forced && accelerates(scene.motion);
+  problem.compared = forced;
+  setup.traction = traction_of(scene);
+  if (!setup.traction) setup.seeds.surface.clear();
+  const bool on_faces = setup.traction && setup.traction->algorithm != mpm::TractionAlgorithm::virtual_stress;
+  if (on_faces && setup.seeds.surface.empty()) setup.traction.reset();
+  setup.ends = ends_of(scene);
+  // a force that is linear in X is on a domain what it is in its middle; at Gauss points their rule takes the mean
+  const bool pointwise =
+      is_homogeneous(scene.motion) || (!ring_of(scene.motion) && scene.body.lattice == Body::Lattice::gauss);
+  setup.evaluation = pointwise ? mpm::Evaluation::point : scene.force.evaluation;
+  setup.inertia = scene.force.inertia;
+}
+
+}  // namespace
+
 Problem assemble(const Scene& given, int threads) {
   Problem problem;
   problem.scene = given;
@@ -150,17 +173,7 @@ Problem assemble(const Scene& given, int threads) {
   mpm::order_by_nodes(setup);
   setup.density = density;
   setup.material = problem.material;
-  const bool forced = scene.force.response != ForceChoice::Response::none;
-  setup.body_force = forced && accelerates(scene.motion);
-  problem.compared = forced;
-  setup.traction = traction_of(scene);
-  if (!setup.traction) setup.seeds.surface.clear();
-  setup.ends = ends_of(scene);
-  // a force that is linear in X is on a domain what it is in its middle; at Gauss points their rule takes the mean
-  const bool pointwise =
-      is_homogeneous(scene.motion) || (!ring_of(scene.motion) && scene.body.lattice == Body::Lattice::gauss);
-  setup.evaluation = pointwise ? mpm::Evaluation::point : scene.force.evaluation;
-  setup.inertia = scene.force.inertia;
+  choose_forces(problem);
   setup.motion = scene.motion;
   setup.frame = scene.frame;
   setup.hold_outside = scene.body.domain != Body::Domain::ring && scene.body.outside == Body::Outside::held;

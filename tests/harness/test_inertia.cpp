@@ -52,6 +52,35 @@ TEST(Inertia, IsTheFramesAccelerationAndItsGradient) {
   }
 }
 
+/// Motions of which a spin is not seen.
+TEST(Inertia, IsTheMotionsAccelerationAndItsGradient) {
+  TwistingRing ring;
+  ring.expansion = 0.1;
+  ring.twist.amplitude.peak = 0.7;
+  AxisAligned box;
+  box.amplitude = {Amplitude::Type::sine, 0.1, 0.8};
+  RotatingStretch stretch;
+  for (const Motion& motion : {Motion(ring), Motion(box), Motion(stretch)}) {
+    InertiaField field(motion, 0, X, Y);
+    for (const double t : {0.13, 0.41}) {
+      field.set_time(t);
+      for (std::size_t p = 0; p < 4; ++p) {  // within the ring
+        const auto a = [&](double x, double y) { return state_at(motion, {x, y, 0}, t).a; };
+        const Vector3 right = a(X[p], Y[p]), along_x = (a(X[p] + step, Y[p]) - a(X[p] - step, Y[p])) / (2 * step),
+                      along_y = (a(X[p], Y[p] + step) - a(X[p], Y[p] - step)) / (2 * step);
+        const auto found = field.at(p);
+        const double size = 1 + right.norm() + along_x.norm() + along_y.norm();
+        for (std::size_t i = 0; i < 2; ++i) {
+          const auto d = static_cast<int>(i);
+          EXPECT_NEAR(found.a[i], right[d], rounding * size);
+          EXPECT_NEAR(found.gradient[2 * i], along_x[d], of_differences * size) << motion.index() << " " << p;
+          EXPECT_NEAR(found.gradient[2 * i + 1], along_y[d], of_differences * size) << motion.index() << " " << p;
+        }
+      }
+    }
+  }
+}
+
 TEST(Inertia, IsNoneOutsideTheRingOfABodyAtRest) {
   InertiaField field(Vortex{}, 0, X, Y);
   field.set_time(0.3);
