@@ -28,8 +28,9 @@ constexpr NamedAlgorithm compared_algorithms[] = {{TractionAlgorithm::undeformed
                                                   {TractionAlgorithm::edges, "edges"},
                                                   {TractionAlgorithm::virtual_stress, "virtual_stress"}};
 
-/// Whether the body consists of whole cells of a grid of this spacing.
+/// Whether the body consists of whole cells of a grid of this spacing; a ring's faces cut those of any.
 bool divides_body(const Scene& scene, double spacing) {
+  if (scene.body.domain == Body::Domain::ring) return true;
   constexpr double rounding = 1e-9;  // of a cell
   for (const auto& corner : {scene.body.lower, scene.body.upper}) {
     for (const double x : corner) {
@@ -67,9 +68,9 @@ void take_figures(const Result& result, TractionRun& run) {
 }
 
 void name_form(const Problem& problem, TractionRun& run) {
-  const mpm::Traction& traction = *problem.setup.traction;
-  if (traction.algorithm == TractionAlgorithm::undeformed_edges) return;
-  run.form = traction.form == mpm::TractionForm::follower ? "follower" : "reference";
+  const auto& traction = problem.setup.traction;
+  if (!traction || traction->algorithm == TractionAlgorithm::undeformed_edges) return;
+  run.form = traction->form == mpm::TractionForm::follower ? "follower" : "reference";
 }
 
 /// What a scene's variant finds. One that cannot be run, as it would exceed the limits, is refused alone.
