@@ -89,6 +89,23 @@ struct GrowthFigures {
   double from = 0, to = 0;  ///< over which it was seen [s]
 };
 
+/// One run of the comparison of traction algorithms.
+struct TractionRun {
+  std::string algorithm, form;      ///< words of the scene's keys; no form of undeformed_edges, which is neither
+  double spacing = 0;               ///< of the grid [m]
+  std::array<double, 2> cells{};    ///< across the body
+  std::string outcome;              ///< as of a result
+  Figure t;                         ///< reached [s]
+  Figure l2_end, l2_max;            ///< of the displacement [m]
+  bool exact = false, own = false;  ///< uses the exact solution; is of the scene's own algorithm
+};
+
+struct TractionTable {
+  std::vector<TractionRun> runs;  ///< algorithm by algorithm, from the coarsest grid to the scene's own
+  bool of_paper = false;          ///< the problem of the paper's table 1
+  double wall_s = 0;
+};
+
 struct DriftFigures {
   Figure mass, momentum, angular_momentum, energy;  ///< relative; energy and momenta against the work of the forces
 };
@@ -130,7 +147,8 @@ struct Result {
   std::optional<ScreenFigures> screen;
   std::optional<RimFigures> rim;  ///< absent without kinks
   ReferenceFigures reference;
-  std::optional<GrowthFigures> growth;  ///< absent where the error does not grow so, or no tractions act
+  std::optional<GrowthFigures> growth;     ///< absent where the error does not grow so, or no tractions act
+  std::optional<TractionTable> tractions;  ///< only where the scene asks for it
   DriftFigures drift;
   std::vector<ExpectationOutcome> expect;
   Provenance provenance;

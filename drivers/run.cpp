@@ -16,6 +16,7 @@
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/rim.hpp"
 #include "drivers/simulation/simulate.hpp"
+#include "drivers/simulation/traction_table.hpp"
 #include "drivers/simulation/warnings.hpp"
 #include "drivers/verbs.hpp"
 #include "drivers/verdict.hpp"
@@ -61,6 +62,9 @@ std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& opt
   if (exact && exact->homogeneous()) record_history(problem.scene, **exact->homogeneous(), result);
   result.cpu_s = cpu_seconds();
   result.peak_rss_bytes = peak_memory();  // before pictures are drawn
+  if (problem.scene.output.tractions) {
+    result.tractions = traction_table(problem, result, folder, options.verbosity == Verbosity::quiet);
+  }
   std::vector<ReportPicture> pictures;
   for (auto& picture : snapshots.finish()) pictures.push_back({picture.caption, std::move(picture.png)});
   return pictures;

@@ -102,7 +102,7 @@ std::string report_html(const Result& result, const ReportContent& content) {
       element("h1", title) + "\n";
   if (!result.subject.empty()) out += element("p", escaped(result.subject)) + "\n";
   out += verdict(result) + key_figures(result) + expectations(result) + pictures(content) +
-         errors_section(result, content.period);
+         errors_section(result, content.period) + tractions_section(result);
   out += profile_section(result) + credibility_section(result) + provenance_section(result);
   if (!content.resolved_scene.empty()) {
     out += section("The scene, with every default", element("pre", escaped(content.resolved_scene)) + "\n");

@@ -14,6 +14,7 @@ const ErrorSample* worst_displacement(const std::vector<ErrorSample>& history);
 
 // Each is empty where the run has nothing of it.
 std::string errors_section(const Result& result, double period);
+std::string tractions_section(const Result& result);
 std::string profile_section(const Result& result);
 std::string credibility_section(const Result& result);
 std::string provenance_section(const Result& result);

@@ -30,6 +30,7 @@ th,td{padding:5px 12px 5px 0;text-align:right;border-bottom:1px solid var(--line
 th:first-child,td:first-child,.left{text-align:left}
 thead th{font-weight:600;color:var(--soft);font-size:.85rem}
 tbody th{font-weight:400}
+th small,td small{display:block;color:var(--soft);font-size:.78rem;font-weight:400}
 td.holds{color:var(--good);font-weight:600}td.fails{color:var(--bad);font-weight:600}
 figure{margin:0 0 20px;overflow-x:auto}figcaption{color:var(--soft);font-size:.88rem;margin-top:4px}
 figure img{display:block;max-width:100%;height:auto;margin:0 auto;background:#fff;border-radius:6px}

@@ -85,6 +85,20 @@ Json growth(const std::optional<GrowthFigures>& figures) {
   return out;
 }
 
+Json tractions(const std::vector<TractionRun>& runs) {
+  Json out = Json::array();
+  for (const TractionRun& run : runs) {
+    out.push_back(Json::object({{"algorithm", run.algorithm},
+                                {"form", run.form.empty() ? Json(nullptr) : Json(run.form)},
+                                {"spacing", figure(run.spacing)},
+                                {"outcome", run.outcome},
+                                {"t", figure(run.t)},
+                                {"l2_end", figure(run.l2_end)},
+                                {"l2_max", figure(run.l2_max)}}));
+  }
+  return out;
+}
+
 Json rim(const std::optional<RimFigures>& figures) {
   Json out;
   out["width"] = figures ? figure(figures->width) : Json(nullptr);
@@ -147,6 +161,7 @@ Json tree(const Result& result) {
   out["reference"] = reference(result.reference);
   out["rim"] = rim(result.rim);
   out["growth"] = growth(result.growth);
+  if (result.tractions) out["tractions"] = tractions(result.tractions->runs);
   out["drift"] = drift(result.drift);
   out["replay"] = result.replay.empty() ? Json(nullptr) : Json(result.replay);
   out["expect"] = expectations(result.expect);

@@ -11,7 +11,8 @@
 
 namespace assay::drivers {
 
-/// The whole of result.json, indented, with a newline at the end. Every key is always present; figures that were not
+/// The whole of result.json, indented, with a newline at the end. Every key is always present but for
+/// `tractions`, which a scene must ask for; figures that were not
 /// reached or are not finite are null.
 std::string result_json(const Result& result);
 

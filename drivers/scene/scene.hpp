@@ -82,11 +82,12 @@ struct TimeChoice {
 };
 
 struct OutputChoice {
-  int errors = 100;      ///< samples of the error over the run
-  int particles = 10;    ///< snapshots (VTU) over the run; 0: none
-  bool pictures = true;  ///< PNG pictures
-  bool report = true;    ///< report.html
-  bool accounts = true;  ///< momentum, mass and energy accounts
+  int errors = 100;        ///< samples of the error over the run
+  int particles = 10;      ///< snapshots (VTU) over the run; 0: none
+  bool pictures = true;    ///< PNG pictures
+  bool report = true;      ///< report.html
+  bool accounts = true;    ///< momentum, mass and energy accounts
+  bool tractions = false;  ///< the algorithms of tractions side by side
 };
 
 struct Limits {

@@ -267,6 +267,9 @@ void check_scene(const Scene& scene, const std::function<Location(const std::str
   if (scene.grid) check_grid(scene, where);
   if (scene.method) check_method(scene, where);
   if (scene.force.inertia == mpm::Inertia::particles) check_inertia(scene, where);
+  if (scene.output.tractions && scene.force.response == ForceChoice::Response::none) {
+    refuse(where, "output.tractions", "compares tractions, and with force.response: none no forces act");
+  }
   const auto* box = std::get_if<AxisAligned>(&scene.motion);
   const bool known_end = !box || box->given_speed || scene.places.contains("time.end");
   if (known_end && scene.time.step && *scene.time.step > scene.time.end) {

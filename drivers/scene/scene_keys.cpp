@@ -29,6 +29,8 @@ const std::vector<std::string> inertias{"grid", "particles"};
 const std::vector<std::string> traction_algorithms{"edges", "virtual_stress", "particles", "undeformed_edges"};
 const std::vector<std::string> periodics{"none", "x", "y", "both"};
 const std::vector<std::string> traction_forms{"follower", "reference"};
+const std::vector<std::string> with_traction{"homogeneous", "rotating_stretch", "twisting_ring", "axis_aligned",
+                                             "bar_1d"};
 const std::vector<std::string> responses{"none", "closed_form", "sheet", "shadow"};
 
 #define GET(expression) [](const Scene& s) -> Value { return expression; }
@@ -92,7 +94,6 @@ std::vector<Key> body_keys() {
 
 std::vector<Key> method_keys() {
   using enum KeyType;
-  const std::vector<std::string> with_traction{"homogeneous", "rotating_stretch", "twisting_ring", "axis_aligned", "bar_1d"};
   return {
       {"method.basis", choice, "weights of the grid: linear, uGIMP, cpGIMP, CPDI (R4), CPDI2 (Q4), B-splines of degree 2, 3 and 4",
        GET(s.method ? name_of(bases, s.method->basis) : Value()),
@@ -168,6 +169,8 @@ std::vector<Key> run_keys() {
       {"output.report", boolean, "report.html", GET(s.output.report), SET(s.output.report = std::get<bool>(v))},
       {"output.accounts", boolean, "accounts of mass, momentum and energy", GET(s.output.accounts),
        SET(s.output.accounts = std::get<bool>(v))},
+      {"output.tractions", boolean, "the same motion under tractions by every algorithm on grids of 4h, 2h and h, side by side in report.html and result.json",
+       GET(s.output.tractions), SET(s.output.tractions = std::get<bool>(v)), {}, {}, false, {}, with_traction},
       {"limits.memory_gib", number, "a run that would need more memory is refused [GiB]", GET(s.limits.memory_gib),
        SET(s.limits.memory_gib = real(v)), positive},
       {"limits.particle_steps", number, "a run of more particles times steps is refused",

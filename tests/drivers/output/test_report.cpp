@@ -113,6 +113,39 @@ TEST(Report, tells_shadow_points_from_a_sheet) {
   EXPECT_FALSE(contains(page, "made in"));
 }
 
+TractionRun traction_run(const std::string& algorithm, double spacing, double error, bool own = false) {
+  TractionRun run{
+      algorithm, algorithm == "edges" ? "reference" : "", spacing, {1 / spacing, 1 / spacing}, "completed", 1, error,
+      2 * error};
+  run.own = own;
+  return run;
+}
+
+TEST(Report, sets_tractions_side_by_side_where_they_were_asked_for) {
+  EXPECT_FALSE(contains(report_html(sample(), {}), "Tractions side by side"));
+  Result result = sample();
+  result.tractions.emplace();
+  auto& runs = result.tractions->runs;
+  runs = {traction_run("undeformed_edges", 0.5, 0.0436), traction_run("undeformed_edges", 0.0625, 0.045),
+          traction_run("edges", 0.5, 1e-15, true), traction_run("edges", 0.0625, 3e-14, true)};
+  const std::string page = report_html(result, {1.0, {}, {}});
+  expect_well_formed(page);
+  EXPECT_TRUE(contains(page, "16 × 16 cells<small>h = 0.0625\u202fm</small>"));
+  EXPECT_TRUE(contains(page, "<td>0.0436<small>max. 0.0872</small></td>"));
+  EXPECT_TRUE(contains(page, "<b>edges, reference form</b>"));
+  EXPECT_FALSE(contains(page, "<b>undeformed_edges"));
+  EXPECT_FALSE(contains(page, "he paper's"));
+  result.tractions->of_paper = true;
+  runs[1].outcome = "unstable";
+  runs[1].t = 0.25;
+  runs[2].exact = true;
+  const std::string of_paper = report_html(result, {1.0, {}, {}});
+  expect_well_formed(of_paper);
+  EXPECT_TRUE(contains(of_paper, "the paper's table 1</th><td>0.0733</td><td>\u2013</td>"));
+  EXPECT_TRUE(contains(of_paper, "<td class=\"fails\">unstable<small>at t = 0.25\u202fs</small></td>"));
+  EXPECT_TRUE(contains(of_paper, "uses the exact solution"));
+}
+
 TEST(Report, of_a_run_that_reached_nothing) {
   Result result;
   result.outcome = "refused";

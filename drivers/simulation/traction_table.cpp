@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/simulation/traction_table.hpp"
+
+#include <chrono>
+#include <cmath>
+
+#include "drivers/interrupt.hpp"
+#include "drivers/output/number_format.hpp"
+#include "drivers/progress.hpp"
+#include "drivers/scene/body_box.hpp"
+#include "drivers/simulation/response_source.hpp"
+#include "drivers/simulation/simulate.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+using mpm::TractionAlgorithm;
+
+struct NamedAlgorithm {
+  TractionAlgorithm algorithm;
+  const char* name;
+};
+
+/// From the one that fails to the one that is told most.
+constexpr NamedAlgorithm compared_algorithms[] = {{TractionAlgorithm::undeformed_edges, "undeformed_edges"},
+                                                  {TractionAlgorithm::particles, "particles"},
+                                                  {TractionAlgorithm::edges, "edges"},
+                                                  {TractionAlgorithm::virtual_stress, "virtual_stress"}};
+
+/// Whether the body consists of whole cells of a grid of this spacing; a ring's faces cut those of any.
+bool divides_body(const Scene& scene, double spacing) {
+  if (scene.body.domain == Body::Domain::ring) return true;
+  constexpr double rounding = 1e-9;  // of a cell
+  for (const auto& corner : {scene.body.lower, scene.body.upper}) {
+    for (const double x : corner) {
+      if (std::abs(x / spacing - std::round(x / spacing)) > rounding) return false;
+    }
+  }
+  return true;
+}
+
+std::vector<double> spacings_of(const Scene& scene) {
+  const double h = scene.grid->spacing;
+  std::vector<double> found;
+  for (const double coarser : {4 * h, 2 * h}) {
+    if (divides_body(scene, coarser)) found.push_back(coarser);
+  }
+  found.push_back(h);
+  return found;
+}
+
+/// The scene with another algorithm on another grid, and nothing that is written or need not be known.
+Scene variant_of(const Scene& scene, TractionAlgorithm algorithm, double spacing) {
+  Scene other = scene;
+  other.grid->spacing = spacing;
+  other.traction.algorithm = algorithm;
+  if (!scene.places.contains("traction.form")) other.traction.form.reset();  // filled in for the scene's own algorithm
+  other.output = {scene.output.errors, 0, false, false, false, false};
+  return other;
+}
+
+void take_figures(const Result& result, TractionRun& run) {
+  run.outcome = result.outcome;
+  run.t = result.t;
+  run.l2_end = result.error.l2_end;
+  run.l2_max = result.error.l2_max;
+}
+
+void name_form(const Problem& problem, TractionRun& run) {
+  const auto& traction = problem.setup.traction;
+  if (!traction || traction->algorithm == TractionAlgorithm::undeformed_edges) return;
+  run.form = traction->form == mpm::TractionForm::follower ? "follower" : "reference";
+}
+
+/// What a scene's variant finds. One that cannot be run, as it would exceed the limits, is refused alone.
+void run_variant(const Scene& scene, int threads, OutputFolder& folder, bool quiet, TractionRun& run) {
+  Result result;
+  try {
+    Problem problem = assemble(scene, threads);
+    name_form(problem, run);
+    const auto exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end, threads);
+    Snapshots nothing(problem, folder);
+    Progress progress(run.algorithm + ", " + rounded_text(run.spacing, 3) + " m", quiet);
+    simulate(problem, exact, nothing, progress, result);
+  } catch (const InputError&) {
+    result.outcome = "refused";
+  }
+  take_figures(result, run);
+}
+
+/// Section 3 of the paper, whatever the grid. It names no density there, and takes 1000 kg/m^3 in section 2.
+bool is_table_1(const Problem& problem) {
+  const Scene& scene = problem.scene;
+  const auto* motion = std::get_if<Homogeneous>(&scene.motion);
+  if (!motion || motion->final != Tensor(Vector3(2, 1, 1).asDiagonal()) || motion->period != 1) return false;
+  const Body& body = scene.body;
+  const std::array<double, 2> origin{0, 0}, far{1, 1};
+  if (body.lower != origin || body.upper != far) return false;
+  if (body.per_cell != std::array<int, 2>{2, 2} || body.lattice != Body::Lattice::cartesian) return false;
+  const MaterialChoice& material = scene.material;
+  return problem.material->name() == "neo_hookean" && problem.library.empty() && material.density == 1000 &&
+         material.parameters.at("E") == 1e6 && material.parameters.at("nu") == 0.25 && scene.time.end == 1;
+}
+
+}  // namespace
+
+TractionTable traction_table(const Problem& problem, const Result& own, OutputFolder& folder, bool quiet) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  const Scene& scene = problem.scene;
+  const Box body = body_box(scene);
+  TractionTable table;
+  table.of_paper = is_table_1(problem);
+  for (const auto& [algorithm, name] : compared_algorithms) {
+    for (const double spacing : spacings_of(scene)) {
+      TractionRun run{name, {}, spacing, {}, {}, {}, {}, {}};
+      for (std::size_t d = 0; d < 2; ++d) run.cells[d] = (body.upper[d] - body.lower[d]) / spacing;
+      run.exact = algorithm == TractionAlgorithm::virtual_stress || scene.force.inertia == mpm::Inertia::particles;
+      run.own = algorithm == scene.traction.algorithm;
+      if (run.own && spacing == scene.grid->spacing) {
+        name_form(problem, run);
+        take_figures(own, run);
+      } else {
+        run_variant(variant_of(scene, algorithm, spacing), problem.setup.threads, folder, quiet, run);
+      }
+      table.runs.push_back(std::move(run));
+    }
+  }
+  table.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
+  return table;
+}
+
+}  // namespace assay::drivers
