@@ -49,10 +49,8 @@ std::vector<Vector3> places_on_faces(const Scene& scene) {
 
 /// Of the two forms of a traction the one that keeps the exact motion stable: P N dA0 where the body is stretched,
 /// sigma n ds where it is compressed, on the mean of both principal directions when it is most deformed.
-/// Virtual stress holds as sigma in both.
 mpm::TractionForm stable_form(const Scene& scene) {
   constexpr int looks = 200;
-  if (scene.traction.algorithm == mpm::TractionAlgorithm::virtual_stress) return mpm::TractionForm::follower;
   double most = 0;
   for (const Vector3& X : places_on_faces(scene)) {
     for (int k = 1; k <= looks; ++k) {

@@ -18,8 +18,8 @@ namespace assay {
 namespace {
 
 constexpr double box_density = 1000;
-constexpr double of_series = 1e-7;      ///< ten times the tolerance that is asked for, of the largest
-constexpr double of_gradients = 1e-6;   ///< of b: the differences of the other route, and the last modes' slopes
+constexpr double of_series = 1e-7;     ///< ten times the tolerance that is asked for, of the largest
+constexpr double of_gradients = 1e-6;  ///< of b: the differences of the other route, and the last modes' slopes
 constexpr double box_rounding = 1e-12;
 
 AxisAligned sample_box(bool one_dimensional) {
@@ -31,7 +31,7 @@ AxisAligned sample_box(bool one_dimensional) {
 
 std::shared_ptr<const Material> elastic() { return elastic_material(1e4, 0.3); }
 std::shared_ptr<const Material> zener() {
-  return builtin_material(assay_builtin_zener, {{"E", 1e4}, {"nu", 0.3}, {"E1", 5e3}, {"t1", 0.1}});
+  return builtin_material(assay_builtin_zener, {{"E", 1e4}, {"nu", 0.3}, {"relaxation_time", 0.1}});
 }
 
 ExactStress of_point(const BoxStress& stress, const AxisAligned& motion, const Vector3& X, double t) {

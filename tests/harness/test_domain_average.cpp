@@ -8,6 +8,7 @@
 
 #include "harness/body_force.hpp"
 #include "harness/gauss.hpp"
+#include "harness/radii_of_xi.hpp"
 
 namespace assay {
 namespace {

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "harness/body_force.hpp"
+#include "harness/domain_average.hpp"
+#include "harness/gauss.hpp"
 
 namespace assay {
 namespace {
@@ -102,6 +104,47 @@ TEST(TwistingRing, TurnsWhereEitherOfItsPartsDoes) {
   const std::vector<double> times = ring.baseline().reversals(1.7);
   ASSERT_EQ(times.size(), 4u);
   for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(times[k], 0.4 * static_cast<double>(k + 1), 1e-12);
+}
+
+/// Of tau(R) at a time.
+PlaneResponse response_of_ring(const TwistingRing& ring) {
+  return {[ring](double t, std::span<const double> R, std::span<double> tau) {
+            const std::size_t n = R.size();
+            for (std::size_t i = 0; i < n; ++i) {
+              const Tensor value = neo_hookean(ring.ring(R[i], t).baseline(R[i]));
+              tau[i] = value(0, 0), tau[n + i] = value(0, 1), tau[2 * n + i] = value(1, 0);
+              tau[3 * n + i] = value(1, 1);
+            }
+          },
+          [](double) { return std::vector<double>(); }};
+}
+
+/// Mean of the pointwise force over a rectangle within the ring.
+Vector3 mean_force(const TwistingRing& ring, const Rectangle& r, double t) {
+  Vector3 mean = Vector3::Zero();
+  for (const GaussPoint& x : gauss_points(8)) {
+    for (const GaussPoint& y : gauss_points(8)) {
+      const Vector3 X(r.lower[0] + 0.5 * (1 + x.at) * (r.upper[0] - r.lower[0]),
+                      r.lower[1] + 0.5 * (1 + y.at) * (r.upper[1] - r.lower[1]), 0);
+      mean += 0.25 * x.weight * y.weight * by_formula(ring, ring.ring(X.norm(), t), X, t);
+    }
+  }
+  return mean;
+}
+
+TEST(TwistingRing, AveragedForceIsTheMeanOfThatAtPoints) {
+  const TwistingRing ring = sample(0.06, 0.7);
+  const std::vector<Rectangle> cells{
+      {{0.7, 0.5}, {0.75, 0.55}}, {{-0.95, 0.2}, {-0.9, 0.25}}, {{0.1, -1.1}, {0.15, -1.05}}};
+  DomainAverage average(ring, density, domains_of(cells, {ring.inner(), ring.outer()}, false), 8);
+  std::vector<double> x(cells.size()), y(cells.size());
+  for (const double t : {0.11, 0.37}) {
+    average.evaluate(response_of_ring(ring), t, x, y);
+    for (std::size_t p = 0; p < cells.size(); ++p) {
+      const Vector3 mean = mean_force(ring, cells[p], t);
+      EXPECT_LT((Vector3(x[p], y[p], 0) - mean).norm(), 1e-7 * mean.norm()) << p;
+    }
+  }
 }
 
 }  // namespace
