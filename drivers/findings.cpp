@@ -20,7 +20,7 @@ namespace assay::drivers {
 void record_sheet(const Scene& scene, const Response& response, double seconds, Result& result) {
   const Sheet* sheet = response.sheet();
   if (!sheet) return;
-  SheetFigures figures{sheet->points(), sheet->error_tau(), sheet->error_dtau(), {}, seconds, false, {}, 0};
+  SheetFigures figures{sheet->points(), sheet->error_tau(), sheet->error_dtau(), {}, seconds};
   figures.cached = sheet->restored();
   figures.asked = scene.force.tolerance;
   result.sheet = figures;

@@ -56,9 +56,9 @@ struct SheetFigures {
   Figure error_dtau;     ///< likewise; not known of what is taken along
   Figure error_b;        ///< estimate of the error of the vortex's b at a point, over the largest |b|
   double wall_s = 0;
-  bool cached = false;  ///< read from disk
-  std::string along;    ///< what was taken along the run instead of a sheet: "400 shadow histories"; empty: nothing
-  double asked = 0;     ///< force.tolerance
+  bool cached = false;     ///< read from disk
+  std::string along = {};  ///< what was taken along the run instead of a sheet: "400 shadow histories"; empty: nothing
+  double asked = 0;        ///< force.tolerance
 };
 
 /// The stability screen; absent figures: not found.

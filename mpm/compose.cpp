@@ -39,15 +39,15 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
   const auto add_held = [&](const Reaction& reaction) {
     if (setup.hold_outside) add(hold_nodes_pass<Dim>(reaction));
   };
-  const auto add_fold = [&](bool forces) {
-    if (setup.has_images()) add(fold_images_pass<Dim>(forces, forces && setup.accounts));
+  const auto add_fold = [&](Folded what) {
+    if (setup.has_images()) add(fold_images_pass<Dim>(what, setup.accounts));
   };
   const bool body_force = Dim == 2 && setup.body_force;  // lives in the plane
   const auto add_accounts = [&] {
     if (setup.accounts) add(accounts_pass<Dim>(method, body_force));
   };
   const auto add_gradient_and_stress = [&] {
-    add_fold(false);
+    add_fold(Folded::inertia);
     add(grid_velocity_pass<Dim>());
     add_held({});
     if (setup.has_images()) add(unfold_images_pass<Dim>({}, false));
@@ -82,7 +82,7 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
   if constexpr (Dim == 2) {
     if (surface) add(traction_pass(method, *setup.traction, setup.accounts));
   }
-  add_fold(true);
+  add_fold(method.update == Update::usf ? Folded::forces : Folded::both);
   if (method.has_stages()) {
     add(kick_pass<Dim>(method));
   } else if (method.is_lumped()) {

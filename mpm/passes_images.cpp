@@ -16,14 +16,13 @@ std::array<double, 3> sum_of(const GridField<K>& field, int first, int count) {
   return sum;
 }
 
-/// What nodes have been given, before images are folded.
+/// Mass and momentum that nodes have been given, before images are folded.
 template <int Dim>
-void remember(State<Dim>& s, bool forces) {
+void remember_inertia(State<Dim>& s) {
   UnfoldedSums& sums = s.unfolded;
   sums.image_mass.clear();
   for (const auto& image : s.images.list()) sums.image_mass.push_back(s.inertia.node(image.node)[0]);
   sums.momentum = sum_of(s.inertia, 1, Dim);
-  if (forces) sums.force = sum_of(s.force, 0, Dim);
 }
 
 /// The particles' gain of momentum against what they were given: by the nodes' velocities and accelerations as shares.
@@ -51,18 +50,21 @@ void book_planes(State<Dim>& s, const Reaction& share, double kick) {
 }  // namespace
 
 template <int Dim>
-Pass<Dim> fold_images_pass(bool forces, bool accounts) {
+Pass<Dim> fold_images_pass(Folded what, bool accounts) {
   Pass<Dim> pass;
   pass.name = "fold_images";
   pass.doc = "what nodes beyond symmetry planes or periodic ends were given, to those that they are images of";
   pass.called_for_by = "body";
   pass.grid_fields = {"mass", "momentum"};
-  if (forces) pass.grid_fields.push_back("force");
-  pass.bind = [forces, accounts](State<Dim>& s) -> Kernel {
-    return [&s, forces, accounts](const Instant&) {
-      if (accounts) remember(s, forces);
+  if (what != Folded::inertia) pass.grid_fields.push_back("force");
+  pass.bind = [what, accounts](State<Dim>& s) -> Kernel {
+    return [&s, what, accounts](const Instant& now) {
+      const bool is_new = what != Folded::forces && !(s.method.has_stages() && now.kick != 0);
+      if (accounts && is_new) remember_inertia(s);
       s.images.fold(s.inertia, 1);
-      if (forces) s.images.fold(s.force);
+      if (what == Folded::inertia) return;
+      if (accounts) s.unfolded.force = sum_of(s.force, 0, Dim);
+      s.images.fold(s.force);
     };
   };
   return pass;
@@ -84,8 +86,8 @@ Pass<Dim> unfold_images_pass(Reaction reaction, bool accounts) {
   return pass;
 }
 
-template Pass<2> fold_images_pass<2>(bool, bool);
-template Pass<3> fold_images_pass<3>(bool, bool);
+template Pass<2> fold_images_pass<2>(Folded, bool);
+template Pass<3> fold_images_pass<3>(Folded, bool);
 template Pass<2> unfold_images_pass<2>(Reaction, bool);
 template Pass<3> unfold_images_pass<3>(Reaction, bool);
 

@@ -34,7 +34,7 @@ const std::string total =
 const std::string updated =
     "method={basis: cpdi2, transfer: aflip, mass: series, terms: 2, integrator: leapfrog, "
     "courant: 0.4}";
-const std::string polar = "body={domain: ring, lattice: polar, per_cell: [2, 2]}";
+const std::string clipped = "body={domain: ring, lattice: cartesian, cut: clipped, per_cell: [2, 2]}";
 const std::string part = "body={domain: box, lower: [0, 0], upper: [0.75, 0.5], per_cell: [2, 2]}";
 
 const std::vector<double> of_box{0.125, 0.0625, 0.03125, 0.015625};
@@ -45,16 +45,16 @@ const std::vector<MotionCase> box_cases{
      "axis_aligned",
      {updated, "body={domain: square, lower: [-1, -1], upper: [1, 1], per_cell: [2, 2], periodic: both}"},
      {0.125, 0.0625, 0.03125}},
-    {"axis_aligned_with_tractions", "axis_aligned", {total, part}, of_box},
+    {"axis_aligned_with_tractions", "axis_aligned", {total, "method.courant=0.1", part}, of_box},
     {"axis_aligned_with_tractions_updated", "axis_aligned", {updated, part}, of_box},
     {"bar_total", "bar_1d", {total}, of_box},
     {"bar_updated", "bar_1d", {updated}, of_box},
     {"bar_with_traction", "bar_1d", {updated, part}, of_box},
     {"bar_with_traction_total", "bar_1d", {total, part}, of_box}};
 const std::vector<MotionCase> ring_cases{
-    {"total_clipped", "twisting_ring", {total}, {0.1, 0.05, 0.025, 0.0125}},
-    {"updated_polar", "twisting_ring", {updated, polar}, {0.1, 0.05, 0.025, 0.0125}},
-    {"updated_clipped", "twisting_ring", {updated}, {0.1, 0.05, 0.025, 0.0125}}};
+    {"total_clipped", "twisting_ring", {total, clipped}, {0.1, 0.05, 0.025, 0.0125}},
+    {"updated_polar", "twisting_ring", {updated}, {0.1, 0.05, 0.025, 0.0125}},
+    {"updated_clipped", "twisting_ring", {updated, clipped}, {0.1, 0.05, 0.025, 0.0125}}};
 
 using Plant = std::function<void(Problem&, std::vector<mpm::Pass<2>>&)>;
 
@@ -126,7 +126,7 @@ TEST(BoxRun, SymmetryPlanesDoAsThePeriodicBody) {
 /// The scene's material with another lambda, and the same mu.
 void plant_lambda(Problem& problem, std::vector<mpm::Pass<2>>&) {
   const double E = problem.material->parameter("E"), nu = problem.material->parameter("nu");
-  const double mu = E / (2 * (1 + nu)), lambda = 1.05 * E * nu / ((1 + nu) * (1 - 2 * nu));
+  const double mu = E / (2 * (1 + nu)), lambda = 1.2 * E * nu / ((1 + nu) * (1 - 2 * nu));
   const double wrong_nu = lambda / (2 * (lambda + mu));
   problem.setup.material =
       std::make_shared<const Material>(adapters::builtin_table("neo_hookean"),
@@ -191,27 +191,31 @@ std::shared_ptr<const Material> with_wrong_component(double E, double nu) {
 }
 
 /// Neither vanishes with h nor hides behind the method's own error.
-void is_caught(const MotionCase& which, double h, const Plant& plant, std::shared_ptr<const Material> generator = {}) {
+void is_caught(const std::string& what, const MotionCase& which, double h, const Plant& plant,
+               std::shared_ptr<const Material> generator = {}) {
   const double right = largest_error(which, 0.5 * h), coarse = largest_error(which, h, plant, generator);
   const double fine = largest_error(which, 0.5 * h, plant, generator);
-  EXPECT_GT(fine, stands_out * right) << which.name;
-  EXPECT_TRUE(!std::isfinite(coarse) || fine > stalls * coarse) << which.name << " " << coarse << " " << fine;
+  EXPECT_GT(fine, stands_out * right) << what << ", " << which.name;
+  EXPECT_TRUE(!std::isfinite(coarse) || fine > stalls * coarse)
+      << what << ", " << which.name << " " << coarse << " " << fine;
 }
 
 TEST(PlantedInTheBox, IsCaught) {
   for (const MotionCase& which : box_cases) {
-    is_caught(which, 0.0625, plant_lambda);
-    is_caught(which, 0.0625, {}, with_wrong_component<0>(1e4, 0.3));
-    if (which.sets.back() == part) is_caught(which, 0.0625, plant_sign_of_traction);
+    is_caught("lambda", which, 0.0625, plant_lambda);
+    is_caught("P11", which, 0.0625, {}, with_wrong_component<0>(1e4, 0.3));
+    if (which.sets.back() == part) is_caught("sign", which, 0.0625, plant_sign_of_traction);
   }
 }
 
+// Ten times as stiff as the scene's: what is wrong with the stress is then not hidden behind the inertia.
 TEST(LongPlantedInTheRing, IsCaught) {
-  for (const MotionCase& which : ring_cases) {
-    is_caught(which, 0.05, plant_lambda);
-    is_caught(which, 0.05, plant_sign_of_traction);
-    is_caught(which, 0.05, plant_coriolis);
-    is_caught(which, 0.05, {}, with_wrong_component<1>(1e3, 0.3));
+  for (MotionCase which : {ring_cases[0], ring_cases[1]}) {
+    which.sets.push_back("material.parameters.E=1e4");
+    is_caught("lambda", which, 0.05, plant_lambda);
+    is_caught("sign", which, 0.05, plant_sign_of_traction);
+    is_caught("Coriolis", which, 0.05, plant_coriolis);
+    is_caught("P12", which, 0.05, {}, with_wrong_component<1>(1e4, 0.3));
   }
 }
 
