@@ -50,8 +50,9 @@ void record_history(const Scene& scene, const HomogeneousStress& stress, Result&
   result.material_calls += stress.material_calls();
 }
 
-void record_box(const Scene& scene, const BoxStress& stress, Result& result) {
+void record_box(const Scene& scene, const BoxStress& stress, double seconds, Result& result) {
   SheetFigures figures;
+  figures.wall_s = seconds;
   figures.points = stress.modes(0) * stress.modes(1);
   const std::string size = std::to_string(stress.modes(0)) + " x " + std::to_string(stress.modes(1));
   figures.error_tau = stress.error();

@@ -21,8 +21,9 @@ void record_shadow(const Scene& scene, const Response& response, Result& result)
 /// Of a motion whose F is the same everywhere: the error of its one history.
 void record_history(const Scene& scene, const HomogeneousStress& stress, Result& result);
 
-/// Of a motion in the unit box: size and error of its series, once the run is over.
-void record_box(const Scene& scene, const BoxStress& stress, Result& result);
+/// Of a motion in the unit box: size and error of its series, once the run is over, and the seconds in which its size
+/// was found.
+void record_box(const Scene& scene, const BoxStress& stress, double seconds, Result& result);
 
 /// What the sheet's error does to the body force of a polar motion.
 void record_force_error(const Scene& scene, const Response& response, Result& result);

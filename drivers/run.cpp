@@ -53,12 +53,13 @@ std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& opt
     exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end, problem.setup.threads);
     if (exact->response()) record_response(problem, **exact->response(), seconds_since(start), result);
   }
-  result.setup_s += seconds_since(start);
+  const double response_s = seconds_since(start);
+  result.setup_s += response_s;
   Snapshots snapshots(problem, folder);
   Progress progress(problem.scene.title, options.verbosity == Verbosity::quiet);
   simulate(problem, exact, snapshots, progress, result);
   if (exact && exact->response()) record_shadow(problem.scene, **exact->response(), result);
-  if (exact && exact->box()) record_box(problem.scene, **exact->box(), result);
+  if (exact && exact->box()) record_box(problem.scene, **exact->box(), response_s, result);
   if (exact && exact->homogeneous()) record_history(problem.scene, **exact->homogeneous(), result);
   result.cpu_s = cpu_seconds();
   result.peak_rss_bytes = peak_memory();  // before pictures are drawn

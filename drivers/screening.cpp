@@ -31,6 +31,11 @@ double peak_of(const Motion& motion, const Path& path) {
   return amplitude && path.straight() ? std::abs(amplitude->peak) : 1;
 }
 
+std::string safe_text(const ScreenFigures& screen, const std::string& of_what) {
+  if (!screen.largest_safe_amplitude) return {};
+  return "; largest safe amplitude " + rounded_text(*screen.largest_safe_amplitude, 3) + of_what;
+}
+
 const char* name_of(StabilityScreen::Verdict verdict) {
   switch (verdict) {
     case StabilityScreen::Verdict::stable:
@@ -47,9 +52,14 @@ const char* name_of(StabilityScreen::Verdict verdict) {
 
 ScreenFigures screen_of(const Scene& scene, const Material& material, double end) {
   const auto start = std::chrono::steady_clock::now();
-  const Path path = baseline_path(scene);
-  const StabilityScreen found =
-      screen_stability(material, path, std::min(end, watched_periods * period_of(scene.motion)));
+  const std::vector<Path> paths = baseline_paths(scene);
+  const double watched = std::min(end, watched_periods * period_of(scene.motion));
+  StabilityScreen found = screen_stability(material, paths.front(), watched);
+  for (std::size_t k = 1; k < paths.size(); ++k) {
+    const StabilityScreen other = screen_stability(material, paths[k], watched);
+    if (other.smallest < found.smallest) found = other;
+  }
+  const Path& path = paths.front();
   ScreenFigures figures;
   figures.verdict = name_of(found.verdict);
   figures.smallest = found.smallest;
@@ -58,7 +68,9 @@ ScreenFigures screen_of(const Scene& scene, const Material& material, double end
     figures.t = found.t;
     figures.xi = found.xi;
     if (path.name == "simple_shear") figures.gamma = 2 * path.eps(found.xi, found.t);
-    figures.largest_safe_amplitude = rounded_down(found.safe_fraction * peak_of(scene.motion, path));
+    if (!path.parameter_is_place) {
+      figures.largest_safe_amplitude = rounded_down(found.safe_fraction * peak_of(scene.motion, path));
+    }
   }
   figures.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return figures;
@@ -68,9 +80,8 @@ std::string instability_sentence(const ScreenFigures& screen, const std::string&
   if (screen.verdict != "unstable") return {};
   return "this motion is not a stable solution for this model at this amplitude: " + material +
          " loses strong ellipticity at " + (screen.gamma ? "gamma = " + rounded_text(*screen.gamma, 3) + ", " : "") +
-         "t = " + rounded_text(*screen.t, 3) + " s, xi = " + rounded_text(*screen.xi, 3) + "; largest safe amplitude " +
-         rounded_text(*screen.largest_safe_amplitude, 3) + (screen.gamma ? "" : " of the path's") +
-         " (motion.allow_unstable: true overrides)";
+         "t = " + rounded_text(*screen.t, 3) + " s, xi = " + rounded_text(*screen.xi, 3) +
+         safe_text(screen, screen.gamma ? "" : " of the path's") + " (motion.allow_unstable: true overrides)";
 }
 
 std::string screen_sentence(const ScreenFigures& screen) {
@@ -83,8 +94,7 @@ std::string screen_sentence(const ScreenFigures& screen) {
            std::to_string(screen.unjudged) + " places of the path";
   }
   return "unstable from " + (screen.gamma ? "gamma = " + rounded_text(*screen.gamma, 3) + ", " : "") +
-         "t = " + rounded_text(*screen.t, 3) + " s: " + smallest + "; largest safe amplitude " +
-         rounded_text(*screen.largest_safe_amplitude, 3);
+         "t = " + rounded_text(*screen.t, 3) + " s: " + smallest + safe_text(screen, "");
 }
 
 void warn_of_instability(const Scene& scene, const Material& material, double end) {

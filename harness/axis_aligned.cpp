@@ -48,6 +48,7 @@ Path AxisAligned::section(double s) const {
   path.reversals = [g = amplitude](double end) { return g.reversals(end); };
   if (!one_dimensional) {
     path.name = "axis_aligned";
+    path.parameter_is_place = true;
     path.curved = [g = amplitude, s](double xi, double t) {
       const AmplitudeValue now = strain(g, t);
       PathPoint point;

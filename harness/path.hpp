@@ -26,6 +26,8 @@ struct PathPoint {
 struct Path {
   std::string name;    ///< "simple_shear" (16), "uniaxial_strain" (38), "straight", "rotating_stretch", "table"
   Interval parameter;  ///< range of xi [1]
+  /// xi says where in the body, not how much it is deformed: a part of the range is no weaker motion.
+  bool parameter_is_place = false;
   std::function<std::vector<double>(double)> reversals;  ///< times in (0, end) at which g' changes its sign
 
   Tensor direction = Tensor::Zero();                ///< D [1]

@@ -35,7 +35,7 @@ class Screen {
     if (rest.value < 0) {
       screen.verdict = StabilityScreen::Verdict::unstable;
       screen.normal = rest.normal;
-      screen.safe_fraction = 0;
+      screen.safe_fraction = path_.parameter_is_place ? NAN : 0;
       return screen;
     }
     follow(screen);
@@ -91,6 +91,14 @@ class Screen {
     return xi;
   }
 
+  /// From end to end of the range.
+  std::vector<double> places() const {
+    const Interval& range = path_.parameter;
+    std::vector<double> xi{range.lower};
+    for (const double x : between(range.lower, range.upper, 2 * fractions)) xi.push_back(x);
+    return xi;
+  }
+
   static std::vector<double> between(double lower, double upper, int count) {
     std::vector<double> values;
     for (int k = 1; k <= count; ++k) values.push_back(k == count ? upper : lower + (upper - lower) * k / count);
@@ -99,7 +107,7 @@ class Screen {
 
   void follow(StabilityScreen& screen) const {
     const std::vector<double> shares = between(0, 1, fractions);
-    const Scan whole = scan(shrunk(shares), sampled_times());
+    const Scan whole = scan(path_.parameter_is_place ? places() : shrunk(shares), sampled_times());
     screen.unjudged = whole.unjudged;
     for (std::size_t row = 0; row < whole.times.size(); ++row) {
       for (std::size_t p = 0; p < whole.xi.size(); ++p) {
@@ -109,7 +117,7 @@ class Screen {
     if (screen.smallest > 0) return;
     screen.verdict = StabilityScreen::Verdict::unstable;
     locate(whole, screen);
-    screen.safe_fraction = safe_share(whole, shares);
+    screen.safe_fraction = path_.parameter_is_place ? NAN : safe_share(whole, shares);
   }
 
   /// First loss in time: of the samples, then of the interval before it in sections.

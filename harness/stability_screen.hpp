@@ -22,7 +22,7 @@ struct StabilityScreen {
   // The first loss, where unstable.
   double xi = 0, t = 0;              ///< [1], [s]
   Vector3 normal = Vector3::Zero();  ///< N of the wave that does not travel
-  double safe_fraction = 1;          ///< of the range of xi within which nothing is lost, to 3 digits
+  double safe_fraction = 1;  ///< of the range of xi within which nothing is lost, to 3 digits; NaN where xi is a place
 };
 
 /// Screens with A = dP/dF of the instantaneous loading branch, by differences of `update`, all xi of the path's range

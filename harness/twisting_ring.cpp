@@ -39,6 +39,7 @@ Path TwistingRing::baseline() const {
   Path path;
   path.name = "twisting_ring";
   path.parameter = {inner(), outer()};
+  path.parameter_is_place = true;
   path.curved = [m = *this](double R, double t) {
     const RingKinematics k = m.ring(R, t);
     return PathPoint{k.baseline(R), k.baseline_rate(R)};

@@ -61,7 +61,7 @@ std::string caption_line(const std::string& text) { return "<p><small>" + text +
 std::string traction_caption(const TractionTable& table) {
   std::string text =
       "<code>undeformed_edges</code> multiplies a traction per current area by the length that the edge had at first: "
-      "where the motion changes that length the force is wrong, and no grid heals it. ";
+      "where the motion changes that length the force is wrong by an amount that no grid changes. ";
   if (table.of_paper) {
     text +=
         "The paper's figures do not fall with h either, and it asks for the cause in its own algorithm of tractions: "

@@ -162,7 +162,7 @@ std::string png(const ParticlePicture& picture) {
     const View view{picture, left, layout.top, layout.panel_width / (picture.upper[0] - picture.lower[0]),
                     layout.top + layout.panel_height};
     canvas.clip(left, layout.top, left + layout.panel_width, view.bottom);
-    draw_particles(canvas, view, picture.frames[i], range);
+    draw_particles(canvas, view, picture.frames[i], {bar.axis.low, bar.axis.high});
     draw_rings(canvas, view);
     canvas.unclip();
     draw_frame_axes(canvas, view, layout, i == 0);

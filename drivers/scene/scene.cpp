@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/scene/scene.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace assay::drivers {
 
 Location Scene::place(const std::string& key) const {
@@ -9,13 +13,44 @@ Location Scene::place(const std::string& key) const {
   return dot == std::string::npos ? Location{file} : place(key.substr(0, dot));
 }
 
-Path baseline_path(const Scene& scene) {
-  Path path = baseline_of(scene.motion);
+namespace {
+
+Path with_direction(Path path, const Scene& scene) {
   if (!scene.material.direction) return path;
   const auto& d = *scene.material.direction;
   const Vector3 unit = Vector3(d[0], d[1], d[2]).stableNormalized();
   path.material_direction = {unit.x(), unit.y(), unit.z()};
   return path;
+}
+
+/// Of cos(pi X) between two places [m].
+Interval cosines(double lower, double upper) {
+  const auto cosine = [](double X) { return std::cos(std::numbers::pi * X); };
+  Interval range{std::min(cosine(lower), cosine(upper)), std::max(cosine(lower), cosine(upper))};
+  for (double X = std::ceil(lower); X <= upper && X < lower + 2; ++X) {
+    range.lower = std::min(range.lower, cosine(X));
+    range.upper = std::max(range.upper, cosine(X));
+  }
+  return range;
+}
+
+}  // namespace
+
+Path baseline_path(const Scene& scene) { return with_direction(baseline_of(scene.motion), scene); }
+
+std::vector<Path> baseline_paths(const Scene& scene) {
+  const auto* box = std::get_if<AxisAligned>(&scene.motion);
+  if (!box || box->one_dimensional) return {baseline_path(scene)};
+  constexpr int sections = 4;
+  const Interval along_X = cosines(scene.body.lower[0], scene.body.upper[0]);
+  const Interval along_Y = cosines(scene.body.lower[1], scene.body.upper[1]);
+  std::vector<Path> paths;
+  for (int k = 0; k <= sections; ++k) {
+    Path path = box->section(along_Y.lower + along_Y.width() * k / sections);
+    path.parameter = along_X;
+    paths.push_back(with_direction(std::move(path), scene));
+  }
+  return paths;
 }
 
 }  // namespace assay::drivers

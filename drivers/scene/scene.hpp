@@ -132,4 +132,7 @@ struct Scene {
 /// The baseline of the scene's motion with the material's direction, a unit vector, in its frame: E1 = e_R.
 Path baseline_path(const Scene& scene);
 
+/// All paths that points of the body take: of the axis-aligned motion one for each of some Y, of others the baseline.
+std::vector<Path> baseline_paths(const Scene& scene);
+
 }  // namespace assay::drivers

@@ -64,7 +64,7 @@ void check_motion(const TwistingRing& motion, const Scene&, const Where& where) 
     const double most = std::abs(motion.expansion) * std::max(std::abs(u.slope), std::abs(u.U) / R);
     if (most < 1) continue;
     refuse(where, "motion.expansion",
-           "det F <= 0 on the way, at R = " + number_text(R) + ": must be less than " +
+           "det F <= 0 on the way, at R = " + number_text(R) + ": must be less in size than " +
                rounded_text(std::abs(motion.expansion) / most, 4) + " there, found " + number_text(motion.expansion));
   }
 }

@@ -73,7 +73,7 @@ std::vector<Key> body_keys() {
        "cells of a Cartesian lattice at the ring's edges: clipped, or whole where their centre is in",
        GET(s.body.lattice != Body::Lattice::polar ? name_of(cuts, s.body.cut) : Value()),
        SET(s.body.cut = picked<Body::Cut>(cuts, v)), {}, cuts, false,
-       "clipped with domain_average, whole with point", {}, {"ring"}},
+       "clipped with domain_average and of the twisting ring, whole with point", {}, {"ring"}},
       {"body.jitter", number, "of a jittered lattice: particles are moved along each axis by less than this [distance between them]",
        GET(s.body.lattice == Body::Lattice::jittered ? Value(s.body.jitter) : Value()), SET(s.body.jitter = real(v)),
        {.lower = 0, .upper = 0.5, .lower_open = true}, {}, false, "0.25"},

@@ -149,7 +149,8 @@ void derive(const Tree& root, Scene& scene) {
   }
   if (!value_at(root, "body.cut")) {
     const bool average = scene.force.evaluation == ForceChoice::Evaluation::domain_average;
-    scene.body.cut = average ? Body::Cut::clipped : Body::Cut::whole;
+    const bool loaded = std::holds_alternative<TwistingRing>(scene.motion);  // on its faces
+    scene.body.cut = average || loaded ? Body::Cut::clipped : Body::Cut::whole;
   }
   if (!value_at(root, "time.end")) scene.time.end = period_of(scene.motion);
 }

@@ -25,7 +25,7 @@ Accounts::Amounts Accounts::amounts_of(const mpm::State<2>& s) {
 
 Accounts::Accounts(const mpm::State<2>& state)
     : first_(amounts_of(state)),
-      held_(state.setup.hold_outside),
+      held_(state.setup.hold_outside || state.setup.has_images()),
       momentum_scale_(first_.momentum_scale),
       angular_scale_(std::abs(first_.angular_momentum)),
       energy_scale_(first_.kinetic_energy) {}

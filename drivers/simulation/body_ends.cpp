@@ -33,6 +33,10 @@ void require_node(const Scene& scene, double at, const std::string& key) {
 
 /// Of the motions in the box a period is 2 m, across the bar any length.
 void require_period(const Scene& scene, std::size_t d, const Box& box) {
+  const auto* rigid = std::get_if<Rigid>(&scene.motion);
+  if (rigid && rigid->spin != 0) {
+    throw InputError(scene.place("body.periodic"), "body.periodic", "a body that spins does not repeat");
+  }
   const auto* motion = std::get_if<AxisAligned>(&scene.motion);
   const double width = box.upper[d] - box.lower[d];
   if (!motion || (motion->one_dimensional && d == 1) || is_whole(width / 2)) return;

@@ -181,10 +181,11 @@ Problem assemble(const Scene& given, int threads) {
   setup.threads = threads;
   if (setup.seeds.size() == 0)
     throw InputError(scene.place("grid.spacing"), "grid.spacing", "leaves no particle in the body");
-  const Path path = baseline_path(scene);
-  setup.material_direction = path.material_direction;
   const double watched = std::min(scene.time.end, wave_periods * problem.period());
-  problem.wave_speed = fastest_wave_on_path(*problem.material, path, density, watched);
+  for (const Path& path : baseline_paths(scene)) {
+    setup.material_direction = path.material_direction;
+    problem.wave_speed = std::max(problem.wave_speed, fastest_wave_on_path(*problem.material, path, density, watched));
+  }
   problem.particle_speed = fastest_particle(problem);
   plan_steps(problem);
   check_limits(problem);

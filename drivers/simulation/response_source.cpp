@@ -18,7 +18,8 @@ std::shared_ptr<const Response> closed_form_of(const Scene& scene, const std::sh
   auto form = ClosedForm::of(material, path);
   if (!form) {
     throw InputError(scene.place("force.response"), "force.response",
-                     "material '" + material->name() + "' offers no closed form of " + path.name, "sheet, none");
+                     "material '" + material->name() + "' offers no closed form of " + path.name,
+                     "sheet, shadow, none");
   }
   return std::make_shared<const Response>(std::move(*form));
 }
@@ -58,6 +59,11 @@ std::shared_ptr<const ExactSolution> exact_solution_of(const Scene& scene,
                                                  response_of(scene, material, path, end, threads, true));
   }
   if (const auto* box = std::get_if<AxisAligned>(&scene.motion)) {
+    if (scene.force.response != ForceChoice::Response::sheet) {
+      throw InputError(scene.place("force.response"), "force.response",
+                       "the motion in the unit box is run by a series of its own, which sheet stands for",
+                       "sheet, none");
+    }
     BoxStressOptions options{.tolerance = scene.force.tolerance, .end = end, .direction = path.material_direction};
     return std::make_shared<const ExactSolution>(scene.motion, density,
                                                  std::make_shared<BoxStress>(material, *box, options));

@@ -88,6 +88,10 @@ double fastest_particle(const Problem& problem) {
 
 void plan_steps(Problem& problem) {
   const Scene& scene = problem.scene;
+  if (scene.time.step && *scene.time.step > scene.time.end) {  // an end that the motion's speed gives is known by now
+    throw InputError(scene.place("time.step"), "time.step",
+                     "must not exceed time.end, " + rounded_text(scene.time.end, 6));
+  }
   const std::string key = scene.time.step ? "time.step" : "method.courant";
   const double steps =
       scene.time.step ? std::ceil(scene.time.end / *scene.time.step * (1 - whole_steps)) : steps_by_courant(problem);

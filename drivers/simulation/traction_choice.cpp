@@ -5,7 +5,7 @@
 
 #include "drivers/input_error.hpp"
 #include "drivers/output/number_format.hpp"
-#include "drivers/scene/body_box.hpp"
+#include "drivers/simulation/body_ends.hpp"
 
 namespace assay::drivers {
 
@@ -24,12 +24,15 @@ void require_surface(const Scene& scene) {
                      "tractions act on the ring's faces, which whole cells do not follow: take clipped, or lattice: "
                      "polar");
   }
+  const auto ends = ends_of(scene);
   for (std::size_t d = 0; d < 2; ++d) {
     const double particle = scene.grid->spacing / body.per_cell[d];
-    for (const double corner : {body.lower[d], body.upper[d]}) {
-      const double pieces = corner / particle;
+    for (const bool upper : {false, true}) {
+      const double corner = upper ? body.upper[d] : body.lower[d], pieces = corner / particle;
+      if (upper ? ends[d].upper : ends[d].lower) continue;
       if (std::abs(pieces - std::round(pieces)) <= whole_pieces * std::abs(pieces)) continue;
-      throw InputError(scene.place("body"), "body",
+      const std::string key = upper ? "body.upper" : "body.lower";
+      throw InputError(scene.place(key), key,
                        "tractions act on the edges of the particles' domains: the corners must be multiples of "
                        "grid.spacing / body.per_cell = " +
                            rounded_text(particle, 6));
@@ -39,26 +42,18 @@ void require_surface(const Scene& scene) {
 
 namespace {
 
-/// Where a body's stretch is looked at: anywhere where F is the same everywhere; else at its faces.
-std::vector<Vector3> places_on_faces(const Scene& scene) {
-  if (const auto ring = ring_of(scene.motion)) return {{ring->inner, 0, 0}, {ring->outer, 0, 0}};
-  const Box box = body_box(scene);
-  if (is_homogeneous(scene.motion)) return {Vector3::Zero()};
-  return {{box.lower[0], box.lower[1], 0}, {box.upper[0], box.upper[1], 0}};
-}
-
 /// Of the two forms of a traction the one that keeps the exact motion stable: P N dA0 where the body is stretched,
-/// sigma n ds where it is compressed, on the mean of both principal directions when it is most deformed.
+/// sigma n ds where it is compressed, on the mean of both principal directions when it is most deformed. Where some of
+/// the body is stretched and some compressed P N dA0 holds longer (measured).
 mpm::TractionForm stable_form(const Scene& scene) {
   constexpr int looks = 200;
+  if (!is_homogeneous(scene.motion)) return mpm::TractionForm::reference;
   double most = 0;
-  for (const Vector3& X : places_on_faces(scene)) {
-    for (int k = 1; k <= looks; ++k) {
-      const Tensor F = state_at(scene.motion, X, scene.time.end * k / looks).F;
-      const double square = F.topLeftCorner<2, 2>().squaredNorm(), J = F.topLeftCorner<2, 2>().determinant();
-      const double stretch = 0.5 * std::sqrt(square + 2 * J) - 1;  // (lambda1 + lambda2)/2 - 1
-      if (std::abs(stretch) > std::abs(most)) most = stretch;
-    }
+  for (int k = 1; k <= looks; ++k) {
+    const Tensor F = state_at(scene.motion, Vector3::Zero(), scene.time.end * k / looks).F;
+    const double square = F.topLeftCorner<2, 2>().squaredNorm(), J = F.topLeftCorner<2, 2>().determinant();
+    const double stretch = 0.5 * std::sqrt(square + 2 * J) - 1;  // (lambda1 + lambda2)/2 - 1
+    if (std::abs(stretch) > std::abs(most)) most = stretch;
   }
   return most >= 0 ? mpm::TractionForm::reference : mpm::TractionForm::follower;
 }
