@@ -42,18 +42,43 @@ void require_surface(const Scene& scene) {
 
 namespace {
 
+/// Where a body's stretch is looked at: anywhere where F is the same everywhere; along the faces of a box that bear
+/// tractions.
+std::vector<Vector3> places_of_stretch(const Scene& scene) {
+  if (is_homogeneous(scene.motion)) return {Vector3::Zero()};
+  constexpr int pieces = 4;
+  const auto ends = ends_of(scene);
+  std::vector<Vector3> places;
+  for (std::size_t d = 0; d < 2; ++d) {
+    const std::size_t along = 1 - d;
+    for (const bool upper : {false, true}) {
+      if (upper ? ends[d].upper : ends[d].lower) continue;
+      for (int k = 0; k <= pieces; ++k) {
+        const double width = scene.body.upper[along] - scene.body.lower[along];
+        Vector3 X = Vector3::Zero();
+        X(static_cast<int>(d)) = upper ? scene.body.upper[d] : scene.body.lower[d];
+        X(static_cast<int>(along)) = scene.body.lower[along] + width * k / pieces;
+        places.push_back(X);
+      }
+    }
+  }
+  return places;
+}
+
 /// Of the two forms of a traction the one that keeps the exact motion stable: P N dA0 where the body is stretched,
-/// sigma n ds where it is compressed, on the mean of both principal directions when it is most deformed. Where some of
-/// the body is stretched and some compressed P N dA0 holds longer (measured).
+/// sigma n ds where it is compressed, on the mean of both principal directions where and when it is most deformed. On a
+/// ring P N dA0, which holds in both, and on a clipped lattice longer (measured).
 mpm::TractionForm stable_form(const Scene& scene) {
   constexpr int looks = 200;
-  if (!is_homogeneous(scene.motion)) return mpm::TractionForm::reference;
+  if (ring_of(scene.motion)) return mpm::TractionForm::reference;
   double most = 0;
-  for (int k = 1; k <= looks; ++k) {
-    const Tensor F = state_at(scene.motion, Vector3::Zero(), scene.time.end * k / looks).F;
-    const double square = F.topLeftCorner<2, 2>().squaredNorm(), J = F.topLeftCorner<2, 2>().determinant();
-    const double stretch = 0.5 * std::sqrt(square + 2 * J) - 1;  // (lambda1 + lambda2)/2 - 1
-    if (std::abs(stretch) > std::abs(most)) most = stretch;
+  for (const Vector3& X : places_of_stretch(scene)) {
+    for (int k = 1; k <= looks; ++k) {
+      const Tensor F = state_at(scene.motion, X, scene.time.end * k / looks).F;
+      const double square = F.topLeftCorner<2, 2>().squaredNorm(), J = F.topLeftCorner<2, 2>().determinant();
+      const double stretch = 0.5 * std::sqrt(square + 2 * J) - 1;  // (lambda1 + lambda2)/2 - 1
+      if (std::abs(stretch) > std::abs(most)) most = stretch;
+    }
   }
   return most >= 0 ? mpm::TractionForm::reference : mpm::TractionForm::follower;
 }

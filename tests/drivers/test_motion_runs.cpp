@@ -66,7 +66,7 @@ using Plant = std::function<void(Problem&, std::vector<mpm::Pass<2>>&)>;
 
 /// Largest L2 of the displacement over time; `generator` makes the manufactured solution, null: the scene's material.
 double largest_error(const MotionCase& which, double h, const Plant& plant = {},
-                     std::shared_ptr<const Material> generator = nullptr) {
+                     const std::shared_ptr<const Material>& generator = nullptr) {
   constexpr int samples = 50;
   std::vector<std::string> sets = which.sets;
   sets.insert(sets.end(), {"grid.spacing=" + std::to_string(h), "force.cache=false", "output.accounts=false"});
@@ -198,7 +198,7 @@ std::shared_ptr<const Material> with_wrong_component(double E, double nu) {
 
 /// Neither vanishes with h nor hides behind the method's own error.
 void is_caught(const std::string& what, const MotionCase& which, double h, const Plant& plant,
-               std::shared_ptr<const Material> generator = {}) {
+               const std::shared_ptr<const Material>& generator = {}) {
   const double right = largest_error(which, 0.5 * h), coarse = largest_error(which, h, plant, generator);
   const double fine = largest_error(which, 0.5 * h, plant, generator);
   EXPECT_GT(fine, stands_out * right) << what << ", " << which.name;

@@ -56,7 +56,7 @@ Result table1_of(const Case& which, double E, int cells, double stretched, std::
 
 class Traction : public testing::TestWithParam<Case> {};
 
-void holds_to_rounding(const Case& which, double E, std::vector<int> cells, double limit) {
+void holds_to_rounding(const Case& which, double E, const std::vector<int>& cells, double limit) {
   for (const double stretched : {2.0, 4.0, 0.4}) {
     if (E > which.stiffest || stretched < which.softest_stretch) continue;
     for (const int n : cells) {

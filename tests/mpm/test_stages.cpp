@@ -10,7 +10,7 @@
 namespace assay::mpm {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double stage_epsilon = std::numeric_limits<double>::epsilon();
 
 Method staged(Mass mass = Mass::lumped, Integrator integrator = Integrator::symplectic_rkn4) {
   Method method{Basis::bspline2};
