@@ -22,9 +22,8 @@ struct AxisAligned {
   /// d a / d X, diagonal [1/s^2].
   Tensor acceleration_gradient(const Vector3& X, double t) const;
 
-  /// F = diag(1 + g cos(pi X), 1 - g cos(pi Y), 1) with g = pi A sin(c pi t): the family with the parameter cos(pi X)
-  /// in
-  /// [-1, 1] at one cos(pi Y) [1]. Of the bar uniaxial strain (38).
+  /// F = diag(1 + g cos(pi X), 1 - g cos(pi Y), 1) with g = pi A sin(c pi t): the family with the parameter cos(pi X),
+  /// from -1 to 1, at one cos(pi Y) [1]. Of the bar uniaxial strain (38).
   Path section(double cosine_of_Y) const;
   Path baseline() const { return section(1); }
 };
