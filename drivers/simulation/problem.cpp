@@ -146,7 +146,13 @@ void choose_forces(Problem& problem) {
   setup.traction = traction_of(scene);
   if (!setup.traction) setup.seeds.surface.clear();
   const bool on_faces = setup.traction && setup.traction->algorithm != mpm::TractionAlgorithm::virtual_stress;
-  if (on_faces && setup.seeds.surface.empty()) setup.traction.reset();
+  if (on_faces && setup.seeds.surface.empty()) {
+    if (scene.output.tractions) {
+      throw InputError(scene.place("output.tractions"), "output.tractions",
+                       "compares tractions, and all faces of the body are symmetry planes or periodic ends");
+    }
+    setup.traction.reset();
+  }
   setup.ends = ends_of(scene);
   // a force that is linear in X is on a domain what it is in its middle; at Gauss points their rule takes the mean
   const bool pointwise =

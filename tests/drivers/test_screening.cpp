@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "drivers/scene/scene_reader.hpp"
+#include "drivers/simulation/problem.hpp"
 #include "drivers/verbs.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/quiet_run.hpp"
@@ -139,6 +141,26 @@ TEST(Screening, SafeAmplitudesAreNeverRoundedUp) {
       "0.25 s, xi = -1.5; largest safe amplitude 0.148 of the path's (motion.allow_unstable: true overrides)");
   figures.verdict = "neutral";
   EXPECT_EQ(instability_sentence(figures, "water"), "");
+}
+
+/// Screened at the places of the body alone, which say no amplitude that would be safe.
+TEST(Screening, OfARingAndABoxLooksWhereTheBodyIs) {
+  const auto screened = [](const std::string& scene, std::vector<std::string> sets) {
+    sets.emplace_back("method.courant=0.3");
+    Scene given = read_scene(std::string(ASSAY_SOURCE_DIR) + "/configs/motions/" + scene + ".yaml", sets);
+    const Problem problem = assemble(given, 1);
+    return screen_of(problem.scene, *problem.material, problem.scene.time.end);
+  };
+  const std::string soft = "material={adapter: saint_venant_kirchhoff, parameters: {E: 1.0e3, nu: 0.3}, density: 1000}";
+  EXPECT_EQ(screened("twisting_ring", {"motion.amplitude.peak=0", "motion.expansion=-0.5"}).verdict, "stable");
+  EXPECT_EQ(screened("twisting_ring", {soft, "motion.amplitude.peak=0", "motion.expansion=-0.1"}).verdict, "stable");
+  const std::string stretched = "body={domain: box, lower: [0, 0.5], upper: [0.5, 1], per_cell: [2, 2]}";
+  const std::string pressed = "body={domain: box, lower: [0.5, 0], upper: [1, 0.5], per_cell: [2, 2]}";
+  EXPECT_EQ(screened("axis_aligned", {soft, stretched, "motion.amplitude.peak=0.2"}).verdict, "stable");
+  const ScreenFigures lost = screened("axis_aligned", {soft, pressed, "motion.amplitude.peak=0.2"});
+  EXPECT_EQ(lost.verdict, "unstable");
+  EXPECT_FALSE(lost.largest_safe_amplitude);
+  EXPECT_EQ(instability_sentence(lost, "soft").find("safe"), std::string::npos);
 }
 
 }  // namespace
