@@ -71,15 +71,17 @@ BodyForceField::BodyForceField(const Motion& motion, double density, std::span<c
     profile_.push_back(turn_of(motion).profile(R));
     xi_.push_back(ring_parameter(motion, R).value);
   }
+  if (!std::holds_alternative<Vortex>(motion)) rings_ = RingsInMotion(motion, points_.radius);
 }
 
 void BodyForceField::evaluate(const Response& response, double t, std::span<double> b_x, std::span<double> b_y) {
   const bool is_vortex = std::holds_alternative<Vortex>(motion_);
   const AmplitudeValue g = turn_of(motion_).amplitude.at(t);
+  if (!is_vortex) rings_.set_time(t);
   response.at_time(t, xi_, [&](std::size_t k, const Tensor& tau, const Tensor& dtau_dxi) {
     const double R = points_.radius[k];
     const Polar b = is_vortex ? body_force(profile_[k], g, density_, R, tau, dtau_dxi)
-                              : ring_kinematics(motion_, R, t).body_force(density_, R, tau, dtau_dxi);
+                              : rings_[k].body_force(density_, R, tau, dtau_dxi);
     const double alpha = g.value * profile_[k].h;  // (5)
     const double c = std::cos(alpha), s = std::sin(alpha);
     force_[k] = {c * b.r - s * b.theta, s * b.r + c * b.theta};  // along E_R, E_Theta

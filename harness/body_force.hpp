@@ -49,6 +49,7 @@ class BodyForceField {
   double density_;
   RingPoints points_;
   std::vector<Vortex::Profile> profile_;  // of each distinct radius
+  RingsInMotion rings_;                   // of a twisting ring
   std::vector<double> xi_;
   std::vector<Polar> force_;  // of each distinct radius: components along E_R, E_Theta
 };

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/box_field.hpp"
 
-#include <algorithm>
-
 namespace assay {
 
 namespace {
@@ -24,14 +22,8 @@ BoxField::BoxField(const BoxStress& stress, std::span<const double> X, std::span
 
 void BoxField::update(const BoxStress& stress) {
   for (std::size_t c = 0; c < sums_.size(); ++c) {
-    std::fill(sums_[c].begin(), sums_[c].end(), 0.0);
     for (std::size_t row = 0; row < along_X_.rows(); ++row) {
-      const std::span<const double> mode = along_X_.mean(row);
-      for (std::size_t k = 0; k < mode.size(); ++k) {
-        for (std::size_t l = 0; l < modes_Y_; ++l) {
-          sums_[c][row * modes_Y_ + l] += mode[k] * stress.coefficients(c)[k * modes_Y_ + l];
-        }
-      }
+      stress.contract(c, 0, along_X_.mean(row), std::span(sums_[c]).subspan(row * modes_Y_, modes_Y_));
     }
   }
 }
@@ -40,8 +32,7 @@ std::array<double, BoxStress::components> BoxField::at(std::size_t point) const 
   std::array<double, BoxStress::components> piola{};
   const std::span<const double> mode = along_Y_.mean(along_Y_.row_of(point));
   for (std::size_t c = 0; c < piola.size(); ++c) {
-    const double* sums = sums_[c].data() + along_X_.row_of(point) * modes_Y_;
-    for (std::size_t l = 0; l < modes_Y_; ++l) piola[c] += mode[l] * sums[l];
+    piola[c] = sum_of_modes(mode, std::span(sums_[c]).subspan(along_X_.row_of(point) * modes_Y_, modes_Y_));
   }
   return piola;
 }

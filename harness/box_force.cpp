@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/box_force.hpp"
 
-#include <algorithm>
 #include <array>
-#include <numbers>
 
 namespace assay {
 
@@ -13,12 +11,6 @@ std::vector<Interval> sides(std::span<const Rectangle> places, std::size_t d) {
   std::vector<Interval> all;
   for (const Rectangle& place : places) all.push_back({place.lower[d], place.upper[d]});
   return all;
-}
-
-double dot(std::span<const double> a, const double* b) {
-  double sum = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) sum += a[k] * b[k];
-  return sum;
 }
 
 }  // namespace
@@ -31,30 +23,18 @@ BoxForce::BoxForce(const BoxStress& stress, double density, std::span<const Rect
   }
 }
 
-void BoxForce::contract(const BoxStress& stress, std::size_t d) {
-  const auto n_Y = static_cast<std::size_t>(stress.modes(1)), others = static_cast<std::size_t>(stress.modes(1 - d));
-  const std::span<const double> c = stress.coefficients(d);
-  for (std::size_t row = 0; row < rows_[d].rows(); ++row) {
-    const std::span<const double> slope = rows_[d].slope(row);
-    double* sum = sums_[d].data() + row * others;
-    std::fill_n(sum, others, 0.0);
-    for (std::size_t k = 0; k < slope.size(); ++k) {
-      for (std::size_t l = 0; l < others; ++l) sum[l] += slope[k] * (d == 0 ? c[k * n_Y + l] : c[l * n_Y + k]);
-    }
-  }
-}
-
 void BoxForce::evaluate(const BoxStress& stress, double t, std::span<double> b_x, std::span<double> b_y) {
   const AxisAligned& motion = stress.motion();
   const double g = motion.amplitude.at(t).acceleration;  // of u_x where sin(pi X) = 1 [m/s^2]
   const double inertia[] = {g, motion.one_dimensional ? 0 : -g};
   const std::array<std::span<double>, 2> b{b_x, b_y};
   for (std::size_t d = 0; d < 2; ++d) {
-    contract(stress, d);
     const auto others = static_cast<std::size_t>(stress.modes(1 - d));
+    const auto sums = [&](std::size_t row) { return std::span(sums_[d]).subspan(row * others, others); };
+    for (std::size_t row = 0; row < rows_[d].rows(); ++row) stress.contract(d, d, rows_[d].slope(row), sums(row));
     for (std::size_t p = 0; p < b[d].size(); ++p) {
       const std::uint32_t row = rows_[d].row_of(p), across = rows_[1 - d].row_of(p);
-      const double divergence = dot(rows_[1 - d].mean(across), sums_[d].data() + row * others);
+      const double divergence = sum_of_modes(rows_[1 - d].mean(across), sums(row));
       b[d][p] = inertia[d] * rows_[d].mean_sine(row) - divergence / density_;  // d P_dd / d X_d, [m/s^2]
     }
   }

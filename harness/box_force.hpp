@@ -21,12 +21,9 @@ class BoxForce {
   void evaluate(const BoxStress& stress, double t, std::span<double> b_x, std::span<double> b_y);
 
  private:
-  /// Of each row of one axis, sums over its modes with the slopes: a number for each mode of the other axis.
-  void contract(const BoxStress& stress, std::size_t d);
-
   double density_;
   std::array<CosineRows, 2> rows_;           ///< along X and Y
-  std::array<std::vector<double>, 2> sums_;  ///< of d P_dd / d X_d [Pa/m]
+  std::array<std::vector<double>, 2> sums_;  ///< of d P_dd / d X_d at each row, for each mode of the other axis [Pa/m]
 };
 
 }  // namespace assay

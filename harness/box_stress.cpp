@@ -21,10 +21,6 @@ constexpr std::size_t piola_components[] = {0, 4, 8};  // 11, 22, 33 of nine
 
 }  // namespace
 
-BoxStress::BoxStress(BoxStress&&) noexcept = default;
-BoxStress& BoxStress::operator=(BoxStress&&) noexcept = default;
-BoxStress::~BoxStress() = default;
-
 BoxStress::BoxStress(std::shared_ptr<const Material> material, const AxisAligned& motion,
                      const BoxStressOptions& options)
     : material_(std::move(material)), motion_(motion), options_(options) {
@@ -129,22 +125,27 @@ void BoxStress::measure() {
   }
 }
 
+void BoxStress::contract(std::size_t component, std::size_t d, std::span<const double> weights,
+                         std::span<double> sums) const {
+  const std::span<const double> c = coefficients(component);
+  const auto n_Y = static_cast<std::size_t>(modes(1)), stride = d == 0 ? n_Y : 1, across = d == 0 ? 1 : n_Y;
+  std::fill(sums.begin(), sums.end(), 0.0);
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    for (std::size_t l = 0; l < sums.size(); ++l) sums[l] += weights[k] * c[k * stride + l * across];
+  }
+}
+
 BoxStress::Local BoxStress::at(double X, double Y) const {
   const std::array place_X{Interval{X, X}}, place_Y{Interval{Y, Y}};
   const CosineRows in_X(modes(0), place_X), in_Y(modes(1), place_Y);
-  const auto n_Y = static_cast<std::size_t>(modes(1));
+  std::vector<double> value(in_X.mean(0).size()), slope(value.size());  // along Y, of each mode in X
   Local local;
   for (std::size_t c = 0; c < components; ++c) {
-    for (std::size_t k = 0; k < in_X.mean(0).size(); ++k) {
-      double value = 0, slope = 0;  // along Y
-      for (std::size_t l = 0; l < n_Y; ++l) {
-        value += coefficients_[c][k * n_Y + l] * in_Y.mean(0)[l];
-        slope += coefficients_[c][k * n_Y + l] * in_Y.slope(0)[l];
-      }
-      local.piola[c] += in_X.mean(0)[k] * value;
-      local.along_X[c] += in_X.slope(0)[k] * value;
-      local.along_Y[c] += in_X.mean(0)[k] * slope;
-    }
+    contract(c, 1, in_Y.mean(0), value);
+    contract(c, 1, in_Y.slope(0), slope);
+    local.piola[c] = sum_of_modes(in_X.mean(0), value);
+    local.along_X[c] = sum_of_modes(in_X.slope(0), value);
+    local.along_Y[c] = sum_of_modes(in_X.mean(0), slope);
   }
   return local;
 }

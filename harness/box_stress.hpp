@@ -33,9 +33,6 @@ class BoxStress {
 
   /// Takes as many modes as the tolerance needs, or most_modes. Throws MaterialFailure.
   BoxStress(std::shared_ptr<const Material> material, const AxisAligned& motion, const BoxStressOptions& options);
-  BoxStress(BoxStress&&) noexcept;
-  BoxStress& operator=(BoxStress&&) noexcept;
-  ~BoxStress();
 
   const AxisAligned& motion() const { return motion_; }
 
@@ -47,6 +44,9 @@ class BoxStress {
 
   /// c_kl of a component at k * modes(1) + l [Pa].
   std::span<const double> coefficients(std::size_t component) const { return coefficients_[component]; }
+
+  /// Adds up a component's coefficients over the modes of axis d, weighed: a number for each mode of the other axis.
+  void contract(std::size_t component, std::size_t d, std::span<const double> weights, std::span<double> sums) const;
 
   /// P and its slopes along X and Y at a point, of the time that is set [Pa], [Pa/m].
   struct Local {

@@ -35,4 +35,11 @@ class CosineRows {
   std::vector<double> mean_, slope_, mean_sine_;
 };
 
+/// Weighed, of so many modes.
+inline double sum_of_modes(std::span<const double> weights, std::span<const double> modes) {
+  double sum = 0;
+  for (std::size_t k = 0; k < weights.size(); ++k) sum += weights[k] * modes[k];
+  return sum;
+}
+
 }  // namespace assay

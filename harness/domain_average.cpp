@@ -94,8 +94,8 @@ std::vector<DomainAverage::Rotated> DomainAverage::rotated_at(const PlaneRespons
   const std::size_t n = radius.size();
   std::vector<double> xi(n), h(n), tau(4 * n);
   for (std::size_t i = 0; i < n; ++i) {
-    xi[i] = ring_parameter(motion_, radius[i]).value;
-    h[i] = turn_of(motion_).profile(radius[i]).h;
+    const RingParameter parameter = ring_parameter(motion_, radius[i]);
+    xi[i] = parameter.value, h[i] = parameter.h;
   }
   response.tau(t, xi, tau);
   std::vector<Rotated> S(n);
@@ -105,12 +105,12 @@ std::vector<DomainAverage::Rotated> DomainAverage::rotated_at(const PlaneRespons
 
 /// f of a = X f, (29) of the vortex, at the radial nodes.
 void DomainAverage::accelerations(double t) {
-  const std::span<const double> nodes = moments_.nodes();
-  for (std::size_t k = 0; k < nodes.size(); ++k) {
-    const RingKinematics ring = ring_kinematics(motion_, nodes[k], t);
+  nodes_.set_time(t);
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    const RingKinematics ring = nodes_[k];
     const Polar a = ring.acceleration();
-    const double c = std::cos(ring.alpha), s = std::sin(ring.alpha);
-    node_a_[k] = {(c * a.r - s * a.theta) / nodes[k], (s * a.r + c * a.theta) / nodes[k]};
+    const double c = std::cos(ring.alpha), s = std::sin(ring.alpha), R = nodes_.radius(k);
+    node_a_[k] = {(c * a.r - s * a.theta) / R, (s * a.r + c * a.theta) / R};
   }
 }
 

@@ -88,6 +88,7 @@ class DomainAverage {
   std::function<std::vector<double>(double)> radii_of_xi_;
   std::vector<ReferenceDomains::Place> places_;
   RingMoments moments_;
+  RingsInMotion nodes_;  // at the radial nodes of these
   std::vector<Shape> shapes_;
   std::vector<Side> sides_;
   std::vector<Edge> edges_;

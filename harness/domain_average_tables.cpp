@@ -48,12 +48,13 @@ DomainAverage::DomainAverage(const Motion& motion, double density, const Referen
       gauss_points_(gauss_points),
       radii_of_xi_(radii_of_parameter(motion)),
       places_(domains.places),
-      moments_(*ring_of(motion), domains) {
+      moments_(*ring_of(motion), domains),
+      nodes_(motion, moments_.nodes()) {
   add_edges(domains, density);
   tau_.resize(4 * xi_.size());
   rotated_.resize(xi_.size());
   flux_.resize(edges_.size());
-  node_a_.resize(moments_.nodes().size());
+  node_a_.resize(nodes_.size());
   force_.resize(shapes_.size());
 }
 
@@ -120,8 +121,9 @@ void DomainAverage::share_radii(std::span<const double> radius) {
     const auto [it, is_new] = known.try_emplace(radius[i], static_cast<std::uint32_t>(xi_.size()));
     points_[i].radius = it->second;
     if (!is_new) continue;
-    xi_.push_back(ring_parameter(motion_, radius[i]).value);
-    h_.push_back(turn_of(motion_).profile(radius[i]).h);
+    const RingParameter parameter = ring_parameter(motion_, radius[i]);
+    xi_.push_back(parameter.value);
+    h_.push_back(parameter.h);
   }
 }
 

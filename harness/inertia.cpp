@@ -13,7 +13,7 @@ InertiaField::InertiaField(const Motion& motion, double spin, std::span<const do
     return;
   }
   points_ = RingPoints(X, Y);
-  for (const double R : points_.radius) profile_.push_back(turn_of(motion).profile(R));
+  rings_ = RingsInMotion(motion, points_.radius);
   factor_.resize(points_.radius.size());
 }
 
@@ -40,12 +40,8 @@ void InertiaField::set_time(double t) {
   t_ = t;
   if (in_box_) return;
   if (factor_.empty()) return set_uniform(t);
-  const bool is_vortex = std::holds_alternative<Vortex>(motion_);
-  const AmplitudeValue g = turn_of(motion_).amplitude.at(t);
-  for (std::size_t k = 0; k < factor_.size(); ++k) {
-    const double R = points_.radius[k];
-    factor_[k] = factor(R, is_vortex ? Vortex::ring(R, profile_[k], g) : ring_kinematics(motion_, R, t), t);
-  }
+  rings_.set_time(t);
+  for (std::size_t k = 0; k < factor_.size(); ++k) factor_[k] = factor(rings_.radius(k), rings_[k], t);
 }
 
 InertiaField::Inertia InertiaField::at(std::size_t point) const {

@@ -47,8 +47,8 @@ class InertiaField {
   bool in_box_ = false;        // axis-aligned
   std::vector<double> X_, Y_;  // of a motion that is not polar
   Inertia of_origin_;
-  RingPoints points_;                     // of a polar one
-  std::vector<Vortex::Profile> profile_;  // of each distinct radius
+  RingPoints points_;    // of a polar one
+  RingsInMotion rings_;  // at each distinct radius
   std::vector<Factor> factor_;
 };
 

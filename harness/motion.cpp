@@ -87,10 +87,31 @@ RingKinematics ring_kinematics(const Motion& motion, double R, double t) {
 RingParameter ring_parameter(const Motion& motion, double R) {
   if (const auto* vortex = std::get_if<Vortex>(&motion)) {
     const Vortex::Profile profile = vortex->profile(R);
-    return {profile.xi, profile.xi_prime};
+    return {profile.xi, profile.xi_prime, profile.h};
   }
   const auto& ring = std::get<TwistingRing>(motion);
-  return {std::clamp(R, ring.inner(), ring.outer()), 1};
+  return {std::clamp(R, ring.inner(), ring.outer()), 1, ring.twist.profile(R).h};
+}
+
+RingsInMotion::RingsInMotion(const Motion& motion, std::span<const double> radii)
+    : amplitude_(turn_of(motion).amplitude), radius_(radii.begin(), radii.end()) {
+  const auto* ring = std::get_if<TwistingRing>(&motion);
+  if (ring) expansion_ = ring->expansion, period_ = ring->period();
+  for (const double R : radii) {
+    profile_.push_back(turn_of(motion).profile(R));
+    if (ring) radial_.push_back(ring->radial(R));
+  }
+}
+
+void RingsInMotion::set_time(double t) {
+  turn_ = amplitude_.at(t);
+  if (!radial_.empty()) widening_ = TwistingRing::widening(t, period_);
+}
+
+RingKinematics RingsInMotion::operator[](std::size_t k) const {
+  RingKinematics ring = Vortex::ring(radius_[k], profile_[k], turn_);
+  if (!radial_.empty()) TwistingRing::widen(ring, expansion_, radial_[k], widening_);
+  return ring;
 }
 
 std::function<std::vector<double>(double)> radii_of_parameter(const Motion& motion) {

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -57,9 +58,28 @@ const Vortex& turn_of(const Motion& motion);
 /// rho, alpha and their derivatives.
 RingKinematics ring_kinematics(const Motion& motion, double R, double t);
 
-/// The parameter of the baseline and its slope: xi and xi' of the vortex; R and 1 of the twisting ring.
+/// The same at many radii, of which all that does not change with time is computed once.
+class RingsInMotion {
+ public:
+  RingsInMotion() = default;
+  RingsInMotion(const Motion& motion, std::span<const double> radii);
+  void set_time(double t);
+  std::size_t size() const { return radius_.size(); }
+  double radius(std::size_t k) const { return radius_[k]; }
+  RingKinematics operator[](std::size_t k) const;  ///< at the time that was set
+
+ private:
+  double expansion_ = 0, period_ = 1;  ///< of a twisting ring; 0: none
+  Amplitude amplitude_;
+  AmplitudeValue turn_, widening_;
+  std::vector<double> radius_;
+  std::vector<Vortex::Profile> profile_;
+  std::vector<TwistingRing::Radial> radial_;  ///< of a twisting ring
+};
+
+/// The parameter of the baseline and its slope: xi and xi' of the vortex; R and 1 of the twisting ring; with h.
 struct RingParameter {
-  double value = 0, slope = 0;
+  double value = 0, slope = 0, h = 0;
 };
 RingParameter ring_parameter(const Motion& motion, double R);
 

@@ -7,12 +7,9 @@
 
 namespace assay {
 
-namespace {
-
-/// sin(pi t/T) with its first two rates [1], [1/s], [1/s^2].
-AmplitudeValue half_wave(double t, double period) { return Amplitude{Amplitude::Type::sine, 1, period}.at(t); }
-
-}  // namespace
+AmplitudeValue TwistingRing::widening(double t, double period) {
+  return Amplitude{Amplitude::Type::sine, 1, period}.at(t);
+}
 
 TwistingRing::Radial TwistingRing::radial(double R) const {
   const double ri = twist.inner, ro = twist.outer, d = ro * ro * (ro - 3 * ri);
@@ -20,16 +17,18 @@ TwistingRing::Radial TwistingRing::radial(double R) const {
   return {R * (c1 + R * (c2 + R * c3)), c1 + R * (2 * c2 + 3 * R * c3)};
 }
 
-RingKinematics TwistingRing::ring(double R, double t) const {
-  RingKinematics k = twist.ring(R, t);
-  const Radial u = radial(R);
-  const AmplitudeValue s = half_wave(t, period());
-  k.rho = R + expansion * s.value * u.U;
-  k.rho_slope = 1 + expansion * s.value * u.slope;
+void TwistingRing::widen(RingKinematics& k, double expansion, const Radial& u, const AmplitudeValue& s) {
+  k.rho += expansion * s.value * u.U;
+  k.rho_slope += expansion * s.value * u.slope;
   k.rho_rate = expansion * s.rate * u.U;
   k.rho_slope_rate = expansion * s.rate * u.slope;
   k.rho_acceleration = expansion * s.acceleration * u.U;
   k.rho_slope_acceleration = expansion * s.acceleration * u.slope;
+}
+
+RingKinematics TwistingRing::ring(double R, double t) const {
+  RingKinematics k = twist.ring(R, t);
+  widen(k, expansion, radial(R), widening(t, period()));
   return k;
 }
 

@@ -24,6 +24,11 @@ struct TwistingRing {
   };
   Radial radial(double R) const;
 
+  /// sin(pi t/T) with its first two rates [1], [1/s], [1/s^2].
+  static AmplitudeValue widening(double t, double period);
+  /// Adds e sin(pi t/T) U to rho = R.
+  static void widen(RingKinematics& k, double expansion, const Radial& u, const AmplitudeValue& s);
+
   /// The motion of a radius; beyond the faces by the same formula, where h = 0.
   RingKinematics ring(double R, double t) const;
 
