@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a study found: the content of study.json, the tables and the report.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "drivers/output/result_json.hpp"
+#include "drivers/result.hpp"
+
+namespace assay::drivers {
+
+/// Where a case stands on one axis.
+struct AxisValue {
+  std::string axis, value;  ///< "method", "CPDI, FLIP"; "grid.spacing", "0.05"
+};
+
+/// The clock of the repeats of a timed case; medians and spreads of them are among the case's figures.
+struct ClockReadings {
+  bool alone = false;          ///< nothing of the study ran beside it
+  std::vector<double> step_s;  ///< processor time of the steps alone [s]
+  std::vector<double> cpu_s;   ///< of the whole process [s]
+  std::vector<double> wall_s;  ///< of the step loop [s]
+  std::vector<double> others;  ///< cores that other programs kept busy meanwhile [1]
+  std::string machine;         ///< "AMD EPYC, 2 cores"
+};
+
+/// One case. Figures that were not reached are absent.
+struct StudyCase {
+  std::size_t number = 0;  ///< from 1, in the order of the study
+  std::string key;         ///< hash of resolved scene, binary and libraries: its folder is cases/KEY; empty: n/a
+  std::vector<AxisValue> values;
+  std::string label;                ///< "CPDI, FLIP, grid.spacing=0.05"
+  std::string series;               ///< the label without the axis of resolution; "all" where there is no other axis
+  Figure resolution;                ///< value of the refined key, such as h [m]
+  std::string outcome = "missing";  ///< completed, unstable, material_failed, refused, n/a, crashed, stopped, missing
+  std::string reason;               ///< one sentence where not completed
+  bool budget = false;              ///< only there for the error budget: in no series, order or front
+  std::map<std::string, FlatValue> figures;  ///< of result.json, by dotted key
+  Figure error;                              ///< the study's figure of error; absent where not completed
+  Figure cost;                               ///< the study's figure of cost, median of the repeats where it is a time
+  Figure cost_spread;                        ///< half the range of the repeats over the median; absent of one
+  Figure work;                               ///< particle-steps
+  bool eligible = false;                     ///< completed, with error and cost, and does not use the exact solution
+  bool on_front = false;
+  ClockReadings clock;
+  std::vector<PassFigures> passes;
+  std::vector<std::array<double, 2>> history;  ///< t [s], L2 error of the displacement [m]
+
+  bool completed() const { return outcome == "completed"; }
+};
+
+/// A least-squares fit of log(error) against log(h).
+struct FittedOrder {
+  double order = 0;
+  Figure lower, upper;  ///< 95 % confidence interval (Student's t); absent of two resolutions
+};
+
+/// The cases that differ in resolution alone.
+struct StudySeries {
+  std::string name;
+  std::vector<std::size_t> cases;  ///< indices into StudyFindings::cases, the coarsest first
+  std::vector<Figure> pairwise;    ///< observed order from the case before; the first is absent
+  std::optional<FittedOrder> fit;  ///< over all completed resolutions; absent of fewer than two
+  enum class Range { reached, not_reached, unknown } asymptotic = Range::unknown;
+  std::string
+      sentence;  ///< "reached: orders 1.97 and 2.01 on the three finest", "unknown: 2 resolutions, three are needed"
+};
+
+/// What one more digit of accuracy costs.
+struct StudyDigit {
+  double error = 0;                 ///< the level: 0.1, 0.01, ...
+  std::optional<std::size_t> best;  ///< the cheapest measured case that meets it; index into cases
+  Figure cost;                      ///< of that case
+  std::string series;               ///< the cheapest where costs are interpolated between measured resolutions
+  Figure interpolated;              ///< its cost at exactly this error
+  Figure factor;                    ///< interpolated cost over that of the level before
+};
+
+/// One source of a run's error, found by refining it alone.
+struct BudgetLine {
+  std::string base;       ///< label of the run
+  std::string source;     ///< "space", "time step", "sheet", "transfer"; words of the study
+  std::string changed;    ///< "grid.spacing=0.025"
+  Figure error, refined;  ///< the study's figure before and after
+  Figure share;           ///< largest change of the L2 history over time, over the run's largest error
+  std::string outcome;    ///< of the refined run
+};
+
+struct StudyExpectationOutcome {
+  std::string where;  ///< label of the case or series
+  ExpectationOutcome outcome;
+};
+
+struct StudyFindings {
+  std::string title, question;
+  std::string error_key, cost_key, refine_key;  ///< "error.relative", "step_cpu_s", "grid.spacing" (or empty)
+  std::string error_name, error_unit;           ///< "largest L2 error of u over the motion", "" or "m"
+  std::string cost_name, cost_unit;             ///< "processor time of the steps", "s"
+  std::vector<std::string> axes;
+  std::vector<StudyCase> cases;
+  std::vector<StudySeries> series;
+  std::vector<std::size_t> front;       ///< by cost: indices of the cases that no other beats in error and cost
+  std::vector<std::size_t> work_front;  ///< the same by particle-steps
+  std::vector<StudyDigit> digits;
+  std::vector<BudgetLine> budget;
+  std::vector<StudyExpectationOutcome> expect;
+  std::vector<std::string> warnings;
+  std::vector<std::string> machines;  ///< all that cases were run on
+  Provenance provenance;
+  std::string study_yaml;  ///< the text of the study's file
+
+  int count(const std::string& outcome) const;
+  bool holds() const;  ///< all that was expected does, and no case is missing
+};
+
+/// Best and worst completed case by error; none of a study without any.
+std::optional<std::size_t> best_case(const StudyFindings& findings);
+std::optional<std::size_t> worst_case(const StudyFindings& findings);
+
+}  // namespace assay::drivers
