@@ -139,6 +139,7 @@ struct Result {
   bool uses_exact_solution = false;  ///< the method is told more than b and the initial state
   ErrorFigures error;
   double setup_s = 0, wall_s = 0, cpu_s = 0;
+  Figure step_cpu_s;  ///< processor time of the steps alone: no set-up, no sampling of the error, no snapshots
   std::int64_t peak_rss_bytes = 0;
   std::int64_t particle_steps = 0, material_calls = 0;
   Figure particle_steps_per_s;

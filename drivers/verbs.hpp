@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "drivers/study/shard.hpp"
+
 namespace assay::drivers {
 
 /// How much a verb says on standard error.
@@ -80,7 +82,22 @@ struct NewMaterialOptions {
   Verbosity verbosity = Verbosity::normal;
 };
 
+struct StudyOptions {
+  std::string study;
+  std::string out;      ///< folder of the results
+  int jobs = 1;         ///< threads of cases that run side by side
+  Shard shard = {};     ///< the cases of this call
+  bool resume = false;  ///< finished cases stay
+  bool merge = false;   ///< nothing is run: what is there is put together
+  std::vector<std::string> from = {};  ///< folders whose finished cases are taken over before
+  bool list = false;                   ///< the cases, and nothing else
+  bool json = false;                   ///< study.json on standard output
+  Verbosity verbosity = Verbosity::normal;
+  std::string program = {};  ///< that runs a case; empty: this one
+};
+
 int run(const RunOptions& options);
+int study(const StudyOptions& options);
 int tabulate(const TabulateOptions& options);
 int eval(const EvalOptions& options);
 int explain(const ExplainOptions& options);

@@ -35,6 +35,13 @@ Json errors(const ErrorFigures& error) {
   return out;
 }
 
+/// Read and written in the particle columns by all steps.
+double bytes_of(const Result& result) {
+  double bytes = 0;
+  for (const PassFigures& pass : result.passes) bytes += pass.bytes_per_particle;
+  return bytes * static_cast<double>(result.particle_steps);
+}
+
 Json passes(const std::vector<PassFigures>& list) {
   Json out = Json::array();
   for (const PassFigures& pass : list) {
@@ -152,8 +159,11 @@ Json tree(const Result& result) {
   out["setup_s"] = figure(result.setup_s);
   out["wall_s"] = figure(result.wall_s);
   out["cpu_s"] = figure(result.cpu_s);
+  out["step_cpu_s"] = figure(result.step_cpu_s);
   out["peak_rss_bytes"] = result.peak_rss_bytes;
-  out["work"] = Json::object({{"particle_steps", result.particle_steps}, {"material_calls", result.material_calls}});
+  out["work"] = Json::object({{"particle_steps", result.particle_steps},
+                              {"material_calls", result.material_calls},
+                              {"bytes", bytes_of(result)}});
   out["particle_steps_per_s"] = figure(result.particle_steps_per_s);
   out["passes"] = passes(result.passes);
   out["sheet"] = sheet(result.sheet);
@@ -205,6 +215,24 @@ std::vector<std::string> flat_keys() {
   std::vector<std::string> out;
   visit_leaves(tree(Result{}), {}, [&](const std::string& key, const Json&) { out.push_back(key); });
   return out;
+}
+
+std::optional<ReadResult> read_result_json(const std::string& text) {
+  const Json root = Json::parse(text, nullptr, false);
+  if (!root.is_object() || !root.value("outcome", Json()).is_string()) return std::nullopt;
+  ReadResult read;
+  visit_leaves(root, {}, [&](const std::string& key, const Json& value) { read.figures[key] = leaf(value); });
+  for (const Json& pass : root.value("passes", Json::array())) {
+    if (!pass.is_object()) return std::nullopt;
+    const auto number = [&](const char* key) {
+      const Json value = pass.value(key, Json());
+      return value.is_number() ? value.get<double>() : 0;
+    };
+    const Json name = pass.value("name", Json());
+    if (!name.is_string()) return std::nullopt;
+    read.passes.push_back({name.get<std::string>(), number("seconds"), number("bytes_per_particle")});
+  }
+  return read;
 }
 
 }  // namespace assay::drivers

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -24,5 +25,14 @@ std::map<std::string, FlatValue> flatten(const Result& result);
 
 /// The keys of flatten(), in the order of the file: what `expect:` may ask for.
 std::vector<std::string> flat_keys();
+
+/// What a result.json holds.
+struct ReadResult {
+  std::map<std::string, FlatValue> figures;  ///< as of flatten()
+  std::vector<PassFigures> passes;
+};
+
+/// Of the text of a result.json; none where it is not whole.
+std::optional<ReadResult> read_result_json(const std::string& text);
 
 }  // namespace assay::drivers

@@ -33,8 +33,8 @@ void read_comparison(const Tree& map, const std::string& path, Expectation& line
   }
 }
 
-Expectation read_line(const Tree::Entry& entry) {
-  const std::string path = key_path("expect", entry.key);
+Expectation read_line(const Tree::Entry& entry, const ExpectationWords& words) {
+  const std::string path = key_path(words.path, entry.key);
   Expectation line;
   line.key = entry.key;
   line.where = entry.key_where;
@@ -45,7 +45,7 @@ Expectation read_line(const Tree::Entry& entry) {
       value = value->find("equals");
     }
     if (!value) throw InputError(entry.value.where, path, "must be text or {equals: text}");
-    line.text = entry.key == "outcome" ? choice_value(*value, path, known_outcomes()) : text_value(*value, path);
+    line.text = entry.key == "outcome" ? choice_value(*value, path, words.outcomes) : text_value(*value, path);
   } else if (entry.value.kind == Tree::Kind::map) {
     read_comparison(entry.value, path, line);
   } else {
@@ -76,21 +76,6 @@ std::string expected_text(const Expectation& line) {
   return name + " " + number_text(line.number);
 }
 
-ExpectationOutcome judged(const Expectation& line, const FlatValue& found) {
-  ExpectationOutcome outcome{line.key, expected_text(line), "null", false};
-  if (const auto* text = std::get_if<std::string>(&found)) {
-    outcome.found = *text;
-    outcome.holds = line.text && *line.text == *text;
-  } else if (const auto* truth = std::get_if<bool>(&found)) {
-    outcome.found = *truth ? "true" : "false";
-    outcome.holds = line.truth && *line.truth == *truth;
-  } else if (const auto* number = std::get_if<double>(&found)) {
-    outcome.found = number_text(*number);
-    outcome.holds = !line.text && !line.truth && holds(line, *number);
-  }
-  return outcome;
-}
-
 }  // namespace
 
 bool is_text_figure(const std::string& key) {
@@ -108,11 +93,13 @@ const std::vector<std::string>& known_outcomes() {
   return names;
 }
 
-std::vector<Expectation> read_expectations(const Tree& map) {
-  require_map(map, "expect", "keys of result.json");
-  refuse_unknown_keys(map, "expect", flat_keys());
+std::vector<Expectation> read_expectations(const Tree& map, const ExpectationWords& words) {
+  std::vector<std::string> known = words.numbers;
+  for (const std::string& key : flat_keys()) known.push_back(key);
+  require_map(map, words.path, "keys of result.json");
+  refuse_unknown_keys(map, words.path, known);
   std::vector<Expectation> lines;
-  for (const Tree::Entry& entry : map.entries) lines.push_back(read_line(entry));
+  for (const Tree::Entry& entry : map.entries) lines.push_back(read_line(entry, words));
   return lines;
 }
 
@@ -123,6 +110,21 @@ std::string expectation_yaml(const Expectation& line) {
     return "{between: [" + number_text(line.number) + ", " + number_text(line.upper) + "]}";
   }
   return "{" + name + ": " + number_text(line.number) + "}";
+}
+
+ExpectationOutcome judged(const Expectation& line, const FlatValue& found) {
+  ExpectationOutcome outcome{line.key, expected_text(line), "null", false};
+  if (const auto* text = std::get_if<std::string>(&found)) {
+    outcome.found = *text;
+    outcome.holds = line.text && *line.text == *text;
+  } else if (const auto* truth = std::get_if<bool>(&found)) {
+    outcome.found = *truth ? "true" : "false";
+    outcome.holds = line.truth && *line.truth == *truth;
+  } else if (const auto* number = std::get_if<double>(&found)) {
+    outcome.found = number_text(*number);
+    outcome.holds = !line.text && !line.truth && holds(line, *number);
+  }
+  return outcome;
 }
 
 std::vector<ExpectationOutcome> judge(const std::vector<Expectation>& expectations, const Result& result) {

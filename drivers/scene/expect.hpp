@@ -5,17 +5,31 @@
 #include <string>
 #include <vector>
 
+#include "drivers/output/result_json.hpp"
 #include "drivers/result.hpp"
 #include "drivers/scene/scene.hpp"
 #include "drivers/scene/yaml_reader.hpp"
 
 namespace assay::drivers {
 
+/// How a run can end.
+const std::vector<std::string>& known_outcomes();
+
+/// What may stand in a map of expectations.
+struct ExpectationWords {
+  std::string path = "expect";
+  std::vector<std::string> numbers = {};  ///< keys of numbers beside those of result.json
+  std::vector<std::string> outcomes = known_outcomes();
+};
+
 /// The lines of `expect:`. Throws InputError for keys that result.json does not have, unknown outcomes, wrong types.
-std::vector<Expectation> read_expectations(const Tree& map);
+std::vector<Expectation> read_expectations(const Tree& map, const ExpectationWords& words = {});
 
 /// The YAML value of a line: `completed`, `{below: 0.07}`, `{between: [1, 2]}`.
 std::string expectation_yaml(const Expectation& expectation);
+
+/// What a figure is to an expectation of it. A figure that was not reached or is not a number holds nothing.
+ExpectationOutcome judged(const Expectation& line, const FlatValue& found);
 
 /// One outcome a line, in their order. A figure that was not reached or is not a number holds nothing.
 std::vector<ExpectationOutcome> judge(const std::vector<Expectation>& expectations, const Result& result);
@@ -25,8 +39,5 @@ const std::vector<std::string>& expectation_operators();
 
 /// Whether a key of result.json holds text; all others hold numbers.
 bool is_text_figure(const std::string& key);
-
-/// How a run can end.
-const std::vector<std::string>& known_outcomes();
 
 }  // namespace assay::drivers

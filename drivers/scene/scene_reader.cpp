@@ -98,13 +98,16 @@ void begin_sections(const Tree& root, Scene& scene) {
   }
 }
 
-void read_material(const Tree& root, const std::string& file, Scene& scene) {
+/// From which a relative path counts: the file's folder; of settings the working directory.
+std::filesystem::path folder_of(const Location& where) {
+  return where.file == set_option ? std::filesystem::path() : std::filesystem::path(where.file).parent_path();
+}
+
+void read_material(const Tree& root, Scene& scene) {
   MaterialChoice& material = scene.material;
   const Tree& adapter = *value_at(root, "material.adapter");
   material.where = adapter.where;
-  const bool from_set = adapter.where.file == set_option;
-  const auto folder = from_set ? std::filesystem::path() : std::filesystem::path(file).parent_path();
-  material.adapter = absolute_material(material.adapter, folder);
+  material.adapter = absolute_material(material.adapter, folder_of(adapter.where));
   const Tree* parameters = value_at(root, "material.parameters");
   if (!parameters) return;
   for (const Tree::Entry& entry : parameters->entries) {
@@ -114,12 +117,10 @@ void read_material(const Tree& root, const std::string& file, Scene& scene) {
 }
 
 /// The table behind motion.path; a period beside it must be the table's own.
-void read_motion_path(const Tree& root, const std::string& file, Scene& scene) {
+void read_motion_path(const Tree& root, Scene& scene) {
   const Tree* given = value_at(root, "motion.path");
   if (!given) return;
-  const bool from_set = given->where.file == set_option;
-  const auto folder = from_set ? std::filesystem::path() : std::filesystem::path(file).parent_path();
-  const std::string table = absolute_path(folder / std::get<DeformationTable>(scene.motion).source());
+  const std::string table = absolute_path(folder_of(given->where) / std::get<DeformationTable>(scene.motion).source());
   std::error_code code;
   if (!std::filesystem::is_regular_file(table, code)) {
     throw InputError(given->where, "motion.path", "no such file: '" + one_line(table, 200) + "'");
@@ -157,23 +158,18 @@ void derive(const Tree& root, Scene& scene) {
 
 }  // namespace
 
-Scene scene_from_text(std::string_view text, const std::string& file, const std::vector<std::string>& sets) {
-  Tree root = read_yaml(text, file);
-  if (root.kind == Tree::Kind::null) throw InputError({file, 0, 0}, "", "empty");
-  require_map(root, "", joined(names_under("")));
-  for (const std::string& setting : sets) apply_setting(root, setting);
+Scene scene_of(const Tree& root, const std::string& file, const std::string& sha256) {
   check_names(root);
-
   Scene scene;
   scene.file = file;
-  scene.sha256 = sha256_hex(text);
+  scene.sha256 = sha256;
   begin_sections(root, scene);
   for (const Key& key : scene_keys()) {
     read_key(key, root, scene);
     if (key.path == "motion.type") begin_body(scene);
   }
-  read_material(root, file, scene);
-  read_motion_path(root, file, scene);
+  read_material(root, scene);
+  read_motion_path(root, scene);
   derive(root, scene);
   if (const Tree* expect = value_at(root, "expect")) scene.expect = read_expectations(*expect);
   check_scene(scene, [&](const std::string& path) {
@@ -182,6 +178,19 @@ Scene scene_from_text(std::string_view text, const std::string& file, const std:
     return tree ? tree->where : root.where;
   });
   return scene;
+}
+
+Tree scene_tree(std::string_view text, const std::string& file) {
+  Tree root = read_yaml(text, file);
+  if (root.kind == Tree::Kind::null) throw InputError({file, 0, 0}, "", "empty");
+  require_map(root, "", joined(names_under("")));
+  return root;
+}
+
+Scene scene_from_text(std::string_view text, const std::string& file, const std::vector<std::string>& sets) {
+  Tree root = scene_tree(text, file);
+  for (const std::string& setting : sets) apply_setting(root, parse_setting(setting));
+  return scene_of(root, file, sha256_hex(text));
 }
 
 Scene read_scene(const std::string& file, const std::vector<std::string>& sets) {

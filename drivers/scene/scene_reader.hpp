@@ -14,6 +14,13 @@ namespace assay::drivers {
 /// absolute: from the file's folder, in settings from the working directory. Throws InputError.
 Scene read_scene(const std::string& file, const std::vector<std::string>& sets = {});
 
+/// The values of a scene's text, a map. Throws InputError.
+Tree scene_tree(std::string_view text, const std::string& file);
+
+/// The scene that the values are; relative paths count from the folder of the file in which they stand. Throws
+/// InputError.
+Scene scene_of(const Tree& root, const std::string& file, const std::string& sha256);
+
 /// The same of a text; `file` is its name, `sha256` of its bytes.
 Scene scene_from_text(std::string_view text, const std::string& file, const std::vector<std::string>& sets = {});
 

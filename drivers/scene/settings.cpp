@@ -34,6 +34,11 @@ std::vector<std::string> steps_of(const std::string& path) {
   return {"expect", key};
 }
 
+bool has_empty_step(const std::string& path) {
+  const std::vector<std::string> steps = steps_of(path);
+  return std::any_of(steps.begin(), steps.end(), [](const std::string& step) { return step.empty(); });
+}
+
 Tree value_of(const std::string& text, const std::string& path) {
   if (text.find_first_not_of(" \t") == text.npos) throw InputError(from_option, path, "no value after '='");
   try {
@@ -48,34 +53,38 @@ Tree value_of(const std::string& text, const std::string& path) {
 
 }  // namespace
 
-void apply_setting(Tree& root, const std::string& setting) {
-  const std::size_t equals = setting.find('=');
-  const std::string path = setting.substr(0, equals);
-  const std::vector<std::string> steps = steps_of(path);
-  const bool empty_step = std::any_of(steps.begin(), steps.end(), [](const std::string& s) { return s.empty(); });
-  if (equals == setting.npos || empty_step) {
-    throw InputError(from_option, "", "takes key.path=value, found '" + one_line(setting, 80) + "'");
+Setting parse_setting(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const std::string path = text.substr(0, equals);
+  if (equals == text.npos || has_empty_step(path)) {
+    throw InputError(from_option, "", "takes key.path=value, found '" + one_line(text, 80) + "'");
   }
-  if (steps.size() > YamlLimits{}.depth) throw InputError(from_option, one_line(path, 80), "nested too deep");
-  Tree value = value_of(setting.substr(equals + 1), path);
+  return {path, value_of(text.substr(equals + 1), path), from_option};
+}
+
+void apply_setting(Tree& root, const Setting& setting) {
+  const auto& [path, value, where] = setting;
+  if (has_empty_step(path)) throw InputError(where, one_line(path, 80), "is no path of keys");
+  const std::vector<std::string> steps = steps_of(path);
+  if (steps.size() > YamlLimits{}.depth) throw InputError(where, one_line(path, 80), "nested too deep");
   Tree* at = &root;
   std::string done;
   for (const std::string& step : steps) {
-    if (at->kind == Tree::Kind::null) at->kind = Tree::Kind::map, at->where = from_option;
+    if (at->kind == Tree::Kind::null) at->kind = Tree::Kind::map, at->where = where;
     if (at->kind != Tree::Kind::map) {
-      throw InputError(from_option, path, (done.empty() ? "the scene" : "'" + done + "'") + " is not a map");
+      throw InputError(where, path, (done.empty() ? "the scene" : "'" + done + "'") + " is not a map");
     }
     Tree* next = at->find(step);
     if (!next) {
       Tree made;
-      made.where = from_option;
-      at->entries.push_back({step, from_option, std::move(made)});
+      made.where = where;
+      at->entries.push_back({step, where, std::move(made)});
       next = &at->entries.back().value;
     }
     at = next;
     done = key_path(done, step);
   }
-  *at = std::move(value);
+  *at = value;
 }
 
 }  // namespace assay::drivers

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `--set key.path=YAML value`.
+// Values put over those of a scene: `--set key.path=YAML value`, and the axes of a study.
 #pragma once
 
 #include <string>
@@ -8,8 +8,18 @@
 
 namespace assay::drivers {
 
+/// A value for the place of a scene at a dotted path.
+struct Setting {
+  std::string path;
+  Tree value;
+  Location where;  ///< of the path; the option where it came from the command line
+};
+
+/// Reads "key.path=YAML value". Throws InputError.
+Setting parse_setting(const std::string& text);
+
 /// Puts the value at its place in the tree; a map replaces a map, missing maps are made. What follows `expect.` is one
 /// key with its dots, and an operator after it. Throws InputError.
-void apply_setting(Tree& root, const std::string& setting);
+void apply_setting(Tree& root, const Setting& setting);
 
 }  // namespace assay::drivers

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
+#include <fstream>
 
 #include "adapters/worker/remote_table.hpp"
 #include "drivers/interrupt.hpp"
@@ -52,6 +54,8 @@ class Run {
   void loop(Progress& progress) {
     const auto start = Clock::now();
     observe(0);
+    const double cpu_at_start = cpu_seconds();
+    observing_cpu_s_ = 0;
     std::int64_t k = 0;
     while (k < problem_.steps) {
       stop_if_interrupted();
@@ -67,6 +71,7 @@ class Run {
       progress.update(static_cast<double>(k) / static_cast<double>(problem_.steps),
                       "t = " + rounded_text(next, 3) + " s");
     }
+    result_.step_cpu_s = cpu_seconds() - cpu_at_start - observing_cpu_s_;
     result_.wall_s = seconds_since(start);
     finish(k);
   }
@@ -89,7 +94,9 @@ class Run {
 
   void observe(std::int64_t k) {
     const bool shot = due_.shots.contains(k), sample = due_.samples.contains(k) || (shot && sampler_);
-    const double t = problem_.time_of_step(k);
+    const bool account = accounts_ && (sample || k == problem_.steps);
+    if (!shot && !sample && !account) return;
+    const double t = problem_.time_of_step(k), cpu_at_start = cpu_seconds();
     auto start = Clock::now();
     if (sample) {
       const ErrorSample found = sampler_->sample(simulation_.state(), t, simulation_.velocity_time());
@@ -102,7 +109,8 @@ class Run {
       snapshots_.add(simulation_.state(), sampler_ ? &*sampler_ : nullptr, t);
       output_s_ += seconds_since(start);
     }
-    if (accounts_ && (sample || k == problem_.steps)) accounts_->check(simulation_.state());
+    if (account) accounts_->check(simulation_.state());
+    observing_cpu_s_ += cpu_seconds() - cpu_at_start;
   }
 
   void record(const mpm::Finding& finding) {
@@ -150,7 +158,7 @@ class Run {
   std::optional<ErrorSampler> sampler_;
   std::optional<Accounts> accounts_;
   Observations due_;
-  double sampling_s_ = 0, output_s_ = 0, largest_displacement_ = 0;
+  double sampling_s_ = 0, output_s_ = 0, observing_cpu_s_ = 0, largest_displacement_ = 0;
 };
 
 }  // namespace
@@ -180,6 +188,12 @@ double cpu_seconds() {
 }
 
 std::int64_t peak_memory() {
+  // A program that was started by exec() inherits the peak of getrusage() from the process that started it.
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    long long kibibytes = 0;
+    if (std::sscanf(line.c_str(), "VmHWM: %lld kB", &kibibytes) == 1) return kibibytes * std::int64_t{1024};
+  }
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return usage.ru_maxrss * std::int64_t{1024};

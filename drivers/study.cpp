@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `assay study`: what accuracy costs, over the cases of a study.
+#include <cstdio>
+
+#include "drivers/interrupt.hpp"
+#include "drivers/progress.hpp"
+#include "drivers/study/analysis.hpp"
+#include "drivers/study/case_list.hpp"
+#include "drivers/study/runner.hpp"
+#include "drivers/study/study_files.hpp"
+#include "drivers/study/study_json.hpp"
+#include "drivers/study/study_reader.hpp"
+#include "drivers/study/study_text.hpp"
+#include "drivers/verbs.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+StudyFindings findings_of(const Plan& plan, const CaseStore& store) {
+  std::vector<StudyCase> cases;
+  for (const PlannedCase& one : plan.cases) cases.push_back(store.read(one));
+  return analysed(plan, std::move(cases));
+}
+
+/// A line for every case that has ended, and the progress between them.
+class Teller {
+ public:
+  Teller(const Plan& plan, const CaseStore& store, const StudyOptions& options)
+      : plan_(plan),
+        store_(store),
+        speaks_(options.verbosity != Verbosity::quiet && !options.json),
+        progress_("study", options.verbosity == Verbosity::quiet) {}
+
+  void operator()(const RunnerReport& report) {
+    if (report.finished && speaks_) {
+      const StudyFindings words = analysed_alone(*report.finished);
+      progress_.finish();
+      std::fputs(case_line(words, words.cases.front(), report.done, report.total).c_str(), stdout);
+      std::fflush(stdout);
+    }
+    progress_.update(report.fraction, std::to_string(report.done) + " of " + std::to_string(report.total) +
+                                          (report.running ? ": " + report.running->label : ""));
+  }
+
+ private:
+  StudyFindings analysed_alone(const PlannedCase& one) const {
+    Plan alone;
+    alone.study = plan_.study;
+    alone.study.expect.clear();
+    alone.cases = {one};
+    alone.cases.front().base.reset();
+    return analysed(alone, {store_.read(alone.cases.front())});
+  }
+
+  const Plan& plan_;
+  const CaseStore& store_;
+  bool speaks_;
+  Progress progress_;
+};
+
+/// What is said before cases are run, on standard error.
+void warn_of_earlier(const Plan& plan, const CaseStore& store, const StudyOptions& options) {
+  if (options.resume || options.verbosity == Verbosity::quiet) return;
+  std::size_t finished = 0;
+  for (const PlannedCase& one : plan.cases) {
+    finished += options.shard.holds(one.number) && store.state_of(one.key) == CaseState::finished ? 1 : 0;
+  }
+  if (finished > 0) std::fprintf(stderr, "warning: %zu finished cases are run again; --resume keeps them\n", finished);
+}
+
+void say_what_was_kept(const RunnerSummary& summary, const StudyOptions& options) {
+  if (options.verbosity == Verbosity::quiet) return;
+  if (summary.kept > 0) std::fprintf(stderr, "%zu finished cases were kept\n", summary.kept);
+  if (summary.torn > 0) std::fprintf(stderr, "warning: %zu torn cases were run again\n", summary.torn);
+}
+
+Plan planned(const StudyOptions& options) {
+  Study study = read_study(options.study);
+  watch_interrupts();
+  Progress progress("reading the scenes", options.verbosity == Verbosity::quiet);
+  return plan_of(std::move(study), [&](double fraction) {
+    stop_if_interrupted();
+    progress.update(fraction);
+  });
+}
+
+void gather(const Plan& plan, const CaseStore& store, const StudyOptions& options) {
+  for (const std::string& from : options.from) {
+    std::error_code code;
+    if (!std::filesystem::is_directory(from, code))
+      throw InputError({}, "assay study", "--from: no such folder: '" + one_line(from, 200) + "'");
+  }
+  for (const PlannedCase& one : plan.cases) {
+    if (!one.invalid.empty() || store.state_of(one.key) == CaseState::finished) continue;
+    for (const std::string& from : options.from) {
+      if (store.take(one, CaseStore(from))) break;
+    }
+  }
+}
+
+int conclude(const Plan& plan, const CaseStore& store, const StudyOptions& options) {
+  const StudyFindings findings = findings_of(plan, store);
+  stop_if_interrupted();
+  write_study(findings, store, options.out);
+  if (options.json) {
+    std::fputs(study_json(findings).c_str(), stdout);
+  } else if (options.verbosity != Verbosity::quiet) {
+    std::fputs(study_text(findings, options.out).c_str(), stdout);
+  }
+  return findings.holds() ? 0 : 1;
+}
+
+}  // namespace
+
+int study(const StudyOptions& options) {
+  const Plan plan = planned(options);
+  const CaseStore store(options.out);
+  if (options.list) {
+    std::fputs(options.json ? list_json(plan, store).c_str() : list_text(plan, store).c_str(), stdout);
+    return 0;
+  }
+  if (options.merge) {
+    gather(plan, store, options);
+    return conclude(plan, store, options);
+  }
+  warn_of_earlier(plan, store, options);
+  Teller teller(plan, store, options);
+  RunnerOptions how;
+  if (!options.program.empty()) how.program = options.program;
+  how.jobs = options.jobs, how.resume = options.resume, how.shard = options.shard;
+  const RunnerSummary summary = run_cases(plan, store, how, [&](const RunnerReport& report) { teller(report); });
+  say_what_was_kept(summary, options);
+  if (options.shard.count == 1) return conclude(plan, store, options);
+  if (options.verbosity != Verbosity::quiet) {
+    std::printf("shard %zu/%zu: %zu cases; when all shards are done: assay study %s -o %s --merge\n",
+                options.shard.index, options.shard.count, summary.run + summary.kept, options.study.c_str(),
+                options.out.c_str());
+  }
+  return 0;
+}
+
+}  // namespace assay::drivers

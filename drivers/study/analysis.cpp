@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/study/analysis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "drivers/build_information.hpp"
+#include "drivers/output/number_format.hpp"
+#include "drivers/study/budget.hpp"
+#include "drivers/study/figure_names.hpp"
+#include "drivers/study/study_expect.hpp"
+#include "harness/convergence.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr double disturbance = 0.15;  ///< of the machine's cores, kept busy by others, that a clock may feel
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+}
+
+/// The readings of a clock that is the study's figure of cost; null where the cost is counted, not timed.
+const std::vector<double>* readings_of(const StudyCase& one, const std::string& cost) {
+  return cost == "step_cpu_s" ? &one.clock.step_s
+         : cost == "cpu_s"    ? &one.clock.cpu_s
+         : cost == "wall_s"   ? &one.clock.wall_s
+                              : nullptr;
+}
+
+Figure number_of(const StudyCase& one, const std::string& key) {
+  const auto found = one.figures.find(key);
+  const auto* number = found == one.figures.end() ? nullptr : std::get_if<double>(&found->second);
+  return number ? Figure(*number) : Figure();
+}
+
+void fill_figures(const Study& study, StudyCase& one) {
+  one.work = number_of(one, "work.particle_steps");
+  if (one.completed()) one.error = number_of(one, study.error);
+  if (const auto* readings = readings_of(one, study.cost)) {
+    if (one.clock.alone && !readings->empty()) {
+      one.cost = median(*readings);
+      const auto [low, high] = std::minmax_element(readings->begin(), readings->end());
+      if (readings->size() > 1 && *one.cost > 0) one.cost_spread = 0.5 * (*high - *low) / *one.cost;
+    }
+  } else {
+    one.cost = number_of(one, study.cost);
+  }
+  const auto exact = one.figures.find("uses_exact_solution");
+  const bool told = exact != one.figures.end() && std::get_if<bool>(&exact->second) && std::get<bool>(exact->second);
+  one.eligible = one.error && (one.cost || one.work) && !told && !one.budget;
+}
+
+void judge_orders(const std::vector<StudyCase>& cases, StudySeries& series) {
+  std::vector<double> h, error;
+  for (const std::size_t i : series.cases) {
+    if (!cases[i].error || !cases[i].resolution) continue;
+    h.push_back(*cases[i].resolution), error.push_back(*cases[i].error);
+  }
+  const auto pairwise = pairwise_orders(h, error);
+  std::size_t next = 0;
+  for (const std::size_t i : series.cases) {
+    series.pairwise.push_back(cases[i].error && cases[i].resolution ? pairwise[next++] : std::nullopt);
+  }
+  if (const auto fit = fitted_order(h, error)) series.fit = {fit->order, fit->lower, fit->upper};
+  const RangeJudgement judgement = asymptotic_range(h, error);
+  series.asymptotic = static_cast<StudySeries::Range>(judgement.range);
+  series.sentence = judgement.sentence;
+}
+static_assert(static_cast<int>(AsymptoticRange::reached) == static_cast<int>(StudySeries::Range::reached) &&
+              static_cast<int>(AsymptoticRange::not_reached) == static_cast<int>(StudySeries::Range::not_reached));
+
+/// Series in the order in which they first appear.
+std::vector<StudySeries> series_of(const std::vector<StudyCase>& cases) {
+  std::vector<StudySeries> all;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (cases[i].budget) continue;
+    auto at = std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.name == cases[i].series; });
+    if (at == all.end()) at = all.insert(all.end(), StudySeries{cases[i].series, {}, {}, {}, {}, {}});
+    at->cases.push_back(i);
+  }
+  for (StudySeries& series : all) {
+    std::stable_sort(series.cases.begin(), series.cases.end(), [&](std::size_t a, std::size_t b) {
+      return cases[a].resolution.value_or(0) > cases[b].resolution.value_or(0);
+    });
+    judge_orders(cases, series);
+  }
+  return all;
+}
+
+StudyDigit digit_of(const StudyFindings& findings, double level) {
+  StudyDigit digit{level, {}, {}, {}, {}, {}};
+  for (const std::size_t i : findings.front) {  // by cost: the first that meets it is the cheapest
+    if (*findings.cases[i].error > level) continue;
+    digit.best = i, digit.cost = findings.cases[i].cost;
+    break;
+  }
+  for (const StudySeries& series : findings.series) {
+    const Figure cost = cost_at(findings.cases, series, level);
+    if (cost && (!digit.interpolated || *cost < *digit.interpolated))
+      digit.interpolated = cost, digit.series = series.name;
+  }
+  return digit;
+}
+
+/// One line for each power of ten that the cases reach, and the first that none does.
+std::vector<StudyDigit> digits_of(const StudyFindings& findings) {
+  std::vector<StudyDigit> digits;
+  if (findings.front.empty()) return digits;
+  double largest = 0, smallest = *findings.cases[findings.front.back()].error;
+  for (const StudyCase& one : findings.cases) {
+    if (one.eligible && one.cost) largest = std::max(largest, *one.error);
+  }
+  if (!(smallest > 0) || !std::isfinite(largest)) return digits;
+  const int first = static_cast<int>(std::floor(std::log10(largest))),
+            last = static_cast<int>(std::floor(std::log10(smallest)));
+  for (int k = first; k >= last; --k) {
+    digits.push_back(digit_of(findings, rounded_power(k)));
+    if (digits.size() > 1) {
+      const Figure before = digits.end()[-2].interpolated, now = digits.back().interpolated;
+      if (before && now && *before > 0) digits.back().factor = *now / *before;
+    }
+  }
+  return digits;
+}
+
+std::vector<std::string> warnings_of(const Plan& plan, const StudyFindings& findings) {
+  std::vector<std::string> warnings;
+  const auto count_of = [&](const auto& is) { return std::count_if(findings.cases.begin(), findings.cases.end(), is); };
+  const auto untimed = count_of([](const StudyCase& one) { return one.error && !one.cost && !one.budget; });
+  if (untimed > 0) {
+    warnings.push_back(std::to_string(untimed) + " completed cases were not timed: they have no cost in " +
+                       findings.cost_key + " and are compared by their particle-steps alone");
+  }
+  const auto disturbed = count_of([](const StudyCase& one) {
+    return one.clock.alone && !one.clock.others.empty() &&
+           median(one.clock.others) > disturbance * cores_of(one.clock.machine);
+  });
+  if (disturbed > 0) {
+    warnings.push_back("other programs kept more than " + rounded_text(100 * disturbance, 3) +
+                       " % of the machine busy while " + std::to_string(disturbed) + " cases were timed");
+  }
+  if (findings.machines.size() > 1)
+    warnings.emplace_back("the cases were run on different machines: costs do not compare");
+  if (const int missing = findings.count("missing"); missing > 0)
+    warnings.push_back(std::to_string(missing) + " of " + std::to_string(plan.cases.size()) + " cases are missing");
+  return warnings;
+}
+
+}  // namespace
+
+std::vector<std::size_t> pareto_front(const std::vector<StudyCase>& cases, Figure StudyCase::*cost) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (cases[i].eligible && cases[i].*cost) order.push_back(i);
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(*(cases[a].*cost), *cases[a].error) < std::pair(*(cases[b].*cost), *cases[b].error);
+  });
+  std::vector<std::size_t> front;
+  for (const std::size_t i : order) {
+    if (front.empty() || *cases[i].error < *cases[front.back()].error) front.push_back(i);
+  }
+  return front;
+}
+
+Figure cost_at(const std::vector<StudyCase>& cases, const StudySeries& series, double error) {
+  Figure least;
+  const StudyCase* coarser = nullptr;
+  for (const std::size_t i : series.cases) {
+    const StudyCase& one = cases[i];
+    if (!one.eligible || !one.cost) continue;
+    Figure cost;
+    if (!coarser && *one.error <= error) cost = one.cost;
+    if (coarser && *coarser->error >= error && *one.error <= error) {
+      const double span = std::log(*coarser->error / *one.error);
+      const double share = span > 0 ? std::log(*coarser->error / error) / span : 0;
+      cost = *coarser->cost * std::pow(*one.cost / *coarser->cost, share);
+    }
+    if (cost && std::isfinite(*cost) && (!least || *cost < *least)) least = cost;
+    coarser = &one;
+  }
+  return least;
+}
+
+StudyFindings analysed(const Plan& plan, std::vector<StudyCase> cases) {
+  const Study& study = plan.study;
+  StudyFindings findings;
+  findings.title = study.title, findings.question = study.question, findings.study_yaml = study.text;
+  findings.error_key = study.error, findings.cost_key = study.cost, findings.refine_key = study.refine;
+  std::tie(findings.error_name, findings.error_unit) = name_and_unit(study.error);
+  std::tie(findings.cost_name, findings.cost_unit) = name_and_unit(study.cost);
+  for (const StudyAxis& axis : study.axes) findings.axes.push_back(axis.name);
+  findings.provenance = build_information();
+  findings.provenance.scene_sha256 = study.sha256;
+  std::set<std::string> machines;
+  for (StudyCase& one : cases) {
+    fill_figures(study, one);
+    if (!one.clock.machine.empty()) machines.insert(one.clock.machine);
+  }
+  findings.machines.assign(machines.begin(), machines.end());
+  findings.cases = std::move(cases);
+  findings.series = series_of(findings.cases);
+  findings.front = pareto_front(findings.cases, &StudyCase::cost);
+  findings.work_front = pareto_front(findings.cases, &StudyCase::work);
+  for (const std::size_t i : findings.front) findings.cases[i].on_front = true;
+  findings.digits = digits_of(findings);
+  findings.budget = budget_of(plan, findings.cases);
+  findings.expect = judged_of(study, findings);
+  findings.warnings = warnings_of(plan, findings);
+  return findings;
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/study/case_key.hpp"
+
+#include <fstream>
+#include <map>
+#include <set>
+
+#include "drivers/material/material_choice.hpp"
+#include "drivers/scene/sha256.hpp"
+#include "drivers/scene/yaml_reader.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr std::size_t largest_file = std::size_t{4} << 30, key_digits = 32;
+
+std::string hash_of(const std::string& file) { return sha256_hex(read_bytes(file, largest_file)); }
+
+/// A library that many cases take is read once.
+const std::string& kept_hash_of(const std::string& file) {
+  static std::map<std::string, std::string> known;
+  const auto found = known.find(file);
+  return found != known.end() ? found->second : known.emplace(file, hash_of(file)).first->second;
+}
+
+/// Files that are mapped to be executed.
+std::set<std::string> mapped_files() {
+  std::set<std::string> files;
+  std::ifstream maps("/proc/self/maps");
+  for (std::string line; std::getline(maps, line);) {
+    const std::size_t path = line.find('/');
+    if (path != line.npos && line.find(" r-xp ") < path && !line.ends_with(" (deleted)"))
+      files.insert(line.substr(path));
+  }
+  return files;
+}
+
+}  // namespace
+
+const std::string& program_hash() {
+  static const std::string hash = [] {
+    std::string all = hash_of("/proc/self/exe");
+    for (const std::string& file : mapped_files()) all += hash_of(file);
+    return sha256_hex(all);
+  }();
+  return hash;
+}
+
+std::string case_key(const Scene& scene, const std::string& resolved, int threads) {
+  std::string all = program_hash() + "\n" + std::to_string(threads) + "\n" + resolved;
+  const ResolvedMaterial material = resolve_material(scene);
+  for (const std::string& file : {material.library, material.description}) {
+    if (!file.empty()) all += "\n" + kept_hash_of(file);
+  }
+  if (const auto* table = std::get_if<DeformationTable>(&scene.motion)) all += "\n" + kept_hash_of(table->source());
+  return sha256_hex(all).substr(0, key_digits);
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/study/case_store.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "drivers/output/errors_csv.hpp"
+#include "drivers/output/whole_file.hpp"
+#include "drivers/scene/sha256.hpp"
+#include "drivers/scene/yaml_reader.hpp"
+
+namespace assay::drivers {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* record_file = "case.json";
+constexpr const char* scene_file = "case.yaml";
+constexpr const char* result_file = "result.json";
+constexpr std::size_t largest_file = std::size_t{1} << 30;
+
+/// Nothing where the file cannot be read.
+std::optional<std::string> bytes_of(const fs::path& file) {
+  std::error_code code;
+  if (!fs::is_regular_file(file, code)) return std::nullopt;
+  try {
+    return read_bytes(file.string(), largest_file);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<Json> record_of(const fs::path& folder, const std::string& key) {
+  const auto text = bytes_of(folder / record_file);
+  if (!text) return std::nullopt;
+  Json record = Json::parse(*text, nullptr, false);
+  if (!record.is_object() || record.value("key", Json()) != key) return std::nullopt;
+  if (!record.value("files", Json()).is_object() || !record.value("clock", Json()).is_object()) return std::nullopt;
+  if (!record.value("crashed", Json()).is_string() || !record.value("stopped", Json()).is_boolean())
+    return std::nullopt;
+  return record;
+}
+
+/// Every file that a run has left, without the record and what is hidden.
+std::vector<std::string> files_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (entry->is_regular_file(error) && !name.starts_with('.') && name != record_file) names.push_back(name);
+  }
+  if (error) fail(folder, "folder cannot be read", error);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::vector<double> numbers_of(const Json& object, const char* key) {
+  std::vector<double> numbers;
+  for (const Json& value : object.value(key, Json::array())) {
+    if (value.is_number()) numbers.push_back(value.get<double>());
+  }
+  return numbers;
+}
+
+ClockReadings clock_of(const Json& object) {
+  ClockReadings clock;
+  const Json alone = object.value("alone", Json()), machine = object.value("machine", Json());
+  clock.alone = alone.is_boolean() && alone.get<bool>();
+  clock.step_s = numbers_of(object, "step_s");
+  clock.cpu_s = numbers_of(object, "cpu_s");
+  clock.wall_s = numbers_of(object, "wall_s");
+  clock.others = numbers_of(object, "others");
+  if (machine.is_string()) clock.machine = machine.get<std::string>();
+  return clock;
+}
+
+Json json_of(const ClockReadings& clock) {
+  return Json::object({{"alone", clock.alone},
+                       {"step_s", clock.step_s},
+                       {"cpu_s", clock.cpu_s},
+                       {"wall_s", clock.wall_s},
+                       {"others", clock.others},
+                       {"machine", clock.machine}});
+}
+
+Figure number_in(const std::map<std::string, FlatValue>& figures, const std::string& key) {
+  const auto found = figures.find(key);
+  const auto* number = found == figures.end() ? nullptr : std::get_if<double>(&found->second);
+  return number ? Figure(*number) : Figure();
+}
+
+std::string text_in(const std::map<std::string, FlatValue>& figures, const std::string& key) {
+  const auto found = figures.find(key);
+  const auto* text = found == figures.end() ? nullptr : std::get_if<std::string>(&found->second);
+  return text ? *text : std::string();
+}
+
+/// What result.json and errors.csv say.
+void read_result(const fs::path& folder, StudyCase& found) {
+  const auto read = read_result_json(bytes_of(folder / result_file).value_or(""));
+  if (!read) return;
+  found.figures = read->figures;
+  found.passes = read->passes;
+  found.outcome = text_in(found.figures, "outcome");
+  found.reason = text_in(found.figures, "reason");
+  found.work = number_in(found.figures, "work.particle_steps");
+  found.history = displacement_history(bytes_of(folder / "errors.csv").value_or(""));
+}
+
+}  // namespace
+
+CaseState CaseStore::state_of(const std::string& key) const {
+  const fs::path folder = folder_of(key);
+  std::error_code error;
+  if (key.empty() || !fs::exists(folder / record_file, error)) return CaseState::missing;
+  const auto record = record_of(folder, key);
+  if (!record) return CaseState::torn;
+  bool has_result = false;
+  for (const auto& file : record->at("files").items()) {
+    const auto bytes = bytes_of(folder / file.key());
+    if (!bytes || file.value() != sha256_hex(*bytes)) return CaseState::torn;
+    has_result = has_result || file.key() == result_file;
+  }
+  if (!record->at("crashed").get_ref<const std::string&>().empty()) return CaseState::crashed;
+  return has_result || record->at("stopped").get<bool>() ? CaseState::finished : CaseState::torn;
+}
+
+fs::path CaseStore::begin(const PlannedCase& one) const {
+  const fs::path folder = folder_of(one.key);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) fail(folder, "folder cannot be created", error);
+  fs::remove(folder / record_file, error);
+  for (const std::string& name : files_in(folder)) fs::remove(folder / name, error);
+  if (error) fail(folder, "an earlier result cannot be removed", error);
+  write_file(folder / scene_file, one.yaml);
+  return folder / scene_file;
+}
+
+void CaseStore::finish(const PlannedCase& one, const CaseRecord& record) const {
+  const fs::path folder = folder_of(one.key);
+  Json files = Json::object();
+  for (const std::string& name : files_in(folder)) {
+    const auto bytes = bytes_of(folder / name);
+    if (!bytes) fail(folder / name, "cannot be read", EIO);
+    files[name] = sha256_hex(*bytes);
+  }
+  const Json text = {{"key", one.key},
+                     {"threads", one.threads},
+                     {"crashed", record.crashed},
+                     {"stopped", record.stopped},
+                     {"clock", json_of(record.clock)},
+                     {"files", files}};
+  write_file(folder / record_file, text.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+StudyCase CaseStore::read(const PlannedCase& one) const {
+  StudyCase found;
+  found.number = one.number, found.key = one.key, found.values = one.values;
+  found.label = one.label, found.series = one.series, found.resolution = one.resolution;
+  found.budget = one.base.has_value();
+  if (!one.invalid.empty()) {
+    found.outcome = "n/a", found.reason = one.invalid;
+    return found;
+  }
+  const CaseState state = state_of(one.key);
+  if (state == CaseState::missing || state == CaseState::torn) return found;
+  const fs::path folder = folder_of(one.key);
+  const auto record = record_of(folder, one.key);
+  if (!record) return found;
+  found.clock = clock_of(record->at("clock"));
+  if (state == CaseState::crashed) {
+    found.outcome = "crashed", found.reason = record->at("crashed").get<std::string>();
+  } else if (record->at("stopped").get<bool>()) {
+    found.outcome = "stopped", found.reason = "it took longer than the limit of the study";
+  } else {
+    read_result(folder, found);
+  }
+  return found;
+}
+
+bool CaseStore::take(const PlannedCase& one, const CaseStore& from) const {
+  if (from.state_of(one.key) != CaseState::finished) return false;
+  const fs::path folder = folder_of(one.key), source = from.folder_of(one.key);
+  std::error_code error;
+  if (fs::equivalent(folder, source, error)) return true;
+  begin(one);
+  for (const std::string& name : files_in(source)) {
+    write_file(folder / name, bytes_of(source / name).value_or(""));
+  }
+  write_file(folder / record_file, bytes_of(source / record_file).value_or(""));
+  return true;
+}
+
+Figure figure_of(const fs::path& file, const std::string& key) {
+  const auto read = read_result_json(bytes_of(file).value_or(""));
+  return read ? number_in(read->figures, key) : std::nullopt;
+}
+
+}  // namespace assay::drivers

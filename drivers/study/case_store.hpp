@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The folder of a case: what a finished one holds, and whether it can be trusted.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "drivers/study/findings.hpp"
+#include "drivers/study/plan.hpp"
+
+namespace assay::drivers {
+
+/// What case.json says beside the hashes of the other files.
+struct CaseRecord {
+  std::string crashed;   ///< how the process ended, where it left no result
+  bool stopped = false;  ///< it took longer than the study allows
+  ClockReadings clock;
+};
+
+enum class CaseState {
+  finished,
+  missing,  ///< never finished
+  torn,     ///< a file is not what it was, or cannot be read
+  crashed,  ///< finished without a result: worth another attempt
+};
+
+class CaseStore {
+ public:
+  /// folder: of the study's results.
+  explicit CaseStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  std::filesystem::path folder_of(const std::string& key) const { return folder_ / "cases" / key; }
+
+  CaseState state_of(const std::string& key) const;
+
+  /// Makes the folder with case.yaml and takes the record of an earlier run away. Returns the scene's file. Throws
+  /// SystemError.
+  std::filesystem::path begin(const PlannedCase& one) const;
+
+  /// The mark of a finished case, with the hashes of its files. Throws SystemError.
+  void finish(const PlannedCase& one, const CaseRecord& record) const;
+
+  /// What a finished case has found; the outcome is `missing` of any other.
+  StudyCase read(const PlannedCase& one) const;
+
+  /// Copies a finished case of another study's folder; false where it has none. Throws SystemError.
+  bool take(const PlannedCase& one, const CaseStore& from) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// A time of result.json; none where it is not there or torn.
+Figure figure_of(const std::filesystem::path& result_json, const std::string& key);
+
+}  // namespace assay::drivers

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/study/plan.hpp"
+
+#include <algorithm>
+
+#include "drivers/scene/resolved.hpp"
+#include "drivers/scene/scene_keys.hpp"
+#include "drivers/scene/scene_reader.hpp"
+#include "drivers/scene/sha256.hpp"
+#include "drivers/scene/yaml_values.hpp"
+#include "drivers/simulation/problem.hpp"
+#include "drivers/study/axes_reader.hpp"
+#include "drivers/study/case_key.hpp"
+#include "drivers/study/sampling.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+/// What a case of a study leaves unless the study asks for more.
+std::vector<Setting> modest_output() {
+  return {parse_setting("output.particles=0"), parse_setting("output.report=false")};
+}
+
+/// The base scene, read once.
+struct Base {
+  Tree tree;
+  std::string file, sha256;
+};
+
+Base base_of(const Study& study) {
+  const std::string text = read_bytes(study.scene);
+  Base base{scene_tree(text, study.scene), study.scene, sha256_hex(text)};
+  std::erase_if(base.tree.entries, [](const Tree::Entry& entry) { return entry.key == "expect"; });
+  for (const Setting& setting : modest_output()) apply_setting(base.tree, setting);
+  for (const Setting& setting : study.set) {
+    if (setting.path != threads_key) apply_setting(base.tree, setting);
+  }
+  return base;
+}
+
+int threads_of(const Setting& setting) {
+  Range whole{1, 4096};
+  whole.whole = true;
+  return static_cast<int>(number_value(setting.value, threads_key, whole));
+}
+
+std::string label_of(const Study& study, const std::vector<AxisValue>& values, bool with_resolution) {
+  std::string text;
+  for (const AxisValue& value : values) {
+    const auto axis = std::find_if(study.axes.begin(), study.axes.end(),
+                                   [&](const StudyAxis& each) { return each.name == value.axis; });
+    if (!with_resolution && !study.refine.empty() && sets_key(*axis, study.refine)) continue;
+    text += (text.empty() ? "" : ", ") + (axis->is_key ? value.axis + "=" + value.value : value.value);
+  }
+  return text.empty() ? "all" : text;
+}
+
+/// The value of the refined key, which is a number.
+Figure resolution_of(const Study& study, const Scene& scene) {
+  if (study.refine.empty()) return std::nullopt;
+  for (const Key& key : scene_keys()) {
+    if (key.path != study.refine) continue;
+    const Value value = key.get(scene);
+    if (const auto* number = std::get_if<double>(&value)) return *number;
+  }
+  throw InputError({study.file, 0, 0}, "refine", "'" + one_line(study.refine, 80) + "' is no number of the scene");
+}
+
+/// Makes cases of combinations.
+class Planner {
+ public:
+  explicit Planner(const Study& study) : study_(study), base_(base_of(study)) {}
+
+  PlannedCase planned(const Combination& combination) const {
+    PlannedCase one;
+    one.values = combination.values;
+    one.label = label_of(study_, one.values, true);
+    one.series = label_of(study_, one.values, false);
+    try {
+      read(combination.settings, one);
+    } catch (const InputError& error) {
+      if (!study_.skips_invalid) throw InputError(std::string(error.what()) + " (case: " + one.label + ")");
+      one.invalid = error.what();
+    }
+    one.timed = !study_.timing.none && study_.timing.where.holds(one.values);
+    return one;
+  }
+
+ private:
+  void read(const std::vector<Setting>& settings, PlannedCase& one) const {
+    Tree tree = base_.tree;
+    for (const auto* list : {&study_.set, &settings}) {
+      for (const Setting& setting : *list) {
+        if (setting.path == threads_key) {
+          one.threads = threads_of(setting);
+        } else if (list == &settings) {
+          apply_setting(tree, setting);
+        }
+      }
+    }
+    Scene scene = scene_of(tree, base_.file, base_.sha256);
+    if (!scene.method) throw InputError(study_.scene_where, "scene", "has no method: there is nothing to run");
+    one.resolution = resolution_of(study_, scene);
+    try {
+      const Problem problem = assemble(scene, one.threads);
+      scene = problem.scene;
+      one.particle_steps = static_cast<double>(problem.setup.seeds.size()) * static_cast<double>(problem.steps);
+    } catch (const MaterialFailure&) {
+      one.particle_steps = 0;  // the run will say so
+    }
+    one.yaml = resolved_yaml(scene);
+    one.key = case_key(scene, one.yaml, one.threads);
+  }
+
+  const Study& study_;
+  Base base_;
+};
+
+/// The cases that the budget adds, each after the one whose error it divides.
+void add_budget(const Study& study, const Planner& planner, const std::vector<Combination>& combinations, Plan& plan) {
+  if (!study.budget) return;
+  const std::size_t count = plan.cases.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!study.budget->of.holds(plan.cases[i].values) || !plan.cases[i].invalid.empty()) continue;
+    for (std::size_t k = 0; k < study.budget->sources.size(); ++k) {
+      const BudgetSource& source = study.budget->sources[k];
+      Combination finer = combinations[i];
+      finer.settings.insert(finer.settings.end(), source.settings.begin(), source.settings.end());
+      PlannedCase one = planner.planned(finer);
+      one.label += ", " + source.name + " refined";
+      one.base = i, one.source = k, one.timed = false;
+      one.number = plan.cases.size() + 1;
+      plan.cases.push_back(std::move(one));
+    }
+  }
+}
+
+}  // namespace
+
+Plan plan_of(Study study, const std::function<void(double)>& progress) {
+  program_hash();  // before the library of a material is among those of the program
+  Plan plan;
+  const std::vector<Combination> combinations = combinations_of(study);
+  const Planner planner(study);
+  for (const Combination& combination : combinations) {
+    plan.cases.push_back(planner.planned(combination));
+    plan.cases.back().number = plan.cases.size();
+    if (progress) progress(static_cast<double>(plan.cases.size()) / static_cast<double>(combinations.size()));
+  }
+  add_budget(study, planner, combinations, plan);
+  plan.study = std::move(study);
+  return plan;
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A study as plain values: a base scene, axes along which it is changed, and what is asked of the cases.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drivers/scene/scene.hpp"
+#include "drivers/scene/settings.hpp"
+#include "drivers/study/selection.hpp"
+
+namespace assay::drivers {
+
+/// One value of an axis and what it sets.
+struct Level {
+  std::string name;  ///< the level's, or the value's text
+  std::vector<Setting> settings;
+};
+
+/// Where a Latin hypercube takes values of a key from.
+struct Span {
+  double from = 0, to = 0;
+  bool logarithmic = false, whole = false;
+};
+
+/// Named levels of several keys, or values of the one key that names the axis.
+struct StudyAxis {
+  std::string name;
+  std::vector<Level> levels;
+  std::optional<Span> span;
+  bool is_key = false;
+  Location where;
+};
+
+struct Sampling {
+  enum class Type { product, list, latin_hypercube };
+  Type type = Type::product;
+  int count = 0;  ///< of a Latin hypercube
+  int seed = 1;   ///< of its pseudo-random numbers
+};
+
+/// Timed cases run alone, again and again.
+struct StudyTiming {
+  int repeat = 3;       ///< runs of a case
+  double seconds = 60;  ///< a case that has taken so long [s] is not repeated
+  Selection where;      ///< the cases that are timed
+  bool none = false;    ///< nothing is
+};
+
+/// A finer setting of one source of the error.
+struct BudgetSource {
+  std::string name;
+  std::vector<Setting> settings;
+};
+
+struct StudyBudget {
+  Selection of;  ///< the cases whose error is divided
+  std::vector<BudgetSource> sources;
+};
+
+/// What is to be found of the cases of a selection, or of their series: keys of result.json, order, order_last.
+struct StudyExpectation {
+  Selection where;
+  Expectation line;
+};
+
+struct Study {
+  std::string title, question;
+  std::string file, text, sha256;  ///< of the study: as given, its bytes, their hash
+  std::string scene;               ///< file of the base scene, from the working directory
+  Location scene_where;
+  std::vector<Setting> set;  ///< of every case
+  std::vector<StudyAxis> axes;
+  Sampling sampling;
+  std::vector<std::vector<std::pair<std::string, Tree>>> listed;  ///< cases of a list: axis, value
+  std::vector<Selection> excluded;
+  std::string refine;  ///< key of resolution; empty: none
+  std::string error = "error.relative", cost = "step_cpu_s";
+  bool skips_invalid = false;  ///< cases that cannot be are n/a, not an error
+  double case_seconds = 0;     ///< a case that takes longer is stopped [s]; 0: never
+  StudyTiming timing;
+  std::optional<StudyBudget> budget;
+  std::vector<StudyExpectation> expect;
+};
+
+/// What `threads` of an axis sets, beside the keys of a scene.
+inline constexpr const char* threads_key = "threads";
+
+}  // namespace assay::drivers

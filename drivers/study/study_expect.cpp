@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/study/study_expect.hpp"
+
+#include <algorithm>
+
+#include "drivers/scene/expect.hpp"
+#include "drivers/study/study_reader.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+FlatValue value_of(const Figure& figure) { return figure ? FlatValue(*figure) : FlatValue(); }
+
+FlatValue found_of(const StudyCase& one, const std::string& key) {
+  if (key == "outcome") return one.outcome;
+  if (key == "reason") return one.reason;
+  const auto found = one.figures.find(key);
+  return found == one.figures.end() ? FlatValue() : found->second;
+}
+
+FlatValue order_of(const StudySeries& series, const std::string& key) {
+  if (key == last_order_key) return value_of(series.pairwise.empty() ? Figure() : series.pairwise.back());
+  return value_of(series.fit ? Figure(series.fit->order) : Figure());
+}
+
+}  // namespace
+
+std::vector<StudyExpectationOutcome> judged_of(const Study& study, const StudyFindings& findings) {
+  std::vector<StudyExpectationOutcome> outcomes;
+  const auto meant = [&](const StudyExpectation& each, std::size_t i) {
+    return !findings.cases[i].budget && each.where.holds(findings.cases[i].values);
+  };
+  for (const StudyExpectation& each : study.expect) {
+    const std::string& key = each.line.key;
+    const std::size_t before = outcomes.size();
+    if (key == order_key || key == last_order_key) {
+      for (const StudySeries& series : findings.series) {
+        const auto& cases = series.cases;
+        if (std::any_of(cases.begin(), cases.end(), [&](std::size_t i) { return meant(each, i); }))
+          outcomes.push_back({series.name, judged(each.line, order_of(series, key))});
+      }
+    } else {
+      for (std::size_t i = 0; i < findings.cases.size(); ++i) {
+        if (meant(each, i))
+          outcomes.push_back({findings.cases[i].label, judged(each.line, found_of(findings.cases[i], key))});
+      }
+    }
+    if (outcomes.size() == before) outcomes.push_back({"no case", judged(each.line, FlatValue())});
+  }
+  return outcomes;
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/study/study_reader.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <set>
+
+#include "drivers/scene/expect.hpp"
+#include "drivers/scene/sha256.hpp"
+#include "drivers/scene/yaml_values.hpp"
+#include "drivers/study/axes_reader.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr int most_cases = 100000;
+
+const std::vector<std::string>& top_keys() {
+  static const std::vector<std::string> keys{"title", "question", "scene",  "set",   "axes", "sampling",
+                                             "cases", "exclude",  "refine", "error", "cost", "invalid",
+                                             "limit", "timing",   "budget", "expect"};
+  return keys;
+}
+
+const std::vector<std::string>& study_outcomes() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all = known_outcomes();
+    for (const char* more : {"n/a", "crashed", "stopped"}) all.emplace_back(more);
+    return all;
+  }();
+  return names;
+}
+
+/// A selection whose axes and values exist.
+Selection selection_of(const Tree& map, const std::string& key, const Study& study) {
+  Selection selection = read_selection(map, key);
+  for (const Condition& condition : selection.conditions) check_condition(condition, key, study);
+  return selection;
+}
+
+Sampling read_sampling(const Tree& tree) {
+  if (tree.kind == Tree::Kind::scalar) {
+    return {choice_value(tree, "sampling", {"product", "list"}) == "list" ? Sampling::Type::list
+                                                                          : Sampling::Type::product};
+  }
+  require_map(tree, "sampling", "product, list, or a map of latin_hypercube and seed");
+  refuse_unknown_keys(tree, "sampling", {"latin_hypercube", "seed"});
+  const Tree* count = tree.find("latin_hypercube");
+  if (!count) throw InputError(tree.where, "sampling.latin_hypercube", "required and not given");
+  Sampling sampling{Sampling::Type::latin_hypercube};
+  Range whole{1, most_cases};
+  whole.whole = true;
+  sampling.count = static_cast<int>(number_value(*count, "sampling.latin_hypercube", whole));
+  whole.upper = std::numeric_limits<int>::max();
+  if (const Tree* seed = tree.find("seed"))
+    sampling.seed = static_cast<int>(number_value(*seed, "sampling.seed", whole));
+  return sampling;
+}
+
+StudyTiming read_timing(const Tree& tree, const Study& study) {
+  StudyTiming timing;
+  if (tree.kind == Tree::Kind::scalar) {
+    choice_value(tree, "timing", {"none"});
+    timing.none = true;
+    return timing;
+  }
+  require_map(tree, "timing", "none, or a map of repeat, seconds, where");
+  refuse_unknown_keys(tree, "timing", {"repeat", "seconds", "where"});
+  Range range{1, 1000};
+  range.whole = true;
+  if (const Tree* value = tree.find("repeat"))
+    timing.repeat = static_cast<int>(number_value(*value, "timing.repeat", range));
+  Range positive{0, 1e9};
+  if (const Tree* value = tree.find("seconds")) timing.seconds = number_value(*value, "timing.seconds", positive);
+  if (const Tree* value = tree.find("where")) timing.where = selection_of(*value, "timing.where", study);
+  return timing;
+}
+
+StudyBudget read_budget(const Tree& tree, const Study& study) {
+  require_map(tree, "budget", "of, and names of sources");
+  StudyBudget budget;
+  for (const Tree::Entry& entry : tree.entries) {
+    const std::string path = key_path("budget", entry.key);
+    if (entry.key == "of") {
+      budget.of = selection_of(entry.value, path, study);
+    } else {
+      budget.sources.push_back({entry.key, read_settings(entry.value, path)});
+    }
+  }
+  if (budget.sources.empty()) throw InputError(tree.where, "budget", "names no source and what makes it finer");
+  return budget;
+}
+
+void read_expect(const Tree& tree, Study& study) {
+  if (tree.kind != Tree::Kind::sequence) {
+    throw InputError(tree.where, "expect", "must be a list of maps, found " + described(tree));
+  }
+  for (std::size_t i = 0; i < tree.items.size(); ++i) {
+    const std::string path = "expect[" + std::to_string(i) + "]";
+    Tree lines = tree.items[i];
+    require_map(lines, path, "where, and keys of result.json");
+    Selection where;
+    if (const Tree* given = lines.find("where")) where = selection_of(*given, path + ".where", study);
+    std::erase_if(lines.entries, [](const Tree::Entry& entry) { return entry.key == "where"; });
+    for (Expectation& line : read_expectations(lines, {path, {order_key, last_order_key}, study_outcomes()})) {
+      study.expect.push_back({where, std::move(line)});
+    }
+  }
+}
+
+/// A number of result.json, by its dotted key.
+std::string figure_key(const Tree& tree, const std::string& key) {
+  std::vector<std::string> known = flat_keys();
+  std::erase_if(known, [](const std::string& each) { return is_text_figure(each); });
+  return choice_value(tree, key, known);
+}
+
+void read_scene_name(const Tree& root, const std::string& file, Study& study) {
+  const Tree* scene = root.find("scene");
+  if (!scene) throw InputError(root.where, "scene", "required and not given");
+  study.scene = (std::filesystem::path(file).parent_path() / text_value(*scene, "scene")).lexically_normal().string();
+  study.scene_where = scene->where;
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(study.scene, code))
+    throw InputError(scene->where, "scene", "no such file: '" + one_line(study.scene, 200) + "'");
+}
+
+void read_questions(const Tree& root, Study& study) {
+  if (const Tree* value = root.find("title")) study.title = text_value(*value, "title");
+  if (const Tree* value = root.find("question")) study.question = text_value(*value, "question");
+  if (const Tree* value = root.find("error")) study.error = figure_key(*value, "error");
+  if (const Tree* value = root.find("cost")) study.cost = figure_key(*value, "cost");
+  if (const Tree* value = root.find("refine")) study.refine = text_value(*value, "refine");
+  if (const Tree* value = root.find("invalid"))
+    study.skips_invalid = choice_value(*value, "invalid", {"refuse", "skip"}) == "skip";
+  if (const Tree* value = root.find("limit")) study.case_seconds = number_value(*value, "limit", {0, 1e9});
+}
+
+void read_cases(const Tree& root, Study& study) {
+  if (const Tree* value = root.find("set")) study.set = read_settings(*value, "set");
+  if (const Tree* value = root.find("axes")) study.axes = read_axes(*value);
+  if (const Tree* value = root.find("sampling")) study.sampling = read_sampling(*value);
+  const Tree* listed = root.find("cases");
+  const bool is_list = study.sampling.type == Sampling::Type::list;
+  if (is_list != (listed != nullptr)) {
+    throw InputError(listed ? listed->where : root.where, "cases", "goes with sampling: list, which needs it");
+  }
+  if (listed) read_list(*listed, study);
+  check_axes(study);
+}
+
+}  // namespace
+
+Study study_from_text(const std::string& text, const std::string& file) {
+  const Tree root = read_yaml(text, file);
+  if (root.kind == Tree::Kind::null) throw InputError({file, 0, 0}, "", "empty");
+  require_map(root, "", joined(top_keys()));
+  refuse_unknown_keys(root, "", top_keys());
+  Study study;
+  study.file = file, study.text = text, study.sha256 = sha256_hex(text);
+  read_scene_name(root, file, study);
+  read_questions(root, study);
+  read_cases(root, study);
+  if (const Tree* value = root.find("exclude")) {
+    if (value->kind != Tree::Kind::sequence) throw InputError(value->where, "exclude", "must be a list of maps");
+    for (const Tree& item : value->items) study.excluded.push_back(selection_of(item, "exclude", study));
+  }
+  if (const Tree* value = root.find("timing")) study.timing = read_timing(*value, study);
+  if (const Tree* value = root.find("budget")) study.budget = read_budget(*value, study);
+  if (const Tree* value = root.find("expect")) read_expect(*value, study);
+  return study;
+}
+
+Study read_study(const std::string& file) { return study_from_text(read_bytes(file), file); }
+
+}  // namespace assay::drivers

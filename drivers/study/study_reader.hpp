@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The strict reader of studies.
+#pragma once
+
+#include <string>
+
+#include "drivers/study/study.hpp"
+
+namespace assay::drivers {
+
+/// The study in a YAML file. Throws InputError with the place of the first fault; scenes are not read.
+Study read_study(const std::string& file);
+
+/// The same of a text; `file` is its name.
+Study study_from_text(const std::string& text, const std::string& file);
+
+/// What `expect:` of a study takes beside the keys of result.json: figures of a series.
+inline constexpr const char* order_key = "order";            ///< fitted over all resolutions
+inline constexpr const char* last_order_key = "order_last";  ///< between the two finest
+
+}  // namespace assay::drivers

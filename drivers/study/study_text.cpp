@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/study/study_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "drivers/output/number_format.hpp"
+#include "drivers/output/table_text.hpp"
+#include "drivers/output/wrapped_text.hpp"
+#include "drivers/study/study_words.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr std::size_t columns = 80, number_width = 10;
+
+/// On a line of its own with what stands before it.
+std::string cut_to(const std::string& text, std::size_t used) {
+  return used + 8 < columns ? cut_text(text, columns - used) : text;
+}
+
+std::string or_dash(const Figure& value, const StudyFindings& findings,
+                    std::string (*text)(const StudyFindings&, double)) {
+  return value ? text(findings, *value) : "-";
+}
+
+std::string error_words(const StudyFindings& findings, double error) { return error_text(findings, error); }
+
+std::string row(const std::string& a, const std::string& b, const std::string& c, const std::string& rest) {
+  return "  " + padded(a, number_width) + padded(b, number_width) + padded(c, number_width) +
+         cut_to(rest, 2 + 3 * number_width) + "\n";
+}
+
+std::string digits_text(const StudyFindings& findings) {
+  if (findings.digits.empty()) return "no case has both an error and a cost\n";
+  std::string text = row("error", "cost", "one more", "by the cheapest case that was measured");
+  for (const StudyDigit& digit : findings.digits) {
+    const std::string level = "<= " + error_text(findings, digit.error);
+    if (!digit.best) {
+      text += row(level, "-", "", "no case of this study");
+      continue;
+    }
+    text += row(level, or_dash(digit.cost, findings, cost_text), digit.factor ? factor_text(*digit.factor) : "",
+                findings.cases[*digit.best].label);
+  }
+  return text;
+}
+
+std::string front_text(const StudyFindings& findings) {
+  std::string text = "cases that no other beats in both:\n";
+  for (const std::size_t i : findings.front) {
+    const StudyCase& one = findings.cases[i];
+    const std::string spread = one.cost_spread ? "+-" + rounded_text(100 * *one.cost_spread, 2) + " %" : "";
+    text += row(error_text(findings, *one.error), cost_text(findings, *one.cost), spread, one.label);
+  }
+  return text;
+}
+
+std::string order_text(const StudySeries& series) {
+  if (!series.fit) return "-";
+  std::string text = rounded_text(series.fit->order, 3);
+  if (series.fit->lower && series.fit->upper) {
+    text += " [" + rounded_text(*series.fit->lower, 2) + ", " + rounded_text(*series.fit->upper, 2) + "]";
+  }
+  return text;
+}
+
+std::string orders_text(const StudyFindings& findings) {
+  std::string text = "orders, with 95 % intervals:\n";
+  for (const StudySeries& series : findings.series) {
+    constexpr const char* words[] = {"asymptotic", "not asymptotic", "unknown range"};
+    const std::string range = words[static_cast<std::size_t>(series.asymptotic)];
+    text += "  " + padded(order_text(series), 20) + padded(range, 16) + cut_to(series.name, 38) + "\n";
+  }
+  return text;
+}
+
+std::string deaths_text(const StudyFindings& findings) {
+  std::string text;
+  for (const StudyCase& one : findings.cases) {
+    if (!one.completed())
+      text += wrapped(one.outcome + ": " + one.label + (one.reason.empty() ? "" : ": " + one.reason), "  ", "    ");
+  }
+  return text;
+}
+
+std::string budget_text(const StudyFindings& findings) {
+  std::string text = "of the error, by refining one source alone:\n";
+  for (const BudgetLine& line : findings.budget) {
+    const std::string share = line.share ? rounded_text(100 * *line.share, 2) + " %" : line.outcome;
+    text += row(share, or_dash(line.error, findings, error_words), or_dash(line.refined, findings, error_words),
+                line.source + " (" + line.changed + "), " + line.base);
+  }
+  return text;
+}
+
+std::string expectations_text(const StudyFindings& findings) {
+  std::string text;
+  std::size_t held = 0;
+  for (const auto& [where, outcome] : findings.expect) {
+    if (outcome.holds) {
+      ++held;
+      continue;
+    }
+    text += wrapped(
+        fmt::format("FAILS {} {}: found {}; {}", outcome.key, outcome.expected, shortened(outcome.found, 4), where),
+        "  ", "    ");
+  }
+  if (findings.expect.empty()) return text;
+  return text + fmt::format("  {} of {} expectations hold\n", held, findings.expect.size());
+}
+
+std::string counts_text(const StudyFindings& findings) {
+  std::string text;
+  for (const char* outcome :
+       {"completed", "unstable", "material_failed", "refused", "n/a", "crashed", "stopped", "missing"}) {
+    const int count = findings.count(outcome);
+    if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + outcome;
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string case_line(const StudyFindings& words, const StudyCase& one, std::size_t done, std::size_t total) {
+  const std::string count = std::to_string(total);
+  std::string begin = fmt::format("{:>{}}/{}  {}{}{}", done, count.size(), count, padded(one.outcome, 11),
+                                  padded(one.error ? error_text(words, *one.error) : "", number_width),
+                                  padded(one.cost ? cost_text(words, *one.cost) : "", number_width));
+  return begin + cut_to(one.label, begin.size()) + "\n";
+}
+
+std::string study_text(const StudyFindings& findings, const std::string& folder) {
+  std::string text =
+      wrapped((findings.title.empty() ? "study" : findings.title) + ": " + counts_text(findings), "", "  ");
+  if (!findings.question.empty()) text += wrapped(findings.question, "  ", "  ");
+  text += wrapped("error: " + findings.error_name + "; cost: " + findings.cost_name, "  ", "    ");
+  text += digits_text(findings);
+  if (!findings.front.empty()) text += front_text(findings);
+  const auto has_fit = [](const StudySeries& series) { return series.fit.has_value(); };
+  if (std::any_of(findings.series.begin(), findings.series.end(), has_fit)) text += orders_text(findings);
+  if (!findings.budget.empty()) text += budget_text(findings);
+  const std::string deaths = deaths_text(findings);
+  if (!deaths.empty()) text += "not completed:\n" + deaths;
+  for (const std::string& warning : findings.warnings) text += wrapped("warning: " + warning, "  ", "    ");
+  text += expectations_text(findings);
+  const char* summary = !findings.holds()         ? "NOT AS EXPECTED"
+                        : findings.expect.empty() ? "NOTHING EXPECTED"
+                                                  : "AS EXPECTED";
+  return text + wrapped(fmt::format("{}; results in {}, begin with its report.html", summary, folder), "", "  ");
+}
+
+}  // namespace assay::drivers
