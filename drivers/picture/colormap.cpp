@@ -34,6 +34,19 @@ Color map_color(ColorMap map, double s) {
 
 Color series_color(std::size_t index) { return rgb(palette[index % palette.size()]); }
 
+double luminance(Color color) {
+  const auto linear = [](std::uint8_t part) {
+    const double s = part / 255.0;
+    return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(color.r) + 0.7152 * linear(color.g) + 0.0722 * linear(color.b);
+}
+
+Color readable_on(Color background) {
+  constexpr double as_far_from_both = 0.179;
+  return luminance(background) > as_far_from_both ? rgb(0x000000) : rgb(0xffffff);
+}
+
 Color series_text_color(std::size_t index) { return rgb(dark[index % dark.size()]); }
 
 }  // namespace assay::drivers

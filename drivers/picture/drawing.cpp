@@ -13,16 +13,6 @@ namespace {
 
 std::string number(double value) { return rounded_text(std::round(value * 100) / 100, 8); }
 
-std::string css_color(Color color) {
-  constexpr const char* digits = "0123456789abcdef";
-  std::string out = "#";
-  for (const std::uint8_t part : {color.r, color.g, color.b}) {
-    out += digits[part >> 4];
-    out += digits[part & 15];
-  }
-  return out;
-}
-
 std::string css(Ink ink) {
   const std::size_t index = ink.series % 7;
   if (ink.role == Ink::Role::fixed) return css_color(ink.color);
@@ -121,6 +111,16 @@ std::string label_svg(const DrawingItem& item) {
 }
 
 }  // namespace
+
+std::string css_color(Color color) {
+  constexpr const char* digits = "0123456789abcdef";
+  std::string out = "#";
+  for (const std::uint8_t part : {color.r, color.g, color.b}) {
+    out += digits[part >> 4];
+    out += digits[part & 15];
+  }
+  return out;
+}
 
 void Drawing::line(std::vector<Point> points, Ink ink, double line_width, double dash) {
   items.push_back({DrawingItem::Kind::line, ink, std::move(points), line_width, dash, {}, Anchor::left, false});

@@ -59,6 +59,9 @@ std::string svg_text(const Drawing& drawing);
 /// `scale` pixels a unit.
 Canvas raster(const Drawing& drawing, double scale);
 
+/// "#rrggbb".
+std::string css_color(Color color);
+
 /// Text for HTML and XML, in element content and in attributes.
 std::string escaped(std::string_view text);
 
