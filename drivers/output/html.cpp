@@ -26,7 +26,7 @@ std::string section(const std::string& title, const std::string& content) {
 
 std::string table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows) {
   std::string out = "<div class=\"wide\"><table><thead><tr>";
-  for (const std::string& cell : head) out += element("th scope=\"col\"", cell);
+  for (const std::string& cell : head) out += cell.starts_with("<th") ? cell : element("th scope=\"col\"", cell);
   out += "</tr></thead><tbody>\n";
   for (const auto& row : rows) {
     out += "<tr>";

@@ -11,7 +11,7 @@ namespace assay::drivers {
 
 namespace {
 
-constexpr Color pale_blue = rgb(0xdcebf7), deep_blue = rgb(0x0b4f86), orange = rgb(0xf6c9a0), grey = rgb(0xd9d9d9);
+constexpr Color pale_blue = rgb(0xe8f2fa), deep_blue = rgb(0x5a9ad6), orange = rgb(0xf6c9a0), grey = rgb(0xd9d9d9);
 
 /// Smallest and largest error of all cases.
 struct Errors {

@@ -111,7 +111,7 @@ std::string orders(const StudyFindings& findings) {
   }
   if (rows.empty()) return {};
   return html::section("Orders of convergence", html::table({"series", "from grid to grid", "fit, 95 % interval",
-                                                             "<span class=\"left\">asymptotic range</span>"},
+                                                             "<th class=\"left\" scope=\"col\">asymptotic range</th>"},
                                                             rows) +
                                                     data_link("orders.csv"));
 }

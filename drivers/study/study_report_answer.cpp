@@ -33,7 +33,11 @@ std::string tile_of(const StudyFindings& findings, const StudyDigit& digit) {
                     element("span class=\"who\"", escaped(best.series));
   const std::string resolution = resolution_text(findings, best);
   if (!resolution.empty()) out += element("span", escaped(resolution));
-  if (best.error) out += element("small", "its error: " + escaped(error_text(findings, *best.error)));
+  if (best.error) out += element("small", "error measured: " + escaped(error_text(findings, *best.error)));
+  if (digit.interpolated) {
+    out += element("small", "\u2248 " + escaped(cost_text(findings, *digit.interpolated)) + " at exactly " +
+                                escaped(error_text(findings, digit.error)));
+  }
   return out + "</div>\n";
 }
 

@@ -93,7 +93,7 @@ std::string unfinished(const StudyFindings& findings) {
   if (rows.empty()) return {};
   return html::section(
       "Cases that did not complete",
-      html::table({"case", "outcome", "<span class=\"left\">reason</span>"}, rows) + data_link("cases.csv"));
+      html::table({"case", "outcome", "<th class=\"left\" scope=\"col\">reason</th>"}, rows) + data_link("cases.csv"));
 }
 
 std::string warnings(const StudyFindings& findings) {

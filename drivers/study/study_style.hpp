@@ -19,9 +19,11 @@ a{color:var(--link)}
 .step{flex:0 0 auto;align-self:center;text-align:center;font-size:1.35rem;font-weight:650}
 .step small{display:block;color:var(--soft);font-size:.75rem;font-weight:400}
 figure svg{min-width:600px}
-figure.lead svg{max-width:1040px;min-width:820px}
+figure.lead svg{max-width:960px;min-width:820px}
 figure.map svg{max-width:none;width:auto;height:auto}
 .data{margin:4px 0 0;font-size:.85rem;color:var(--soft)}
+.question+.answer{margin-bottom:10px}.verdict{padding:7px 14px;margin-bottom:0}.verdict strong{font-size:1rem}
+.verdict p{display:inline;margin:0 0 0 12px;font-size:.92rem}.verdict+section h2{margin-top:22px}
 .tally{color:var(--soft);margin:0 0 6px}
 ul.legend{list-style:none;display:flex;flex-wrap:wrap;gap:4px 20px;margin:6px 0;padding:0;font-size:.9rem}
 ul.legend i{display:inline-block;width:26px;height:4px;border-radius:2px;margin-right:8px;vertical-align:middle;

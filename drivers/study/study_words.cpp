@@ -32,7 +32,7 @@ std::string cost_text(const StudyFindings& findings, double cost) {
 std::string count_text(double value) {
   if (value >= 1e9) return plain_text(value / 1e9) + " billion";
   if (value >= 1e6) return plain_text(value / 1e6) + " million";
-  if (value >= 1e4) return grouped_text(std::llround(parse_number(rounded_text(value, 2)).value_or(value)));
+  if (value >= 1e3) return grouped_text(std::llround(parse_number(rounded_text(value, 2)).value_or(value)));
   return plain_text(value);
 }
 
@@ -92,10 +92,8 @@ std::vector<std::size_t> drawn_histories(const StudyFindings& findings) {
   for (const std::size_t i : findings.front) {
     if (!findings.cases[i].history.empty()) drawn.push_back(i);
   }
-  // Of a long front its ends and what lies evenly between.
-  for (constexpr std::size_t most = 7; drawn.size() > most;) {
-    drawn.erase(drawn.begin() + static_cast<std::ptrdiff_t>(drawn.size() / 2));
-  }
+  constexpr std::size_t most = 7;
+  if (drawn.size() > most) drawn.erase(drawn.begin(), drawn.end() - most);  // the most accurate stay
   if (!drawn.empty()) return drawn;
   for (const auto& end : {best_case(findings), worst_case(findings)}) {
     if (end && !findings.cases[*end].history.empty() && (drawn.empty() || drawn.front() != *end)) drawn.push_back(*end);

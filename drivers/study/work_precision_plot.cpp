@@ -13,7 +13,7 @@ namespace assay::drivers {
 
 namespace {
 
-constexpr double width = 940, height = 600, strip = 34;
+constexpr double width = 940, height = 520, strip = 34;
 constexpr double text_size = 15, small_size = 13, name_size = 17;
 constexpr Ink text_ink{Ink::Role::text}, axis_ink{Ink::Role::axis}, grid_ink{Ink::Role::grid},
     faint_ink{Ink::Role::faint}, band_ink{Ink::Role::band};
@@ -83,7 +83,11 @@ class Plot {
     for (const WorkDeath& death : shown_.deaths) {
       if (death.cost) cost.add(*death.cost);
     }
-    frame_ = {96, 14 + strip, width - 16, height - 62, axis_around(cost), axis_around(error)};
+    frame_ = {96, 14 + strip, width - 16, height - 62, {}, axis_around(error)};
+    for (const WorkLevel& level : shown_.levels) {
+      if (level.cost && within(level.error)) cost.add(*level.cost);
+    }
+    frame_.x = axis_around(cost);
   }
 
   Point at(const WorkPoint& point) const { return frame_.at(point.cost, point.error); }
@@ -121,9 +125,9 @@ class Plot {
         continue;
       }
       const double x = frame_.at(*level.cost, level.error).x;
-      out_.line({{frame_.left, y}, {x, y}, {x, frame_.bottom}}, axis_ink, 1.3, 5);
-      const std::vector<Point> drop{{x, y}, {x, frame_.bottom}};
-      placer_.avoid(drop);
+      const std::vector<Point> guide{{frame_.left, y}, {x, y}, {x, frame_.bottom}};
+      out_.line(guide, axis_ink, 1.3, 5);
+      placer_.avoid(guide);
     }
   }
 
