@@ -14,7 +14,7 @@ namespace {
 constexpr double margin = 2;          // between labels
 constexpr double dear_crossing = 70;  // a line through a label is worth this way
 constexpr double later_anchor = 2;    // an anchor is worth this more than the next
-constexpr int directions = 16;
+constexpr int directions = 24;
 
 Box grown(const Box& box, double by) { return {box.left - by, box.top - by, box.right + by, box.bottom + by}; }
 
@@ -82,7 +82,7 @@ std::optional<LabelPlacer::Place> LabelPlacer::place(Point size, std::span<const
   std::optional<Place> best;
   double lowest = 0;
   for (std::size_t k = 0; k < anchors.size(); ++k) {
-    for (double distance = 8; distance <= reach; distance *= 1.35) {
+    for (double distance = 8; distance <= reach; distance *= 1.18) {
       for (int i = 0; i < directions; ++i) {
         Place one{beside(anchors[k], size, distance, 2 * std::numbers::pi * i / directions), anchors[k], 0};
         one.distance = distance_of(one.box, anchors[k]);

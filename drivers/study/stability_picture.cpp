@@ -11,7 +11,7 @@ namespace assay::drivers {
 
 namespace {
 
-constexpr double cell_width = 112, cell_height = 42, text_size = 14, small_size = 12, most_of_name = 330;
+constexpr double cell_width = 112, cell_height = 42, cell_text_size = 14, cell_small_size = 12, most_of_name = 330;
 
 std::string html_cell(const StabilityCell& cell) {
   if (!cell.of) return html::element("td", html::none);
@@ -40,9 +40,9 @@ void draw_cell(Drawing& out, const StabilityCell& cell, double left, double top)
   out.tip(cell.of->label + ": " + outcome_text(*cell.of) + (cell.of->reason.empty() ? "" : ". " + cell.of->reason));
   const Ink ink{Ink::Role::fixed, 0, cell.ink};
   const bool two = !cell.detail.empty();
-  const double size = cell.text.size() > 10 ? small_size : text_size;
+  const double size = cell.text.size() > 10 ? cell_small_size : cell_text_size;
   out.label({middle, top + (two ? 17 : 24.5)}, fitting(cell.text, size, cell_width - 6), size, Anchor::middle, ink);
-  if (two) out.label({middle, top + 32}, cell.detail, small_size, Anchor::middle, ink);
+  if (two) out.label({middle, top + 32}, cell.detail, cell_small_size, Anchor::middle, ink);
 }
 
 }  // namespace
@@ -63,20 +63,22 @@ std::string stability_table(const StabilityMap& map) {
 Drawing stability_picture(const StabilityMap& map) {
   constexpr double head = 56;
   double names = 60;
-  for (const StabilityRow& row : map.rows) names = std::max(names, roomy_size(row.name, text_size).x);
+  for (const StabilityRow& row : map.rows) names = std::max(names, roomy_size(row.name, cell_text_size).x);
   names = std::min(names, most_of_name) + 16;
   Drawing out{names + cell_width * static_cast<double>(std::max<std::size_t>(map.columns.size(), 3)) + 8,
               head + cell_height * static_cast<double>(map.rows.size()) + 8,
               "what completes and what does not",
               {}};
-  out.label({names, 18}, map.column_name, text_size, Anchor::left);
+  out.label({names, 18}, map.column_name, cell_text_size, Anchor::left);
   for (std::size_t k = 0; k < map.columns.size(); ++k) {
     const double middle = names + cell_width * (static_cast<double>(k) + 0.5) - 1.5;
-    out.label({middle, head - 12}, fitting(map.columns[k], text_size, cell_width - 4), text_size, Anchor::middle);
+    out.label({middle, head - 12}, fitting(map.columns[k], cell_text_size, cell_width - 4), cell_text_size,
+              Anchor::middle);
   }
   for (std::size_t i = 0; i < map.rows.size(); ++i) {
     const double top = head + cell_height * static_cast<double>(i);
-    out.label({names - 10, top + 25}, fitting(map.rows[i].name, text_size, names - 14), text_size, Anchor::right);
+    out.label({names - 10, top + 25}, fitting(map.rows[i].name, cell_text_size, names - 14), cell_text_size,
+              Anchor::right);
     for (std::size_t k = 0; k < map.columns.size(); ++k) {
       draw_cell(out, map.rows[i].cells[k], names + cell_width * static_cast<double>(k), top);
     }

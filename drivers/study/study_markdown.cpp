@@ -10,6 +10,8 @@
 
 namespace assay::drivers {
 
+namespace study_text {
+
 namespace {
 
 using Cells = std::vector<std::string>;
@@ -145,7 +147,10 @@ std::string ending(const StudyFindings& findings) {
 
 }  // namespace
 
+}  // namespace study_text
+
 std::string study_markdown(const StudyFindings& findings) {
+  using namespace study_text;
   std::string out = "# " + plain(findings.title.empty() ? "assay study" : findings.title) + "\n";
   if (!findings.question.empty()) out += "\n" + plain(findings.question) + "\n";
   out += "\nError: " + plain(findings.error_name) + ". Cost: " + plain(findings.cost_name) + ".\n";

@@ -54,7 +54,8 @@ std::string budget(const StudyFindings& findings) {
                     error_cell(findings, line.error),
                     done ? error_cell(findings, line.refined) : element("td class=\"fails\"", escaped(line.outcome)),
                     line.share ? plain_text(100 * *line.share) + " %" : html::none,
-                    "<td class=\"bar\"><i style=\"width:" + rounded_text(width, 4) + "%\"></i></td>"});
+                    width > 0 ? "<td class=\"bar\"><i style=\"width:" + rounded_text(width, 4) + "%\"></i></td>"
+                              : "<td class=\"bar\"></td>"});
   }
   return html::section("Where the error comes from",
                        html::table({"source", "refined alone", "error", "refined", "share", ""}, rows) +
