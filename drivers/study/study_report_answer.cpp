@@ -79,6 +79,10 @@ std::string answer(const StudyFindings& findings) {
     before = &digit;
     if (!digit.best) break;  // nor is any case more accurate than that
   }
+  if (out.empty() && findings.front.empty() && !findings.cases.empty()) {
+    out = "<div class=\"digit missed\">" + element("b", "No answer") +
+          element("small", "no case completed that may stand on the front") + "</div>\n";
+  }
   return out.empty() ? out : "<div class=\"answer\">\n" + out + "</div>\n";
 }
 

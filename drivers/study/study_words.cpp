@@ -10,7 +10,7 @@
 namespace assay::drivers {
 
 std::string plain_text(double value, int significant) {
-  const std::string rounded = rounded_text(value, significant);
+  std::string rounded = rounded_text(value, significant);
   const double size = std::abs(value);
   if (!(size >= 1e-5 && size < 1e6)) return rounded;
   return rounded_text(parse_number(rounded).value_or(value), 9);
@@ -89,7 +89,7 @@ std::optional<std::size_t> least_work(const StudyFindings& findings, double erro
 
 std::vector<std::size_t> drawn_histories(const StudyFindings& findings) {
   std::vector<std::size_t> drawn;
-  for (const std::size_t i : findings.front) {
+  for (const std::size_t i : findings.work_front) {
     if (!findings.cases[i].history.empty()) drawn.push_back(i);
   }
   constexpr std::size_t most = 7;

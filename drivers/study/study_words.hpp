@@ -45,7 +45,8 @@ bool is_time(const StudyFindings& findings);
 /// The eligible case of least work with at most this error; none where no case meets it.
 std::optional<std::size_t> least_work(const StudyFindings& findings, double error);
 
-/// At most seven cases whose error is drawn over time: the most accurate of the front, else the best and the worst.
+/// At most seven cases whose error is drawn over time: the most accurate of the front by particle-steps, which is the
+/// same on any machine, else the best and the worst.
 std::vector<std::size_t> drawn_histories(const StudyFindings& findings);
 
 }  // namespace assay::drivers

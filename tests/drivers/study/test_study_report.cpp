@@ -70,7 +70,8 @@ TEST(StudyReport, a_busy_machine_is_remarked) {
 
 TEST(StudyReport, nothing_completed) {
   const std::string page = study_report_html(failed_study(), {});
-  place_in(page, "no case completed");
+  place_in(page, "No answer");
+  place_in(page, ">no case completed</text>");
   place_in(page, "Cases that did not complete");
   EXPECT_EQ(page.find("The cases on the front"), std::string::npos);
   EXPECT_EQ(page.find("Errors over time"), std::string::npos);
