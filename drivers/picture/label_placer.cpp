@@ -14,6 +14,7 @@ namespace {
 constexpr double margin = 2;          // between labels
 constexpr double dear_crossing = 70;  // a line through a label is worth this way
 constexpr double later_anchor = 2;    // an anchor is worth this more than the next
+constexpr double close_by = 12;       // no leader is needed
 constexpr int directions = 24;
 
 Box grown(const Box& box, double by) { return {box.left - by, box.top - by, box.right + by, box.bottom + by}; }
@@ -66,7 +67,7 @@ std::optional<double> LabelPlacer::price(const Place& place, bool on_lines) cons
   const Point end = nearest_point(box, place.anchor);
   for (const Box& other : taken_) {
     if (overlap(grown(box, margin), other)) return {};
-    if (place.distance > 12 && crosses(place.anchor, end, grown(other, -1))) return {};
+    if (place.distance > close_by && crosses(place.anchor, end, grown(other, -1))) return {};
   }
   double price = place.distance;
   for (const auto& [a, b] : lines_) {
@@ -96,8 +97,31 @@ std::optional<LabelPlacer::Place> LabelPlacer::place(Point size, std::span<const
   if (!best) return best;
   keep_off(best->box);
   const std::array<Point, 2> leader{best->anchor, nearest_point(best->box, best->anchor)};
-  if (best->distance > 12) avoid(leader);
+  if (best->distance > close_by) avoid(leader);
   return best;
+}
+
+void put_label(Drawing& out, LabelPlacer& placer, const std::string& text, double size, Ink ink,
+               std::span<const Point> anchors, double reach, bool on_lines) {
+  constexpr double off_marker = 7, off_baseline = 0.31;
+  const auto place = placer.place(roomy_size(text, size), anchors, reach, on_lines);
+  if (!place) return;
+  const Box& box = place->box;
+  const Point from = place->anchor;
+  if (place->distance > close_by) {
+    const Point end = nearest_point(box, from);
+    const double part = off_marker / place->distance;
+    const Ink leader = ink.role == Ink::Role::name ? Ink{Ink::Role::series, ink.series} : Ink{Ink::Role::axis};
+    out.line({{from.x + part * (end.x - from.x), from.y + part * (end.y - from.y)}, end}, leader, 1);
+  }
+  const double y = box.bottom - off_baseline * size;
+  if (box.left >= from.x) {
+    out.label({box.left, y}, text, size, Anchor::left, ink);
+  } else if (box.right <= from.x) {
+    out.label({box.right, y}, text, size, Anchor::right, ink);
+  } else {
+    out.label({(box.left + box.right) / 2, y}, text, size, Anchor::middle, ink);
+  }
 }
 
 }  // namespace assay::drivers

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "drivers/picture/canvas.hpp"
+#include "drivers/picture/drawing.hpp"
 
 namespace assay::drivers {
 
@@ -49,6 +49,11 @@ class LabelPlacer {
   std::vector<Box> taken_;
   std::vector<std::array<Point, 2>> lines_;
 };
+
+/// Writes a label at the best place, with a leader in its series' colour where that is not close to its anchor; does
+/// nothing without a place.
+void put_label(Drawing& out, LabelPlacer& placer, const std::string& text, double size, Ink ink,
+               std::span<const Point> anchors, double reach, bool on_lines = true);
 
 /// Where a leader from the anchor meets the box: its nearest point.
 Point nearest_point(const Box& box, Point to);

@@ -139,7 +139,8 @@ class Plot {
       if (!level.cost || !within(level.error)) continue;
       const double x = frame_.at(*level.cost, level.error).x;
       const std::string cost = axis_ == CostAxis::cost ? cost_text(findings_, *level.cost) : count_text(*level.cost);
-      put(error_text(findings_, level.error) + ": " + cost, text_size, text_ink, std::vector<Point>{{x, foot - 4}}, 60);
+      put_label(out_, placer_, error_text(findings_, level.error) + ": " + cost, text_size, text_ink,
+                std::vector<Point>{{x, foot - 4}}, 60);
       if (before && level.factor && x - *before > 40) draw_factor(*before, x, foot - 34, *level.factor);
       before = x;
     }
@@ -204,28 +205,6 @@ class Plot {
     if (!any) out_.label(middle, "no case completed", name_size, Anchor::middle);
   }
 
-  /// At the best place beside one of the anchors, with a leader where that is not close; nowhere without room.
-  void put(const std::string& text, double size, Ink ink, std::span<const Point> anchors, double reach,
-           bool on_lines = true) {
-    const auto place = placer_.place(roomy_size(text, size), anchors, reach, on_lines);
-    if (!place) return;
-    const Box& box = place->box;
-    if (place->distance > 12) {
-      const Point end = nearest_point(box, place->anchor);
-      const double part = 7 / place->distance;
-      const Point start{place->anchor.x + part * (end.x - place->anchor.x),
-                        place->anchor.y + part * (end.y - place->anchor.y)};
-      out_.line({start, end}, ink.role == Ink::Role::name ? Ink{Ink::Role::series, ink.series} : axis_ink, 1);
-    }
-    const bool left = box.left >= place->anchor.x, right = box.right <= place->anchor.x;
-    const double x = left ? box.left : right ? box.right : (box.left + box.right) / 2;
-    out_.label({x, box.bottom - 0.31 * size}, text, size,
-               left    ? Anchor::left
-               : right ? Anchor::right
-                       : Anchor::middle,
-               ink);
-  }
-
   void name(const WorkCurve& curve) {
     std::vector<Point> anchors, others;
     for (const auto& run : curve.runs) {
@@ -237,12 +216,12 @@ class Plot {
     }
     std::reverse(anchors.begin(), anchors.end());  // the accurate end is what was asked for
     anchors.insert(anchors.end(), others.begin(), others.end());
-    put(curve.name, name_size, {Ink::Role::name, *curve.color}, anchors, 190);
+    put_label(out_, placer_, curve.name, name_size, {Ink::Role::name, *curve.color}, anchors, 190);
   }
 
   void name_resolution(const WorkPoint& point) {
     const std::string text = resolution_text(findings_, findings_.cases[point.index]);
-    if (!text.empty()) put(text, small_size, text_ink, std::vector<Point>{at(point)}, 30, false);
+    if (!text.empty()) put_label(out_, placer_, text, small_size, text_ink, std::vector<Point>{at(point)}, 30, false);
   }
 
   const StudyFindings& findings_;

@@ -19,26 +19,8 @@ struct SampleMethod {
   bool exact = false;
 };
 
-inline StudyCase sample_case(const SampleMethod& method, std::size_t level, std::size_t number) {
-  static const char* const spacings[] = {"0.1", "0.05", "0.025", "0.0125", "0.00625"};
-  const double refined = std::pow(2.0, static_cast<double>(level)), found = method.errors[level];
-  StudyCase one;
-  one.number = number;
-  one.key = "k" + std::to_string(1000 + number);
-  one.values = {{"method", method.name}, {"grid.spacing", spacings[level]}};
-  one.label = method.name + ", grid.spacing=" + spacings[level];
-  one.series = method.name;
-  one.resolution = 0.1 / refined;
-  one.work = 4800 * std::pow(refined, 3) * (method.cost < 0.012 ? 1 : 1.4);
-  if (std::isnan(found)) {
-    one.outcome = "n/a";
-    one.reason = "the method has no such grid";
-    one.key.clear();
-    one.work.reset();
-    return one;
-  }
-  const double cost = method.cost * std::pow(refined, 3), lived = found < 0 ? -found : 1;
-  one.outcome = found < 0 ? "unstable" : "completed";
+/// Clock, passes and figures of a case that cost this [s].
+inline void sample_figures(StudyCase& one, double cost, double lived) {
   one.cost = cost * lived;
   one.cost_spread = 0.03;
   *one.work *= lived;
@@ -48,28 +30,54 @@ inline StudyCase sample_case(const SampleMethod& method, std::size_t level, std:
                  {"work.particle_steps", *one.work},
                  {"work.material_calls", *one.work},
                  {"step_cpu_s", *one.cost},
-                 {"peak_rss_bytes", 2.0e7 * refined}};
+                 {"peak_rss_bytes", 2.0e6 / *one.resolution}};
+  const double busy = *one.resolution == 0.025 ? 0.6 : 0.01;
   one.clock = {true,
                {cost * lived * 0.97, cost * lived, cost * lived * 1.03},
                {cost * 1.2, cost * 1.21, cost * 1.22},
                {cost, cost * 1.01, cost * 1.03},
-               {0.02, 0.03, level == 2 ? 0.6 : 0.01},
+               {0.02, 0.03, busy},
                "AMD EPYC, 2 cores"};
   one.passes = {{"shape functions", cost * 0.4, 320},
                 {"particles to grid", cost * 0.3, 180},
                 {"grid to particles", cost * 0.2, 200},
                 {"material", cost * 0.1, 152}};
-  if (found < 0) {
-    one.reason = "a particle left its domain: its deformation gradient has the determinant -0.2 <&> \"far out\"";
-    return one;
-  }
-  one.error = found;
-  one.figures["error.relative"] = found;
-  one.figures["error.l2_max"] = 0.31 * found;
-  one.eligible = !method.exact;
+}
+
+inline void sample_error(StudyCase& one, double error) {
+  one.outcome = "completed";
+  one.error = error;
+  one.figures["error.relative"] = error;
+  one.figures["error.l2_max"] = 0.31 * error;
   for (int k = 0; k <= 40; ++k) {
     const double t = k / 40.0;
-    one.history.push_back({t, 0.31 * found * (std::sin(3.14159265 * t) * 0.8 + 0.2 * t)});
+    one.history.push_back({t, 0.31 * error * (std::sin(3.14159265 * t) * 0.8 + 0.2 * t)});
+  }
+}
+
+inline StudyCase sample_case(const SampleMethod& method, std::size_t level, std::size_t number) {
+  static const char* const spacings[] = {"0.1", "0.05", "0.025", "0.0125", "0.00625"};
+  const double refined = std::pow(2.0, static_cast<double>(level)), found = method.errors[level];
+  StudyCase one;
+  one.number = number;
+  one.values = {{"method", method.name}, {"grid.spacing", spacings[level]}};
+  one.label = method.name + ", grid.spacing=" + spacings[level];
+  one.series = method.name;
+  one.resolution = 0.1 / refined;
+  if (std::isnan(found)) {
+    one.outcome = "n/a";
+    one.reason = "the method has no such grid";
+    return one;
+  }
+  one.key = "k" + std::to_string(1000 + number);
+  one.work = 4800 * std::pow(refined, 3) * (method.cost < 0.012 ? 1 : 1.4);
+  sample_figures(one, method.cost * std::pow(refined, 3), found < 0 ? -found : 1);
+  if (found > 0) {
+    sample_error(one, found);
+    one.eligible = !method.exact;
+  } else {
+    one.outcome = "unstable";
+    one.reason = "a particle left its domain: its deformation gradient has the determinant -0.2 <&> \"far out\"";
   }
   return one;
 }

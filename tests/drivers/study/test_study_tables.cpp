@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "drivers/output/csv.hpp"
 #include "tests/drivers/study/sample_study.hpp"
 
 namespace assay::drivers {
@@ -83,12 +82,6 @@ TEST(StudyTables, every_repeat_is_a_row) {
 TEST(StudyTables, nothing_completed_and_nothing_at_all) {
   EXPECT_EQ(records_of(study_tables(failed_study()).at("pareto.csv")).size(), 1u);
   for (const auto& [name, text] : study_tables({})) EXPECT_EQ(records_of(text).size(), 1u) << name;
-}
-
-TEST(StudyTables, fields_are_quoted_where_they_must_be) {
-  CsvFields fields({"a", "b"});
-  fields.row({"plain text", "one, \"two\"\nthree"});
-  EXPECT_EQ(fields.text(), "a,b\nplain text,\"one, \"\"two\"\"\nthree\"\n");
 }
 
 }  // namespace
