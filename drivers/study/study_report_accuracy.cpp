@@ -17,7 +17,7 @@ using Rows = std::vector<std::vector<std::string>>;
 
 std::string cell(const StudyFindings& findings, const Figure& value,
                  std::string (*text)(const StudyFindings&, double)) {
-  return value ? escaped(text(findings, *value)) : html::none;
+  return value ? unbroken(text(findings, *value)) : html::none;
 }
 
 std::string error_of(const StudyFindings& findings, double error) { return error_text(findings, error); }
@@ -49,7 +49,7 @@ std::string pareto(const StudyFindings& findings) {
   for (const std::size_t index : findings.front) {
     const StudyCase& one = findings.cases[index];
     const std::string spread = spread_text(one.cost_spread);
-    rows.push_back({escaped(one.series), escaped(resolution_text(findings, one)), cell(findings, one.error, error_of),
+    rows.push_back({escaped(one.series), unbroken(resolution_text(findings, one)), cell(findings, one.error, error_of),
                     cell(findings, one.cost, cost_text) + (spread.empty() ? "" : element("small", spread)),
                     one.work ? count_text(*one.work) : html::none});
   }
@@ -67,8 +67,8 @@ std::string digits(const StudyFindings& findings) {
   for (const StudyDigit& digit : findings.digits) {
     const StudyCase* best = digit.best ? &findings.cases[*digit.best] : nullptr;
     rows.push_back(
-        {escaped(error_text(findings, digit.error)),
-         best ? escaped(best->series) + element("small", escaped(resolution_text(findings, *best))) : html::none,
+        {unbroken(error_text(findings, digit.error)),
+         best ? escaped(best->series) + element("small", unbroken(resolution_text(findings, *best))) : html::none,
          cell(findings, digit.cost, cost_text), digit.series.empty() ? html::none : escaped(digit.series),
          cell(findings, digit.interpolated, cost_text),
          digit.factor ? element("b", factor_text(*digit.factor)) : html::none});

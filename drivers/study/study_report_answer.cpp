@@ -68,6 +68,12 @@ std::string data_link(const std::string& file) {
   return "<p class=\"data\">Data: <a href=\"" + file + "\">" + file + "</a></p>\n";
 }
 
+std::string unbroken(const std::string& text) {
+  std::string out;
+  for (const char c : escaped(text)) out += c == ' ' ? std::string("\u00a0") : std::string(1, c);
+  return out;
+}
+
 std::string words_cell(const std::string& text) { return element("td class=\"words\"", escaped(text)); }
 
 std::string answer(const StudyFindings& findings) {

@@ -18,7 +18,7 @@ namespace {
 using Rows = std::vector<std::vector<std::string>>;
 
 std::string error_cell(const StudyFindings& findings, const Figure& error) {
-  return error ? escaped(error_text(findings, *error)) : html::none;
+  return error ? unbroken(error_text(findings, *error)) : html::none;
 }
 
 double most(const std::vector<double>& values) {
@@ -53,7 +53,7 @@ std::string budget(const StudyFindings& findings) {
     rows.push_back({escaped(line.source) + element("small", escaped(line.base)), element("code", escaped(line.changed)),
                     error_cell(findings, line.error),
                     done ? error_cell(findings, line.refined) : element("td class=\"fails\"", escaped(line.outcome)),
-                    line.share ? plain_text(100 * *line.share) + " %" : html::none,
+                    line.share ? unbroken(plain_text(100 * *line.share) + " %") : html::none,
                     width > 0 ? "<td class=\"bar\"><i style=\"width:" + rounded_text(width, 4) + "%\"></i></td>"
                               : "<td class=\"bar\"></td>"});
   }

@@ -11,6 +11,9 @@ namespace assay::drivers::study_page {
 /// "Data: NAME", a link to the file beside the page.
 std::string data_link(const std::string& file);
 
+/// Escaped, on one line.
+std::string unbroken(const std::string& text);
+
 /// A cell of running text.
 std::string words_cell(const std::string& text);
 
