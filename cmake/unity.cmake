@@ -33,6 +33,7 @@ if(CMAKE_UNITY_BUILD)
     tests/drivers/scene/test_expect.cpp
     tests/drivers/scene/test_settings.cpp
     tests/drivers/scene/test_yaml_reader.cpp
+    tests/drivers/study/test_report_in_browser.cpp
     tests/drivers/test_check_methods.cpp
     tests/drivers/test_command_line.cpp
     tests/drivers/test_explain.cpp

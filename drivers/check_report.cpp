@@ -3,15 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "drivers/material/material_path.hpp"
+#include "drivers/output/junit.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/table_text.hpp"
-#include "drivers/picture/drawing.hpp"
 
 namespace assay::drivers {
 
@@ -23,10 +21,6 @@ using check::Verdict;
 
 Json number(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
-
-std::string attribute(const char* name, const std::string& value) {
-  return std::string(" ") + name + "=\"" + escaped(value) + "\"";
 }
 
 Json json_of(const CheckedMaterial& checked) {
@@ -144,23 +138,6 @@ std::optional<CheckedMaterial> checked_of_json(const std::string& text) {
 
 namespace {
 
-/// [s], as a decimal: schemas know no exponents.
-std::string decimal(double seconds) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.3f", seconds);
-  return text;
-}
-
-/// "2026-11-20T22:38:27", UTC.
-std::string timestamp() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  char text[32];
-  gmtime_r(&now, &utc);
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", &utc);
-  return text;
-}
-
 /// "E, nu"
 std::string joined(const std::vector<std::string>& names) {
   std::string list;
@@ -173,59 +150,44 @@ std::string class_of(const CheckedMaterial& checked) {
   return "assay.check." + (is_material_name(checked.name) || checked.model.empty() ? checked.name : checked.model);
 }
 
-std::string test_case(const CheckedMaterial& checked, const TestResult& test) {
-  const std::string head =
-      "    <testcase" + attribute("classname", class_of(checked)) + attribute("name", test.id) + attribute("time", "0");
-  if (test.verdict == Verdict::pass) return head + "/>\n";
+JunitCase test_case(const CheckedMaterial& checked, const TestResult& test) {
+  JunitCase out{class_of(checked), test.id};
+  if (test.verdict == Verdict::pass) return out;
   if (test.verdict == Verdict::not_applicable) {
-    return head + ">\n      <skipped" + attribute("message", test.sentence) + "/>\n    </testcase>\n";
+    out.kind = JunitCase::Kind::skipped;
+    out.message = test.sentence;
+    return out;
   }
   const auto replay = checked.replays.find(test.id);
-  return head + ">\n      <failure" + attribute("message", test.cause + ": " + test.sentence) +
-         attribute("type", test.cause) + ">" +
-         escaped("measured " + measured_text(test.measure) + ", at most " + measured_text(test.threshold) +
-                 (replay == checked.replays.end() ? "" : "; again: assay check --replay " + replay->second)) +
-         "</failure>\n    </testcase>\n";
+  out.kind = JunitCase::Kind::failure;
+  out.message = test.cause + ": " + test.sentence;
+  out.type = test.cause;
+  out.text = "measured " + measured_text(test.measure) + ", at most " + measured_text(test.threshold) +
+             (replay == checked.replays.end() ? "" : "; again: assay check --replay " + replay->second);
+  return out;
 }
 
-std::string error_case(const CheckedMaterial& checked) {
-  return "    <testcase" + attribute("classname", class_of(checked)) + attribute("name", "loading") +
-         attribute("time", "0") + ">\n      <error" + attribute("message", checked.error) +
-         attribute("type", "not checked") + "/>\n    </testcase>\n";
-}
-
-/// In the order and with the attributes that Ant's schema and that of Jenkins ask for.
-std::string suite(const CheckedMaterial& checked, std::size_t id) {
-  const check::Report& report = checked.report;
-  const bool broken = !checked.error.empty();
-  std::string page =
-      "  <testsuite" + attribute("name", "assay check " + checked.name) + attribute("package", "assay.check") +
-      attribute("id", std::to_string(id)) + attribute("timestamp", timestamp()) + attribute("hostname", "localhost") +
-      attribute("tests", std::to_string(report.tests.size() + (broken ? 1 : 0))) +
-      attribute("failures", std::to_string(count_of(report, Verdict::fail))) + attribute("errors", broken ? "1" : "0") +
-      attribute("skipped", std::to_string(count_of(report, Verdict::not_applicable))) +
-      attribute("time", decimal(checked.wall_s)) + ">\n    <properties>\n";
-  for (const auto& [name, value] : checked.parameters) {
-    page += "      <property" + attribute("name", name) + attribute("value", number_text(value)) + "/>\n";
-  }
+JunitSuite suite(const CheckedMaterial& checked) {
+  JunitSuite out{"assay check " + checked.name, "assay.check"};
+  out.seconds = checked.wall_s;
+  for (const auto& [name, value] : checked.parameters) out.properties.emplace_back(name, number_text(value));
   if (!checked.of_example.empty()) {
-    page += "      <property" + attribute("name", "parameters of the example") +
-            attribute("value", joined(checked.of_example)) + "/>\n";
+    out.properties.emplace_back("parameters of the example", joined(checked.of_example));
   }
-  page += "    </properties>\n";
-  for (const TestResult& test : report.tests) page += test_case(checked, test);
-  if (broken) page += error_case(checked);
-  std::string told;
-  for (const check::Diagnosis& d : report.diagnosis) told += d.cause + ": " + d.sentence + "\n";
-  return page + "    <system-out>" + escaped(told) + "</system-out>\n    <system-err/>\n  </testsuite>\n";
+  for (const TestResult& test : checked.report.tests) out.cases.push_back(test_case(checked, test));
+  if (!checked.error.empty()) {
+    out.cases.push_back({class_of(checked), "loading", 0, JunitCase::Kind::error, checked.error, "not checked"});
+  }
+  for (const check::Diagnosis& d : checked.report.diagnosis) out.said += d.cause + ": " + d.sentence + "\n";
+  return out;
 }
 
 }  // namespace
 
 std::string check_junit(const std::vector<CheckedMaterial>& all) {
-  std::string page = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
-  for (std::size_t id = 0; id < all.size(); ++id) page += suite(all[id], id);
-  return page + "</testsuites>\n";
+  std::vector<JunitSuite> suites;
+  for (const CheckedMaterial& checked : all) suites.push_back(suite(checked));
+  return junit_text(suites);
 }
 
 }  // namespace assay::drivers

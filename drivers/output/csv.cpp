@@ -135,6 +135,24 @@ void CsvText::row(std::span<const double> values) {
   text_ += '\n';
 }
 
+void CsvFields::row(const std::vector<std::string>& fields) {
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (i > 0) text_ += ',';
+    if (fields[i].find_first_of(",\"\r\n") == std::string::npos) {
+      text_ += fields[i];
+      continue;
+    }
+    text_ += '"';
+    for (const char c : fields[i]) text_ += c == '"' ? std::string(2, c) : std::string(1, c);
+    text_ += '"';
+  }
+  text_ += '\n';
+}
+
+std::string csv_number(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? number_text(*value) : std::string();
+}
+
 const std::vector<double>* CsvTable::column(std::string_view name) const {
   const auto at = std::find(names.begin(), names.end(), name);
   return at == names.end() ? nullptr : &columns[static_cast<std::size_t>(at - names.begin())];

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Comma-separated numbers under a header line, written and strictly read.
+// Comma-separated values under a header line: numbers are written and strictly read, texts are written.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,6 +22,20 @@ class CsvText {
   std::size_t width_;
   std::string text_;
 };
+
+/// The same of texts: fields with a comma, a quote or a line break stand in quotes (RFC 4180).
+class CsvFields {
+ public:
+  explicit CsvFields(const std::vector<std::string>& names) { row(names); }
+  void row(const std::vector<std::string>& fields);
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+/// A number as the shortest text that reads back the same; empty where there is none, or it is not finite.
+std::string csv_number(const std::optional<double>& value);
 
 struct CsvTable {
   std::string file;

@@ -26,7 +26,7 @@ std::string section(const std::string& title, const std::string& content) {
 
 std::string table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows) {
   std::string out = "<div class=\"wide\"><table><thead><tr>";
-  for (const std::string& cell : head) out += element("th scope=\"col\"", cell);
+  for (const std::string& cell : head) out += cell.starts_with("<th") ? cell : element("th scope=\"col\"", cell);
   out += "</tr></thead><tbody>\n";
   for (const auto& row : rows) {
     out += "<tr>";
@@ -36,6 +36,13 @@ std::string table(const std::vector<std::string>& head, const std::vector<std::v
     out += "</tr>\n";
   }
   return out + "</tbody></table></div>\n";
+}
+
+std::string page(const std::string& title, const std::string& style, const std::string& body) {
+  return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n" +
+         element("title", title) + "\n<style>" + style + "</style>\n</head>\n<body>\n<main>\n" + element("h1", title) +
+         "\n" + body + "</main>\n</body>\n</html>\n";
 }
 
 std::string fact(const std::string& name, const std::string& value) {

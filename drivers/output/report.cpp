@@ -81,9 +81,11 @@ bool panorama(const std::string& png) {
   return number(16) > 1.7 * number(20);
 }
 
-std::string pictures(const ReportContent& content) {
+}  // namespace
+
+std::string pictures_section(const std::vector<ReportPicture>& pictures) {
   std::string out;
-  for (const ReportPicture& picture : content.pictures) {
+  for (const ReportPicture& picture : pictures) {
     out += std::string("<figure><img") + (panorama(picture.png) ? " class=\"panorama\"" : "") + " alt=\"" +
            escaped(picture.caption) + "\" src=\"data:image/png;base64," + base64(picture.png) + "\">" +
            element("figcaption", escaped(picture.caption)) + "</figure>\n";
@@ -91,23 +93,16 @@ std::string pictures(const ReportContent& content) {
   return out.empty() ? out : section("Particles", out);
 }
 
-}  // namespace
-
 std::string report_html(const Result& result, const ReportContent& content) {
-  const std::string title = escaped(result.title.empty() ? "assay run" : result.title);
-  std::string out =
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n" +
-      element("title", title) + "\n<style>" + report_style + "</style>\n</head>\n<body>\n<main>\n" +
-      element("h1", title) + "\n";
+  std::string out;
   if (!result.subject.empty()) out += element("p", escaped(result.subject)) + "\n";
-  out += verdict(result) + key_figures(result) + expectations(result) + pictures(content) +
+  out += verdict(result) + key_figures(result) + expectations(result) + pictures_section(content.pictures) +
          errors_section(result, content.period) + tractions_section(result);
   out += profile_section(result) + credibility_section(result) + provenance_section(result);
   if (!content.resolved_scene.empty()) {
     out += section("The scene, with every default", element("pre", escaped(content.resolved_scene)) + "\n");
   }
-  return out + "</main>\n</body>\n</html>\n";
+  return page(escaped(result.title.empty() ? "assay run" : result.title), report_style, out);
 }
 
 }  // namespace assay::drivers

@@ -25,6 +25,9 @@ struct ReportContent {
 /// The errors of the displacement over time, logarithmic.
 LinePlot error_history_plot(const std::vector<ErrorSample>& history);
 
+/// The pictures under one heading; empty without any.
+std::string pictures_section(const std::vector<ReportPicture>& pictures);
+
 /// The page. First the verdict, then pictures and plots, then every figure, then where it comes from.
 std::string report_html(const Result& result, const ReportContent& content);
 

@@ -11,21 +11,24 @@ namespace assay::drivers {
 
 using namespace html;
 
-std::string profile_section(const Result& result) {
-  if (result.passes.empty()) return {};
+std::string profile_table(const std::vector<PassFigures>& passes) {
   double most = 0, total = 0;
-  for (const PassFigures& pass : result.passes) {
+  for (const PassFigures& pass : passes) {
     most = std::max(most, pass.seconds);
     total += pass.seconds;
   }
   std::vector<std::vector<std::string>> rows;
-  for (const PassFigures& pass : result.passes) {
+  for (const PassFigures& pass : passes) {
     const double width = most > 0 ? 100 * pass.seconds / most : 0, share = total > 0 ? 100 * pass.seconds / total : 0;
     rows.push_back({escaped(pass.name), rounded_text(pass.seconds, 3), rounded_text(share, 3) + "\u202f%",
                     pass.bytes_per_particle > 0 ? rounded_text(pass.bytes_per_particle, 4) : none,
                     "<td class=\"bar\"><i style=\"width:" + rounded_text(width, 4) + "%\"></i></td>"});
   }
-  return section("Where the time went", table({"pass", "seconds", "share", "bytes a particle", ""}, rows));
+  return table({"pass", "seconds", "share", "bytes a particle", ""}, rows);
+}
+
+std::string profile_section(const Result& result) {
+  return result.passes.empty() ? "" : section("Where the time went", profile_table(result.passes));
 }
 
 std::string credibility_section(const Result& result) {

@@ -12,6 +12,9 @@ namespace assay::drivers {
 /// The sample with the largest L2 error of the displacement; null without one.
 const ErrorSample* worst_displacement(const std::vector<ErrorSample>& history);
 
+/// Seconds and share of each pass, with bars.
+std::string profile_table(const std::vector<PassFigures>& passes);
+
 // Each is empty where the run has nothing of it.
 std::string errors_section(const Result& result, double period);
 std::string tractions_section(const Result& result);

@@ -16,6 +16,7 @@ constexpr std::array<std::uint32_t, 17> diverging{0x003e81, 0x08529f, 0x1b68be, 
                                                   0xa0c6f7, 0xc9ddf7, 0xf3f3f3, 0xf5d1cc, 0xf3b0a6, 0xeb8f83,
                                                   0xde6f62, 0xcb5146, 0xb03b32, 0x922a23, 0x751814};
 constexpr std::array<std::uint32_t, 7> palette{0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7, 0xe69f00, 0x56b4e9, 0x555555};
+constexpr std::array<std::uint32_t, 7> dark{0x0066a0, 0xb14e00, 0x00734f, 0xa04a7c, 0x8a5f00, 0x1a759f, 0x444444};
 
 template <std::size_t N>
 Color between(const std::array<std::uint32_t, N>& anchors, double s) {
@@ -32,5 +33,20 @@ Color map_color(ColorMap map, double s) {
 }
 
 Color series_color(std::size_t index) { return rgb(palette[index % palette.size()]); }
+
+double luminance(Color color) {
+  const auto linear = [](std::uint8_t part) {
+    const double s = part / 255.0;
+    return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(color.r) + 0.7152 * linear(color.g) + 0.0722 * linear(color.b);
+}
+
+Color readable_on(Color background) {
+  constexpr double as_far_from_both = 0.179;
+  return luminance(background) > as_far_from_both ? rgb(0x000000) : rgb(0xffffff);
+}
+
+Color series_text_color(std::size_t index) { return rgb(dark[index % dark.size()]); }
 
 }  // namespace assay::drivers

@@ -19,4 +19,13 @@ inline constexpr Color no_value = rgb(0xb8b8b8);
 /// Okabe and Ito's palette, ordered so that neighbours differ also in lightness; repeats after 7.
 Color series_color(std::size_t index);
 
+/// The same hues dark enough for text on white (contrast 4.5 and more).
+Color series_text_color(std::size_t index);
+
+/// Black or white, whichever is read better on that colour: contrast 4.5 and more (WCAG 2).
+Color readable_on(Color background);
+
+/// Relative luminance (WCAG 2): 0 black, 1 white.
+double luminance(Color color);
+
 }  // namespace assay::drivers

@@ -13,24 +13,24 @@ namespace {
 
 std::string number(double value) { return rounded_text(std::round(value * 100) / 100, 8); }
 
-std::string css_color(Color color) {
-  constexpr const char* digits = "0123456789abcdef";
-  std::string out = "#";
-  for (const std::uint8_t part : {color.r, color.g, color.b}) {
-    out += digits[part >> 4];
-    out += digits[part & 15];
-  }
-  return out;
-}
-
 std::string css(Ink ink) {
-  if (ink.role != Ink::Role::series) return "currentColor";
   const std::size_t index = ink.series % 7;
-  return "var(--series-" + std::to_string(index) + "," + css_color(series_color(index)) + ")";
+  if (ink.role == Ink::Role::fixed) return css_color(ink.color);
+  if (ink.role == Ink::Role::series) {
+    return "var(--series-" + std::to_string(index) + "," + css_color(series_color(index)) + ")";
+  }
+  if (ink.role == Ink::Role::name) {
+    return "var(--name-" + std::to_string(index) + "," + css_color(series_text_color(index)) + ")";
+  }
+  return "currentColor";
 }
 
 std::string opacity(Ink ink, const char* property) {
-  const char* value = ink.role == Ink::Role::grid ? ".16" : ink.role == Ink::Role::axis ? ".7" : nullptr;
+  const char* value = ink.role == Ink::Role::grid    ? ".16"
+                      : ink.role == Ink::Role::axis  ? ".7"
+                      : ink.role == Ink::Role::faint ? ".4"
+                      : ink.role == Ink::Role::band  ? ".22"
+                                                     : nullptr;
   return value ? std::string(";") + property + ":" + value : "";
 }
 
@@ -44,24 +44,49 @@ Color print_color(Ink ink) {
       return rgb(0xdedede);
     case Ink::Role::series:
       return series_color(ink.series);
+    case Ink::Role::name:
+      return series_text_color(ink.series);
+    case Ink::Role::faint:
+      return rgb(0xa4a4a4);
+    case Ink::Role::band:
+      return rgb(0xcdcdcd);
+    case Ink::Role::fixed:
+      return ink.color;
   }
   return {};
 }
 
-std::string line_svg(const DrawingItem& item) {
-  std::string out = "<path d=\"";
+std::string path_of(const DrawingItem& item) {
+  std::string out;
   for (std::size_t i = 0; i < item.points.size(); ++i) {
     out += (i == 0 ? "M" : "L") + number(item.points[i].x) + " " + number(item.points[i].y);
   }
-  out += "\" style=\"fill:none;stroke:" + css(item.ink) + opacity(item.ink, "stroke-opacity") +
-         ";stroke-width:" + number(item.size) + ";stroke-linejoin:round;stroke-linecap:round";
+  return out;
+}
+
+/// The end of an element.
+std::string closed(const DrawingItem& item, const char* tag) {
+  if (item.tip.empty()) return "/>\n";
+  return "><title>" + escaped(item.tip) + "</title></" + tag + ">\n";
+}
+
+std::string line_svg(const DrawingItem& item) {
+  std::string out = "<path d=\"" + path_of(item) + "\" style=\"fill:none;stroke:" + css(item.ink) +
+                    opacity(item.ink, "stroke-opacity") + ";stroke-width:" + number(item.size) +
+                    ";stroke-linejoin:round;stroke-linecap:round";
   if (item.dash > 0) out += ";stroke-dasharray:" + number(item.dash);
-  return out + "\"/>\n";
+  return out + "\"" + closed(item, "path");
+}
+
+std::string area_svg(const DrawingItem& item) {
+  return "<path d=\"" + path_of(item) + "Z\" style=\"fill:" + css(item.ink) + opacity(item.ink, "fill-opacity") + "\"" +
+         closed(item, "path");
 }
 
 std::string disc_svg(const DrawingItem& item) {
   return "<circle cx=\"" + number(item.points[0].x) + "\" cy=\"" + number(item.points[0].y) + "\" r=\"" +
-         number(item.size) + "\" style=\"fill:" + css(item.ink) + "\"/>\n";
+         number(item.size) + "\" style=\"fill:" + css(item.ink) + opacity(item.ink, "fill-opacity") + "\"" +
+         closed(item, "circle");
 }
 
 std::string label_svg(const DrawingItem& item) {
@@ -87,6 +112,16 @@ std::string label_svg(const DrawingItem& item) {
 
 }  // namespace
 
+std::string css_color(Color color) {
+  constexpr const char* digits = "0123456789abcdef";
+  std::string out = "#";
+  for (const std::uint8_t part : {color.r, color.g, color.b}) {
+    out += digits[part >> 4];
+    out += digits[part & 15];
+  }
+  return out;
+}
+
 void Drawing::line(std::vector<Point> points, Ink ink, double line_width, double dash) {
   items.push_back({DrawingItem::Kind::line, ink, std::move(points), line_width, dash, {}, Anchor::left, false});
 }
@@ -98,6 +133,12 @@ void Drawing::disc(Point center, double radius, Ink ink) {
 void Drawing::label(Point at, std::string text, double size, Anchor anchor, Ink ink, bool upwards) {
   items.push_back({DrawingItem::Kind::label, ink, {at}, size, 0, std::move(text), anchor, upwards});
 }
+
+void Drawing::area(std::vector<Point> around, Ink ink) {
+  items.push_back({DrawingItem::Kind::area, ink, std::move(around), 1, 0, {}, Anchor::left, false});
+}
+
+void Drawing::tip(std::string text) { items.back().tip = std::move(text); }
 
 std::string escaped(std::string_view text) {
   std::string out;
@@ -130,6 +171,7 @@ std::string svg_text(const Drawing& drawing) {
   for (const DrawingItem& item : drawing.items) {
     out += item.kind == DrawingItem::Kind::line   ? line_svg(item)
            : item.kind == DrawingItem::Kind::disc ? disc_svg(item)
+           : item.kind == DrawingItem::Kind::area ? area_svg(item)
                                                   : label_svg(item);
   }
   return out + "</svg>\n";
@@ -146,6 +188,8 @@ Canvas raster(const Drawing& drawing, double scale) {
       canvas.stroke(points, item.size * scale, color, item.dash * scale);
     } else if (item.kind == DrawingItem::Kind::disc) {
       canvas.circle(points[0], item.size * scale, color);
+    } else if (item.kind == DrawingItem::Kind::area) {
+      canvas.fill(points, color);
     } else {
       canvas.text(points[0], item.label, {item.size * scale, color, item.anchor, item.upwards});
     }

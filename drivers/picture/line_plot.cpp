@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "drivers/picture/frame.hpp"
 #include "drivers/picture/stroke_font.hpp"
-#include "drivers/picture/ticks.hpp"
 
 namespace assay::drivers {
 
@@ -22,14 +22,6 @@ struct Range {
     high = std::max(high, value);
   }
   bool empty() const { return !(low <= high); }
-};
-
-struct Frame {
-  double left = 0, top = 0, right = 0, bottom = 0;
-  Axis x, y;
-  Point at(double u, double v) const {
-    return {left + (right - left) * x.fraction(u), bottom - (bottom - top) * y.fraction(v)};
-  }
 };
 
 /// What an axis can hold: finite, positive where logarithmic, and not at the very ends of the doubles.

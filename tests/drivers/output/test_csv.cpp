@@ -94,5 +94,14 @@ TEST(Csv, unreadable_files_are_bad_input) {
   }
 }
 
+TEST(CsvFields, are_quoted_where_they_must_be) {
+  CsvFields fields({"a", "b"});
+  fields.row({"plain text", "one, \"two\"\nthree"});
+  EXPECT_EQ(fields.text(), "a,b\nplain text,\"one, \"\"two\"\"\nthree\"\n");
+  EXPECT_EQ(csv_number(0.1), "0.1");
+  EXPECT_EQ(csv_number({}), "");
+  EXPECT_EQ(csv_number(INFINITY), "");
+}
+
 }  // namespace
 }  // namespace assay::drivers

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <cmath>
 #include <limits>
 
@@ -50,6 +52,23 @@ TEST(ColorMap, clamps_and_marks_what_is_no_number) {
     EXPECT_EQ(map_color(map, -1), map_color(map, 0));
     EXPECT_EQ(map_color(map, std::numeric_limits<double>::infinity()), map_color(map, 1));
     EXPECT_EQ(map_color(map, std::numeric_limits<double>::quiet_NaN()), no_value);
+  }
+}
+
+/// WCAG 2.
+double contrast(Color a, Color b) {
+  const double x = luminance(a), y = luminance(b);
+  return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
+}
+
+TEST(ColorMap, texts_can_be_read) {
+  EXPECT_NEAR(contrast(rgb(0), rgb(0xffffff)), 21, 1e-12);
+  for (std::size_t k = 0; k < 7; ++k) EXPECT_GE(contrast(series_text_color(k), rgb(0xffffff)), 4.5) << k;
+  for (double s = 0; s <= 1; s += 0.01) {
+    for (const ColorMap map : {ColorMap::viridis, ColorMap::diverging}) {
+      const Color below = map_color(map, s);
+      EXPECT_GE(contrast(readable_on(below), below), 4.5) << s;
+    }
   }
 }
 

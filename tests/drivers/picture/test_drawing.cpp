@@ -42,5 +42,19 @@ TEST(Drawing, escapes_for_xml) {
   EXPECT_EQ(escaped("<a href=\"x\">&'\x01\n"), "&lt;a href=&quot;x&quot;&gt;&amp;' \n");
 }
 
+TEST(Drawing, areas_and_tips) {
+  Drawing drawing{20, 10, "", {}};
+  drawing.area({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {Ink::Role::fixed, 0, rgb(0x123456)});
+  drawing.tip("a < b");
+  drawing.label({1, 9}, "n", 8, Anchor::left, {Ink::Role::name, 1});
+  const std::string svg = svg_text(drawing);
+  EXPECT_NE(svg.find("d=\"M0 0L10 0L10 10L0 10Z\" style=\"fill:#123456\"><title>a &lt; b</title></path>"),
+            std::string::npos)
+      << svg;
+  EXPECT_NE(svg.find("fill:var(--name-1,"), std::string::npos) << svg;
+  EXPECT_EQ(raster(drawing, 1).pixel(8, 2), rgb(0x123456));
+  EXPECT_EQ(raster(drawing, 1).pixel(15, 5), rgb(0xffffff));
+}
+
 }  // namespace
 }  // namespace assay::drivers

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/output/junit.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+
+#include "drivers/picture/drawing.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+std::string attribute(const char* name, const std::string& value) {
+  return std::string(" ") + name + "=\"" + escaped(value) + "\"";
+}
+
+/// [s], as a decimal: schemas know no exponents.
+std::string decimal(double seconds) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.3f", seconds);
+  return text;
+}
+
+/// "2026-11-20T22:38:27", UTC.
+std::string timestamp() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  char text[32];
+  gmtime_r(&now, &utc);
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", &utc);
+  return text;
+}
+
+std::string case_text(const JunitCase& one) {
+  const std::string head = "    <testcase" + attribute("classname", one.classname) + attribute("name", one.name) +
+                           attribute("time", one.seconds == 0 ? "0" : decimal(one.seconds));
+  if (one.kind == JunitCase::Kind::passed) return head + "/>\n";
+  if (one.kind == JunitCase::Kind::skipped) {
+    return head + ">\n      <skipped" + attribute("message", one.message) + "/>\n    </testcase>\n";
+  }
+  const std::string tag = one.kind == JunitCase::Kind::failure ? "failure" : "error";
+  return head + ">\n      <" + tag + attribute("message", one.message) + attribute("type", one.type) +
+         (one.text.empty() ? "/>" : ">" + escaped(one.text) + "</" + tag + ">") + "\n    </testcase>\n";
+}
+
+/// In the order and with the attributes that Ant's schema and that of Jenkins ask for.
+std::string suite_text(const JunitSuite& suite, std::size_t id) {
+  const auto count = [&](JunitCase::Kind kind) {
+    return std::to_string(
+        std::count_if(suite.cases.begin(), suite.cases.end(), [&](const JunitCase& one) { return one.kind == kind; }));
+  };
+  std::string page =
+      "  <testsuite" + attribute("name", suite.name) + attribute("package", suite.package) +
+      attribute("id", std::to_string(id)) + attribute("timestamp", timestamp()) + attribute("hostname", "localhost") +
+      attribute("tests", std::to_string(suite.cases.size())) + attribute("failures", count(JunitCase::Kind::failure)) +
+      attribute("errors", count(JunitCase::Kind::error)) + attribute("skipped", count(JunitCase::Kind::skipped)) +
+      attribute("time", decimal(suite.seconds)) + ">\n    <properties>\n";
+  for (const auto& [name, value] : suite.properties) {
+    page += "      <property" + attribute("name", name) + attribute("value", value) + "/>\n";
+  }
+  page += "    </properties>\n";
+  for (const JunitCase& one : suite.cases) page += case_text(one);
+  return page + "    <system-out>" + escaped(suite.said) + "</system-out>\n    <system-err/>\n  </testsuite>\n";
+}
+
+}  // namespace
+
+std::string junit_text(const std::vector<JunitSuite>& suites) {
+  std::string page = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+  for (std::size_t id = 0; id < suites.size(); ++id) page += suite_text(suites[id], id);
+  return page + "</testsuites>\n";
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The map of stability as a table of HTML and as a picture.
+#include <algorithm>
+
+#include "drivers/output/html.hpp"
+#include "drivers/picture/label_placer.hpp"
+#include "drivers/study/stability_map.hpp"
+#include "drivers/study/study_words.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr double cell_width = 112, cell_height = 42, cell_text_size = 14, cell_small_size = 12, most_of_name = 330;
+
+std::string html_cell(const StabilityCell& cell) {
+  if (!cell.of) return html::element("td", html::none);
+  std::string text = html::element("b", escaped(cell.text));
+  if (!cell.detail.empty()) text += html::element("small", escaped(cell.detail));
+  if (!cell.of->reason.empty()) text += html::element("small", escaped(cut_text(cell.of->reason, 70)));
+  const std::string title = cell.of->reason.empty() ? "" : "\" title=\"" + escaped(cell.of->reason);
+  return html::element("td class=\"state\" style=\"background:" + css_color(cell.background) +
+                           ";color:" + css_color(cell.ink) + title + "\"",
+                       text);
+}
+
+/// As much of a name as fits, with dots where it does not.
+std::string fitting(const std::string& name, double size, double width) {
+  for (std::size_t length = name.size(); length > 4; length -= 4) {
+    std::string text = cut_text(name, length);
+    if (roomy_size(text, size).x <= width) return text;
+  }
+  return cut_text(name, 4);
+}
+
+void draw_cell(Drawing& out, const StabilityCell& cell, double left, double top) {
+  if (!cell.of) return;
+  const double right = left + cell_width - 3, bottom = top + cell_height - 3, middle = (left + right) / 2;
+  out.area({{left, top}, {right, top}, {right, bottom}, {left, bottom}}, {Ink::Role::fixed, 0, cell.background});
+  out.tip(cell.of->label + ": " + outcome_text(*cell.of) + (cell.of->reason.empty() ? "" : ". " + cell.of->reason));
+  const Ink ink{Ink::Role::fixed, 0, cell.ink};
+  const bool two = !cell.detail.empty();
+  const double size = cell.text.size() > 10 ? cell_small_size : cell_text_size;
+  out.label({middle, top + (two ? 17 : 24.5)}, fitting(cell.text, size, cell_width - 6), size, Anchor::middle, ink);
+  if (two) out.label({middle, top + 32}, cell.detail, cell_small_size, Anchor::middle, ink);
+}
+
+}  // namespace
+
+std::string stability_table(const StabilityMap& map) {
+  std::vector<std::string> head{escaped(map.row_name)};
+  for (const std::string& column : map.columns) {
+    head.push_back(escaped(map.column_name.empty() ? column : map.column_name + " = " + column));
+  }
+  std::vector<std::vector<std::string>> rows;
+  for (const StabilityRow& row : map.rows) {
+    rows.push_back({escaped(row.name)});
+    for (const StabilityCell& cell : row.cells) rows.back().push_back(html_cell(cell));
+  }
+  return html::table(head, rows);
+}
+
+Drawing stability_picture(const StabilityMap& map) {
+  constexpr double head = 56;
+  double names = 60;
+  for (const StabilityRow& row : map.rows) names = std::max(names, roomy_size(row.name, cell_text_size).x);
+  names = std::min(names, most_of_name) + 16;
+  Drawing out{names + cell_width * static_cast<double>(std::max<std::size_t>(map.columns.size(), 3)) + 8,
+              head + cell_height * static_cast<double>(map.rows.size()) + 8,
+              "what completes and what does not",
+              {}};
+  out.label({names, 18}, map.column_name, cell_text_size, Anchor::left);
+  for (std::size_t k = 0; k < map.columns.size(); ++k) {
+    const double middle = names + cell_width * (static_cast<double>(k) + 0.5) - 1.5;
+    out.label({middle, head - 12}, fitting(map.columns[k], cell_text_size, cell_width - 4), cell_text_size,
+              Anchor::middle);
+  }
+  for (std::size_t i = 0; i < map.rows.size(); ++i) {
+    const double top = head + cell_height * static_cast<double>(i);
+    out.label({names - 10, top + 25}, fitting(map.rows[i].name, cell_text_size, names - 14), cell_text_size,
+              Anchor::right);
+    for (std::size_t k = 0; k < map.columns.size(); ++k) {
+      draw_cell(out, map.rows[i].cells[k], names + cell_width * static_cast<double>(k), top);
+    }
+  }
+  return out;
+}
+
+}  // namespace assay::drivers
