@@ -18,7 +18,7 @@ std::string study_json(const StudyFindings& findings);
 
 /// Reads it back: every finite number is the same, bit for bit; null where a number must be is NaN. `file` stands for
 /// the text in errors. Throws InputError where the text is torn, no study.json, or of another version or shape: missing
-/// keys, other types, indices of cases that are not there, eligible cases without error or cost.
+/// keys, other types, indices of cases that are not there, eligible cases without error, or without both cost and work.
 StudyFindings findings_of_json(const std::string& text, const std::string& file);
 
 }  // namespace assay::drivers

@@ -130,8 +130,8 @@ StudyCase case_of(const Node& node) {
   one.work = node["work"].figure();
   one.eligible = node["eligible"].flag();
   one.on_front = node["on_front"].flag();
-  if (one.eligible && !(one.completed() && one.error && one.cost))
-    node["eligible"].refuse("must be false of a case that is not completed, or without error or cost");
+  if (one.eligible && !(one.error && (one.cost || one.work)))
+    node["eligible"].refuse("must be false of a case without error or cost");
   one.clock = clock_of(node["clock"]);
   for (const auto& [key, value] : node["figures"].entries()) one.figures[key] = value.leaf();
   one.passes = node["passes"].each(pass_of);

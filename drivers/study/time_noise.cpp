@@ -14,21 +14,11 @@ double median_of(std::vector<double> values) {
   return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
 }
 
-/// The repeats of the figure of cost; none where it has no clock.
-std::vector<double> repeats_of(const std::string& key, const ClockReadings& clock) {
-  std::vector<double> repeats;
-  if (key == "step_cpu_s" || key == "step_s") repeats = clock.step_s;
-  if (key == "cpu_s") repeats = clock.cpu_s;
-  if (key == "wall_s") repeats = clock.wall_s;
-  std::erase_if(repeats, [](double seconds) { return !(seconds > 0) || !std::isfinite(seconds); });
-  return repeats;
-}
-
 /// The median of the spreads of the study's cases; 0 where none has one.
 double typical_spread(const StudyFindings& findings) {
   std::vector<double> spreads;
   for (const StudyCase& one : findings.cases) {
-    if (const Figure spread = spread_of_cost(findings, one)) spreads.push_back(*spread);
+    if (one.cost && one.cost_spread) spreads.push_back(*one.cost_spread);
   }
   return spreads.empty() ? 0 : median_of(std::move(spreads));
 }
@@ -39,23 +29,13 @@ bool is_measured(const StudyFindings& findings) {
   return findings.cost_unit == "s" || findings.cost_key.ends_with("_s") || findings.cost_key.ends_with("_bytes");
 }
 
-Figure spread_of_cost(const StudyFindings& findings, const StudyCase& one) {
-  const std::vector<double> repeats = repeats_of(findings.cost_key, one.clock);
-  if (repeats.size() > 1) {
-    const auto [least, most] = std::minmax_element(repeats.begin(), repeats.end());
-    return 0.5 * (*most - *least) / median_of(repeats);
-  }
-  return one.cost_spread;
-}
-
 CostNoise::CostNoise(const StudyFindings& A, const StudyFindings& B)
     : A_(A), B_(B), typical_a_(typical_spread(A)), typical_b_(typical_spread(B)) {}
 
 CostBound CostNoise::between(const StudyCase& a, const StudyCase& b) const {
   if (!is_measured(A_)) return {counted_floor, true};
-  const Figure spread_a = spread_of_cost(A_, a), spread_b = spread_of_cost(B_, b);
-  if (!spread_a || !spread_b) return {single_floor, false};
-  const double combined = std::hypot(std::max(*spread_a, typical_a_), std::max(*spread_b, typical_b_));
+  if (!a.cost_spread || !b.cost_spread) return {single_floor, false};
+  const double combined = std::hypot(std::max(*a.cost_spread, typical_a_), std::max(*b.cost_spread, typical_b_));
   return {std::max(spread_factor * combined, repeated_floor), true};
 }
 

@@ -6,9 +6,9 @@
 
 namespace assay::drivers {
 
-/// Medians differ beyond this many times the combined spread. A spread is half the range of a case's repeats over their
-/// median: for normal noise on average 0.85 standard deviations of three, 1.16 of five, while the median of as many
-/// scatters by 0.67 and 0.54 of them.
+/// Medians differ beyond this many times the combined spread. A spread (StudyCase::cost_spread) is half the range of a
+/// case's repeats over their median: for normal noise on average 0.85 standard deviations of three, 1.16 of five, while
+/// the median of as many scatters by 0.67 and 0.54 of them.
 inline constexpr double spread_factor = 3;
 
 /// No smaller relative difference of times counts, however alike the repeats are: the layout of code and memory, which
@@ -30,10 +30,6 @@ struct CostBound {
 
 /// Whether the study's cost is a time, or memory, which is measured as times are, and not a count.
 bool is_measured(const StudyFindings& findings);
-
-/// The spread of a case's cost over the median: that of its clock for the cost's key, else cost_spread; absent of one
-/// repeat.
-Figure spread_of_cost(const StudyFindings& findings, const StudyCase& one);
 
 /// How far costs of cases of A and of B must differ. The spread of a case counts as at least the median of its study's,
 /// for three repeats may agree by chance.
