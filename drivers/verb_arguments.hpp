@@ -17,7 +17,7 @@ namespace assay::drivers {
 /// Everything that any verb takes, as text.
 struct Arguments {
   std::string scene, out, points, threads, material, file, name, remove, parameters, json_file, junit_file, replay;
-  std::string markdown_file;
+  std::string markdown_file, study, after, error;
   std::string language, interface = "native", strain, pressure;
   std::vector<std::string> sets;
   bool json = false, quick = false, all = false, methods = false, quiet = false, verbose = false;
@@ -36,8 +36,17 @@ struct Verb {
 /// Adds run, tabulate, eval and explain. `given` outlives the verbs.
 std::vector<Verb> scene_verbs(CLI::App& app, Arguments& given);
 
+/// Adds recommend and compare.
+std::vector<Verb> study_verbs(CLI::App& app, Arguments& given);
+
 /// Adds check, materials, register, new-material and schema.
 std::vector<Verb> material_verbs(CLI::App& app, Arguments& given);
+
+/// A verb with its line of help and an example.
+CLI::App& add_verb(CLI::App& app, const std::string& name, const std::string& doc, const std::string& example);
+
+/// -o, which takes no empty name.
+void add_out(CLI::App& verb, Arguments& given, const std::string& type, const std::string& doc);
 
 /// --quiet and --verbose.
 void add_verbosity(CLI::App& app, Arguments& given);

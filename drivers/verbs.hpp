@@ -80,10 +80,26 @@ struct NewMaterialOptions {
   Verbosity verbosity = Verbosity::normal;
 };
 
+struct RecommendOptions {
+  std::string study;  ///< folder of a study's results, its study.json, or the study's YAML file
+  std::string error;  ///< that is wanted: a number in the study's unit, or "1 %"
+  std::string out;    ///< folder of the results of a YAML file; empty: results/NAME
+  bool json = false;
+};
+
+struct CompareOptions {
+  std::string before, after;  ///< folders of results, or their study.json
+  std::string markdown;       ///< file; "-": standard output; empty: none
+  bool json = false;
+  Verbosity verbosity = Verbosity::normal;  ///< verbose: the cases that are the same, too; quiet: the verdict alone
+};
+
 int run(const RunOptions& options);
 int tabulate(const TabulateOptions& options);
 int eval(const EvalOptions& options);
 int explain(const ExplainOptions& options);
+int recommend(const RecommendOptions& options);
+int compare(const CompareOptions& options);
 int check(const CheckOptions& options);
 int check_methods(const CheckOptions& options);
 int materials(const MaterialsOptions& options);

@@ -40,6 +40,7 @@ Standing standing_of(const StudyCase& a, const StudyCase& b) {
 
 ComparedFigure compared_errors(const StudyCase& a, const StudyCase& b) {
   ComparedFigure error{a.error, b.error, rounding_relative, 0};
+  if (a.error && !b.error) error.trend = 1;  // is not finite any more
   if (!a.error || !b.error) return error;
   const double least = std::min(*a.error, *b.error);
   if (least > 0) error.bound = std::max(rounding_relative, rounding_absolute / least);
@@ -105,6 +106,13 @@ void match_cases(const StudyFindings& A, const StudyFindings& B, Comparison& fou
     one.label = B.cases[i].label, one.b = i, one.standing = Standing::only_in_b, one.outcome_b = B.cases[i].outcome;
     found.cases.push_back(std::move(one));
   }
+}
+
+void warn_of_untimed(Comparison& found) {
+  const auto untimed = std::count_if(found.cases.begin(), found.cases.end(), [](const ComparedCase& one) {
+    return one.standing == Standing::compared && one.cost.before.has_value() != one.cost.after.has_value();
+  });
+  if (untimed > 0) found.warnings.push_back(std::to_string(untimed) + " cost(s) known in one of the studies alone");
 }
 
 void compare_figures(const StudyFindings& A, const StudyFindings& B, Comparison& found) {
@@ -198,6 +206,7 @@ Comparison compared(const StudyFindings& A, const StudyFindings& B) {
   match_cases(A, B, found);
   if (is_measured(A)) warn_of_clocks(timed_pairs(found, A, B), found);
   compare_figures(A, B, found);
+  warn_of_untimed(found);
   compare_fronts(A, B, found);
   compare_expectations(A, B, found);
   return found;
