@@ -112,7 +112,9 @@ void warn_of_untimed(Comparison& found) {
   const auto untimed = std::count_if(found.cases.begin(), found.cases.end(), [](const ComparedCase& one) {
     return one.standing == Standing::compared && one.cost.before.has_value() != one.cost.after.has_value();
   });
-  if (untimed > 0) found.warnings.push_back(std::to_string(untimed) + " cost(s) known in one of the studies alone");
+  if (untimed > 0)
+    found.warnings.push_back("the cost of " + std::to_string(untimed) + (untimed == 1 ? " case is" : " cases is") +
+                             " known in one of the studies alone");
 }
 
 void compare_figures(const StudyFindings& A, const StudyFindings& B, Comparison& found) {

@@ -19,7 +19,8 @@ constexpr std::size_t label_width = 32, words_width = 17, ratio_width = 10;
 std::vector<std::string> label_lines(const std::string& label) {
   std::istringstream text(wrapped(label, "", "  ", label_width - 1));
   std::vector<std::string> lines;
-  for (std::string line; std::getline(text, line);) lines.push_back(one_line(line, label_width - 4));
+  for (std::string line; std::getline(text, line);)
+    lines.push_back(line.size() < label_width ? line : one_line(line, label_width - 4));
   return lines;
 }
 

@@ -14,11 +14,17 @@ double median_of(std::vector<double> values) {
   return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
 }
 
+/// Absent of one repeat.
+Figure spread_of(const StudyCase& one) {
+  if (!one.cost || !one.cost_spread) return std::nullopt;
+  return *one.cost_spread * (one.clock.step_s.size() == 2 ? spread_of_two : 1);
+}
+
 /// The median of the spreads of the study's cases; 0 where none has one.
 double typical_spread(const StudyFindings& findings) {
   std::vector<double> spreads;
   for (const StudyCase& one : findings.cases) {
-    if (one.cost && one.cost_spread) spreads.push_back(*one.cost_spread);
+    if (const Figure spread = spread_of(one)) spreads.push_back(*spread);
   }
   return spreads.empty() ? 0 : median_of(std::move(spreads));
 }
@@ -34,8 +40,9 @@ CostNoise::CostNoise(const StudyFindings& A, const StudyFindings& B)
 
 CostBound CostNoise::between(const StudyCase& a, const StudyCase& b) const {
   if (!is_measured(A_)) return {counted_floor, true};
-  if (!a.cost_spread || !b.cost_spread) return {single_floor, false};
-  const double combined = std::hypot(std::max(*a.cost_spread, typical_a_), std::max(*b.cost_spread, typical_b_));
+  const Figure spread_a = spread_of(a), spread_b = spread_of(b);
+  if (!spread_a || !spread_b) return {single_floor, false};
+  const double combined = std::hypot(std::max(*spread_a, typical_a_), std::max(*spread_b, typical_b_));
   return {std::max(spread_factor * combined, repeated_floor), true};
 }
 

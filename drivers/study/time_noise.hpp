@@ -11,6 +11,9 @@ namespace assay::drivers {
 /// the median of as many scatters by 0.67 and 0.54 of them.
 inline constexpr double spread_factor = 3;
 
+/// The spread of two repeats counts as so much more: it is on average 0.56 standard deviations alone.
+inline constexpr double spread_of_two = 1.5;
+
 /// No smaller relative difference of times counts, however alike the repeats are: the layout of code and memory, which
 /// repeats of one binary share, makes up to as much.
 inline constexpr double repeated_floor = 0.05;
