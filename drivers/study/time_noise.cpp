@@ -36,10 +36,10 @@ bool is_measured(const StudyFindings& findings) {
 }
 
 CostNoise::CostNoise(const StudyFindings& A, const StudyFindings& B)
-    : A_(A), B_(B), typical_a_(typical_spread(A)), typical_b_(typical_spread(B)) {}
+    : measured_(is_measured(A)), typical_a_(typical_spread(A)), typical_b_(typical_spread(B)) {}
 
 CostBound CostNoise::between(const StudyCase& a, const StudyCase& b) const {
-  if (!is_measured(A_)) return {counted_floor, true};
+  if (!measured_) return {counted_floor, true};
   const Figure spread_a = spread_of(a), spread_b = spread_of(b);
   if (!spread_a || !spread_b) return {single_floor, false};
   const double combined = std::hypot(std::max(*spread_a, typical_a_), std::max(*spread_b, typical_b_));

@@ -38,11 +38,11 @@ bool is_measured(const StudyFindings& findings);
 /// for three repeats may agree by chance.
 class CostNoise {
  public:
-  CostNoise(const StudyFindings& A, const StudyFindings& B);  ///< both outlive it
+  CostNoise(const StudyFindings& A, const StudyFindings& B);
   CostBound between(const StudyCase& a, const StudyCase& b) const;
 
  private:
-  const StudyFindings &A_, &B_;
+  bool measured_;  ///< and not counted
   double typical_a_, typical_b_;
 };
 
