@@ -92,7 +92,7 @@ class Node {
   const std::string* file_;
 };
 
-ClockReadings clock_of(const Node& node) {
+ClockReadings stored_clock(const Node& node) {
   ClockReadings clock;
   clock.alone = node["alone"].flag();
   clock.step_s = node["step_s"].numbers();
@@ -103,17 +103,17 @@ ClockReadings clock_of(const Node& node) {
   return clock;
 }
 
-PassFigures pass_of(const Node& node) {
+PassFigures stored_pass(const Node& node) {
   return {node["name"].text(), node["seconds"].number(), node["bytes_per_particle"].number()};
 }
 
-std::array<double, 2> sample_of(const Node& node) {
+std::array<double, 2> stored_sample(const Node& node) {
   const std::vector<double> pair = node.numbers();
   if (pair.size() != 2) node.refuse("must be two numbers");
   return {pair[0], pair[1]};
 }
 
-StudyCase case_of(const Node& node) {
+StudyCase stored_case(const Node& node) {
   StudyCase one;
   one.number = node["number"].count();
   one.key = node["key"].text();
@@ -132,14 +132,14 @@ StudyCase case_of(const Node& node) {
   one.on_front = node["on_front"].flag();
   if (one.eligible && !(one.error && (one.cost || one.work)))
     node["eligible"].refuse("must be false of a case without error or cost");
-  one.clock = clock_of(node["clock"]);
+  one.clock = stored_clock(node["clock"]);
   for (const auto& [key, value] : node["figures"].entries()) one.figures[key] = value.leaf();
-  one.passes = node["passes"].each(pass_of);
-  one.history = node["history"].each(sample_of);
+  one.passes = node["passes"].each(stored_pass);
+  one.history = node["history"].each(stored_sample);
   return one;
 }
 
-StudySeries::Range range_of(const Node& node) {
+StudySeries::Range stored_range(const Node& node) {
   const std::string word = node.text();
   if (word == "reached") return StudySeries::Range::reached;
   if (word == "not_reached") return StudySeries::Range::not_reached;
@@ -147,7 +147,7 @@ StudySeries::Range range_of(const Node& node) {
   return StudySeries::Range::unknown;
 }
 
-StudySeries series_of(const Node& node, std::size_t cases) {
+StudySeries stored_series(const Node& node, std::size_t cases) {
   StudySeries series;
   series.name = node["name"].text();
   series.cases = node["cases"].indices(cases);
@@ -155,12 +155,12 @@ StudySeries series_of(const Node& node, std::size_t cases) {
   if (series.pairwise.size() != series.cases.size()) node["pairwise"].refuse("must be as long as cases");
   const Node fit = node["fit"];
   if (!fit.is_null()) series.fit = FittedOrder{fit["order"].number(), fit["lower"].figure(), fit["upper"].figure()};
-  series.asymptotic = range_of(node["asymptotic"]);
+  series.asymptotic = stored_range(node["asymptotic"]);
   series.sentence = node["sentence"].text();
   return series;
 }
 
-StudyDigit digit_of(const Node& node, std::size_t cases) {
+StudyDigit stored_digit(const Node& node, std::size_t cases) {
   StudyDigit digit;
   digit.error = node["error"].number();
   if (!node["best"].is_null()) digit.best = node["best"].index(cases);
@@ -171,17 +171,17 @@ StudyDigit digit_of(const Node& node, std::size_t cases) {
   return digit;
 }
 
-BudgetLine budget_of(const Node& node) {
+BudgetLine stored_budget(const Node& node) {
   return {node["base"].text(),      node["source"].text(),  node["changed"].text(), node["error"].figure(),
           node["refined"].figure(), node["share"].figure(), node["outcome"].text()};
 }
 
-StudyExpectationOutcome expectation_of(const Node& node) {
+StudyExpectationOutcome stored_expectation(const Node& node) {
   return {node["where"].text(),
           {node["key"].text(), node["expected"].text(), node["found"].text(), node["holds"].flag()}};
 }
 
-Provenance origin_of(const Node& node) {
+Provenance stored_origin(const Node& node) {
   Provenance from;
   from.version = node["version"].text();
   from.git = node["git"].text();
@@ -234,19 +234,19 @@ StudyFindings findings_of_json(const std::string& text, const std::string& file)
   found.cost_key = cost["key"].text(), found.cost_name = cost["name"].text(), found.cost_unit = cost["unit"].text();
   found.refine_key = root["refine"].text();
   found.axes = root["axes"].texts();
-  found.cases = root["cases"].each(case_of);
+  found.cases = root["cases"].each(stored_case);
   const std::size_t cases = found.cases.size();
-  found.series = root["series"].each([&](const Node& node) { return series_of(node, cases); });
+  found.series = root["series"].each([&](const Node& node) { return stored_series(node, cases); });
   found.front = root["front"].indices(cases);
   found.work_front = root["work_front"].indices(cases);
   check_front(root["front"], found, found.front, false);
   check_front(root["work_front"], found, found.work_front, true);
-  found.digits = root["digits"].each([&](const Node& node) { return digit_of(node, cases); });
-  found.budget = root["budget"].each(budget_of);
-  found.expect = root["expect"].each(expectation_of);
+  found.digits = root["digits"].each([&](const Node& node) { return stored_digit(node, cases); });
+  found.budget = root["budget"].each(stored_budget);
+  found.expect = root["expect"].each(stored_expectation);
   found.warnings = root["warnings"].texts();
   found.machines = root["machines"].texts();
-  found.provenance = origin_of(root["provenance"]);
+  found.provenance = stored_origin(root["provenance"]);
   found.study_yaml = root["study"].text();
   return found;
 }
