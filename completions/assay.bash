@@ -2,7 +2,7 @@
 # bash completion for assay
 _assay() {
   local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]} verb= word
-  local verbs='run tabulate eval explain check materials register new-material schema'
+  local verbs='run tabulate eval explain recommend compare check materials register new-material schema'
   COMPREPLY=()
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     if [[ " $verbs " == *" $word "* ]]; then
@@ -25,7 +25,7 @@ _assay() {
       compopt -o filenames
       return
       ;;
-    --set | --as | --remove | --parameters) return ;;
+    --set | --as | --remove | --parameters | --error) return ;;
     --threads)
       mapfile -t COMPREPLY < <(compgen -W "1 2 4 8 16" -- "$cur")
       return
@@ -45,6 +45,8 @@ _assay() {
     tabulate) options+=' -o --set --points --json' ;;
     eval) options+=' -o --set --points' ;;
     explain) options+=' --set --json' ;;
+    recommend) options+=' --error -o --json' ;;
+    compare) options+=' --json --markdown' ;;
     check) options+=' --parameters --json --junit --quick --strain --pressure --methods --markdown --all --replay -o' ;;
     materials) options+=' --json' ;;
     register) options+=' --as --remove' ;;
@@ -58,6 +60,9 @@ _assay() {
   case $verb in
     run | tabulate | eval | explain)
       mapfile -t COMPREPLY < <(compgen -f -X '!*.y*ml' -- "$cur"; compgen -d -- "$cur")
+      ;;
+    recommend | compare)
+      mapfile -t COMPREPLY < <(compgen -f -X '!*.@(json|yaml|yml)' -- "$cur"; compgen -d -- "$cur")
       ;;
     register | materials | check)
       mapfile -t COMPREPLY < <(compgen -f -X '!*.@(so|yaml|yml)' -- "$cur"; compgen -d -- "$cur")

@@ -74,6 +74,7 @@ int act(int argc, const char* const* argv) {
   app.require_subcommand(0, 1);
   Arguments given;
   std::vector<Verb> verbs = scene_verbs(app, given);
+  for (Verb& verb : study_verbs(app, given)) verbs.push_back(std::move(verb));
   for (Verb& verb : material_verbs(app, given)) verbs.push_back(std::move(verb));
   add_verbosity(app, given);
   for (const Verb& verb : verbs) add_verbosity(*verb.app, given);

@@ -27,17 +27,6 @@ void add_scene(CLI::App& verb, Arguments& given) {
       ->allow_extra_args(false);
 }
 
-CLI::App& add_verb(CLI::App& app, const std::string& name, const std::string& doc, const std::string& example) {
-  CLI::App& verb = *app.add_subcommand(name, doc);
-  verb.footer("\nExample:\n  " + example);
-  return verb;
-}
-
-void add_out(CLI::App& verb, Arguments& given, const std::string& type, const std::string& doc) {
-  const auto not_empty = [](const std::string& name) { return name.empty() ? "is an empty name" : std::string(); };
-  verb.add_option("-o", given.out, doc)->type_name(type)->check(not_empty, "");
-}
-
 /// What a verb takes that leaves a folder of results.
 void add_results(CLI::App& verb, Arguments& given) {
   add_out(verb, given, "DIR", "folder of the results (results/SCENE)");
@@ -57,9 +46,16 @@ std::optional<double> number_in(const std::string& option, const std::string& te
 
 }  // namespace
 
-std::string Arguments::folder() const {
-  return out.empty() ? "results/" + std::filesystem::path(scene).stem().string() : out;
+namespace {
+
+std::string folder_of(const std::string& out, const std::string& input) {
+  return out.empty() ? "results/" + std::filesystem::path(input).stem().string() : out;
 }
+
+}  // namespace
+
+std::string Arguments::folder() const { return folder_of(out, scene); }
+std::string Arguments::study_folder() const { return folder_of(out, study); }
 
 int Arguments::thread_count() const {
   if (threads.empty()) return 1;
@@ -68,6 +64,17 @@ int Arguments::thread_count() const {
     throw InputError({}, "--threads", "must be a whole number from 1 to 4096, found '" + one_line(threads, 60) + "'");
   }
   return static_cast<int>(*count);
+}
+
+CLI::App& add_verb(CLI::App& app, const std::string& name, const std::string& doc, const std::string& example) {
+  CLI::App& verb = *app.add_subcommand(name, doc);
+  verb.footer("\nExample:\n  " + example);
+  return verb;
+}
+
+void add_out(CLI::App& verb, Arguments& given, const std::string& type, const std::string& doc) {
+  const auto not_empty = [](const std::string& name) { return name.empty() ? "is an empty name" : std::string(); };
+  verb.add_option("-o", given.out, doc)->type_name(type)->check(not_empty, "");
 }
 
 void add_verbosity(CLI::App& app, Arguments& given) {

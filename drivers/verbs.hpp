@@ -84,11 +84,11 @@ struct NewMaterialOptions {
 
 struct StudyOptions {
   std::string study;
-  std::string out;      ///< folder of the results
-  int jobs = 1;         ///< threads of cases that run side by side
-  Shard shard = {};     ///< the cases of this call
-  bool resume = false;  ///< finished cases stay
-  bool merge = false;   ///< nothing is run: what is there is put together
+  std::string out;                     ///< folder of the results
+  int jobs = 1;                        ///< threads of cases that run side by side
+  Shard shard = {};                    ///< the cases of this call
+  bool resume = false;                 ///< finished cases stay
+  bool merge = false;                  ///< nothing is run: what is there is put together
   std::vector<std::string> from = {};  ///< folders whose finished cases are taken over before
   bool list = false;                   ///< the cases, and nothing else
   bool json = false;                   ///< study.json on standard output
@@ -96,11 +96,27 @@ struct StudyOptions {
   std::string program = {};  ///< that runs a case; empty: this one
 };
 
+struct RecommendOptions {
+  std::string study;  ///< folder of a study's results, its study.json, or the study's YAML file
+  std::string error;  ///< that is wanted: a number in the study's unit, or "1 %"
+  std::string out;    ///< folder of the results of a YAML file; empty: results/NAME
+  bool json = false;
+};
+
+struct CompareOptions {
+  std::string before, after;  ///< folders of results, or their study.json
+  std::string markdown;       ///< file; "-": standard output; empty: none
+  bool json = false;
+  Verbosity verbosity = Verbosity::normal;  ///< verbose: the cases that are the same, too; quiet: the verdict alone
+};
+
 int run(const RunOptions& options);
 int study(const StudyOptions& options);
 int tabulate(const TabulateOptions& options);
 int eval(const EvalOptions& options);
 int explain(const ExplainOptions& options);
+int recommend(const RecommendOptions& options);
+int compare(const CompareOptions& options);
 int check(const CheckOptions& options);
 int check_methods(const CheckOptions& options);
 int materials(const MaterialsOptions& options);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Error norms and observed orders.
+// Error norms and the order observed between two resolutions.
 #pragma once
 
 #include <cmath>
-#include <vector>
 
 namespace assay {
 
@@ -27,8 +26,5 @@ class NormAccumulator {
 inline double observed_order(double h_coarse, double error_coarse, double h_fine, double error_fine) {
   return std::log(error_coarse / error_fine) / std::log(h_coarse / h_fine);
 }
-
-/// Least-squares slope of log(error) against log(h).
-double fitted_order(const std::vector<double>& h, const std::vector<double>& error);
 
 }  // namespace assay

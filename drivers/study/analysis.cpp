@@ -11,6 +11,7 @@
 #include "drivers/study/budget.hpp"
 #include "drivers/study/figure_names.hpp"
 #include "drivers/study/study_expect.hpp"
+#include "drivers/study/study_words.hpp"
 #include "harness/convergence.hpp"
 
 namespace assay::drivers {
@@ -31,12 +32,6 @@ const std::vector<double>* readings_of(const StudyCase& one, const std::string& 
          : cost == "cpu_s"    ? &one.clock.cpu_s
          : cost == "wall_s"   ? &one.clock.wall_s
                               : nullptr;
-}
-
-Figure number_of(const StudyCase& one, const std::string& key) {
-  const auto found = one.figures.find(key);
-  const auto* number = found == one.figures.end() ? nullptr : std::get_if<double>(&found->second);
-  return number ? Figure(*number) : Figure();
 }
 
 void fill_figures(const Study& study, StudyCase& one) {
@@ -67,13 +62,11 @@ void judge_orders(const std::vector<StudyCase>& cases, StudySeries& series) {
   for (const std::size_t i : series.cases) {
     series.pairwise.push_back(cases[i].error && cases[i].resolution ? pairwise[next++] : std::nullopt);
   }
-  if (const auto fit = fitted_order(h, error)) series.fit = {fit->order, fit->lower, fit->upper};
+  series.fit = fitted_order(h, error);
   const RangeJudgement judgement = asymptotic_range(h, error);
-  series.asymptotic = static_cast<StudySeries::Range>(judgement.range);
+  series.asymptotic = judgement.range;
   series.sentence = judgement.sentence;
 }
-static_assert(static_cast<int>(AsymptoticRange::reached) == static_cast<int>(StudySeries::Range::reached) &&
-              static_cast<int>(AsymptoticRange::not_reached) == static_cast<int>(StudySeries::Range::not_reached));
 
 /// Series in the order in which they first appear.
 std::vector<StudySeries> series_of(const std::vector<StudyCase>& cases) {

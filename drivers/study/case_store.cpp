@@ -20,14 +20,14 @@ using Json = nlohmann::ordered_json;
 constexpr const char* record_file = "case.json";
 constexpr const char* scene_file = "case.yaml";
 constexpr const char* result_file = "result.json";
-constexpr std::size_t largest_file = std::size_t{1} << 30;
+constexpr std::size_t largest_result = std::size_t{1} << 30;
 
 /// Nothing where the file cannot be read.
 std::optional<std::string> bytes_of(const fs::path& file) {
   std::error_code code;
   if (!fs::is_regular_file(file, code)) return std::nullopt;
   try {
-    return read_bytes(file.string(), largest_file);
+    return read_bytes(file.string(), largest_result);
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -102,7 +102,7 @@ std::string text_in(const std::map<std::string, FlatValue>& figures, const std::
 void read_result(const fs::path& folder, StudyCase& found) {
   const auto read = read_result_json(bytes_of(folder / result_file).value_or(""));
   if (!read) return;
-  found.figures = read->figures;
+  found.figures.insert(read->figures.begin(), read->figures.end());
   found.passes = read->passes;
   found.outcome = text_in(found.figures, "outcome");
   found.reason = text_in(found.figures, "reason");
@@ -172,6 +172,7 @@ StudyCase CaseStore::read(const PlannedCase& one) const {
   const auto record = record_of(folder, one.key);
   if (!record) return found;
   found.clock = clock_of(record->at("clock"));
+  found.figures["threads"] = static_cast<double>(one.threads);
   if (state == CaseState::crashed) {
     found.outcome = "crashed", found.reason = record->at("crashed").get<std::string>();
   } else if (record->at("stopped").get<bool>()) {

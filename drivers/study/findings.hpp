@@ -9,6 +9,7 @@
 
 #include "drivers/output/result_json.hpp"
 #include "drivers/result.hpp"
+#include "harness/convergence.hpp"
 
 namespace assay::drivers {
 
@@ -52,21 +53,15 @@ struct StudyCase {
   bool completed() const { return outcome == "completed"; }
 };
 
-/// A least-squares fit of log(error) against log(h).
-struct FittedOrder {
-  double order = 0;
-  Figure lower, upper;  ///< 95 % confidence interval (Student's t); absent of two resolutions
-};
-
 /// The cases that differ in resolution alone.
 struct StudySeries {
   std::string name;
   std::vector<std::size_t> cases;  ///< indices into StudyFindings::cases, the coarsest first
   std::vector<Figure> pairwise;    ///< observed order from the case before; the first is absent
   std::optional<FittedOrder> fit;  ///< over all completed resolutions; absent of fewer than two
-  enum class Range { reached, not_reached, unknown } asymptotic = Range::unknown;
-  std::string
-      sentence;  ///< "reached: orders 1.97 and 2.01 on the three finest", "unknown: 2 resolutions, three are needed"
+  using Range = AsymptoticRange;
+  Range asymptotic = Range::unknown;
+  std::string sentence;  ///< of that judgement, with the orders
 };
 
 /// What one more digit of accuracy costs.

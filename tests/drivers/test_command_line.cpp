@@ -32,7 +32,8 @@ Outcome call(std::vector<std::string> words) {
   return outcome;
 }
 
-const std::vector<std::string> verbs{"run", "tabulate", "eval", "explain", "materials", "register", "schema"};
+const std::vector<std::string> verbs{"run",     "tabulate",  "eval",     "explain", "recommend",
+                                     "compare", "materials", "register", "schema"};
 
 class CommandLine : public RegistryTest {
  protected:
@@ -70,7 +71,8 @@ TEST_F(CommandLine, WithoutAVerbItNamesThem) {
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(outcome.err,
-              "assay: no verb; known: run, tabulate, eval, explain, check, materials, register, new-material, schema; "
+              "assay: no verb; known: run, tabulate, eval, explain, recommend, compare, check, materials, register, "
+              "new-material, schema; "
               "assay --help tells "
               "more\n");
   }
@@ -86,10 +88,10 @@ TEST_F(CommandLine, VersionSaysWhatItWasBuiltWith) {
 TEST_F(CommandLine, MistypedWordsAreSuggestedFor) {
   const Outcome verb = call({"tabluate", "x"});
   EXPECT_EQ(verb.status, 2);
-  EXPECT_EQ(
-      verb.err,
-      "assay: unknown verb 'tabluate' (nearest: tabulate); known: run, tabulate, eval, explain, check, materials, "
-      "register, new-material, schema\n");
+  EXPECT_EQ(verb.err,
+            "assay: unknown verb 'tabluate' (nearest: tabulate); known: run, tabulate, eval, explain, recommend, "
+            "compare, check, materials, "
+            "register, new-material, schema\n");
   EXPECT_TRUE(
       refused({"--thread=2"}).starts_with("assay run: unknown option '--thread' (nearest: --threads); known: "));
   EXPECT_TRUE(refused({"--sett", "a=1"}).starts_with("assay run: unknown option '--sett' (nearest: --set)"));
@@ -124,6 +126,13 @@ TEST_F(CommandLine, EveryUsageErrorIsOneLineAndTwo) {
                                                     {"run", "/"},
                                                     {"run", "a\nb.yaml"},
                                                     {"materials", "a", "b"},
+                                                    {"recommend"},
+                                                    {"recommend", "x"},
+                                                    {"recommend", "x", "--error", "1"},
+                                                    {"compare", "x"},
+                                                    {"compare", "x", "y"},
+                                                    {"compare", "x", "y", "z"},
+                                                    {"compare", "x", "y", "--json", "--markdown", "-"},
                                                     {"materials", "nobody"}};
   for (const auto& words : calls) {
     const Outcome outcome = call(words);

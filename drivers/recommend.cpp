@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `assay recommend`: the cheapest measured case of a study that meets an error.
+#include <iostream>
+
+#include "drivers/study/recommendation.hpp"
+#include "drivers/verbs.hpp"
+
+namespace assay::drivers {
+
+int recommend(const RecommendOptions& options) {
+  const StoredStudy study = stored_study(options.study, options.out);
+  const Recommendation found = recommended(study.findings, wanted_error(study.findings, options.error));
+  std::cout << (options.json ? recommendation_json(study, found) : recommendation_text(study, found));
+  return found.best ? 0 : 1;
+}
+
+}  // namespace assay::drivers

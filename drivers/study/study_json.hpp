@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// study.json: what a study found, for machines and for `recommend` and `compare`.
+#pragma once
+
+#include <string>
+
+#include "drivers/study/findings.hpp"
+
+namespace assay::drivers {
+
+/// The first two keys of the file.
+inline constexpr const char* study_format = "assay study";
+inline constexpr int study_version = 1;
+
+/// The whole of study.json, indented, with a newline at the end. Every key is always present; figures that were not
+/// reached or are not finite are null.
+std::string study_json(const StudyFindings& findings);
+
+/// Reads it back: every finite number is the same, bit for bit; null where a number must be is NaN. `file` stands for
+/// the text in errors. Throws InputError where the text is torn, no study.json, or of another version or shape: missing
+/// keys, other types, indices of cases that are not there, eligible cases without error, or without both cost and work.
+StudyFindings findings_of_json(const std::string& text, const std::string& file);
+
+}  // namespace assay::drivers
