@@ -23,11 +23,11 @@ int jobs_of(const std::string& text) {
 Shard shard_of(const std::string& text) {
   if (text.empty()) return {};
   const std::size_t slash = text.find('/');
-  const auto index = parse_integer(text.substr(0, slash));
-  const auto count = slash == text.npos ? std::nullopt : parse_integer(text.substr(slash + 1));
-  if (!index || !count || *index < 1 || *count < *index || *count > 100000)
+  const std::string after = slash == text.npos ? "" : text.substr(slash + 1);
+  const std::int64_t index = parse_integer(text.substr(0, slash)).value_or(0), count = parse_integer(after).value_or(0);
+  if (index < 1 || count < index || count > 100000)
     throw InputError({}, "--shard", "must be i/n with i from 1 to n, found '" + one_line(text, 60) + "'");
-  return {static_cast<std::size_t>(*index), static_cast<std::size_t>(*count)};
+  return {static_cast<std::size_t>(index), static_cast<std::size_t>(count)};
 }
 
 StudyOptions study_options(const Arguments& given) {

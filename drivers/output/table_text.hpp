@@ -11,9 +11,11 @@
 
 namespace assay::drivers {
 
-/// The text with blanks up to that width.
+/// The text with blanks up to that width in characters of UTF-8.
 inline std::string padded(std::string text, std::size_t width) {
-  text.resize(std::max(text.size(), width), ' ');
+  const auto has = static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  text.append(std::max(has, width) - has, ' ');
   return text;
 }
 

@@ -86,6 +86,14 @@ std::vector<StudySeries> series_of(const std::vector<StudyCase>& cases) {
   return all;
 }
 
+void take_published(const Study& study, const std::vector<StudyCase>& cases, StudySeries& series) {
+  for (const PublishedOrder& published : study.published) {
+    const auto meant = [&](std::size_t i) { return published.where.holds(cases[i].values); };
+    if (std::any_of(series.cases.begin(), series.cases.end(), meant))
+      series.published = published.order, series.source = published.source;
+  }
+}
+
 StudyDigit digit_of(const StudyFindings& findings, double level) {
   StudyDigit digit{level, {}, {}, {}, {}, {}};
   for (const std::size_t i : findings.front) {  // by cost: the first that meets it is the cheapest
@@ -110,7 +118,8 @@ std::vector<StudyDigit> digits_of(const StudyFindings& findings) {
     if (one.eligible && one.cost) largest = std::max(largest, *one.error);
   }
   if (!(smallest > 0) || !std::isfinite(largest)) return digits;
-  const int first = static_cast<int>(std::floor(std::log10(largest))),
+  const bool relative = findings.error_key == "error.relative";  // an error of all that there is is no accuracy
+  const int first = std::min(static_cast<int>(std::floor(std::log10(largest))), relative ? -1 : 400),
             last = static_cast<int>(std::floor(std::log10(smallest)));
   for (int k = first; k >= last; --k) {
     digits.push_back(digit_of(findings, rounded_power(k)));
@@ -199,6 +208,7 @@ StudyFindings analysed(const Plan& plan, std::vector<StudyCase> cases) {
   findings.machines.assign(machines.begin(), machines.end());
   findings.cases = std::move(cases);
   findings.series = series_of(findings.cases);
+  for (StudySeries& series : findings.series) take_published(study, findings.cases, series);
   findings.front = pareto_front(findings.cases, &StudyCase::cost);
   findings.work_front = pareto_front(findings.cases, &StudyCase::work);
   for (const std::size_t i : findings.front) findings.cases[i].on_front = true;

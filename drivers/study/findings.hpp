@@ -61,7 +61,9 @@ struct StudySeries {
   std::optional<FittedOrder> fit;  ///< over all completed resolutions; absent of fewer than two
   using Range = AsymptoticRange;
   Range asymptotic = Range::unknown;
-  std::string sentence;  ///< of that judgement, with the orders
+  std::string sentence;     ///< of that judgement, with the orders
+  Figure published = {};    ///< an order that others have found
+  std::string source = {};  ///< and where
 };
 
 /// What one more digit of accuracy costs.

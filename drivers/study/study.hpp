@@ -65,6 +65,13 @@ struct StudyExpectation {
   Expectation line;
 };
 
+/// An order that others have published of the series of a selection.
+struct PublishedOrder {
+  Selection where;
+  double order = 0;
+  std::string source;  ///< "Brannon et al., figure 4"
+};
+
 struct Study {
   std::string title, question;
   std::string file, text, sha256;  ///< of the study: as given, its bytes, their hash
@@ -81,6 +88,7 @@ struct Study {
   double case_seconds = 0;     ///< a case that takes longer is stopped [s]; 0: never
   StudyTiming timing;
   std::optional<StudyBudget> budget;
+  std::vector<PublishedOrder> published;
   std::vector<StudyExpectation> expect;
 };
 

@@ -95,6 +95,8 @@ Json series_json(const StudySeries& series) {
                       : series.asymptotic == Range::not_reached ? "not_reached"
                                                                 : "unknown";
   out["sentence"] = series.sentence;
+  out["published"] = study_figure(series.published);
+  out["source"] = series.source;
   return out;
 }
 

@@ -157,6 +157,8 @@ StudySeries stored_series(const Node& node, std::size_t cases) {
   if (!fit.is_null()) series.fit = FittedOrder{fit["order"].number(), fit["lower"].figure(), fit["upper"].figure()};
   series.asymptotic = stored_range(node["asymptotic"]);
   series.sentence = node["sentence"].text();
+  series.published = node["published"].figure();
+  series.source = node["source"].text();
   return series;
 }
 

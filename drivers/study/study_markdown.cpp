@@ -87,9 +87,11 @@ std::string orders(const StudyFindings& findings) {
       fit += " (" + rounded_text(*series.fit->lower, 3) + " to " + rounded_text(*series.fit->upper, 3) + ")";
     }
     rows.push_back({plain(series.name), pairs, fit, plain(series.sentence)});
+    if (has_published(findings)) rows.back().insert(rows.back().begin() + 3, plain(published_text(series)));
   }
-  return section("Orders of convergence", {"series", "from grid to grid", "fit, 95 % interval", "asymptotic range"},
-                 rows);
+  Cells head{"series", "from grid to grid", "fit, 95 % interval", "asymptotic range"};
+  if (has_published(findings)) head.insert(head.begin() + 3, "published");
+  return section("Orders of convergence", head, rows);
 }
 
 std::string stability(const StudyFindings& findings) {

@@ -18,9 +18,9 @@ namespace {
 constexpr int most_cases = 100000;
 
 const std::vector<std::string>& top_keys() {
-  static const std::vector<std::string> keys{"title", "question", "scene",  "set",   "axes", "sampling",
-                                             "cases", "exclude",  "refine", "error", "cost", "invalid",
-                                             "limit", "timing",   "budget", "expect"};
+  static const std::vector<std::string> keys{"title", "question", "scene",  "set",       "axes",  "sampling",
+                                             "cases", "exclude",  "refine", "error",     "cost",  "invalid",
+                                             "limit", "timing",   "budget", "published", "expect"};
   return keys;
 }
 
@@ -91,6 +91,24 @@ StudyBudget read_budget(const Tree& tree, const Study& study) {
   }
   if (budget.sources.empty()) throw InputError(tree.where, "budget", "names no source and what makes it finer");
   return budget;
+}
+
+void read_published(const Tree& tree, Study& study) {
+  if (tree.kind != Tree::Kind::sequence) throw InputError(tree.where, "published", "must be a list of maps");
+  for (std::size_t i = 0; i < tree.items.size(); ++i) {
+    const std::string path = "published[" + std::to_string(i) + "]";
+    const Tree& map = tree.items[i];
+    require_map(map, path, "where, order, source");
+    refuse_unknown_keys(map, path, {"where", "order", "source"});
+    PublishedOrder published;
+    for (const char* key : {"order", "source"}) {
+      if (!map.find(key)) throw InputError(map.where, key_path(path, key), "required and not given");
+    }
+    published.order = number_value(*map.find("order"), key_path(path, "order"));
+    published.source = text_value(*map.find("source"), key_path(path, "source"));
+    if (const Tree* where = map.find("where")) published.where = selection_of(*where, path + ".where", study);
+    study.published.push_back(std::move(published));
+  }
 }
 
 void read_expect(const Tree& tree, Study& study) {
@@ -169,6 +187,7 @@ Study study_from_text(const std::string& text, const std::string& file) {
   }
   if (const Tree* value = root.find("timing")) study.timing = read_timing(*value, study);
   if (const Tree* value = root.find("budget")) study.budget = read_budget(*value, study);
+  if (const Tree* value = root.find("published")) read_published(*value, study);
   if (const Tree* value = root.find("expect")) read_expect(*value, study);
   return study;
 }

@@ -108,12 +108,13 @@ std::string orders(const StudyFindings& findings) {
     const std::string words = escaped(series.sentence);
     rows.push_back({escaped(series.name), pairs_text(series), fit_text(series.fit),
                     reached ? element("td class=\"words holds\"", words) : words_cell(series.sentence)});
+    if (has_published(findings)) rows.back().insert(rows.back().begin() + 3, escaped(published_text(series)));
   }
   if (rows.empty()) return {};
-  return html::section("Orders of convergence", html::table({"series", "from grid to grid", "fit, 95 % interval",
-                                                             "<th class=\"left\" scope=\"col\">asymptotic range</th>"},
-                                                            rows) +
-                                                    data_link("orders.csv"));
+  std::vector<std::string> head{"series", "from grid to grid", "fit, 95 % interval",
+                                "<th class=\"left\" scope=\"col\">asymptotic range</th>"};
+  if (has_published(findings)) head.insert(head.begin() + 3, "published");
+  return html::section("Orders of convergence", html::table(head, rows) + data_link("orders.csv"));
 }
 
 }  // namespace assay::drivers::study_page

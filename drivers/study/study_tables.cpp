@@ -60,7 +60,7 @@ std::string range_text(StudySeries::Range range) {
 
 std::string orders_csv(const StudyFindings& findings) {
   CsvFields out({"series", "number", "resolution", "error", "order", "fitted_order", "fitted_lower", "fitted_upper",
-                 "asymptotic", "sentence"});
+                 "asymptotic", "sentence", "published", "source"});
   for (const StudySeries& series : findings.series) {
     const FittedOrder fit = series.fit.value_or(FittedOrder{});
     for (std::size_t k = 0; k < series.cases.size(); ++k) {
@@ -68,7 +68,7 @@ std::string orders_csv(const StudyFindings& findings) {
       out.row({series.name, std::to_string(one.number), csv_number(one.resolution), csv_number(one.error),
                k < series.pairwise.size() ? csv_number(series.pairwise[k]) : "",
                series.fit ? csv_number(fit.order) : "", csv_number(fit.lower), csv_number(fit.upper),
-               range_text(series.asymptotic), series.sentence});
+               range_text(series.asymptotic), series.sentence, csv_number(series.published), series.source});
     }
   }
   return out.text();

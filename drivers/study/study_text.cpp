@@ -73,6 +73,7 @@ std::string orders_text(const StudyFindings& findings) {
     constexpr const char* words[] = {"asymptotic", "not asymptotic", "unknown range"};
     const std::string range = words[static_cast<std::size_t>(series.asymptotic)];
     text += "  " + padded(order_text(series), 20) + padded(range, 16) + cut_to(series.name, 38) + "\n";
+    if (series.published) text += wrapped("published: " + published_text(series), "    ", "    ");
   }
   return text;
 }

@@ -101,4 +101,13 @@ std::vector<std::size_t> drawn_histories(const StudyFindings& findings) {
   return drawn;
 }
 
+std::string published_text(const StudySeries& series) {
+  return series.published ? rounded_text(*series.published, 3) + " (" + series.source + ")" : "";
+}
+
+bool has_published(const StudyFindings& findings) {
+  return std::any_of(findings.series.begin(), findings.series.end(),
+                     [](const StudySeries& series) { return series.published.has_value(); });
+}
+
 }  // namespace assay::drivers

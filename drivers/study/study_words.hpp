@@ -36,6 +36,12 @@ std::string outcome_text(const StudyCase& one);
 /// A number of result.json; absent where it is none.
 Figure number_of(const StudyCase& one, const std::string& key);
 
+/// "0.8 (Brannon et al., figure 4)"; empty where nobody has published an order.
+std::string published_text(const StudySeries& series);
+
+/// Whether somebody has published an order of one of the series.
+bool has_published(const StudyFindings& findings);
+
 /// The beginning of a sentence, cut between words.
 std::string cut_text(const std::string& text, std::size_t length);
 
