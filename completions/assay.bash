@@ -2,7 +2,7 @@
 # bash completion for assay
 _assay() {
   local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]} verb= word
-  local verbs='run tabulate eval explain recommend compare check materials register new-material schema'
+  local verbs='run tabulate eval explain study recommend compare check materials register new-material schema'
   COMPREPLY=()
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     if [[ " $verbs " == *" $word "* ]]; then
@@ -15,7 +15,7 @@ _assay() {
     return
   fi
   case $prev in
-    -o | --junit | --markdown)
+    -o | --junit | --markdown | --from)
       mapfile -t COMPREPLY < <(compgen -f -- "$cur")
       compopt -o filenames
       return
@@ -25,8 +25,8 @@ _assay() {
       compopt -o filenames
       return
       ;;
-    --set | --as | --remove | --parameters | --error) return ;;
-    --threads)
+    --set | --as | --remove | --parameters | --error | --shard) return ;;
+    --threads | --jobs)
       mapfile -t COMPREPLY < <(compgen -W "1 2 4 8 16" -- "$cur")
       return
       ;;
@@ -45,6 +45,7 @@ _assay() {
     tabulate) options+=' -o --set --points --json' ;;
     eval) options+=' -o --set --points' ;;
     explain) options+=' --set --json' ;;
+    study) options+=' -o --jobs --resume --shard --merge --from --list --json' ;;
     recommend) options+=' --error -o --json' ;;
     compare) options+=' --json --markdown' ;;
     check) options+=' --parameters --json --junit --quick --strain --pressure --methods --markdown --all --replay -o' ;;
@@ -58,7 +59,7 @@ _assay() {
   fi
   compopt -o filenames
   case $verb in
-    run | tabulate | eval | explain)
+    run | tabulate | eval | explain | study)
       mapfile -t COMPREPLY < <(compgen -f -X '!*.y*ml' -- "$cur"; compgen -d -- "$cur")
       ;;
     recommend | compare)

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-set -l verbs run tabulate eval explain recommend compare check materials register new-material schema
+set -l verbs run tabulate eval explain study recommend compare check materials register new-material schema
 complete -c assay -f
 complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a run -d 'The full simulation'
 complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a tabulate -d 'Sheet and curves of the point driver'
 complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a eval -d 'Exact fields at reference points'
 complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a explain -d 'Passes, columns, bytes and steps'
+complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a study -d 'Accuracy against time'
 complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a recommend -d 'The cheapest case of a study for an error'
 complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a compare -d 'Two studies side by side'
 complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a check -d 'The battery of tests of a material'
@@ -12,12 +13,18 @@ complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a materials -d 'W
 complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a register -d 'Add a shared library or a description'
 complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a new-material -d 'A project to begin a material with'
 complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a schema -d 'JSON Schema of scenes'
-complete -c assay -n "__fish_seen_subcommand_from run tabulate eval explain recommend compare check materials register" -F
+complete -c assay -n "__fish_seen_subcommand_from run tabulate eval explain study recommend compare check materials register" -F
 complete -c assay -n "__fish_seen_subcommand_from run tabulate eval explain" -l set -x -d 'key.path=value'
-complete -c assay -n "__fish_seen_subcommand_from run tabulate eval recommend" -s o -r -F -d 'Where results go'
+complete -c assay -n "__fish_seen_subcommand_from run tabulate eval study recommend" -s o -r -F -d 'Where results go'
 complete -c assay -n "__fish_seen_subcommand_from run" -l threads -x -d 'Number of threads'
 complete -c assay -n "__fish_seen_subcommand_from tabulate eval" -l points -r -F -d 'Table of points'
-complete -c assay -n "__fish_seen_subcommand_from run tabulate explain recommend compare materials" -l json -d 'JSON on standard output'
+complete -c assay -n "__fish_seen_subcommand_from run tabulate explain study recommend compare materials" -l json -d 'JSON on standard output'
+complete -c assay -n "__fish_seen_subcommand_from study" -l jobs -x -d 'Threads of cases side by side'
+complete -c assay -n "__fish_seen_subcommand_from study" -l resume -d 'Keep finished cases'
+complete -c assay -n "__fish_seen_subcommand_from study" -l shard -x -d 'Part i/n of the cases'
+complete -c assay -n "__fish_seen_subcommand_from study" -l merge -d 'The report of what is there'
+complete -c assay -n "__fish_seen_subcommand_from study" -l from -r -F -d 'Finished cases of another folder'
+complete -c assay -n "__fish_seen_subcommand_from study" -l list -d 'The cases, and nothing else'
 complete -c assay -n "__fish_seen_subcommand_from recommend" -l error -x -d 'Wanted, a number or a percentage'
 complete -c assay -n "__fish_seen_subcommand_from compare" -l markdown -r -F -d 'Tables of all cases'
 complete -c assay -n "__fish_seen_subcommand_from check" -l parameters -x -d 'NAME=NUMBER,...'

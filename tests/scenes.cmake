@@ -2,6 +2,7 @@
 # A scene is a test: every YAML file under configs/ is run (or tabulated, where it has no method) and must find what
 # its `expect:` says.
 file(GLOB_RECURSE scenes CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/configs ${PROJECT_SOURCE_DIR}/configs/*.yaml)
+list(FILTER scenes EXCLUDE REGEX "^studies/")
 foreach(scene IN LISTS scenes)
   string(REGEX REPLACE "\\.yaml$" "" name ${scene})
   file(STRINGS ${PROJECT_SOURCE_DIR}/configs/${scene} method REGEX "^method:")
@@ -27,3 +28,19 @@ foreach(scene IN LISTS scenes)
     set_tests_properties(scene/${name} PROPERTIES LABELS long)
   endif()
 endforeach()
+
+# A study's scenes are all read; the quick one is run, too.
+file(GLOB studies CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/configs/studies/*.yaml)
+foreach(study IN LISTS studies)
+  get_filename_component(name ${study} NAME_WE)
+  add_test(NAME study/${name}_is_valid COMMAND assay study ${study} --list)
+endforeach()
+foreach(name IN ITEMS quick traction)
+  add_test(NAME study/${name} COMMAND assay study ${PROJECT_SOURCE_DIR}/configs/studies/${name}.yaml
+    -o ${PROJECT_BINARY_DIR}/studies/${name} --quiet)
+  set_property(TEST study/${name} APPEND PROPERTY ENVIRONMENT ${test_environment}
+    "ASSAY_DATA_HOME=${PROJECT_BINARY_DIR}/data")
+endforeach()
+if(ASSAY_SANITIZE)
+  set_tests_properties(study/quick PROPERTIES LABELS long)
+endif()

@@ -109,7 +109,7 @@ StudyDigit digit_of(const StudyFindings& findings, double level) {
   return digit;
 }
 
-/// One line for each power of ten that the cases reach, and the first that none does.
+/// One line for each power of ten that the cases reach, and for the first that none does.
 std::vector<StudyDigit> digits_of(const StudyFindings& findings) {
   std::vector<StudyDigit> digits;
   if (findings.front.empty()) return digits;
@@ -122,7 +122,14 @@ std::vector<StudyDigit> digits_of(const StudyFindings& findings) {
   const int first = std::min(static_cast<int>(std::floor(std::log10(largest))), relative ? -1 : 400),
             last = static_cast<int>(std::floor(std::log10(smallest)));
   for (int k = first; k >= last; --k) {
-    digits.push_back(digit_of(findings, rounded_power(k)));
+    const StudyDigit digit = digit_of(findings, rounded_power(k));
+    // Accuracy that costs no more than less of it: one line for all.
+    if (!digits.empty() && digit.best && digit.best == digits.back().best &&
+        digit.interpolated == digits.back().interpolated) {
+      digits.back().error = digit.error;
+      continue;
+    }
+    digits.push_back(digit);
     if (digits.size() > 1) {
       const Figure before = digits.end()[-2].interpolated, now = digits.back().interpolated;
       if (before && now && *before > 0) digits.back().factor = *now / *before;

@@ -12,7 +12,7 @@ namespace {
 
 /// Every dotted path that a setting may have, as far as it is known without the material and the result.
 bool is_scene_path(const std::string& path) {
-  if (path == threads_key) return true;
+  if (path == threads_key || path == scene_key) return true;
   const auto& keys = scene_keys();
   if (std::any_of(keys.begin(), keys.end(), [&](const Key& key) { return key.path == path; })) return true;
   for (const Section& section : scene_sections()) {
@@ -23,7 +23,7 @@ bool is_scene_path(const std::string& path) {
 
 void check_path(const std::string& path, const Location& where, const std::string& key) {
   if (is_scene_path(path)) return;
-  std::vector<std::string> known{threads_key};
+  std::vector<std::string> known{threads_key, scene_key};
   for (const Key& each : scene_keys()) known.push_back(each.path);
   throw InputError(where, key, unknown("key of a scene '" + one_line(path, 80) + "'", path, known));
 }

@@ -2,6 +2,7 @@
 #include "drivers/study/plan.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_keys.hpp"
@@ -12,6 +13,7 @@
 #include "drivers/study/axes_reader.hpp"
 #include "drivers/study/case_key.hpp"
 #include "drivers/study/sampling.hpp"
+#include "drivers/study/study_reader.hpp"
 
 namespace assay::drivers {
 
@@ -22,15 +24,15 @@ std::vector<Setting> modest_output() {
   return {parse_setting("output.particles=0"), parse_setting("output.report=false")};
 }
 
-/// The base scene, read once.
+/// A base scene with what the study sets in every case.
 struct Base {
   Tree tree;
   std::string file, sha256;
 };
 
-Base base_of(const Study& study) {
-  const std::string text = read_bytes(study.scene);
-  Base base{scene_tree(text, study.scene), study.scene, sha256_hex(text)};
+Base base_of(const Study& study, const std::string& file) {
+  const std::string text = read_bytes(file);
+  Base base{scene_tree(text, file), file, sha256_hex(text)};
   std::erase_if(base.tree.entries, [](const Tree::Entry& entry) { return entry.key == "expect"; });
   for (const Setting& setting : modest_output()) apply_setting(base.tree, setting);
   for (const Setting& setting : study.set) {
@@ -70,9 +72,9 @@ Figure resolution_of(const Study& study, const Scene& scene) {
 /// Makes cases of combinations.
 class Planner {
  public:
-  explicit Planner(const Study& study) : study_(study), base_(base_of(study)) {}
+  explicit Planner(const Study& study) : study_(study) {}
 
-  PlannedCase planned(const Combination& combination) const {
+  PlannedCase planned(const Combination& combination) {
     PlannedCase one;
     one.values = combination.values;
     one.label = label_of(study_, one.values, true);
@@ -88,19 +90,30 @@ class Planner {
   }
 
  private:
-  void read(const std::vector<Setting>& settings, PlannedCase& one) const {
-    Tree tree = base_.tree;
+  /// Each scene is read once.
+  const Base& base(const std::vector<Setting>& settings) {
+    std::string file = study_.scene;
+    for (const Setting& setting : settings) {
+      if (setting.path == scene_key) file = scene_file(setting.value);
+    }
+    const auto found = bases_.find(file);
+    return found != bases_.end() ? found->second : bases_.emplace(file, base_of(study_, file)).first->second;
+  }
+
+  void read(const std::vector<Setting>& settings, PlannedCase& one) {
+    const Base& from = base(settings);
+    Tree tree = from.tree;
     for (const auto* list : {&study_.set, &settings}) {
       for (const Setting& setting : *list) {
         if (setting.path == threads_key) {
           one.threads = threads_of(setting);
-        } else if (list == &settings) {
+        } else if (list == &settings && setting.path != scene_key) {
           apply_setting(tree, setting);
         }
       }
     }
-    Scene scene = scene_of(tree, base_.file, base_.sha256);
-    if (!scene.method) throw InputError(study_.scene_where, "scene", "has no method: there is nothing to run");
+    Scene scene = scene_of(tree, from.file, from.sha256);
+    if (!scene.method) throw InputError(study_.scene_where, scene_key, "has no method: there is nothing to run");
     one.resolution = resolution_of(study_, scene);
     try {
       const Problem problem = assemble(scene, one.threads);
@@ -114,11 +127,11 @@ class Planner {
   }
 
   const Study& study_;
-  Base base_;
+  std::map<std::string, Base> bases_;  ///< by file
 };
 
 /// The cases that the budget adds, each after the one whose error it divides.
-void add_budget(const Study& study, const Planner& planner, const std::vector<Combination>& combinations, Plan& plan) {
+void add_budget(const Study& study, Planner& planner, const std::vector<Combination>& combinations, Plan& plan) {
   if (!study.budget) return;
   const std::size_t count = plan.cases.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -142,7 +155,7 @@ Plan plan_of(Study study, const std::function<void(double)>& progress) {
   program_hash();  // before the library of a material is among those of the program
   Plan plan;
   const std::vector<Combination> combinations = combinations_of(study);
-  const Planner planner(study);
+  Planner planner(study);
   for (const Combination& combination : combinations) {
     plan.cases.push_back(planner.planned(combination));
     plan.cases.back().number = plan.cases.size();

@@ -75,7 +75,7 @@ struct PublishedOrder {
 struct Study {
   std::string title, question;
   std::string file, text, sha256;  ///< of the study: as given, its bytes, their hash
-  std::string scene;               ///< file of the base scene, from the working directory
+  std::string scene;               ///< file of the base scene, from the working directory;
   Location scene_where;
   std::vector<Setting> set;  ///< of every case
   std::vector<StudyAxis> axes;
@@ -92,7 +92,8 @@ struct Study {
   std::vector<StudyExpectation> expect;
 };
 
-/// What `threads` of an axis sets, beside the keys of a scene.
+/// What an axis may set beside the keys of a scene: threads of the run, and another base scene's file.
 inline constexpr const char* threads_key = "threads";
+inline constexpr const char* scene_key = "scene";
 
 }  // namespace assay::drivers

@@ -135,16 +135,6 @@ std::string figure_key(const Tree& tree, const std::string& key) {
   return choice_value(tree, key, known);
 }
 
-void read_scene_name(const Tree& root, const std::string& file, Study& study) {
-  const Tree* scene = root.find("scene");
-  if (!scene) throw InputError(root.where, "scene", "required and not given");
-  study.scene = (std::filesystem::path(file).parent_path() / text_value(*scene, "scene")).lexically_normal().string();
-  study.scene_where = scene->where;
-  std::error_code code;
-  if (!std::filesystem::is_regular_file(study.scene, code))
-    throw InputError(scene->where, "scene", "no such file: '" + one_line(study.scene, 200) + "'");
-}
-
 void read_questions(const Tree& root, Study& study) {
   if (const Tree* value = root.find("title")) study.title = text_value(*value, "title");
   if (const Tree* value = root.find("question")) study.question = text_value(*value, "question");
@@ -171,6 +161,15 @@ void read_cases(const Tree& root, Study& study) {
 
 }  // namespace
 
+std::string scene_file(const Tree& name) {
+  const auto folder = std::filesystem::path(name.where.file).parent_path();
+  std::string file = (folder / text_value(name, scene_key)).lexically_normal().string();
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(file, code))
+    throw InputError(name.where, scene_key, "no such file: '" + one_line(file, 200) + "'");
+  return file;
+}
+
 Study study_from_text(const std::string& text, const std::string& file) {
   const Tree root = read_yaml(text, file);
   if (root.kind == Tree::Kind::null) throw InputError({file, 0, 0}, "", "empty");
@@ -178,7 +177,9 @@ Study study_from_text(const std::string& text, const std::string& file) {
   refuse_unknown_keys(root, "", top_keys());
   Study study;
   study.file = file, study.text = text, study.sha256 = sha256_hex(text);
-  read_scene_name(root, file, study);
+  const Tree* scene = root.find(scene_key);
+  if (!scene) throw InputError(root.where, scene_key, "required and not given");
+  study.scene = scene_file(*scene), study.scene_where = scene->where;
   read_questions(root, study);
   read_cases(root, study);
   if (const Tree* value = root.find("exclude")) {

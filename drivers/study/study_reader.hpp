@@ -14,6 +14,9 @@ Study read_study(const std::string& file);
 /// The same of a text; `file` is its name.
 Study study_from_text(const std::string& text, const std::string& file);
 
+/// The file that a study names as a base scene, from the working directory. Throws InputError where there is none.
+std::string scene_file(const Tree& name);
+
 /// What `expect:` of a study takes beside the keys of result.json: figures of a series.
 inline constexpr const char* order_key = "order";            ///< fitted over all resolutions
 inline constexpr const char* last_order_key = "order_last";  ///< between the two finest

@@ -14,7 +14,7 @@ namespace assay::drivers {
 
 namespace {
 
-constexpr std::size_t columns = 80, number_width = 10;
+constexpr std::size_t columns = 80, number_width = 11;
 
 /// On a line of its own with what stands before it.
 std::string cut_to(const std::string& text, std::size_t used) {
@@ -29,8 +29,8 @@ std::string or_dash(const Figure& value, const StudyFindings& findings,
 std::string error_words(const StudyFindings& findings, double error) { return error_text(findings, error); }
 
 std::string row(const std::string& a, const std::string& b, const std::string& c, const std::string& rest) {
-  return "  " + padded(a, number_width) + padded(b, number_width) + padded(c, number_width) +
-         cut_to(rest, 2 + 3 * number_width) + "\n";
+  const auto cell = [](const std::string& text) { return padded(text, number_width - 1) + " "; };
+  return "  " + cell(a) + cell(b) + cell(c) + cut_to(rest, 2 + 3 * number_width) + "\n";
 }
 
 std::string digits_text(const StudyFindings& findings) {
@@ -72,7 +72,7 @@ std::string orders_text(const StudyFindings& findings) {
   for (const StudySeries& series : findings.series) {
     constexpr const char* words[] = {"asymptotic", "not asymptotic", "unknown range"};
     const std::string range = words[static_cast<std::size_t>(series.asymptotic)];
-    text += "  " + padded(order_text(series), 20) + padded(range, 16) + cut_to(series.name, 38) + "\n";
+    text += "  " + padded(order_text(series), 19) + " " + padded(range, 15) + " " + cut_to(series.name, 38) + "\n";
     if (series.published) text += wrapped("published: " + published_text(series), "    ", "    ");
   }
   return text;

@@ -22,11 +22,12 @@ inline std::string homogeneous_text(const std::string& extra = {}) {
          extra;
 }
 
-/// Every scene under configs/.
+/// Every scene under configs/; studies are none.
 inline std::vector<std::string> all_configs() {
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(ASSAY_SOURCE_DIR "/configs")) {
     const std::string extension = entry.path().extension().string();
+    if (entry.path().parent_path().filename() == "studies") continue;
     if (extension == ".yaml" || extension == ".yml") files.push_back(entry.path().string());
   }
   return files;

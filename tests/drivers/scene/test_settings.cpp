@@ -10,7 +10,7 @@ namespace {
 
 Tree changed(const std::string& text, const std::string& setting) {
   Tree root = read_yaml(text, "f");
-  apply_setting(root, setting);
+  apply_setting(root, parse_setting(setting));
   return root;
 }
 
