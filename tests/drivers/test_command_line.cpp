@@ -71,7 +71,7 @@ TEST_F(CommandLine, WithoutAVerbItNamesThem) {
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(outcome.err,
-              "assay: no verb; known: run, tabulate, eval, explain, recommend, compare, check, materials, register, "
+              "assay: no verb; known: run, tabulate, eval, explain, study, recommend, compare, check, materials, register, "
               "new-material, schema; "
               "assay --help tells "
               "more\n");
@@ -89,7 +89,7 @@ TEST_F(CommandLine, MistypedWordsAreSuggestedFor) {
   const Outcome verb = call({"tabluate", "x"});
   EXPECT_EQ(verb.status, 2);
   EXPECT_EQ(verb.err,
-            "assay: unknown verb 'tabluate' (nearest: tabulate); known: run, tabulate, eval, explain, recommend, "
+            "assay: unknown verb 'tabluate' (nearest: tabulate); known: run, tabulate, eval, explain, study, recommend, "
             "compare, check, materials, "
             "register, new-material, schema\n");
   EXPECT_TRUE(

@@ -16,5 +16,16 @@ TEST(ErrorsCsv, has_one_column_a_field_and_norm) {
             "0.5,1,2,3,4,5,6,7,8,9,10,\n");
 }
 
+TEST(ErrorsCsv, the_history_of_the_displacement_is_read_back) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::string text = errors_csv(
+      {{0, {0, 0}, 0, {}, {}, {}, {}}, {0.5, {1.25, 2}, 3, {}, {}, {}, {}}, {1, {nan, 1}, 1, {}, {}, {}, {}}});
+  using History = std::vector<std::array<double, 2>>;
+  EXPECT_EQ(displacement_history(text), (History{{0, 0}, {0.5, 1.25}}));
+  EXPECT_EQ(displacement_history(text.substr(0, text.find("1.25") + 2)), (History{{0, 0}}));
+  EXPECT_TRUE(displacement_history("").empty());
+  EXPECT_TRUE(displacement_history("x,y,z\n1,2,3\n").empty());
+}
+
 }  // namespace
 }  // namespace assay::drivers

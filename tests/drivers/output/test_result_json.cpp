@@ -34,6 +34,7 @@ TEST(ResultJson, has_every_key_before_anything_was_reached) {
                                                   "setup_s",
                                                   "wall_s",
                                                   "cpu_s",
+                                                  "step_cpu_s",
                                                   "peak_rss_bytes",
                                                   "work",
                                                   "particle_steps_per_s",
@@ -54,7 +55,7 @@ TEST(ResultJson, has_every_key_before_anything_was_reached) {
     EXPECT_EQ(keys_of(json["error"][field]), (std::set<std::string>{"l2_max", "linf_max"})) << field;
     EXPECT_TRUE(json["error"][field]["l2_max"].is_null());
   }
-  EXPECT_EQ(keys_of(json["work"]), (std::set<std::string>{"particle_steps", "material_calls"}));
+  EXPECT_EQ(keys_of(json["work"]), (std::set<std::string>{"particle_steps", "material_calls", "bytes"}));
   EXPECT_EQ(keys_of(json["sheet"]),
             (std::set<std::string>{"points", "error_tau", "error_dtau", "error_b", "wall_s", "cached"}));
   EXPECT_EQ(keys_of(json["drift"]), (std::set<std::string>{"mass", "momentum", "angular_momentum", "energy"}));
@@ -117,6 +118,31 @@ TEST(ResultJson, flat_keys_are_the_leaves) {
   EXPECT_EQ(std::get<double>(flat.at("particles")), 5032);
   EXPECT_EQ(std::get<std::string>(flat.at("outcome")), "completed");
   EXPECT_TRUE(std::holds_alternative<std::monostate>(flat.at("error.l2_half")));
+}
+
+TEST(ResultJson, is_read_back) {
+  Result result;
+  result.error.l2_max = 0.1 + 0.2;
+  result.particle_steps = 100;
+  result.passes = {{"stress", 0.25, 152}, {"weights", 0.5, 48}};
+  const auto read = read_result_json(result_json(result));
+  ASSERT_TRUE(read);
+  EXPECT_TRUE(read->figures == flatten(result));
+  ASSERT_EQ(read->passes.size(), 2u);
+  EXPECT_EQ(read->passes[0].name, "stress");
+  EXPECT_EQ(read->passes[1].bytes_per_particle, 48);
+  EXPECT_EQ(std::get<double>(read->figures.at("work.bytes")), 100 * (152 + 48.0));
+}
+
+TEST(ResultJson, what_is_torn_is_not_read) {
+  const std::string text = result_json(Result{});
+  for (const std::size_t length : {std::size_t{0}, std::size_t{1}, text.size() / 2, text.size() - 3}) {
+    EXPECT_FALSE(read_result_json(text.substr(0, length))) << length;
+  }
+  for (const char* other : {"[]", "3", "{}", R"({"outcome": 3})", R"({"outcome": "completed", "passes": [7]})",
+                            R"({"outcome": "completed", "passes": [{"seconds": 1}]})"}) {
+    EXPECT_FALSE(read_result_json(other)) << other;
+  }
 }
 
 }  // namespace
