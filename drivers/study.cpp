@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay study`: what accuracy costs, over the cases of a study.
+#include <algorithm>
 #include <cstdio>
 
 #include "drivers/interrupt.hpp"
@@ -40,7 +41,8 @@ class Teller {
       std::fflush(stdout);
     }
     progress_.update(report.fraction, std::to_string(report.done) + " of " + std::to_string(report.total) +
-                                          (report.running ? ": " + report.running->label : ""));
+                                          (report.running ? ": " + report.running->label : "") +
+                                          (report.waits ? ", which another study runs" : ""));
   }
 
  private:
@@ -72,7 +74,9 @@ void warn_of_earlier(const Plan& plan, const CaseStore& store, const StudyOption
 void say_what_was_kept(const RunnerSummary& summary, const StudyOptions& options) {
   if (options.verbosity == Verbosity::quiet) return;
   if (summary.kept > 0) std::fprintf(stderr, "%zu finished cases were kept\n", summary.kept);
-  if (summary.torn > 0) std::fprintf(stderr, "warning: %zu torn cases were run again\n", summary.torn);
+  if (summary.torn > 0)
+    std::fprintf(stderr, "warning: %zu torn %s run again\n", summary.torn,
+                 summary.torn == 1 ? "case was" : "cases were");
 }
 
 Plan planned(const StudyOptions& options) {
@@ -85,18 +89,33 @@ Plan planned(const StudyOptions& options) {
   });
 }
 
+/// What other folders have of the cases that are not finished here.
 void gather(const Plan& plan, const CaseStore& store, const StudyOptions& options) {
+  std::vector<CaseStore> others;
   for (const std::string& from : options.from) {
     std::error_code code;
     if (!std::filesystem::is_directory(from, code))
       throw InputError({}, "assay study", "--from: no such folder: '" + one_line(from, 200) + "'");
+    others.emplace_back(from);
   }
+  std::size_t torn = 0;
   for (const PlannedCase& one : plan.cases) {
-    if (!one.invalid.empty() || store.state_of(one.key) == CaseState::finished) continue;
-    for (const std::string& from : options.from) {
-      if (store.take(one, CaseStore(from))) break;
-    }
+    const auto state = [&](const CaseStore& where) { return where.state_of(one.key); };
+    const auto take = [&](CaseState wanted) {
+      return std::any_of(others.begin(), others.end(),
+                         [&](const CaseStore& from) { return store.take(one, from, wanted); });
+    };
+    stop_if_interrupted();
+    if (!one.invalid.empty() || state(store) == CaseState::finished || take(CaseState::finished)) continue;
+    if (state(store) == CaseState::crashed || take(CaseState::crashed)) continue;
+    const bool is_torn = state(store) == CaseState::torn ||
+                         std::any_of(others.begin(), others.end(),
+                                     [&](const CaseStore& from) { return state(from) == CaseState::torn; });
+    torn += is_torn ? 1 : 0;
   }
+  if (torn > 0 && options.verbosity != Verbosity::quiet)
+    std::fprintf(stderr, "warning: %zu torn %s not trusted; run the study again with --resume\n", torn,
+                 torn == 1 ? "case is" : "cases are");
 }
 
 int conclude(const Plan& plan, const CaseStore& store, const StudyOptions& options) {

@@ -33,6 +33,9 @@ std::optional<std::string> bytes_of(const fs::path& file) {
   }
 }
 
+std::string text_of(const Json& record) { return record.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+/// The record without its own hash; nothing where it is not what was written.
 std::optional<Json> record_of(const fs::path& folder, const std::string& key) {
   const auto text = bytes_of(folder / record_file);
   if (!text) return std::nullopt;
@@ -41,7 +44,9 @@ std::optional<Json> record_of(const fs::path& folder, const std::string& key) {
   if (!record.value("files", Json()).is_object() || !record.value("clock", Json()).is_object()) return std::nullopt;
   if (!record.value("crashed", Json()).is_string() || !record.value("stopped", Json()).is_boolean())
     return std::nullopt;
-  return record;
+  const Json seal = record.value("sha256", Json());
+  record.erase("sha256");
+  return seal == sha256_hex(text_of(record)) ? std::optional(record) : std::nullopt;
 }
 
 /// Every file that a run has left, without the record and what is hidden.
@@ -55,6 +60,18 @@ std::vector<std::string> files_in(const fs::path& folder) {
   if (error) fail(folder, "folder cannot be read", error);
   std::sort(names.begin(), names.end());
   return names;
+}
+
+/// All but what is hidden goes, the record first.
+void clear(const fs::path& folder) {
+  std::error_code error;
+  fs::remove_all(folder / record_file, error);
+  std::vector<fs::path> rest;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    if (!entry->path().filename().string().starts_with('.')) rest.push_back(entry->path());
+  }
+  for (auto path = rest.begin(); !error && path != rest.end(); ++path) fs::remove_all(*path, error);
+  if (error) fail(folder, "an earlier result cannot be removed", error);
 }
 
 std::vector<double> numbers_of(const Json& object, const char* key) {
@@ -133,9 +150,7 @@ fs::path CaseStore::begin(const PlannedCase& one) const {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) fail(folder, "folder cannot be created", error);
-  fs::remove(folder / record_file, error);
-  for (const std::string& name : files_in(folder)) fs::remove(folder / name, error);
-  if (error) fail(folder, "an earlier result cannot be removed", error);
+  clear(folder);
   write_file(folder / scene_file, one.yaml);
   return folder / scene_file;
 }
@@ -148,13 +163,16 @@ void CaseStore::finish(const PlannedCase& one, const CaseRecord& record) const {
     if (!bytes) fail(folder / name, "cannot be read", EIO);
     files[name] = sha256_hex(*bytes);
   }
-  const Json text = {{"key", one.key},
-                     {"threads", one.threads},
-                     {"crashed", record.crashed},
-                     {"stopped", record.stopped},
-                     {"clock", json_of(record.clock)},
-                     {"files", files}};
-  write_file(folder / record_file, text.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  Json text = {{"key", one.key},
+               {"threads", one.threads},
+               {"crashed", record.crashed},
+               {"stopped", record.stopped},
+               {"clock", json_of(record.clock)},
+               {"files", files}};
+  // As it will be read: a text that is no UTF-8 is replaced, and a number that is none becomes null.
+  text = Json::parse(text_of(text));
+  text["sha256"] = sha256_hex(text_of(text));
+  write_file(folder / record_file, text_of(text));
 }
 
 StudyCase CaseStore::read(const PlannedCase& one) const {
@@ -183,11 +201,13 @@ StudyCase CaseStore::read(const PlannedCase& one) const {
   return found;
 }
 
-bool CaseStore::take(const PlannedCase& one, const CaseStore& from) const {
-  if (from.state_of(one.key) != CaseState::finished) return false;
+bool CaseStore::take(const PlannedCase& one, const CaseStore& from, CaseState state) const {
+  if (from.state_of(one.key) != state) return false;
   const fs::path folder = folder_of(one.key), source = from.folder_of(one.key);
   std::error_code error;
   if (fs::equivalent(folder, source, error)) return true;
+  const auto lock = this->lock(one);
+  if (!lock) return false;
   begin(one);
   for (const std::string& name : files_in(source)) {
     write_file(folder / name, bytes_of(source / name).value_or(""));

@@ -6,12 +6,13 @@
 #include <optional>
 #include <string>
 
+#include "drivers/study/case_lock.hpp"
 #include "drivers/study/findings.hpp"
 #include "drivers/study/plan.hpp"
 
 namespace assay::drivers {
 
-/// What case.json says beside the hashes of the other files.
+/// What case.json says beside the hashes of the other files and its own.
 struct CaseRecord {
   std::string crashed;   ///< how the process ended, where it left no result
   bool stopped = false;  ///< it took longer than the study allows
@@ -34,7 +35,10 @@ class CaseStore {
 
   CaseState state_of(const std::string& key) const;
 
-  /// Makes the folder with case.yaml and takes the record of an earlier run away. Returns the scene's file. Throws
+  /// The right to run the case; none where another study does. Throws SystemError.
+  std::optional<CaseLock> lock(const PlannedCase& one) const { return CaseLock::tried(folder_of(one.key)); }
+
+  /// Makes the folder with case.yaml and takes all that an earlier run has left away. Returns the scene's file. Throws
   /// SystemError.
   std::filesystem::path begin(const PlannedCase& one) const;
 
@@ -44,8 +48,9 @@ class CaseStore {
   /// What a finished case has found; the outcome is `missing` of any other.
   StudyCase read(const PlannedCase& one) const;
 
-  /// Copies a finished case of another study's folder; false where it has none. Throws SystemError.
-  bool take(const PlannedCase& one, const CaseStore& from) const;
+  /// Copies a case that is finished, or has crashed, in another study's folder; false where it is not so there, or the
+  /// case is being run here. Throws SystemError.
+  bool take(const PlannedCase& one, const CaseStore& from, CaseState state = CaseState::finished) const;
 
  private:
   std::filesystem::path folder_;

@@ -29,22 +29,29 @@ class Runner {
 
   RunnerSummary run() {
     run_side_by_side();
-    for (const PlannedCase* one : alone_) run_alone(*one);
+    for (const PlannedCase* one : alone_) {
+      const auto lock = lock_of(*one);
+      if (lock && !kept(*one)) run_alone(*one);
+    }
+    for (const PlannedCase* one : elsewhere_) wait_for(*one);
     return summary_;
   }
 
  private:
   struct Running {
     const PlannedCase* one;
+    CaseLock lock;  ///< goes after the process
     CaseProcess process;
   };
 
-  /// The cases of the shard that are not finished; a scene that stands twice in the study is run once.
+  /// The cases of the shard that are not finished. A scene that stands twice in the study is run once, by the shard of
+  /// the first.
   void choose() {
     std::set<std::string> keys;
     for (const PlannedCase& one : plan_.cases) {
-      if (!options_.shard.holds(one.number) || !one.invalid.empty() || !keys.insert(one.key).second) continue;
+      if (!one.invalid.empty() || !keys.insert(one.key).second || !options_.shard.holds(one.number)) continue;
       ++report_.total;
+      stop_if_interrupted();
       const CaseState state = store_.state_of(one.key);
       if (state == CaseState::torn) ++summary_.torn;
       if (options_.resume && state == CaseState::finished) {
@@ -69,6 +76,41 @@ class Runner {
         "run", scene.string(), "-o", folder.string(), "--threads", std::to_string(one.threads), "--quiet"};
     if (is_repeat) arguments.insert(arguments.end(), {"--set", "output.pictures=false"});
     return CaseProcess(options_.program, arguments, plan_.study.case_seconds);
+  }
+
+  /// None where another study runs the case: it is waited for at the end.
+  std::optional<CaseLock> lock_of(const PlannedCase& one) {
+    auto lock = store_.lock(one);
+    if (!lock) elsewhere_.push_back(&one);
+    return lock;
+  }
+
+  /// Whether another study has finished it since this one began.
+  bool kept(const PlannedCase& one) {
+    if (!options_.resume || store_.state_of(one.key) != CaseState::finished) return false;
+    keep(one);
+    return true;
+  }
+
+  void keep(const PlannedCase& one) {
+    ++summary_.kept, ++report_.done;
+    done_work_ += work_of(one);
+    tell(&one, nullptr);
+  }
+
+  /// What another study has finished meanwhile is kept; what it has left is run.
+  void wait_for(const PlannedCase& one) {
+    report_.waits = true;
+    for (;;) {
+      const auto lock = store_.lock(one);
+      if (lock) {
+        report_.waits = false;
+        return store_.state_of(one.key) == CaseState::finished ? keep(one) : run_alone(one);
+      }
+      tell(nullptr, &one);
+      stop_if_interrupted();
+      ::usleep(10 * look_again_us);
+    }
   }
 
   void tell(const PlannedCase* finished, const PlannedCase* running) {
@@ -118,11 +160,14 @@ class Runner {
     for (std::size_t next = 0; next < together_.size() || !running.empty();) {
       while (next < together_.size() && (running.empty() || threads + together_[next]->threads <= options_.jobs)) {
         const PlannedCase& one = *together_[next++];
+        auto lock = lock_of(one);
+        if (!lock || kept(one)) continue;
         const fs::path scene = store_.begin(one);
-        running.push_back({&one, started(one, scene, scene.parent_path(), false)});
+        running.push_back({&one, std::move(*lock), started(one, scene, scene.parent_path(), false)});
         threads += one.threads;
         tell(nullptr, &one);
       }
+      if (running.empty()) continue;
       const auto over =
           std::find_if(running.begin(), running.end(), [](Running& each) { return each.process.is_over(); });
       if (over == running.end()) {
@@ -150,13 +195,14 @@ class Runner {
     const fs::path scene = store_.begin(one), folder = scene.parent_path(), repeat = folder / "repeat";
     const ProcessEnd first = waited_for(started(one, scene, folder, false));
     CaseRecord record = record_of(one, first);
-    record.clock.alone = true;
-    if (record.crashed.empty() && !record.stopped) {
+    record.clock.alone = one.timed;
+    if (one.timed && record.crashed.empty() && !record.stopped) {
       add_reading(folder, first, record.clock);
       double seconds = first.wall_s;
       for (int k = 1; k < plan_.study.timing.repeat && seconds < plan_.study.timing.seconds; ++k) {
         const ProcessEnd end = waited_for(started(one, scene, repeat, true));
         stop_if_interrupted();
+        if (end.stopped || end.status > 1) break;  // and the result there is that of the one before
         add_reading(repeat, end, record.clock);
         seconds += end.wall_s;
       }
@@ -171,6 +217,7 @@ class Runner {
   const RunnerOptions& options_;
   const std::function<void(const RunnerReport&)>& tell_;
   std::vector<const PlannedCase*> together_, alone_;
+  std::vector<const PlannedCase*> elsewhere_;  ///< another study was running them
   RunnerReport report_;
   RunnerSummary summary_;
   double work_ = 0, done_work_ = 0;

@@ -26,6 +26,7 @@ struct RunnerReport {
   double fraction = 0;                    ///< of the expected work
   const PlannedCase* finished = nullptr;  ///< the case that has just ended
   const PlannedCase* running = nullptr;   ///< a case that runs
+  bool waits = false;                     ///< another study runs that case
 };
 
 struct RunnerSummary {

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a study meets while its cases run: a full disk, no right to write, time limits, models that crash.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include "tests/drivers/study/study_program.hpp"
+
+namespace assay::drivers {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// No file may be longer than this: as on a full disk every write beyond it fails.
+std::function<void()> files_up_to(rlim_t bytes) {
+  return [bytes] {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{bytes, bytes};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  };
+}
+
+/// One line that names a file of the folder and why it could not be written.
+void expect_one_line(const Ending& ending, const std::string& folder) {
+  EXPECT_EQ(ending.status, 3) << ending.said;
+  EXPECT_EQ(ending.said.rfind(folder, 0), 0U) << ending.said;
+  EXPECT_EQ(std::count(ending.said.begin(), ending.said.end(), '\n'), 1) << ending.said;
+}
+
+TEST(StudyFailures, AFullDiskIsOneLineAndResumes) {
+  const SmallStudy small;
+  ASSERT_EQ(small.run("whole").status, 0);
+  std::size_t finished = 0;
+  for (const rlim_t bytes : {300, 2000, 20000}) {  // no scene, no result, no report fits
+    const Ending full = small.run("out", {"--resume", "--quiet"}, files_up_to(bytes));
+    expect_one_line(full, small.scratch / "out");
+    EXPECT_NE(full.said.find("File too large"), std::string::npos) << full.said;
+    EXPECT_FALSE(fs::exists(small.scratch / "out/study.json"));
+    EXPECT_EQ(hidden_in(small.scratch / "out"), std::vector<std::string>{});
+    const std::size_t now = marks_of_cases(small.scratch / "out").size();
+    EXPECT_EQ(now, bytes < 20000 ? 0U : 4U) << bytes << " bytes";
+    finished = now;
+  }
+  const auto before = marks_of_cases(small.scratch / "out");
+  const Ending resumed = small.run("out", {"--resume"});
+  EXPECT_EQ(resumed.status, 0) << resumed.said;
+  EXPECT_NE(resumed.said.find(std::to_string(finished) + " finished cases were kept"), std::string::npos);
+  EXPECT_EQ(marks_of_cases(small.scratch / "out"), before);
+  EXPECT_EQ(same_in_every_run(small.scratch / "out"), same_in_every_run(small.scratch / "whole"));
+}
+
+TEST(StudyFailures, AFolderThatCannotBeMadeIsOneLine) {
+  const SmallStudy small;
+  small.scratch.write("file", "not a folder");
+  expect_one_line(small.run("file/out", {"--quiet"}), small.scratch / "file/out");
+  expect_one_line(small.run("file/out", {"--shard", "1/2"}), small.scratch / "file/out");
+}
+
+TEST(StudyFailures, AFolderWithoutTheRightToWriteIsOneLine) {
+  const SmallStudy small;
+  fs::create_directories(small.scratch / "out");
+  fs::permissions(small.scratch / "out", fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_exec);
+  const Ending ending = small.run("out", {"--quiet"}, [] {  // root may write anywhere
+    if (::getuid() == 0 && (::setgid(65534) != 0 || ::setuid(65534) != 0)) ::_exit(126);
+  });
+  fs::permissions(small.scratch / "out", fs::perms::owner_all);
+  if (ending.status >= 126) GTEST_SKIP() << "the program cannot be started as another user";
+  expect_one_line(ending, small.scratch / "out");
+}
+
+// The finer grid takes seconds, of which it is given a fraction of one.
+TEST(StudyFailures, ALimitStopsACase) {
+  std::string text = small_study_text("timing: none\nlimit: 0.6\n", "");
+  text.replace(text.find("0.1875"), 6, "0.005");
+  text.replace(text.find(", uGIMP: {method.basis: ugimp}"), 30, "");
+  const SmallStudy small(text);
+  const Ending stopped = small.run("out", {"--json"});
+  EXPECT_NE(stopped.said.find("\"stopped\""), std::string::npos) << stopped.said.substr(0, 1000);
+  EXPECT_TRUE(all_gone(small.scratch / "out", 1));
+  const std::string cases = bytes_of(small.scratch / "out/cases.csv");
+  EXPECT_NE(cases.find(",stopped,it took longer than the limit of the study,"), std::string::npos) << cases;
+  EXPECT_NE(cases.find(",completed,"), std::string::npos) << cases;
+  const auto before = marks_of_cases(small.scratch / "out");
+  const Ending resumed = small.run("out", {"--resume"});
+  EXPECT_NE(resumed.said.find("2 finished cases were kept"), std::string::npos) << "another attempt would take as long";
+  EXPECT_EQ(marks_of_cases(small.scratch / "out"), before);
+}
+
+/// One case's model aborts, the other's does not.
+std::string crashing_study_text() {
+  std::string text = small_study_text();
+  const std::string axis = "  method: {CPDI: {method.basis: cpdi}, uGIMP: {method.basis: ugimp}}\n";
+  text.replace(text.find(axis), axis.size(),
+               "  model:\n    good: {material.adapter: neo_hookean}\n"
+               "    bad: {material: {adapter: " ASSAY_BINARY_DIR
+               "/tests/plugins/crashes.so, parameters: {}, "
+               "density: 1000}}\n");
+  return text;
+}
+
+TEST(StudyFailures, AModelThatCrashesCostsItsOwnCasesAndIsTriedAgain) {
+  const SmallStudy small(crashing_study_text());
+  const Ending first = small.run("out");
+  EXPECT_EQ(first.status, 0) << first.said;
+  const std::string cases = bytes_of(small.scratch / "out/cases.csv");
+  EXPECT_NE(cases.find(",crashed,"), std::string::npos) << cases;
+  EXPECT_NE(cases.find("crashed (signal 6)"), std::string::npos) << cases;
+  EXPECT_NE(cases.find(",completed,"), std::string::npos) << cases;
+  const auto before = marks_of_cases(small.scratch / "out");
+  const Ending resumed = small.run("out", {"--resume"});
+  EXPECT_NE(resumed.said.find("2 finished cases were kept"), std::string::npos) << resumed.said;
+  std::size_t again = 0;
+  for (const auto& [folder, mark] : marks_of_cases(small.scratch / "out")) again += before.at(folder) == mark ? 0 : 1;
+  EXPECT_EQ(again, 2U);
+  EXPECT_EQ(bytes_of(small.scratch / "out/cases.csv"), cases);
+}
+
+TEST(StudyFailures, ACrashElsewhereComesWithAMerge) {
+  const SmallStudy small(crashing_study_text());
+  ASSERT_EQ(small.run("whole").status, 0);
+  for (const char* shard : {"1/2", "2/2"})
+    ASSERT_EQ(small.run(std::string("part") + shard[0], {"--shard", shard}).status, 0);
+  const Ending merged =
+      small.run("out", {"--merge", "--from", small.scratch / "part1", "--from", small.scratch / "part2"});
+  EXPECT_EQ(merged.status, 0) << merged.said;
+  EXPECT_EQ(same_in_every_run(small.scratch / "out"), same_in_every_run(small.scratch / "whole"));
+}
+
+}  // namespace
+}  // namespace assay::drivers
