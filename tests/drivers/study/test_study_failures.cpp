@@ -86,14 +86,15 @@ TEST(StudyFailures, ALimitStopsACase) {
 }
 
 /// One case's model aborts, the other's does not.
-std::string crashing_study_text() {
+std::string crashing_study_text(const std::string& plugin = "crashes_in_a_run.so") {
   std::string text = small_study_text();
   const std::string axis = "  method: {CPDI: {method.basis: cpdi}, uGIMP: {method.basis: ugimp}}\n";
   text.replace(text.find(axis), axis.size(),
                "  model:\n    good: {material.adapter: neo_hookean}\n"
-               "    bad: {material: {adapter: " ASSAY_BINARY_DIR
-               "/tests/plugins/crashes.so, parameters: {}, "
-               "density: 1000}}\n");
+               "    bad: {material: {adapter: " ASSAY_BINARY_DIR "/tests/plugins/" +
+                   plugin +
+                   ", parameters: {}, "
+                   "density: 1000}}\n");
   return text;
 }
 
@@ -112,6 +113,15 @@ TEST(StudyFailures, AModelThatCrashesCostsItsOwnCasesAndIsTriedAgain) {
   for (const auto& [folder, mark] : marks_of_cases(small.scratch / "out")) again += before.at(folder) == mark ? 0 : 1;
   EXPECT_EQ(again, 2U);
   EXPECT_EQ(bytes_of(small.scratch / "out/cases.csv"), cases);
+}
+
+// Scenes are read in the study's own process, which asks the model for its stiffness.
+TEST(StudyFailures, AModelThatCrashesAtRestIsOneLineBeforeAnythingIsRun) {
+  const SmallStudy small(crashing_study_text("crashes.so"));
+  const Ending ending = small.run("out");
+  EXPECT_EQ(ending.status, 3);
+  EXPECT_EQ(ending.said, "assay: crashed (signal 6), most likely in the material's library\n");
+  EXPECT_FALSE(fs::exists(small.scratch / "out"));
 }
 
 TEST(StudyFailures, ACrashElsewhereComesWithAMerge) {
