@@ -155,7 +155,7 @@ void check_axes(const Study& study) {
   const auto& axes = study.axes;
   if (!study.refine.empty() &&
       std::none_of(axes.begin(), axes.end(), [&](const StudyAxis& axis) { return sets_key(axis, study.refine); })) {
-    throw InputError({study.file, 0, 0}, "refine", "no axis sets '" + one_line(study.refine, 80) + "'",
+    throw InputError(study.refine_where, "refine", "no axis sets '" + one_line(study.refine, 80) + "'",
                      joined(names_of(axes)));
   }
 }

@@ -64,7 +64,7 @@ Figure resolution_of(const Study& study, const Scene& scene) {
     const Value value = key.get(scene);
     if (const auto* number = std::get_if<double>(&value)) return *number;
   }
-  throw InputError({study.file, 0, 0}, "refine", "'" + one_line(study.refine, 80) + "' is no number of the scene");
+  throw InputError(study.refine_where, "refine", "'" + one_line(study.refine, 80) + "' is no number of the scene");
 }
 
 /// Makes cases of combinations.
