@@ -77,7 +77,7 @@ std::string sample_text(const Span& span, double share, double lower, double upp
   if (span.whole) return std::to_string(std::llround(std::clamp(std::floor(value), span.from, span.to)));
   const std::string text = rounded_text(value, digits_of_sample);
   const double rounded = parse_number(text).value_or(value);
-  return value_at(span, lower) <= rounded && rounded <= value_at(span, upper) ? text : number_text(value);
+  return value_at(span, lower) <= rounded && rounded < value_at(span, upper) ? text : number_text(value);
 }
 
 Level sampled(const StudyAxis& axis, const std::string& text) {
