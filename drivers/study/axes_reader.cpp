@@ -2,7 +2,9 @@
 #include "drivers/study/axes_reader.hpp"
 
 #include <algorithm>
+#include <set>
 
+#include "drivers/output/numbers.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/scene/yaml_values.hpp"
 
@@ -33,10 +35,12 @@ Span read_span(const Tree& map, const std::string& key) {
   Span span;
   const Tree* to = map.find("to");
   if (!to) throw InputError(map.where, key_path(key, "to"), "required and not given");
-  span.from = number_value(*map.find("from"), key_path(key, "from"));
-  span.to = number_value(*to, key_path(key, "to"));
   if (const Tree* log = map.find("log")) span.logarithmic = boolean_value(*log, key_path(key, "log"));
   if (const Tree* whole = map.find("whole")) span.whole = boolean_value(*whole, key_path(key, "whole"));
+  Range range;
+  range.whole = span.whole;
+  span.from = number_value(*map.find("from"), key_path(key, "from"), range);
+  span.to = number_value(*to, key_path(key, "to"), range);
   if (!(span.from < span.to)) throw InputError(to->where, key_path(key, "to"), "must be greater than from");
   if (span.logarithmic && !(span.from > 0)) throw InputError(map.where, key, "a logarithmic span begins above 0");
   return span;
@@ -59,11 +63,11 @@ StudyAxis read_axis(const Tree::Entry& entry) {
     }
   }
   if (axis.levels.empty() && !axis.span) throw InputError(value.where, path, "has no values");
-  for (std::size_t i = 0; i < axis.levels.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (same_value(axis.levels[i].name, axis.levels[j].name))
-        throw InputError(value.where, path, "holds '" + one_line(axis.levels[i].name, 80) + "' twice");
-    }
+  std::set<std::string> known;
+  for (const Level& level : axis.levels) {
+    const auto number = parse_number(level.name);
+    if (!known.insert(number ? number_text(*number + 0.0) : level.name).second)  // + 0.0: one zero alone
+      throw InputError(value.where, path, "holds '" + one_line(level.name, 80) + "' twice");
   }
   return axis;
 }
@@ -95,6 +99,27 @@ void check_level(const StudyAxis& axis, const std::string& value, const Location
   if (axis.span || level_of(axis, value)) return;
   const auto known = names_of(axis.levels);
   throw InputError(where, key, unknown("value '" + one_line(value, 80) + "'", value, known), joined(known));
+}
+
+std::set<std::string> keys_of(const StudyAxis& axis) {
+  if (axis.is_key) return {axis.name};
+  std::set<std::string> keys;
+  for (const Level& level : axis.levels) {
+    for (const Setting& setting : level.settings) keys.insert(setting.path);
+  }
+  return keys;
+}
+
+/// The later of two axes may not undo what the earlier has set.
+void check_pair(const StudyAxis& earlier, const StudyAxis& later) {
+  for (const std::string& key : keys_of(later)) {
+    for (const std::string& other : keys_of(earlier)) {
+      if (other != key && !other.starts_with(key + ".")) continue;
+      throw InputError(later.where, key_path("axes", one_line(later.name, 80)),
+                       "sets '" + key + (other == key ? "'" : "', and so '" + other + "'") + ", which '" +
+                           one_line(earlier.name, 80) + "' sets too");
+    }
+  }
 }
 
 /// The axis of a listed value; of a scene's key that is none yet a new one.
@@ -153,9 +178,12 @@ void check_axes(const Study& study) {
       throw InputError(axis.where, key_path("axes", axis.name), "a span goes with sampling: {latin_hypercube: count}");
   }
   const auto& axes = study.axes;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) check_pair(axes[j], axes[i]);
+  }
   if (!study.refine.empty() &&
       std::none_of(axes.begin(), axes.end(), [&](const StudyAxis& axis) { return sets_key(axis, study.refine); })) {
-    throw InputError({study.file, 0, 0}, "refine", "no axis sets '" + one_line(study.refine, 80) + "'",
+    throw InputError(study.refine_where, "refine", "no axis sets '" + one_line(study.refine, 80) + "'",
                      joined(names_of(axes)));
   }
 }

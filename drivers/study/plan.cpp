@@ -55,7 +55,11 @@ std::string label_of(const Study& study, const std::vector<AxisValue>& values, b
     if (!with_resolution && !study.refine.empty() && sets_key(*axis, study.refine)) continue;
     text += (text.empty() ? "" : ", ") + (axis->is_key ? value.axis + "=" + value.value : value.value);
   }
-  return text.empty() ? "all" : text;
+  return text.empty() ? "all" : one_line(text);
+}
+
+InputError not_a_number(const Study& study) {
+  return {study.refine_where, "refine", "'" + one_line(study.refine, 80) + "' is no number of the scene"};
 }
 
 /// The value of the refined key, which is a number.
@@ -66,7 +70,23 @@ Figure resolution_of(const Study& study, const Scene& scene) {
     const Value value = key.get(scene);
     if (const auto* number = std::get_if<double>(&value)) return *number;
   }
-  throw InputError({study.file, 0, 0}, "refine", "'" + one_line(study.refine, 80) + "' is no number of the scene");
+  throw not_a_number(study);
+}
+
+/// Of a key that no scene has a number at.
+void check_refined(const Study& study) {
+  const auto& keys = scene_keys();
+  const bool can_be = std::any_of(keys.begin(), keys.end(), [&](const Key& key) {
+    return key.path == study.refine && (key.type == KeyType::number || key.type == KeyType::automatic);
+  });
+  if (!study.refine.empty() && !can_be) throw not_a_number(study);
+}
+
+/// What no case is spared is no fault of a case.
+void check_cases(const Plan& plan) {
+  const auto& cases = plan.cases;
+  if (std::all_of(cases.begin(), cases.end(), [](const PlannedCase& one) { return !one.invalid.empty(); }))
+    throw InputError({plan.study.file, 0, 0}, "", "no case can be; the first: " + cases.front().invalid);
 }
 
 /// Makes cases of combinations.
@@ -74,10 +94,11 @@ class Planner {
  public:
   explicit Planner(const Study& study) : study_(study) {}
 
-  PlannedCase planned(const Combination& combination) {
+  /// `refined`: of a source of the error, ends the label.
+  PlannedCase planned(const Combination& combination, const std::string& refined = {}) {
     PlannedCase one;
     one.values = combination.values;
-    one.label = label_of(study_, one.values, true);
+    one.label = label_of(study_, one.values, true) + refined;
     one.series = label_of(study_, one.values, false);
     try {
       read(combination.settings, one);
@@ -85,7 +106,7 @@ class Planner {
       if (!study_.skips_invalid) throw InputError(std::string(error.what()) + " (case: " + one.label + ")");
       one.invalid = error.what();
     }
-    one.timed = !study_.timing.none && study_.timing.where.holds(one.values);
+    one.timed = one.invalid.empty() && !study_.timing.none && study_.timing.where.holds(one.values);
     return one;
   }
 
@@ -140,8 +161,7 @@ void add_budget(const Study& study, Planner& planner, const std::vector<Combinat
       const BudgetSource& source = study.budget->sources[k];
       Combination finer = combinations[i];
       finer.settings.insert(finer.settings.end(), source.settings.begin(), source.settings.end());
-      PlannedCase one = planner.planned(finer);
-      one.label += ", " + source.name + " refined";
+      PlannedCase one = planner.planned(finer, ", " + one_line(source.name) + " refined");
       one.base = i, one.source = k, one.timed = false;
       one.number = plan.cases.size() + 1;
       plan.cases.push_back(std::move(one));
@@ -154,6 +174,7 @@ void add_budget(const Study& study, Planner& planner, const std::vector<Combinat
 Plan plan_of(Study study, const std::function<void(double)>& progress) {
   program_hash();  // before the library of a material is among those of the program
   Plan plan;
+  check_refined(study);
   const std::vector<Combination> combinations = combinations_of(study);
   Planner planner(study);
   for (const Combination& combination : combinations) {
@@ -163,6 +184,7 @@ Plan plan_of(Study study, const std::function<void(double)>& progress) {
   }
   add_budget(study, planner, combinations, plan);
   plan.study = std::move(study);
+  check_cases(plan);
   return plan;
 }
 

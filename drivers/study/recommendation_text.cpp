@@ -6,6 +6,7 @@
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/wrapped_text.hpp"
+#include "drivers/study/study_words.hpp"
 #include "drivers/study/recommendation.hpp"
 
 namespace assay::drivers {
@@ -18,9 +19,7 @@ std::string with_unit(double value, const std::string& unit) {
   return rounded_text(value, 3) + (unit.empty() ? "" : " " + unit);
 }
 
-std::string error_text(const StudyFindings& findings, double error) { return with_unit(error, findings.error_unit); }
-
-std::string cost_text(const StudyFindings& findings, const StudyCase& one) {
+std::string cost_with_spread(const StudyFindings& findings, const StudyCase& one) {
   std::string text = with_unit(*one.cost, findings.cost_unit);
   if (one.cost_spread) return text + " (+- " + rounded_text(100 * *one.cost_spread, 2) + " %)";
   return findings.cost_unit == "s" ? text + " (one run: no spread)" : text;
@@ -67,7 +66,7 @@ std::string command_of(const StoredStudy& study, const StudyCase& one) {
 
 std::string figures_line(const StudyFindings& findings, const StudyCase& one) {
   const auto threads = threads_of(one);
-  return "error " + error_text(findings, *one.error) + ", cost " + cost_text(findings, one) +
+  return "error " + error_text(findings, *one.error) + ", cost " + cost_with_spread(findings, one) +
          (threads ? ", " + std::to_string(*threads) + (*threads == 1 ? " thread" : " threads")
                   : ", threads not recorded");
 }
@@ -86,7 +85,7 @@ std::string next_text(const StoredStudy& study, const std::optional<NextDigit>& 
   if (next->interpolated) between = with_unit(*next->interpolated, findings.cost_unit) + " between resolutions";
   if (next->best && findings.cases[*next->best].cost) {
     const StudyCase& one = findings.cases[*next->best];
-    return wrapped(one.label + ", " + cost_text(findings, one) + factor + (between.empty() ? "" : "; " + between),
+    return wrapped(one.label + ", " + cost_with_spread(findings, one) + factor + (between.empty() ? "" : "; " + between),
                    first, "  ");
   }
   return wrapped(between.empty() ? "no measured case meets it" : between + factor, first, "  ");

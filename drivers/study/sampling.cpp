@@ -7,6 +7,7 @@
 #include <random>
 
 #include "drivers/output/number_format.hpp"
+#include "drivers/output/numbers.hpp"
 
 namespace assay::drivers {
 
@@ -64,12 +65,22 @@ std::vector<std::size_t> shuffled(std::size_t count, std::mt19937_64& random) {
   return order;
 }
 
-Level sampled(const StudyAxis& axis, double share) {
-  const Span& span = *axis.span;
-  double value = span.logarithmic ? span.from * std::pow(span.to / span.from, share)
-                                  : span.from + (span.to - span.from + (span.whole ? 1 : 0)) * share;
-  if (span.whole) value = std::min(std::floor(value), span.to);
+/// The value at a share of the way; of whole numbers the way ends where the next one would begin.
+double value_at(const Span& span, double share) {
+  const double end = span.to + (span.whole ? 1 : 0);
+  return span.logarithmic ? span.from * std::pow(end / span.from, share) : span.from + (end - span.from) * share;
+}
+
+/// Rounded where that stays within the part of the span between two shares.
+std::string sample_text(const Span& span, double share, double lower, double upper) {
+  const double value = value_at(span, share);
+  if (span.whole) return std::to_string(std::llround(std::clamp(std::floor(value), span.from, span.to)));
   const std::string text = rounded_text(value, digits_of_sample);
+  const double rounded = parse_number(text).value_or(value);
+  return value_at(span, lower) <= rounded && rounded < value_at(span, upper) ? text : number_text(value);
+}
+
+Level sampled(const StudyAxis& axis, const std::string& text) {
   Tree tree;
   tree.kind = Tree::Kind::scalar, tree.text = text, tree.where = axis.where;
   return {text, {{axis.name, std::move(tree), axis.where}}};
@@ -82,9 +93,10 @@ std::vector<Combination> hypercube(const Study& study) {
   for (const StudyAxis& axis : study.axes) {
     const std::vector<std::size_t> part = shuffled(count, random);
     for (std::size_t i = 0; i < count; ++i) {
-      const double share = (static_cast<double>(part[i]) + uniform(random)) / static_cast<double>(count);
+      const auto lower = static_cast<double>(part[i]), cases = static_cast<double>(count);
+      const double share = (lower + uniform(random)) / cases;
       if (axis.span) {
-        take(axis, sampled(axis, share), all[i]);
+        take(axis, sampled(axis, sample_text(*axis.span, share, lower / cases, (lower + 1) / cases)), all[i]);
       } else {
         take(axis, axis.levels[part[i] * axis.levels.size() / count], all[i]);
       }

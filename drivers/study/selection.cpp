@@ -25,8 +25,9 @@ bool fulfils(const Condition& condition, const std::string* value) {
   return condition.lower <= *number && *number <= condition.upper;
 }
 
-std::vector<std::string> values_of(const Tree& tree) {
+std::vector<std::string> values_of(const Tree& tree, const std::string& path) {
   if (tree.kind != Tree::Kind::sequence) return {flow_text(tree)};
+  if (tree.items.empty()) throw InputError(tree.where, path, "names no value");
   std::vector<std::string> values;
   for (const Tree& item : tree.items) values.push_back(flow_text(item));
   return values;
@@ -40,11 +41,13 @@ void read_operator(const Tree& map, const std::string& path, Condition& conditio
   const std::string inner = key_path(path, name);
   if (name == "not") {
     condition.kind = Condition::Kind::none_of;
-    condition.values = values_of(value);
+    condition.values = values_of(value, inner);
   } else if (name == "between") {
     condition.kind = Condition::Kind::between;
     const std::vector<double> bounds = numbers_value(value, inner, 1, 2);
     condition.lower = bounds[0], condition.upper = bounds[1];
+    if (!(condition.lower <= condition.upper))
+      throw InputError(value.where, inner, "the first must not exceed the second");
   } else {
     condition.kind = name == "below" ? Condition::Kind::below : Condition::Kind::above;
     condition.lower = condition.upper = number_value(value, inner);
@@ -55,7 +58,7 @@ void read_operator(const Tree& map, const std::string& path, Condition& conditio
 
 bool same_value(const std::string& a, const std::string& b) {
   const auto x = parse_number(a), y = parse_number(b);
-  return x && y ? *x == *y : a == b;
+  return a == b || (x && y && *x == *y);
 }
 
 std::string flow_text(const Tree& tree) {
@@ -66,7 +69,7 @@ std::string flow_text(const Tree& tree) {
     case Tree::Kind::scalar:
       return tree.text;
     case Tree::Kind::sequence:
-      for (const Tree& item : tree.items) text += (text.empty() ? "" : ", ") + flow_text(item);
+      for (std::size_t i = 0; i < tree.items.size(); ++i) text += (i == 0 ? "" : ", ") + flow_text(tree.items[i]);
       return "[" + text + "]";
     case Tree::Kind::map:
       for (const Tree::Entry& entry : tree.entries) {
@@ -93,7 +96,7 @@ Selection read_selection(const Tree& map, const std::string& key) {
     if (entry.value.kind == Tree::Kind::map) {
       read_operator(entry.value, key_path(key, entry.key), condition);
     } else {
-      condition.values = values_of(entry.value);
+      condition.values = values_of(entry.value, key_path(key, entry.key));
     }
     selection.conditions.push_back(std::move(condition));
   }

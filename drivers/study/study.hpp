@@ -83,6 +83,7 @@ struct Study {
   std::vector<std::vector<std::pair<std::string, Tree>>> listed;  ///< cases of a list: axis, value
   std::vector<Selection> excluded;
   std::string refine;  ///< key of resolution; empty: none
+  Location refine_where;
   std::string error = "error.relative", cost = "step_cpu_s";
   bool skips_invalid = false;  ///< cases that cannot be are n/a, not an error
   double case_seconds = 0;     ///< a case that takes longer is stopped [s]; 0: never

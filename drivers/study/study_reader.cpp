@@ -122,6 +122,7 @@ void read_expect(const Tree& tree, Study& study) {
     Selection where;
     if (const Tree* given = lines.find("where")) where = selection_of(*given, path + ".where", study);
     std::erase_if(lines.entries, [](const Tree::Entry& entry) { return entry.key == "where"; });
+    if (lines.entries.empty()) throw InputError(lines.where, path, "names nothing that is expected");
     for (Expectation& line : read_expectations(lines, {path, {order_key, last_order_key}, study_outcomes()})) {
       study.expect.push_back({where, std::move(line)});
     }
@@ -140,7 +141,8 @@ void read_questions(const Tree& root, Study& study) {
   if (const Tree* value = root.find("question")) study.question = text_value(*value, "question");
   if (const Tree* value = root.find("error")) study.error = figure_key(*value, "error");
   if (const Tree* value = root.find("cost")) study.cost = figure_key(*value, "cost");
-  if (const Tree* value = root.find("refine")) study.refine = text_value(*value, "refine");
+  if (const Tree* value = root.find("refine"))
+    study.refine = text_value(*value, "refine"), study.refine_where = value->where;
   if (const Tree* value = root.find("invalid"))
     study.skips_invalid = choice_value(*value, "invalid", {"refuse", "skip"}) == "skip";
   if (const Tree* value = root.find("limit")) study.case_seconds = number_value(*value, "limit", {0, 1e9});
