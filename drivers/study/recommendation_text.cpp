@@ -6,8 +6,8 @@
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/wrapped_text.hpp"
-#include "drivers/study/study_words.hpp"
 #include "drivers/study/recommendation.hpp"
+#include "drivers/study/study_words.hpp"
 
 namespace assay::drivers {
 
@@ -85,8 +85,9 @@ std::string next_text(const StoredStudy& study, const std::optional<NextDigit>& 
   if (next->interpolated) between = with_unit(*next->interpolated, findings.cost_unit) + " between resolutions";
   if (next->best && findings.cases[*next->best].cost) {
     const StudyCase& one = findings.cases[*next->best];
-    return wrapped(one.label + ", " + cost_with_spread(findings, one) + factor + (between.empty() ? "" : "; " + between),
-                   first, "  ");
+    return wrapped(
+        one.label + ", " + cost_with_spread(findings, one) + factor + (between.empty() ? "" : "; " + between), first,
+        "  ");
   }
   return wrapped(between.empty() ? "no measured case meets it" : between + factor, first, "  ");
 }

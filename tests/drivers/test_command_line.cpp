@@ -70,11 +70,12 @@ TEST_F(CommandLine, WithoutAVerbItNamesThem) {
     const Outcome outcome = call(words);
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(outcome.err,
-              "assay: no verb; known: run, tabulate, eval, explain, study, recommend, compare, check, materials, register, "
-              "new-material, schema; "
-              "assay --help tells "
-              "more\n");
+    EXPECT_EQ(
+        outcome.err,
+        "assay: no verb; known: run, tabulate, eval, explain, study, recommend, compare, check, materials, register, "
+        "new-material, schema; "
+        "assay --help tells "
+        "more\n");
   }
 }
 
@@ -88,10 +89,11 @@ TEST_F(CommandLine, VersionSaysWhatItWasBuiltWith) {
 TEST_F(CommandLine, MistypedWordsAreSuggestedFor) {
   const Outcome verb = call({"tabluate", "x"});
   EXPECT_EQ(verb.status, 2);
-  EXPECT_EQ(verb.err,
-            "assay: unknown verb 'tabluate' (nearest: tabulate); known: run, tabulate, eval, explain, study, recommend, "
-            "compare, check, materials, "
-            "register, new-material, schema\n");
+  EXPECT_EQ(
+      verb.err,
+      "assay: unknown verb 'tabluate' (nearest: tabulate); known: run, tabulate, eval, explain, study, recommend, "
+      "compare, check, materials, "
+      "register, new-material, schema\n");
   EXPECT_TRUE(
       refused({"--thread=2"}).starts_with("assay run: unknown option '--thread' (nearest: --threads); known: "));
   EXPECT_TRUE(refused({"--sett", "a=1"}).starts_with("assay run: unknown option '--sett' (nearest: --set)"));

@@ -99,7 +99,7 @@ TEST(Recommendation, TextSaysHowToRunIt) {
   EXPECT_NE(text.find("\n  assay run 'results/x y/cases/B05/case.yaml' --set grid.spacing=0.05 --threads 2\n"),
             text.npos)
       << text;
-  EXPECT_NE(text.find("error 0.009, cost 4 s (+- 1 %), 2 threads"), text.npos) << text;
+  EXPECT_NE(text.find("error 0.9 %, cost 4 s (+- 1 %), 2 threads"), text.npos) << text;
   EXPECT_NE(text.find("8 times the"), text.npos) << text;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
