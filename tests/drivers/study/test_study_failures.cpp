@@ -68,7 +68,7 @@ TEST(StudyFailures, AFolderWithoutTheRightToWriteIsOneLine) {
 }
 
 // The finer grid takes ten seconds and more, of which it is given two.
-TEST(StudyFailures, ALimitStopsACase) {
+TEST(LongStudyFailures, ALimitStopsACase) {
   std::string text = small_study_text("timing: none\nlimit: 2\n");
   text.replace(text.find("0.1875"), 6, "0.0125");
   text.replace(text.find("time.end: 0.05"), 14, "time.end: 1");
@@ -125,7 +125,7 @@ TEST(StudyFailures, AModelThatCrashesAtRestIsOneLineBeforeAnythingIsRun) {
   EXPECT_FALSE(fs::exists(small.scratch / "out"));
 }
 
-TEST(StudyFailures, ACrashElsewhereComesWithAMerge) {
+TEST(LongStudyFailures, ACrashElsewhereComesWithAMerge) {
   const SmallStudy small(crashing_study_text());
   ASSERT_EQ(small.run("whole").status, 0);
   for (const char* shard : {"1/2", "2/2"})
