@@ -33,7 +33,9 @@ std::optional<std::string> bytes_of(const fs::path& file) {
   }
 }
 
-std::string text_of(const Json& record) { return record.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+std::string record_text(const Json& record) {
+  return record.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
 /// The record without its own hash; nothing where it is not what was written.
 std::optional<Json> record_of(const fs::path& folder, const std::string& key) {
@@ -46,7 +48,7 @@ std::optional<Json> record_of(const fs::path& folder, const std::string& key) {
     return std::nullopt;
   const Json seal = record.value("sha256", Json());
   record.erase("sha256");
-  return seal == sha256_hex(text_of(record)) ? std::optional(record) : std::nullopt;
+  return seal == sha256_hex(record_text(record)) ? std::optional(record) : std::nullopt;
 }
 
 /// Every file that a run has left, without the record and what is hidden.
@@ -63,7 +65,7 @@ std::vector<std::string> files_in(const fs::path& folder) {
 }
 
 /// All but what is hidden goes, the record first.
-void clear(const fs::path& folder) {
+void clear_case(const fs::path& folder) {
   std::error_code error;
   fs::remove_all(folder / record_file, error);
   std::vector<fs::path> rest;
@@ -150,7 +152,7 @@ fs::path CaseStore::begin(const PlannedCase& one) const {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) fail(folder, "folder cannot be created", error);
-  clear(folder);
+  clear_case(folder);
   write_file(folder / scene_file, one.yaml);
   return folder / scene_file;
 }
@@ -170,9 +172,9 @@ void CaseStore::finish(const PlannedCase& one, const CaseRecord& record) const {
                {"clock", json_of(record.clock)},
                {"files", files}};
   // As it will be read: a text that is no UTF-8 is replaced, and a number that is none becomes null.
-  text = Json::parse(text_of(text));
-  text["sha256"] = sha256_hex(text_of(text));
-  write_file(folder / record_file, text_of(text));
+  text = Json::parse(record_text(text));
+  text["sha256"] = sha256_hex(record_text(text));
+  write_file(folder / record_file, record_text(text));
 }
 
 StudyCase CaseStore::read(const PlannedCase& one) const {

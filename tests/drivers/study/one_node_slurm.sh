@@ -1,6 +1,6 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# A Slurm of one node in a folder: `one_node_slurm.sh FOLDER PORT` starts it and `one_node_slurm.sh FOLDER stop` ends it.
+# A Slurm of one node in a folder: `one_node_slurm.sh FOLDER PORT` starts it, `one_node_slurm.sh FOLDER stop` ends it.
 # Exit status 77 and a reason where that cannot be done here. FOLDER/slurm.conf is what SLURM_CONF must name.
 set -u
 folder=$1

@@ -67,10 +67,11 @@ TEST(StudyFailures, AFolderWithoutTheRightToWriteIsOneLine) {
   expect_one_line(ending, small.scratch / "out");
 }
 
-// The finer grid takes seconds, of which it is given a fraction of one.
-TEST(StudyFailures, ALimitStopsACase) {
-  std::string text = small_study_text("timing: none\nlimit: 0.6\n", "");
-  text.replace(text.find("0.1875"), 6, "0.005");
+// The finer grid takes ten seconds and more, of which it is given two.
+TEST(LongStudyFailures, ALimitStopsACase) {
+  std::string text = small_study_text("timing: none\nlimit: 2\n");
+  text.replace(text.find("0.1875"), 6, "0.0125");
+  text.replace(text.find("time.end: 0.05"), 14, "time.end: 1");
   text.replace(text.find(", uGIMP: {method.basis: ugimp}"), 30, "");
   const SmallStudy small(text);
   const Ending stopped = small.run("out", {"--json"});
@@ -124,7 +125,7 @@ TEST(StudyFailures, AModelThatCrashesAtRestIsOneLineBeforeAnythingIsRun) {
   EXPECT_FALSE(fs::exists(small.scratch / "out"));
 }
 
-TEST(StudyFailures, ACrashElsewhereComesWithAMerge) {
+TEST(LongStudyFailures, ACrashElsewhereComesWithAMerge) {
   const SmallStudy small(crashing_study_text());
   ASSERT_EQ(small.run("whole").status, 0);
   for (const char* shard : {"1/2", "2/2"})

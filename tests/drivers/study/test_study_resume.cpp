@@ -82,7 +82,7 @@ TEST(StudyResume, FinishedCasesAreKeptAndThatIsSaid) {
   EXPECT_EQ(run_again(before, marks_of_cases(small.scratch / "out")).size(), 4U);
 }
 
-TEST(StudyResume, AnotherSceneIsAnotherCase) {
+TEST(LongStudyResume, AnotherSceneIsAnotherCase) {
   const SmallStudy small;
   ASSERT_EQ(small.run("out").status, 0);
   std::string text = small_study_text();

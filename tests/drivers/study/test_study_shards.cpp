@@ -65,7 +65,7 @@ TEST(StudyShards, NothingToMergeIsSaid) {
 }
 
 // Cases 1 and 3, 2 and 4 are the same scenes: with three shards each would otherwise be run by two.
-TEST(StudyShards, ASceneThatStandsTwiceIsRunOnce) {
+TEST(LongStudyShards, ASceneThatStandsTwiceIsRunOnce) {
   const SmallStudy small([] {
     std::string text = small_study_text();
     text.replace(text.find("method.basis: ugimp"), 19, "method.basis: cpdi");
@@ -86,7 +86,7 @@ TEST(StudyShards, ASceneThatStandsTwiceIsRunOnce) {
 }
 
 // The same shard started three times, as a cluster does that starts a job again: each case is run once.
-TEST(StudyShards, TheSameShardAtOnceIsRunOnce) {
+TEST(LongStudyShards, TheSameShardAtOnceIsRunOnce) {
   const SmallStudy small;
   ASSERT_EQ(small.run("whole").status, 0);
   const auto part = small.words("out", {"--shard", "1/2", "--resume"});
@@ -97,7 +97,7 @@ TEST(StudyShards, TheSameShardAtOnceIsRunOnce) {
 }
 
 // Neither resumes; at the end one may find the other's report being written, or a case that it runs again.
-TEST(StudyShards, TwoStudiesAtOnceCorruptNothing) {
+TEST(LongStudyShards, TwoStudiesAtOnceCorruptNothing) {
   const SmallStudy small(small_study_text("timing: {repeat: 2, where: {method: CPDI}}\n"));
   ASSERT_EQ(small.run("whole").status, 0);
   for (int attempt = 0; attempt < 2; ++attempt) {
