@@ -113,14 +113,18 @@ StudyDigit digit_of(const StudyFindings& findings, double level) {
 std::vector<StudyDigit> digits_of(const StudyFindings& findings) {
   std::vector<StudyDigit> digits;
   if (findings.front.empty()) return digits;
-  double largest = 0, smallest = *findings.cases[findings.front.back()].error;
+  double largest = 0, smallest = 0;
+  for (const std::size_t i : findings.front) {  // errors fall along it
+    if (*findings.cases[i].error > 0) smallest = *findings.cases[i].error;
+  }
   for (const StudyCase& one : findings.cases) {
     if (one.eligible && one.cost) largest = std::max(largest, *one.error);
   }
   if (!(smallest > 0) || !std::isfinite(largest)) return digits;
   const bool relative = findings.error_key == "error.relative";  // an error of all that there is is no accuracy
-  const int first = std::min(static_cast<int>(std::floor(std::log10(largest))), relative ? -1 : 400),
-            last = static_cast<int>(std::floor(std::log10(smallest)));
+  const int first = std::min(static_cast<int>(std::floor(std::log10(largest))), relative ? -1 : 400);
+  int last = std::min(first, static_cast<int>(std::floor(std::log10(smallest))));
+  if (smallest <= rounded_power(last)) --last;
   for (int k = first; k >= last; --k) {
     const StudyDigit digit = digit_of(findings, rounded_power(k));
     // Accuracy that costs no more than less of it: one line for all.
@@ -189,7 +193,8 @@ Figure cost_at(const std::vector<StudyCase>& cases, const StudySeries& series, d
     if (coarser && *coarser->error >= error && *one.error <= error) {
       const double span = std::log(*coarser->error / *one.error);
       const double share = span > 0 ? std::log(*coarser->error / error) / span : 0;
-      cost = *coarser->cost * std::pow(*one.cost / *coarser->cost, share);
+      const bool to_zero = *one.error <= 0 && error < *coarser->error;  // there is no line
+      cost = to_zero ? *one.cost : *coarser->cost * std::pow(*one.cost / *coarser->cost, share);
     }
     if (cost && std::isfinite(*cost) && (!least || *cost < *least)) least = cost;
     coarser = &one;

@@ -2,6 +2,7 @@
 #include "drivers/study/figure_names.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "drivers/output/numbers.hpp"
 
@@ -44,7 +45,7 @@ std::pair<std::string, std::string> name_and_unit(const std::string& key) {
   return {key, ""};
 }
 
-double rounded_power(int k) { return *parse_number("1e" + std::to_string(k)); }
+double rounded_power(int k) { return parse_number("1e" + std::to_string(k)).value_or(k < 0 ? 0.0 : HUGE_VAL); }
 
 int cores_of(const std::string& machine) {
   const std::size_t comma = machine.rfind(", ");

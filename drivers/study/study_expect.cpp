@@ -19,8 +19,16 @@ FlatValue found_of(const StudyCase& one, const std::string& key) {
   return found == one.figures.end() ? FlatValue() : found->second;
 }
 
-FlatValue order_of(const StudySeries& series, const std::string& key) {
-  if (key == last_order_key) return value_of(series.pairwise.empty() ? Figure() : series.pairwise.back());
+/// Of the finest; a case that cannot be has no resolution, and stands behind all others.
+Figure last_order(const StudyFindings& findings, const StudySeries& series) {
+  for (std::size_t k = std::min(series.cases.size(), series.pairwise.size()); k > 0; --k) {
+    if (findings.cases[series.cases[k - 1]].resolution) return series.pairwise[k - 1];
+  }
+  return {};
+}
+
+FlatValue order_of(const StudyFindings& findings, const StudySeries& series, const std::string& key) {
+  if (key == last_order_key) return value_of(last_order(findings, series));
   return value_of(series.fit ? Figure(series.fit->order) : Figure());
 }
 
@@ -38,7 +46,7 @@ std::vector<StudyExpectationOutcome> judged_of(const Study& study, const StudyFi
       for (const StudySeries& series : findings.series) {
         const auto& cases = series.cases;
         if (std::any_of(cases.begin(), cases.end(), [&](std::size_t i) { return meant(each, i); }))
-          outcomes.push_back({series.name, judged(each.line, order_of(series, key))});
+          outcomes.push_back({series.name, judged(each.line, order_of(findings, series, key))});
       }
     } else {
       for (std::size_t i = 0; i < findings.cases.size(); ++i) {

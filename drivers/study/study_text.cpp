@@ -18,7 +18,9 @@ constexpr std::size_t columns = 80, number_width = 11;
 
 /// On a line of its own with what stands before it.
 std::string cut_to(const std::string& text, std::size_t used) {
-  return used + 8 < columns ? cut_text(text, columns - used) : text;
+  constexpr std::size_t mark = 4;  // cut_text() ends what it cuts by " ..."
+  if (text.size() <= columns - std::min(columns, used)) return text;
+  return cut_text(text, columns - mark - std::min(columns - mark - 1, used));
 }
 
 std::string or_dash(const Figure& value, const StudyFindings& findings,
@@ -34,7 +36,8 @@ std::string row(const std::string& a, const std::string& b, const std::string& c
 }
 
 std::string digits_text(const StudyFindings& findings) {
-  if (findings.digits.empty()) return "no case has both an error and a cost\n";
+  if (findings.digits.empty())
+    return findings.front.empty() ? "no case has both an error and a cost\n" : "the error is 0: no digit is the last\n";
   std::string text = row("error", "cost", "one more", "by the cheapest case that was measured");
   for (const StudyDigit& digit : findings.digits) {
     const std::string level = "<= " + error_text(findings, digit.error);
