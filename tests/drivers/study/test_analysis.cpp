@@ -38,10 +38,15 @@ StudyCase read_case(const std::string& method, double h, Figure error, std::vect
   return one;
 }
 
-StudyFindings found_in(std::vector<StudyCase> cases, const Study& study = {}) {
+StudyFindings found_in(std::vector<StudyCase> cases, const Study& study) {
   Plan plan;
   plan.study = study;
   return analysed(plan, std::move(cases));
+}
+
+StudyFindings found_in(std::vector<StudyCase> cases) {
+  const Study study;
+  return found_in(std::move(cases), study);
 }
 
 /// Errors C h^2 on grids that are halved, costs 1, 8, 64.
