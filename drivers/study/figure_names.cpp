@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/study/figure_names.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "drivers/output/numbers.hpp"
 
@@ -51,7 +53,8 @@ int cores_of(const std::string& machine) {
   const std::size_t comma = machine.rfind(", ");
   const std::size_t end = machine.find(' ', comma == machine.npos ? 0 : comma + 2);
   if (comma == machine.npos || end == machine.npos) return 1;
-  return static_cast<int>(parse_integer(machine.substr(comma + 2, end - comma - 2)).value_or(1));
+  const auto cores = parse_integer(machine.substr(comma + 2, end - comma - 2)).value_or(1);
+  return static_cast<int>(std::clamp<std::int64_t>(cores, 1, 1 << 20));
 }
 
 }  // namespace assay::drivers

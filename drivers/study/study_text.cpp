@@ -16,11 +16,19 @@ namespace {
 
 constexpr std::size_t columns = 80, number_width = 11;
 
-/// On a line of its own with what stands before it.
-std::string cut_to(const std::string& text, std::size_t used) {
-  constexpr std::size_t mark = 4;  // cut_text() ends what it cuts by " ..."
-  if (text.size() <= columns - std::min(columns, used)) return text;
-  return cut_text(text, columns - mark - std::min(columns - mark - 1, used));
+/// What begins a line, a blank at its end whatever its length.
+std::string column(const std::string& text, std::size_t width) { return padded(text + " ", width); }
+
+std::size_t characters(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+/// The line, its end cut where it is too long.
+std::string line_of(const std::string& begin, const std::string& end) {
+  constexpr std::size_t mark = 4, least = 8;  // cut_text() ends what it cuts by " ..."
+  const std::size_t left = columns - std::min(columns - least, characters(begin));
+  return begin + (characters(end) <= left ? end : cut_text(end, left - mark)) + "\n";
 }
 
 std::string or_dash(const Figure& value, const StudyFindings& findings,
@@ -31,8 +39,7 @@ std::string or_dash(const Figure& value, const StudyFindings& findings,
 std::string error_words(const StudyFindings& findings, double error) { return error_text(findings, error); }
 
 std::string row(const std::string& a, const std::string& b, const std::string& c, const std::string& rest) {
-  const auto cell = [](const std::string& text) { return padded(text, number_width - 1) + " "; };
-  return "  " + cell(a) + cell(b) + cell(c) + cut_to(rest, 2 + 3 * number_width) + "\n";
+  return line_of("  " + column(a, number_width) + column(b, number_width) + column(c, number_width), rest);
 }
 
 std::string digits_text(const StudyFindings& findings) {
@@ -75,7 +82,7 @@ std::string orders_text(const StudyFindings& findings) {
   for (const StudySeries& series : findings.series) {
     constexpr const char* words[] = {"asymptotic", "not asymptotic", "unknown range"};
     const std::string range = words[static_cast<std::size_t>(series.asymptotic)];
-    text += "  " + padded(order_text(series), 19) + " " + padded(range, 15) + " " + cut_to(series.name, 38) + "\n";
+    text += line_of("  " + column(order_text(series), 20) + column(range, 16), series.name);
     if (series.published) text += wrapped("published: " + published_text(series), "    ", "    ");
   }
   return text;
@@ -130,10 +137,10 @@ std::string counts_text(const StudyFindings& findings) {
 
 std::string case_line(const StudyFindings& words, const StudyCase& one, std::size_t done, std::size_t total) {
   const std::string count = std::to_string(total);
-  std::string begin = fmt::format("{:>{}}/{}  {}{}{}", done, count.size(), count, padded(one.outcome, 11),
-                                  padded(one.error ? error_text(words, *one.error) : "", number_width),
-                                  padded(one.cost ? cost_text(words, *one.cost) : "", number_width));
-  return begin + cut_to(one.label, begin.size()) + "\n";
+  const std::string begin = fmt::format("{:>{}}/{}  {}{}{}", done, count.size(), count, column(one.outcome, 11),
+                                        column(one.error ? error_text(words, *one.error) : "", number_width),
+                                        column(one.cost ? cost_text(words, *one.cost) : "", number_width));
+  return line_of(begin, one.label);
 }
 
 std::string study_text(const StudyFindings& findings, const std::string& folder) {
