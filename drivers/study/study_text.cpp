@@ -14,7 +14,7 @@ namespace assay::drivers {
 
 namespace {
 
-constexpr std::size_t columns = 80, number_width = 11;
+constexpr std::size_t columns = 80, number_width = 10;
 
 /// What begins a line, a blank at its end whatever its length.
 std::string column(const std::string& text, std::size_t width) { return padded(text + " ", width); }
