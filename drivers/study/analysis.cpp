@@ -9,6 +9,7 @@
 #include "drivers/build_information.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/study/budget.hpp"
+#include "drivers/study/clock.hpp"
 #include "drivers/study/figure_names.hpp"
 #include "drivers/study/study_expect.hpp"
 #include "drivers/study/study_words.hpp"
@@ -17,14 +18,6 @@
 namespace assay::drivers {
 
 namespace {
-
-constexpr double disturbance = 0.15;  ///< of the machine's cores, kept busy by others, that a clock may feel
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
-}
 
 /// The readings of a clock that is the study's figure of cost; null where the cost is counted, not timed.
 const std::vector<double>* readings_of(const StudyCase& one, const std::string& cost) {
@@ -147,16 +140,13 @@ std::vector<std::string> warnings_of(const Plan& plan, const StudyFindings& find
   const auto count_of = [&](const auto& is) { return std::count_if(findings.cases.begin(), findings.cases.end(), is); };
   const auto untimed = count_of([](const StudyCase& one) { return one.error && !one.cost && !one.budget; });
   if (untimed > 0) {
-    warnings.push_back(std::to_string(untimed) + " completed cases were not timed: they have no cost in " +
-                       findings.cost_key + " and are compared by their particle-steps alone");
+    warnings.push_back(cases_text(untimed) + " completed and not timed: without a cost in " + findings.cost_key +
+                       " only particle-steps are compared");
   }
-  const auto disturbed = count_of([](const StudyCase& one) {
-    return one.clock.alone && !one.clock.others.empty() &&
-           median(one.clock.others) > disturbance * cores_of(one.clock.machine);
-  });
+  const auto disturbed = count_of([](const StudyCase& one) { return one.clock.alone && is_disturbed(one.clock); });
   if (disturbed > 0) {
-    warnings.push_back("other programs kept more than " + rounded_text(100 * disturbance, 3) +
-                       " % of the machine busy while " + std::to_string(disturbed) + " cases were timed");
+    warnings.push_back(cases_text(disturbed) + " timed while other programs kept more than " + disturbing_text() +
+                       " busy");
   }
   if (findings.machines.size() > 1)
     warnings.emplace_back("the cases were run on different machines: costs do not compare");

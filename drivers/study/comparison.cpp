@@ -10,7 +10,9 @@
 #include "drivers/input_error.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/numbers.hpp"
+#include "drivers/study/clock.hpp"
 #include "drivers/study/comparison_fronts.hpp"
+#include "drivers/study/study_words.hpp"
 #include "drivers/study/time_noise.hpp"
 
 namespace assay::drivers {
@@ -134,19 +136,14 @@ void compare_figures(const StudyFindings& A, const StudyFindings& B, Comparison&
 template <class Condition>
 void warn_of(const std::vector<Pair>& pairs, const std::string& what, Comparison& found, const Condition& holds) {
   const auto times = std::count_if(pairs.begin(), pairs.end(), holds);
-  if (times > 0) found.warnings.push_back(std::to_string(times) + (times == 1 ? " case was " : " cases were ") + what);
-}
-
-bool is_disturbed(const StudyCase& one) {
-  const std::vector<double>& others = one.clock.others;
-  return std::any_of(others.begin(), others.end(), [](double cores) { return cores > disturbing_cores; });
+  if (times > 0) found.warnings.push_back(cases_text(times) + " " + what);
 }
 
 void warn_of_clocks(const std::vector<Pair>& pairs, Comparison& found) {
   warn_of(pairs, "timed on different machines: times are shown and not judged", found, differ_in_machine);
   warn_of(pairs, "not timed alone", found, [](const Pair& p) { return !p.a.clock.alone || !p.b.clock.alone; });
-  warn_of(pairs, "disturbed: others kept more than " + rounded_text(disturbing_cores, 2) + " cores busy", found,
-          [](const Pair& p) { return is_disturbed(p.a) || is_disturbed(p.b); });
+  warn_of(pairs, "disturbed: others kept more than " + disturbing_text() + " busy", found,
+          [](const Pair& p) { return is_disturbed(p.a.clock) || is_disturbed(p.b.clock); });
   warn_of(pairs,
           "timed once: no measure of noise, a difference counts beyond " + rounded_text(100 * single_floor, 2) + " %",
           found, [](const Pair& p) { return !p.a.cost_spread || !p.b.cost_spread; });

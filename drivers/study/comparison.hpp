@@ -19,9 +19,6 @@ inline constexpr double rounding_relative = 1e-6;
 /// 4e-12 m.
 inline constexpr double rounding_absolute = 1e-11;
 
-/// Cores that other programs keep busy while a case is timed, above which its times are warned of.
-inline constexpr double disturbing_cores = 0.3;
-
 enum class Standing { compared, new_failure, fixed, still_fails, only_in_a, only_in_b };
 
 /// A figure in A and in B.

@@ -49,12 +49,4 @@ std::pair<std::string, std::string> name_and_unit(const std::string& key) {
 
 double rounded_power(int k) { return parse_number("1e" + std::to_string(k)).value_or(k < 0 ? 0.0 : HUGE_VAL); }
 
-int cores_of(const std::string& machine) {
-  const std::size_t comma = machine.rfind(", ");
-  const std::size_t end = machine.find(' ', comma == machine.npos ? 0 : comma + 2);
-  if (comma == machine.npos || end == machine.npos) return 1;
-  const auto cores = parse_integer(machine.substr(comma + 2, end - comma - 2)).value_or(1);
-  return static_cast<int>(std::clamp<std::int64_t>(cores, 1, 1 << 20));
-}
-
 }  // namespace assay::drivers

@@ -13,7 +13,4 @@ std::pair<std::string, std::string> name_and_unit(const std::string& key);
 /// 10^k, the double nearest to it.
 double rounded_power(int k);
 
-/// The number of cores in machine_name(); 1 where it tells none.
-int cores_of(const std::string& machine);
-
 }  // namespace assay::drivers

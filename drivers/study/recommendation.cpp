@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/study/recommendation.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "drivers/input_error.hpp"
@@ -11,15 +12,7 @@ namespace assay::drivers {
 
 namespace {
 
-bool uses_exact_solution(const StudyCase& one) {
-  const auto found = one.figures.find("uses_exact_solution");
-  const bool* flag = found == one.figures.end() ? nullptr : std::get_if<bool>(&found->second);
-  return flag && *flag;
-}
-
-bool may_be_taken(const StudyCase& one) {
-  return one.eligible && one.completed() && one.error && one.cost && !one.budget && !uses_exact_solution(one);
-}
+bool may_be_taken(const StudyCase& one) { return one.eligible && one.cost; }
 
 const std::string* method_of(const StudyCase& one) {
   for (const AxisValue& at : one.values) {
@@ -52,7 +45,7 @@ std::optional<std::size_t> first_case(const StudyFindings& findings, const Condi
 std::optional<NextDigit> digit_after(const StudyFindings& findings, const StudyCase& best, double error) {
   const StudyDigit* next = nullptr;
   for (const StudyDigit& digit : findings.digits) {
-    const bool beyond = digit.error<error&& * best.error> digit.error;
+    const bool beyond = digit.error < std::min(error, *best.error);
     if (beyond && (!next || digit.error > next->error)) next = &digit;
   }
   if (!next) return std::nullopt;

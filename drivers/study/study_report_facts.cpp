@@ -5,6 +5,7 @@
 #include "drivers/output/html.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/report_sections.hpp"
+#include "drivers/study/clock.hpp"
 #include "drivers/study/stability_map.hpp"
 #include "drivers/study/study_report_sections.hpp"
 #include "drivers/study/study_words.hpp"
@@ -104,15 +105,15 @@ std::string warnings(const StudyFindings& findings) {
 }
 
 std::string clock(const StudyFindings& findings) {
-  constexpr double busy = 0.25;  // cores
   Rows rows;
   for (const StudyCase& one : findings.cases) {
     const ClockReadings& clock = one.clock;
     const std::size_t repeats = std::max(clock.step_s.size(), clock.cpu_s.size());
     const double others = most(clock.others);
-    if (repeats == 0 || (!one.on_front && others <= busy)) continue;
+    if (repeats == 0 || (!one.on_front && !is_disturbed(clock))) continue;
     std::string remark = clock.alone ? "" : "beside other cases";
-    if (others > busy) remark += (remark.empty() ? "" : "; ") + std::string("the machine was busy with other things");
+    if (is_disturbed(clock))
+      remark += (remark.empty() ? "" : "; ") + std::string("the machine was busy with other things");
     const Figure memory = number_of(one, "peak_rss_bytes");
     rows.push_back(
         {escaped(one.label), std::to_string(repeats), one.cost ? escaped(cost_text(findings, *one.cost)) : html::none,

@@ -101,6 +101,10 @@ std::vector<std::size_t> drawn_histories(const StudyFindings& findings) {
   return drawn;
 }
 
+std::string cases_text(std::ptrdiff_t count) {
+  return std::to_string(count) + (count == 1 ? " case was" : " cases were");
+}
+
 std::string published_text(const StudySeries& series) {
   return series.published ? rounded_text(*series.published, 3) + " (" + series.source + ")" : "";
 }

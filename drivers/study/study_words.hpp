@@ -2,6 +2,7 @@
 // How the report of a study names its figures.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,9 @@ std::string outcome_text(const StudyCase& one);
 
 /// A number of result.json; absent where it is none.
 Figure number_of(const StudyCase& one, const std::string& key);
+
+/// "1 case was", "3 cases were".
+std::string cases_text(std::ptrdiff_t count);
 
 /// "0.8 (Brannon et al., figure 4)"; empty where nobody has published an order.
 std::string published_text(const StudySeries& series);

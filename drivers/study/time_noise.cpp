@@ -4,15 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/study/clock.hpp"
+
 namespace assay::drivers {
 
 namespace {
-
-double median_of(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
-}
 
 /// Absent of one repeat.
 Figure spread_of(const StudyCase& one) {
@@ -26,7 +22,7 @@ double typical_spread(const StudyFindings& findings) {
   for (const StudyCase& one : findings.cases) {
     if (const Figure spread = spread_of(one)) spreads.push_back(*spread);
   }
-  return spreads.empty() ? 0 : median_of(std::move(spreads));
+  return spreads.empty() ? 0 : median(std::move(spreads));
 }
 
 }  // namespace

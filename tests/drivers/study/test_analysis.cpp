@@ -305,9 +305,8 @@ TEST(Analysis, WarnsOfWhatMakesCostsDoubtful) {
   const StudyFindings found = found_in(cases);
   ASSERT_EQ(found.warnings.size(), 4u);
   EXPECT_EQ(found.warnings[0],
-            "1 completed cases were not timed: they have no cost in step_cpu_s and are compared by their "
-            "particle-steps alone");
-  EXPECT_EQ(found.warnings[1], "other programs kept more than 15 % of the machine busy while 1 cases were timed");
+            "1 case was completed and not timed: without a cost in step_cpu_s only particle-steps are compared");
+  EXPECT_EQ(found.warnings[1], "1 case was timed while other programs kept more than 15 % of the machine busy");
   EXPECT_EQ(found.warnings[2], "the cases were run on different machines: costs do not compare");
   EXPECT_TRUE(found.warnings[3].starts_with("1 ")) << found.warnings[3];
   EXPECT_EQ(found.machines, (std::vector<std::string>{"a machine, 2 cores", "another, 8 cores"}));

@@ -106,14 +106,14 @@ TEST(Comparison, WarnsOfClocksThatCannotBeCompared) {
       if (one.cost) set_clock(one, {9 * *one.cost, 9.1 * *one.cost});
     }
     B.cases[0].clock.alone = false;
-    B.cases[1].clock.others[1] = 0.8;
+    B.cases[1].clock.others = {0.8, 0.9, 11};
     B.cases[2].cost.reset();
   });
   EXPECT_FALSE(found.is_worse()) << "times of different machines";
   ASSERT_EQ(found.warnings.size(), 4u);
   EXPECT_EQ(found.warnings[0], "7 cases were timed on different machines: times are shown and not judged");
   EXPECT_EQ(found.warnings[1], "1 case was not timed alone");
-  EXPECT_EQ(found.warnings[2], "1 case was disturbed: others kept more than 0.3 cores busy");
+  EXPECT_EQ(found.warnings[2], "1 case was disturbed: others kept more than 15 % of the machine busy");
   EXPECT_EQ(found.warnings[3], "the cost of 1 case is known in one of the studies alone");
 }
 

@@ -37,14 +37,5 @@ TEST(FigureNames, PowersOfTenAreTheNearestNumbers) {
   EXPECT_EQ(rounded_power(400), std::numeric_limits<double>::infinity());
 }
 
-TEST(FigureNames, CoresStandAtTheEndOfAMachinesName) {
-  EXPECT_EQ(cores_of("AMD EPYC, 2 cores"), 2);
-  EXPECT_EQ(cores_of("Intel, Inc., Xeon, 16 cores"), 16);
-  EXPECT_EQ(cores_of("one, 1 core"), 1);
-  for (const char* none : {"", "AMD EPYC", "AMD, many cores", "AMD, 2", "AMD, ", "AMD, 0 cores", "AMD, -3 cores"}) {
-    EXPECT_EQ(cores_of(none), 1) << none;
-  }
-}
-
 }  // namespace
 }  // namespace assay::drivers

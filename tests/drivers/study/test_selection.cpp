@@ -81,7 +81,7 @@ TEST(Selection, WhatIsNoConditionIsRefused) {
       {"{a: []}", "f:1:5: where.a: names no value"},
       {"{a: {not: []}}", "f:1:11: where.a.not: names no value"},
   };
-  for (const auto& [map, refusal] : maps) EXPECT_EQ(refusal_of([&] { selection_in(map); }), refusal) << map;
+  for (const auto& each : maps) EXPECT_EQ(refusal_of([&] { selection_in(each.first); }), each.second) << each.first;
 }
 
 TEST(Selection, KnowsWhereItStands) {
