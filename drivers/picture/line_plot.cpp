@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "drivers/picture/frame.hpp"
+#include "drivers/picture/plot_frame.hpp"
 #include "drivers/picture/stroke_font.hpp"
 
 namespace assay::drivers {
@@ -46,7 +46,7 @@ std::vector<std::vector<Placed>> runs(const LinePlot& plot, const Series& series
 }
 
 /// Axes around all data; without any, of the unit square.
-bool fit_axes(const LinePlot& plot, Frame& frame) {
+bool fit_axes(const LinePlot& plot, PlotFrame& frame) {
   Range x, y;
   bool markers = false;
   for (const Series& series : plot.series) {
@@ -95,7 +95,7 @@ double draw_legend(Drawing& out, const LinePlot& plot, double left, double right
   return any ? y + row_height + 2 - top : 0;
 }
 
-void draw_axes(Drawing& out, const LinePlot& plot, const Frame& f) {
+void draw_axes(Drawing& out, const LinePlot& plot, const PlotFrame& f) {
   const double small = text_size * 0.93;
   for (std::size_t i = 0; i < f.x.major.size(); ++i) {
     const double x = f.at(f.x.major[i], f.y.low).x;
@@ -123,7 +123,7 @@ void draw_axes(Drawing& out, const LinePlot& plot, const Frame& f) {
             text_ink, true);
 }
 
-void draw_series(Drawing& out, const LinePlot& plot, const Frame& f, std::size_t index) {
+void draw_series(Drawing& out, const LinePlot& plot, const PlotFrame& f, std::size_t index) {
   const Series& series = plot.series[index];
   const Ink ink{Ink::Role::series, index};
   for (const auto& run : runs(plot, series)) {
@@ -141,7 +141,7 @@ void draw_series(Drawing& out, const LinePlot& plot, const Frame& f, std::size_t
 
 Drawing draw(const LinePlot& plot) {
   Drawing out{plot_width, plot_height, plot.title, {}};
-  Frame frame;
+  PlotFrame frame;
   const bool any = fit_axes(plot, frame);
   double widest = 0;
   for (const std::string& label : frame.y.labels) widest = std::max(widest, label_width(label, text_size * 0.93));

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "drivers/picture/frame.hpp"
 #include "drivers/picture/label_placer.hpp"
+#include "drivers/picture/plot_frame.hpp"
 #include "drivers/study/study_words.hpp"
 
 namespace assay::drivers {
@@ -94,7 +94,7 @@ class Plot {
   bool within(double error) const { return error >= frame_.y.low && error <= frame_.y.high; }
 
   void draw_axes() {
-    const Frame& f = frame_;
+    const PlotFrame& f = frame_;
     for (std::size_t i = 0; i < f.x.major.size(); ++i) {
       const double value = f.x.major[i], x = f.at(value, f.y.low).x;
       out_.line({{x, f.top}, {x, f.bottom}}, grid_ink, 1);
@@ -227,7 +227,7 @@ class Plot {
   const StudyFindings& findings_;
   CostAxis axis_;
   WorkPrecision shown_;
-  Frame frame_;
+  PlotFrame frame_;
   Drawing out_;
   LabelPlacer placer_{{102, 14 + strip + 3, width - 18, height - 65}};
 };

@@ -7,7 +7,7 @@
 
 namespace assay::drivers {
 
-struct Frame {
+struct PlotFrame {
   double left = 0, top = 0, right = 0, bottom = 0;
   Axis x, y;
   /// Where the value (u, v) is drawn.
