@@ -52,6 +52,7 @@ _assay() {
     materials) options+=' --json' ;;
     register) options+=' --as --remove' ;;
     new-material) options+=' --language --interface -o' ;;
+    schema) options+=' --study' ;;
   esac
   if [[ $cur == -* ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$options" -- "$cur")

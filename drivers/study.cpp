@@ -2,6 +2,7 @@
 // `assay study`: what accuracy costs, over the cases of a study.
 #include <algorithm>
 #include <cstdio>
+#include <set>
 
 #include "drivers/interrupt.hpp"
 #include "drivers/progress.hpp"
@@ -89,6 +90,23 @@ Plan planned(const StudyOptions& options) {
   });
 }
 
+/// Says why cases may be missing that someone believes to have run.
+void warn_of_strangers(const Plan& plan, const std::vector<CaseStore>& stores, const StudyOptions& options) {
+  std::set<std::string> keys;
+  bool missing = false;
+  for (const PlannedCase& one : plan.cases) {
+    keys.insert(one.key);
+    missing = missing || (one.invalid.empty() && stores.front().state_of(one.key) == CaseState::missing);
+  }
+  std::size_t strangers = 0;
+  for (const CaseStore& store : stores) strangers += store.finished_besides(keys);
+  if (!missing || strangers == 0 || options.verbosity == Verbosity::quiet) return;
+  std::fprintf(stderr,
+               "warning: cases are missing, and %zu finished %s of another key: another program or library, another "
+               "scene, other threads\n",
+               strangers, strangers == 1 ? "one is" : "ones are");
+}
+
 /// What other folders have of the cases that are not finished here.
 void gather(const Plan& plan, const CaseStore& store, const StudyOptions& options) {
   std::vector<CaseStore> others;
@@ -116,6 +134,8 @@ void gather(const Plan& plan, const CaseStore& store, const StudyOptions& option
   if (torn > 0 && options.verbosity != Verbosity::quiet)
     std::fprintf(stderr, "warning: %zu torn %s not trusted; run the study again with --resume\n", torn,
                  torn == 1 ? "case is" : "cases are");
+  others.insert(others.begin(), store);
+  warn_of_strangers(plan, others, options);
 }
 
 int conclude(const Plan& plan, const CaseStore& store, const StudyOptions& options) {
@@ -144,6 +164,7 @@ int study(const StudyOptions& options) {
     return conclude(plan, store, options);
   }
   warn_of_earlier(plan, store, options);
+  if (options.resume) warn_of_strangers(plan, {store}, options);
   Teller teller(plan, store, options);
   RunnerOptions how;
   if (!options.program.empty()) how.program = options.program;

@@ -205,8 +205,9 @@ std::vector<Verb> material_verbs(CLI::App& app, Arguments& given) {
   verbs.push_back(new_material_verb(app, given));
 
   CLI::App& schema_verb =
-      add_verb(app, "schema", "JSON Schema of scenes, for editors", "assay schema > scene.schema.json");
-  verbs.push_back({&schema_verb, [] { return schema(); }});
+      add_verb(app, "schema", "JSON Schema of scenes and studies, for editors", "assay schema > scene.schema.json");
+  schema_verb.add_flag("--study", given.of_studies, "of studies instead");
+  verbs.push_back({&schema_verb, [&given] { return schema({given.of_studies}); }});
   return verbs;
 }
 

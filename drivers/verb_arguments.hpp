@@ -20,7 +20,7 @@ struct Arguments {
   std::string markdown_file, study, after, error, jobs, shard;
   std::string language, interface = "native", strain, pressure;
   std::vector<std::string> sets, from;
-  bool resume = false, merge = false, list = false;
+  bool resume = false, merge = false, list = false, of_studies = false;
   bool json = false, quick = false, all = false, methods = false, quiet = false, verbose = false;
 
   Verbosity verbosity() const { return quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::normal; }

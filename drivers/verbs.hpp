@@ -110,6 +110,10 @@ struct CompareOptions {
   Verbosity verbosity = Verbosity::normal;  ///< verbose: the cases that are the same, too; quiet: the verdict alone
 };
 
+struct SchemaOptions {
+  bool study = false;  ///< of studies in place of scenes
+};
+
 int run(const RunOptions& options);
 int study(const StudyOptions& options);
 int tabulate(const TabulateOptions& options);
@@ -122,6 +126,6 @@ int check_methods(const CheckOptions& options);
 int materials(const MaterialsOptions& options);
 int register_material(const RegisterOptions& options);
 int new_material(const NewMaterialOptions& options);
-int schema();
+int schema(const SchemaOptions& options);
 
 }  // namespace assay::drivers

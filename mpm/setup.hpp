@@ -49,6 +49,13 @@ struct Seeds {
   double held_volume(std::size_t k) const { return held_volumes.empty() ? volume() : held_volumes[k]; }
 };
 
+/// v = velocity + gradient X.
+template <int Dim>
+struct AffineVelocity {
+  std::array<double, Dim> velocity{};        ///< [m/s]
+  std::array<double, Dim * Dim> gradient{};  ///< row-major [1/s]
+};
+
 /// The method and the effects that a scene calls for.
 template <int Dim>
 struct Setup {
@@ -63,14 +70,15 @@ struct Setup {
   bool body_force = false;  ///< b of the exact motion acts
   Evaluation evaluation = Evaluation::point;
   Inertia inertia = Inertia::grid;
-  std::shared_ptr<const Response> response;    ///< what b is made of; needed to run, not to compose
-  std::optional<Traction> traction;            ///< on the surface of the seeds
-  std::shared_ptr<const ExactSolution> exact;  ///< what tractions are made of; needed to run, not to compose
-  std::optional<Motion> motion;                ///< gives the initial velocity; null: at rest
-  std::optional<Frame> frame;                  ///< from which the motion is seen; null: the body's own
-  bool hold_outside = false;                   ///< nodes and particles outside the vortex's ring are held
-  std::array<AxisEnds, Dim> ends{};            ///< symmetry planes and periodic ends of the body
-  bool accounts = false;                       ///< momentum and energy accounts
+  std::shared_ptr<const Response> response;             ///< what b is made of; needed to run, not to compose
+  std::optional<Traction> traction;                     ///< on the surface of the seeds
+  std::shared_ptr<const ExactSolution> exact;           ///< what tractions are made of; needed to run, not to compose
+  std::optional<Motion> motion;                         ///< gives the initial velocity; null: at rest
+  std::optional<AffineVelocity<Dim>> initial_velocity;  ///< in place of the motion's
+  std::optional<Frame> frame;                           ///< from which the motion is seen; null: the body's own
+  bool hold_outside = false;                            ///< nodes and particles outside the vortex's ring are held
+  std::array<AxisEnds, Dim> ends{};                     ///< symmetry planes and periodic ends of the body
+  bool accounts = false;                                ///< momentum and energy accounts
   /// Whether the method is told where particles belong: of such a one the error says less.
   bool uses_exact_solution() const { return (body_force && inertia == Inertia::particles) || has_virtual_stress(); }
   bool has_virtual_stress() const { return traction && traction->algorithm == TractionAlgorithm::virtual_stress; }

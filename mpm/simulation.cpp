@@ -13,12 +13,21 @@ namespace {
 
 template <int Dim>
 Vector3 initial_velocity(const Setup<Dim>& setup, const Vector3& X) {
+  if (const auto& given = setup.initial_velocity) {
+    Vector3 v = Vector3::Zero();
+    for (int d = 0; d < Dim; ++d) {
+      v(d) = given->velocity[static_cast<std::size_t>(d)];
+      for (int c = 0; c < Dim; ++c) v(d) += given->gradient[static_cast<std::size_t>(d * Dim + c)] * X(c);
+    }
+    return v;
+  }
   if (!setup.frame) return state_at(*setup.motion, X, 0).v;
   return setup.frame->seen(state_at(*setup.motion, setup.frame->body_point(X), 0), 0).v;
 }
 
 template <int Dim>
 Mat<Dim> initial_velocity_gradient(const Setup<Dim>& setup, const Vector3& X) {
+  if (setup.initial_velocity) return setup.initial_velocity->gradient;
   Tensor rate;
   if (setup.frame) {
     rate = setup.frame->seen(state_at(*setup.motion, setup.frame->body_point(X), 0), 0).F_rate;
@@ -113,7 +122,7 @@ void Simulation<Dim>::fill() {
     s.column(Column::volume)[p] = volume;
     if (s.has(Column::domain)) fill_domain(p);
     if (s.has(Column::corners)) fill_corners(p);
-    if (!s.setup.motion) continue;
+    if (!s.setup.motion && !s.setup.initial_velocity) continue;
     const Vector3 v = initial_velocity(s.setup, X);
     for (int d = 0; d < Dim; ++d) s.column(Column::velocity, d)[p] = v(d);
     if (!s.setup.method.is_affine()) continue;

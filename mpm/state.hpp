@@ -28,7 +28,12 @@ struct Ledger {
   double angular_impulse = 0;       ///< of the body force, about E_z [N m s]
   double external_work = 0;         ///< of the body force [J]
   double internal_work = 0;         ///< of the stress [J]
-  double mass_defect = 0;           ///< largest |grid mass - particle mass| / particle mass
+  /// Of the grid's momentum about E_z, affine parts of the particles included, before a step's forces: the first, its
+  /// largest difference to that and the impulse given since, and the largest sum of |x m v| [N m s].
+  std::optional<double> grid_angular;
+  double grid_angular_defect = 0, grid_angular_scale = 0;
+  double angular_impulse_before = 0;  ///< this step [N m s]
+  double mass_defect = 0;             ///< largest |grid mass - particle mass| / particle mass
 };
 
 /// Where a thread adds up what its tile gives to the grid; zero between tiles.

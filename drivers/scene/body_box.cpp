@@ -48,6 +48,24 @@ Box corner_swept_box(const Scene& scene) {
   return box;
 }
 
+/// Of a body that is left to itself: its circle where it spins, and its flight. How far it vibrates is not known.
+Box flight_box(const Scene& scene, const InitialVelocity& v) {
+  Box box = body_box(scene);
+  if (v.spin != 0) {
+    const std::array<double, 2> middle{0.5 * (box.lower[0] + box.upper[0]), 0.5 * (box.lower[1] + box.upper[1])};
+    const double radius = 0.5 * std::hypot(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
+    for (std::size_t d = 0; d < 2; ++d) box.lower[d] = middle[d] - radius, box.upper[d] = middle[d] + radius;
+  }
+  const double x = 0.5 * (box.lower[0] + box.upper[0]), y = 0.5 * (box.lower[1] + box.upper[1]);
+  const std::array<double, 2> of_middle{v.velocity[0] + v.stretching[0] * x + (v.stretching[2] - v.spin) * y,
+                                        v.velocity[1] + (v.stretching[2] + v.spin) * x + v.stretching[1] * y};
+  for (std::size_t d = 0; d < 2; ++d) {
+    box.lower[d] += std::min(0.0, of_middle[d] * scene.time.end);
+    box.upper[d] += std::max(0.0, of_middle[d] * scene.time.end);
+  }
+  return box;
+}
+
 }  // namespace
 
 Box body_box(const Scene& scene) {
@@ -57,6 +75,7 @@ Box body_box(const Scene& scene) {
 }
 
 Box swept_box(const Scene& scene) {
+  if (scene.body.initial_velocity) return flight_box(scene, *scene.body.initial_velocity);
   if (!ring_of(scene.motion)) return corner_swept_box(scene);
   if (const auto* ring = std::get_if<TwistingRing>(&scene.motion)) {
     double outer = ring->outer();

@@ -28,6 +28,13 @@ struct MaterialChoice {
   std::map<std::string, Location> parameter_where;
 };
 
+/// Of a body that is left to itself: v = velocity + L X, L of a spin and a stretching.
+struct InitialVelocity {
+  std::array<double, 2> velocity{};    ///< of the origin [m/s]
+  double spin = 0;                     ///< about E_z through the origin [rad/s]
+  std::array<double, 3> stretching{};  ///< D11, D22, D12 [1/s]
+};
+
 struct Body {
   enum class Domain { ring, square, box };
   enum class Outside { held, free };
@@ -46,6 +53,7 @@ struct Body {
   bool is_periodic(std::size_t d) const {
     return periodic == Periodic::both || periodic == (d == 0 ? Periodic::x : Periodic::y);
   }
+  std::optional<InitialVelocity> initial_velocity;  ///< absent: that of the motion
 };
 
 struct GridChoice {

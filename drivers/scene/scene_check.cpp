@@ -193,6 +193,17 @@ void check_body(const Scene& scene, const Where& where) {
   }
 }
 
+void check_initial_velocity(const Scene& scene, const Where& where) {
+  const std::string key = "body.initial_velocity";
+  if (scene.force.response != ForceChoice::Response::none) {
+    refuse(where, key, "is of a body left to itself, and b is that of the motion: take force.response: none");
+  }
+  if (scene.frame) refuse(where, key, "and frame both say what is seen at the beginning");
+  if (scene.body.outside == Body::Outside::held) {
+    refuse(where, key, "moves what body.outside: held holds");
+  }
+}
+
 void check_method(const Scene& scene, const Where& where) {
   const Method& method = *scene.method;
   if (scene.places.contains("method.terms") && !method.has_terms()) {
@@ -264,6 +275,7 @@ void check_scene(const Scene& scene, const std::function<Location(const std::str
   check_lattice(scene, where);
   if (scene.method && !scene.grid) refuse(where, "grid", "required by method and not given");
   if (scene.frame) check_frame(scene, where);
+  if (scene.body.initial_velocity) check_initial_velocity(scene, where);
   if (scene.grid) check_grid(scene, where);
   if (scene.method) check_method(scene, where);
   if (scene.force.inertia == mpm::Inertia::particles) check_inertia(scene, where);

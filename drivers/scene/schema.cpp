@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "drivers/output/result_json.hpp"
 #include "drivers/scene/expect.hpp"
-#include "drivers/scene/scene_keys.hpp"
-#include "drivers/verbs.hpp"
+#include "drivers/scene/schema_parts.hpp"
 
 namespace assay::drivers {
 
@@ -20,7 +18,7 @@ using Json = nlohmann::ordered_json;
 /// Every kind of scene, with the optional parts present: what the table's keys are asked for their defaults.
 std::vector<Scene> kinds_of_scene() {
   Scene ring;
-  ring.grid.emplace(), ring.method.emplace(), ring.frame.emplace();
+  ring.grid.emplace(), ring.method.emplace(), ring.frame.emplace(), ring.body.initial_velocity.emplace();
   std::vector<Scene> kinds{ring};
   const auto add = [&](const Motion& motion, Body::Domain domain) {
     kinds.push_back(ring);
@@ -47,7 +45,7 @@ Json list_schema(const Json& items, int count) {
   return {{"type", "array"}, {"items", items}, {"minItems", count}, {"maxItems", count}};
 }
 
-Json type_schema(const Key& key) {
+Json type_json(const Key& key) {
   switch (key.type) {
     case KeyType::number:
       return number_schema(key.range);
@@ -69,6 +67,24 @@ Json type_schema(const Key& key) {
   return {};
 }
 
+Json expectation_json(const std::string& key, const std::vector<std::string>& outcomes) {
+  const Json number{{"type", "number"}};
+  Json operators = Json::array();
+  for (const std::string& name : expectation_operators()) {
+    Json one{{"type", "object"}, {"additionalProperties", false}, {"required", Json::array({name})}};
+    one["properties"][name] = name == "between" ? list_schema(number, 2) : number;
+    operators.push_back(one);
+  }
+  if (!is_text_figure(key)) {
+    operators.push_back(number);
+    return {{"oneOf", operators}};
+  }
+  const Json text = key == "outcome" ? Json{{"enum", outcomes}} : Json{{"type", "string"}};
+  Json equals{{"type", "object"}, {"additionalProperties", false}, {"required", Json::array({"equals"})}};
+  equals["properties"]["equals"] = text;
+  return {{"oneOf", Json::array({text, equals})}};
+}
+
 Json default_of(const Key& key) {
   for (const Scene& scene : kinds_of_scene()) {
     if (!applies(key, scene)) continue;
@@ -82,7 +98,7 @@ Json default_of(const Key& key) {
 }
 
 Json key_schema(const Key& key) {
-  Json out = type_schema(key);
+  Json out = type_json(key);
   std::string doc = key.doc;
   if (!key.derived.empty()) doc += "; default: " + key.derived;
   out["description"] = doc;
@@ -90,29 +106,11 @@ Json key_schema(const Key& key) {
   return out;
 }
 
-Json expectation_schema(const std::string& key) {
-  const Json number{{"type", "number"}};
-  Json operators = Json::array();
-  for (const std::string& name : expectation_operators()) {
-    Json one{{"type", "object"}, {"additionalProperties", false}, {"required", Json::array({name})}};
-    one["properties"][name] = name == "between" ? list_schema(number, 2) : number;
-    operators.push_back(one);
-  }
-  if (!is_text_figure(key)) {
-    operators.push_back(number);
-    return {{"oneOf", operators}};
-  }
-  const Json text = key == "outcome" ? Json{{"enum", known_outcomes()}} : Json{{"type", "string"}};
-  Json equals{{"type", "object"}, {"additionalProperties", false}, {"required", Json::array({"equals"})}};
-  equals["properties"]["equals"] = text;
-  return {{"oneOf", Json::array({text, equals})}};
-}
-
 Json free_section(const Section& section) {
   Json out{{"type", "object"}, {"description", section.doc}};
   if (section.path == "expect") {
     out["additionalProperties"] = false;
-    for (const std::string& key : flat_keys()) out["properties"][key] = expectation_schema(key);
+    for (const std::string& key : flat_keys()) out["properties"][key] = expectation_json(key, known_outcomes());
   } else {
     out["additionalProperties"] = {{"type", "number"}};
   }
@@ -159,6 +157,12 @@ Json object_schema(const std::string& path, const Scene& scene) {
 
 }  // namespace
 
+std::string type_schema(const Key& key) { return type_json(key).dump(); }
+
+std::string expectation_schema(const std::string& key, const std::vector<std::string>& outcomes) {
+  return expectation_json(key, outcomes).dump();
+}
+
 std::string schema_json() {
   const std::vector<Scene> kinds = kinds_of_scene();
   Json out = object_schema("", kinds[0]);
@@ -169,11 +173,6 @@ std::string schema_json() {
   Json head{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "assay scene"}};
   head.update(out);
   return head.dump(2) + "\n";
-}
-
-int schema() {
-  std::cout << schema_json();
-  return 0;
 }
 
 }  // namespace assay::drivers

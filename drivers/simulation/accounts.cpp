@@ -17,7 +17,9 @@ Accounts::Amounts Accounts::amounts_of(const mpm::State<2>& s) {
     a.momentum[0] += m * v[0];
     a.momentum[1] += m * v[1];
     a.momentum_scale += m * std::sqrt(square);
-    a.angular_momentum += m * (s.column(Column::position, 0)[p] * v[1] - s.column(Column::position, 1)[p] * v[0]);
+    const double moment = m * (s.column(Column::position, 0)[p] * v[1] - s.column(Column::position, 1)[p] * v[0]);
+    a.angular_momentum += moment;
+    a.angular_scale += std::abs(moment);
     a.kinetic_energy += 0.5 * m * square;
   }
   return a;
@@ -27,7 +29,7 @@ Accounts::Accounts(const mpm::State<2>& state)
     : first_(amounts_of(state)),
       held_(state.setup.hold_outside || state.setup.has_images()),
       momentum_scale_(first_.momentum_scale),
-      angular_scale_(std::abs(first_.angular_momentum)),
+      angular_scale_(first_.angular_scale),
       energy_scale_(first_.kinetic_energy) {}
 
 void Accounts::check(const mpm::State<2>& s) {
@@ -37,8 +39,9 @@ void Accounts::check(const mpm::State<2>& s) {
   for (std::size_t d = 0; d < 2; ++d) {
     momentum_ = std::max(momentum_, std::abs(now.momentum[d] - first_.momentum[d] - given.impulse[d]));
   }
-  angular_scale_ = std::max(angular_scale_, std::abs(now.angular_momentum));
+  angular_scale_ = std::max(angular_scale_, now.angular_scale);
   angular_ = std::max(angular_, std::abs(now.angular_momentum - first_.angular_momentum - given.angular_impulse));
+  if (given.grid_angular) angular_ = given.grid_angular_defect, angular_scale_ = given.grid_angular_scale;
   energy_scale_ = std::max({energy_scale_, now.kinetic_energy, std::abs(given.internal_work)});
   energy_ = std::max(energy_,
                      std::abs(now.kinetic_energy - first_.kinetic_energy + given.internal_work - given.external_work));

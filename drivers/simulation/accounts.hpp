@@ -20,6 +20,7 @@ class Accounts {
     double momentum[2] = {};      ///< [N s]
     double momentum_scale = 0;    ///< sum of m |v| [N s]
     double angular_momentum = 0;  ///< about E_z [N m s]
+    double angular_scale = 0;     ///< sum of its parts' sizes [N m s]
     double kinetic_energy = 0;    ///< [J]
   };
   static Amounts amounts_of(const mpm::State<2>& state);

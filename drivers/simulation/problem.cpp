@@ -163,6 +163,10 @@ void choose_forces(Problem& problem) {
 
 }  // namespace
 
+mpm::AffineVelocity<2> affine_velocity(const InitialVelocity& v) {
+  return {v.velocity, {v.stretching[0], v.stretching[2] - v.spin, v.stretching[2] + v.spin, v.stretching[1]}};
+}
+
 Problem assemble(const Scene& given, int threads) {
   Problem problem;
   problem.scene = given;
@@ -182,6 +186,7 @@ Problem assemble(const Scene& given, int threads) {
   choose_forces(problem);
   setup.motion = scene.motion;
   setup.frame = scene.frame;
+  if (scene.body.initial_velocity) setup.initial_velocity = affine_velocity(*scene.body.initial_velocity);
   setup.hold_outside = scene.body.domain != Body::Domain::ring && scene.body.outside == Body::Outside::held;
   setup.accounts = scene.output.accounts;
   setup.threads = threads;

@@ -94,7 +94,7 @@ class Run {
 
   void observe(std::int64_t k) {
     const bool shot = due_.shots.contains(k), sample = due_.samples.contains(k) || (shot && sampler_);
-    const bool account = accounts_ && (sample || k == problem_.steps);
+    const bool account = accounts_ && (sample || due_.accounts.contains(k));
     if (!shot && !sample && !account) return;
     const double t = problem_.time_of_step(k), cpu_at_start = cpu_seconds();
     auto start = Clock::now();
@@ -169,7 +169,8 @@ Observations observations_of(const Problem& problem) {
   return {schedule(problem, compared ? std::max(output.errors, 1) : 0),
           schedule(problem, output.particles > 0          ? output.particles
                             : output.pictures && compared ? 2
-                                                          : 0)};
+                                                          : 0),
+          schedule(problem, output.accounts ? std::max(output.errors, 1) : 0)};
 }
 
 void simulate(Problem& problem, std::shared_ptr<const ExactSolution> exact, Snapshots& snapshots, Progress& progress,

@@ -13,8 +13,9 @@ namespace assay::drivers {
 
 /// Steps after which the run is looked at; the begin, the end and T/2 are among them.
 struct Observations {
-  std::set<std::int64_t> samples;  ///< of the error; empty where there is no exact solution to compare with
-  std::set<std::int64_t> shots;    ///< snapshots for VTU files and pictures
+  std::set<std::int64_t> samples;   ///< of the error; empty where there is no exact solution to compare with
+  std::set<std::int64_t> shots;     ///< snapshots for VTU files and pictures
+  std::set<std::int64_t> accounts;  ///< of momentum and energy
 };
 Observations observations_of(const Problem& problem);
 

@@ -49,7 +49,20 @@ double fastest_of_vortex(const Vortex& vortex, double end) {
   return profile * rate;
 }
 
+/// A body that is left to itself: at the beginning, at its farthest corner. What it releases is in the fastest wave.
+double fastest_of(const InitialVelocity& v, const Box& box) {
+  double fastest = 0;
+  for (const double x : {box.lower[0], box.upper[0]}) {
+    for (const double y : {box.lower[1], box.upper[1]}) {
+      fastest = std::max(fastest, std::hypot(v.velocity[0] + v.stretching[0] * x + (v.stretching[2] - v.spin) * y,
+                                             v.velocity[1] + (v.stretching[2] + v.spin) * x + v.stretching[1] * y));
+    }
+  }
+  return fastest;
+}
+
 double fastest_of_motion(const Scene& scene) {
+  if (scene.body.initial_velocity) return fastest_of(*scene.body.initial_velocity, body_box(scene));
   if (const auto* vortex = std::get_if<Vortex>(&scene.motion)) return fastest_of_vortex(*vortex, scene.time.end);
   double fastest = 0;
   for (const Vector3& X : places_of(scene)) {

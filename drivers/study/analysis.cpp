@@ -28,7 +28,7 @@ const std::vector<double>* readings_of(const StudyCase& one, const std::string& 
 }
 
 void fill_figures(const Study& study, StudyCase& one) {
-  one.work = number_of(one, "work.particle_steps");
+  one.work = number_of(one, work_key);
   if (one.completed()) one.error = number_of(one, study.error);
   if (const auto* readings = readings_of(one, study.cost)) {
     if (one.clock.alone && !readings->empty()) {

@@ -203,6 +203,16 @@ StudyCase CaseStore::read(const PlannedCase& one) const {
   return found;
 }
 
+std::size_t CaseStore::finished_besides(const std::set<std::string>& keys) const {
+  std::size_t count = 0;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder_ / "cases", error), end; !error && entry != end; entry.increment(error)) {
+    const std::string key = entry->path().filename().string();
+    count += !keys.contains(key) && fs::is_regular_file(entry->path() / record_file, error) ? 1 : 0;
+  }
+  return count;
+}
+
 bool CaseStore::take(const PlannedCase& one, const CaseStore& from, CaseState state) const {
   if (from.state_of(one.key) != state) return false;
   const fs::path folder = folder_of(one.key), source = from.folder_of(one.key);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "drivers/study/case_lock.hpp"
@@ -47,6 +48,9 @@ class CaseStore {
 
   /// What a finished case has found; the outcome is `missing` of any other.
   StudyCase read(const PlannedCase& one) const;
+
+  /// How many finished cases there are whose keys are none of these.
+  std::size_t finished_besides(const std::set<std::string>& keys) const;
 
   /// Copies a case that is finished, or has crashed, in another study's folder; false where it is not so there, or the
   /// case is being run here. Throws SystemError.

@@ -17,7 +17,7 @@ struct Words {
 };
 
 constexpr std::array words{
-    Words{"error.relative", "largest L2 error of the displacement, over the largest displacement", ""},
+    Words{"error.relative", "relative L2 error of the displacement", ""},
     Words{"error.l2_max", "largest L2 error of the displacement", "m"},
     Words{"error.l2_half", "L2 error of the displacement at T/2", "m"},
     Words{"error.l2_end", "L2 error of the displacement at T", "m"},

@@ -65,13 +65,15 @@ std::string answer(const StudyFindings& findings) {
 
 std::string front(const StudyFindings& findings) {
   std::vector<Cells> rows;
+  Cells heads = front_heads(findings);
+  for (std::string& head : heads) head = plain(head);
   for (const std::size_t index : findings.front) {
     const StudyCase& one = findings.cases[index];
     rows.push_back({plain(one.series), plain(resolution_text(findings, one)), error_of(findings, one.error),
-                    cost_of(findings, one.cost), one.work ? count_text(*one.work) : none});
+                    cost_of(findings, one.cost)});
+    if (rows.back().size() < heads.size()) rows.back().push_back(one.work ? count_text(*one.work) : none);
   }
-  return section("The cases on the front", {"case", "resolution", "error", plain(findings.cost_name), "particle-steps"},
-                 rows);
+  return section("The cases on the front", heads, rows);
 }
 
 std::string orders(const StudyFindings& findings) {

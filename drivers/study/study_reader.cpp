@@ -17,22 +17,6 @@ namespace {
 
 constexpr int most_cases = 100000;
 
-const std::vector<std::string>& top_keys() {
-  static const std::vector<std::string> keys{"title", "question", "scene",  "set",       "axes",  "sampling",
-                                             "cases", "exclude",  "refine", "error",     "cost",  "invalid",
-                                             "limit", "timing",   "budget", "published", "expect"};
-  return keys;
-}
-
-const std::vector<std::string>& study_outcomes() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all = known_outcomes();
-    for (const char* more : {"n/a", "crashed", "stopped"}) all.emplace_back(more);
-    return all;
-  }();
-  return names;
-}
-
 /// A selection whose axes and values exist.
 Selection selection_of(const Tree& map, const std::string& key, const Study& study) {
   Selection selection = read_selection(map, key);
@@ -163,6 +147,22 @@ void read_cases(const Tree& root, Study& study) {
 
 }  // namespace
 
+const std::vector<std::string>& study_keys() {
+  static const std::vector<std::string> keys{"title", "question", "scene",  "set",       "axes",  "sampling",
+                                             "cases", "exclude",  "refine", "error",     "cost",  "invalid",
+                                             "limit", "timing",   "budget", "published", "expect"};
+  return keys;
+}
+
+const std::vector<std::string>& study_outcomes() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all = known_outcomes();
+    for (const char* more : {"n/a", "crashed", "stopped"}) all.emplace_back(more);
+    return all;
+  }();
+  return names;
+}
+
 std::string scene_file(const Tree& name) {
   const auto folder = std::filesystem::path(name.where.file).parent_path();
   std::string file = (folder / text_value(name, scene_key)).lexically_normal().string();
@@ -175,8 +175,8 @@ std::string scene_file(const Tree& name) {
 Study study_from_text(const std::string& text, const std::string& file) {
   const Tree root = read_yaml(text, file);
   if (root.kind == Tree::Kind::null) throw InputError({file, 0, 0}, "", "empty");
-  require_map(root, "", joined(top_keys()));
-  refuse_unknown_keys(root, "", top_keys());
+  require_map(root, "", joined(study_keys()));
+  refuse_unknown_keys(root, "", study_keys());
   Study study;
   study.file = file, study.text = text, study.sha256 = sha256_hex(text);
   const Tree* scene = root.find(scene_key);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "drivers/study/study.hpp"
 
@@ -16,6 +17,12 @@ Study study_from_text(const std::string& text, const std::string& file);
 
 /// The file that a study names as a base scene, from the working directory. Throws InputError where there is none.
 std::string scene_file(const Tree& name);
+
+/// The keys of a study.
+const std::vector<std::string>& study_keys();
+
+/// What can become of a case: the outcomes of a run, and more.
+const std::vector<std::string>& study_outcomes();
 
 /// What `expect:` of a study takes beside the keys of result.json: figures of a series.
 inline constexpr const char* order_key = "order";            ///< fitted over all resolutions

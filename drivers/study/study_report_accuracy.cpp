@@ -46,19 +46,20 @@ std::string fit_text(const std::optional<FittedOrder>& fit) {
 std::string pareto(const StudyFindings& findings) {
   if (findings.front.empty()) return {};
   Rows rows;
+  std::vector<std::string> heads = front_heads(findings);
+  for (std::string& head : heads) head = escaped(head);
   for (const std::size_t index : findings.front) {
     const StudyCase& one = findings.cases[index];
     const std::string spread = spread_text(one.cost_spread);
     rows.push_back({escaped(one.series), unbroken(resolution_text(findings, one)), cell(findings, one.error, error_of),
-                    cell(findings, one.cost, cost_text) + (spread.empty() ? "" : element("small", spread)),
-                    one.work ? count_text(*one.work) : html::none});
+                    cell(findings, one.cost, cost_text) + (spread.empty() ? "" : element("small", spread))});
+    if (rows.back().size() < heads.size()) rows.back().push_back(one.work ? count_text(*one.work) : html::none);
   }
-  return html::section(
-      "The cases on the front",
-      html::table({"case", "resolution", "error", escaped(findings.cost_name), "particle-steps"}, rows) +
-          "<p class=\"tally\"><small>No other case is both cheaper and more accurate. Cases that use "
-          "the exact solution do not take part.</small></p>\n" +
-          data_link("pareto.csv"));
+  return html::section("The cases on the front",
+                       html::table(heads, rows) +
+                           "<p class=\"tally\"><small>No other case is both cheaper and more accurate. Cases that use "
+                           "the exact solution do not take part.</small></p>\n" +
+                           data_link("pareto.csv"));
 }
 
 std::string digits(const StudyFindings& findings) {
@@ -94,7 +95,7 @@ std::string histories(const StudyFindings& findings) {
     for (const auto& [t, error] : one.history) series.x.push_back(t), series.y.push_back(error);
     plot.series.push_back(series);
     legend += "<li><i style=\"background:var(--series-" + std::to_string(k) + "," + css_color(series_color(k)) +
-              ")\"></i>" + escaped(one.label) + "</li>\n";
+              ")\"></i>" + escaped(one.completed() ? one.label : one.label + ", " + outcome_text(one)) + "</li>\n";
   }
   return html::section("Errors over time", "<ul class=\"legend\">\n" + legend + "</ul>\n<figure>" + svg(plot) +
                                                "</figure>\n" + data_link("histories.csv"));

@@ -128,7 +128,9 @@ std::string work_precision(const StudyFindings& findings) {
 
 std::string work_instead(const StudyFindings& findings) {
   const bool any = std::any_of(findings.cases.begin(), findings.cases.end(), [](const auto& one) { return one.work; });
-  return any ? html::section("The same in particle-steps, without a clock", picture(findings, CostAxis::work)) : "";
+  return any && findings.cost_key != work_key
+             ? html::section("The same in particle-steps, without a clock", picture(findings, CostAxis::work))
+             : "";
 }
 
 }  // namespace assay::drivers::study_page

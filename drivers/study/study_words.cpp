@@ -94,11 +94,23 @@ std::vector<std::size_t> drawn_histories(const StudyFindings& findings) {
   }
   constexpr std::size_t most = 7;
   if (drawn.size() > most) drawn.erase(drawn.begin(), drawn.end() - most);  // the most accurate stay
-  if (!drawn.empty()) return drawn;
-  for (const auto& end : {best_case(findings), worst_case(findings)}) {
-    if (end && !findings.cases[*end].history.empty() && (drawn.empty() || drawn.front() != *end)) drawn.push_back(*end);
+  std::size_t levels = 0;
+  for (const StudySeries& series : findings.series) levels = std::max(levels, series.cases.size());
+  for (std::size_t back = 1; back <= levels; ++back) {
+    for (const StudySeries& series : findings.series) {
+      if (drawn.size() == most || back > series.cases.size()) continue;
+      const std::size_t i = series.cases[series.cases.size() - back];
+      const bool known = std::find(drawn.begin(), drawn.end(), i) != drawn.end();
+      if (!known && !findings.cases[i].history.empty()) drawn.push_back(i);
+    }
   }
   return drawn;
+}
+
+std::vector<std::string> front_heads(const StudyFindings& findings) {
+  std::vector<std::string> heads{"case", "resolution", "error", findings.cost_name};
+  if (findings.cost_key != work_key) heads.emplace_back("particle-steps");
+  return heads;
 }
 
 std::string cases_text(std::ptrdiff_t count) {

@@ -49,6 +49,11 @@ bool has_published(const StudyFindings& findings);
 /// The beginning of a sentence, cut between words.
 std::string cut_text(const std::string& text, std::size_t length);
 
+inline constexpr const char* work_key = "work.particle_steps";
+
+/// Heads of the columns of the front: particle-steps stand there once.
+std::vector<std::string> front_heads(const StudyFindings& findings);
+
 /// Whether the words of a study name times, which differ from machine to machine.
 bool is_time(const StudyFindings& findings);
 
@@ -56,7 +61,7 @@ bool is_time(const StudyFindings& findings);
 std::optional<std::size_t> least_work(const StudyFindings& findings, double error);
 
 /// At most seven cases whose error is drawn over time: the most accurate of the front by particle-steps, which is the
-/// same on any machine, else the best and the worst.
+/// same on any machine; where these are fewer, the finest of each series, and then their coarser ones, too.
 std::vector<std::size_t> drawn_histories(const StudyFindings& findings);
 
 }  // namespace assay::drivers

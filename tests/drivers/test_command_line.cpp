@@ -164,6 +164,8 @@ TEST_F(CommandLine, SchemaAndMaterialsPrintOnStandardOutput) {
   const Outcome schema = call({"schema"});
   EXPECT_EQ(schema.status, 0);
   EXPECT_TRUE(schema.out.starts_with("{\n"));
+  EXPECT_NE(schema.out.find("\"assay scene\""), std::string::npos);
+  EXPECT_NE(call({"schema", "--study"}).out.find("\"assay study\""), std::string::npos);
   EXPECT_EQ(call({"materials", "neo_hookean", "--json"}).out.substr(0, 2), "{\n");
   EXPECT_EQ(call({"materials", "--quiet"}).status, 0);
 }

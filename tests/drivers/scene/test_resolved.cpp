@@ -94,6 +94,7 @@ TEST(Resolved, HoldsEveryKeyThatApplies) {
       "f");
   scene.material.direction = {0.0, 1.0, 0.0};  // of a model that has one
   scene.material.isolation = Isolation::none;  // filled in with the material
+  scene.body.initial_velocity.emplace();       // of a scene without a force
   const std::string text = resolved_yaml(scene);
   const Tree root = read_yaml(text, "resolved");
   for (const Key& key : scene_keys()) {

@@ -66,6 +66,22 @@ TEST(StudyResume, KilledTwentyTimesItFindsTheSame) {
   EXPECT_EQ(same_in_every_run(small.scratch / "killed"), same_in_every_run(small.scratch / "undisturbed"));
 }
 
+TEST(StudyResume, CasesOfAnotherKeyAreNotTakenAndThatIsSaid) {
+  const SmallStudy small;
+  ASSERT_EQ(small.run("out").status, 0);
+  EXPECT_EQ(small.run("out", {"--merge"}).said.find("are missing"), std::string::npos);
+  const fs::path first = case_folders(small.scratch / "out").front();
+  fs::rename(first, first.parent_path() / std::string(32, 'f'));
+  const std::string warning = "warning: cases are missing, and 1 finished one is of another key";
+  const Ending merged = small.run("out", {"--merge"});
+  EXPECT_EQ(merged.status, 1);
+  EXPECT_NE(merged.said.find(warning), std::string::npos) << merged.said;
+  const Ending resumed = small.run("out", {"--resume"});
+  EXPECT_EQ(resumed.status, 0);
+  EXPECT_NE(resumed.said.find(warning), std::string::npos) << resumed.said;
+  EXPECT_EQ(small.run("out", {"--merge"}).said.find("are missing"), std::string::npos) << "nothing is missing any more";
+}
+
 TEST(StudyResume, FinishedCasesAreKeptAndThatIsSaid) {
   const SmallStudy small;
   ASSERT_EQ(small.run("out").status, 0);

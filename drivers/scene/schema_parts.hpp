@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the schemas of scenes and of studies share, as JSON text.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "drivers/scene/scene_keys.hpp"
+
+namespace assay::drivers {
+
+/// The values of a key of a scene.
+std::string type_schema(const Key& key);
+
+/// What may be expected of a figure of result.json; `outcomes` are those that there may be.
+std::string expectation_schema(const std::string& key, const std::vector<std::string>& outcomes);
+
+}  // namespace assay::drivers
