@@ -34,6 +34,12 @@ class SystemError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Another run writes into the folder.
+class FolderBusy : public SystemError {
+ public:
+  using SystemError::SystemError;
+};
+
 /// The text on one line: control characters become blanks (those that turn the direction of writing too), what is no
 /// UTF-8 becomes a question mark, what exceeds `limit` bytes is cut and marked by "...".
 std::string one_line(std::string_view text, std::size_t limit = 4096);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cstdlib>
+#include <initializer_list>
 
 #include "drivers/command_line.hpp"
 #include "drivers/exit_guard.hpp"
@@ -13,4 +15,18 @@ extern "C" [[gnu::visibility("default")]] void _Exit(int status) noexcept {
   assay::drivers::leave_process_guarded(status);
 }
 
-int main(int argc, char** argv) { return assay::drivers::command_line(argc, argv); }
+namespace {
+
+/// A stream that the caller has closed stays unusable: the first file that is opened must not take its place.
+void keep_standard_streams() {
+  for (const int stream : {0, 1, 2}) {
+    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  keep_standard_streams();
+  return assay::drivers::command_line(argc, argv);
+}

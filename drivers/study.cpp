@@ -66,10 +66,15 @@ class Teller {
 void warn_of_earlier(const Plan& plan, const CaseStore& store, const StudyOptions& options) {
   if (options.resume || options.verbosity == Verbosity::quiet) return;
   std::size_t finished = 0;
+  std::set<std::string> keys;  // a case that is planned twice is run once, by the shard that it is in first
   for (const PlannedCase& one : plan.cases) {
-    finished += options.shard.holds(one.number) && store.state_of(one.key) == CaseState::finished ? 1 : 0;
+    const bool first = keys.insert(one.key).second;
+    finished += first && options.shard.holds(one.number) && store.state_of(one.key) == CaseState::finished ? 1 : 0;
   }
-  if (finished > 0) std::fprintf(stderr, "warning: %zu finished cases are run again; --resume keeps them\n", finished);
+  if (finished > 0) {
+    std::fprintf(stderr, "warning: %zu finished %s run again; --resume keeps %s\n", finished,
+                 finished == 1 ? "case is" : "cases are", finished == 1 ? "it" : "them");
+  }
 }
 
 void say_what_was_kept(const RunnerSummary& summary, const StudyOptions& options) {
@@ -126,6 +131,7 @@ void gather(const Plan& plan, const CaseStore& store, const StudyOptions& option
     stop_if_interrupted();
     if (!one.invalid.empty() || state(store) == CaseState::finished || take(CaseState::finished)) continue;
     if (state(store) == CaseState::crashed || take(CaseState::crashed)) continue;
+    if (state(store) == CaseState::stopped || take(CaseState::stopped)) continue;
     const bool is_torn = state(store) == CaseState::torn ||
                          std::any_of(others.begin(), others.end(),
                                      [&](const CaseStore& from) { return state(from) == CaseState::torn; });

@@ -15,11 +15,11 @@ namespace {
 
 bool has_logarithm(double value) { return value > 0 && std::isfinite(value); }
 
-/// Two digits after the point.
-std::string order_text(double order) {
+std::string order_text(double order, int digits_after_point = 2) {
   if (std::abs(order) < 0.005) return "0.00";  // without a sign
   std::array<char, 400> text;
-  const auto done = std::to_chars(text.data(), text.data() + text.size(), order, std::chars_format::fixed, 2);
+  const auto done =
+      std::to_chars(text.data(), text.data() + text.size(), order, std::chars_format::fixed, digits_after_point);
   return {text.data(), done.ptr};
 }
 
@@ -102,7 +102,8 @@ RangeJudgement asymptotic_range(const std::vector<double>& h, const std::vector<
   }
   const bool agree = apart <= order_tolerance;
   return {agree ? AsymptoticRange::reached : AsymptoticRange::not_reached,
-          (agree ? "reached: " : "not reached: ") + found + " differ by " + order_text(apart) +
+          (agree ? "reached: " : "not reached: ") + found + " differ by " +
+              order_text(apart, std::abs(apart - order_tolerance) < 0.005 ? 4 : 2) +
               (agree ? ", at most " : ", more than ") + short_text(order_tolerance)};
 }
 

@@ -107,7 +107,7 @@ bool OutputFolder::lock() {
   if (lock_ < 0) return true;  // a folder that may be written and not read
   if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
     // Some network file systems cannot lock a folder: then two runs at once are the user's affair.
-    if (errno == EWOULDBLOCK) throw SystemError(target_.string() + ": another run is writing here");
+    if (errno == EWOULDBLOCK) throw FolderBusy(target_.string() + ": another run is writing here");
     return true;
   }
   struct stat locked = {}, there = {};

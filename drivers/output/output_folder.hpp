@@ -14,7 +14,8 @@ namespace assay::drivers {
 std::vector<std::string> result_files();
 
 /// One run's result folder, locked against a second writer as long as this lives. Every failure (unwritable folder,
-/// full disk, a file in the way, another run that writes here) throws SystemError with the path and the reason.
+/// full disk, a file in the way) throws SystemError with the path and the reason, another run that writes here
+/// FolderBusy.
 class OutputFolder {
  public:
   /// Creates `target` and its parents where they are missing, and the staging folder inside it. `names` are the

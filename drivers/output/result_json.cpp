@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/output/result_json.hpp"
 
+#include "drivers/output/json_depth.hpp"
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -218,6 +220,7 @@ std::vector<std::string> flat_keys() {
 }
 
 std::optional<ReadResult> read_result_json(const std::string& text) {
+  if (is_nested_deeply(text)) return std::nullopt;
   const Json root = Json::parse(text, nullptr, false);
   if (!root.is_object() || !root.value("outcome", Json()).is_string()) return std::nullopt;
   ReadResult read;

@@ -148,6 +148,11 @@ std::vector<std::string> warnings_of(const Plan& plan, const StudyFindings& find
     warnings.push_back(cases_text(disturbed) + " timed while other programs kept more than " + disturbing_text() +
                        " busy");
   }
+  if (plan.study.budget && findings.budget.empty()) warnings.emplace_back("budget: no case is among those of 'of'");
+  for (const BudgetLine& line : findings.budget) {
+    if (line.share && *line.share == 0)
+      warnings.push_back("budget: " + line.changed + " changes nothing: the run of '" + line.source + "' is the same");
+  }
   if (findings.machines.size() > 1)
     warnings.emplace_back("the cases were run on different machines: costs do not compare");
   if (const int missing = findings.count("missing"); missing > 0)
@@ -193,7 +198,9 @@ Figure cost_at(const std::vector<StudyCase>& cases, const StudySeries& series, d
 }
 
 StudyFindings analysed(const Plan& plan, std::vector<StudyCase> cases) {
-  const Study& study = plan.study;
+  Study study = plan.study;
+  const bool untimed = study.timing.none && name_and_unit(study.cost).second == "s";
+  if (untimed) study.cost = work_key;
   StudyFindings findings;
   findings.title = study.title, findings.question = study.question, findings.study_yaml = study.text;
   findings.error_key = study.error, findings.cost_key = study.cost, findings.refine_key = study.refine;
@@ -218,6 +225,7 @@ StudyFindings analysed(const Plan& plan, std::vector<StudyCase> cases) {
   findings.budget = budget_of(plan, findings.cases);
   findings.expect = judged_of(study, findings);
   findings.warnings = warnings_of(plan, findings);
+  if (untimed) findings.warnings.emplace_back("timing: none: what cases cost is counted in particle-steps");
   return findings;
 }
 

@@ -2,6 +2,7 @@
 #include "drivers/study/axes_reader.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "drivers/output/numbers.hpp"
@@ -41,6 +42,7 @@ Span read_span(const Tree& map, const std::string& key) {
   range.whole = span.whole;
   span.from = number_value(*map.find("from"), key_path(key, "from"), range);
   span.to = number_value(*to, key_path(key, "to"), range);
+  if (!std::isfinite(span.to - span.from)) throw InputError(to->where, key_path(key, "to"), "is too far from 'from'");
   if (!(span.from < span.to)) throw InputError(to->where, key_path(key, "to"), "must be greater than from");
   if (span.logarithmic && !(span.from > 0)) throw InputError(map.where, key, "a logarithmic span begins above 0");
   return span;
@@ -110,14 +112,54 @@ std::set<std::string> keys_of(const StudyAxis& axis) {
   return keys;
 }
 
+/// Whether a level of the axis sets the path: by itself, or in the map of one above it.
+bool gives(const StudyAxis& axis, const std::string& path) {
+  const auto sets = [&](const Setting& setting) {
+    if (setting.path == path) return true;
+    if (!path.starts_with(setting.path + ".")) return false;
+    const Tree* at = &setting.value;
+    std::string rest = path.substr(setting.path.size() + 1);
+    for (std::size_t dot; at && (dot = rest.find('.')) != rest.npos; rest.erase(0, dot + 1))
+      at = at->find(rest.substr(0, dot));
+    return at && at->find(rest);
+  };
+  return std::any_of(axis.levels.begin(), axis.levels.end(), [&](const Level& level) {
+    return std::any_of(level.settings.begin(), level.settings.end(), sets);
+  });
+}
+
 /// The later of two axes may not undo what the earlier has set.
 void check_pair(const StudyAxis& earlier, const StudyAxis& later) {
   for (const std::string& key : keys_of(later)) {
     for (const std::string& other : keys_of(earlier)) {
-      if (other != key && !other.starts_with(key + ".")) continue;
+      const bool holds = other == key || other.starts_with(key + ".");
+      if (!holds && !(key.starts_with(other + ".") && gives(earlier, key))) continue;
       throw InputError(later.where, key_path("axes", one_line(later.name, 80)),
-                       "sets '" + key + (other == key ? "'" : "', and so '" + other + "'") + ", which '" +
-                           one_line(earlier.name, 80) + "' sets too");
+                       "sets '" + key + (other.starts_with(key + ".") ? "', and so '" + other + "'" : "'") +
+                           ", which '" + one_line(earlier.name, 80) + "' sets too");
+    }
+  }
+}
+
+std::string value_at(const Level& level, const std::string& path) {
+  for (const Setting& setting : level.settings) {
+    if (setting.path == path) return flow_text(setting.value);
+  }
+  return {};
+}
+
+/// A series differs in resolution: what else its axis sets are numbers that go with that, or the same for all.
+void check_refined_axis(const StudyAxis& axis, const std::string& refine) {
+  for (const Level& level : axis.levels) {
+    for (const Setting& setting : level.settings) {
+      const std::string value = flow_text(setting.value);
+      if (setting.path == refine || parse_number(value)) continue;
+      const bool same = std::all_of(axis.levels.begin(), axis.levels.end(),
+                                    [&](const Level& other) { return value_at(other, setting.path) == value; });
+      if (same) continue;
+      throw InputError(setting.where, key_path("axes", one_line(axis.name, 80)),
+                       "sets '" + setting.path + "' beside '" + refine +
+                           "': cases of a series differ in resolution alone; make it an axis of its own");
     }
   }
 }
@@ -139,6 +181,10 @@ std::vector<Setting> read_settings(const Tree& map, const std::string& key) {
   std::vector<Setting> settings;
   for (const Tree::Entry& entry : map.entries) {
     check_path(entry.key, entry.key_where, key_path(key, entry.key));
+    for (const Setting& before : settings) {
+      if (entry.key.starts_with(before.path + ".") || before.path.starts_with(entry.key + "."))
+        throw InputError(entry.key_where, key_path(key, entry.key), "stands beside '" + before.path + "'");
+    }
     settings.push_back({entry.key, entry.value, entry.key_where});
   }
   return settings;
@@ -180,6 +226,9 @@ void check_axes(const Study& study) {
   const auto& axes = study.axes;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) check_pair(axes[j], axes[i]);
+  }
+  for (const StudyAxis& axis : axes) {
+    if (!study.refine.empty() && !axis.is_key && sets_key(axis, study.refine)) check_refined_axis(axis, study.refine);
   }
   if (!study.refine.empty() &&
       std::none_of(axes.begin(), axes.end(), [&](const StudyAxis& axis) { return sets_key(axis, study.refine); })) {

@@ -12,7 +12,7 @@ namespace {
 
 std::string state_text(const PlannedCase& one, const CaseStore& store) {
   if (!one.invalid.empty()) return "n/a";
-  constexpr const char* names[] = {"finished", "missing", "torn", "crashed"};
+  constexpr const char* names[] = {"finished", "missing", "torn", "crashed", "stopped"};
   return names[static_cast<std::size_t>(store.state_of(one.key))];
 }
 

@@ -9,7 +9,7 @@
 
 namespace assay::drivers {
 
-/// One line a case, fields divided by tabulators: number, key, state (finished, missing, torn, crashed, n/a),
+/// One line a case, fields divided by tabulators: number, key, state (finished, missing, torn, crashed, stopped, n/a),
 /// particle-steps expected, label.
 std::string list_text(const Plan& plan, const CaseStore& store);
 

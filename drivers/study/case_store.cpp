@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/output/errors_csv.hpp"
+#include "drivers/output/json_depth.hpp"
 #include "drivers/output/whole_file.hpp"
 #include "drivers/scene/sha256.hpp"
 #include "drivers/scene/yaml_reader.hpp"
@@ -40,7 +41,7 @@ std::string record_text(const Json& record) {
 /// The record without its own hash; nothing where it is not what was written.
 std::optional<Json> record_of(const fs::path& folder, const std::string& key) {
   const auto text = bytes_of(folder / record_file);
-  if (!text) return std::nullopt;
+  if (!text || is_nested_deeply(*text)) return std::nullopt;
   Json record = Json::parse(*text, nullptr, false);
   if (!record.is_object() || record.value("key", Json()) != key) return std::nullopt;
   if (!record.value("files", Json()).is_object() || !record.value("clock", Json()).is_object()) return std::nullopt;
@@ -144,13 +145,26 @@ CaseState CaseStore::state_of(const std::string& key) const {
     has_result = has_result || file.key() == result_file;
   }
   if (!record->at("crashed").get_ref<const std::string&>().empty()) return CaseState::crashed;
-  return has_result || record->at("stopped").get<bool>() ? CaseState::finished : CaseState::torn;
+  if (record->at("stopped").get<bool>()) return CaseState::stopped;
+  return has_result ? CaseState::finished : CaseState::torn;
+}
+
+bool CaseStore::is_timed(const std::string& key) const {
+  const auto record = record_of(folder_of(key), key);
+  return record && clock_of(record->at("clock")).alone;
+}
+
+double CaseStore::limit_of(const std::string& key) const {
+  const auto record = record_of(folder_of(key), key);
+  const Json limit = record ? record->value("limit", Json()) : Json();
+  return limit.is_number() ? limit.get<double>() : 0;
 }
 
 fs::path CaseStore::begin(const PlannedCase& one) const {
   const fs::path folder = folder_of(one.key);
   std::error_code error;
   fs::create_directories(folder, error);
+  if (!error && fs::is_symlink(folder, error)) throw SystemError(folder.string() + ": is a link, and not followed");
   if (error) fail(folder, "folder cannot be created", error);
   clear_case(folder);
   write_file(folder / scene_file, one.yaml);
@@ -169,6 +183,7 @@ void CaseStore::finish(const PlannedCase& one, const CaseRecord& record) const {
                {"threads", one.threads},
                {"crashed", record.crashed},
                {"stopped", record.stopped},
+               {"limit", record.limit_s},
                {"clock", json_of(record.clock)},
                {"files", files}};
   // As it will be read: a text that is no UTF-8 is replaced, and a number that is none becomes null.
@@ -195,7 +210,7 @@ StudyCase CaseStore::read(const PlannedCase& one) const {
   found.figures["threads"] = static_cast<double>(one.threads);
   if (state == CaseState::crashed) {
     found.outcome = "crashed", found.reason = record->at("crashed").get<std::string>();
-  } else if (record->at("stopped").get<bool>()) {
+  } else if (state == CaseState::stopped) {
     found.outcome = "stopped", found.reason = "it took longer than the limit of the study";
   } else {
     read_result(folder, found);

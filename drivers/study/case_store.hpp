@@ -18,6 +18,7 @@ struct CaseRecord {
   std::string crashed;   ///< how the process ended, where it left no result
   bool stopped = false;  ///< it took longer than the study allows
   ClockReadings clock;
+  double limit_s = 0;  ///< of the study, where it was stopped [s]
 };
 
 enum class CaseState {
@@ -25,6 +26,7 @@ enum class CaseState {
   missing,  ///< never finished
   torn,     ///< a file is not what it was, or cannot be read
   crashed,  ///< finished without a result: worth another attempt
+  stopped,  ///< took longer than the study's limit: another study may have another
 };
 
 class CaseStore {
@@ -35,6 +37,12 @@ class CaseStore {
   std::filesystem::path folder_of(const std::string& key) const { return folder_ / "cases" / key; }
 
   CaseState state_of(const std::string& key) const;
+
+  /// Whether a case that is not torn was timed alone.
+  bool is_timed(const std::string& key) const;
+
+  /// After which a case was stopped [s]; 0 of another.
+  double limit_of(const std::string& key) const;
 
   /// The right to run the case; none where another study does. Throws SystemError.
   std::optional<CaseLock> lock(const PlannedCase& one) const { return CaseLock::tried(folder_of(one.key)); }

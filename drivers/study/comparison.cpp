@@ -92,6 +92,13 @@ std::vector<Pair> timed_pairs(const Comparison& found, const StudyFindings& A, c
 /// Times of different machines differ by more than noise.
 bool differ_in_machine(const Pair& pair) { return pair.a.clock.machine != pair.b.clock.machine; }
 
+/// The same program and scene: what differs is the clock.
+bool are_the_same(const Pair& pair) { return !pair.a.key.empty() && pair.a.key == pair.b.key; }
+
+bool any_is_disturbed(const Pair& pair) { return is_disturbed(pair.a.clock) || is_disturbed(pair.b.clock); }
+
+bool can_be_judged(const Pair& pair) { return !differ_in_machine(pair) && !any_is_disturbed(pair); }
+
 void match_cases(const StudyFindings& A, const StudyFindings& B, Comparison& found) {
   Matcher matcher(B);
   for (std::size_t i = 0; i < A.cases.size(); ++i) {
@@ -121,6 +128,7 @@ void warn_of_untimed(Comparison& found) {
 
 void compare_figures(const StudyFindings& A, const StudyFindings& B, Comparison& found) {
   const CostNoise noise(A, B);
+  std::ptrdiff_t same = 0;
   for (ComparedCase& one : found.cases) {
     if (one.standing != Standing::compared) continue;
     const StudyCase &a = A.cases[*one.a], &b = B.cases[*one.b];
@@ -128,8 +136,16 @@ void compare_figures(const StudyFindings& A, const StudyFindings& B, Comparison&
     const CostBound bound = noise.between(a, b);
     one.cost = {a.cost, b.cost, bound.bound, 0};
     one.noise_measured = bound.measured;
-    one.cost_judged = !is_measured(A) || !differ_in_machine({a, b});
+    one.cost_judged = !is_measured(A) || can_be_judged({a, b});
     if (a.cost && b.cost && one.cost_judged) one.cost.trend = told_apart(*a.cost, *b.cost, bound.bound);
+    if (one.cost.trend == 0 || !are_the_same({a, b})) continue;
+    one.cost.trend = 0, one.cost_judged = false;
+    ++same;
+  }
+  if (same > 0) {
+    found.warnings.push_back(cases_text(same) +
+                             " slower or faster with the same key, that of one program and scene: "
+                             "it is the clock, and not judged");
   }
 }
 
@@ -142,8 +158,8 @@ void warn_of(const std::vector<Pair>& pairs, const std::string& what, Comparison
 void warn_of_clocks(const std::vector<Pair>& pairs, Comparison& found) {
   warn_of(pairs, "timed on different machines: times are shown and not judged", found, differ_in_machine);
   warn_of(pairs, "not timed alone", found, [](const Pair& p) { return !p.a.clock.alone || !p.b.clock.alone; });
-  warn_of(pairs, "disturbed: others kept more than " + disturbing_text() + " busy", found,
-          [](const Pair& p) { return is_disturbed(p.a.clock) || is_disturbed(p.b.clock); });
+  warn_of(pairs, "disturbed, others kept more than " + disturbing_text() + " busy: times are shown and not judged",
+          found, any_is_disturbed);
   warn_of(pairs,
           "timed once: no measure of noise, a difference counts beyond " + rounded_text(100 * single_floor, 2) + " %",
           found, [](const Pair& p) { return !p.a.cost_spread || !p.b.cost_spread; });
@@ -203,6 +219,10 @@ Comparison compared(const StudyFindings& A, const StudyFindings& B) {
     throw InputError("the studies measure different costs: " + A.cost_key + " and " + B.cost_key);
   Comparison found;
   match_cases(A, B, found);
+  if (!found.cases.empty() &&
+      std::none_of(found.cases.begin(), found.cases.end(), [](const ComparedCase& one) { return one.a && one.b; })) {
+    throw InputError("no case is in both studies: their axes, or the values on these, differ");
+  }
   if (is_measured(A)) warn_of_clocks(timed_pairs(found, A, B), found);
   compare_figures(A, B, found);
   warn_of_untimed(found);

@@ -35,7 +35,7 @@ struct ComparedCase {
   std::string outcome_a, outcome_b;  ///< empty where it is not there
   ComparedFigure error, cost;
   bool noise_measured = true;  ///< of the cost; false: one of the two was run once
-  bool cost_judged = true;     ///< false: times of different machines
+  bool cost_judged = true;     ///< false: times of different machines, disturbed ones, or of one key
   bool is_worse() const;
   bool is_better() const;
   bool is_same() const { return !is_worse() && !is_better() && standing == Standing::compared; }

@@ -26,8 +26,16 @@ int StudyFindings::count(const std::string& outcome) const {
       std::count_if(cases.begin(), cases.end(), [&](const StudyCase& one) { return one.outcome == outcome; }));
 }
 
+bool StudyFindings::ended_badly(const StudyCase& one) const {
+  if (one.outcome != "crashed" && one.outcome != "stopped") return false;
+  return std::none_of(expect.begin(), expect.end(), [&](const StudyExpectationOutcome& line) {
+    return line.where == one.label && line.outcome.key == "outcome" && line.outcome.holds;
+  });
+}
+
 bool StudyFindings::holds() const {
   return count("missing") == 0 &&
+         std::none_of(cases.begin(), cases.end(), [&](const StudyCase& one) { return ended_badly(one); }) &&
          std::all_of(expect.begin(), expect.end(), [](const auto& line) { return line.outcome.holds; });
 }
 

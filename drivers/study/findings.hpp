@@ -110,7 +110,9 @@ struct StudyFindings {
   std::string study_yaml;  ///< the text of the study's file
 
   int count(const std::string& outcome) const;
-  bool holds() const;  ///< all that was expected does, and no case is missing
+  /// Whether a case has crashed or was stopped and nobody expected that.
+  bool ended_badly(const StudyCase& one) const;
+  bool holds() const;  ///< all that was expected does, no case is missing and none ended badly
 };
 
 /// Best and worst completed case by error; none of a study without any.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_keys.hpp"
@@ -47,13 +48,21 @@ int threads_of(const Setting& setting) {
   return static_cast<int>(number_value(setting.value, threads_key, whole));
 }
 
+/// Names of levels that hold what stands between them are quoted where there are several axes with names.
+std::string level_text(const Study& study, const std::string& name) {
+  const auto named = std::count_if(study.axes.begin(), study.axes.end(), [](const auto& axis) { return !axis.is_key; });
+  const bool plain = named < 2 || (name.find(", ") == name.npos && !name.starts_with('"'));
+  return plain ? name : '"' + name + '"';
+}
+
 std::string label_of(const Study& study, const std::vector<AxisValue>& values, bool with_resolution) {
   std::string text;
   for (const AxisValue& value : values) {
     const auto axis = std::find_if(study.axes.begin(), study.axes.end(),
                                    [&](const StudyAxis& each) { return each.name == value.axis; });
     if (!with_resolution && !study.refine.empty() && sets_key(*axis, study.refine)) continue;
-    text += (text.empty() ? "" : ", ") + (axis->is_key ? value.axis + "=" + value.value : value.value);
+    text +=
+        (text.empty() ? "" : ", ") + (axis->is_key ? value.axis + "=" + value.value : level_text(study, value.value));
   }
   return text.empty() ? "all" : one_line(text);
 }
@@ -183,6 +192,11 @@ Plan plan_of(Study study, const std::function<void(double)>& progress) {
     if (progress) progress(static_cast<double>(plan.cases.size()) / static_cast<double>(combinations.size()));
   }
   add_budget(study, planner, combinations, plan);
+  std::set<std::string> timed;  // a scene that stands twice is one run
+  for (const PlannedCase& one : plan.cases) {
+    if (one.timed) timed.insert(one.key);
+  }
+  for (PlannedCase& one : plan.cases) one.timed = timed.contains(one.key);
   plan.study = std::move(study);
   check_cases(plan);
   return plan;

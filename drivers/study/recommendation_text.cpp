@@ -46,20 +46,11 @@ std::string shell_word(const std::string& word) {
   return quoted + "'";
 }
 
-/// Axes that are keys of the scene, as settings; those that have names of their own are left to case.yaml.
-std::vector<std::string> settings_of(const StudyCase& one) {
-  std::vector<std::string> settings;
-  for (const AxisValue& at : one.values) {
-    if (at.axis.find('.') != at.axis.npos) settings.push_back("--set " + shell_word(at.axis + "=" + at.value));
-  }
-  return settings;
-}
-
+/// case.yaml holds all that the axes have set.
 std::string command_of(const StoredStudy& study, const StudyCase& one) {
   const std::string folder = study.case_folder(one);
   if (folder.empty()) return {};
   std::string command = "assay run " + shell_word((std::filesystem::path(folder) / "case.yaml").string());
-  for (const std::string& setting : settings_of(one)) command += " " + setting;
   if (const auto threads = threads_of(one)) command += " --threads " + std::to_string(*threads);
   return command;
 }

@@ -54,7 +54,7 @@ class Runner {
       stop_if_interrupted();
       const CaseState state = store_.state_of(one.key);
       if (state == CaseState::torn) ++summary_.torn;
-      if (options_.resume && state == CaseState::finished) {
+      if (options_.resume && need_not_run(one, state)) {
         ++summary_.kept, ++report_.done;
         continue;
       }
@@ -64,6 +64,13 @@ class Runner {
     std::stable_sort(together_.begin(), together_.end(), [](const PlannedCase* a, const PlannedCase* b) {
       return a->particle_steps > b->particle_steps;  // the long ones first: none is left over at the end
     });
+  }
+
+  /// Finished, and timed where that is asked for; or stopped when it had no less time than now.
+  bool need_not_run(const PlannedCase& one, CaseState state) const {
+    if (state == CaseState::finished) return !one.timed || store_.is_timed(one.key);
+    const double limit = plan_.study.case_seconds;
+    return state == CaseState::stopped && limit > 0 && limit <= store_.limit_of(one.key);
   }
 
   double work_of(const PlannedCase& one) const {
@@ -87,7 +94,7 @@ class Runner {
 
   /// Whether another study has finished it since this one began.
   bool kept(const PlannedCase& one) {
-    if (!options_.resume || store_.state_of(one.key) != CaseState::finished) return false;
+    if (!options_.resume || !need_not_run(one, store_.state_of(one.key))) return false;
     keep(one);
     return true;
   }
@@ -105,7 +112,7 @@ class Runner {
       const auto lock = store_.lock(one);
       if (lock) {
         report_.waits = false;
-        return store_.state_of(one.key) == CaseState::finished ? keep(one) : run_alone(one);
+        return need_not_run(one, store_.state_of(one.key)) ? keep(one) : run_alone(one);
       }
       tell(nullptr, &one);
       stop_if_interrupted();
@@ -125,8 +132,11 @@ class Runner {
     const fs::path folder = store_.folder_of(one.key);
     CaseRecord record;
     record.stopped = end.stopped;
+    record.limit_s = end.stopped ? plan_.study.case_seconds : 0;
     if (end.stopped) return record;
-    if (end.status == 3 && end.last_line.starts_with(folder.string())) throw SystemError(end.last_line);
+    constexpr std::size_t most = 380;  // of a long line the beginning is known
+    if (end.status == 3 && end.last_line.starts_with(one_line(folder.string()).substr(0, most)))
+      throw SystemError(end.last_line);
     std::error_code error;
     if (end.status > 1 || !fs::is_regular_file(folder / "result.json", error)) {
       record.crashed = "the run ended with status " + std::to_string(end.status) +

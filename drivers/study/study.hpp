@@ -63,6 +63,7 @@ struct StudyBudget {
 struct StudyExpectation {
   Selection where;
   Expectation line;
+  bool implied = false;  ///< that a case completes, where nothing is said of its outcome: told where it does not
 };
 
 /// An order that others have published of the series of a selection.

@@ -50,11 +50,11 @@ std::vector<StudyExpectationOutcome> judged_of(const Study& study, const StudyFi
       }
     } else {
       for (std::size_t i = 0; i < findings.cases.size(); ++i) {
-        if (meant(each, i))
+        if (meant(each, i) && !(each.implied && findings.cases[i].completed()))
           outcomes.push_back({findings.cases[i].label, judged(each.line, found_of(findings.cases[i], key))});
       }
     }
-    if (outcomes.size() == before) outcomes.push_back({"no case", judged(each.line, FlatValue())});
+    if (outcomes.size() == before && !each.implied) outcomes.push_back({"no case", judged(each.line, FlatValue())});
   }
   return outcomes;
 }

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/study/study_files.hpp"
 
+#include <unistd.h>
+
+#include <memory>
+
+#include "drivers/input_error.hpp"
+#include "drivers/interrupt.hpp"
 #include "drivers/output/output_folder.hpp"
 #include "drivers/output/report.hpp"
 #include "drivers/scene/yaml_reader.hpp"
@@ -37,6 +43,20 @@ std::vector<ReportPicture> pictures_of(const StudyFindings& findings, const Case
   return pictures;
 }
 
+/// Another study of the folder may be writing its report, which takes a moment.
+std::unique_ptr<OutputFolder> folder_of_study(const fs::path& target) {
+  constexpr int patience = 600, pause_us = 100000;
+  for (int attempt = 1;; ++attempt) {
+    try {
+      return std::make_unique<OutputFolder>(target, study_file_names());
+    } catch (const FolderBusy&) {
+      if (attempt == patience) throw;
+    }
+    stop_if_interrupted();
+    ::usleep(pause_us);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> study_file_names() {
@@ -47,7 +67,8 @@ std::vector<std::string> study_file_names() {
 }
 
 void write_study(const StudyFindings& findings, const CaseStore& store, const fs::path& target) {
-  OutputFolder folder(target, study_file_names());
+  const auto own = folder_of_study(target);
+  OutputFolder& folder = *own;
   for (const auto& [name, text] : study_tables(findings)) folder.write(name, text);
   const Drawing plot = work_precision_plot(findings);
   folder.write("work_precision.png", raster(plot, 2).png());

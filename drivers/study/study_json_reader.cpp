@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "drivers/input_error.hpp"
+#include "drivers/output/json_depth.hpp"
 #include "drivers/study/study_json.hpp"
 
 namespace assay::drivers {
@@ -197,6 +198,7 @@ Provenance stored_origin(const Node& node) {
 
 /// Throws InputError with the line and column at which the text breaks off or is no JSON.
 Json parsed(const std::string& text, const std::string& file) {
+  if (is_nested_deeply(text)) throw InputError({file, 0, 0}, "", "is no study.json: lists stand in lists too deep");
   try {
     return Json::parse(text);
   } catch (const Json::parse_error& error) {
@@ -206,8 +208,8 @@ Json parsed(const std::string& text, const std::string& file) {
     const int line = 1 + static_cast<int>(std::count(begin, stop, '\n'));
     const int column = static_cast<int>(newline == text.npos ? end : end - newline - 1) + 1;
     throw InputError({file, line, column}, "", end >= text.size() ? "is torn: it ends too early" : "is no JSON");
-  } catch (const Json::exception& error) {  // a number beyond the range of a double
-    throw InputError({file, 0, 0}, "", std::string("is no study.json: ") + error.what());
+  } catch (const Json::exception&) {
+    throw InputError({file, 0, 0}, "", "is no study.json: it holds a number beyond the range of a double");
   }
 }
 

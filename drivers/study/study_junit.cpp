@@ -15,13 +15,12 @@ double seconds_of(const StudyCase& one) {
   return sum;
 }
 
-JunitCase test_of(const StudyCase& one) {
+JunitCase test_of(const StudyFindings& findings, const StudyCase& one) {
   JunitCase out{"assay.study.cases", one.label, seconds_of(one)};
   out.message = one.reason.empty() ? outcome_text(one) : one.reason;
   out.type = one.outcome;
   if (one.outcome == "n/a") out.kind = JunitCase::Kind::skipped;
-  const bool none = one.outcome == "missing" || one.outcome == "stopped" || one.outcome == "crashed";
-  if (none) out.kind = JunitCase::Kind::failure;
+  if (one.outcome == "missing" || findings.ended_badly(one)) out.kind = JunitCase::Kind::failure;
   return out;
 }
 
@@ -40,7 +39,7 @@ std::string study_junit(const StudyFindings& findings) {
   JunitSuite suite{"assay study " + findings.title, "assay.study"};
   suite.properties = {{"question", findings.question}, {"error", findings.error_key}, {"cost", findings.cost_key}};
   for (const StudyCase& one : findings.cases) {
-    suite.cases.push_back(test_of(one));
+    suite.cases.push_back(test_of(findings, one));
     suite.seconds += suite.cases.back().seconds;
   }
   for (const StudyExpectationOutcome& line : findings.expect) suite.cases.push_back(test_of(line));

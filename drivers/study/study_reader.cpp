@@ -95,6 +95,13 @@ void read_published(const Tree& tree, Study& study) {
   }
 }
 
+/// What is expected of a case where nothing is said of its outcome: figures of a run that has died say nothing.
+Expectation completed_at(const Location& where) {
+  Expectation line;
+  line.key = "outcome", line.text = "completed", line.where = where;
+  return line;
+}
+
 void read_expect(const Tree& tree, Study& study) {
   if (tree.kind != Tree::Kind::sequence) {
     throw InputError(tree.where, "expect", "must be a list of maps, found " + described(tree));
@@ -107,9 +114,13 @@ void read_expect(const Tree& tree, Study& study) {
     if (const Tree* given = lines.find("where")) where = selection_of(*given, path + ".where", study);
     std::erase_if(lines.entries, [](const Tree::Entry& entry) { return entry.key == "where"; });
     if (lines.entries.empty()) throw InputError(lines.where, path, "names nothing that is expected");
+    bool of_cases = false, says_outcome = false;
     for (Expectation& line : read_expectations(lines, {path, {order_key, last_order_key}, study_outcomes()})) {
-      study.expect.push_back({where, std::move(line)});
+      of_cases = of_cases || (line.key != order_key && line.key != last_order_key);
+      says_outcome = says_outcome || line.key == "outcome";
+      study.expect.push_back({where, std::move(line), false});
     }
+    if (of_cases && !says_outcome) study.expect.push_back({where, completed_at(lines.where), true});
   }
 }
 

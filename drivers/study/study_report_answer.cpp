@@ -16,8 +16,8 @@ namespace {
 
 std::string step_between(const StudyFindings& findings, const StudyDigit& digit, double before) {
   return "<div class=\"step\">" + factor_text(*digit.factor) + " " +
-         element("small",
-                 escaped(error_text(findings, before)) + " \u2192 " + escaped(error_text(findings, digit.error))) +
+         element("small", "at exactly " + escaped(error_text(findings, before)) + " \u2192 " +
+                              escaped(error_text(findings, digit.error))) +
          "</div>\n";
 }
 
@@ -51,13 +51,25 @@ std::string also_measured(const StudyFindings& findings, CostAxis axis) {
   return names.empty() ? "" : " Thin and grey: " + names + ".";
 }
 
+/// The series of the crosses.
+std::string crossed(const StudyFindings& findings) {
+  std::vector<std::string> names;
+  for (const StudyCase& one : findings.cases) {
+    const bool known = std::find(names.begin(), names.end(), one.series) != names.end();
+    if (!known && !one.budget && !one.completed() && (one.cost || one.work)) names.push_back(one.series);
+  }
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? ": " : "; ") + escaped(name);
+  return text;
+}
+
 std::string picture(const StudyFindings& findings, CostAxis axis) {
   const std::string best = axis == CostAxis::cost ? escaped(findings.cost_name) : "particle-steps";
   return "<figure class=\"lead\">" + svg_text(work_precision_plot(findings, axis)) +
          element("figcaption",
                  "Down and to the left is better. The grey band is the front: no other case is both more "
                  "accurate and cheaper in " +
-                     best + ". Crosses: cases that ended early, at what they had cost." +
+                     best + ". Crosses: cases that ended early, at what they had cost" + crossed(findings) + "." +
                      also_measured(findings, axis)) +
          "</figure>\n" + data_link("work_precision.csv");
 }
@@ -123,7 +135,8 @@ std::string verdict(const StudyFindings& findings) {
 }
 
 std::string work_precision(const StudyFindings& findings) {
-  return html::section("What accuracy costs", picture(findings, CostAxis::cost));
+  const std::string swipe = "<p class=\"swipe\">What is wider than the window can be moved sideways.</p>\n";
+  return html::section("What accuracy costs", swipe + picture(findings, CostAxis::cost));
 }
 
 std::string work_instead(const StudyFindings& findings) {

@@ -19,6 +19,13 @@ a{color:var(--link)}
 .step{flex:0 0 auto;align-self:center;text-align:center;font-size:1.35rem;font-weight:650}
 .step small{display:block;color:var(--soft);font-size:.75rem;font-weight:400}
 figure svg{min-width:600px}
+figure,.wide{background:linear-gradient(to right,var(--paper) 30%,transparent) 0 0/36px 100% no-repeat local,
+linear-gradient(to left,var(--paper) 30%,transparent) 100% 0/36px 100% no-repeat local,
+linear-gradient(to right,rgba(128,128,128,.45),transparent) 0 0/12px 100% no-repeat scroll,
+linear-gradient(to left,rgba(128,128,128,.45),transparent) 100% 0/12px 100% no-repeat scroll}
+.swipe{display:none;color:var(--soft);font-size:.85rem;margin:0 0 6px}
+@media(max-width:900px){.swipe{display:block}}
+@media print{.swipe{display:none}figure,.wide{background:none}}
 figure.lead svg{max-width:960px;min-width:820px}
 figure.map svg{max-width:none;width:auto;height:auto}
 .data{margin:4px 0 0;font-size:.85rem;color:var(--soft)}

@@ -45,15 +45,15 @@ std::string row(const std::string& a, const std::string& b, const std::string& c
 std::string digits_text(const StudyFindings& findings) {
   if (findings.digits.empty())
     return findings.front.empty() ? "no case has both an error and a cost\n" : "the error is 0: no digit is the last\n";
-  std::string text = row("error", "cost", "one more", "by the cheapest case that was measured");
+  std::string text = row("error", "costs", "one more", "the cheapest case that was measured");
   for (const StudyDigit& digit : findings.digits) {
     const std::string level = "<= " + error_text(findings, digit.error);
     if (!digit.best) {
       text += row(level, "-", "", "no case of this study");
       continue;
     }
-    text += row(level, or_dash(digit.cost, findings, cost_text), digit.factor ? factor_text(*digit.factor) : "",
-                findings.cases[*digit.best].label);
+    text += row(level, or_dash(digit.interpolated, findings, cost_text), digit.factor ? factor_text(*digit.factor) : "",
+                or_dash(digit.cost, findings, cost_text) + ": " + findings.cases[*digit.best].label);
   }
   return text;
 }

@@ -148,9 +148,26 @@ TEST(AxesReader, TwoAxesThatSetTheSameKeyAreRefused) {
             "study.yaml:2:39: axes.motion: sets 'motion', and so 'motion.amplitude.peak', which "
             "'motion.amplitude.peak' sets too");
   EXPECT_EQ(refused_axes("{motion: [{type: vortex}], motion.amplitude.peak: [1, 2]}"), "accepted")
-      << "changes what the first has set";
+      << "adds to what the first has set";
+  EXPECT_EQ(refused_axes("{grid: [{spacing: 1}, {spacing: 2}], grid.spacing: [3]}"),
+            "study.yaml:2:44: axes.grid.spacing: sets 'grid.spacing', which 'grid' sets too");
+  EXPECT_EQ(refused_axes("{m: {a: {method.basis: cpdi, method: {basis: linear}}}}"),
+            "study.yaml:2:36: axes.m.a.method: stands beside 'method.basis'");
   EXPECT_EQ(refused_axes("{method: {a: {method.courant: 0.4}, b: {method.courant: 0.2}}}"), "accepted");
   EXPECT_EQ(refused_axes("{body.seed: [1], body.jitter: [0.1]}"), "accepted");
+}
+
+TEST(AxesReader, TheAxisOfResolutionSetsNothingElseThatDiffersButNumbers) {
+  const auto refined = [](const std::string& axes) {
+    return StudyFolder().refusal("axes: " + axes + "\nrefine: grid.spacing\n");
+  };
+  EXPECT_EQ(refined("{n: {a: {grid.spacing: 1, time.step: 1}, b: {grid.spacing: 2, time.step: 2}}}"), "accepted");
+  EXPECT_EQ(refined("{n: {a: {grid.spacing: 1, method.basis: cpdi}, b: {grid.spacing: 2, method.basis: cpdi}}}"),
+            "accepted");
+  EXPECT_EQ(
+      refined("{n: {a: {grid.spacing: 1, method.basis: cpdi}, b: {grid.spacing: 2}}}"),
+      "study.yaml:2:33: axes.n: sets 'method.basis' beside 'grid.spacing': cases of a series differ in resolution "
+      "alone; make it an axis of its own");
 }
 
 TEST(AxesReader, AListMakesAxesOfKeysAndTakesLevels) {

@@ -7,6 +7,8 @@
 #include <functional>
 
 #include "drivers/input_error.hpp"
+#include "drivers/output/result_json.hpp"
+#include "drivers/output/whole_file.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
 namespace assay::drivers {
@@ -67,7 +69,7 @@ TEST_F(CaseStoreTest, ARunWithoutAResultHasCrashedOrWasStopped) {
   EXPECT_EQ(crashed.outcome, "crashed");
   EXPECT_EQ(crashed.reason, "it ended with status 139: \xEF\xBF\xBD and \"worse\"");
   leave_a_result(store_, made_up_case(), {"", true, {}});
-  EXPECT_EQ(state(), CaseState::finished);
+  EXPECT_EQ(state(), CaseState::stopped);
   EXPECT_EQ(store_.read(made_up_case()).outcome, "stopped");
   store_.begin(made_up_case());
   store_.finish(made_up_case(), {});
@@ -154,6 +156,24 @@ TEST_F(CaseStoreTest, JsonThatIsNoRecordIsNoticed) {
     std::ofstream(file("case.json")) << text;
     EXPECT_EQ(state(), CaseState::torn) << text;
   }
+}
+
+TEST_F(CaseStoreTest, JsonThatIsNestedDeeplyIsTorn) {
+  leave_a_result(store_, made_up_case(), {});
+  const std::string deep = std::string(200000, '[') + std::string(200000, ']');
+  write_file(file("case.json"),
+             R"({"key":"KEY","threads":1,"crashed":"","stopped":false,"clock":{},"files":{},"x":)" + deep + "}");
+  EXPECT_EQ(state(), CaseState::torn);
+  EXPECT_FALSE(read_result_json("{\"outcome\": \"completed\", \"x\": " + deep + "}"));
+}
+
+TEST_F(CaseStoreTest, AFolderThatIsALinkIsNotCleared) {
+  const ScratchFolder elsewhere;
+  elsewhere.write("precious", "x");
+  fs::create_directories(store_.folder_of(made_up_case().key).parent_path());
+  fs::create_directory_symlink(elsewhere / "", store_.folder_of(made_up_case().key));
+  EXPECT_THROW(store_.begin(made_up_case()), SystemError);
+  EXPECT_TRUE(fs::exists(elsewhere / "precious"));
 }
 
 TEST_F(CaseStoreTest, BeginLeavesNothingOfAnEarlierAttempt) {

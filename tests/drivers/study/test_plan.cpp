@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include <filesystem>
 
 #include "drivers/scene/scene_reader.hpp"
@@ -143,6 +145,26 @@ TEST(Plan, FaultsOfTheSceneAreToldThere) {
                          "density: 1}\n");
   EXPECT_EQ(plan_refusal(folder, "axes: {material.density: [1]}\n"),
             "study.yaml:1:8: scene: has no method: there is nothing to run (case: material.density=1)");
+}
+
+TEST(Plan, ASceneThatStandsTwiceIsTimedIfOneOfThemIs) {
+  const StudyFolder folder;
+  const Plan plan = planned_of(folder, "axes: {grid.spacing: [0.25], m: {A: {}, B: {}}}\ntiming: {where: {m: B}}\n");
+  ASSERT_EQ(plan.cases.size(), 2U);
+  EXPECT_EQ(plan.cases[0].key, plan.cases[1].key);
+  EXPECT_TRUE(plan.cases[0].timed && plan.cases[1].timed);
+}
+
+TEST(Plan, LabelsOfDifferentCasesDiffer) {
+  const StudyFolder folder;
+  const Plan plan = planned_of(folder,
+                               "axes: {m: {'a, b': {method.basis: cpdi}, a: {method.basis: linear}}, "
+                               "n: {c: {method.transfer: flip}, 'b, c': {method.transfer: pic}}, "
+                               "grid.spacing: [0.25]}\nrefine: grid.spacing\n");
+  std::set<std::string> series;
+  for (const PlannedCase& one : plan.cases) series.insert(one.series);
+  EXPECT_EQ(series.size(), 4U);
+  EXPECT_TRUE(series.contains("\"a, b\", c"));
 }
 
 TEST(Plan, CasesThatCannotBeAreSkippedWhereThatIsAsked) {

@@ -38,7 +38,8 @@ TEST(StudyExpect, IsJudgedOfEveryCaseOfItsSelection) {
              "error.relative below 0.05: 0.02, holds; CPDI, FLIP, grid.spacing=0.05"}));
   EXPECT_EQ(judged_lines("[{where: {method: Cheat}, error.relative: 1e-5}]"),
             (Lines{"error.relative equals 1e-05: 1e-05, holds; Cheat, grid.spacing=0.1",
-                   "error.relative equals 1e-05: null, fails; Cheat, grid.spacing=0.05"}));
+                   "error.relative equals 1e-05: null, fails; Cheat, grid.spacing=0.05",
+                   "outcome completed: n/a, fails; Cheat, grid.spacing=0.05"}));
 }
 
 TEST(StudyExpect, ThoseOfTheBudgetAreNotMeant) {
@@ -56,7 +57,20 @@ TEST(StudyExpect, OutcomesAndReasonsAreTexts) {
 
 TEST(StudyExpect, AFigureThatWasNotReachedHoldsNothing) {
   EXPECT_EQ(judged_lines("[{where: {method: 'uGIMP, FLIP'}, error.relative: {above: -1}}]"),
-            Lines{"error.relative above -1: null, fails; uGIMP, FLIP, grid.spacing=0.1"});
+            (Lines{"error.relative above -1: null, fails; uGIMP, FLIP, grid.spacing=0.1",
+                   "outcome completed: unstable, fails; uGIMP, FLIP, grid.spacing=0.1"}));
+}
+
+TEST(StudyExpect, ARunThatHasDiedHoldsNothingUnlessThatIsExpected) {
+  StudyFindings findings = two_method_study();
+  findings.cases[6].figures["error.relative"] = 1e-3;  // the largest up to its end
+  const std::string of_ugimp = "where: {method: 'uGIMP, FLIP'}, error.relative: {below: 0.1}";
+  EXPECT_EQ(judged_lines("[{" + of_ugimp + "}]", findings),
+            (Lines{"error.relative below 0.1: 0.001, holds; uGIMP, FLIP, grid.spacing=0.1",
+                   "outcome completed: unstable, fails; uGIMP, FLIP, grid.spacing=0.1"}));
+  EXPECT_EQ(judged_lines("[{" + of_ugimp + ", outcome: unstable}]", findings),
+            (Lines{"error.relative below 0.1: 0.001, holds; uGIMP, FLIP, grid.spacing=0.1",
+                   "outcome unstable: unstable, holds; uGIMP, FLIP, grid.spacing=0.1"}));
 }
 
 TEST(StudyExpect, ASelectionWithoutCasesHoldsNothing) {

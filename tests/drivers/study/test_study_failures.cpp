@@ -84,6 +84,10 @@ TEST(LongStudyFailures, ALimitStopsACase) {
   const Ending resumed = small.run("out", {"--resume"});
   EXPECT_NE(resumed.said.find("2 finished cases were kept"), std::string::npos) << "another attempt would take as long";
   EXPECT_EQ(marks_of_cases(small.scratch / "out"), before);
+  const std::string longer = std::string(text).replace(text.find("limit: 2"), 8, "limit: 2.1");
+  small.scratch.write("study.yaml", longer);
+  EXPECT_NE(small.run("out", {"--resume"}).said.find("1 finished cases were kept"), std::string::npos)
+      << "the other has more time now";
 }
 
 /// One case's model aborts, the other's does not.
@@ -102,7 +106,8 @@ std::string crashing_study_text(const std::string& plugin = "crashes_in_a_run.so
 TEST(StudyFailures, AModelThatCrashesCostsItsOwnCasesAndIsTriedAgain) {
   const SmallStudy small(crashing_study_text());
   const Ending first = small.run("out");
-  EXPECT_EQ(first.status, 0) << first.said;
+  EXPECT_EQ(first.status, 1) << first.said;
+  EXPECT_NE(bytes_of(small.scratch / "out/study.junit.xml").find("failures=\"2\""), std::string::npos);
   const std::string cases = bytes_of(small.scratch / "out/cases.csv");
   EXPECT_NE(cases.find(",crashed,"), std::string::npos) << cases;
   EXPECT_NE(cases.find("crashed (signal 6)"), std::string::npos) << cases;

@@ -85,13 +85,15 @@ TEST(StudyReader, EveryKeyIsTaken) {
   EXPECT_EQ(study.published[0].order, 0.8);
   EXPECT_EQ(study.published[0].source, "a paper");
   EXPECT_FALSE(study.published[0].where.holds({{"method", "uGIMP"}}));
-  ASSERT_EQ(study.expect.size(), 4u);
+  ASSERT_EQ(study.expect.size(), 5u);
   EXPECT_EQ(study.expect[0].line.text, "completed");
   EXPECT_EQ(study.expect[1].line.key, order_key);
   EXPECT_EQ(study.expect[1].line.op, Expectation::Operator::above);
   EXPECT_EQ(study.expect[2].line.key, last_order_key);
   EXPECT_FALSE(study.expect[2].where.holds({{"method", "uGIMP"}}));
   EXPECT_TRUE(study.expect[3].where.holds({{"method", "uGIMP"}}));
+  EXPECT_TRUE(study.expect[4].implied) << "completed, of those of whose outcome nothing is said";
+  EXPECT_FALSE(study.expect[3].implied);
 }
 
 TEST(StudyReader, WhatIsNotGivenHasItsDefault) {

@@ -116,5 +116,20 @@ TEST(LongStudyShards, TwoStudiesAtOnceCorruptNothing) {
   EXPECT_EQ(same_in_every_run(small.scratch / "out"), same_in_every_run(small.scratch / "whole"));
 }
 
+TEST(StudyShards, TwoMergesAtOnceBothEndWell) {
+  const SmallStudy small;
+  ASSERT_EQ(small.run("out").status, 0);
+  for (int k = 0; k < 3; ++k) {
+    const std::vector<std::string> words = small.words("out", {"--merge", "--quiet"});
+    const pid_t one = start_assay(words, small.scratch / "one"), other = start_assay(words, small.scratch / "other");
+    for (const pid_t child : {one, other}) {
+      int status = 0;
+      ::waitpid(child, &status, 0);
+      EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 0)
+          << bytes_of(small.scratch / "one") << bytes_of(small.scratch / "other");
+    }
+  }
+}
+
 }  // namespace
 }  // namespace assay::drivers
