@@ -67,7 +67,7 @@ std::string picture(const StudyFindings& findings, CostAxis axis) {
   const std::string best = axis == CostAxis::cost ? escaped(findings.cost_name) : "particle-steps";
   return "<figure class=\"lead\">" + svg_text(work_precision_plot(findings, axis)) +
          element("figcaption",
-                 "Down and to the left is better. The grey band is the front: no other case is both more "
+                 "Down and to the left is better. Cases in grey discs are on the front: no other case is both more "
                  "accurate and cheaper in " +
                      best + ". Crosses: cases that ended early, at what they had cost" + crossed(findings) + "." +
                      also_measured(findings, axis)) +

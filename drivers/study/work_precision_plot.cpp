@@ -157,11 +157,10 @@ class Plot {
   }
 
   void draw_front() {
-    std::vector<Point> line;
-    for (const WorkPoint& point : shown_.front) line.push_back(at(point));
-    if (line.size() == 1) out_.disc(line[0], 9, band_ink);
-    if (line.size() > 1) out_.line(line, band_ink, 13);
-    if (!line.empty()) out_.tip("Pareto front: no other case is both cheaper and more accurate");
+    for (const WorkPoint& point : shown_.front) {
+      out_.disc(at(point), 11, band_ink);
+      out_.tip("on the Pareto front: no other case is both cheaper and more accurate");
+    }
   }
 
   void draw_curve(const WorkCurve& curve) {
