@@ -169,9 +169,7 @@ Pass<Dim> accounts_pass(const Method& method, bool with_body_force) {
         s.ledger.internal_work += now.kick * sums.internal;
         s.ledger.external_work += now.kick * sums.external;
       }
-      if constexpr (Dim == 2) {
-        if (turns) count_grid_angular_momentum(s);
-      }
+      if (turns) count_grid_angular_momentum(s);  // in the plane
       if (staggered) s.ledger.internal_work += 0.5 * now.kick * power_of_kick(s, now.kick);
       double grid_mass = 0;
       for (std::size_t i = 0; i < s.inertia.nodes(); ++i) grid_mass += s.inertia.node(i)[0];
