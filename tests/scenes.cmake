@@ -24,6 +24,9 @@ foreach(scene IN LISTS scenes)
   if(name MATCHES "^models/" AND NOT name MATCHES "^models/vortex_(neo_hookean|damage)$")
     set_tests_properties(scene/${name} PROPERTIES LABELS long)
   endif()
+  if(ASSAY_SANITIZE AND name MATCHES "^hard/") # millions of particle-steps
+    set_tests_properties(scene/${name} PROPERTIES LABELS long)
+  endif()
   if(name STREQUAL "methods/smoothest") # minutes
     set_tests_properties(scene/${name} PROPERTIES LABELS long)
   endif()
