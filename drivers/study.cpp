@@ -98,14 +98,14 @@ Plan planned(const StudyOptions& options) {
 /// Says why cases may be missing that someone believes to have run.
 void warn_of_strangers(const Plan& plan, const std::vector<CaseStore>& stores, const StudyOptions& options) {
   std::set<std::string> keys;
-  bool missing = false;
-  for (const PlannedCase& one : plan.cases) {
-    keys.insert(one.key);
-    missing = missing || (one.invalid.empty() && stores.front().state_of(one.key) == CaseState::missing);
-  }
+  for (const PlannedCase& one : plan.cases) keys.insert(one.key);
   std::size_t strangers = 0;
   for (const CaseStore& store : stores) strangers += store.finished_besides(keys);
-  if (!missing || strangers == 0 || options.verbosity == Verbosity::quiet) return;
+  if (strangers == 0 || options.verbosity == Verbosity::quiet) return;  // without reading what has finished
+  const auto is_missing = [&](const PlannedCase& one) {
+    return one.invalid.empty() && stores.front().state_of(one.key) == CaseState::missing;
+  };
+  if (std::none_of(plan.cases.begin(), plan.cases.end(), is_missing)) return;
   std::fprintf(stderr,
                "warning: cases are missing, and %zu finished %s of another key: another program or library, another "
                "scene, other threads\n",

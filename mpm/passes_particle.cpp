@@ -118,14 +118,15 @@ bool counts_grid_angular_momentum(const Setup<Dim>& setup) {
 template <int Dim>
 void count_grid_angular_momentum(State<Dim>& s) {
   const GridGeometry<Dim>& grid = s.setup.grid;
-  const auto across = static_cast<std::size_t>(grid.count[0]);
   double sum = 0, scale = 0;
-  for (std::size_t i = 0; i < s.inertia.nodes(); ++i) {
-    const double* mv = s.inertia.node(i) + 1;
-    if (mv[-1] == 0) continue;
-    const double moment = grid.coordinate(0, static_cast<std::int32_t>(i % across)) * mv[1] -
-                          grid.coordinate(1, static_cast<std::int32_t>(i / across)) * mv[0];
-    sum += moment, scale += std::abs(moment);
+  std::size_t i = 0;
+  for (std::int32_t row = 0; row < grid.count[1]; ++row) {
+    const double y = grid.coordinate(1, row);
+    for (std::int32_t k = 0; k < grid.count[0]; ++k, ++i) {
+      const double* mv = s.inertia.node(i) + 1;
+      const double moment = grid.coordinate(0, k) * mv[1] - y * mv[0];
+      sum += moment, scale += std::abs(moment);
+    }
   }
   Ledger& ledger = s.ledger;
   if (!ledger.grid_angular) ledger.grid_angular = sum;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/scene/initial_velocity.hpp"
+
 namespace assay::drivers {
 
 namespace {
@@ -56,9 +58,7 @@ Box flight_box(const Scene& scene, const InitialVelocity& v) {
     const double radius = 0.5 * std::hypot(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
     for (std::size_t d = 0; d < 2; ++d) box.lower[d] = middle[d] - radius, box.upper[d] = middle[d] + radius;
   }
-  const double x = 0.5 * (box.lower[0] + box.upper[0]), y = 0.5 * (box.lower[1] + box.upper[1]);
-  const std::array<double, 2> of_middle{v.velocity[0] + v.stretching[0] * x + (v.stretching[2] - v.spin) * y,
-                                        v.velocity[1] + (v.stretching[2] + v.spin) * x + v.stretching[1] * y};
+  const auto of_middle = velocity_at(v, 0.5 * (box.lower[0] + box.upper[0]), 0.5 * (box.lower[1] + box.upper[1]));
   for (std::size_t d = 0; d < 2; ++d) {
     box.lower[d] += std::min(0.0, of_middle[d] * scene.time.end);
     box.upper[d] += std::max(0.0, of_middle[d] * scene.time.end);

@@ -7,6 +7,7 @@
 #include "drivers/material/material_choice.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/scene/body_box.hpp"
+#include "drivers/scene/initial_velocity.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/simulation/body_ends.hpp"
 #include "drivers/simulation/runnable.hpp"
@@ -163,10 +164,6 @@ void choose_forces(Problem& problem) {
 
 }  // namespace
 
-mpm::AffineVelocity<2> affine_velocity(const InitialVelocity& v) {
-  return {v.velocity, {v.stretching[0], v.stretching[2] - v.spin, v.stretching[2] + v.spin, v.stretching[1]}};
-}
-
 Problem assemble(const Scene& given, int threads) {
   Problem problem;
   problem.scene = given;
@@ -186,7 +183,7 @@ Problem assemble(const Scene& given, int threads) {
   choose_forces(problem);
   setup.motion = scene.motion;
   setup.frame = scene.frame;
-  if (scene.body.initial_velocity) setup.initial_velocity = affine_velocity(*scene.body.initial_velocity);
+  if (const auto& v = scene.body.initial_velocity) setup.initial_velocity = {v->velocity, gradient_of(*v)};
   setup.hold_outside = scene.body.domain != Body::Domain::ring && scene.body.outside == Body::Outside::held;
   setup.accounts = scene.output.accounts;
   setup.threads = threads;

@@ -6,6 +6,7 @@
 
 #include "drivers/output/number_format.hpp"
 #include "drivers/scene/body_box.hpp"
+#include "drivers/scene/initial_velocity.hpp"
 
 namespace assay::drivers {
 
@@ -54,8 +55,8 @@ double fastest_of(const InitialVelocity& v, const Box& box) {
   double fastest = 0;
   for (const double x : {box.lower[0], box.upper[0]}) {
     for (const double y : {box.lower[1], box.upper[1]}) {
-      fastest = std::max(fastest, std::hypot(v.velocity[0] + v.stretching[0] * x + (v.stretching[2] - v.spin) * y,
-                                             v.velocity[1] + (v.stretching[2] + v.spin) * x + v.stretching[1] * y));
+      const auto corner = velocity_at(v, x, y);
+      fastest = std::max(fastest, std::hypot(corner[0], corner[1]));
     }
   }
   return fastest;
