@@ -68,8 +68,8 @@ std::vector<Observer> observers_of(const Problem& problem) {
   std::vector<Observer> list;
   if (!due.samples.empty()) list.push_back({"error_sampling", due.samples.size(), "output.errors"});
   if (!due.shots.empty()) {
-    list.push_back(
-        {"snapshots", due.shots.size(), problem.scene.output.particles > 0 ? "output.particles" : "output.pictures"});
+    list.push_back({"snapshots", due.shots.size(),
+                    problem.scene.output.writes_particles() ? "output.particles" : "output.pictures"});
   }
   return list;
 }
@@ -190,6 +190,7 @@ std::string json_text(const Problem& problem, const Composition& c, const Respon
   json["steps"] = problem.steps;
   json["dt"] = problem.dt;
   json["wave_speed"] = problem.wave_speed;
+  if (problem.reference_wave_speed > 0) json["reference_wave_speed"] = problem.reference_wave_speed;
   const Sheet* sheet = response ? response->sheet() : nullptr;
   if (sheet) {
     json["sheet"] = {

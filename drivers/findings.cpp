@@ -11,6 +11,7 @@
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/replay.hpp"
+#include "drivers/scene/resolved.hpp"
 #include "drivers/scene/sha256.hpp"
 #include "drivers/scene/yaml_reader.hpp"
 #include "harness/force_error.hpp"
@@ -104,6 +105,24 @@ void leave_replay(const Scene& scene, OutputFolder& folder, Result& result) {
   Replay replay = replay_of(resolve_material(scene.material), {}, result.warnings.back());
   replay.test = process_test;
   folder.write(result.replay, replay_yaml(replay));
+}
+
+void leave_replay_scene(const Scene& given, OutputFolder& folder, Result& result) {
+  if (result.outcome == "completed" || !result.steps || !result.dt || !result.t) return;
+  constexpr double shown_steps = 20;
+  Scene scene = given;
+  scene.output = {};
+  scene.output.errors = given.output.errors;
+  scene.output.particles = 0;
+  scene.output.pictures = false;
+  scene.output.each_step_from = std::max(0.0, *result.t - shown_steps * *result.dt);
+  Expectation again;
+  again.key = "outcome";
+  again.text = result.outcome;
+  scene.expect = {again};
+  const std::string name = "replay_scene.yaml";
+  folder.write(name, resolved_yaml(scene));
+  if (result.replay.empty()) result.replay = name;
 }
 
 int exit_status(const Result& result) {

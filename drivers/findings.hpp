@@ -45,6 +45,9 @@ inline constexpr const char* material_log = "material.log";
 /// warns of its material. Beside it what the material has printed.
 void leave_replay(const Scene& scene, OutputFolder& folder, Result& result);
 
+/// Leaves replay_scene.yaml of a run that did not reach its end: the same steps, with a snapshot of each of the last.
+void leave_replay_scene(const Scene& scene, OutputFolder& folder, Result& result);
+
 /// 0: all that was expected holds; 1: it does not, or the run did not complete and nobody expected that.
 int exit_status(const Result& result);
 

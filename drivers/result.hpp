@@ -110,6 +110,15 @@ struct DriftFigures {
   Figure mass, momentum, angular_momentum, energy;  ///< relative; energy and momenta against the work of the forces
 };
 
+/// The worst that the watch over a run saw; absent: not looked for.
+struct HealthFigures {
+  Figure jacobian_min;   ///< smallest det F [1]
+  Figure fastest;        ///< particle [m/s]
+  Figure courant;        ///< largest, of the fastest wave on the path and the particles' own speed [1]
+  Figure domain_extent;  ///< of convected domains, from a particle to its farther corner [cells]
+  Figure energy;         ///< kinetic energy over the most that the known forces can have given [1]
+};
+
 struct ExpectationOutcome {
   std::string key;
   std::string expected;  ///< as in the scene: "below 0.07"
@@ -126,10 +135,11 @@ struct Provenance {
 
 struct Result {
   std::string title;
-  std::string subject;                ///< what was run, one line: material, method, grid, amplitude
-  std::string outcome = "completed";  ///< completed, unstable, material_failed, refused
-  std::string reason;                 ///< one sentence where not completed
-  std::string replay;                 ///< file beside the result that holds the step at which the material failed
+  std::string subject;                            ///< what was run, one line: material, method, grid, amplitude
+  std::string outcome = "completed";              ///< completed, unstable, material_failed, refused
+  std::string reason;                             ///< one sentence where not completed
+  std::string replay;                             ///< file beside the result that shows again what went wrong
+  std::string last_good;                          ///< file beside the result with the particles before it did
   std::shared_ptr<const FailedStep> failed_step;  ///< that step; not in result.json
   std::vector<std::string> warnings;              ///< what did not stop the run and should be known
   bool disturbed = false;                         ///< the process that ran the material: not in result.json
@@ -151,6 +161,7 @@ struct Result {
   std::optional<GrowthFigures> growth;     ///< absent where the error does not grow so, or no tractions act
   std::optional<TractionTable> tractions;  ///< only where the scene asks for it
   DriftFigures drift;
+  HealthFigures health;
   std::vector<ExpectationOutcome> expect;
   Provenance provenance;
   std::vector<ErrorSample> history;  ///< errors.csv, not in result.json

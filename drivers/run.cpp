@@ -58,6 +58,7 @@ std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& opt
   Snapshots snapshots(problem, folder);
   Progress progress(problem.scene.title, options.verbosity == Verbosity::quiet);
   simulate(problem, exact, snapshots, progress, result);
+  if (result.outcome != "completed") result.last_good = snapshots.leave_last_good();
   if (exact && exact->response()) record_shadow(problem.scene, **exact->response(), result);
   if (exact && exact->box()) record_box(problem.scene, **exact->box(), response_s, result);
   if (exact && exact->homogeneous()) record_history(problem.scene, **exact->homogeneous(), result);
@@ -134,6 +135,7 @@ int run(const RunOptions& options) {
   }
   if (problem) record_process(*problem->material, result);
   leave_replay(scene, folder, result);
+  leave_replay_scene(scene, folder, result);
   result.expect = judge(scene.expect, result);
   const std::string json = write_results(scene, result, std::move(pictures), folder);
   stop_if_interrupted();

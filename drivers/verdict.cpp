@@ -63,8 +63,13 @@ std::string process_lines(const Result& result) {
   std::string text;
   for (const std::string& warning : result.warnings) text += wrapped("warning: " + warning, "  ", "    ");
   if (!result.replay.empty()) {
-    text += (result.failed_step ? "  the failing step is in " : "  shown again by ") + result.replay + "\n";
+    const bool scene = result.replay == "replay_scene.yaml";
+    text += (result.failed_step ? "  the failing step is in "
+             : scene            ? "  its last steps, one by one: assay run "
+                                : "  shown again by ") +
+            result.replay + "\n";
   }
+  if (!result.last_good.empty()) text += "  the particles while all was well: " + result.last_good + "\n";
   if (!result.printed.empty()) text += std::string("  what the model printed is in ") + material_log + "\n";
   return text;
 }

@@ -34,7 +34,8 @@ double own_wave_speed(const Material& material, const assay_wave_speed& extensio
   return fastest;
 }
 
-double probed_wave_speed(const Material& material, double density, double dt, const Histories& h, const Path& path) {
+double probed_wave_speed(const Material& material, double density, double dt, const Histories& h, const Path& path,
+                         WaveFrame frame) {
   const std::size_t n = h.xi.size();
   std::vector<double> state(material.state_size());
   double fastest = 0;
@@ -44,7 +45,7 @@ double probed_wave_speed(const Material& material, double density, double dt, co
       const Tensor F = path.deformation_gradient(h.xi[p], h.times[row]);
       try {
         const TangentModulus A = probe_tangent_modulus(material, h.times[row], dt, F, state);
-        fastest = std::max(fastest, fastest_wave(A, F, density));
+        fastest = std::max(fastest, fastest_wave(A, frame == WaveFrame::current ? F : Tensor::Identity(), density));
       } catch (MaterialFailure& failure) {
         failure.xi = h.xi[p];
         throw;
@@ -64,7 +65,7 @@ double fastest_wave(const TangentModulus& A, const Tensor& F, double density) {
   return std::sqrt(std::max(0.0, largest_acoustic_eigenvalue(pushed).value) / density);
 }
 
-double fastest_wave_on_path(const Material& material, const Path& given, double density, double end) {
+double fastest_wave_on_path(const Material& material, const Path& given, double density, double end, WaveFrame frame) {
   const bool curve =
       material.path_independent() && given.straight();  // then every state is reached by straight loading
   const Path path = curve ? loading_path(given, end) : given;
@@ -81,8 +82,9 @@ double fastest_wave_on_path(const Material& material, const Path& given, double 
   options.tolerance = history_tolerance;
   const Histories h = integrate_histories(material, path, xi, times, options);
   const auto* extension = material.extension<assay_wave_speed>(ASSAY_EXTENSION_WAVE_SPEED);
-  if (extension && extension->wave_speed) return own_wave_speed(material, *extension, density, h, path);
-  return probed_wave_speed(material, density, share_of_end * end, h, path);
+  if (frame == WaveFrame::current && extension && extension->wave_speed)
+    return own_wave_speed(material, *extension, density, h, path);
+  return probed_wave_speed(material, density, share_of_end * end, h, path, frame);
 }
 
 }  // namespace assay

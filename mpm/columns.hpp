@@ -24,10 +24,12 @@ enum class Column {
   velocity_gradient,
   affine,
   body_force,
+  volume_ratio,
+  volume_scale,
   weights,
   history,
 };
-inline constexpr std::size_t column_count = 15;
+inline constexpr std::size_t column_count = 17;
 
 struct ColumnInfo {
   std::string_view name;
@@ -51,6 +53,8 @@ constexpr ColumnInfo info(Column column) {
       {"velocity_gradient", "1/s", "L of the step; dF/dt in the total formulation"},
       {"affine", "mixed", "velocity around the particle: its gradient, or its first moment"},
       {"body_force", "m/s^2", "b of the exact motion"},
+      {"volume_ratio", "1", "J after the step, before it is averaged"},
+      {"volume_scale", "1", "of F for the material, so that its J is the averaged one: begin and end of the step"},
       {"weights", "1", "nodes, weights and gradients of the step"},
       {"history", "mixed", "state variables of the material, begin and end of the step"},
   }};
@@ -76,6 +80,7 @@ class ColumnData {
   double* component(int c) { return data_ + static_cast<std::size_t>(c) * particles_; }
   const double* component(int c) const { return data_ + static_cast<std::size_t>(c) * particles_; }
   double* data() { return data_; }
+  const double* data() const { return data_; }
   bool empty() const { return size_ == 0; }
   std::size_t bytes() const { return size_ * sizeof(double); }
 

@@ -13,6 +13,7 @@
 #include "mpm/passes_inertia.hpp"
 #include "mpm/passes_mass.hpp"
 #include "mpm/passes_particle.hpp"
+#include "mpm/passes_remedies.hpp"
 #include "mpm/passes_to_grid.hpp"
 #include "mpm/passes_to_particles.hpp"
 #include "mpm/passes_traction.hpp"
@@ -43,6 +44,15 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
     if (setup.has_images()) add(fold_images_pass<Dim>(what, setup.accounts));
   };
   const bool body_force = Dim == 2 && setup.body_force;  // lives in the plane
+  const Remedies& remedies = setup.remedies;
+  const auto add_stress = [&] {
+    if (remedies.averages_volume()) {
+      add(volume_ratio_pass<Dim>());
+      add(average_volume_pass<Dim>(method, remedies.anti_locking));
+    }
+    add(stress_of(setup));
+    if (remedies.has_viscosity()) add(viscosity_pass<Dim>(method));
+  };
   const auto add_accounts = [&] {
     if (setup.accounts) add(accounts_pass<Dim>(method, body_force));
   };
@@ -59,7 +69,10 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
     if (body_force && setup.frame && setup.frame->spin != 0) add(moving_frame_pass<Dim>(setup.evaluation));
     if (setup.uses_exact_solution()) add(inertia_pass<Dim>(method, setup.accounts));
   }
-  add(weights_pass<Dim>(method, !setup.seeds.half_edges.empty()));
+  if constexpr (Dim == 2) {
+    if (remedies.largest_domain > 0) add(limit_domains_pass<Dim>(traits_of<Dim>(method.basis).moves_corners));
+  }
+  add(weights_pass<Dim>(method, !setup.seeds.half_edges.empty() || remedies.largest_domain > 0));
   if (method.is_affine() && method.affine == Affine::moment) add(first_affine_moment_pass<Dim>());
   const auto add_virtual_stress = [&] {
     if constexpr (Dim == 2) {
@@ -73,7 +86,7 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
     add(particles_to_grid_pass<Dim>(method, setup.hold_outside));
     if (method.update == Update::usf) {
       add_gradient_and_stress();
-      add(stress_of(setup));
+      add_stress();
       add_virtual_stress();
     }
     add(force_pass<Dim>(method, body_force));
@@ -83,6 +96,7 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
     if (surface) add(traction_pass(method, *setup.traction, setup.accounts));
   }
   add_fold(method.update == Update::usf ? Folded::forces : Folded::both);
+  if (remedies.small_mass > 0) add(small_mass_pass<Dim>());
   if (method.has_stages()) {
     add(kick_pass<Dim>(method));
   } else if (method.is_lumped()) {
@@ -108,7 +122,7 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
     add_gradient_and_stress();
   }
   add_accounts();
-  if (method.update != Update::usf) add(stress_of(setup));
+  if (method.update != Update::usf) add_stress();
   return step;
 }
 
@@ -118,7 +132,10 @@ std::size_t bytes_of(Column column, const Setup<Dim>& setup) {
   switch (column) {
     case Column::mass:
     case Column::volume:
+    case Column::volume_ratio:
       return doubles(1);
+    case Column::volume_scale:
+      return doubles(2);
     case Column::reference_position:
     case Column::position:
     case Column::velocity:
@@ -169,7 +186,8 @@ std::size_t grid_bytes_per_node(const Setup<Dim>& setup) {
   const int across = mass_nodes_across<Dim>(setup.method);
   const std::size_t of_stencil = across == 0 ? 0 : MassStencil<Dim>::entries(across);
   const std::size_t of_matrix = setup.method.is_lumped() ? 0 : solver_fields(setup.method) * force + 1 + of_stencil;
-  return (fields + copies + of_matrix + (setup.hold_outside ? 1 : 0)) * sizeof(double);
+  const std::size_t of_average = setup.remedies.averages_volume() ? 2 : 0;
+  return (fields + copies + of_matrix + of_average + (setup.hold_outside ? 1 : 0)) * sizeof(double);
 }
 
 template std::vector<Pass<2>> compose(const Setup<2>&);

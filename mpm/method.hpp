@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "mpm/remedies.hpp"
+
 namespace assay::mpm {
 
 enum class Basis { linear, ugimp, cpgimp, cpdi, cpdi2, bspline2, bspline3, bspline4 };
@@ -57,5 +59,8 @@ struct Contradiction {
   std::string key, reason;
 };
 std::optional<Contradiction> contradiction(const Method& method);
+
+/// Likewise of a remedy that the method has no place for.
+std::optional<Contradiction> contradiction(const Method& method, const Remedies& remedies);
 
 }  // namespace assay::mpm

@@ -17,7 +17,13 @@ template <int Dim>
 void end_stress(State<Dim>& s, BlockOutcome outcome) {
   s.material_calls += static_cast<std::int64_t>(s.particles);
   if (outcome.inverted) {
-    s.finding = Finding{Finding::Kind::unstable, "det F <= 0", static_cast<std::int64_t>(*outcome.inverted)};
+    const std::size_t p = *outcome.inverted;
+    bool number = true;
+    for (int c = 0; c < tensor_components<Dim>; ++c) {
+      number = number && std::isfinite(s.column(Column::deformation_gradient, c)[p]);
+    }
+    s.finding = Finding{
+        Finding::Kind::unstable, number ? "det F <= 0" : "F is not a finite number", static_cast<std::int64_t>(p), {}};
   } else if (outcome.refused) {
     s.finding = Finding{Finding::Kind::material_failed, outcome.message, static_cast<std::int64_t>(*outcome.refused),
                         std::move(outcome.step)};
@@ -107,6 +113,12 @@ double power_of_kick(const State<Dim>& s, double kick) {
   return power;
 }
 
+/// Whether L is that of the velocity after the kick. USF takes it from the one before, MUSL from a second map of the
+/// particles' velocities: their accounts hold to first order in dt. Stages kick and drift apart.
+bool rates_follow_kick(const Method& method) {
+  return method.integrator == Integrator::leapfrog || (method.update == Update::usl && !method.has_stages());
+}
+
 /// Of the momentum that the particles brought, before the step's own impulse. In the total formulation nodes do not
 /// move with the body; MUSL maps a second time; images take up a moment; inertia reaches particles before.
 template <int Dim>
@@ -150,9 +162,9 @@ Pass<Dim> accounts_pass(const Method& method, bool with_body_force) {
     pass.reads.insert(pass.reads.end(), {Column::body_force, Column::position});
   }
   pass.grid_fields = {"mass"};
-  const bool staggered = method.integrator == Integrator::leapfrog;
-  if (staggered) pass.grid_fields.insert(pass.grid_fields.end(), {"force", "acceleration"});
-  pass.bind = [with_body_force, staggered](State<Dim>& s) -> Kernel {
+  const bool works_after_kick = rates_follow_kick(method);
+  if (works_after_kick) pass.grid_fields.insert(pass.grid_fields.end(), {"force", "acceleration"});
+  pass.bind = [with_body_force, works_after_kick](State<Dim>& s) -> Kernel {
     auto blocks = std::make_shared<std::vector<BlockSums>>(blocks_of(s.particles));
     double particle_mass = 0;
     for (std::size_t p = 0; p < s.particles; ++p) particle_mass += s.column(Column::mass)[p];
@@ -163,7 +175,7 @@ Pass<Dim> accounts_pass(const Method& method, bool with_body_force) {
       return none_bad;
     };
     const bool turns = counts_grid_angular_momentum(s.setup);
-    kernel.end = [&s, blocks, particle_mass, staggered, turns](const Instant& now, std::optional<std::size_t>) {
+    kernel.end = [&s, blocks, particle_mass, works_after_kick, turns](const Instant& now, std::optional<std::size_t>) {
       for (const BlockSums& sums : *blocks) {
         for (std::size_t d = 0; d < 3; ++d) s.ledger.impulse[d] += now.kick * sums.impulse[d];
         s.ledger.angular_impulse += now.kick * sums.torque;
@@ -171,7 +183,7 @@ Pass<Dim> accounts_pass(const Method& method, bool with_body_force) {
         s.ledger.external_work += now.kick * sums.external;
       }
       if (turns) count_grid_angular_momentum(s);  // in the plane
-      if (staggered) s.ledger.internal_work += 0.5 * now.kick * power_of_kick(s, now.kick);
+      if (works_after_kick) s.ledger.internal_work += 0.5 * now.kick * power_of_kick(s, now.kick);
       double grid_mass = 0;
       for (std::size_t i = 0; i < s.inertia.nodes(); ++i) grid_mass += s.inertia.node(i)[0];
       s.ledger.mass_defect = std::max(s.ledger.mass_defect, std::abs(grid_mass / particle_mass - 1));

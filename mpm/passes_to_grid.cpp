@@ -34,6 +34,13 @@ Pass<Dim> weights_pass(const Method& method, bool domains_differ) {
     kernel.block = [&s, place](const Instant& now, const Block& block) { return place(s, block, now); };
     kernel.end = [&s, basis](const Instant&, std::optional<std::size_t> outside) {
       if (!outside) return;
+      bool number = true;
+      for (int d = 0; d < Dim; ++d) number = number && std::isfinite(s.column(Column::position, d)[*outside]);
+      if (!number) {
+        s.finding = Finding{
+            Finding::Kind::unstable, "the position is not a finite number", static_cast<std::int64_t>(*outside), {}};
+        return;
+      }
       s.finding = Finding{Finding::Kind::unstable,
                           basis.moves_corners ? "a corner of a domain left the grid, or a domain turned inside out"
                                               : "a particle or a corner of its domain left the grid",

@@ -19,6 +19,7 @@
 #include "mpm/instructions.hpp"
 #include "mpm/method.hpp"
 #include "mpm/offload.hpp"
+#include "mpm/remedies.hpp"
 #include "mpm/traction.hpp"
 
 namespace assay::mpm {
@@ -79,6 +80,7 @@ struct Setup {
   bool hold_outside = false;                            ///< nodes and particles outside the vortex's ring are held
   std::array<AxisEnds, Dim> ends{};                     ///< symmetry planes and periodic ends of the body
   bool accounts = false;                                ///< momentum and energy accounts
+  Remedies remedies;
   /// Whether the method is told where particles belong: of such a one the error says less.
   bool uses_exact_solution() const { return (body_force && inertia == Inertia::particles) || has_virtual_stress(); }
   bool has_virtual_stress() const { return traction && traction->algorithm == TractionAlgorithm::virtual_stress; }

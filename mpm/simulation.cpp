@@ -85,7 +85,8 @@ void Simulation<Dim>::allocate(const std::vector<Pass<Dim>>& passes) {
   for (const ColumnUse& use : columns_of(passes, s.setup)) {
     if (use.column == Column::weights) continue;  // the basis keeps them
     const bool shared = use.column == Column::history || use.column == Column::deformation_gradient ||
-                        use.column == Column::velocity_gradient || use.column == Column::stress;
+                        use.column == Column::velocity_gradient || use.column == Column::stress ||
+                        use.column == Column::volume_scale;
     const auto memory = shared && s.setup.offload ? s.setup.offload->allocate : nullptr;
     if (use.column == Column::history) {
       for (auto& half : s.history) half.allocate(s.particles, static_cast<int>(s.setup.material->state_size()), memory);
@@ -137,7 +138,9 @@ template <int Dim>
 void Simulation<Dim>::fill_domain(std::size_t p) {
   State<Dim>& s = state_;
   const Seeds<Dim>& seeds = s.setup.seeds;
-  const auto& half = seeds.half_edges[p];
+  Mat<Dim> half{};
+  for (std::size_t d = 0; d < Dim; ++d) half[d * (Dim + 1)] = seeds.half_size[d];
+  if (!seeds.half_edges.empty()) half = seeds.half_edges[p];
   if (bytes_of(Column::domain, s.setup) == half.size() * sizeof(double)) {
     for (int c = 0; c < Dim * Dim; ++c) s.column(Column::domain, c)[p] = half[static_cast<std::size_t>(c)];
     return;
@@ -186,7 +189,8 @@ const std::optional<Finding>& Simulation<Dim>::step(double t, double dt) {
   velocity_time_ = staggered ? t + 0.5 * dt : t + dt;
   for (Stage& stage : steps_[begun_ ? 1 : 0]) {
     const SymplecticStage& part = stage.part;
-    const Instant now(t + part.begin * dt, part.drift * dt, (staggered && !begun_ ? 0.5 : part.kick) * dt);
+    const double kick = staggered ? 0.5 * (last_dt_ + dt) : part.kick * dt;  // from one half step to the next
+    const Instant now(t + part.begin * dt, part.drift * dt, kick);
     run<Dim>(state_, stage.kernels, now, stage.seconds);
     for (std::size_t k = 0; k < stage.passes.size(); ++k) {
       times_[stage.passes[k]].seconds += stage.seconds[k];
@@ -194,6 +198,7 @@ const std::optional<Finding>& Simulation<Dim>::step(double t, double dt) {
     }
   }
   begun_ = true;
+  last_dt_ = dt;
   return state_.finding;
 }
 

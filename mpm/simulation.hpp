@@ -54,6 +54,7 @@ class Simulation {
     std::vector<double> seconds;
   };
   std::array<std::vector<Stage>, 2> steps_;  ///< the first step, and those after it
+  double last_dt_ = 0;                       ///< of the step before; 0 of the first [s]
   bool begun_ = false;
   double velocity_time_ = 0;
   std::vector<PassTime> times_;

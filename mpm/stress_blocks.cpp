@@ -40,6 +40,15 @@ std::optional<std::size_t> advance_block(const StressColumns<Dim>& columns, std:
   return bad == n ? std::nullopt : std::optional(begin + bad);
 }
 
+/// F for the material: in-plane components of a batch by the factors of its points.
+template <int Dim>
+void scale_block(double* F, const double* factors, std::size_t n) {
+  for (int c = 0; c < Dim * Dim; ++c) {
+    double* component = F + row_of<Dim>(c) * n;
+    for (std::size_t p = 0; p < n; ++p) component[p] *= factors[p];
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -65,6 +74,10 @@ BlockOutcome update_block(const StressColumns<Dim>& columns, const Material& mat
   BlockOutcome outcome;
   outcome.inverted = advance_block(columns, begin, n, now.dt, scratch);
   if (outcome.inverted) return outcome;
+  if (columns.volume_scale[0]) {
+    scale_block<Dim>(scratch.F0(), columns.volume_scale[0] + begin, n);
+    scale_block<Dim>(scratch.F1(), columns.volume_scale[1] + begin, n);
+  }
   const double* state0 = state_size ? columns.history[0] + begin * state_size : nullptr;
   double* state1 = state_size ? columns.history[1] + begin * state_size : nullptr;
   const double length = std::abs(now.dt);  // back in time go models that ask for F alone, and the ABI promises dt > 0

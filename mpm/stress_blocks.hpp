@@ -21,8 +21,9 @@ template <int Dim>
 struct StressColumns {
   std::array<double*, tensor_components<Dim>> deformation_gradient{}, velocity_gradient{};
   std::array<double*, stress_components<Dim>> stress{};
-  std::array<double*, 2> history{};  ///< begin and end of the step; null of a material without state
-  bool rate_of_F = false;            ///< what velocity_gradient holds: dF/dt in place of L
+  std::array<double*, 2> history{};       ///< begin and end of the step; null of a material without state
+  std::array<double*, 2> volume_scale{};  ///< of F for the material, begin and end of the step; null: 1
+  bool rate_of_F = false;                 ///< what velocity_gradient holds: dF/dt in place of L
 };
 
 /// Batches of one thread: F0, F1 and Cauchy stress of a block, nine components each.

@@ -49,10 +49,10 @@ class Moves {
 }  // namespace
 
 std::vector<std::string> result_files() {
-  return {last_file,     "errors.csv",   "resolved.yaml", "particles.pvd", "particles_#.vtu",
-          "report.html", "error.png",    "shear.png",     "jacobian.png",  "error_history.png",
-          "replay.yaml", "material.log", "sheet.csv",     "curve.csv",     "tau.png",
-          "slope.png",   "sheet.png",    "history.csv",   "histories.png", "+points.csv"};
+  return {last_file,       "errors.csv",   "resolved.yaml", "particles.pvd",     "particles_#.vtu", "report.html",
+          "error.png",     "shear.png",    "jacobian.png",  "error_history.png", "replay.yaml",     "replay_scene.yaml",
+          "last_good.vtu", "material.log", "sheet.csv",     "curve.csv",         "tau.png",         "slope.png",
+          "sheet.png",     "history.csv",  "histories.png", "+points.csv"};
 }
 
 OutputFolder::OutputFolder(fs::path target, std::vector<std::string> names)

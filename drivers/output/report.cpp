@@ -29,9 +29,12 @@ std::string verdict(const Result& result) {
     kind = "bad";
   }
   std::string out = "<div class=\"verdict " + kind + "\">" + element("strong", sentence);
-  out += element("p", "Outcome: " + element("b", escaped(result.outcome)) +
-                          (result.reason.empty() ? "" : ". " + escaped(result.reason)) +
-                          (result.replay.empty() ? "" : ". The failing step is in " + escaped(result.replay)));
+  out += element("p",
+                 "Outcome: " + element("b", escaped(result.outcome)) +
+                     (result.reason.empty() ? "" : ". " + escaped(result.reason)) +
+                     (result.replay.empty() ? ""
+                                            : (result.failed_step ? ". The failing step is in " : ". Shown again by ") +
+                                                  escaped(result.replay)));
   return out + "</div>\n";
 }
 

@@ -57,6 +57,13 @@ std::string credibility_section(const Result& result) {
   out += fact("of momentum", figure(result.drift.momentum, 2));
   out += fact("of angular momentum", figure(result.drift.angular_momentum, 2));
   out += fact("of energy", figure(result.drift.energy, 2));
+  out += fact("Smallest det F", figure(result.health.jacobian_min));
+  out += fact("Fastest particle", with_unit(figure(result.health.fastest), "m/s"));
+  out += fact("Largest Courant number", figure(result.health.courant));
+  if (result.health.domain_extent) {
+    out +=
+        fact("Farthest corner of a domain", rounded_text(*result.health.domain_extent, 3) + " cells from its particle");
+  }
   return section("What else was checked", out + "</dl>\n");
 }
 

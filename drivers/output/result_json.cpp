@@ -124,6 +124,16 @@ Json drift(const DriftFigures& figures) {
   return out;
 }
 
+Json health(const HealthFigures& figures) {
+  Json out;
+  out["jacobian_min"] = figure(figures.jacobian_min);
+  out["fastest"] = figure(figures.fastest);
+  out["courant"] = figure(figures.courant);
+  out["domain_extent"] = figure(figures.domain_extent);
+  out["energy"] = figure(figures.energy);
+  return out;
+}
+
 Json expectations(const std::vector<ExpectationOutcome>& list) {
   Json out = Json::array();
   for (const ExpectationOutcome& item : list) {
@@ -175,6 +185,8 @@ Json tree(const Result& result) {
   out["growth"] = growth(result.growth);
   if (result.tractions) out["tractions"] = tractions(result.tractions->runs);
   out["drift"] = drift(result.drift);
+  out["health"] = health(result.health);
+  out["last_good"] = result.last_good.empty() ? Json(nullptr) : Json(result.last_good);
   out["replay"] = result.replay.empty() ? Json(nullptr) : Json(result.replay);
   out["expect"] = expectations(result.expect);
   out["provenance"] = provenance(result.provenance);

@@ -85,15 +85,19 @@ struct TractionChoice {
 };
 
 struct TimeChoice {
-  double end = 1;              ///< [s]
-  std::optional<double> step;  ///< fixes dt [s] instead of courant
+  double end = 1;  ///< [s]
+  enum class Control { planned, current };
+  Control control = Control::planned;  ///< equal steps by the exact motion; or as the particles are now
+  std::optional<double> step;          ///< fixes dt [s] instead of courant
 };
 
 struct OutputChoice {
-  int errors = 100;        ///< samples of the error over the run
-  int particles = 10;      ///< snapshots (VTU) over the run; 0: none
-  bool pictures = true;    ///< PNG pictures
-  bool report = true;      ///< report.html
+  int errors = 100;                           ///< samples of the error over the run
+  int particles = 10;                         ///< snapshots (VTU) over the run; 0: none
+  std::optional<double> each_step_from = {};  ///< snapshots of every step from this time on, besides [s]
+  bool pictures = true;                       ///< PNG pictures
+  bool report = true;                         ///< report.html
+  bool writes_particles() const { return particles > 0 || each_step_from; }
   bool accounts = true;    ///< momentum, mass and energy accounts
   bool tractions = false;  ///< the algorithms of tractions side by side
 };
@@ -128,6 +132,7 @@ struct Scene {
   ForceChoice force;
   TractionChoice traction;
   TimeChoice time;
+  mpm::Remedies remedies;
   OutputChoice output;
   Limits limits;
   std::vector<Expectation> expect;

@@ -214,6 +214,7 @@ void check_method(const Scene& scene, const Where& where) {
     refuse(where, "method.affine", "is of transfer: apic and aflip, and transfer is " + mpm::names_of(method).transfer);
   }
   if (const auto found = mpm::contradiction(method)) refuse(where, found->key, found->reason);
+  if (const auto found = mpm::contradiction(method, scene.remedies)) refuse(where, found->key, found->reason);
 }
 
 void check_grid(const Scene& scene, const Where& where) {
@@ -283,6 +284,9 @@ void check_scene(const Scene& scene, const std::function<Location(const std::str
     refuse(where, "output.tractions", "compares tractions, and with force.response: none no forces act");
   }
   const auto* box = std::get_if<AxisAligned>(&scene.motion);
+  if (scene.time.step && scene.time.control == TimeChoice::Control::current) {
+    refuse(where, "time.control", "current takes steps by method.courant, and time.step fixes them");
+  }
   const bool known_end = !box || box->given_speed || scene.places.contains("time.end");
   if (known_end && scene.time.step && *scene.time.step > scene.time.end) {
     refuse(where, "time.step", "must not exceed time.end, found " + number_text(*scene.time.step));

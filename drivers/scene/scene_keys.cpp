@@ -31,6 +31,8 @@ const std::vector<std::string> periodics{"none", "x", "y", "both"};
 const std::vector<std::string> traction_forms{"follower", "reference"};
 const std::vector<std::string> with_traction{"homogeneous", "rotating_stretch", "twisting_ring", "axis_aligned",
                                              "bar_1d"};
+const std::vector<std::string> anti_lockings{"none", "cell", "node"};
+const std::vector<std::string> controls{"planned", "current"};
 const std::vector<std::string> responses{"none", "closed_form", "sheet", "shadow"};
 
 #define GET(expression) [](const Scene& s) -> Value { return expression; }
@@ -160,6 +162,24 @@ std::vector<Key> method_keys() {
   };
 }
 
+std::vector<Key> remedy_keys() {
+  using enum KeyType;
+  return {
+      {"remedies.anti_locking", choice, "the stress is that of a volume ratio J averaged over cells or nodes (F-bar), for nearly incompressible materials",
+       GET(name_of(anti_lockings, s.remedies.anti_locking)),
+       SET(s.remedies.anti_locking = picked<mpm::AntiLocking>(anti_lockings, v)), {}, anti_lockings},
+      {"remedies.largest_domain", number, "domains of cpdi and cpdi2 are shortened so that no corner is farther from its particle [cells]",
+       GET(s.remedies.largest_domain > 0 ? Value(s.remedies.largest_domain) : Value()),
+       SET(s.remedies.largest_domain = real(v)), {.lower = 0.1, .upper = 1e6}, {}, false, "as they deform"},
+      {"remedies.small_mass", number, "lighter nodes take up force in proportion to their mass [rho0 h^2]",
+       GET(s.remedies.small_mass > 0 ? Value(s.remedies.small_mass) : Value()),
+       SET(s.remedies.small_mass = real(v)), {.lower = 0, .upper = 1, .lower_open = true}, {}, false, "all forces"},
+      {"remedies.artificial_viscosity", pair, "C1 and C2 of the pressure rho h (C1 c + C2 h |tr D|) |tr D| against shrinking",
+       GET(s.remedies.has_viscosity() ? pair_of(s.remedies.viscosity) : Value()),
+       SET(s.remedies.viscosity = two(v)), {.lower = 0, .upper = 100}, {}, false, "none"},
+  };
+}
+
 std::vector<Key> run_keys() {
   using enum KeyType;
   return {
@@ -168,11 +188,17 @@ std::vector<Key> run_keys() {
       {"time.step", number, "fixes dt [s] instead of method.courant",
        GET(s.time.step ? Value(*s.time.step) : Value()), SET(s.time.step = real(v)), positive, {}, false,
        "of method.courant"},
+      {"time.control", choice, "steps of equal length, planned by the exact motion; or by the fastest wave and particle there are now",
+       GET(name_of(controls, s.time.control)), SET(s.time.control = picked<TimeChoice::Control>(controls, v)), {},
+       controls},
       {"output.errors", number, "samples of the error over the run", GET(double(s.output.errors)),
        SET(s.output.errors = whole(v)), {.lower = 1, .upper = 1e6, .whole = true}},
       {"output.particles", number, "snapshots of the particles (VTU) over the run; 0: none",
        GET(double(s.output.particles)), SET(s.output.particles = whole(v)),
        {.lower = 0, .upper = 1e5, .whole = true}},
+      {"output.each_step_from", number, "snapshots of every step from this time on, besides [s]",
+       GET(s.output.each_step_from ? Value(*s.output.each_step_from) : Value()),
+       SET(s.output.each_step_from = real(v)), {.lower = 0}, {}, false, "none"},
       {"output.pictures", boolean, "PNG pictures", GET(s.output.pictures),
        SET(s.output.pictures = std::get<bool>(v))},
       {"output.report", boolean, "report.html", GET(s.output.report), SET(s.output.report = std::get<bool>(v))},
@@ -213,6 +239,7 @@ const std::vector<Section>& scene_sections() {
        [](Scene& s) { s.method.emplace(); }},
       {"force", "the body force"},
       {"traction", "how prescribed tractions reach the grid"},
+      {"remedies", "against what a method alone does not hold; each costs, and is absent by default"},
       {"time", "the clock"},
       {"output", "what is written"},
       {"limits", "what a run may cost"},
@@ -224,7 +251,8 @@ const std::vector<Section>& scene_sections() {
 const std::vector<Key>& scene_keys() {
   static const std::vector<Key> keys = [] {
     std::vector<Key> all = motion_keys();
-    for (auto part : {body_keys(), method_keys(), run_keys()}) all.insert(all.end(), part.begin(), part.end());
+    for (auto part : {body_keys(), method_keys(), remedy_keys(), run_keys()})
+      all.insert(all.end(), part.begin(), part.end());
     return all;
   }();
   return keys;

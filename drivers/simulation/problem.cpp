@@ -186,14 +186,21 @@ Problem assemble(const Scene& given, int threads) {
   if (const auto& v = scene.body.initial_velocity) setup.initial_velocity = {v->velocity, gradient_of(*v)};
   setup.hold_outside = scene.body.domain != Body::Domain::ring && scene.body.outside == Body::Outside::held;
   setup.accounts = scene.output.accounts;
+  setup.remedies = scene.remedies;
   setup.threads = threads;
   if (setup.seeds.size() == 0)
     throw InputError(scene.place("grid.spacing"), "grid.spacing", "leaves no particle in the body");
   const double watched = std::min(scene.time.end, wave_periods * problem.period());
   for (const Path& path : baseline_paths(scene)) {
     setup.material_direction = path.material_direction;
-    problem.wave_speed = std::max(problem.wave_speed, fastest_wave_on_path(*problem.material, path, density, watched));
+    const auto fastest = [&](WaveFrame in) {
+      return fastest_wave_on_path(*problem.material, path, density, watched, in);
+    };
+    problem.wave_speed = std::max(problem.wave_speed, fastest(WaveFrame::current));
+    if (!setup.method.is_total()) continue;
+    problem.reference_wave_speed = std::max(problem.reference_wave_speed, fastest(WaveFrame::reference));
   }
+  setup.remedies.viscosity_speed = problem.wave_speed;
   problem.particle_speed = fastest_particle(problem);
   plan_steps(problem);
   check_limits(problem);

@@ -15,10 +15,11 @@ namespace assay::drivers {
 struct Problem {
   Scene scene;  ///< with the material's parameters filled in: what resolved.yaml holds
   std::shared_ptr<const Material> material;
-  std::string library;        ///< that the material comes from; empty: built in
-  double wave_speed = 0;      ///< fastest on the baseline path [m/s]
-  double particle_speed = 0;  ///< fastest of the exact motion [m/s]
-  double dt = 0;              ///< [s]; the last step may be shorter
+  std::string library;              ///< that the material comes from; empty: built in
+  double wave_speed = 0;            ///< fastest on the baseline path [m/s]
+  double reference_wave_speed = 0;  ///< the same across the grid of a total formulation, else 0 [m/s]
+  double particle_speed = 0;        ///< fastest of the exact motion [m/s]
+  double dt = 0;                    ///< [s]; the last step may be shorter
   std::int64_t steps = 0;
   mpm::Setup<2> setup;  ///< complete but for the response
 

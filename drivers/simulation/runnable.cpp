@@ -10,6 +10,12 @@
 
 namespace assay::drivers {
 
+namespace {
+
+constexpr double most_snapshots = 1e5;  ///< of every step
+
+}  // namespace
+
 void require_runnable(const Scene& scene) {
   const auto* vortex = std::get_if<Vortex>(&scene.motion);
   if (!is_plane(scene.motion)) {
@@ -69,6 +75,14 @@ void check_limits(const Problem& problem) {
   const double histories = scene.force.response == ForceChoice::Response::shadow ? scene.force.radii : 0;
   const double particle_steps =
       static_cast<double>(problem.steps) * (static_cast<double>(problem.setup.seeds.size()) + histories);
+  if (scene.output.each_step_from && *scene.output.each_step_from < scene.time.end) {
+    const double shots = (scene.time.end - *scene.output.each_step_from) / problem.dt;
+    if (shots > most_snapshots) {
+      throw InputError(scene.place("output.each_step_from"), "output.each_step_from",
+                       "asks for " + rounded_text(shots, 3) + " snapshots, at most " + rounded_text(most_snapshots, 6) +
+                           " are written");
+    }
+  }
   if (particle_steps > scene.limits.particle_steps) {
     throw InputError(scene.place("limits.particle_steps"), "limits.particle_steps",
                      "the run would take " + rounded_text(particle_steps, 3) + " particle-steps, the limit is " +

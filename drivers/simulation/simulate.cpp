@@ -14,7 +14,9 @@
 #include "drivers/output/number_format.hpp"
 #include "drivers/simulation/accounts.hpp"
 #include "drivers/simulation/growth.hpp"
+#include "drivers/simulation/health.hpp"
 #include "drivers/simulation/stress_offload.hpp"
+#include "drivers/simulation/time_control.hpp"
 #include "mpm/simulation.hpp"
 
 namespace assay::drivers {
@@ -37,6 +39,9 @@ std::set<std::int64_t> schedule(const Problem& problem, int count) {
   return due;
 }
 
+/// How often what a snapshot shows is kept: a copy takes as long as a tenth of a step.
+constexpr std::int64_t fewest_steps_of_good = 64, most_goods = 200;
+
 /// One run's moving parts, so that the loop itself reads as it is.
 class Run {
  public:
@@ -45,7 +50,11 @@ class Run {
         snapshots_(snapshots),
         result_(result),
         workers_(workers_of(problem)),
-        simulation_(setup_of(problem, exact, workers_)) {
+        simulation_(setup_of(problem, exact, workers_)),
+        health_(problem, simulation_.state()),
+        good_interval_(std::max(fewest_steps_of_good, problem.steps / most_goods)) {
+    if (problem.scene.time.control == TimeChoice::Control::current) control_.emplace(problem, simulation_.state());
+    snapshots_.keep_good(simulation_.state(), 0);
     if (exact) sampler_.emplace(problem, std::move(exact), simulation_.state());
     if (problem.scene.output.accounts) accounts_.emplace(simulation_.state());
     due_ = observations_of(problem);
@@ -53,13 +62,18 @@ class Run {
 
   void loop(Progress& progress) {
     const auto start = Clock::now();
-    observe(0);
+    observe(-1, 0, 0);
     const double cpu_at_start = cpu_seconds();
     observing_cpu_s_ = 0;
     std::int64_t k = 0;
-    while (k < problem_.steps) {
+    double t = 0;
+    while (t < problem_.scene.time.end) {
       stop_if_interrupted();
-      const double t = problem_.time_of_step(k), next = problem_.time_of_step(k + 1);
+      const double next = control_ ? control_->next(simulation_.state(), t) : problem_.time_of_step(k + 1);
+      if (control_ && control_->stuck()) {
+        record({mpm::Finding::Kind::unstable, "waves have become too fast to follow", 0, {}});
+        break;
+      }
       const auto& finding = simulation_.step(t, next - t);
       ++k;
       result_.t = next;
@@ -67,9 +81,14 @@ class Run {
         record(*finding);
         break;
       }
-      observe(k);
-      progress.update(static_cast<double>(k) / static_cast<double>(problem_.steps),
-                      "t = " + rounded_text(next, 3) + " s");
+      if (const auto ill = health_.look(simulation_.state(), k, next, next - t, wave_speed())) {
+        record(*ill);
+        break;
+      }
+      if (k % good_interval_ == 0) snapshots_.keep_good(simulation_.state(), next);
+      observe(planned_step(t), planned_step(next), next);
+      t = next;
+      progress.update(t / problem_.scene.time.end, "t = " + rounded_text(next, 3) + " s");
     }
     result_.step_cpu_s = cpu_seconds() - cpu_at_start - observing_cpu_s_;
     result_.wall_s = seconds_since(start);
@@ -92,15 +111,32 @@ class Run {
     return setup;
   }
 
-  void observe(std::int64_t k) {
-    const bool shot = due_.shots.contains(k), sample = due_.samples.contains(k) || (shot && sampler_);
-    const bool account = accounts_ && (sample || due_.accounts.contains(k));
+  double wave_speed() const {
+    return control_ ? control_->wave_speed() : std::max(problem_.wave_speed, problem_.reference_wave_speed);
+  }
+
+  /// The step of the plan that has been taken by a time.
+  std::int64_t planned_step(double t) const {
+    constexpr double rounding = 1e-6;  // of a step
+    return t >= problem_.scene.time.end ? problem_.steps
+                                        : static_cast<std::int64_t>(std::floor(t / problem_.dt + rounding));
+  }
+
+  /// What is due after one of the steps (before, now] of the plan, at time t.
+  void observe(std::int64_t before, std::int64_t now, double t) {
+    const auto due = [&](const std::set<std::int64_t>& steps) {
+      const auto next = steps.upper_bound(before);
+      return next != steps.end() && *next <= now;
+    };
+    const bool each = control_ && problem_.scene.output.each_step_from.value_or(INFINITY) <= t;
+    const bool shot = due(due_.shots) || each, sample = due(due_.samples) || (shot && sampler_);
+    const bool account = accounts_ && (sample || due(due_.accounts));
     if (!shot && !sample && !account) return;
-    const double t = problem_.time_of_step(k), cpu_at_start = cpu_seconds();
+    const double cpu_at_start = cpu_seconds();
     auto start = Clock::now();
     if (sample) {
       const ErrorSample found = sampler_->sample(simulation_.state(), t, simulation_.velocity_time());
-      if (due_.samples.contains(k)) result_.history.push_back(found);
+      if (due(due_.samples)) result_.history.push_back(found);
       largest_displacement_ = std::max(largest_displacement_, sampler_->exact_displacement());
       sampling_s_ += seconds_since(start);
     }
@@ -125,7 +161,8 @@ class Run {
 
   void finish(std::int64_t steps) {
     const mpm::State<2>& s = simulation_.state();
-    result_.dt = problem_.dt;
+    result_.dt = control_ && steps > 0 ? *result_.t / static_cast<double>(steps) : problem_.dt;
+    if (control_) result_.material_calls += control_->material_calls();
     result_.steps = steps;
     result_.particles = problem_.particles();
     result_.moving_particles = static_cast<std::int64_t>(s.particles);
@@ -148,6 +185,8 @@ class Run {
     if (problem_.setup.traction) result_.growth = growth_of(result_.history);
     if (result_.growth) result_.warnings.push_back(growth_sentence(*result_.growth, problem_));
     if (accounts_) result_.drift = accounts_->drift();
+    result_.health = health_.figures();
+    for (const std::string& sentence : health_.sentences()) result_.warnings.push_back(sentence);
   }
 
   Problem& problem_;
@@ -155,6 +194,9 @@ class Run {
   Result& result_;
   std::shared_ptr<StressOffload> workers_;  ///< of a material that runs in processes of its own
   mpm::Simulation<2> simulation_;
+  HealthWatch health_;
+  std::optional<TimeControl> control_;
+  std::int64_t good_interval_;  ///< steps between two states that are kept
   std::optional<ErrorSampler> sampler_;
   std::optional<Accounts> accounts_;
   Observations due_;
@@ -166,11 +208,16 @@ class Run {
 Observations observations_of(const Problem& problem) {
   const OutputChoice& output = problem.scene.output;
   const bool compared = problem.compared;
-  return {schedule(problem, compared ? std::max(output.errors, 1) : 0),
-          schedule(problem, output.particles > 0          ? output.particles
-                            : output.pictures && compared ? 2
-                                                          : 0),
-          schedule(problem, output.accounts ? std::max(output.errors, 1) : 0)};
+  Observations due{schedule(problem, compared ? std::max(output.errors, 1) : 0),
+                   schedule(problem, output.particles > 0          ? output.particles
+                                     : output.pictures && compared ? 2
+                                                                   : 0),
+                   schedule(problem, output.accounts ? std::max(output.errors, 1) : 0)};
+  const double from = output.each_step_from.value_or(problem.scene.time.end);
+  for (std::int64_t k = problem.steps; output.each_step_from && k >= 0 && problem.time_of_step(k) >= from; --k) {
+    due.shots.insert(k);
+  }
+  return due;
 }
 
 void simulate(Problem& problem, std::shared_ptr<const ExactSolution> exact, Snapshots& snapshots, Progress& progress,

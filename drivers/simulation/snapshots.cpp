@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "drivers/output/number_format.hpp"
@@ -15,37 +16,38 @@ namespace {
 
 using mpm::Column;
 
-/// Columns of a state as VTK wants them: components of a particle side by side, always in three dimensions.
-std::vector<double> interleaved_vector(const mpm::State<2>& s, Column which) {
-  std::vector<double> values(3 * s.particles, 0.0);
-  for (std::size_t p = 0; p < s.particles; ++p) {
-    for (std::size_t d = 0; d < 2; ++d) values[3 * p + d] = s.column(which, static_cast<int>(d))[p];
+/// Where component c of a column begins.
+using ColumnView = std::function<const double*(Column, int)>;
+
+/// Columns as VTK wants them: components of a particle side by side, always in three dimensions.
+std::vector<double> interleaved_vector(const ColumnView& of, std::size_t particles, Column which) {
+  std::vector<double> values(3 * particles, 0.0);
+  for (int d = 0; d < 2; ++d) {
+    const double* from = of(which, d);
+    for (std::size_t p = 0; p < particles; ++p) values[3 * p + static_cast<std::size_t>(d)] = from[p];
   }
   return values;
 }
 
-std::vector<double> interleaved_tensor(const mpm::State<2>& s, Column which, bool has_33) {
-  std::vector<double> values(9 * s.particles, 0.0);
-  for (std::size_t p = 0; p < s.particles; ++p) {
-    constexpr std::size_t rows[] = {0, 1, 3, 4, 8};
-    for (std::size_t c = 0; c < (has_33 ? 5u : 4u); ++c) {
-      values[9 * p + rows[c]] = s.column(which, static_cast<int>(c))[p];
-    }
-    if (!has_33) values[9 * p + 8] = 1;  // plane strain
+std::vector<double> interleaved_tensor(const ColumnView& of, std::size_t particles, Column which, bool has_33) {
+  constexpr std::size_t rows[] = {0, 1, 3, 4, 8};
+  std::vector<double> values(9 * particles, 0.0);
+  for (std::size_t c = 0; c < (has_33 ? 5u : 4u); ++c) {
+    const double* from = of(which, static_cast<int>(c));
+    for (std::size_t p = 0; p < particles; ++p) values[9 * p + rows[c]] = from[p];
   }
+  for (std::size_t p = 0; !has_33 && p < particles; ++p) values[9 * p + 8] = 1;  // plane strain
   return values;
 }
 
-}  // namespace
-
-void Snapshots::write_vtu(const mpm::State<2>& s, const ErrorSampler* sampler, double t) {
-  std::vector<std::int64_t> id(s.particles);
-  for (std::size_t p = 0; p < s.particles; ++p) id[p] = static_cast<std::int64_t>(p);
-  const auto position = interleaved_vector(s, Column::position);
-  const auto reference = interleaved_vector(s, Column::reference_position);
-  const auto velocity = interleaved_vector(s, Column::velocity);
-  const auto F = interleaved_tensor(s, Column::deformation_gradient, false);
-  const auto stress = interleaved_tensor(s, Column::stress, true);
+std::string particles_vtu(const ColumnView& of, std::size_t particles, const std::vector<VtuArray>& more, double t) {
+  std::vector<std::int64_t> id(particles);
+  for (std::size_t p = 0; p < particles; ++p) id[p] = static_cast<std::int64_t>(p);
+  const auto position = interleaved_vector(of, particles, Column::position);
+  const auto reference = interleaved_vector(of, particles, Column::reference_position);
+  const auto velocity = interleaved_vector(of, particles, Column::velocity);
+  const auto F = interleaved_tensor(of, particles, Column::deformation_gradient, false);
+  const auto stress = interleaved_tensor(of, particles, Column::stress, true);
   std::vector<double> displacement(position);
   for (std::size_t k = 0; k < displacement.size(); ++k) displacement[k] -= reference[k];
   std::vector<VtuArray> arrays{{"id", 1, std::span<const std::int64_t>(id)},
@@ -53,13 +55,61 @@ void Snapshots::write_vtu(const mpm::State<2>& s, const ErrorSampler* sampler, d
                                {"velocity", 3, std::span<const double>(velocity)},
                                {"deformation_gradient", 9, std::span<const double>(F)},
                                {"stress", 9, std::span<const double>(stress)}};
-  if (sampler) {
-    arrays.push_back({"displacement_error", 1, std::span<const double>(sampler->displacement_error())});
-    const char* measure = std::holds_alternative<Vortex>(problem_->scene.motion) ? "shear" : "jacobian";
-    arrays.push_back({measure, 1, std::span<const double>(sampler->measure())});
+  arrays.insert(arrays.end(), more.begin(), more.end());
+  return vtu_text(position, arrays, t);
+}
+
+/// What a snapshot shows.
+struct Shown {
+  Column column;
+  int components;
+};
+constexpr Shown shown[] = {{Column::reference_position, 2},
+                           {Column::position, 2},
+                           {Column::velocity, 2},
+                           {Column::deformation_gradient, mpm::tensor_components<2>},
+                           {Column::stress, mpm::stress_components<2>}};
+
+}  // namespace
+
+void LastGood::keep(const mpm::State<2>& s, double t) {
+  t_ = t;
+  particles_ = s.particles;
+  values_.clear();  // keeps its memory
+  for (const Shown& part : shown) {
+    const double* from = s.column(part.column);
+    values_.insert(values_.end(), from, from + static_cast<std::size_t>(part.components) * particles_);
   }
+}
+
+std::string LastGood::vtu() const {
+  const auto of = [&](Column which, int component) {
+    std::size_t before = 0;
+    for (const Shown& part : shown) {
+      if (part.column == which) break;
+      before += static_cast<std::size_t>(part.components);
+    }
+    return values_.data() + (before + static_cast<std::size_t>(component)) * particles_;
+  };
+  return particles_vtu(of, particles_, {}, t_);
+}
+
+std::string Snapshots::leave_last_good() const {
+  const std::string name = "last_good.vtu";
+  folder_->write(name, last_good_.vtu());
+  return name;
+}
+
+void Snapshots::write_vtu(const mpm::State<2>& s, const ErrorSampler* sampler, double t) {
+  std::vector<VtuArray> more;
+  if (sampler) {
+    more.push_back({"displacement_error", 1, std::span<const double>(sampler->displacement_error())});
+    const char* measure = std::holds_alternative<Vortex>(problem_->scene.motion) ? "shear" : "jacobian";
+    more.push_back({measure, 1, std::span<const double>(sampler->measure())});
+  }
+  const auto of = [&s](Column which, int component) { return s.column(which, component); };
   const std::string name = particles_name(static_cast<int>(entries_.size()));
-  folder_->write(name, vtu_text(position, arrays, t));
+  folder_->write(name, particles_vtu(of, s.particles, more, t));
   entries_.push_back({t, name});
 }
 
@@ -104,7 +154,7 @@ ParticleFrame Snapshots::frame_of(const mpm::State<2>& s, double t) const {
 }
 
 void Snapshots::add(const mpm::State<2>& state, const ErrorSampler* sampler, double t) {
-  if (problem_->scene.output.particles > 0) write_vtu(state, sampler, t);
+  if (problem_->scene.output.writes_particles()) write_vtu(state, sampler, t);
   if (!problem_->scene.output.pictures || !sampler) return;
   Frame frame{t, frame_of(state, t), sampler->displacement_error(), sampler->measure()};
   const double half = 0.5 * problem_->period();

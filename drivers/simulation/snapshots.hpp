@@ -12,6 +12,21 @@
 
 namespace assay::drivers {
 
+/// What a snapshot shows of the particles, taken now and then while a run goes well.
+class LastGood {
+ public:
+  void keep(const mpm::State<2>& state, double t);
+  bool empty() const { return particles_ == 0; }
+  double t() const { return t_; }
+  /// As a VTU file.
+  std::string vtu() const;
+
+ private:
+  double t_ = 0;
+  std::size_t particles_ = 0;
+  std::vector<double> values_;  ///< of the columns that a snapshot shows, one after the other
+};
+
 class Snapshots {
  public:
   /// Nothing is written for a part that the scene does not ask for.
@@ -19,6 +34,11 @@ class Snapshots {
 
   /// One more snapshot at time t. `sampler`: null where there is no exact solution to compare with, else just sampled.
   void add(const mpm::State<2>& state, const ErrorSampler* sampler, double t);
+
+  /// Keeps what a snapshot shows of a state that is well, in place of the one before.
+  void keep_good(const mpm::State<2>& state, double t) { last_good_.keep(state, t); }
+  /// Writes it. Returns the name of the file.
+  std::string leave_last_good() const;
 
   /// particles.pvd, and the pictures of the frames kept: name and caption of each written PNG.
   struct Written {
@@ -33,6 +53,7 @@ class Snapshots {
   const Problem* problem_;
   OutputFolder* folder_;
   std::vector<PvdEntry> entries_;
+  LastGood last_good_;
   struct Frame {
     double t = 0;
     ParticleFrame shape;

@@ -83,6 +83,8 @@ void StressOffload::place(const mpm::StressColumns<2>& columns) {
     offsets(columns.velocity_gradient, page.velocity_gradient);
     offsets(columns.stress, page.stress);
     offsets(columns.history, page.history);
+    offsets(columns.volume_scale, page.volume_scale);
+    page.scales_volume = columns.volume_scale[0] != nullptr;
     page.rate_of_F = columns.rate_of_F;
   }
 }

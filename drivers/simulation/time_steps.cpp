@@ -82,11 +82,18 @@ double fastest_of_frame(const Frame& frame, const mpm::Seeds<2>& seeds) {
   return std::abs(frame.spin) * farthest + frame.velocity.norm();
 }
 
+}  // namespace
+
+double fastest_signal(const Problem& problem) {
+  return std::max(problem.wave_speed + problem.particle_speed, problem.reference_wave_speed);
+}
+
+namespace {
+
 /// Equal steps that also meet T/2 where the end is a multiple of it: the error is asked for there.
 double steps_by_courant(const Problem& problem) {
   const double end = problem.scene.time.end;
-  const double speed = problem.wave_speed + problem.particle_speed;
-  const double longest = problem.scene.method->courant * problem.scene.grid->spacing / speed;
+  const double longest = problem.scene.method->courant * problem.scene.grid->spacing / fastest_signal(problem);
   const double halves = end / (0.5 * problem.period());
   const bool whole = std::abs(halves - std::round(halves)) < whole_steps * halves;
   const double pieces = whole ? std::round(halves) : 1;

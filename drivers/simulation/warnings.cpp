@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "drivers/output/number_format.hpp"
+#include "drivers/simulation/time_steps.hpp"
 #include "harness/check/march.hpp"
 
 namespace assay::drivers {
@@ -11,8 +12,7 @@ namespace assay::drivers {
 namespace {
 
 std::string long_step_sentence(const Problem& problem) {
-  const double speed = problem.wave_speed + problem.particle_speed;
-  const double courant = problem.dt * speed / problem.scene.grid->spacing;
+  const double courant = problem.dt * fastest_signal(problem) / problem.scene.grid->spacing;
   if (!problem.scene.time.step || courant <= 1) return "";
   return "time.step = " + rounded_text(problem.dt, 3) + " s is " + rounded_text(courant, 3) +
          " times what the fastest wave takes to cross a cell: the run will hardly be stable";

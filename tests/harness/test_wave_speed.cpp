@@ -73,6 +73,23 @@ TEST(WaveSpeed, OnThePathIsItsLargest) {
   EXPECT_GT(c, 3 * own_wave(*elastic_material(), Tensor::Identity(), 1000));  // stretch about 7
 }
 
+/// rho0 c^2 = mu + (lambda + mu) Lambda^2 by reference lengths, mu Lambda^2 + lambda + mu by current ones: J = 1.
+TEST(WaveSpeed, AcrossTheReferenceConfigurationIsThatOfTheThinnedBody) {
+  const Vortex vortex;
+  const Path path = vortex.baseline();
+  const double density = 1000, gamma = path.deformation_gradient(path.parameter.lower, 0.5)(0, 1);
+  const double stretch = std::abs(gamma) / 2 + std::sqrt(1 + gamma * gamma / 4);
+  ASSERT_GT(stretch, 7);
+  for (const double nu : {0.3, 0.499}) {
+    const double mu = 1e3 / (2 * (1 + nu)), lambda = 2 * mu * nu / (1 - 2 * nu), square = stretch * stretch;
+    const auto material = elastic_material(1e3, nu);
+    const double current = fastest_wave_on_path(*material, path, density, 1);
+    const double reference = fastest_wave_on_path(*material, path, density, 1, WaveFrame::reference);
+    EXPECT_NEAR(current, std::sqrt((mu * square + lambda + mu) / density), direction_error * current) << nu;
+    EXPECT_NEAR(reference, std::sqrt((mu + (lambda + mu) * square) / density), direction_error * reference) << nu;
+  }
+}
+
 TEST(WaveSpeed, IsProbedWhereTheMaterialGivesNone) {
   const Vortex vortex{0.75, 1.25, 2, {Amplitude::Type::sine, 0.01, 1.0}};
   const double mu = 1e3 / 2.6, lambda = 1e3 * 0.3 / (1.3 * 0.4), density = 700;

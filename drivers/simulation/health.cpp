@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/simulation/health.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drivers/output/number_format.hpp"
+#include "mpm/with_basis.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+using mpm::Column;
+
+constexpr std::int64_t interval = 8;  ///< steps between two looks
+/// Times the speed that forces can have given. It leaves room for models that make energy (Jaumann's rate does), and
+/// is passed within a few steps by what grows from step to step.
+constexpr double most_excess = 10;
+/// Of the wave speed: a strain of this size sets particles in motion that no force is known for, as transfer errors do.
+constexpr double known_noise = 1e-3;
+constexpr double long_domain = 4;  ///< cells from a particle to a corner: many nodes in between get no part of it
+
+}  // namespace
+
+HealthWatch::HealthWatch(const Problem& problem, const mpm::State<2>& s) : problem_(&problem) {
+  const mpm::BasisTraits traits = mpm::traits_of<2>(problem.setup.method.basis);
+  convects_ =
+      !problem.setup.method.is_total() && (traits.moves_corners || problem.setup.method.basis == mpm::Basis::cpdi);
+  for (std::size_t p = 0; p < s.particles; ++p) mass_ += s.column(Column::mass)[p];
+  reachable_ = std::sqrt(2 * scan(s).kinetic / mass_);
+}
+
+/// The work of tractions is not bounded by what is known of masses, and what is given to particles is no force.
+bool HealthWatch::judges_energy() const { return !problem_->setup.traction && !problem_->setup.uses_exact_solution(); }
+
+/// From the particle to the farther corner of its domain [m].
+double HealthWatch::half_diagonal(const mpm::State<2>& s, std::size_t p) const {
+  if (s.has(Column::corners)) {
+    double longest = 0;
+    for (const int c : {0, 1}) {  // opposite corners are c and 3 - c
+      const double dx = s.column(Column::corners, 2 * c)[p] - s.column(Column::corners, 2 * (3 - c))[p];
+      const double dy = s.column(Column::corners, 2 * c + 1)[p] - s.column(Column::corners, 2 * (3 - c) + 1)[p];
+      longest = std::max(longest, 0.5 * std::hypot(dx, dy));
+    }
+    return longest;
+  }
+  const mpm::Seeds<2>& seeds = s.setup.seeds;
+  std::array<double, 4> H{seeds.half_size[0], 0, 0, seeds.half_size[1]};
+  if (!seeds.half_edges.empty()) H = seeds.half_edges[p];
+  double longest = 0;
+  for (const double sign : {1.0, -1.0}) {
+    const double u = H[0] + sign * H[1], v = H[2] + sign * H[3];
+    const auto F = [&](int c) { return s.column(Column::deformation_gradient, c)[p]; };
+    longest = std::max(longest, std::hypot(F(0) * u + F(1) * v, F(2) * u + F(3) * v));
+  }
+  return longest;
+}
+
+HealthWatch::Seen HealthWatch::scan(const mpm::State<2>& s) const {
+  Seen seen;
+  seen.jacobian = 1;
+  double fastest = 0, sum = 0;
+  const double *m = s.column(Column::mass), *u = s.column(Column::velocity, 0), *v = s.column(Column::velocity, 1);
+  const double* F[4];
+  for (int c = 0; c < 4; ++c) F[c] = s.column(Column::deformation_gradient, c);
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    const double square = u[p] * u[p] + v[p] * v[p];
+    sum += m[p] * square;
+    if (square > fastest) fastest = square, seen.fastest_particle = p;
+    seen.jacobian = std::min(seen.jacobian, F[0][p] * F[3][p] - F[1][p] * F[2][p]);
+  }
+  seen.kinetic = 0.5 * sum;
+  seen.fastest = std::sqrt(fastest);
+  if (convects_) {
+    for (std::size_t p = 0; p < s.particles; ++p) seen.extent = std::max(seen.extent, half_diagonal(s, p));
+  }
+  if (std::isfinite(sum)) return seen;
+  for (std::size_t p = 0; p < s.particles && !seen.no_number; ++p) {
+    if (!std::isfinite(u[p]) || !std::isfinite(v[p])) seen.no_number = p;
+  }
+  return seen;
+}
+
+/// Root mean square of the body force [m/s^2].
+double HealthWatch::acceleration(const mpm::State<2>& s) const {
+  if (!s.has(Column::body_force)) return 0;
+  double sum = 0;
+  const double *m = s.column(Column::mass), *x = s.column(Column::body_force, 0), *y = s.column(Column::body_force, 1);
+  for (std::size_t p = 0; p < s.particles; ++p) sum += m[p] * (x[p] * x[p] + y[p] * y[p]);
+  return std::sqrt(sum / mass_);
+}
+
+/// Speed that the stress of the first steps would give if it were released: |sigma| / (rho c) [m/s].
+double HealthWatch::release(const mpm::State<2>& s) const {
+  double largest = 0;
+  for (int c = 0; c < mpm::stress_components<2>; ++c) {
+    const double* stress = s.column(Column::stress, c);
+    for (std::size_t p = 0; p < s.particles; ++p) largest = std::max(largest, std::abs(stress[p]));
+  }
+  return largest / (s.setup.density * problem_->wave_speed);
+}
+
+std::optional<mpm::Finding> HealthWatch::look(const mpm::State<2>& s, std::int64_t steps, double t, double dt,
+                                              double wave) {
+  if (steps % interval != 0 && steps != 1 && t < problem_->scene.time.end) return std::nullopt;
+  const Seen seen = scan(s);
+  const auto finding = [](std::string reason, std::size_t particle) {
+    return mpm::Finding{mpm::Finding::Kind::unstable, std::move(reason), static_cast<std::int64_t>(particle), {}};
+  };
+  if (seen.no_number) return finding("the velocity is not a finite number", *seen.no_number);
+  const double h = problem_->scene.grid->spacing;
+  const bool total = problem_->setup.method.is_total();
+  figures_.jacobian_min = std::min(figures_.jacobian_min.value_or(1), seen.jacobian);
+  figures_.fastest = std::max(figures_.fastest.value_or(0), seen.fastest);
+  figures_.courant = std::max(figures_.courant.value_or(0), dt * (wave + (total ? 0 : seen.fastest)) / h);
+  if (convects_) figures_.domain_extent = std::max(figures_.domain_extent.value_or(0), seen.extent / h);
+  if (!judges_energy()) return std::nullopt;
+  // d sqrt(2 E / M)/dt <= rms |b|, E the sum of kinetic energy and of what the body stores, which is not negative
+  const double now = acceleration(s);
+  if (steps == 1) reachable_ += release(s), last_acceleration_ = now;
+  reachable_ += 0.5 * (t - last_t_) * (now + last_acceleration_);
+  last_t_ = t, last_acceleration_ = now;
+  const double speed = std::sqrt(2 * seen.kinetic / mass_);
+  const double ratio = speed / (reachable_ + known_noise * problem_->wave_speed);
+  figures_.energy = std::max(figures_.energy.value_or(0), ratio * ratio);
+  if (ratio <= most_excess) return std::nullopt;
+  return finding("the kinetic energy is " + rounded_text(ratio * ratio, 3) +
+                     " times the most that the known forces can have given; fastest",
+                 seen.fastest_particle);
+}
+
+std::vector<std::string> HealthWatch::sentences() const {
+  std::vector<std::string> all;
+  if (figures_.courant.value_or(0) > 1) {
+    all.push_back("particles moved at up to " + rounded_text(*figures_.fastest, 3) +
+                  " m/s, which is a Courant number of " + rounded_text(*figures_.courant, 3) +
+                  ": the step was too long for them");
+  }
+  if (figures_.domain_extent.value_or(0) > long_domain) {
+    all.push_back("domains reached " + rounded_text(*figures_.domain_extent, 3) +
+                  " cells from their particle to a corner: nodes in between were given no part of it; " +
+                  "remedies.largest_domain keeps them smaller");
+  }
+  return all;
+}
+
+}  // namespace assay::drivers

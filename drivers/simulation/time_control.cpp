@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/simulation/time_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drivers/simulation/time_steps.hpp"
+#include "harness/material_failure.hpp"
+#include "harness/wave_speed.hpp"
+#include "mpm/blocks.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+using mpm::Column;
+
+constexpr std::int64_t interval = 16;        ///< steps between two looks
+constexpr double shortest = 1e-4;            ///< of the planned step: what needs shorter ones has gone wrong
+constexpr std::int64_t calls_of_probe = 19;  ///< of a tangent modulus by central differences
+
+Tensor deformation_of(const mpm::State<2>& s, std::size_t p) {
+  Tensor F = Tensor::Identity();
+  for (int c = 0; c < 4; ++c) F(c / 2, c % 2) = s.column(Column::deformation_gradient, c)[p];
+  return F;
+}
+
+/// Where waves are likely to be fastest: the most stretched particle, the most compressed, the most expanded.
+std::array<std::size_t, 3> extremes_of(const mpm::State<2>& s) {
+  std::array<std::size_t, 3> found{};
+  double longest = -1, least = INFINITY, most = -INFINITY;
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    const Tensor F = deformation_of(s, p);
+    const double square = F.squaredNorm(), J = F.determinant();
+    if (square > longest) longest = square, found[0] = p;
+    if (J < least) least = J, found[1] = p;
+    if (J > most) most = J, found[2] = p;
+  }
+  return found;
+}
+
+double fastest_particle_of(const mpm::State<2>& s) {
+  double square = 0;
+  const double *u = s.column(Column::velocity, 0), *v = s.column(Column::velocity, 1);
+  for (std::size_t p = 0; p < s.particles; ++p) square = std::max(square, u[p] * u[p] + v[p] * v[p]);
+  return std::sqrt(square);
+}
+
+}  // namespace
+
+TimeControl::TimeControl(const Problem& problem, const mpm::State<2>& state)
+    : problem_(&problem), material_(problem.material->clone()) {
+  look(state, 0);
+}
+
+std::vector<double> TimeControl::state_of(const mpm::State<2>& s, std::size_t p) const {
+  const std::size_t size = material_.state_size(), begin = p / mpm::block_size * mpm::block_size;
+  const std::size_t n = std::min(mpm::block_size, s.particles - begin);
+  std::vector<double> values(size);
+  for (std::size_t c = 0; c < size; ++c) values[c] = s.history[0].data()[begin * size + c * n + (p - begin)];
+  return values;
+}
+
+/// assay.wave_speed/1 at all particles; 0 of a material without, and in the total formulation, whose waves it does not
+/// know.
+double TimeControl::own_speed(const mpm::State<2>& s) const {
+  const auto* extension = material_.extension<assay_wave_speed>(ASSAY_EXTENSION_WAVE_SPEED);
+  if (!extension || !extension->wave_speed || problem_->setup.method.is_total()) return 0;
+  std::vector<double> F(9 * mpm::block_size), stress(F.size()), speed(mpm::block_size);
+  double fastest = 0;
+  for (std::size_t begin = 0; begin < s.particles; begin += mpm::block_size) {
+    const std::size_t n = std::min(mpm::block_size, s.particles - begin);
+    constexpr int rows[] = {0, 1, 3, 4, 8};
+    std::fill(F.begin(), F.end(), 0.0);
+    std::fill(stress.begin(), stress.end(), 0.0);
+    for (int c = 0; c < 5; ++c) {
+      for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t at = static_cast<std::size_t>(rows[c]) * n + k;
+        F[at] = c < 4 ? s.column(Column::deformation_gradient, c)[begin + k] : 1;
+        stress[at] = s.column(Column::stress, c)[begin + k];
+      }
+    }
+    const double* state = s.history[0].data() ? s.history[0].data() + begin * material_.state_size() : nullptr;
+    if (extension->wave_speed(material_.self(), s.setup.density, n, F.data(), stress.data(), state, speed.data()) ==
+        ASSAY_FAILED) {
+      return 0;
+    }
+    for (std::size_t k = 0; k < n; ++k) fastest = std::max(fastest, speed[k]);
+  }
+  return fastest;
+}
+
+double TimeControl::probed_speed(const mpm::State<2>& s, double t) {
+  double fastest = 0;
+  const bool total = problem_->setup.method.is_total();
+  for (const std::size_t p : extremes_of(s)) {
+    const Tensor F = deformation_of(s, p);
+    try {
+      const TangentModulus A = probe_tangent_modulus(material_, t, problem_->dt, F, state_of(s, p));
+      material_calls_ += calls_of_probe;
+      fastest = std::max(fastest, fastest_wave(A, F, s.setup.density));
+      if (total) fastest = std::max(fastest, fastest_wave(A, Tensor::Identity(), s.setup.density));
+    } catch (const MaterialFailure&) {  // the run itself will tell
+    }
+  }
+  return fastest;
+}
+
+void TimeControl::look(const mpm::State<2>& s, double t) {
+  wave_ = own_speed(s);
+  if (!(wave_ > 0)) wave_ = probed_speed(s, t);
+  if (!(wave_ > 0 && std::isfinite(wave_))) wave_ = problem_->wave_speed;
+  const double signal = wave_ + fastest_particle_of(s);
+  longest_ = problem_->scene.method->courant * problem_->scene.grid->spacing / signal;
+  stuck_ = !(longest_ > shortest * problem_->dt);
+}
+
+double TimeControl::next(const mpm::State<2>& s, double t) {
+  if (steps_++ % interval == 0) look(s, t);
+  const double end = problem_->scene.time.end, half = 0.5 * problem_->period();
+  constexpr double rounding = 1e-9;  // of T/2: a time this close to a multiple is there
+  const double mark = std::min(end, half * (std::floor(t / half + rounding) + 1));
+  const double pieces = std::ceil((mark - t) / longest_ * (1 - rounding));
+  return pieces <= 1 ? mark : t + (mark - t) / pieces;
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What keeps light nodes and shocks from throwing particles about.
+#include <cmath>
+
+#include "mpm/affine.hpp"
+#include "mpm/column_access.hpp"
+#include "mpm/passes_remedies.hpp"
+
+namespace assay::mpm {
+
+namespace {
+
+template <int Dim>
+void share_forces(State<Dim>& s, double least, double kick) {
+  std::array<double, Dim> left{};
+  for (std::size_t i = 0; i < s.inertia.nodes(); ++i) {
+    const double m = s.inertia.node(i)[0];
+    if (!(m > 0 && m < least)) continue;
+    double* force = s.force.node(i);
+    for (std::size_t d = 0; d < Dim; ++d) {
+      left[d] += kick * (1 - m / least) * force[d];
+      force[d] *= m / least;
+    }
+  }
+  for (std::size_t d = 0; d < Dim; ++d) s.ledger.impulse[d] -= left[d];
+}
+
+}  // namespace
+
+template <int Dim>
+Pass<Dim> small_mass_pass() {
+  Pass<Dim> pass;
+  pass.name = "small_mass";
+  pass.doc = "light nodes take up force in proportion to their mass";
+  pass.called_for_by = "remedies.small_mass";
+  pass.grid_fields = {"mass", "force"};
+  pass.bind = [](State<Dim>& s) -> Kernel {
+    const double least = s.setup.remedies.small_mass * s.setup.density * std::pow(s.setup.grid.spacing, Dim);
+    return [&s, least](const Instant& now) { share_forces(s, least, now.kick); };
+  };
+  return pass;
+}
+
+namespace {
+
+/// q = rho h (C1 c + C2 h |tr D|) |tr D| where tr D < 0, rho = rho0/J. [Pa]
+template <int Dim>
+void add_viscosity(State<Dim>& s, const Block& block) {
+  const Remedies& remedies = s.setup.remedies;
+  const double h = s.setup.grid.spacing, linear = remedies.viscosity[0] * remedies.viscosity_speed,
+               quadratic = remedies.viscosity[1] * h;
+  const auto F = components<Dim * Dim>(s, Column::deformation_gradient);
+  const auto rate = components<Dim * Dim>(s, Column::velocity_gradient);
+  const auto stress = components<stress_components<Dim>>(s, Column::stress);
+  const bool rate_of_F = s.method.is_total();
+  for (std::size_t p = block.begin; p < block.end; ++p) {
+    const Mat<Dim> f = load(F, p);
+    Mat<Dim> L = load(rate, p);
+    if (rate_of_F) L = product<Dim>(L, inverse<Dim>(f));
+    double trace = 0;
+    for (std::size_t d = 0; d < Dim; ++d) trace += L[d * (Dim + 1)];
+    if (!(trace < 0)) continue;
+    const double q = s.setup.density / determinant<Dim>(f) * h * (linear - quadratic * trace) * -trace;
+    for (std::size_t d = 0; d < Dim; ++d) stress[stress_index<Dim>(d, d)][p] -= q;
+    if constexpr (Dim == 2) stress[4][p] -= q;
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+Pass<Dim> viscosity_pass(const Method&) {
+  Pass<Dim> pass;
+  pass.name = "artificial_viscosity";
+  pass.doc = "a pressure against shrinking, von Neumann and Richtmyer's";
+  pass.called_for_by = "remedies.artificial_viscosity";
+  pass.reads = {Column::velocity_gradient, Column::deformation_gradient, Column::stress};
+  pass.writes = {Column::stress};
+  pass.bind = [](State<Dim>& s) -> Kernel {
+    Kernel kernel;
+    kernel.block = [&s](const Instant&, const Block& block) {
+      add_viscosity(s, block);
+      return none_bad;
+    };
+    return kernel;
+  };
+  return pass;
+}
+
+template Pass<2> small_mass_pass<2>();
+template Pass<3> small_mass_pass<3>();
+template Pass<2> viscosity_pass<2>(const Method&);
+template Pass<3> viscosity_pass<3>(const Method&);
+
+}  // namespace assay::mpm

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// F-bar: de Souza Neto, Peric, Dutko and Owen (1996); averaged over the cells of the grid by Coombs, Charlton, Cortis
+// and Augarde (2018).
+#include <algorithm>
+#include <cmath>
+
+#include "mpm/affine.hpp"
+#include "mpm/column_access.hpp"
+#include "mpm/passes_remedies.hpp"
+
+namespace assay::mpm {
+
+namespace {
+
+template <int Dim>
+std::size_t find_ratios(State<Dim>& s, const Block& block, double dt) {
+  const auto F = components<Dim * Dim>(s, Column::deformation_gradient);
+  const auto rate = components<Dim * Dim>(s, Column::velocity_gradient);
+  double* J = s.column(Column::volume_ratio);
+  const bool rate_of_F = s.method.is_total();
+  for (std::size_t p = block.begin; p < block.end; ++p) {
+    const Mat<Dim> before = load(F, p);
+    Mat<Dim> change = load(rate, p);
+    if (!rate_of_F) change = product<Dim>(change, before);
+    for (std::size_t c = 0; c < change.size(); ++c) change[c] = before[c] + dt * change[c];
+    J[p] = determinant<Dim>(change);
+  }
+  return none_bad;
+}
+
+/// Sums over the cells, or over the nodes' multilinear functions, of the grid.
+template <int Dim>
+class VolumeAverage {
+ public:
+  VolumeAverage(const GridGeometry<Dim>& grid, AntiLocking over)
+      : grid_(grid), over_(over), sums_(2 * grid.nodes(), 0.0) {}
+
+  void run(State<Dim>& s) {
+    std::fill(sums_.begin(), sums_.end(), 0.0);
+    const bool total = s.method.is_total();
+    const auto x = components<Dim>(s, total ? Column::reference_position : Column::position);
+    const double *V = s.column(Column::volume), *J = s.column(Column::volume_ratio);
+    double *before = s.column(Column::volume_scale, 0), *now = s.column(Column::volume_scale, 1);
+    for (std::size_t p = 0; p < s.particles; ++p) {
+      visit(load(x, p), [&](std::size_t at, double share) {
+        sums_[2 * at] += share * V[p];
+        sums_[2 * at + 1] += share * V[p] * J[p];
+      });
+    }
+    for (std::size_t p = 0; p < s.particles; ++p) {
+      double average = 0;
+      visit(load(x, p), [&](std::size_t at, double share) { average += share * sums_[2 * at + 1] / sums_[2 * at]; });
+      before[p] = now[p] > 0 ? now[p] : 1;                                         // zero before the first step
+      now[p] = J[p] > 0 && average > 0 ? std::pow(average / J[p], 1.0 / Dim) : 1;  // the stress pass reports it
+    }
+  }
+
+ private:
+  /// body(cell or node, share of it)
+  template <class Body>
+  void visit(const std::array<double, Dim>& x, const Body& body) const {
+    std::array<double, Dim> part{};
+    std::size_t lowest = 0, stride = 1;
+    std::array<std::size_t, Dim> strides{};
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const double along = x[d] / grid_.spacing - grid_.first[d];
+      const double cell = std::clamp(std::floor(along), 0.0, static_cast<double>(grid_.count[d] - 2));
+      part[d] = std::clamp(along - cell, 0.0, 1.0);
+      lowest += static_cast<std::size_t>(cell) * stride;
+      strides[d] = stride;
+      stride *= static_cast<std::size_t>(grid_.count[d]);
+    }
+    if (over_ == AntiLocking::cell) return body(lowest, 1.0);
+    for (std::size_t n = 0; n < std::size_t{1} << Dim; ++n) {
+      double share = 1;
+      std::size_t node = lowest;
+      for (std::size_t d = 0; d < Dim; ++d) {
+        const bool upper = (n >> d & 1) != 0;
+        share *= upper ? part[d] : 1 - part[d];
+        node += upper ? strides[d] : 0;
+      }
+      if (share > 0) body(node, share);
+    }
+  }
+
+  GridGeometry<Dim> grid_;
+  AntiLocking over_;
+  std::vector<double> sums_;  ///< [2 i]: reference volume; [2 i + 1]: current volume [m^Dim]
+};
+
+}  // namespace
+
+template <int Dim>
+Pass<Dim> volume_ratio_pass() {
+  Pass<Dim> pass;
+  pass.name = "volume_ratio";
+  pass.doc = "J of each particle after the step";
+  pass.called_for_by = "remedies.anti_locking";
+  pass.reads = {Column::velocity_gradient, Column::deformation_gradient};
+  pass.writes = {Column::volume_ratio};
+  pass.bind = [](State<Dim>& s) -> Kernel {
+    Kernel kernel;
+    kernel.block = [&s](const Instant& now, const Block& block) { return find_ratios(s, block, now.dt); };
+    return kernel;
+  };
+  return pass;
+}
+
+template <int Dim>
+Pass<Dim> average_volume_pass(const Method& method, AntiLocking over) {
+  Pass<Dim> pass;
+  pass.name = "average_volume";
+  pass.doc = over == AntiLocking::cell ? "J averaged over the particles of each cell, for the stress"
+                                       : "J averaged over the nodes' functions, for the stress";
+  pass.called_for_by = "remedies.anti_locking";
+  pass.reads = {Column::volume, Column::volume_ratio,
+                method.is_total() ? Column::reference_position : Column::position};
+  pass.writes = {Column::volume_scale};
+  pass.grid_fields = {"cell_volume"};
+  pass.bind = [over](State<Dim>& s) -> Kernel {
+    auto average = std::make_shared<VolumeAverage<Dim>>(s.setup.grid, over);
+    return [&s, average](const Instant&) { average->run(s); };
+  };
+  return pass;
+}
+
+template Pass<2> volume_ratio_pass<2>();
+template Pass<3> volume_ratio_pass<3>();
+template Pass<2> average_volume_pass<2>(const Method&, AntiLocking);
+template Pass<3> average_volume_pass<3>(const Method&, AntiLocking);
+
+}  // namespace assay::mpm
