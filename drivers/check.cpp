@@ -16,6 +16,7 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/scene/yaml_reader.hpp"
 #include "drivers/verbs.hpp"
+#include "mpm/effect.hpp"
 
 namespace assay::drivers {
 
@@ -195,7 +196,11 @@ void refuse_unknown_parameters(const CheckOptions& options, const std::vector<Ch
 
 int check(const CheckOptions& options) {
   refuse_what_contradicts(options);
-  if (options.methods) return check_methods(options);
+  if constexpr (mpm::compiled(mpm::Effect::third_dimension)) {
+    if (options.methods) return check_methods(options);
+  } else if (options.methods) {
+    throw InputError({}, "--methods", "checks them all: this build has the spine's effects only (ASSAY_EFFECTS=spine)");
+  }
   if (!options.replay.empty()) return check_replay(options);
   if (!options.all) {
     const CheckedMaterial checked = check_one(options);

@@ -3,15 +3,14 @@
 #include <fmt/core.h>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
+#include "drivers/composition.hpp"
 #include "drivers/findings.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/wrapped_text.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/screening.hpp"
 #include "drivers/simulation/response_source.hpp"
-#include "drivers/simulation/simulate.hpp"
 #include "drivers/verbs.hpp"
 #include "mpm/stages.hpp"
 
@@ -25,19 +24,21 @@ std::string columns_text(const std::vector<mpm::Column>& columns) {
   return text;
 }
 
-struct Composition {
-  std::vector<mpm::Pass<2>> passes;
-  std::vector<mpm::ColumnUse> columns;
-  std::size_t bytes_per_particle = 0, bytes_per_node = 0;
-};
+std::string bytes_text(double bytes) { return rounded_text(bytes / (1024.0 * 1024), 3) + " MiB"; }
 
-Composition composition_of(const Problem& problem) {
-  Composition c;
-  c.passes = mpm::compose(problem.setup);
-  c.columns = mpm::columns_of(c.passes, problem.setup);
-  for (const auto& use : c.columns) c.bytes_per_particle += use.bytes;
-  c.bytes_per_node = mpm::grid_bytes_per_node(problem.setup);
-  return c;
+/// "passes ...; columns ...; grid fields ..., 16 bytes a particle".
+std::string brought_text(const EffectPart& part) {
+  std::string text;
+  const auto add = [&](const std::string& what) { text += (text.empty() ? "" : "; ") + what; };
+  if (!part.passes.empty()) add("pass " + joined(part.passes));
+  if (!part.columns.empty())
+    add("column " + joined(part.columns) + fmt::format(", {} bytes a particle", part.bytes_per_particle));
+  if (!part.grid_fields.empty()) {
+    add("grid field " + joined(part.grid_fields) + fmt::format(", {} bytes a node", part.bytes_per_node));
+  }
+  const EffectEntry& entry = entry_of(part.effect);
+  if (!entry.around.empty()) add(entry.around);
+  return text;
 }
 
 std::string passes_text(const Problem& problem, const Composition& c) {
@@ -47,6 +48,9 @@ std::string passes_text(const Problem& problem, const Composition& c) {
     text += wrapped(pass.doc, fmt::format("  {:20}", pass.name), indent);
     if (!pass.reads.empty()) text += wrapped("reads " + columns_text(pass.reads), indent + "  ", indent + "    ");
     if (!pass.writes.empty()) text += wrapped("writes " + columns_text(pass.writes), indent + "  ", indent + "    ");
+    if (!pass.grid_fields.empty()) {
+      text += wrapped("on the grid " + joined(pass.grid_fields), indent + "  ", indent + "    ");
+    }
     const std::size_t times = mpm::times_a_step(pass, problem.setup.method);
     const std::string often = pass.once   ? "; once, before the first step"
                               : times > 1 ? fmt::format("; {} times a step", times)
@@ -54,24 +58,6 @@ std::string passes_text(const Problem& problem, const Composition& c) {
     text += wrapped("because of " + pass.called_for_by + often, indent + "  ", indent);
   }
   return text;
-}
-
-/// What a run does between steps, under the names of its profile.
-struct Observer {
-  std::string name;
-  std::size_t times;
-  std::string called_for_by;
-};
-
-std::vector<Observer> observers_of(const Problem& problem) {
-  const Observations due = observations_of(problem);
-  std::vector<Observer> list;
-  if (!due.samples.empty()) list.push_back({"error_sampling", due.samples.size(), "output.errors"});
-  if (!due.shots.empty()) {
-    list.push_back({"snapshots", due.shots.size(),
-                    problem.scene.output.writes_particles() ? "output.particles" : "output.pictures"});
-  }
-  return list;
 }
 
 std::string observers_text(const Problem& problem) {
@@ -84,14 +70,44 @@ std::string observers_text(const Problem& problem) {
 
 std::string memory_text(const Problem& problem, const Composition& c) {
   std::string text = fmt::format("particle columns, {} bytes a particle\n", c.bytes_per_particle);
+  const std::string indent(34, ' ');
   for (const auto& use : c.columns) {
     const mpm::ColumnInfo info = mpm::info(use.column);
-    text +=
-        wrapped(std::string(info.doc), fmt::format("  {:20} {:4} bytes  ", info.name, use.bytes), std::string(34, ' '));
+    text += wrapped(std::string(info.doc), fmt::format("  {:20} {:4} bytes  ", info.name, use.bytes), indent);
   }
   const auto& grid = problem.setup.grid;
-  return text + fmt::format("grid: {} x {} nodes of {} bytes; in all about {} MiB\n", grid.count[0], grid.count[1],
-                            c.bytes_per_node, rounded_text(problem.estimated_bytes() / (1024.0 * 1024), 3));
+  text += fmt::format("grid: {} x {} nodes of {} bytes; in all about {} MiB\n", grid.count[0], grid.count[1],
+                      c.bytes_per_node, rounded_text(problem.estimated_bytes() / (1024.0 * 1024), 3));
+  for (const auto& use : c.grid_fields) {
+    text += wrapped(use.doc, fmt::format("  {:20} {:4} bytes  ", use.name, use.bytes), indent);
+  }
+  return text;
+}
+
+std::string work_text(const Composition& c) {
+  return wrapped(
+      fmt::format("{} of columns and {} of grid fields, {} updates of the material", bytes_text(c.work.column_bytes),
+                  bytes_text(c.work.grid_bytes), grouped_text(c.work.material_updates)),
+      "work of a step, counted from its passes and not measured: ", "  ");
+}
+
+/// What the scene calls for, and by which key; and what it does not.
+std::string effects_text(const Composition& c) {
+  std::string there, absent;
+  const std::string indent(22, ' ');
+  for (const EffectPart& part : c.effects) {
+    const EffectEntry& entry = entry_of(part.effect);
+    if (!part.is_there) {
+      absent += (absent.empty() ? "" : ", ") + entry.name + (entry.key.empty() ? "" : " (" + entry.key + ")");
+      continue;
+    }
+    there += wrapped(entry.doc, fmt::format("  {:20}", entry.name), indent);
+    if (const std::string brought = brought_text(part); !brought.empty()) {
+      there += wrapped(brought, indent + "  ", indent + "    ");
+    }
+    there += wrapped("because of " + entry.key, indent + "  ", indent);
+  }
+  return "effects beyond the spine\n" + (there.empty() ? "  none\n" : there) + wrapped(absent, "not there: ", "  ");
 }
 
 std::string steps_text(const Problem& problem) {
@@ -156,53 +172,6 @@ std::string response_text(const Problem& problem, const ExactSolution* exact) {
                      grouped_text(sheet->points()), error);
 }
 
-std::string json_text(const Problem& problem, const Composition& c, const Response* response,
-                      const ScreenFigures& screen) {
-  nlohmann::ordered_json json;
-  const auto names = [](const std::vector<mpm::Column>& columns) {
-    std::vector<std::string> list;
-    for (const mpm::Column column : columns) list.emplace_back(mpm::info(column).name);
-    return list;
-  };
-  for (const auto& pass : c.passes) {
-    json["passes"].push_back({{"name", pass.name},
-                              {"doc", pass.doc},
-                              {"reads", names(pass.reads)},
-                              {"writes", names(pass.writes)},
-                              {"grid_fields", pass.grid_fields},
-                              {"times_a_step", mpm::times_a_step(pass, problem.setup.method)},
-                              {"called_for_by", pass.called_for_by}});
-  }
-  json["observers"] = nlohmann::ordered_json::array();
-  for (const Observer& o : observers_of(problem)) {
-    json["observers"].push_back({{"name", o.name}, {"times", o.times}, {"called_for_by", o.called_for_by}});
-  }
-  for (const auto& use : c.columns) {
-    json["columns"].push_back(
-        {{"name", mpm::info(use.column).name}, {"bytes_per_particle", use.bytes}, {"passes", use.passes}});
-  }
-  json["bytes_per_particle"] = c.bytes_per_particle;
-  json["bytes_per_node"] = c.bytes_per_node;
-  json["nodes"] = problem.setup.grid.nodes();
-  json["particles"] = problem.particles();
-  json["stepped_particles"] = problem.setup.seeds.size();
-  json["uses_exact_solution"] = problem.setup.uses_exact_solution();
-  json["steps"] = problem.steps;
-  json["dt"] = problem.dt;
-  json["wave_speed"] = problem.wave_speed;
-  if (problem.reference_wave_speed > 0) json["reference_wave_speed"] = problem.reference_wave_speed;
-  const Sheet* sheet = response ? response->sheet() : nullptr;
-  if (sheet) {
-    json["sheet"] = {
-        {"points", sheet->points()}, {"error_tau", sheet->error_tau()}, {"error_dtau", sheet->error_dtau()}};
-  } else {
-    json["sheet"] = nullptr;
-  }
-  json["screen"] = {{"verdict", screen.verdict}, {"smallest", *screen.smallest}, {"unjudged", screen.unjudged}};
-  if (screen.largest_safe_amplitude) json["screen"]["largest_safe_amplitude"] = *screen.largest_safe_amplitude;
-  return json.dump(2) + "\n";
-}
-
 }  // namespace
 
 int explain(const ExplainOptions& options) {
@@ -214,12 +183,12 @@ int explain(const ExplainOptions& options) {
     if (problem.compared) exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end);
     if (exact && exact->response()) response = *exact->response();
     const ScreenFigures screen = screen_of(problem.scene, *problem.material, problem.scene.time.end);
-    const std::string text = options.json
-                                 ? json_text(problem, c, response.get(), screen)
-                                 : passes_text(problem, c) + observers_text(problem) + memory_text(problem, c) +
-                                       steps_text(problem) + frame_line(problem) + exact_solution_line(problem) +
-                                       ends_text(problem) + response_text(problem, exact.get()) +
-                                       wrapped(screen_sentence(screen), "motion: ", "  ");
+    const std::string text =
+        options.json ? explanation_json(problem, c, response.get(), screen)
+                     : passes_text(problem, c) + observers_text(problem) + memory_text(problem, c) + work_text(c) +
+                           effects_text(c) + steps_text(problem) + frame_line(problem) + exact_solution_line(problem) +
+                           ends_text(problem) + response_text(problem, exact.get()) +
+                           wrapped(screen_sentence(screen), "motion: ", "  ");
     std::fputs(text.c_str(), stdout);
     return 0;
   } catch (const MaterialFailure& failure) {

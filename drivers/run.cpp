@@ -64,7 +64,7 @@ std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& opt
   if (exact && exact->homogeneous()) record_history(problem.scene, **exact->homogeneous(), result);
   result.cpu_s = cpu_seconds();
   result.peak_rss_bytes = peak_memory();  // before pictures are drawn
-  if (problem.scene.output.tractions) {
+  if (mpm::compiled(mpm::Effect::traction_table) && problem.scene.output.tractions) {
     result.tractions = traction_table(problem, result, folder, options.verbosity == Verbosity::quiet);
   }
   std::vector<ReportPicture> pictures;
@@ -94,7 +94,7 @@ std::string write_results(const Scene& scene, const Result& result, std::vector<
   if (scene.output.pictures && !result.history.empty()) {
     folder.write("error_history.png", png(error_history_plot(result.history)));
   }
-  if (scene.output.report) {
+  if (mpm::compiled(mpm::Effect::report) && scene.output.report) {
     folder.write("report.html", report_html(result, {period_of(scene.motion), std::move(pictures), resolved}));
   }
   std::string json = result_json(result);

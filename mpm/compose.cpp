@@ -26,56 +26,92 @@ namespace {
 
 template <int Dim>
 Pass<Dim> stress_of(const Setup<Dim>& setup) {
-  return stress_pass<Dim>(setup.material->state_size() > 0);
+  return stress_pass<Dim>(compiled(Effect::history) && setup.material->state_size() > 0);
+}
+
+/// Of MUSL: momentum once more.
+template <int Dim>
+Pass<Dim> again_of(Pass<Dim> pass) {
+  pass.name = "particles_to_grid_again";
+  pass.doc = "nodal momentum from the updated particle velocities (MUSL)";
+  pass.called_for_by = "method.update";
+  pass.effects = {Effect::remapped_velocity};
+  return pass;
 }
 
 }  // namespace
 
-/// The order of the passes in each update scheme.
+/// The order of the passes in each update scheme. What this build leaves out (mpm/effect.hpp) is not even named.
 template <int Dim>
 std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
   std::vector<Pass<Dim>> step;
   const auto add = [&](Pass<Dim> pass) { step.push_back(std::move(pass)); };
   const Method& method = setup.method;
   const auto add_held = [&](const Reaction& reaction) {
-    if (setup.hold_outside) add(hold_nodes_pass<Dim>(reaction));
+    if constexpr (compiled(Effect::outside_held)) {
+      if (setup.hold_outside) add(hold_nodes_pass<Dim>(reaction));
+    }
   };
   const auto add_fold = [&](Folded what) {
-    if (setup.has_images()) add(fold_images_pass<Dim>(what, setup.accounts));
+    if constexpr (compiled(Effect::images)) {
+      if (setup.has_images()) add(fold_images_pass<Dim>(what, setup.accounts));
+    }
+  };
+  const auto add_unfold = [&](const Reaction& reaction, bool accounts) {
+    if constexpr (compiled(Effect::images)) {
+      if (setup.has_images()) add(unfold_images_pass<Dim>(reaction, accounts));
+    }
   };
   const bool body_force = Dim == 2 && setup.body_force;  // lives in the plane
   const Remedies& remedies = setup.remedies;
   const auto add_stress = [&] {
-    if (remedies.averages_volume()) {
-      add(volume_ratio_pass<Dim>());
-      add(average_volume_pass<Dim>(method, remedies.anti_locking));
+    if constexpr (compiled(Effect::anti_locking)) {
+      if (remedies.averages_volume()) {
+        add(volume_ratio_pass<Dim>());
+        add(average_volume_pass<Dim>(method, remedies.anti_locking));
+      }
     }
     add(stress_of(setup));
-    if (remedies.has_viscosity()) add(viscosity_pass<Dim>(method));
+    if constexpr (compiled(Effect::artificial_viscosity)) {
+      if (remedies.has_viscosity()) add(viscosity_pass<Dim>(method));
+    }
   };
   const auto add_accounts = [&] {
-    if (setup.accounts) add(accounts_pass<Dim>(method, body_force));
+    if constexpr (compiled(Effect::energy_account)) {
+      if (setup.accounts) add(accounts_pass<Dim>(method, body_force));
+    }
   };
   const auto add_gradient_and_stress = [&] {
     add_fold(Folded::inertia);
-    add(grid_velocity_pass<Dim>());
+    const bool again = method.update == Update::musl;
+    const auto add_of_update = [&](Pass<Dim> pass) {
+      pass.effects = {again ? Effect::remapped_velocity : Effect::stress_first};
+      add(std::move(pass));
+    };
+    add_of_update(grid_velocity_pass<Dim>());
     add_held({});
-    if (setup.has_images()) add(unfold_images_pass<Dim>({}, false));
-    add(velocity_gradient_pass<Dim>());
+    add_unfold({}, false);
+    add_of_update(velocity_gradient_pass<Dim>());
   };
   if constexpr (Dim == 2) {
-    const bool is_acceleration = setup.has_virtual_stress() || (setup.motion && is_homogeneous(*setup.motion));
-    if (body_force) add(body_force_pass<Dim>(setup.evaluation, is_acceleration));
-    if (body_force && setup.frame && setup.frame->spin != 0) add(moving_frame_pass<Dim>(setup.evaluation));
-    if (setup.uses_exact_solution()) add(inertia_pass<Dim>(method, setup.accounts));
+    if (body_force) add(body_force_pass<Dim>(setup.evaluation, setup.force_is_acceleration()));
+    if constexpr (compiled(Effect::moving_frame)) {
+      if (body_force && setup.frame && setup.frame->spin != 0) add(moving_frame_pass<Dim>(setup.evaluation));
+    }
+    if constexpr (compiled(Effect::inertia_to_particles) || compiled(Effect::virtual_stress)) {
+      const bool given = body_force && setup.inertia == Inertia::particles;
+      if (setup.uses_exact_solution()) add(inertia_pass<Dim>(method, given, setup.accounts));
+    }
   }
-  if constexpr (Dim == 2) {
+  if constexpr (Dim == 2 && compiled(Effect::largest_domain)) {
     if (remedies.largest_domain > 0) add(limit_domains_pass<Dim>(traits_of<Dim>(method.basis).moves_corners));
   }
   add(weights_pass<Dim>(method, !setup.seeds.half_edges.empty() || remedies.largest_domain > 0));
-  if (method.is_affine() && method.affine == Affine::moment) add(first_affine_moment_pass<Dim>());
+  if constexpr (compiled(Effect::affine_velocity)) {
+    if (method.is_affine() && method.affine == Affine::moment) add(first_affine_moment_pass<Dim>());
+  }
   const auto add_virtual_stress = [&] {
-    if constexpr (Dim == 2) {
+    if constexpr (Dim == 2 && compiled(Effect::virtual_stress)) {
       if (setup.has_virtual_stress()) add(virtual_stress_pass(setup.traction->form));
     }
   };
@@ -84,46 +120,73 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
     add(particles_and_forces_to_grid_pass<Dim>(method, setup.hold_outside, body_force));
   } else {
     add(particles_to_grid_pass<Dim>(method, setup.hold_outside));
-    if (method.update == Update::usf) {
-      add_gradient_and_stress();
-      add_stress();
-      add_virtual_stress();
+    if constexpr (compiled(Effect::stress_first)) {
+      if (method.update == Update::usf) {
+        add_gradient_and_stress();
+        add_stress();
+        add_virtual_stress();
+      }
     }
-    add(force_pass<Dim>(method, body_force));
+    if constexpr (compiled(Effect::stress_first) || compiled(Effect::force_stages)) {
+      Pass<Dim> forces = force_pass<Dim>(method, body_force);
+      forces.effects = {method.has_stages() ? Effect::force_stages : Effect::stress_first};
+      add(std::move(forces));
+    }
   }
   const bool surface = Dim == 2 && setup.traction && !setup.has_virtual_stress();
-  if constexpr (Dim == 2) {
+  constexpr bool loads = Dim == 2 && (compiled(Effect::edge_traction) || compiled(Effect::particle_traction) ||
+                                      compiled(Effect::undeformed_traction));
+  if constexpr (loads) {
     if (surface) add(traction_pass(method, *setup.traction, setup.accounts));
   }
   add_fold(method.update == Update::usf ? Folded::forces : Folded::both);
-  if (remedies.small_mass > 0) add(small_mass_pass<Dim>());
-  if (method.has_stages()) {
-    add(kick_pass<Dim>(method));
-  } else if (method.is_lumped()) {
+  if constexpr (compiled(Effect::small_mass)) {
+    if (remedies.small_mass > 0) add(small_mass_pass<Dim>());
+  }
+  if (method.is_lumped()) {
     add(grid_update_pass<Dim>());
     add_held(reaction_of(method));
-  } else {
-    add(mass_matrix_pass<Dim>(method));
+  } else if constexpr (compiled(Effect::mass_matrix)) {
+    add(method.has_stages() ? kick_pass<Dim>(method) : mass_matrix_pass<Dim>(method));
   }
-  if (setup.has_images()) add(unfold_images_pass<Dim>(reaction_of(method), setup.accounts));
-  if constexpr (Dim == 2) {
-    if (surface && setup.accounts) add(traction_work_pass());
+  add_unfold(reaction_of(method), setup.accounts);
+  if constexpr (loads && compiled(Effect::energy_account)) {
+    if (surface && setup.accounts) add(traction_work_pass(setup.traction->algorithm));
   }
   add(grid_to_particles_pass<Dim>(method, method.update == Update::usl, setup.accounts && body_force));
-  if (method.is_affine() && affine_column(method) == Column::affine && !fits_with_corners<Dim>(method)) {
-    add(affine_pass<Dim>(method));
+  if constexpr (compiled(Effect::affine_velocity)) {
+    if (method.is_affine() && affine_column(method) == Column::affine && !fits_with_corners<Dim>(method)) {
+      add(affine_pass<Dim>(method));
+    }
   }
-  if (method.update == Update::musl) {
-    Pass<Dim> again = particles_to_grid_pass<Dim>(method, setup.hold_outside);
-    again.name = "particles_to_grid_again";
-    again.doc = "nodal momentum from the updated particle velocities (MUSL)";
-    again.called_for_by = "method.update";
-    add(std::move(again));
-    add_gradient_and_stress();
+  if constexpr (compiled(Effect::remapped_velocity)) {
+    if (method.update == Update::musl) {
+      add(again_of(particles_to_grid_pass<Dim>(method, setup.hold_outside)));
+      add_gradient_and_stress();
+    }
   }
   add_accounts();
   if (method.update != Update::usf) add_stress();
   return step;
+}
+
+std::optional<Effect> effect_of(Column column) {
+  switch (column) {
+    case Column::body_force:
+      return Effect::body_force;
+    case Column::excess_stress:
+      return Effect::virtual_stress;
+    case Column::affine:
+      return Effect::affine_velocity;
+    case Column::corners:
+      return Effect::convected_corners;
+    case Column::domain:
+      return Effect::own_domains;
+    case Column::history:
+      return Effect::history;
+    default:
+      return std::nullopt;
+  }
 }
 
 template <int Dim>
@@ -164,7 +227,7 @@ template <int Dim>
 std::vector<ColumnUse> columns_of(const std::vector<Pass<Dim>>& passes, const Setup<Dim>& setup) {
   std::vector<ColumnUse> columns;
   for (std::size_t k = 0; k < column_count; ++k) {
-    ColumnUse use{static_cast<Column>(k), 0, {}};
+    ColumnUse use{static_cast<Column>(k), 0, {}, effect_of(static_cast<Column>(k))};
     for (const auto& pass : passes) {
       const auto names = [&](const std::vector<Column>& list) {
         return std::find(list.begin(), list.end(), use.column) != list.end();
@@ -179,15 +242,39 @@ std::vector<ColumnUse> columns_of(const std::vector<Pass<Dim>>& passes, const Se
 }
 
 template <int Dim>
+std::vector<GridFieldUse> grid_fields_of(const Setup<Dim>& setup) {
+  constexpr std::size_t number = sizeof(double);
+  constexpr std::size_t inertia = GridField<Dim + 1>::stride * number, force = GridField<Dim>::stride * number;
+  std::vector<GridFieldUse> fields{
+      {"inertia", "mass and momentum", inertia, {"mass", "momentum"}, {}},
+      {"force", "forces of stress, body and surface", force, {"force"}, {}},
+      {"motion", "velocity and acceleration", GridField<2 * Dim>::stride * number, {"velocity", "acceleration"}, {}}};
+  const auto add = [&](const char* name, const char* doc, std::size_t bytes, std::vector<Effect> effects) {
+    if (bytes > 0) fields.push_back({name, doc, bytes, {}, std::move(effects)});
+  };
+  add("tile_copies", "where a thread adds up inertia and force",
+      tile_copies(setup.seeds.size(), setup.threads) * (inertia + force), {});
+  if (setup.hold_outside) add("held_mass", "of the particles that never move", number, {Effect::outside_held});
+  if (setup.remedies.averages_volume()) {
+    add("cell_volume", "reference and current volume, a cell or node", 2 * number, {Effect::anti_locking});
+  }
+  if constexpr (compiled(Effect::mass_matrix)) {
+    if (setup.method.is_lumped()) return fields;
+    const auto effects = effects_of_matrix(setup.method);
+    const int across = mass_nodes_across<Dim>(setup.method);
+    add("solver", "vectors of the mass matrix's inversion", solver_fields(setup.method) * force, effects);
+    add("inverse_mass", "1 / row sum of the mass matrix", number, effects);
+    add("mass_stencil", "the mass matrix, made once", across == 0 ? 0 : MassStencil<Dim>::entries(across) * number,
+        effects);
+  }
+  return fields;
+}
+
+template <int Dim>
 std::size_t grid_bytes_per_node(const Setup<Dim>& setup) {
-  const std::size_t inertia = GridField<Dim + 1>::stride, force = GridField<Dim>::stride;
-  const std::size_t fields = inertia + force + GridField<2 * Dim>::stride;
-  const std::size_t copies = tile_copies(setup.seeds.size(), setup.threads) * (inertia + force);
-  const int across = mass_nodes_across<Dim>(setup.method);
-  const std::size_t of_stencil = across == 0 ? 0 : MassStencil<Dim>::entries(across);
-  const std::size_t of_matrix = setup.method.is_lumped() ? 0 : solver_fields(setup.method) * force + 1 + of_stencil;
-  const std::size_t of_average = setup.remedies.averages_volume() ? 2 : 0;
-  return (fields + copies + of_matrix + of_average + (setup.hold_outside ? 1 : 0)) * sizeof(double);
+  std::size_t bytes = 0;
+  for (const GridFieldUse& field : grid_fields_of(setup)) bytes += field.bytes;
+  return bytes;
 }
 
 template std::vector<Pass<2>> compose(const Setup<2>&);
@@ -196,6 +283,8 @@ template std::vector<ColumnUse> columns_of(const std::vector<Pass<2>>&, const Se
 template std::vector<ColumnUse> columns_of(const std::vector<Pass<3>>&, const Setup<3>&);
 template std::size_t bytes_of(Column, const Setup<2>&);
 template std::size_t bytes_of(Column, const Setup<3>&);
+template std::vector<GridFieldUse> grid_fields_of(const Setup<2>&);
+template std::vector<GridFieldUse> grid_fields_of(const Setup<3>&);
 template std::size_t grid_bytes_per_node(const Setup<2>&);
 template std::size_t grid_bytes_per_node(const Setup<3>&);
 

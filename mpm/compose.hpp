@@ -2,6 +2,7 @@
 // From what a scene calls for to the list of passes of a step. An absent effect is an absent pass.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,18 @@ struct ColumnUse {
   Column column;
   std::size_t bytes = 0;            ///< a particle
   std::vector<std::string> passes;  ///< that read or write it
+  std::optional<Effect> effect;     ///< without which it is not there; none: of the spine
+};
+
+/// The effect that a column belongs to; none: the spine.
+std::optional<Effect> effect_of(Column column);
+
+/// One field of the grid.
+struct GridFieldUse {
+  std::string name, doc;
+  std::size_t bytes = 0;           ///< a node
+  std::vector<std::string> holds;  ///< of what passes say that they touch
+  std::vector<Effect> effects;     ///< without one of which it is not there; empty: of the spine
 };
 
 /// The columns of a step: those that some pass reads or writes, and the position in the reference configuration that
@@ -28,6 +41,10 @@ std::vector<ColumnUse> columns_of(const std::vector<Pass<Dim>>& passes, const Se
 /// Bytes a particle of a column in this setup.
 template <int Dim>
 std::size_t bytes_of(Column column, const Setup<Dim>& setup);
+
+/// What is allocated for every node.
+template <int Dim>
+std::vector<GridFieldUse> grid_fields_of(const Setup<Dim>& setup);
 
 /// Bytes a node of all grid fields.
 template <int Dim>

@@ -47,9 +47,11 @@ MaterialBatches<Dim>::MaterialBatches(State<Dim>& state) : state_(&state), colum
   }
   for (int k = 0; k < threads; ++k) scratch_.emplace_back();
   const std::size_t state_size = state.setup.material->state_size();
+  const bool directed = has_direction(state.setup.material->table());
   for (std::size_t begin = 0; state_size && begin < state.particles; begin += block_size) {
     const std::size_t n = std::min(block_size, state.particles - begin);
-    const std::vector<double> rest = instances_[0].initial_state(n, {}, directions(begin, n));
+    const std::vector<double> rest =
+        instances_[0].initial_state(n, {}, directed ? directions(begin, n) : std::vector<double>());
     std::copy(rest.begin(), rest.end(), columns_.history[0] + begin * state_size);
   }
   if constexpr (Dim == 2) {

@@ -11,6 +11,7 @@
 
 #include "mpm/blocks.hpp"
 #include "mpm/columns.hpp"
+#include "mpm/effect.hpp"
 #include "mpm/instant.hpp"
 #include "mpm/state.hpp"
 
@@ -27,6 +28,7 @@ struct PassInfo {
   std::string called_for_by;  ///< scene key
   std::vector<Column> reads, writes;
   std::vector<std::string> grid_fields;  ///< that it touches
+  std::vector<Effect> effects;           ///< without one of which it is not there; empty: a pass of the spine
   bool once = false;                     ///< before the first step alone
   Stages stages = Stages::all;
 };

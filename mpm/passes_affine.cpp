@@ -16,6 +16,7 @@ Pass<Dim> affine_pass(const Method& method) {
              : fits  ? "gradient fitted to the grid velocity around the particles, convected"
                      : "gradient of the grid velocity, convected";
   pass.called_for_by = "method.transfer";
+  pass.effects = {Effect::affine_velocity};
   pass.reads = {Column::weights};
   pass.grid_fields = {"velocity"};
   pass.writes = {Column::affine};
@@ -35,6 +36,7 @@ Pass<Dim> first_affine_moment_pass() {
   pass.name = "first_affine_moment";
   pass.doc = "first moment of the initial velocity around the particles";
   pass.called_for_by = "method.affine";
+  pass.effects = {Effect::affine_velocity};
   pass.once = true;
   pass.reads = {Column::weights, Column::affine};
   pass.writes = {Column::affine};

@@ -70,6 +70,7 @@ template <int Dim>
 Pass<Dim> body_force_pass(Evaluation evaluation, bool is_acceleration) {
   Pass<Dim> pass;
   pass.name = "body_force";
+  pass.effects = {Effect::body_force};
   pass.stages = Stages::kicks;
   pass.writes = {Column::body_force};
   if (is_acceleration) {
@@ -79,11 +80,14 @@ Pass<Dim> body_force_pass(Evaluation evaluation, bool is_acceleration) {
     pass.bind = acceleration_kernel;
     return pass;
   }
-  if (evaluation == Evaluation::domain_average) {
-    pass.doc = "b of the exact motion, averaged over the particles' reference domains";
-    pass.called_for_by = "force.evaluation";
-    pass.bind = averaged_kernel;
-    return pass;
+  if constexpr (compiled(Effect::averaging)) {
+    if (evaluation == Evaluation::domain_average) {
+      pass.doc = "b of the exact motion, averaged over the particles' reference domains";
+      pass.called_for_by = "force.evaluation";
+      pass.effects.push_back(Effect::averaging);
+      pass.bind = averaged_kernel;
+      return pass;
+    }
   }
   pass.doc = "b of the exact motion at the particles' reference positions";
   pass.called_for_by = "force.response";
@@ -109,6 +113,7 @@ Pass<Dim> moving_frame_pass(Evaluation evaluation) {
   pass.stages = Stages::kicks;
   pass.doc = "b turned into the spinning frame, with its Coriolis and centrifugal terms";
   pass.called_for_by = "frame.spin";
+  pass.effects = {Effect::moving_frame};
   pass.reads = {Column::reference_position, Column::body_force};
   pass.writes = {Column::body_force};
   pass.bind = [evaluation](State<Dim>& s) -> Kernel {

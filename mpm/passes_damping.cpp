@@ -33,6 +33,7 @@ Pass<Dim> small_mass_pass() {
   pass.name = "small_mass";
   pass.doc = "light nodes take up force in proportion to their mass";
   pass.called_for_by = "remedies.small_mass";
+  pass.effects = {Effect::small_mass};
   pass.grid_fields = {"mass", "force"};
   pass.bind = [](State<Dim>& s) -> Kernel {
     const double least = s.setup.remedies.small_mass * s.setup.density * std::pow(s.setup.grid.spacing, Dim);
@@ -74,6 +75,7 @@ Pass<Dim> viscosity_pass(const Method&) {
   pass.name = "artificial_viscosity";
   pass.doc = "a pressure against shrinking, von Neumann and Richtmyer's";
   pass.called_for_by = "remedies.artificial_viscosity";
+  pass.effects = {Effect::artificial_viscosity};
   pass.reads = {Column::velocity_gradient, Column::deformation_gradient, Column::stress};
   pass.writes = {Column::stress};
   pass.bind = [](State<Dim>& s) -> Kernel {

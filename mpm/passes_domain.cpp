@@ -62,6 +62,7 @@ Pass<2> limit_domains_pass(bool moves_corners) {
   pass.name = "limit_domains";
   pass.doc = "domains that reach too far are shortened";
   pass.called_for_by = "remedies.largest_domain";
+  pass.effects = {Effect::largest_domain};
   pass.reads = {moves_corners ? Column::corners : Column::deformation_gradient};
   pass.writes = {moves_corners ? Column::corners : Column::domain};
   pass.bind = [moves_corners](State<2>& s) -> Kernel {

@@ -80,6 +80,7 @@ Pass<Dim> hold_nodes_pass(Reaction reaction) {
   pass.name = "hold_nodes";
   pass.doc = "nodes outside the ring stand still";
   pass.called_for_by = "body.outside";
+  pass.effects = {Effect::outside_held};
   pass.grid_fields = {"mass", "velocity", "acceleration"};
   pass.bind = [reaction](State<Dim>& s) -> Kernel {
     return [&s, reaction](const Instant& now) { hold_nodes(s, reaction, now.kick); };

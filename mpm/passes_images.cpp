@@ -55,6 +55,7 @@ Pass<Dim> fold_images_pass(Folded what, bool accounts) {
   pass.name = "fold_images";
   pass.doc = "what nodes beyond symmetry planes or periodic ends were given, to those that they are images of";
   pass.called_for_by = "body";
+  pass.effects = {Effect::images};
   pass.grid_fields = {"mass", "momentum"};
   if (what != Folded::inertia) pass.grid_fields.push_back("force");
   pass.bind = [what, accounts](State<Dim>& s) -> Kernel {
@@ -76,6 +77,7 @@ Pass<Dim> unfold_images_pass(Reaction reaction, bool accounts) {
   pass.name = "unfold_images";
   pass.doc = "nodes beyond symmetry planes or periodic ends move as their images";
   pass.called_for_by = "body";
+  pass.effects = {Effect::images};
   pass.grid_fields = {"velocity", "acceleration"};
   pass.bind = [reaction, accounts](State<Dim>& s) -> Kernel {
     return [&s, reaction, accounts](const Instant& now) {

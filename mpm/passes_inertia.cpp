@@ -63,11 +63,12 @@ Kernel inertia_kernel(State<2>& s, bool accounts) {
 }  // namespace
 
 template <>
-Pass<2> inertia_pass(const Method& method, bool accounts) {
+Pass<2> inertia_pass(const Method& method, bool called_for, bool accounts) {
   Pass<2> pass;
   pass.name = "inertia_to_particles";
   pass.doc = "a of the exact motion to the particles; b - a is left for the grid";
-  pass.called_for_by = "force.inertia";
+  pass.called_for_by = called_for ? "force.inertia" : "traction.algorithm";
+  pass.effects = {called_for ? Effect::inertia_to_particles : Effect::virtual_stress};
   pass.reads = {Column::reference_position, Column::velocity, Column::body_force};
   pass.writes = {Column::velocity, Column::body_force};
   if (method.is_affine()) {

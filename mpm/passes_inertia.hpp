@@ -8,7 +8,8 @@ namespace assay::mpm {
 
 /// v += dt a, and of affine transfers C += dt grad a (by the current position; in the total formulation by the
 /// reference one), a of the exact motion at the particle's reference position; b <- b - a [m/s^2]. Needs b.
+/// `called_for`: else the virtual stress wants it.
 template <int Dim>
-Pass<Dim> inertia_pass(const Method& method, bool accounts);
+Pass<Dim> inertia_pass(const Method& method, bool called_for, bool accounts);
 
 }  // namespace assay::mpm

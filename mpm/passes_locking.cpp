@@ -96,6 +96,7 @@ Pass<Dim> volume_ratio_pass() {
   pass.name = "volume_ratio";
   pass.doc = "J of each particle after the step";
   pass.called_for_by = "remedies.anti_locking";
+  pass.effects = {Effect::anti_locking};
   pass.reads = {Column::velocity_gradient, Column::deformation_gradient};
   pass.writes = {Column::volume_ratio};
   pass.bind = [](State<Dim>& s) -> Kernel {
@@ -113,6 +114,7 @@ Pass<Dim> average_volume_pass(const Method& method, AntiLocking over) {
   pass.doc = over == AntiLocking::cell ? "J averaged over the particles of each cell, for the stress"
                                        : "J averaged over the nodes' functions, for the stress";
   pass.called_for_by = "remedies.anti_locking";
+  pass.effects = {Effect::anti_locking};
   pass.reads = {Column::volume, Column::volume_ratio,
                 method.is_total() ? Column::reference_position : Column::position};
   pass.writes = {Column::volume_scale};

@@ -158,6 +158,16 @@ Kernel kick_kernel(State<Dim>& s, const Method& method) {
 
 }  // namespace
 
+std::vector<Effect> effects_of_matrix(const Method& method) {
+  std::vector<Effect> effects;
+  if (method.mass != Mass::lumped) effects.push_back(Effect::mass_matrix);
+  if (method.transfer == Transfer::xpic || method.transfer == Transfer::fmpm) {
+    effects.push_back(Effect::velocity_terms);
+  }
+  if (method.has_stages()) effects.push_back(Effect::force_stages);
+  return effects;
+}
+
 template <int Dim>
 Pass<Dim> mass_matrix_pass(const Method& method) {
   Pass<Dim> pass;
@@ -166,6 +176,7 @@ Pass<Dim> mass_matrix_pass(const Method& method) {
   pass.doc = method.mass == Mass::consistent ? "nodal acceleration and velocity by the consistent mass matrix"
                                              : "nodal acceleration and velocity by " + terms;
   pass.called_for_by = method.mass == Mass::lumped ? "method.transfer" : "method.mass";
+  pass.effects = effects_of_matrix(method);
   pass.reads = {Column::weights, Column::mass};
   pass.grid_fields = {"mass", "momentum", "force", "velocity", "acceleration"};
   pass.bind = [method](State<Dim>& s) -> Kernel { return mass_matrix_kernel(s, method); };
@@ -180,6 +191,7 @@ Pass<Dim> kick_pass(const Method& method) {
                  ? "nodal acceleration and velocity, and the particles' momentum after the kick"
                  : "nodal acceleration and velocity by the mass matrix, momentum after the kick";
   pass.called_for_by = "method.integrator";
+  pass.effects = effects_of_matrix(method);
   pass.reads = {Column::weights, Column::mass};
   pass.grid_fields = {"mass", "momentum", "force", "velocity", "acceleration"};
   pass.bind = [method](State<Dim>& s) -> Kernel { return kick_kernel(s, method); };

@@ -11,6 +11,9 @@ inline std::size_t solver_fields(const Method& method) {
   return method.is_lumped() ? 0 : method.mass == Mass::consistent ? 8 : 4;
 }
 
+/// That call for an inversion.
+std::vector<Effect> effects_of_matrix(const Method& method);
+
 /// a = M^-1 f, v = M^-1 (m v) + dt a, on nodes that are not held. M_ij = sum m_p phi_ip phi_jp is inverted by k terms
 /// of sum_l (I - M_L^-1 M)^l M_L^-1, M_L its row sums, or by conjugate gradients:
 ///   series:      of f; m v is divided by M_L

@@ -157,6 +157,7 @@ Pass<Dim> accounts_pass(const Method& method, bool with_body_force) {
   pass.stages = Stages::kicks;
   pass.doc = "momentum, mass and energy accounts";
   pass.called_for_by = "output.accounts";
+  pass.effects = {Effect::energy_account};
   pass.reads = {Column::mass, Column::volume, Column::deformation_gradient, Column::stress, Column::velocity_gradient};
   if (with_body_force) {
     pass.reads.insert(pass.reads.end(), {Column::body_force, Column::position});

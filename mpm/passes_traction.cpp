@@ -133,6 +133,7 @@ Pass<2> traction_pass(const Method& method, const Traction& traction, bool accou
               : reference                                               ? "P N dA0"
                                                                         : "sigma n ds");
   pass.called_for_by = "traction.algorithm";
+  pass.effects = {effect_of(traction.algorithm)};
   pass.reads = {Column::position};
   if (!method.is_total() || !reference) pass.reads.push_back(Column::deformation_gradient);
   if (traits_of<2>(method.basis).moves_corners) pass.reads.push_back(Column::corners);
@@ -158,12 +159,13 @@ Pass<2> traction_pass(const Method& method, const Traction& traction, bool accou
   return pass;
 }
 
-Pass<2> traction_work_pass() {
+Pass<2> traction_work_pass(TractionAlgorithm algorithm) {
   Pass<2> pass;
   pass.name = "traction_work";
   pass.stages = Stages::kicks;
   pass.doc = "work of the tractions with the velocity that they leave";
   pass.called_for_by = "output.accounts";
+  pass.effects = {effect_of(algorithm), Effect::energy_account};
   pass.grid_fields = {"velocity"};
   pass.bind = [](State<2>& s) -> Kernel {
     return [&s](const Instant& now) {
@@ -183,6 +185,7 @@ Pass<2> virtual_stress_pass(TractionForm form) {
   pass.doc = form == TractionForm::reference ? "the particles' stress without that of the exact P"
                                              : "the particles' stress without that of the exact motion";
   pass.called_for_by = "traction.algorithm";
+  pass.effects = {Effect::virtual_stress};
   pass.reads = {Column::reference_position, Column::deformation_gradient, Column::stress};
   pass.writes = {Column::excess_stress};
   pass.bind = [form](State<2>& s) -> Kernel {

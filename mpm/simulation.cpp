@@ -48,8 +48,12 @@ template <int Dim>
 Simulation<Dim>::Simulation(Setup<Dim> setup, const std::vector<Pass<Dim>>& passes) : state_(std::move(setup)) {
   allocate(passes);
   fill();
-  if (state_.setup.hold_outside) hold_outside();
-  if (state_.setup.has_images()) state_.images = Images<Dim>(state_.setup.grid, state_.setup.ends);
+  if constexpr (compiled(Effect::outside_held)) {
+    if (state_.setup.hold_outside) hold_outside();
+  }
+  if constexpr (compiled(Effect::images)) {
+    if (state_.setup.has_images()) state_.images = Images<Dim>(state_.setup.grid, state_.setup.ends);
+  }
   for (const auto& pass : passes) {
     kernels_.push_back(pass.bind(state_));
     PassTime time{pass.name, 0, 0};

@@ -11,6 +11,7 @@
 #include "mpm/basis_linear.hpp"
 #include "mpm/basis_ugimp.hpp"
 #include "mpm/corners.hpp"
+#include "mpm/effect.hpp"
 #include "mpm/method.hpp"
 
 namespace assay::mpm {
@@ -32,7 +33,8 @@ auto with_basis(Basis basis, const Visitor& visit) {
     case Basis::bspline4:
       return visit(std::type_identity<Bspline4Basis<Dim>>());
     case Basis::cpdi2:
-      return visit(std::type_identity<Cpdi2Basis<Dim>>());
+      if constexpr (compiled(Effect::convected_corners)) return visit(std::type_identity<Cpdi2Basis<Dim>>());
+      break;
     case Basis::cpdi:
       break;
   }

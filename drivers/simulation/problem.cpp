@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/effects.hpp"
 #include "drivers/material/material_choice.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/scene/body_box.hpp"
@@ -190,6 +191,7 @@ Problem assemble(const Scene& given, int threads) {
   setup.threads = threads;
   if (setup.seeds.size() == 0)
     throw InputError(scene.place("grid.spacing"), "grid.spacing", "leaves no particle in the body");
+  require_compiled(problem);
   const double watched = std::min(scene.time.end, wave_periods * problem.period());
   for (const Path& path : baseline_paths(scene)) {
     setup.material_direction = path.material_direction;

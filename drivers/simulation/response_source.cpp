@@ -6,6 +6,7 @@
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/simulation/sheet_cache.hpp"
+#include "mpm/effect.hpp"
 
 namespace assay::drivers {
 
@@ -29,9 +30,11 @@ std::shared_ptr<const Response> closed_form_of(const Scene& scene, const std::sh
 std::shared_ptr<const Response> response_of(const Scene& scene, const std::shared_ptr<const Material>& material,
                                             const Path& path, double end, int threads, bool marching) {
   if (scene.force.response == ForceChoice::Response::closed_form) return closed_form_of(scene, material, path);
-  if (marching && scene.force.response == ForceChoice::Response::shadow) {
-    const ShadowOptions options{scene.force.radii, scene.force.tolerance, end, {threads, stop_if_interrupted}};
-    return std::make_shared<const Response>(std::make_shared<Shadow>(material, path, options));
+  if constexpr (mpm::compiled(mpm::Effect::shadow)) {
+    if (marching && scene.force.response == ForceChoice::Response::shadow) {
+      const ShadowOptions options{scene.force.radii, scene.force.tolerance, end, {threads, stop_if_interrupted}};
+      return std::make_shared<const Response>(std::make_shared<Shadow>(material, path, options));
+    }
   }
   const bool curve = material->path_independent() && path.straight();
   if (!curve && end > most_periods * period_of(scene.motion)) {

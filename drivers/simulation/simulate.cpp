@@ -56,7 +56,7 @@ class Run {
     if (problem.scene.time.control == TimeChoice::Control::current) control_.emplace(problem, simulation_.state());
     snapshots_.keep_good(simulation_.state(), 0);
     if (exact) sampler_.emplace(problem, std::move(exact), simulation_.state());
-    if (problem.scene.output.accounts) accounts_.emplace(simulation_.state());
+    if (mpm::compiled(mpm::Effect::energy_account) && problem.setup.accounts) accounts_.emplace(simulation_.state());
     due_ = observations_of(problem);
   }
 
@@ -98,8 +98,11 @@ class Run {
  private:
   /// Null of a material in this process.
   static std::shared_ptr<StressOffload> workers_of(const Problem& problem) {
-    const bool apart = !adapters::start_of(&problem.material->table()).task.empty();
-    return apart ? std::make_shared<StressOffload>(problem.setup) : nullptr;
+    if constexpr (mpm::compiled(mpm::Effect::isolation)) {
+      const bool apart = !adapters::start_of(&problem.material->table()).task.empty();
+      if (apart) return std::make_shared<StressOffload>(problem.setup);
+    }
+    return nullptr;
   }
 
   static mpm::Setup<2> setup_of(const Problem& problem, const std::shared_ptr<const ExactSolution>& exact,
@@ -107,7 +110,9 @@ class Run {
     mpm::Setup<2> setup = problem.setup;
     setup.exact = exact;
     if (exact && exact->response()) setup.response = *exact->response();
-    if (workers) setup.offload = StressOffload::offload_of(workers);
+    if constexpr (mpm::compiled(mpm::Effect::isolation)) {
+      if (workers) setup.offload = StressOffload::offload_of(workers);
+    }
     return setup;
   }
 

@@ -154,8 +154,10 @@ ParticleFrame Snapshots::frame_of(const mpm::State<2>& s, double t) const {
 }
 
 void Snapshots::add(const mpm::State<2>& state, const ErrorSampler* sampler, double t) {
-  if (problem_->scene.output.writes_particles()) write_vtu(state, sampler, t);
-  if (!problem_->scene.output.pictures || !sampler) return;
+  if constexpr (mpm::compiled(mpm::Effect::snapshots)) {
+    if (problem_->scene.output.writes_particles()) write_vtu(state, sampler, t);
+  }
+  if (!mpm::compiled(mpm::Effect::pictures) || !problem_->scene.output.pictures || !sampler) return;
   Frame frame{t, frame_of(state, t), sampler->displacement_error(), sampler->measure()};
   const double half = 0.5 * problem_->period();
   if (frames_.empty()) {
