@@ -79,7 +79,7 @@ std::vector<Observer> observers_of(const Problem& problem) {
   if (!due.samples.empty()) list.push_back({"error_sampling", due.samples.size(), "output.errors"});
   if (!due.shots.empty()) {
     list.push_back(
-        {"snapshots", due.shots.size(), problem.scene.output.particles > 0 ? "output.particles" : "output.pictures"});
+        {"snapshots", due.shots.size(), problem.scene.output.writes_particles() ? "output.particles" : "output.pictures"});
   }
   return list;
 }

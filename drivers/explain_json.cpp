@@ -89,6 +89,7 @@ std::string explanation_json(const Problem& problem, const Composition& c, const
   json["steps"] = problem.steps;
   json["dt"] = problem.dt;
   json["wave_speed"] = problem.wave_speed;
+  if (problem.reference_wave_speed > 0) json["reference_wave_speed"] = problem.reference_wave_speed;
   const Sheet* sheet = response ? response->sheet() : nullptr;
   if (sheet) {
     json["sheet"] = {

@@ -67,7 +67,7 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
   const auto add_stress = [&] {
     if constexpr (compiled(Effect::anti_locking)) {
       if (remedies.averages_volume()) {
-        add(volume_ratio_pass<Dim>());
+        add(step_volumes_pass<Dim>());
         add(average_volume_pass<Dim>(method, remedies.anti_locking));
       }
     }
@@ -195,10 +195,11 @@ std::size_t bytes_of(Column column, const Setup<Dim>& setup) {
   switch (column) {
     case Column::mass:
     case Column::volume:
-    case Column::volume_ratio:
       return doubles(1);
-    case Column::volume_scale:
+    case Column::step_volumes:
       return doubles(2);
+    case Column::volume_scale:
+      return doubles(setup.method.is_total() ? 2 : 1);
     case Column::reference_position:
     case Column::position:
     case Column::velocity:

@@ -25,8 +25,9 @@ StressColumns<Dim> columns_of(State<Dim>& s) {
     columns.stress[static_cast<std::size_t>(c)] = s.column(Column::stress, c);
   }
   for (std::size_t end : {0, 1}) columns.history[end] = s.history[end].data();
-  for (int end = 0; end < 2 && s.has(Column::volume_scale); ++end) {
-    columns.volume_scale[static_cast<std::size_t>(end)] = s.column(Column::volume_scale, end);
+  if (s.has(Column::volume_scale)) {
+    columns.volume_scale = s.column(Column::volume_scale, 0);
+    if (s.setup.method.is_total()) columns.volume_scale_before = s.column(Column::volume_scale, 1);
   }
   columns.rate_of_F = s.setup.method.is_total();
   return columns;

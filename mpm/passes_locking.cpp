@@ -12,18 +12,22 @@ namespace assay::mpm {
 
 namespace {
 
+/// Of the volume over which averages are taken and that after the step [m^Dim]: in the total formulation the reference
+/// one, in the updated one that before the step.
 template <int Dim>
-std::size_t find_ratios(State<Dim>& s, const Block& block, double dt) {
+std::size_t find_volumes(State<Dim>& s, const Block& block, double dt) {
   const auto F = components<Dim * Dim>(s, Column::deformation_gradient);
   const auto rate = components<Dim * Dim>(s, Column::velocity_gradient);
-  double* J = s.column(Column::volume_ratio);
-  const bool rate_of_F = s.method.is_total();
+  const double* V = s.column(Column::volume);
+  double *base = s.column(Column::step_volumes, 0), *after = s.column(Column::step_volumes, 1);
+  const bool total = s.method.is_total();
   for (std::size_t p = block.begin; p < block.end; ++p) {
     const Mat<Dim> before = load(F, p);
     Mat<Dim> change = load(rate, p);
-    if (!rate_of_F) change = product<Dim>(change, before);
+    if (!total) change = product<Dim>(change, before);
     for (std::size_t c = 0; c < change.size(); ++c) change[c] = before[c] + dt * change[c];
-    J[p] = determinant<Dim>(change);
+    base[p] = total ? V[p] : V[p] * determinant<Dim>(before);
+    after[p] = V[p] * determinant<Dim>(change);
   }
   return none_bad;
 }
@@ -39,19 +43,20 @@ class VolumeAverage {
     std::fill(sums_.begin(), sums_.end(), 0.0);
     const bool total = s.method.is_total();
     const auto x = components<Dim>(s, total ? Column::reference_position : Column::position);
-    const double *V = s.column(Column::volume), *J = s.column(Column::volume_ratio);
-    double *before = s.column(Column::volume_scale, 0), *now = s.column(Column::volume_scale, 1);
+    const double *base = s.column(Column::step_volumes, 0), *after = s.column(Column::step_volumes, 1);
+    double *now = s.column(Column::volume_scale, 0), *before = total ? s.column(Column::volume_scale, 1) : nullptr;
     for (std::size_t p = 0; p < s.particles; ++p) {
       visit(load(x, p), [&](std::size_t at, double share) {
-        sums_[2 * at] += share * V[p];
-        sums_[2 * at + 1] += share * V[p] * J[p];
+        sums_[2 * at] += share * base[p];
+        sums_[2 * at + 1] += share * after[p];
       });
     }
     for (std::size_t p = 0; p < s.particles; ++p) {
       double average = 0;
       visit(load(x, p), [&](std::size_t at, double share) { average += share * sums_[2 * at + 1] / sums_[2 * at]; });
-      before[p] = now[p] > 0 ? now[p] : 1;                                         // zero before the first step
-      now[p] = J[p] > 0 && average > 0 ? std::pow(average / J[p], 1.0 / Dim) : 1;  // the stress pass reports it
+      if (before) before[p] = now[p] > 0 ? now[p] : 1;  // zero before the first step
+      const double own = after[p] / base[p];
+      now[p] = own > 0 && average > 0 ? std::pow(average / own, 1.0 / Dim) : 1;  // the stress pass reports it
     }
   }
 
@@ -91,17 +96,17 @@ class VolumeAverage {
 }  // namespace
 
 template <int Dim>
-Pass<Dim> volume_ratio_pass() {
+Pass<Dim> step_volumes_pass() {
   Pass<Dim> pass;
-  pass.name = "volume_ratio";
-  pass.doc = "J of each particle after the step";
+  pass.name = "step_volumes";
+  pass.doc = "volume of each particle before and after the step, or in the reference configuration and after it";
   pass.called_for_by = "remedies.anti_locking";
   pass.effects = {Effect::anti_locking};
-  pass.reads = {Column::velocity_gradient, Column::deformation_gradient};
-  pass.writes = {Column::volume_ratio};
+  pass.reads = {Column::velocity_gradient, Column::deformation_gradient, Column::volume};
+  pass.writes = {Column::step_volumes};
   pass.bind = [](State<Dim>& s) -> Kernel {
     Kernel kernel;
-    kernel.block = [&s](const Instant& now, const Block& block) { return find_ratios(s, block, now.dt); };
+    kernel.block = [&s](const Instant& now, const Block& block) { return find_volumes(s, block, now.dt); };
     return kernel;
   };
   return pass;
@@ -115,8 +120,7 @@ Pass<Dim> average_volume_pass(const Method& method, AntiLocking over) {
                                        : "J averaged over the nodes' functions, for the stress";
   pass.called_for_by = "remedies.anti_locking";
   pass.effects = {Effect::anti_locking};
-  pass.reads = {Column::volume, Column::volume_ratio,
-                method.is_total() ? Column::reference_position : Column::position};
+  pass.reads = {Column::step_volumes, method.is_total() ? Column::reference_position : Column::position};
   pass.writes = {Column::volume_scale};
   pass.grid_fields = {"cell_volume"};
   pass.bind = [over](State<Dim>& s) -> Kernel {
@@ -126,8 +130,8 @@ Pass<Dim> average_volume_pass(const Method& method, AntiLocking over) {
   return pass;
 }
 
-template Pass<2> volume_ratio_pass<2>();
-template Pass<3> volume_ratio_pass<3>();
+template Pass<2> step_volumes_pass<2>();
+template Pass<3> step_volumes_pass<3>();
 template Pass<2> average_volume_pass<2>(const Method&, AntiLocking);
 template Pass<3> average_volume_pass<3>(const Method&, AntiLocking);
 

@@ -6,12 +6,14 @@
 
 namespace assay::mpm {
 
-/// Before `stress`: J of each particle after the step.
+/// Before `stress`: volumes of each particle, of which the ratio is averaged. In the updated formulation that of the
+/// step, det(I + dt L); in the total one J.
 template <int Dim>
-Pass<Dim> volume_ratio_pass();
+Pass<Dim> step_volumes_pass();
 
-/// After it: J averaged over the cells or nodes around a particle, and the factor (J averaged / J)^(1/Dim) by which F
-/// is scaled for the material, at both ends of the step.
+/// After it: the ratio averaged over the cells or nodes around a particle, and the factor (averaged / own)^(1/Dim) of F.
+/// In the updated formulation F keeps it: what F has of volume is then never a particle's own. In the total one F stays
+/// the gradient of the motion, and the material alone sees it scaled.
 template <int Dim>
 Pass<Dim> average_volume_pass(const Method& method, AntiLocking over);
 

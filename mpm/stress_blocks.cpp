@@ -40,12 +40,19 @@ std::optional<std::size_t> advance_block(const StressColumns<Dim>& columns, std:
   return bad == n ? std::nullopt : std::optional(begin + bad);
 }
 
-/// F for the material: in-plane components of a batch by the factors of its points.
+/// F scaled in the plane: for the material alone at both ends of the step, or for good at its end.
 template <int Dim>
-void scale_block(double* F, const double* factors, std::size_t n) {
-  for (int c = 0; c < Dim * Dim; ++c) {
-    double* component = F + row_of<Dim>(c) * n;
+void scale_block(const StressColumns<Dim>& columns, std::size_t begin, std::size_t n, BlockScratch<Dim>& scratch) {
+  const auto scale = [n](double* component, const double* factors) {
     for (std::size_t p = 0; p < n; ++p) component[p] *= factors[p];
+  };
+  for (int c = 0; c < Dim * Dim; ++c) {
+    scale(scratch.F1() + row_of<Dim>(c) * n, columns.volume_scale + begin);
+    if (columns.volume_scale_before) {
+      scale(scratch.F0() + row_of<Dim>(c) * n, columns.volume_scale_before + begin);
+    } else {
+      scale(columns.deformation_gradient[static_cast<std::size_t>(c)] + begin, columns.volume_scale + begin);
+    }
   }
 }
 
@@ -74,10 +81,7 @@ BlockOutcome update_block(const StressColumns<Dim>& columns, const Material& mat
   BlockOutcome outcome;
   outcome.inverted = advance_block(columns, begin, n, now.dt, scratch);
   if (outcome.inverted) return outcome;
-  if (columns.volume_scale[0]) {
-    scale_block<Dim>(scratch.F0(), columns.volume_scale[0] + begin, n);
-    scale_block<Dim>(scratch.F1(), columns.volume_scale[1] + begin, n);
-  }
+  if (columns.volume_scale) scale_block<Dim>(columns, begin, n, scratch);
   const double* state0 = state_size ? columns.history[0] + begin * state_size : nullptr;
   double* state1 = state_size ? columns.history[1] + begin * state_size : nullptr;
   const double length = std::abs(now.dt);  // back in time go models that ask for F alone, and the ABI promises dt > 0

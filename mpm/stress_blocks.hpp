@@ -22,7 +22,8 @@ struct StressColumns {
   std::array<double*, tensor_components<Dim>> deformation_gradient{}, velocity_gradient{};
   std::array<double*, stress_components<Dim>> stress{};
   std::array<double*, 2> history{};       ///< begin and end of the step; null of a material without state
-  std::array<double*, 2> volume_scale{};  ///< of F for the material, begin and end of the step; null: 1
+  double* volume_scale = nullptr;         ///< of F at the end of the step; null: 1
+  double* volume_scale_before = nullptr;  ///< at its begin, where the material alone sees F scaled; null: F keeps it
   bool rate_of_F = false;                 ///< what velocity_gradient holds: dF/dt in place of L
 };
 

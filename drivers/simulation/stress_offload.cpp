@@ -83,8 +83,9 @@ void StressOffload::place(const mpm::StressColumns<2>& columns) {
     offsets(columns.velocity_gradient, page.velocity_gradient);
     offsets(columns.stress, page.stress);
     offsets(columns.history, page.history);
-    offsets(columns.volume_scale, page.volume_scale);
-    page.scales_volume = columns.volume_scale[0] != nullptr;
+    const std::array<double*, 2> scales{columns.volume_scale, columns.volume_scale_before};
+    offsets(scales, page.volume_scale);
+    for (std::size_t k : {0, 1}) page.scales_volume[k] = scales[k] ? 1 : 0;
     page.rate_of_F = columns.rate_of_F;
   }
 }

@@ -34,8 +34,8 @@ mpm::StressColumns<2> columns_in(const StressPage& page, double* base) {
   }
   for (std::size_t c = 0; c < 5; ++c) columns.stress[c] = base + page.stress[c];
   for (std::size_t end : {0, 1}) columns.history[end] = base + page.history[end];
-  for (std::size_t end : {0, 1})
-    columns.volume_scale[end] = page.scales_volume ? base + page.volume_scale[end] : nullptr;
+  if (page.scales_volume[0] != 0) columns.volume_scale = base + page.volume_scale[0];
+  if (page.scales_volume[1] != 0) columns.volume_scale_before = base + page.volume_scale[1];
   columns.rate_of_F = page.rate_of_F != 0;
   return columns;
 }
