@@ -99,11 +99,21 @@ std::string scene_fault(const std::string& file) {
   }
 }
 
+/// The name of the element whose text begins behind `at`, a '>'.
+std::string element_at(const std::string& text, std::size_t at) {
+  const std::size_t begin = text.rfind('<', at);
+  return begin == text.npos ? "" : text.substr(begin + 1, text.find_first_of(" >", begin) - begin - 1);
+}
+
+/// Numbers are in cells and in drawings; a title may be any word.
 std::string page_fault(const std::string& text) {
   if (text.find("</html>") == text.npos) return "is not whole";
-  // the scene's own words are in it; numbers are in tables
-  for (const char* number : {">nan<", ">inf<", ">-inf<", ">-nan<", "=\"nan", "=\"inf", "=\"-inf", " nan ", ",nan"}) {
-    if (text.find(number) != text.npos) return std::string("holds ") + number;
+  for (const std::string number :
+       {">nan<", ">inf<", ">-inf<", ">-nan<", "=\"nan", "=\"inf", "=\"-inf", ",nan", ",inf"}) {
+    for (std::size_t at = text.find(number); at != text.npos; at = text.find(number, at + 1)) {
+      const std::string element = number[0] == '>' ? element_at(text, at) : "";
+      if (element != "title" && element != "h1") return "holds " + number;
+    }
   }
   return {};
 }

@@ -90,7 +90,9 @@ TEST(RunFaults, NumbersThatAreNotFinite) {
   EXPECT_NE(fault_of("result.json", "{\"outcome\": nan}"), "");
   EXPECT_NE(fault_of("result.json", "{\"outcome\": \"completed\""), "");
   EXPECT_NE(fault_of("particles.pvd", "<DataSet timestep=\"nan\"/></VTKFile>\n"), "");
+  EXPECT_EQ(fault_of("report.html", "<title>nan</title><h1>nan</h1><td>1</td></html>"), "");
   EXPECT_NE(fault_of("report.html", "<td>nan</td></html>"), "");
+  EXPECT_NE(fault_of("report.html", "<path d=\"M1,nan\"/></html>"), "");
   EXPECT_NE(fault_of("error.png", "\x89PNG"), "");
   EXPECT_NE(fault_of("resolved.yaml", "motion: {type: vortex}\n"), "");
   EXPECT_NE(fault_of("core", ""), "");
