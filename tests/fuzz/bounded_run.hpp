@@ -9,7 +9,7 @@
 namespace assay::fuzz {
 
 struct Bounds {
-  double wall_s = 20;              ///< then it is killed, with all processes that it started
+  double wall_s = 300;             ///< then it is killed, with all processes that it started: it waits for something
   double cpu_s = 20;               ///< RLIMIT_CPU
   std::int64_t address_bytes = 0;  ///< RLIMIT_AS; 0: none, as under sanitizers, which reserve terabytes
   std::int64_t file_bytes = std::int64_t{64} << 20;  ///< RLIMIT_FSIZE

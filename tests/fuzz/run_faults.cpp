@@ -57,7 +57,7 @@ void check_error_lines(const Outcome& outcome, std::vector<std::string>& faults)
 
 void check_bounds(const Outcome& outcome, const Promise& promise, std::vector<std::string>& faults) {
   if (outcome.timed_out) faults.push_back("killed at the bound of time");
-  if (outcome.wall_s > promise.wall_s) faults.push_back("took " + std::to_string(outcome.wall_s) + " s");
+  if (outcome.cpu_s > promise.cpu_s) faults.push_back("took " + std::to_string(outcome.cpu_s) + " s of CPU");
   if (outcome.resident_bytes > promise.resident_bytes) {
     faults.push_back("took " + std::to_string(outcome.resident_bytes >> 20) + " MiB");
   }

@@ -11,7 +11,7 @@ namespace assay::fuzz {
 
 /// What is asked of time and memory beyond what the kernel bounds.
 struct Promise {
-  double wall_s = 10;
+  double cpu_s = 10;
   std::int64_t resident_bytes = std::int64_t{512} << 20;
 };
 

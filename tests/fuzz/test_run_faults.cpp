@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <vector>
@@ -57,7 +58,7 @@ TEST(RunFaults, CrashesAreSeenThroughTheirStatusAndTheirWords) {
 
 TEST(RunFaults, TimeAndMemory) {
   Outcome outcome = refused();
-  outcome.wall_s = 11;
+  outcome.cpu_s = 11;
   EXPECT_EQ(count_of_faults(outcome), 1u);
   outcome.resident_bytes = std::int64_t{1} << 40;
   EXPECT_EQ(count_of_faults(outcome), 2u);
@@ -120,6 +121,9 @@ TEST(RunFaults, BoundsAreThoseOfTheKernel) {
   EXPECT_EQ(spoken.status, 2);
   EXPECT_EQ(spoken.out, "one\n");
   EXPECT_EQ(spoken.error, "two\n");
+  const Outcome busy = run_script("while :; do :; done", {.cpu_s = 1});
+  EXPECT_EQ(busy.status, 128 + SIGXCPU);
+  EXPECT_GT(busy.cpu_s, 0.9);
   const Outcome slow = run_script("sleep 60 & sleep 60", {.wall_s = 0.2});
   EXPECT_TRUE(slow.timed_out);
   EXPECT_LT(slow.wall_s, 30);

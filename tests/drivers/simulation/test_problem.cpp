@@ -80,5 +80,17 @@ TEST(Problem, RefusesAWaveThatNoNumberHolds) {
   EXPECT_EQ(said("1e300"), "accepted");
 }
 
+/// The step is given: no number of steps tells it.
+TEST(Problem, RefusesSpeedsThatNoNumberHolds) {
+  const std::string said = refusal_of([] {
+    assemble(scene_from_text("motion: {type: bar_1d, wave_speed: 1e300}\n"
+                             "material: {adapter: neo_hookean, parameters: {E: 1e3, nu: 0}, density: 1}\n"
+                             "grid: {spacing: 0.25}\nmethod: {basis: linear}\ntime: {end: 1, step: 0.1}\n",
+                             "f.yaml", {}),
+             1);
+  });
+  EXPECT_NE(said.find("motion: is faster than numbers go: fastest wave"), std::string::npos) << said;
+}
+
 }  // namespace
 }  // namespace assay::drivers
