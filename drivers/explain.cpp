@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "drivers/composition.hpp"
+#include "drivers/explanation.hpp"
 #include "drivers/findings.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/wrapped_text.hpp"
@@ -150,6 +151,7 @@ std::string ends_text(const Problem& problem) {
 
 std::string response_text(const Problem& problem, const ExactSolution* exact) {
   if (!problem.compared) return "no body force\n";
+  if (!exact) return "";
   if (exact->box()) {
     const BoxStress& box = **exact->box();
     return fmt::format("response: a cosine series of {} x {} modes, {} at each node\n", box.modes(0), box.modes(1),
@@ -174,21 +176,21 @@ std::string response_text(const Problem& problem, const ExactSolution* exact) {
 
 }  // namespace
 
+std::string explanation(const Problem& problem, const ExactSolution* exact, const ScreenFigures& screen, bool json) {
+  const Composition c = composition_of(problem);
+  if (json) return explanation_json(problem, c, exact && exact->response() ? exact->response()->get() : nullptr, screen);
+  return passes_text(problem, c) + observers_text(problem) + memory_text(problem, c) + work_text(c) +
+         effects_text(c) + steps_text(problem) + frame_line(problem) + exact_solution_line(problem) + ends_text(problem) + response_text(problem, exact) +
+         wrapped(screen_sentence(screen), "motion: ", "  ");
+}
+
 int explain(const ExplainOptions& options) {
   try {
     const Problem problem = assemble(read_scene(options.scene, options.sets), 1);
-    const Composition c = composition_of(problem);
     std::shared_ptr<const ExactSolution> exact;
-    std::shared_ptr<const Response> response;
     if (problem.compared) exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end);
-    if (exact && exact->response()) response = *exact->response();
     const ScreenFigures screen = screen_of(problem.scene, *problem.material, problem.scene.time.end);
-    const std::string text =
-        options.json ? explanation_json(problem, c, response.get(), screen)
-                     : passes_text(problem, c) + observers_text(problem) + memory_text(problem, c) + work_text(c) +
-                           effects_text(c) + steps_text(problem) + frame_line(problem) + exact_solution_line(problem) +
-                           ends_text(problem) + response_text(problem, exact.get()) +
-                           wrapped(screen_sentence(screen), "motion: ", "  ");
+    const std::string text = explanation(problem, exact.get(), screen, options.json);
     std::fputs(text.c_str(), stdout);
     return 0;
   } catch (const MaterialFailure& failure) {

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <thread>
 
 namespace assay {
 
@@ -31,14 +33,16 @@ struct Edge {
 /// Finds every edge between two samples by bisection.
 class EdgeSearch {
  public:
-  EdgeSearch(const Course& course, const HistoryOptions& options, std::int64_t& calls)
-      : course_(course), options_(options), calls_(calls), range_(course.path->parameter.width()) {}
+  EdgeSearch(const Course& course, const HistoryOptions& options, const std::function<void()>& poll,
+             std::int64_t& calls)
+      : course_(course), options_(options), poll_(poll), calls_(calls), range_(course.path->parameter.width()) {}
 
   void between(const Sample& left, const Sample& right, std::vector<Edge>& found) {
     if (left.ray.branches == right.ray.branches) return;
     const double width = right.xi - left.xi;
     if (width <= edge_share * range_) return found.push_back({left, right});
     if (++traces_ > most_traces) throw RegimesFlicker();
+    if (poll_) poll_();
     Sample middle{left.xi + 0.5 * width, {}};
     const bool narrow = width <= narrowest_share * range_;
     try {
@@ -56,6 +60,7 @@ class EdgeSearch {
  private:
   const Course& course_;
   const HistoryOptions& options_;
+  const std::function<void()>& poll_;  ///< between histories: there may be thousands in a gap
   std::int64_t& calls_;
   double range_;
   int traces_ = 0;
@@ -156,10 +161,13 @@ std::vector<Band> find_bands(const Course& course, const HistoryOptions& options
     const auto i = static_cast<std::size_t>(k);
     samples[i] = {places[i], trace(course, places[i], options, calls_of[i])};
   });
+  const std::function<void()> silent;
+  const auto caller = std::this_thread::get_id();
   std::vector<std::vector<Edge>> edges(n);
   for_each_index(static_cast<int>(n) - 1, workers, [&](int k) {
     const auto i = static_cast<std::size_t>(k);
-    EdgeSearch(course, options, calls_of[n + i]).between(samples[i], samples[i + 1], edges[i]);
+    const auto& poll = std::this_thread::get_id() == caller ? workers.poll : silent;
+    EdgeSearch(course, options, poll, calls_of[n + i]).between(samples[i], samples[i + 1], edges[i]);
   });
   for (const std::int64_t c : calls_of) calls += c;
 

@@ -9,6 +9,7 @@
 #include "drivers/output/number_format.hpp"
 #include "drivers/scene/body_box.hpp"
 #include "drivers/scene/initial_velocity.hpp"
+#include "drivers/scene/motion_keys.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/simulation/body_ends.hpp"
 #include "drivers/simulation/runnable.hpp"
@@ -121,7 +122,13 @@ void resolve_wave_speed(Scene& scene) {
     throw InputError(scene.place("motion.wave_speed"), "motion.wave_speed",
                      "auto takes sqrt(E/rho0), and the material has no parameter E above 0: give it [m/s]");
   }
-  box->amplitude.period = 1 / std::sqrt(modulus->second / scene.material.density);
+  const double speed = std::sqrt(modulus->second / scene.material.density);
+  if (!(speed >= slowest_wave && speed <= fastest_wave)) {
+    throw InputError(scene.place("motion.wave_speed"), "motion.wave_speed",
+                     "auto takes sqrt(E/rho0), which is " + rounded_text(speed, 3) + " m/s, beyond " +
+                         rounded_text(speed > 1 ? fastest_wave : slowest_wave, 3) + ": give it [m/s]");
+  }
+  box->amplitude.period = 1 / speed;
   box->given_speed = true;
   if (!scene.places.contains("time.end")) scene.time.end = box->amplitude.period;
 }

@@ -122,6 +122,11 @@ void plan_steps(Problem& problem) {
                          " s (fastest wave on the path " + rounded_text(problem.wave_speed, 3) +
                          " m/s, fastest particle " + rounded_text(problem.particle_speed, 3) + " m/s)");
   }
+  if (!std::isfinite(problem.wave_speed + problem.particle_speed)) {  // a step that is given asks for neither
+    throw InputError(scene.place("motion"), "motion",
+                     "is faster than numbers go: fastest wave on the path " + rounded_text(problem.wave_speed, 3) +
+                         " m/s, fastest particle " + rounded_text(problem.particle_speed, 3) + " m/s");
+  }
   problem.steps = static_cast<std::int64_t>(steps);
   problem.dt = scene.time.step ? *scene.time.step : scene.time.end / steps;
 }

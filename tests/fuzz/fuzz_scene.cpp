@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whatever the bytes: the reader returns a scene or throws InputError with one line, and the resolved form of a scene
-// reads back to itself. Anything else is a fault. What follows a record separator (0x1e) is a --set argument.
+// reads back to itself. A scene that can be run is composed, or refused in one line, or its material fails. Anything
+// else is a fault. What follows a record separator (0x1e) is a --set argument.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -12,6 +13,8 @@
 #include "drivers/input_error.hpp"
 #include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_reader.hpp"
+#include "harness/material_failure.hpp"
+#include "tests/fuzz/composition.hpp"
 
 namespace {
 
@@ -39,11 +42,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::size_t cut = all.find('\x1e');
   std::vector<std::string> settings;
   if (cut != all.npos) settings.emplace_back(all.substr(cut + 1));
+  const std::string text(all.substr(0, cut));
   try {
-    check_resolved(scene_from_text(all.substr(0, cut), "scene.yaml", settings));
+    const Scene scene = scene_from_text(text, "scene.yaml", settings);
+    check_resolved(scene);
+    assay::fuzz::compose_scene(scene);
   } catch (const InputError& error) {
     const std::string line = error.what();
     if (line.empty() || line.find('\n') != line.npos) fault("not one line", line);
+  } catch (const assay::MaterialFailure& failure) {
+    if (std::string(failure.what()).empty()) fault("a material fails without a word", text);
+  } catch (const std::exception& error) {
+    fault(error.what(), text);
   }
   return 0;
 }

@@ -9,6 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "drivers/scene/scene_reader.hpp"
+#include "tests/fuzz/composition.hpp"
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace {
@@ -17,7 +20,7 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> seeds() {
   std::vector<std::string> texts;
-  for (const char* folder : {"configs", "tests/fuzz/corpus"}) {
+  for (const char* folder : {"configs", "tests/fuzz/corpus", "tests/fuzz/scenes"}) {
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(ASSAY_SOURCE_DIR) / folder)) {
       if (!entry.is_regular_file()) continue;
       std::ifstream in(entry.path(), std::ios::binary);
@@ -41,6 +44,26 @@ TEST(FuzzCorpus, SeedsAndTheirPrefixes) {
   for (const std::string& text : texts) {
     for (std::size_t n = 0; n < text.size(); n += 1 + text.size() / 600) feed(text.substr(0, n));
     feed(text);
+  }
+}
+
+/// The bounds of the composition leave these scenes in: the prefixes above and the bytes below reach it.
+TEST(FuzzCorpus, ScenesOfFewParticlesAreComposed) {
+  int composed = 0;
+  for (const auto& entry : fs::directory_iterator(fs::path(ASSAY_SOURCE_DIR) / "tests/fuzz/scenes")) {
+    if (entry.path().extension() != ".yaml") continue;
+    EXPECT_NO_THROW(assay::fuzz::compose_scene(assay::drivers::read_scene(entry.path().string()))) << entry.path();
+    ++composed;
+  }
+  EXPECT_GE(composed, 12);
+}
+
+/// A negative control: more particles than the composition takes are refused before any is made.
+TEST(FuzzCorpus, ScenesOfManyParticlesAreRefused) {
+  const std::string scene = ASSAY_SOURCE_DIR "/tests/fuzz/scenes/vortex_cpdi.yaml";
+  for (const char* spacing : {"grid.spacing=0.003", "grid.spacing=1e-200"}) {
+    const auto large = assay::drivers::read_scene(scene, {spacing});
+    EXPECT_THROW(assay::fuzz::compose_scene(large), assay::drivers::InputError) << spacing;
   }
 }
 

@@ -50,6 +50,25 @@ TEST(Bands, AreDividedWhereYieldingBeginsToExist) {
   EXPECT_EQ(bands.back().map.xi.upper, path.parameter.upper);
 }
 
+/// There are 49 samples and 48 gaps, each with a look at the caller; what is between is looked for by many histories.
+TEST(Bands, CanBeStoppedBetweenTheHistoriesOfAGap) {
+  const Path path = Vortex{0.75, 1.25, 2, {Amplitude::Type::sine, 0.1, 1.0}}.baseline();
+  const auto material = builtin_material(assay_builtin_j2_jaumann, plastic);
+  const Course course(*material, path, 0.5, Form::increments);
+  std::int64_t calls = 0;
+  int polls = 0;
+  const HistoryOptions options{.tolerance = 1e-8, .watch = true};
+  find_bands(course, options, {}, {1, [&] { ++polls; }}, calls);
+  EXPECT_GT(polls, 110);
+  struct Stop {};
+  const int most = polls - 1;
+  polls = 0;
+  const auto stop = [&] {
+    if (++polls == most) throw Stop{};
+  };
+  EXPECT_THROW(find_bands(course, options, {}, {1, stop}, calls), Stop);
+}
+
 TEST(Bands, AreFoundAtTheVeryEndsOfTheRange) {
   const Path path = Vortex{0.75, 1.25, 2, {Amplitude::Type::sine, 0.1, 1.0}}.baseline();
   for (const double share : {0.97, 0.997, 0.9999}) {

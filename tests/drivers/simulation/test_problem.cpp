@@ -50,5 +50,47 @@ TEST(Problem, CountsTheHistoriesOfAShadow) {
   EXPECT_NE(said(many + "limits: {memory_gib: 0.1}\n").find("limits.memory_gib"), std::string::npos);
 }
 
+TEST(Problem, CountsTheHistoriesUnderASheet) {
+  const auto said = [](const std::string& model, const std::string& end) {
+    const std::string text = "motion: {type: vortex, amplitude: {peak: 0.1}}\n" + model +
+                             ", density: 1000}\nbody: {domain: ring}\n" +
+                             "grid: {spacing: 0.1}\nmethod: {basis: cpdi}\ntime: {step: 0.1, end: " + end + "}\n" +
+                             "limits: {particle_steps: 1e6}\n";
+    return refusal_of([&] { assemble(scene_from_text(text, "f.yaml", {}), 1); });
+  };
+  const std::string elastic = "material: {adapter: neo_hookean, parameters: {E: 1e3, nu: 0.3}";
+  const std::string plastic = "material: {adapter: j2_jaumann, parameters: {E: 1e3, nu: 0.3, yield_stress: 20}";
+  EXPECT_EQ(said(plastic, "1"), "accepted");
+  EXPECT_NE(said(plastic, "30").find("those of the response's histories included"), std::string::npos);
+  EXPECT_EQ(said(elastic, "30"), "accepted");  // a curve
+}
+
+TEST(Problem, RefusesAWaveThatNoNumberHolds) {
+  const auto said = [](const std::string& density) {
+    return refusal_of([&] {
+      assemble(
+          scene_from_text("motion: {type: bar_1d}\nmaterial: {adapter: neo_hookean, parameters: {E: 1e300, nu: 0}, "
+                          "density: " +
+                              density + "}\ngrid: {spacing: 0.25}\nmethod: {basis: linear}\n",
+                          "f.yaml", {}),
+          1);
+    });
+  };
+  EXPECT_NE(said("1e-320").find("motion.wave_speed: auto takes sqrt(E/rho0), which is inf m/s"), std::string::npos);
+  EXPECT_EQ(said("1e300"), "accepted");
+}
+
+/// The step is given: no number of steps tells it.
+TEST(Problem, RefusesSpeedsThatNoNumberHolds) {
+  const std::string said = refusal_of([] {
+    assemble(scene_from_text("motion: {type: bar_1d, wave_speed: 1e300}\n"
+                             "material: {adapter: neo_hookean, parameters: {E: 1e3, nu: 0}, density: 1}\n"
+                             "grid: {spacing: 0.25}\nmethod: {basis: linear}\ntime: {end: 1, step: 0.1}\n",
+                             "f.yaml", {}),
+             1);
+  });
+  EXPECT_NE(said.find("motion: is faster than numbers go: fastest wave"), std::string::npos) << said;
+}
+
 }  // namespace
 }  // namespace assay::drivers
