@@ -85,8 +85,8 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
       if (body_force && setup.frame && setup.frame->spin != 0) add(moving_frame_pass<Dim>(setup.evaluation));
     }
     if constexpr (compiled(Effect::inertia_to_particles) || compiled(Effect::virtual_stress)) {
-      const bool given = body_force && setup.inertia == Inertia::particles;
-      if (setup.uses_exact_solution()) add(inertia_pass<Dim>(method, given, setup.accounts));
+      const bool given = setup.inertia == Inertia::particles;
+      if (body_force && setup.uses_exact_solution()) add(inertia_pass<Dim>(method, given, setup.accounts));
     }
   }
   add(weights_pass<Dim>(method, !setup.seeds.half_edges.empty()));
