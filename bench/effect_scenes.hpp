@@ -3,6 +3,7 @@
 // with.
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct EffectScene {
   std::string scene;                       ///< below configs/, without .yaml
   std::vector<std::string> without, with;  ///< settings
 };
+
+/// For the messages of tests.
+inline void PrintTo(const EffectScene& way, std::ostream* out) { *out << "of " << way.scene; }
 
 /// Settings of a scene that is short and has no effect around its steps but the comparison itself.
 inline std::vector<std::string> quiet() {
@@ -43,23 +47,24 @@ inline std::vector<EffectScene> effect_scenes(const std::string& materials) {
     add(effect, "paper/vortex_cpdi", plain(), without, with);
   };
   const std::vector<std::string> biaxial{"time.end=0.02"};
-  const std::string none = "force={response: none}", by = "traction.algorithm=";
+  const std::string none = "force={response: none, evaluation: point}", by = "traction.algorithm=";
   const std::string total = "method={basis: bspline2, formulation: total, integrator: ";
   const std::string zener =
       "material={adapter: zener, density: 1000, parameters: "
       "{E: 1.0e3, nu: 0.3, viscous_ratio: 1.0, relaxation_time: 0.2}}";
   const std::string model =
-      "material={adapter: " + materials + "/neo_hookean.so, density: 1000, parameters: {E: 1.0e3}, ";
+      "material={adapter: " + materials + "/libneo_hookean.so, density: 1000, parameters: {E: 1.0e3}, ";
   of_vortex(body_force, {none}, {});
   of_vortex(averaging, {}, {"force.evaluation=domain_average", "body.cut=whole"});
   of_vortex(moving_frame, {}, {"frame={spin: 1.3}"});
   of_vortex(inertia_to_particles, {}, {"force.inertia=particles"});
   add(edge_traction, "motions/homogeneous_biaxial", biaxial, {none}, {});
-  add(virtual_stress, "motions/homogeneous_biaxial", biaxial, {}, {by + "virtual_stress"});
+  add(virtual_stress, "motions/homogeneous_biaxial", biaxial, {none}, {by + "virtual_stress"});
   add(particle_traction, "motions/homogeneous_biaxial", biaxial, {none}, {by + "particles"});
   add(undeformed_traction, "motions/homogeneous_biaxial", biaxial, {none}, {by + "undeformed_edges"});
-  add(images, "motions/rigid", {none, "time.end=0.02"}, {}, {"body.periodic=both"});
-  of_vortex(outside_held, {"body={domain: square, outside: free}"}, {"body={domain: square, outside: held}"});
+  add(images, "motions/rigid", {none, "time.end=0.02", "motion={type: rigid, velocity: [0.6, 0.4, 0], period: 1}"}, {},
+      {"body.periodic=both"});
+  of_vortex(outside_held, {}, {"body={domain: square, outside: held}"});
   of_vortex(history, {none}, {none, zener});
   add(material_direction, "models/vortex_orthotropic_cylindrical", {"grid.spacing=0.125", "time.end=0.02", none},
       {zener}, {});
@@ -71,6 +76,11 @@ inline std::vector<EffectScene> effect_scenes(const std::string& materials) {
   of_vortex(force_stages, {total + "symplectic_euler}"}, {total + "symplectic_rkn4}"});
   of_vortex(stress_first, {}, {"method.update=usf"});
   of_vortex(remapped_velocity, {}, {"method.update=musl"});
+  of_vortex(anti_locking, {}, {"remedies.anti_locking=cell"});
+  of_vortex(largest_domain, {}, {"remedies.largest_domain=0.5"});
+  of_vortex(small_mass, {}, {"remedies.small_mass=0.1"});
+  of_vortex(artificial_viscosity, {}, {"remedies.artificial_viscosity=[0.1, 1.5]"});
+  of_vortex(time_control, {}, {"time.control=current"});
   of_vortex(energy_account, {}, {"output.accounts=true"});
   of_vortex(screening, {none}, {});
   of_vortex(error_sampling, {none}, {});

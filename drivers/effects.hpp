@@ -20,6 +20,7 @@ struct EffectEntry {
   std::vector<std::string> passes;     ///< that it can bring; which of them, and with which columns, the method decides
   std::vector<mpm::Column> columns;
   std::vector<std::string> grid_fields;
+  bool asks_material;  ///< it can, in steps, for more than the particles' stress
   std::string around;  ///< what else it brings, around the steps; empty: nothing
 };
 

@@ -39,6 +39,7 @@ std::string brought_text(const EffectPart& part) {
   }
   const EffectEntry& entry = entry_of(part.effect);
   if (!entry.around.empty()) add(entry.around);
+  if (entry.asks_material) add("calls of the material beside the particles' stress");
   return text;
 }
 

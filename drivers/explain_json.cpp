@@ -59,6 +59,7 @@ void add_effects(const Composition& c, Json& json) {
                                {"passes", part.passes},
                                {"columns", part.columns},
                                {"grid_fields", part.grid_fields},
+                               {"asks_material", part.is_there && entry.asks_material},
                                {"bytes_per_particle", part.bytes_per_particle},
                                {"bytes_per_node", part.bytes_per_node}});
   }

@@ -99,8 +99,8 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
       if (body_force && setup.frame && setup.frame->spin != 0) add(moving_frame_pass<Dim>(setup.evaluation));
     }
     if constexpr (compiled(Effect::inertia_to_particles) || compiled(Effect::virtual_stress)) {
-      const bool given = body_force && setup.inertia == Inertia::particles;
-      if (setup.uses_exact_solution()) add(inertia_pass<Dim>(method, given, setup.accounts));
+      const bool given = setup.inertia == Inertia::particles;
+      if (body_force && setup.uses_exact_solution()) add(inertia_pass<Dim>(method, given, setup.accounts));
     }
   }
   if constexpr (Dim == 2 && compiled(Effect::largest_domain)) {
@@ -180,6 +180,9 @@ std::optional<Effect> effect_of(Column column) {
       return Effect::affine_velocity;
     case Column::corners:
       return Effect::convected_corners;
+    case Column::step_volumes:
+    case Column::volume_scale:
+      return Effect::anti_locking;
     case Column::domain:
       return Effect::own_domains;
     case Column::history:

@@ -52,7 +52,7 @@ Kernel box_kernel(State<2>& s, Evaluation evaluation) {
   };
 }
 
-Kernel averaged_kernel(State<2>& s) {
+[[maybe_unused]] Kernel averaged_kernel(State<2>& s) {
   if (std::holds_alternative<AxisAligned>(*s.setup.motion)) return box_kernel(s, Evaluation::domain_average);
   auto field = std::make_shared<DomainAverage>(*s.setup.motion, s.setup.density, domains_of_setup(s.setup));
   const InPieces pieces = [threads = s.setup.threads](std::size_t n, const auto& body) {

@@ -196,7 +196,9 @@ Box picture_box(const Problem& problem) {
 }  // namespace
 
 std::vector<Snapshots::Written> Snapshots::finish() {
-  if (!entries_.empty()) folder_->write("particles.pvd", pvd_text(entries_));
+  if constexpr (mpm::compiled(mpm::Effect::snapshots)) {
+    if (!entries_.empty()) folder_->write("particles.pvd", pvd_text(entries_));
+  }
   std::vector<Written> written;
   if (frames_.empty()) return written;
   ParticlePicture picture;

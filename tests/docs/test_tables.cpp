@@ -133,6 +133,38 @@ TEST(Tables, MethodsAndPatchTestsAreThoseOfTheProgram) {
       << ran.output;
 }
 
+Json effects() {
+  const auto ran = house::run_assay("explain '" ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml' --json");
+  return Json::parse(ran.output)["effects"];
+}
+
+TEST(Tables, EffectsAreThoseOfTheProgram) {
+  std::string table = "| effect | key | what it is |\n| --- | --- | --- |\n";
+  for (const Json& effect : effects()) {
+    const std::string key = effect["key"].is_null() ? "" : "`" + effect["key"].get<std::string>() + "`";
+    table += "| " + effect["name"].get<std::string>() + " | " + key + " | " + effect["doc"].get<std::string>() + " |\n";
+  }
+  ASSERT_GT(house::lines_of(table).size(), 20u);
+  EXPECT_NE(house::text_of("docs/effects.md").find(table), std::string::npos)
+      << "docs/effects.md is to hold this table:\n"
+      << table;
+}
+
+// A row of what `./dev bench` has measured for each effect that a scene can call for.
+TEST(Tables, EveryEffectHasItsPrice) {
+  const std::string page = house::text_of("docs/effects.md");
+  const std::size_t begin = page.find("<!-- measured: ./dev bench -->"),
+                    end = page.find("<!-- end of what is measured");
+  ASSERT_LT(begin, end);
+  const std::string measured = page.substr(begin, end - begin);
+  for (const Json& effect : effects()) {
+    if (effect["key"].is_null()) continue;
+    const std::regex row("\\n\\| " + effect["name"].get<std::string>() +
+                         " \\| `[^`]+` \\| [0-9.,]+ \\| [+-][0-9.]+ ± [0-9.]+ \\|");
+    EXPECT_TRUE(std::regex_search(measured, row)) << effect["name"];
+  }
+}
+
 /// Paths of all leaves: "error.l2_max", "passes[].name".
 void leaves(const Json& value, const std::string& path, std::set<std::string>& found) {
   if (value.is_object()) {
