@@ -81,7 +81,7 @@ struct Extremes {
 template <int Dim>
 struct Locator {
   double spacing = 0, inverse_spacing = 0;
-  Vec<Dim> first{};      ///< global index of the first node
+  Vec<Dim> first{};      ///< global index of the first node, and its offset
   Vec<Dim> last_cell{};  ///< cell coordinates must be below this
   std::array<std::int32_t, Dim> stride{};
 
@@ -89,7 +89,7 @@ struct Locator {
   explicit Locator(const GridGeometry<Dim>& grid) : spacing(grid.spacing), inverse_spacing(1 / grid.spacing) {
     std::int32_t product = 1;
     for (std::size_t d = 0; d < Dim; ++d) {
-      first[d] = grid.first[d];
+      first[d] = grid.first[d] + grid.offset[d];
       last_cell[d] = grid.count[d] - 1;
       stride[d] = product;
       product *= grid.count[d];

@@ -28,7 +28,7 @@ class CornerPlaces {
     for (std::size_t d = 0; d < Dim; ++d) {
       stride_[d] = stride;
       for (std::size_t n = 0; n < corners; ++n) offsets_[n] += (n >> d & 1) ? stride : 0;
-      first_[d] = grid.first[d];
+      first_[d] = grid.first[d] + grid.offset[d];
       last_cell_[d] = grid.count[d] - 1;
       stride *= grid.count[d];
     }

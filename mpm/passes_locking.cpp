@@ -68,7 +68,7 @@ class VolumeAverage {
     std::size_t lowest = 0, stride = 1;
     std::array<std::size_t, Dim> strides{};
     for (std::size_t d = 0; d < Dim; ++d) {
-      const double along = x[d] / grid_.spacing - grid_.first[d];
+      const double along = x[d] / grid_.spacing - (grid_.first[d] + grid_.offset[d]);
       const double cell = std::clamp(std::floor(along), 0.0, static_cast<double>(grid_.count[d] - 2));
       part[d] = std::clamp(along - cell, 0.0, 1.0);
       lowest += static_cast<std::size_t>(cell) * stride;

@@ -58,6 +58,7 @@ struct Body {
 
 struct GridChoice {
   double spacing = 0;                                 ///< h [m]; nodes lie at multiples of h
+  std::array<double, 2> offset{};                     ///< and this far beyond them [h]
   std::optional<std::array<double, 2>> lower, upper;  ///< corners; by default around the body with a margin
 };
 

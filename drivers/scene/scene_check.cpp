@@ -124,6 +124,7 @@ void check_gauss_lattice(const Scene& scene, const Where& where) {
   }
   for (std::size_t d = 0; scene.grid && d < 2; ++d) {
     const double h = scene.grid->spacing;
+    if (scene.grid->offset[d] != 0) refuse(where, "grid.offset", points + "and the offset cuts these");
     if (is_node(body.lower[d], h) && is_node(body.upper[d], h)) continue;
     refuse(where, "body.lattice",
            points + "and the body's corners " + text(body.lower) + " and " + text(body.upper) +

@@ -32,10 +32,21 @@ constexpr double spin_bytes = 120;  ///< that a spinning frame's force takes, it
 constexpr double inertia_bytes =
     92;  ///< that giving particles their inertia takes where no two radii are equal (counted)
 
+mpm::GridGeometry<2> grid_around(const Box& box, const GridChoice& choice, int margin) {
+  Box by_nodes = box;
+  for (std::size_t d = 0; d < 2; ++d) {
+    by_nodes.lower[d] -= choice.offset[d] * choice.spacing;
+    by_nodes.upper[d] -= choice.offset[d] * choice.spacing;
+  }
+  mpm::GridGeometry<2> grid = mpm::grid_around(by_nodes.lower, by_nodes.upper, choice.spacing, margin);
+  grid.offset = choice.offset;
+  return grid;
+}
+
 mpm::GridGeometry<2> grid_of(const Scene& scene) {
   const GridChoice& grid = *scene.grid;
   const Box body = swept_box(scene);
-  if (!grid.lower) return mpm::grid_around(body.lower, body.upper, grid.spacing, grid_margin);
+  if (!grid.lower) return grid_around(body, grid, grid_margin);
   for (std::size_t d = 0; d < 2; ++d) {
     if ((*grid.lower)[d] > body.lower[d] || (*grid.upper)[d] < body.upper[d]) {
       throw InputError(scene.place("grid"), "grid",
@@ -44,7 +55,7 @@ mpm::GridGeometry<2> grid_of(const Scene& scene) {
                            rounded_text((*grid.upper)[0], 6) + ", " + rounded_text((*grid.upper)[1], 6) + "]");
     }
   }
-  return mpm::grid_around(*grid.lower, *grid.upper, grid.spacing, 1);  // one cell for the domains at the edge
+  return grid_around({*grid.lower, *grid.upper}, grid, 1);  // one cell for the domains at the edge
 }
 
 }  // namespace
@@ -163,6 +174,11 @@ void choose_forces(Problem& problem) {
     setup.traction.reset();
   }
   setup.ends = ends_of(scene);
+  if (setup.has_images() && setup.grid.offset != std::array<double, 2>{}) {
+    throw InputError(
+        scene.place("grid.offset"), "grid.offset",
+        "symmetry planes and periodic ends of the body lie on nodes, which an offset takes away from them");
+  }
   // a force that is linear in X is on a domain what it is in its middle; at Gauss points their rule takes the mean
   const bool pointwise =
       is_homogeneous(scene.motion) || (!ring_of(scene.motion) && scene.body.lattice == Body::Lattice::gauss);

@@ -109,8 +109,11 @@ class Planner {
     one.values = combination.values;
     one.label = label_of(study_, one.values, true) + refined;
     one.series = label_of(study_, one.values, false);
+    for (const NotApplicable& each : study_.not_applicable) {
+      if (one.invalid.empty() && each.where.holds(one.values)) one.invalid = each.because;
+    }
     try {
-      read(combination.settings, one);
+      if (one.invalid.empty()) read(combination.settings, one);
     } catch (const InputError& error) {
       if (!study_.skips_invalid) throw InputError(std::string(error.what()) + " (case: " + one.label + ")");
       one.invalid = error.what();

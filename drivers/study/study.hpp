@@ -73,6 +73,12 @@ struct PublishedOrder {
   std::string source;  ///< "Brannon et al., figure 4"
 };
 
+/// Cases that would say nothing, with the reason: they are n/a.
+struct NotApplicable {
+  Selection where;
+  std::string because;
+};
+
 struct Study {
   std::string title, question;
   std::string file, text, sha256;  ///< of the study: as given, its bytes, their hash
@@ -83,6 +89,7 @@ struct Study {
   Sampling sampling;
   std::vector<std::vector<std::pair<std::string, Tree>>> listed;  ///< cases of a list: axis, value
   std::vector<Selection> excluded;
+  std::vector<NotApplicable> not_applicable;
   std::string refine;  ///< key of resolution; empty: none
   Location refine_where;
   std::string error = "error.relative", cost = "step_cpu_s";

@@ -102,6 +102,22 @@ Expectation completed_at(const Location& where) {
   return line;
 }
 
+void read_not_applicable(const Tree& tree, Study& study) {
+  const std::string key = "not_applicable";
+  if (tree.kind != Tree::Kind::sequence) throw InputError(tree.where, key, "must be a list of maps");
+  for (std::size_t i = 0; i < tree.items.size(); ++i) {
+    const std::string path = key + "[" + std::to_string(i) + "]";
+    const Tree& item = tree.items[i];
+    require_map(item, path, "where and because");
+    refuse_unknown_keys(item, path, {"where", "because"});
+    const Tree *where = item.find("where"), *because = item.find("because");
+    if (!where) throw InputError(item.where, path + ".where", "required and not given");
+    if (!because) throw InputError(item.where, path + ".because", "required and not given");
+    study.not_applicable.push_back(
+        {selection_of(*where, path + ".where", study), text_value(*because, path + ".because")});
+  }
+}
+
 void read_expect(const Tree& tree, Study& study) {
   if (tree.kind != Tree::Kind::sequence) {
     throw InputError(tree.where, "expect", "must be a list of maps, found " + described(tree));
@@ -159,9 +175,9 @@ void read_cases(const Tree& root, Study& study) {
 }  // namespace
 
 const std::vector<std::string>& study_keys() {
-  static const std::vector<std::string> keys{"title", "question", "scene",  "set",       "axes",  "sampling",
-                                             "cases", "exclude",  "refine", "error",     "cost",  "invalid",
-                                             "limit", "timing",   "budget", "published", "expect"};
+  static const std::vector<std::string> keys{"title",   "question", "scene",          "set",    "axes",      "sampling",
+                                             "cases",   "exclude",  "not_applicable", "refine", "error",     "cost",
+                                             "invalid", "limit",    "timing",         "budget", "published", "expect"};
   return keys;
 }
 
@@ -199,6 +215,7 @@ Study study_from_text(const std::string& text, const std::string& file) {
     if (value->kind != Tree::Kind::sequence) throw InputError(value->where, "exclude", "must be a list of maps");
     for (const Tree& item : value->items) study.excluded.push_back(selection_of(item, "exclude", study));
   }
+  if (const Tree* value = root.find("not_applicable")) read_not_applicable(*value, study);
   if (const Tree* value = root.find("timing")) study.timing = read_timing(*value, study);
   if (const Tree* value = root.find("budget")) study.budget = read_budget(*value, study);
   if (const Tree* value = root.find("published")) read_published(*value, study);

@@ -127,6 +127,8 @@ std::string study_schema_json() {
   add("sampling", sampling(), "which cases; default: product");
   add("cases", list_of(map_of(Json::object())), "of sampling: list, axes to values");
   add("exclude", list_of(selection()), "cases that are left out");
+  add("not_applicable", list_of(object({{"where", selection()}, {"because", text()}}, {"where", "because"})),
+      "cases that would say nothing, and why: n/a");
   add("refine", text(), "the key of resolution: cases that differ in it alone are one series");
   add("error", figure(), "the error that is compared; default: error.relative");
   add("cost", figure(), "the cost; default: step_cpu_s");

@@ -52,6 +52,22 @@ TEST(Plan, CasesHaveNumbersLabelsAndSeries) {
   EXPECT_EQ(plan.study.axes.size(), 2u);
 }
 
+TEST(Plan, CasesThatSayNothingAreNotApplicable) {
+  const StudyFolder folder;
+  const std::string no = "not_applicable: [{where: {method: CPDI, grid.spacing: 0.5}, because: it says nothing}]\n";
+  const Plan plan = planned_of(folder, methods_on_grids + no);
+  ASSERT_EQ(plan.cases.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(plan.cases[i].invalid, i == 1 ? "it says nothing" : "");
+    EXPECT_EQ(plan.cases[i].timed, i != 1);
+  }
+  const auto said = [&](const std::string& text) {
+    return folder.shortened_line(refusal_of([&] { folder.read(methods_on_grids + text); }));
+  };
+  EXPECT_EQ(said("not_applicable: [{where: {method: CPDI}}]\n"),
+            "study.yaml:7:18: not_applicable[0].because: required and not given");
+}
+
 TEST(Plan, ASeriesWithoutOtherAxesIsAll) {
   const StudyFolder folder;
   const Plan refined = planned_of(folder, "axes: {grid.spacing: [0.75, 0.5]}\nrefine: grid.spacing\n");

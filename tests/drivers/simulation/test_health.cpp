@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The watch sees what is planted, is silent where nothing is wrong, and what it leaves shows the end again.
+#include "drivers/simulation/health.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "drivers/scene/scene_reader.hpp"
+#include "drivers/simulation/response_source.hpp"
+#include "mpm/simulation.hpp"
+#include "tests/drivers/quiet_run.hpp"
+
+namespace assay::drivers {
+namespace {
+
+using mpm::Column;
+
+const std::string watched_scene =
+    "motion: {type: vortex, amplitude: {peak: 0.5}}\n"
+    "material: {adapter: neo_hookean, parameters: {E: 1e3, nu: 0.3}, density: 1000}\n"
+    "body: {domain: ring}\ngrid: {spacing: 0.1}\nmethod: {basis: cpdi}\nforce: {response: closed_form}\n";
+
+/// A run under the watch, without its body force unless that is set.
+struct Watched {
+  Problem problem = assemble(scene_from_text(watched_scene, "w.yaml", {}), 1);
+  mpm::Simulation<2> simulation{problem.setup};
+  HealthWatch watch{problem, simulation.state()};
+  mpm::State<2>& state() { return simulation.state(); }
+  std::optional<mpm::Finding> look(std::int64_t steps = 8, double t = 0.01) {
+    return watch.look(state(), steps, t, problem.dt, problem.wave_speed);
+  }
+};
+
+TEST(HealthWatch, FindsNothingInABodyThatIsWell) {
+  Watched run;
+  EXPECT_FALSE(run.look());
+  EXPECT_TRUE(run.watch.sentences().empty());
+  EXPECT_EQ(run.watch.figures().jacobian_min, 1);
+  EXPECT_NEAR(*run.watch.figures().domain_extent, std::hypot(0.25, 0.25), 0.1);  // half a particle's diagonal
+  EXPECT_LE(*run.watch.figures().courant, 0.4 + 1e-12);
+  EXPECT_LE(*run.watch.figures().energy, 1);
+}
+
+TEST(HealthWatch, NamesAVelocityThatIsNoNumber) {
+  for (const double planted : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    Watched run;
+    run.state().column(Column::velocity, 1)[17] = planted;
+    const auto found = run.look();
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->reason, "the velocity is not a finite number");
+    EXPECT_EQ(found->particle, 17);
+  }
+}
+
+TEST(HealthWatch, StopsEnergyThatNoForceHasGiven) {
+  Watched run;
+  EXPECT_FALSE(run.look(1, 0.001));
+  double* u = run.state().column(Column::velocity, 0);
+  const double v0 = 0.5 * 2 * 3.14159265 * 1.25;  // faster than any particle at the beginning
+  for (std::size_t p = 0; p < run.state().particles; ++p) u[p] = 3 * v0;
+  EXPECT_FALSE(run.look(8, 0.002));  // ten times the speed is asked for: models may make some energy
+  for (std::size_t p = 0; p < run.state().particles; ++p) u[p] = 30 * v0;
+  u[23] *= 2;
+  const auto found = run.look(16, 0.003);
+  ASSERT_TRUE(found);
+  EXPECT_NE(found->reason.find("times the most that the known forces can have given"), std::string::npos);
+  EXPECT_EQ(found->particle, 23);
+}
+
+TEST(HealthWatch, GrantsWhatTheBodyForceGives) {
+  Watched run;
+  double *u = run.state().column(Column::velocity, 0), *b = run.state().column(Column::body_force, 0);
+  for (std::size_t p = 0; p < run.state().particles; ++p) b[p] = 1e6, u[p] = 0;
+  EXPECT_FALSE(run.look(1, 0.001));
+  for (std::size_t p = 0; p < run.state().particles; ++p) u[p] = 1e6 * 0.008;
+  EXPECT_FALSE(run.look(8, 0.008));
+}
+
+TEST(HealthWatch, TellsFastParticlesAndLongDomains) {
+  Watched run;
+  run.state().column(Column::velocity, 0)[3] = 100;
+  run.state().column(Column::deformation_gradient, 1)[5] = 40;
+  run.look();
+  const auto said = run.watch.sentences();
+  ASSERT_EQ(said.size(), 2u);
+  EXPECT_NE(said[0].find("100 m/s"), std::string::npos);
+  EXPECT_NE(said[1].find("remedies.largest_domain"), std::string::npos);
+}
+
+/// uGIMP in the paper's vortex, which it does not live through.
+const std::vector<std::string> dying{"method={basis: ugimp}", "grid.spacing=0.1", "output.pictures=false",
+                                     "output.particles=0", "output.errors=5"};
+
+TEST(DyingRun, LeavesTheLastGoodParticlesAndASceneOfTheEnd) {
+  const ScratchFolder scratch;
+  EXPECT_EQ(run(quiet_run("paper/vortex_cpdi", scratch / "dead", dying)), 1);
+  const auto dead = result_in(scratch / "dead");
+  ASSERT_EQ(dead["outcome"], "unstable");
+  EXPECT_EQ(dead["last_good"], "last_good.vtu");
+  EXPECT_EQ(dead["replay"], "replay_scene.yaml");
+  const std::string good = bytes_of(scratch / "dead/last_good.vtu");
+  EXPECT_NE(good.find("deformation_gradient"), std::string::npos);
+  RunOptions again = quiet_run("paper/vortex_cpdi", scratch / "again", {});
+  again.scene = scratch / "dead/replay_scene.yaml";
+  again.sets.clear();
+  EXPECT_EQ(run(again), 0);  // it expects to die, and does
+  const auto replayed = result_in(scratch / "again");
+  EXPECT_EQ(replayed["t"], dead["t"]);
+  EXPECT_EQ(replayed["reason"], dead["reason"]);
+  EXPECT_EQ(replayed["steps"], dead["steps"]);
+  int shots = 0;
+  for (const auto& file : std::filesystem::directory_iterator(scratch / "again")) {
+    shots += file.path().filename().string().starts_with("particles_0") ? 1 : 0;
+  }
+  EXPECT_NEAR(shots, 20, 1);  // every step of the last twenty
+}
+
+TEST(DyingRun, ARunThatReachesItsEndLeavesNeither) {
+  const auto result =
+      result_of_run("paper/vortex_cpdi", {"grid.spacing=0.1", "time.end=0.02", "output.pictures=false"});
+  EXPECT_TRUE(result["last_good"].is_null());
+  EXPECT_TRUE(result["replay"].is_null());
+}
+
+/// First time at which a particle's det F is not positive or a value is no number, by a loop that has no watch.
+double time_of_death(const std::string& scene, const std::vector<std::string>& sets) {
+  std::vector<std::string> all{"expect={}"};
+  all.insert(all.end(), sets.begin(), sets.end());
+  Problem problem = assemble(read_scene(std::string(ASSAY_SOURCE_DIR) + "/configs/" + scene + ".yaml", all), 1);
+  const auto exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end);
+  problem.setup.exact = exact;
+  if (exact->response()) problem.setup.response = *exact->response();
+  mpm::Simulation<2> simulation(problem.setup);
+  const mpm::State<2>& s = simulation.state();
+  for (std::int64_t k = 0; k < problem.steps; ++k) {
+    const double next = problem.time_of_step(k + 1);
+    simulation.step(problem.time_of_step(k), next - problem.time_of_step(k));
+    for (std::size_t p = 0; p < s.particles; ++p) {
+      const auto F = [&](int c) { return s.column(Column::deformation_gradient, c)[p]; };
+      const double sum = s.column(Column::velocity, 0)[p] + s.column(Column::velocity, 1)[p];
+      if (!(F(0) * F(3) - F(1) * F(2) > 0) || !std::isfinite(sum)) return next;
+    }
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+TEST(DyingRun, IsReportedAtItsFirstInversionOrLostNumber) {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> deaths{
+      {"paper/vortex_cpdi", dying},
+      {"paper/vortex_cpdi", {"method={basis: ugimp, transfer: apic}", "grid.spacing=0.1"}},
+      {"methods/best_total", {"grid.spacing=0.1875", "time.step=0.02"}},
+      {"methods/best_updated", {"grid.spacing=0.1875", "time.step=0.03"}},
+      {"hard/nu_499", {"grid.spacing=0.1875", "method={basis: cpdi2}", "method.courant=0.8"}},
+  };
+  constexpr double share_of_run = 0.01;
+  for (const auto& [scene, sets] : deaths) {
+    const ScratchFolder scratch;
+    std::vector<std::string> quiet = sets;
+    for (const char* set : {"output.pictures=false", "output.particles=0", "output.errors=5"}) quiet.push_back(set);
+    EXPECT_EQ(run(quiet_run(scene, scratch / "out", quiet)), 1);
+    const auto result = result_in(scratch / "out");
+    EXPECT_EQ(result["outcome"], "unstable") << scene;
+    EXPECT_NEAR(result["t"].get<double>(), time_of_death(scene, quiet), share_of_run * 1.0)
+        << scene << result["reason"];
+  }
+}
+
+}  // namespace
+}  // namespace assay::drivers
