@@ -248,8 +248,13 @@ TEST_P(OfEachEffect, TheMaterialIsCalledForTheStressAlone) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Effects, OfEachEffect, testing::ValuesIn(bench::effect_scenes(ASSAY_BINARY_DIR "/materials")),
-                         effect_name);
+/// But isolation, whose workers belong to a run: see OfIsolation.
+std::vector<bench::EffectScene> scenes_in_process() {
+  auto list = bench::effect_scenes(ASSAY_BINARY_DIR "/materials");
+  std::erase_if(list, [](const bench::EffectScene& way) { return way.effect == Effect::isolation; });
+  return list;
+}
+INSTANTIATE_TEST_SUITE_P(Effects, OfEachEffect, testing::ValuesIn(scenes_in_process()), effect_name);
 
 TEST(EffectScenes, AreThoseOfTheWholeList) {
   std::set<Effect> measured;
