@@ -40,6 +40,7 @@ if(CMAKE_UNITY_BUILD)
     tests/drivers/test_check_methods.cpp
     tests/drivers/test_command_line.cpp
     tests/drivers/test_effects.cpp
+    tests/drivers/test_effects_of_runs.cpp
     tests/drivers/test_explain.cpp
     tests/drivers/test_foreign_models.cpp
     tests/drivers/test_screening.cpp
