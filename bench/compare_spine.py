@@ -39,10 +39,9 @@ def instructions(program, more, steps_alone):
     with tempfile.TemporaryDirectory() as folder:
         profile = Path(folder) / "profile"
         toggle = [f"--toggle-collect={STEP}", "--collect-atstart=no"] if steps_alone else []
-        run = subprocess.run(
-            ["valgrind", "--tool=callgrind", f"--callgrind-out-file={profile}", *toggle, str(program), "run", str(SCENE),
-             "-o", f"{folder}/out", "--threads", "1", "--quiet", *settings(more)],
-            capture_output=True, text=True, check=False)
+        words = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={profile}", *toggle, str(program), "run",
+                 str(SCENE), "-o", f"{folder}/out", "--threads", "1", "--quiet", *settings(more)]
+        run = subprocess.run(words, capture_output=True, text=True, check=False)
         if run.returncode != 0:
             sys.exit(f"{program} exited {run.returncode}:\n{run.stderr}")
         return int(re.search(r"^(?:totals|summary): (\d+)", profile.read_text(), re.MULTILINE)[1])

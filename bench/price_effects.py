@@ -26,8 +26,8 @@ def instructions(program, name, side):
     for steps in (FEW, MORE):
         with tempfile.TemporaryDirectory() as folder:
             profile = Path(folder) / "profile"
-            run = subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={profile}", program, name, side,
-                                  str(steps)], capture_output=True, text=True, check=True)
+            words = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={profile}", program, name, side, str(steps)]
+            run = subprocess.run(words, capture_output=True, text=True, check=True)
             particles = int(run.stdout)
             counts.append(int(re.search(r"^(?:totals|summary): (\d+)", profile.read_text(), re.MULTILINE)[1]))
     return (counts[1] - counts[0]) / ((MORE - FEW) * particles)
@@ -35,7 +35,7 @@ def instructions(program, name, side):
 
 def machine():
     cpu = re.search(r"^model name\s*: (.*)$", Path("/proc/cpuinfo").read_text(), re.MULTILINE)
-    return f"{cpu[1].strip() if cpu else 'unknown processor'}, {os.cpu_count()} threads"
+    return f"{cpu[1].strip() if cpu else 'unknown processor'}, {os.cpu_count()} threads of which one is used"
 
 
 def number(value):
@@ -61,9 +61,10 @@ def main():
     begin = "| effect | key | ns a particle-step without | price |"
     steps = f"{begin} instructions without | price | bytes stored | bytes moved |\n|{' --- |' * 8}\n"
     runs = f"{begin} steps | of the run with it |\n|{' --- |' * 6}\n"
-    text = (f"{machine()}, one thread, {datetime.date.today().strftime('%B %Y')}. Of a step, all but the key a "
+    text = (f"{machine()}, {datetime.date.today().strftime('%B %Y')}. Of a step, all but the key a "
             f"particle-step:\n\n{steps}" + "\n".join(of_steps) +
-            f"\n\nAround the steps, processor time of a whole short run over its particle-steps:\n\n{runs}" + "\n".join(of_runs))
+            f"\n\nAround the steps, processor time of a whole short run over its particle-steps:\n\n{runs}" +
+            "\n".join(of_runs))
     before, rest = page.read_text().split(MARKS[0])
     after = rest.split(MARKS[1])[1]
     page.write_text(f"{before}{MARKS[0]}\n\n{text}\n\n{MARKS[1]}{after}")

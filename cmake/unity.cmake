@@ -10,6 +10,9 @@ if(CMAKE_UNITY_BUILD)
     adapters/models/neo_hookean_extensions.c
     adapters/worker/worker_process.cpp
     drivers/check_keeper.cpp
+    drivers/composition.cpp
+    drivers/effects.cpp
+    drivers/explain_json.cpp
     drivers/output/result_json.cpp
     drivers/picture/heat_map.cpp
     drivers/picture/line_plot.cpp
@@ -36,6 +39,8 @@ if(CMAKE_UNITY_BUILD)
     tests/drivers/study/test_report_in_browser.cpp
     tests/drivers/test_check_methods.cpp
     tests/drivers/test_command_line.cpp
+    tests/drivers/test_effects.cpp
+    tests/drivers/test_effects_of_runs.cpp
     tests/drivers/test_explain.cpp
     tests/drivers/test_foreign_models.cpp
     tests/drivers/test_screening.cpp

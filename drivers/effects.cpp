@@ -104,7 +104,7 @@ std::vector<EffectEntry> of_particles() {
        IF(p.setup.accounts), {"accounts", "traction_work"}, {}, {}, false,
        "sums over the particles, and who checks them"},
       {Effect::third_dimension, "third_dimension", "particles in space; scenes are plane strain", "",
-       IF((void(p), false)), {}, {}, {}, false, {}},
+       IF(p.setup.seeds.X.size() > 2), {}, {}, {}, false, {}},
   };
 }
 

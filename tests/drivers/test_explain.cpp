@@ -111,6 +111,67 @@ TEST(Explain, CountsWhatTheRunCounts) {
   EXPECT_GT(told["sheet"]["points"].get<int>(), 0);
 }
 
+TEST(Explain, CountsTheWorkOfAStepFromItsPasses) {
+  for (const char* method :
+       {"method.update=usl", "method={basis: bspline2, formulation: total, integrator: symplectic_rkn4}"}) {
+    const auto told = explained({method, "output.accounts=false"});
+    const double particles = told["stepped_particles"], nodes = told["nodes"];
+    std::map<std::string, double> of_field;  // bytes a node, by what passes say that they touch
+    double of_node = 0, columns = 0, grid = 0, updates = 0;
+    for (const auto& field : told["grid_fields"]) {
+      const double bytes = field["bytes_per_node"];
+      of_node += bytes;
+      of_field[field["name"]] = bytes;
+    }
+    EXPECT_EQ(of_node, told["bytes_per_node"]);
+    for (const auto& pass : told["passes"]) {
+      if (pass["name"] == "weights" && pass["reads"][0] == "reference_position") continue;  // once, not in each step
+      const double times = pass["times_a_step"];
+      columns += particles * times * pass["bytes_moved_per_particle"].get<double>();
+      std::set<std::string> touched;
+      for (const std::string name : pass["grid_fields"]) {
+        touched.insert(name == "mass" || name == "momentum" ? "inertia" : name == "force" ? "force" : "motion");
+      }
+      for (const std::string& name : touched) grid += nodes * times * of_field[name];
+      if (pass["name"] == "stress") updates += particles * times;
+    }
+    EXPECT_EQ(told["work"]["column_bytes"], columns) << method;
+    EXPECT_EQ(told["work"]["grid_bytes"], grid) << method;
+    EXPECT_EQ(told["work"]["material_updates"], updates) << method;
+    EXPECT_FALSE(told["work"]["measured"].get<bool>());
+  }
+}
+
+/// What `assay explain` prints, its lines joined.
+std::string explained_text(const std::string& set) {
+  ExplainOptions options;
+  options.scene = scene;
+  options.sets = {"grid.spacing=0.125", set};
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(explain(options), 0);
+  std::istringstream text(testing::internal::GetCapturedStdout());
+  std::string words, word;
+  while (text >> word) words += word + " ";
+  return words;
+}
+
+TEST(Explain, SaysWhyAnEffectIsThereAndWhichKeyWouldCallForOneThatIsNot) {
+  const std::string with = explained_text("output.accounts=true"), without = explained_text("output.accounts=false");
+  const auto has = [](const std::string& text, const std::string& words) { return text.find(words) != text.npos; };
+  const std::string there =
+      "energy_account accounts of mass, momentum and energy pass accounts; sums over the "
+      "particles, and who checks them because of output.accounts ";
+  EXPECT_TRUE(has(with, there)) << with;
+  EXPECT_FALSE(has(with, "energy_account (output.accounts)"));
+  EXPECT_TRUE(has(without, "energy_account (output.accounts)")) << without;
+  EXPECT_FALSE(has(without, "because of output.accounts"));
+  const std::size_t absent = without.find("not there: ");
+  ASSERT_NE(absent, without.npos);
+  EXPECT_GT(without.find("energy_account (output.accounts)"), absent);
+  EXPECT_TRUE(has(without, "inertia 32 bytes mass and momentum"));
+  EXPECT_TRUE(has(without, "on the grid mass, momentum, force, velocity, acceleration"));
+}
+
 TEST(Explain, TextFitsATerminal) {
   ExplainOptions options;
   options.scene = scene;

@@ -22,7 +22,7 @@ inline void update(void* self, const assay_step* step, std::size_t n, const doub
 
 }  // namespace counting
 
-/// The same model with the same parameters. One at a time; its count begins at 0.
+/// The same model, of this process, with the same parameters. One at a time; its count begins at 0.
 inline std::shared_ptr<const Material> counted(const Material& material) {
   static assay_material table;
   if (material.table().update != counting::update) counting::original = &material.table();
