@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/fuzz/mutants.hpp"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -14,6 +15,15 @@ namespace {
 constexpr std::array kinds{"value", "legal", "structure", "value", "legal",     "type",  "truncation",
                            "value", "legal", "splice",    "bytes", "value",     "legal", "structure",
                            "legal", "value", "type",      "legal", "structure", "bytes"};
+
+std::vector<std::string> yaml_files(const std::string& folder) {
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".yaml") files.push_back(entry.path().string());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
 
 Mutants::Base base_of(const std::string& file) {
   Mutants::Base base{std::filesystem::path(file).stem().string(), drivers::read_bytes(file), {}};
@@ -61,6 +71,10 @@ Mutants::Mutants(const std::vector<std::string>& scene_files, const std::vector<
     std::erase_if(donor.entries, [](const auto& entry) { return entry.first != "material"; });
     if (!donor.entries.empty()) donors_.push_back(std::move(donor));
   }
+}
+
+Mutants mutants_of_the_tree() {
+  return {yaml_files(ASSAY_SOURCE_DIR "/tests/fuzz/scenes"), yaml_files(ASSAY_SOURCE_DIR "/configs/models")};
 }
 
 Mutant Mutants::at(int number) const {
