@@ -37,7 +37,7 @@ void splice(Loose& root, const std::vector<Loose>& donors, Dice& dice) {
   if (Loose* own = root.find(key))
     *own = value;
   else
-    root.entries.emplace_back(key, value);
+    root.entries.push_back({key, value});
 }
 
 std::string changed_tree(Loose root, const std::string& kind, const std::vector<Loose>& donors, Dice& dice) {
@@ -68,7 +68,7 @@ Mutants::Mutants(const std::vector<std::string>& scene_files, const std::vector<
   for (const Base& base : bases_) donors_.push_back(base.tree);
   for (const std::string& file : donor_files) {
     Loose donor = base_of(file).tree;
-    std::erase_if(donor.entries, [](const auto& entry) { return entry.first != "material"; });
+    std::erase_if(donor.entries, [](const auto& entry) { return entry.key != "material"; });
     if (!donor.entries.empty()) donors_.push_back(std::move(donor));
   }
 }
