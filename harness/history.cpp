@@ -13,7 +13,7 @@ namespace {
 
 /// Of `update` or `rate`, in all of a piece of the path and for each time that is asked for. A piece takes some 1e4; a
 /// path of 1e5 rows, which is one piece, 1e6. Beyond, the motion has so many turns that nobody could run it.
-constexpr std::int64_t calls_of_piece = 10'000'000, calls_of_advance = 1000;
+constexpr std::int64_t calls_of_piece = 3'000'000, calls_of_advance = 1000;
 constexpr int coarse_steps = 64;  ///< in each piece of the march that finds the scales
 
 /// Largest value of every component along one plain march, as far as its steps go.

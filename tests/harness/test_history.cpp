@@ -54,7 +54,7 @@ TEST(History, GivesUpAMotionOfTooManyTurns) {
     EXPECT_TRUE(failure.final);
     EXPECT_NE(std::string(failure.what()).find("too many steps"), std::string::npos) << failure.what();
   }
-  EXPECT_LT(history.calls(), 20'000'000);
+  EXPECT_LT(history.calls(), 4'000'000);
 }
 
 TEST(History, FindsTheTimesOfYielding) {
