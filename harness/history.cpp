@@ -11,6 +11,9 @@ namespace assay {
 
 namespace {
 
+/// Of `update` or `rate`, in all of a piece of the path and for each time that is asked for. A piece takes some 1e4; a
+/// path of 1e5 rows, which is one piece, 1e6. Beyond, the motion has so many turns that nobody could run it.
+constexpr std::int64_t calls_of_piece = 3'000'000, calls_of_advance = 1000;
 constexpr int coarse_steps = 64;  ///< in each piece of the march that finds the scales
 
 /// Largest value of every component along one plain march, as far as its steps go.
@@ -91,9 +94,19 @@ History::History(const Course& course, double xi, const HistoryOptions& options)
 
 History::~History() = default;
 
+void History::count_call() {
+  if (++calls_ <= most_calls_) return;
+  MaterialFailure failure("its history takes too many steps: the motion turns or vibrates too fast for it", xi_, t_);
+  failure.final = true;  // shorter steps would be more of them
+  throw failure;
+}
+
 void History::advance(double to) {
   while (t_ < to) {
-    const double stop = std::min(to, course_->piece_at(t_).upper > t_ ? course_->piece_at(t_).upper : to);
+    const double end = course_->piece_at(t_).upper;
+    if (end != piece_end_) piece_end_ = end, most_calls_ = calls_ + calls_of_piece;
+    most_calls_ += calls_of_advance;
+    const double stop = std::min(to, end > t_ ? end : to);
     if (rates_) {
       rates_->advance(stop);
     } else {

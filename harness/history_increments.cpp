@@ -251,7 +251,7 @@ bool History::Increments::substeps(double step, int count) {
 }
 
 void History::Increments::increment(double t, double dt, const double* F0, const double* F1) {
-  ++h_->calls_;
+  h_->count_call();
   checked_update(*h_->course_->material, h_->xi_, t, dt, 1, F0, F1, now_.data() + 9, next_.data() + 9, next_.data());
 }
 

@@ -31,9 +31,9 @@ void add_block(const Loose& map, std::size_t indent, std::string& text) {
 void add_places(Loose& parent, const std::string& path, std::vector<Place>& places) {
   const std::string prefix = path.empty() ? "" : path + ".";
   for (std::size_t k = 0; k < parent.entries.size(); ++k) {
-    const std::string here = prefix + parent.entries[k].first;
+    const std::string here = prefix + parent.entries[k].key;
     places.push_back({&parent, k, here});
-    add_places(parent.entries[k].second, here, places);
+    add_places(parent.entries[k].value, here, places);
   }
   for (std::size_t k = 0; k < parent.items.size(); ++k) {
     places.push_back({&parent, k, path});
@@ -63,7 +63,7 @@ Loose loose_of(const drivers::Tree& tree) {
   if (tree.kind == Kind::sequence) value.kind = Loose::Kind::sequence;
   if (tree.kind == Kind::map) value.kind = Loose::Kind::map;
   for (const drivers::Tree& item : tree.items) value.items.push_back(loose_of(item));
-  for (const auto& entry : tree.entries) value.entries.emplace_back(entry.key, loose_of(entry.value));
+  for (const auto& entry : tree.entries) value.entries.push_back({entry.key, loose_of(entry.value)});
   return value;
 }
 
@@ -78,9 +78,7 @@ std::string text_of(const Loose& root, bool block) {
   return text;
 }
 
-Loose& Place::value() const {
-  return parent->kind == Loose::Kind::map ? parent->entries[at].second : parent->items[at];
-}
+Loose& Place::value() const { return parent->kind == Loose::Kind::map ? parent->entries[at].value : parent->items[at]; }
 
 std::vector<Place> places_of(Loose& root) {
   std::vector<Place> places;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "drivers/scene/yaml_reader.hpp"
@@ -12,15 +11,21 @@ namespace assay::fuzz {
 
 struct Loose {
   enum class Kind { scalar, sequence, map };
+  struct Entry;
   Kind kind = Kind::scalar;
   std::string text;    ///< of a scalar, as it stands in the file, quotes included
   std::string before;  ///< tag or anchor with a blank behind it
   std::vector<Loose> items;
-  std::vector<std::pair<std::string, Loose>> entries;  ///< keys may repeat
+  std::vector<Entry> entries;  ///< keys may repeat
 
   static Loose scalar(std::string text);
   /// Its first value of that key, null where there is none.
   Loose* find(const std::string& key);
+};
+
+struct Loose::Entry {
+  std::string key;
+  Loose value;
 };
 
 Loose loose_of(const drivers::Tree& tree);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/fuzz/mutants.hpp"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -15,6 +16,15 @@ constexpr std::array kinds{"value", "legal", "structure", "value", "legal",     
                            "value", "legal", "splice",    "bytes", "value",     "legal", "structure",
                            "legal", "value", "type",      "legal", "structure", "bytes"};
 
+std::vector<std::string> yaml_files(const std::string& folder) {
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".yaml") files.push_back(entry.path().string());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
 Mutants::Base base_of(const std::string& file) {
   Mutants::Base base{std::filesystem::path(file).stem().string(), drivers::read_bytes(file), {}};
   base.tree = loose_of(drivers::scene_tree(base.text, file));
@@ -27,7 +37,7 @@ void splice(Loose& root, const std::vector<Loose>& donors, Dice& dice) {
   if (Loose* own = root.find(key))
     *own = value;
   else
-    root.entries.emplace_back(key, value);
+    root.entries.push_back({key, value});
 }
 
 std::string changed_tree(Loose root, const std::string& kind, const std::vector<Loose>& donors, Dice& dice) {
@@ -58,9 +68,13 @@ Mutants::Mutants(const std::vector<std::string>& scene_files, const std::vector<
   for (const Base& base : bases_) donors_.push_back(base.tree);
   for (const std::string& file : donor_files) {
     Loose donor = base_of(file).tree;
-    std::erase_if(donor.entries, [](const auto& entry) { return entry.first != "material"; });
+    std::erase_if(donor.entries, [](const auto& entry) { return entry.key != "material"; });
     if (!donor.entries.empty()) donors_.push_back(std::move(donor));
   }
+}
+
+Mutants mutants_of_the_tree() {
+  return {yaml_files(ASSAY_SOURCE_DIR "/tests/fuzz/scenes"), yaml_files(ASSAY_SOURCE_DIR "/configs/models")};
 }
 
 Mutant Mutants::at(int number) const {

@@ -36,6 +36,9 @@ class Mutants {
   std::vector<Loose> donors_;
 };
 
+/// Of the scenes beside this file, with the materials of configs/models.
+Mutants mutants_of_the_tree();
+
 /// Uniform numbers that do not depend on the library's distributions.
 class Dice {
  public:

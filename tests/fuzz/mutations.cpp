@@ -116,7 +116,7 @@ void put(Loose& root, const std::string& path, Loose value) {
     const std::string key = path.substr(begin, dot == path.npos ? dot : dot - begin);
     if (at->kind != Loose::Kind::map) *at = Loose{}, at->kind = Loose::Kind::map;
     Loose* next = at->find(key);
-    if (!next) next = &at->entries.emplace_back(key, Loose{}).second;
+    if (!next) at->entries.push_back({key, Loose{}}), next = &at->entries.back().value;
     if (dot == path.npos) {
       *next = std::move(value);
       return;
@@ -131,7 +131,7 @@ Loose nested(std::size_t depth, bool map) {
     Loose around;
     around.kind = map ? Loose::Kind::map : Loose::Kind::sequence;
     if (map)
-      around.entries.emplace_back("a", std::move(value));
+      around.entries.push_back({"a", std::move(value)});
     else
       around.items.push_back(std::move(value));
     value = std::move(around);
@@ -224,7 +224,7 @@ void change_type(Loose& root, Dice& dice) {
       break;
     default: {  // a merge key
       Loose& map = place.parent->kind == Loose::Kind::map ? *place.parent : root;
-      map.entries.emplace_back("<<", Loose::scalar(dice.one_in(2) ? "*a" : "{spacing: 1}"));
+      map.entries.push_back({"<<", Loose::scalar(dice.one_in(2) ? "*a" : "{spacing: 1}")});
     }
   }
 }
@@ -248,28 +248,28 @@ void change_structure(Loose& root, Dice& dice) {
       entries.push_back(*here);
       break;
     case 3:
-      misspell(here->first, dice);
+      misspell(here->key, dice);
       break;
     case 4: {  // to the top, or into another section
       auto moved = *here;
       entries.erase(here);
-      if (root.entries.empty()) root.entries.emplace_back("x", Loose{});
+      if (root.entries.empty()) root.entries.push_back({"x", Loose{}});
       auto& [name, section] = root.entries[dice.below(root.entries.size())];
       (section.kind == Loose::Kind::map && !dice.one_in(3) ? section : root).entries.push_back(std::move(moved));
       break;
     }
     case 5: {
       Loose value = dice.one_in(2) ? Loose::scalar("1") : nested(1 + dice.below(3), true);
-      entries.emplace_back(dice.pick(std::array<std::string, 6>{"x", "\"\"", "type", "1", "~", "[a]"}),
-                           std::move(value));
+      entries.push_back(
+          {dice.pick(std::array<std::string, 6>{"x", "\"\"", "type", "1", "~", "[a]"}), std::move(value)});
       break;
     }
     case 6:
-      here->second = nested(1 + dice.below(dice.one_in(3) ? 300 : 70), dice.one_in(2));
+      here->value = nested(1 + dice.below(dice.one_in(3) ? 300 : 70), dice.one_in(2));
       break;
     case 7:
-      if (here->second.kind == Loose::Kind::map) {  // its members stand in its place
-        auto members = here->second.entries;
+      if (here->value.kind == Loose::Kind::map) {  // its members stand in its place
+        auto members = here->value.entries;
         entries.erase(here);
         entries.insert(entries.end(), members.begin(), members.end());
       } else {

@@ -11,6 +11,7 @@
 
 #include "drivers/scene/scene_reader.hpp"
 #include "tests/fuzz/composition.hpp"
+#include "tests/fuzz/mutants.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -78,6 +79,12 @@ TEST(FuzzCorpus, DamagedBytes) {
       text[at] = kept;
     }
   }
+}
+
+/// As those that run through the program itself, others of them.
+TEST(FuzzCorpus, MutantsAreComposedOrRefused) {
+  const assay::fuzz::Mutants mutants = assay::fuzz::mutants_of_the_tree();
+  for (int number = 10000; number < 10400; ++number) feed(mutants.at(number).text);
 }
 
 TEST(FuzzCorpus, AbusiveNesting) {

@@ -34,17 +34,8 @@ const Bounds bounds{.cpu_s = 20, .address_bytes = std::int64_t{2} << 30};
 const Promise promise{.cpu_s = 15, .resident_bytes = std::int64_t{256} << 20};
 #endif
 
-std::vector<std::string> yaml_files(const std::string& folder) {
-  std::vector<std::string> files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".yaml") files.push_back(entry.path().string());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 const Mutants& mutants() {
-  static const Mutants all(yaml_files(sources), yaml_files(ASSAY_SOURCE_DIR "/configs/models"));
+  static const Mutants all = mutants_of_the_tree();
   return all;
 }
 

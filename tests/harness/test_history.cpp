@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "harness/rotating_stretch.hpp"
 #include "harness/vortex.hpp"
 #include "tests/harness/builtin_material.hpp"
 
@@ -36,6 +37,24 @@ TEST(History, AgreesBetweenIncrementsAndRates) {
       EXPECT_LT((a - b).norm(), 1e-9 * increments.scales.cauchy) << material->name() << " at " << t;
     }
   }
+}
+
+/// Ten thousand million radians would take hours; it is a failure that shorter steps do not cure.
+TEST(History, GivesUpAMotionOfTooManyTurns) {
+  RotatingStretch motion;
+  motion.stretch = 0.5, motion.rotation = 1e10;
+  const Path path = motion.baseline();
+  const auto material = builtin_material(assay_builtin_hypoelastic_jaumann, elastic);
+  const Course course(*material, path, 1, Form::rate);
+  History history(course, 1, {});
+  try {
+    history.advance(1);
+    ADD_FAILURE() << "went through";
+  } catch (const MaterialFailure& failure) {
+    EXPECT_TRUE(failure.final);
+    EXPECT_NE(std::string(failure.what()).find("too many steps"), std::string::npos) << failure.what();
+  }
+  EXPECT_LT(history.calls(), 4'000'000);
 }
 
 TEST(History, FindsTheTimesOfYielding) {
