@@ -24,7 +24,8 @@ foreach(scene IN LISTS scenes)
   if(name MATCHES "^models/" AND NOT name MATCHES "^models/vortex_(neo_hookean|damage)$")
     set_tests_properties(scene/${name} PROPERTIES LABELS long)
   endif()
-  if(ASSAY_SANITIZE AND name MATCHES "^hard/") # millions of particle-steps
+  # millions of particle-steps, or hundreds of them
+  if((ASSAY_SANITIZE AND name MATCHES "^hard/") OR name MATCHES "^hard/(peak_pi|nu_499|nu_4999|stiff_1e6|free_vibration_200)$")
     set_tests_properties(scene/${name} PROPERTIES LABELS long)
   endif()
   if(name STREQUAL "methods/smoothest") # minutes

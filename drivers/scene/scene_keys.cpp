@@ -177,7 +177,7 @@ std::vector<Key> remedy_keys() {
       {"remedies.small_mass", number, "lighter nodes take up force in proportion to their mass [rho0 h^2]",
        GET(s.remedies.small_mass > 0 ? Value(s.remedies.small_mass) : Value()),
        SET(s.remedies.small_mass = real(v)), {.lower = 0, .upper = 1, .lower_open = true}, {}, false, "all forces"},
-      {"remedies.artificial_viscosity", pair, "C1 and C2 of the pressure rho h (C1 c + C2 h |tr D|) |tr D| against shrinking",
+      {"remedies.artificial_viscosity", pair, "C1 and C2 of the pressure rho h (C1 c + C2 h dV) dV against shrinking, dV the rate of volume that is lost",
        GET(s.remedies.has_viscosity() ? pair_of(s.remedies.viscosity) : Value()),
        SET(s.remedies.viscosity = two(v)), {.lower = 0, .upper = 100}, {}, false, "none"},
   };

@@ -99,7 +99,7 @@ double TimeControl::probed_speed(const mpm::State<2>& s, double t) {
       const TangentModulus A = probe_tangent_modulus(material_, t, problem_->dt, F, state_of(s, p));
       material_calls_ += calls_of_probe;
       fastest = std::max(fastest, fastest_wave(A, F, s.setup.density));
-      if (total) fastest = std::max(fastest, fastest_wave(A, Tensor::Identity(), s.setup.density));
+      if (total) reference_ = std::max(reference_, fastest_wave(A, Tensor::Identity(), s.setup.density));
     } catch (const MaterialFailure&) {  // the run itself will tell
     }
   }
@@ -107,10 +107,11 @@ double TimeControl::probed_speed(const mpm::State<2>& s, double t) {
 }
 
 void TimeControl::look(const mpm::State<2>& s, double t) {
+  reference_ = 0;
   wave_ = own_speed(s);
   if (!(wave_ > 0)) wave_ = probed_speed(s, t);
   if (!(wave_ > 0 && std::isfinite(wave_))) wave_ = problem_->wave_speed;
-  const double signal = wave_ + fastest_particle_of(s);
+  const double signal = std::max(wave_ + fastest_particle_of(s), reference_);
   longest_ = problem_->scene.method->courant * problem_->scene.grid->spacing / signal;
   stuck_ = !(longest_ > shortest * problem_->dt);
 }

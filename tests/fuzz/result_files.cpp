@@ -132,7 +132,8 @@ std::string file_fault(const std::string& file) {
   if (kind == ".html") return page_fault(text);
   if (kind == ".png") return text.starts_with("\x89PNG") && text.find("IEND") != text.npos ? "" : "is not whole";
   if (kind == ".pvd") return text.ends_with("</VTKFile>\n") && not_finite_word(text).empty() ? "" : "is not whole";
-  return name == "replay.yaml" || name == "material.log" ? "" : "does not belong to a result";
+  return name == "replay.yaml" || name == "replay_scene.yaml" || name == "material.log" ? ""
+                                                                                        : "does not belong to a result";
 }
 
 }  // namespace assay::fuzz

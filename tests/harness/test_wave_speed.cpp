@@ -77,7 +77,7 @@ TEST(WaveSpeed, OnThePathIsItsLargest) {
 TEST(WaveSpeed, AcrossTheReferenceConfigurationIsThatOfTheThinnedBody) {
   const Vortex vortex;
   const Path path = vortex.baseline();
-  const double density = 1000, gamma = path.deformation_gradient(path.parameter.lower, 0.5)(0, 1);
+  const double density = 1000, gamma = path.deformation_gradient(path.parameter.lower, 0.5)(1, 0);
   const double stretch = std::abs(gamma) / 2 + std::sqrt(1 + gamma * gamma / 4);
   ASSERT_GT(stretch, 7);
   for (const double nu : {0.3, 0.499}) {

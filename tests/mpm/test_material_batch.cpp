@@ -145,7 +145,7 @@ TEST(MaterialBatches, AnInvertedParticleEndsTheRunBeforeTheMaterialIsAsked) {
     ASSERT_TRUE(finding);
     EXPECT_EQ(finding->kind, Finding::Kind::unstable);
     EXPECT_EQ(finding->particle, 260);
-    EXPECT_EQ(finding->reason, "det F <= 0");
+    EXPECT_EQ(finding->reason, std::isnan(growth) ? "F is not a finite number" : "det F <= 0");
   }
 }
 

@@ -52,7 +52,9 @@ Method method_of(Basis basis, Formulation formulation = Formulation::updated) {
 void run_pass(const Pass<2>& pass, State<2>& s, const Instant& now) {
   const Kernel kernel = pass.bind(s);
   if (kernel.begin) kernel.begin(now);
-  if (kernel.block) EXPECT_EQ(kernel.block(now, {0, s.particles, nullptr, nullptr}), none_bad);
+  if (kernel.block) {
+    EXPECT_EQ(kernel.block(now, {0, s.particles, nullptr, nullptr}), none_bad);
+  }
 }
 
 void randomize(State<2>& s, Column column, int components, double size, Random& random) {
@@ -118,8 +120,12 @@ TEST_P(AntiLockingOf, LeavesAUniformVolumeRatioAlone) {
   }
 }
 
+std::string formulation_name(const testing::TestParamInfo<Formulation>& way) {
+  return way.param == Formulation::total ? "total" : "updated";
+}
+
 INSTANTIATE_TEST_SUITE_P(Formulations, AntiLockingOf, testing::Values(Formulation::updated, Formulation::total),
-                         [](const auto& info) { return info.param == Formulation::total ? "total" : "updated"; });
+                         formulation_name);
 
 // Where the grid moves with the body F keeps the averaged J; where it does not F stays the gradient of the motion.
 TEST(AntiLockingKeepsF, ScaledWhereTheGridMovesAlone) {
@@ -139,7 +145,11 @@ TEST(AntiLockingKeepsF, ScaledWhereTheGridMovesAlone) {
       const auto [low, high] = std::minmax_element(J.begin(), J.end());
       spread = std::max(spread, *high - *low);
     }
-    total ? EXPECT_GT(spread, 1e-4) : EXPECT_LT(spread, rounding);
+    if (total) {
+      EXPECT_GT(spread, 1e-4);
+    } else {
+      EXPECT_LT(spread, rounding);
+    }
   }
 }
 

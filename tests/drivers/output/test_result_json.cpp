@@ -41,6 +41,8 @@ TEST(ResultJson, has_every_key_before_anything_was_reached) {
                                                   "passes",
                                                   "sheet",
                                                   "drift",
+                                                  "health",
+                                                  "last_good",
                                                   "expect",
                                                   "provenance",
                                                   "reference",

@@ -95,6 +95,10 @@ TEST(Resolved, HoldsEveryKeyThatApplies) {
   scene.material.direction = {0.0, 1.0, 0.0};  // of a model that has one
   scene.material.isolation = Isolation::none;  // filled in with the material
   scene.body.initial_velocity.emplace();       // of a scene without a force
+  scene.remedies.largest_domain = 1;           // of cpdi
+  scene.remedies.small_mass = 0.1;             // of lumped mass
+  scene.remedies.viscosity = {0.1, 1.5};
+  scene.output.each_step_from = 0.9;
   const std::string text = resolved_yaml(scene);
   const Tree root = read_yaml(text, "resolved");
   for (const Key& key : scene_keys()) {

@@ -110,9 +110,9 @@ TEST(SceneReader, EveryShippedSceneIsRead) {
 TEST(SceneReader, RefusesUnknownKeysWithTheNearest) {
   EXPECT_EQ(refused_extra("grdi: {spacing: 1}\n"),
             "f.yaml:3:1: grdi: unknown key (nearest: grid); known: title, motion, frame, material, body, grid, method, "
-            "force, traction, time, output, limits, expect");
+            "force, traction, remedies, time, output, limits, expect");
   EXPECT_EQ(refused_extra("grid: {spacng: 1}\n"),
-            "f.yaml:3:8: grid.spacng: unknown key (nearest: spacing); known: spacing, lower, upper");
+            "f.yaml:3:8: grid.spacng: unknown key (nearest: spacing); known: spacing, offset, lower, upper");
   EXPECT_TRUE(has(refused_set("motion.amplitude.pek=1"), "--set motion.amplitude.pek: unknown key (nearest: peak)"));
   EXPECT_TRUE(has(refused_extra("expect: {error.l2: {below: 1}}"), "expect.error.l2: unknown key (nearest: error.l2_"));
   EXPECT_TRUE(has(refused_extra("expect: {t: {belwo: 1}}"), "3:14: expect.t.belwo: unknown key (nearest: below)"));
@@ -122,9 +122,9 @@ TEST(SceneReader, RefusesWrongTypes) {
   EXPECT_EQ(refused_extra("grid: {spacing: abc}\n"), "f.yaml:3:17: grid.spacing: must be a number, found 'abc'");
   EXPECT_EQ(refused_extra("grid: {spacing: '0.1'}\n"), "f.yaml:3:17: grid.spacing: must be a number, found '0.1'");
   EXPECT_EQ(refused_extra("grid: 5\n"),
-            "f.yaml:3:7: grid: must be a map of keys, found '5'; known: spacing, lower, upper");
+            "f.yaml:3:7: grid: must be a map of keys, found '5'; known: spacing, offset, lower, upper");
   EXPECT_EQ(refused_extra("grid:\n"),
-            "f.yaml:3:1: grid: must be a map of keys, found nothing; known: spacing, lower, upper");
+            "f.yaml:3:1: grid: must be a map of keys, found nothing; known: spacing, offset, lower, upper");
   EXPECT_EQ(refused_extra("title: [a]\n"), "f.yaml:3:8: title: must be text, found a list");
   EXPECT_EQ(refused_extra("output: {pictures: yes}\n"),
             "f.yaml:3:20: output.pictures: must be true or false, found 'yes'");

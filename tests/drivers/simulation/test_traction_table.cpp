@@ -105,7 +105,7 @@ TEST(TractionTable, RefusedWhereNoTractionActs) {
   const auto refused = [](const std::string& scene, const std::vector<std::string>& sets) {
     return refusal_of([&] { read_scene(std::string(ASSAY_SOURCE_DIR) + "/configs/" + scene + ".yaml", sets); });
   };
-  const std::string others = "; known: errors, particles, pictures, report, accounts";
+  const std::string others = "; known: errors, particles, each_step_from, pictures, report, accounts";
   for (const std::string motion : {"vortex", "rigid"}) {
     EXPECT_EQ(refused(motion == "vortex" ? "paper/vortex_cpdi" : "motions/rigid", {"output.tractions=true"}),
               "--set output.tractions: does not belong to motion.type " + motion + others);

@@ -65,7 +65,7 @@ TEST(Plan, CasesThatSayNothingAreNotApplicable) {
     return folder.shortened_line(refusal_of([&] { folder.read(methods_on_grids + text); }));
   };
   EXPECT_EQ(said("not_applicable: [{where: {method: CPDI}}]\n"),
-            "study.yaml:7:18: not_applicable[0].because: required and not given");
+            "study.yaml:6:18: not_applicable[0].because: required and not given");
 }
 
 TEST(Plan, ASeriesWithoutOtherAxesIsAll) {

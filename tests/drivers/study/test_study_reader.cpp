@@ -137,11 +137,13 @@ TEST(StudyReader, WhatIsNoMapIsRefused) {
 }
 
 TEST(StudyReader, UnknownKeysNameTheNearest) {
-  EXPECT_TRUE(StudyFolder()
-                  .refusal("axis: {}\n")
-                  .starts_with("study.yaml:2:1: axis: unknown key (nearest: axes); known: title, question, scene, set, "
-                               "axes, sampling, cases, "
-                               "exclude, refine, error, cost, invalid, limit, timing, budget, published, expect"));
+  EXPECT_TRUE(
+      StudyFolder()
+          .refusal("axis: {}\n")
+          .starts_with(
+              "study.yaml:2:1: axis: unknown key (nearest: axes); known: title, question, scene, set, "
+              "axes, sampling, cases, "
+              "exclude, not_applicable, refine, error, cost, invalid, limit, timing, budget, published, expect"));
   EXPECT_EQ(refused_after_axes("timing: {repeats: 2}\n"),
             "study.yaml:3:10: timing.repeats: unknown key (nearest: repeat); known: repeat, seconds, where");
   EXPECT_EQ(refused_after_axes("sampling: {latin_hypercub: 2}\n"),
