@@ -127,7 +127,8 @@ TEST(DyingRun, ARunThatReachesItsEndLeavesNeither) {
   EXPECT_TRUE(result["replay"].is_null());
 }
 
-/// First time at which a particle's det F is not positive or a value is no number, by a loop that has no watch.
+/// First time at which a particle's det F is not positive, a value is no number or a particle leaves the grid, by a
+/// loop that has no watch.
 double time_of_death(const std::string& scene, const std::vector<std::string>& sets) {
   std::vector<std::string> all{"expect={}"};
   all.insert(all.end(), sets.begin(), sets.end());
@@ -142,10 +143,10 @@ double time_of_death(const std::string& scene, const std::vector<std::string>& s
     simulation.step(problem.time_of_step(k), next - problem.time_of_step(k));
     for (std::size_t p = 0; p < s.particles; ++p) {
       const auto F = [&](int c) { return s.column(Column::deformation_gradient, c)[p]; };
-      for (int d = 0; d < 2; ++d) {  // the domain of a particle, or the particle, is off the grid
+      for (int d = 0; d < 2; ++d) {  // within half a cell of the grid's edge uGIMP has no nodes around a particle
         const auto& grid = problem.setup.grid;
-        const double x = s.column(Column::position, d)[p], half = problem.setup.seeds.half_size[std::size_t(d)];
-        if (x - half < grid.coordinate(d, 0) || x + half > grid.coordinate(d, grid.count[std::size_t(d)] - 1)) {
+        const double x = s.column(Column::position, d)[p], half = 0.5 * grid.spacing;
+        if (x < grid.coordinate(d, 0) + half || x > grid.coordinate(d, grid.count[std::size_t(d)] - 1) - half) {
           return next;
         }
       }

@@ -78,7 +78,7 @@ TEST(TimeControl, MeetsHalfThePeriodAndTheEnd) {
 }
 
 TEST(TimeControl, FindsWhatEqualStepsFindInFewerOfThem) {
-  const std::vector<std::string> base{"grid.spacing=0.09375", "output={particles: 0, pictures: false, report: false}"};
+  const std::vector<std::string> base{"output={particles: 0, pictures: false, report: false}"};
   std::vector<std::string> current = base;
   current.push_back("time.control=current");
   const auto equal = result_of_run("methods/best_total", base), free = result_of_run("methods/best_total", current);
