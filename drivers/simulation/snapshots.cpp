@@ -95,7 +95,7 @@ std::string LastGood::vtu() const {
 }
 
 std::string Snapshots::leave_last_good() const {
-  const std::string name = "last_good.vtu";
+  std::string name = "last_good.vtu";
   folder_->write(name, last_good_.vtu());
   return name;
 }
