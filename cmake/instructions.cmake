@@ -4,7 +4,11 @@
 # be compiled with these instructions, too, and could be the ones that the linker takes for the whole program.
 # Loops over particles become vector instructions where no comparison is thought to trap.
 file(GLOB kernels CONFIGURE_DEPENDS mpm/kernels/*.cpp)
-set_source_files_properties(${kernels} PROPERTIES COMPILE_OPTIONS "-O3;-fno-trapping-math;-fno-math-errno")
+set(kernel_options -fno-trapping-math -fno-math-errno)
+if(NOT ASSAY_SANITIZE)
+  list(PREPEND kernel_options -O3)
+endif()
+set_source_files_properties(${kernels} PROPERTIES COMPILE_OPTIONS "${kernel_options}")
 string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND build_type MATCHES "^REL" AND NOT ASSAY_SANITIZE)
   set(instructions_v3 -mavx2 -mbmi -mbmi2)

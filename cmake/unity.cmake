@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # With CMAKE_UNITY_BUILD several sources are compiled as one, which takes a third of the time. These stand alone: an
 # internal name of theirs is another file's, too. A redefinition that only such a build shows is cured by a line here.
-if(CMAKE_UNITY_BUILD)
-  target_compile_options(assay_options INTERFACE -Wno-shadow) # of one file's constants by another's locals
+# ASSAY_UNITY_TESTS: the tests alone.
+if(CMAKE_UNITY_BUILD OR ASSAY_UNITY_TESTS)
+  if(CMAKE_UNITY_BUILD)
+    target_compile_options(assay_options INTERFACE -Wno-shadow) # of one file's constants by another's locals
+  endif()
   set(stand_alone
     adapters/foreign/umat.cpp
     adapters/foreign/vumat.cpp
@@ -60,6 +63,11 @@ if(CMAKE_UNITY_BUILD)
   set(folders ${PROJECT_SOURCE_DIR})
   if(ASSAY_BUILD_TESTS)
     list(APPEND folders ${PROJECT_SOURCE_DIR}/tests)
+    foreach(folder IN ITEMS tests tests/house)
+      get_property(targets DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} PROPERTY BUILDSYSTEM_TARGETS)
+      set_target_properties(${targets} PROPERTIES
+        UNITY_BUILD_CODE_BEFORE_INCLUDE "#pragma GCC diagnostic ignored \"-Wshadow\"")
+    endforeach()
     file(GLOB mutants CONFIGURE_DEPENDS tests/harness/check/*_mutants.cpp)
     set_target_properties(test_adapters PROPERTIES UNITY_BUILD OFF) # the tests of the models are too much alike
   endif()

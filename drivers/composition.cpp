@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "drivers/simulation/simulate.hpp"
+#include "mpm/nodes_reached.hpp"
 #include "mpm/stages.hpp"
 
 namespace assay::drivers {
@@ -35,7 +36,7 @@ EffectPart part_of(const EffectEntry& entry, const Problem& problem, const Compo
 
 StepWork work_of(const Problem& problem, const Composition& c) {
   const mpm::Setup<2>& setup = problem.setup;
-  const auto particles = static_cast<double>(setup.seeds.size()), nodes = static_cast<double>(setup.grid.nodes());
+  const auto particles = static_cast<double>(setup.seeds.size()), nodes = static_cast<double>(c.nodes_reached);
   StepWork work;
   for (const auto& pass : c.passes) {
     if (pass.once) continue;
@@ -68,6 +69,7 @@ Composition composition_of(const Problem& problem) {
   c.grid_fields = mpm::grid_fields_of(problem.setup);
   for (const auto& use : c.columns) c.bytes_per_particle += use.bytes;
   for (const auto& use : c.grid_fields) c.bytes_per_node += use.bytes;
+  c.nodes_reached = mpm::nodes_reached(problem.setup);
   c.work = work_of(problem, c);
   for (const EffectEntry& entry : effects()) c.effects.push_back(part_of(entry, problem, c));
   return c;
@@ -78,8 +80,8 @@ std::vector<Observer> observers_of(const Problem& problem) {
   std::vector<Observer> list;
   if (!due.samples.empty()) list.push_back({"error_sampling", due.samples.size(), "output.errors"});
   if (!due.shots.empty()) {
-    list.push_back(
-        {"snapshots", due.shots.size(), problem.scene.output.writes_particles() ? "output.particles" : "output.pictures"});
+    list.push_back({"snapshots", due.shots.size(),
+                    problem.scene.output.writes_particles() ? "output.particles" : "output.pictures"});
   }
   return list;
 }

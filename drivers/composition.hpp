@@ -12,7 +12,8 @@
 namespace assay::drivers {
 
 /// Work of one step after the first, counted from the composition: what each pass reads and writes of the columns of
-/// all particles, what it touches of the grid's fields once a node, and points that the material updates.
+/// all particles, what it touches of the grid's fields once a node that is reached, and points that the material
+/// updates.
 struct StepWork {
   double column_bytes = 0, grid_bytes = 0;
   std::int64_t material_updates = 0;
@@ -31,6 +32,7 @@ struct Composition {
   std::vector<mpm::ColumnUse> columns;
   std::vector<mpm::GridFieldUse> grid_fields;
   std::size_t bytes_per_particle = 0, bytes_per_node = 0;
+  std::size_t nodes_reached = 0;  ///< of the tiles that particles reach at first; no other is cleared or worked on
   StepWork work;
   std::vector<EffectPart> effects;  ///< all of them, in the order of the list
 };

@@ -78,8 +78,11 @@ std::string memory_text(const Problem& problem, const Composition& c) {
     text += wrapped(std::string(info.doc), fmt::format("  {:20} {:4} bytes  ", info.name, use.bytes), indent);
   }
   const auto& grid = problem.setup.grid;
-  text += fmt::format("grid: {} x {} nodes of {} bytes; in all about {} MiB\n", grid.count[0], grid.count[1],
-                      c.bytes_per_node, rounded_text(problem.estimated_bytes() / (1024.0 * 1024), 3));
+  text += wrapped(fmt::format("{} x {} nodes of {} bytes, {} of them in tiles that particles reach at first; in all at "
+                              "most {} MiB",
+                              grid.count[0], grid.count[1], c.bytes_per_node, grouped_text(c.nodes_reached),
+                              rounded_text(problem.estimated_bytes() / (1024.0 * 1024), 3)),
+                  "grid: ", "  ");
   for (const auto& use : c.grid_fields) {
     text += wrapped(use.doc, fmt::format("  {:20} {:4} bytes  ", use.name, use.bytes), indent);
   }
@@ -179,10 +182,11 @@ std::string response_text(const Problem& problem, const ExactSolution* exact) {
 
 std::string explanation(const Problem& problem, const ExactSolution* exact, const ScreenFigures& screen, bool json) {
   const Composition c = composition_of(problem);
-  if (json) return explanation_json(problem, c, exact && exact->response() ? exact->response()->get() : nullptr, screen);
-  return passes_text(problem, c) + observers_text(problem) + memory_text(problem, c) + work_text(c) +
-         effects_text(c) + steps_text(problem) + frame_line(problem) + exact_solution_line(problem) + ends_text(problem) + response_text(problem, exact) +
-         wrapped(screen_sentence(screen), "motion: ", "  ");
+  if (json)
+    return explanation_json(problem, c, exact && exact->response() ? exact->response()->get() : nullptr, screen);
+  return passes_text(problem, c) + observers_text(problem) + memory_text(problem, c) + work_text(c) + effects_text(c) +
+         steps_text(problem) + frame_line(problem) + exact_solution_line(problem) + ends_text(problem) +
+         response_text(problem, exact) + wrapped(screen_sentence(screen), "motion: ", "  ");
 }
 
 int explain(const ExplainOptions& options) {

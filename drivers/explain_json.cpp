@@ -84,6 +84,7 @@ std::string explanation_json(const Problem& problem, const Composition& c, const
                   {"measured", false}};
   add_effects(c, json);
   json["nodes"] = problem.setup.grid.nodes();
+  json["nodes_reached"] = c.nodes_reached;
   json["particles"] = problem.particles();
   json["stepped_particles"] = problem.setup.seeds.size();
   json["uses_exact_solution"] = problem.setup.uses_exact_solution();

@@ -5,7 +5,7 @@
 //   place(p, x, F)               finds the nodes of a particle; false where it reaches outside the grid
 //   place(p, x, F, half)         the same for a reference domain of its own, given by domain_components numbers: the
 //                                half edges along the axes, or Dim x Dim row-major whose column d is half edge d [m]
-//   reach(begin, end, first, last)  between which nodes those of particles lie
+//   reach(begin, end, nodes)     the box of nodes in which those of particles lie
 // and makes them again, for a few neighbouring particles at once:
 //   expand(begin, n, nodes)           weights and slopes
 //   slopes_to_moments(n, nodes)       w_i r_i in place of grad w_i, for add_affine and moment
@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "mpm/grid_geometry.hpp"
+#include "mpm/node_box.hpp"
 #include "mpm/node_packs.hpp"
 
 namespace assay::mpm {

@@ -179,8 +179,8 @@ class CornerBasis : public OneParticle<Derived, Dim> {
     return D;
   }
 
-  ASSAY_INLINE void reach(std::size_t begin, std::size_t end, std::int32_t& first, std::int32_t& last) const {
-    places_.reach(begin, end, first, last);
+  ASSAY_INLINE void reach(std::size_t begin, std::size_t end, NodeBox<Dim>& nodes) const {
+    places_.reach(begin, end, nodes);
   }
 
  protected:

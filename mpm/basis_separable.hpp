@@ -126,8 +126,7 @@ class SeparableBasis : public OneParticle<Derived, Dim> {
     return D;
   }
 
-  ASSAY_INLINE void reach(std::size_t begin, std::size_t end, std::int32_t& first, std::int32_t& last) const {
-    first = last = 0;
+  ASSAY_INLINE void reach(std::size_t begin, std::size_t end, NodeBox<Dim>& nodes) const {
     for (std::size_t d = 0; d < Dim; ++d) {
       constexpr std::size_t lanes = 8;
       Extremes<lanes> found(locator_.last_cell[d]);
@@ -137,11 +136,10 @@ class SeparableBasis : public OneParticle<Derived, Dim> {
       }
       for (; p < end; ++p) found.include(0, derived().along(p, d));
       const std::int32_t lowest = static_cast<std::int32_t>(found.lowest()) - Width + 1;
-      const std::int32_t highest = static_cast<std::int32_t>(found.highest()) + Width - 1;
-      first += (lowest > 0 ? lowest : 0) * locator_.stride[d];
-      last += (highest < count_[d] ? highest : count_[d] - 1) * locator_.stride[d];
+      const std::int32_t end_of = static_cast<std::int32_t>(found.highest()) + Width;
+      nodes.first[d] = lowest > 0 ? lowest : 0;
+      nodes.end[d] = end_of < count_[d] ? end_of : count_[d];
     }
-    ++last;
   }
 
  protected:

@@ -81,18 +81,16 @@ class CornerPlaces {
     for (std::size_t n = 0; n < corners; ++n) store<corners>(cells.share[n].data(), share[n]);
   }
 
-  /// Particles begin to end - 1 reach nodes from first to last - 1 in the order of the grid.
-  ASSAY_INLINE void reach(std::size_t begin, std::size_t end, std::int32_t& first, std::int32_t& last) const {
-    first = last = 0;
+  /// Which nodes particles begin to end - 1 reach.
+  ASSAY_INLINE void reach(std::size_t begin, std::size_t end, NodeBox<Dim>& nodes) const {
     for (std::size_t d = 0; d < Dim; ++d) {
       Extremes<corners> of_corners(last_cell_[d]);
       for (std::size_t p = begin; p < end; ++p) {
         for (std::size_t c = 0; c < corners; ++c) of_corners.include(c, along_[p][d][c]);
       }
-      first += static_cast<std::int32_t>(of_corners.lowest()) * stride_[d];
-      last += (static_cast<std::int32_t>(of_corners.highest()) + 1) * stride_[d];
+      nodes.first[d] = static_cast<std::int32_t>(of_corners.lowest());
+      nodes.end[d] = static_cast<std::int32_t>(of_corners.highest()) + 2;
     }
-    ++last;
   }
 
  private:

@@ -3,10 +3,7 @@
 // what stands here must be the same for all of them; Eigen's types need not be.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cstdint>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -15,16 +12,6 @@
 #include "mpm/method.hpp"
 
 namespace assay::mpm {
-
-/// Between which nodes, in the order of the grid, those of some particles lie.
-struct NodeRange {
-  std::int32_t first = std::numeric_limits<std::int32_t>::max(), end = 0;
-
-  void include(const NodeRange& other) {
-    first = std::min(first, other.first);
-    end = std::max(end, other.end);
-  }
-};
 
 template <int Dim>
 struct KernelState {
@@ -35,7 +22,7 @@ struct KernelState {
   GridField<Dim> force{};                    ///< internal and body force [N]
   GridField<2 * Dim> motion{};               ///< velocity, acceleration
   std::shared_ptr<void> basis{};             ///< the weights of all particles; its type is known to the kernels
-  std::vector<NodeRange> reach{};            ///< of the particles of each block
+  std::vector<NodeBox<Dim>> reach{};         ///< of the particles of each block
   Column stress_of_forces = Column::stress;  ///< what internal forces are made of
   std::vector<double> block_power{};         ///< of the body force, by block; empty where accounts are not kept [W]
 

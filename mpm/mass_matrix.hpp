@@ -56,10 +56,10 @@ class MassMatrix {
 
   /// M_L^-1 of every node: at the beginning of each step.
   void invert_sums() {
-    for (std::size_t i = 0; i < inverse_.size(); ++i) {
+    s_->live.each([&](std::size_t i) {
       const double mass = s_->inertia.node(i)[0];
       inverse_[i] = mass > 0 ? 1 / mass : 0;
-    }
+    });
     for (const std::uint32_t i : s_->held_nodes) inverse_[i] = 0;
   }
 
@@ -71,7 +71,7 @@ class MassMatrix {
     if (stencil_) {
       stencil_->for_nodes(s_->setup.threads, body);
     } else {
-      body(std::size_t{0}, inverse_.size());
+      for (const NodeRange& run : s_->live.runs()) body(run.first, run.end);
     }
   }
 
@@ -80,7 +80,7 @@ class MassMatrix {
 
   /// x = k terms of the series times q, where x = M_L^-1 q at first.
   void add_terms(Field& x, int terms) {
-    residual_ = x;
+    copy(x, residual_);
     const bool held = !s_->held_mass.empty();
     for (int l = 1; l < terms; ++l) {
       multiply_then(residual_, image_, [&](std::size_t begin, std::size_t end) {
@@ -107,43 +107,41 @@ class MassMatrix {
   void find_edges() {
     const auto& setup = s_->setup;
     const double whole = setup.density * std::pow(setup.grid.spacing, Dim);
-    edge_.assign(residual_.nodes(), false);
-    image_.zero();
-    for (std::size_t i = 0; i < edge_.size(); ++i) {
+    edge_.resize(residual_.nodes(), false);
+    image_.zero(s_->live.runs());
+    s_->live.each([&](std::size_t i) {
       edge_[i] = is_free(i) && s_->inertia.node(i)[0] < edge_mass * whole * s_->images.share(i);
       if (edge_[i]) std::fill_n(image_.node(i), Dim, 1.0);
-    }
+    });
     std::swap(image_, direction_);
     multiply_particles(direction_, image_);
-    shared_ = image_;
+    copy(image_, shared_);
   }
 
   /// x = M^-1 q, which x holds at first, M_ij = 0 between nodes at the edges and others, of the same row sums. False
   /// where it does not converge.
   bool solve(Field& x) {
     constrain(x);
-    residual_ = x;
-    x.zero();
+    copy(x, residual_);
+    x.zero(s_->live.runs());
     Field& z = divided_;
-    z = residual_;
+    copy(residual_, z);
     precondition(z);
-    direction_ = z;
+    copy(z, direction_);
     double rho = dot(residual_, z);
     const double target = rho * converged * converged;
     for (int k = 0; k < most_iterations && rho > target; ++k) {
       multiply_inside(direction_, image_);
       const double alpha = rho / dot(direction_, image_);
-      for (std::size_t c = 0; c < size(); ++c) {
+      each_value([&](std::size_t c) {
         x.data()[c] += alpha * direction_.data()[c];
         residual_.data()[c] -= alpha * image_.data()[c];
-      }
-      z = residual_;
+      });
+      copy(residual_, z);
       precondition(z);
       const double next = dot(residual_, z), beta = next / rho;
       rho = next;
-      for (std::size_t c = 0; c < size(); ++c) {
-        direction_.data()[c] = z.data()[c] + beta * direction_.data()[c];
-      }
+      each_value([&](std::size_t c) { direction_.data()[c] = z.data()[c] + beta * direction_.data()[c]; });
     }
     return rho <= target;
   }
@@ -156,26 +154,34 @@ class MassMatrix {
 
   /// M_L^-1, zero on nodes that are not free.
   void divide(Field& x) const {
-    for (std::size_t i = 0; i < x.nodes(); ++i) {
+    s_->live.each([&](std::size_t i) {
       for (std::size_t d = 0; d < Dim; ++d) x.node(i)[d] *= inverse_[i];
-    }
+    });
   }
 
  private:
   /// A series has no such fields.
   static Field& last_of(State<Dim>& s, std::size_t k) { return s.solver[std::min(k, s.solver.size() - 1)]; }
 
-  std::size_t size() const { return residual_.nodes() * Field::stride; }
+  /// body(c) for the values of all nodes.
+  template <class Body>
+  void each_value(const Body& body) const {
+    for (const NodeRange& run : s_->live.runs()) {
+      for (std::size_t c = run.first * Field::stride; c < run.end * Field::stride; ++c) body(c);
+    }
+  }
+
+  void copy(const Field& from, Field& to) const { to.copy(from, s_->live.runs()); }
 
   void constrain(Field& x) const {
-    for (std::size_t i = 0; i < x.nodes(); ++i) {
+    s_->live.each([&](std::size_t i) {
       if (!is_free(i)) std::fill_n(x.node(i), Dim, 0.0);
-    }
+    });
   }
 
   double dot(const Field& a, const Field& b) const {
     double sum = 0;
-    for (std::size_t c = 0; c < size(); ++c) sum += a.data()[c] * b.data()[c];
+    each_value([&](std::size_t c) { sum += a.data()[c] * b.data()[c]; });
     return sum;
   }
 
@@ -183,15 +189,16 @@ class MassMatrix {
   /// change, the inverse of their mean matrix.
   void precondition(Field& x) {
     if (!inside_) return divide(x);
-    image_ = x;
+    copy(x, image_);
     scale_inside(x);
     inside_->solve(x);
     scale_inside(x);
-    for (std::size_t i = 0; i < edge_.size(); ++i) {
+    s_->live.each([&](std::size_t i) {
       for (std::size_t d = 0; edge_[i] && d < Dim; ++d) x.node(i)[d] = inverse_[i] * image_.node(i)[d];
-    }
+    });
   }
 
+  /// All nodes: the mean matrix is one of the whole grid.
   void scale_inside(Field& x) const {
     for (std::size_t i = 0; i < edge_.size(); ++i) {
       const double scale = edge_[i] ? 0 : std::sqrt(inverse_[i]);
@@ -202,32 +209,35 @@ class MassMatrix {
   /// y = M x; particles that never move count by their row sums.
   void multiply(Field& x, Field& y) const {
     multiply_particles(x, y);
-    for (std::size_t i = 0; i < s_->held_mass.size(); ++i) {
-      for (std::size_t d = 0; d < Dim; ++d) y.node(i)[d] += s_->held_mass[i] * x.node(i)[d];
+    if (!s_->held_mass.empty()) {
+      s_->live.each([&](std::size_t i) {
+        for (std::size_t d = 0; d < Dim; ++d) y.node(i)[d] += s_->held_mass[i] * x.node(i)[d];
+      });
     }
     constrain(y);
   }
 
   void multiply_inside(const Field& x, Field& y) {
-    scaled_ = x;
-    for (std::size_t i = 0; i < edge_.size(); ++i) {
+    copy(x, scaled_);
+    s_->live.each([&](std::size_t i) {
       if (edge_[i]) std::fill_n(scaled_.node(i), Dim, 0.0);
-    }
+    });
     multiply(scaled_, y);
-    for (std::size_t i = 0; i < edge_.size(); ++i) {
+    s_->live.each([&](std::size_t i) {
       const double mass = s_->inertia.node(i)[0];
       for (std::size_t d = 0; d < Dim; ++d) {
         double& value = y.node(i)[d];
         value = edge_[i] ? mass * x.node(i)[d] : value + shared_.node(i)[d] * scaled_.node(i)[d];
       }
-    }
+    });
   }
 
   /// y = M x of the particles that move. Images in x are given what their nodes have, and those in y are zero.
   void multiply_particles(Field& x, Field& y) const {
     s_->images.unfold(x);
     if (stencil_) {
-      stencil_->multiply(x, y, s_->setup.threads);
+      y.zero(s_->live.runs());
+      stencil_->multiply(x, y, s_->setup.threads, [](std::size_t, std::size_t) {});
     } else {
       multiply_by_particles(x, y);
     }
@@ -241,12 +251,12 @@ class MassMatrix {
       stencil_->multiply(x, y, s_->setup.threads, after);
     } else {
       multiply_particles(x, y);
-      after(std::size_t{0}, y.nodes());
+      for (const NodeRange& run : s_->live.runs()) after(run.first, run.end);
     }
   }
 
   void multiply_by_particles(const Field& x, Field& y) const {
-    y.zero();
+    y.zero(s_->live.runs());
     for_tiles(*s_, nullptr, y.data(), [&](std::size_t first, std::size_t end, double*, double* sums) {
       const Block all{first * block_size, std::min(s_->particles, end * block_size), nullptr, sums};
       multiply_block_(*s_, all, x.data());

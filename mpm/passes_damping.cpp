@@ -13,15 +13,15 @@ namespace {
 template <int Dim>
 void share_forces(State<Dim>& s, double least, double kick) {
   std::array<double, Dim> left{};
-  for (std::size_t i = 0; i < s.inertia.nodes(); ++i) {
+  s.live.each([&](std::size_t i) {
     const double m = s.inertia.node(i)[0];
-    if (!(m > 0 && m < least)) continue;
+    if (!(m > 0 && m < least)) return;
     double* force = s.force.node(i);
     for (std::size_t d = 0; d < Dim; ++d) {
       left[d] += kick * (1 - m / least) * force[d];
       force[d] *= m / least;
     }
-  }
+  });
   for (std::size_t d = 0; d < Dim; ++d) s.ledger.impulse[d] -= left[d];
 }
 

@@ -14,14 +14,14 @@ Pass<Dim> grid_velocity_pass() {
   pass.grid_fields = {"mass", "momentum", "velocity"};
   pass.bind = [](State<Dim>& s) -> Kernel {
     return [&s](const Instant&) {
-      for (std::size_t i = 0; i < s.inertia.nodes(); ++i) {
+      s.live.each([&](std::size_t i) {
         const double* inertia = s.inertia.node(i);
         double* motion = s.motion.node(i);
         for (std::size_t d = 0; d < Dim; ++d) {
           motion[d] = inertia[0] > 0 ? inertia[1 + d] / inertia[0] : 0;
           motion[Dim + d] = 0;
         }
-      }
+      });
     };
   };
   return pass;
@@ -36,20 +36,20 @@ Pass<Dim> grid_update_pass() {
   pass.grid_fields = {"mass", "momentum", "force", "velocity", "acceleration"};
   pass.bind = [](State<Dim>& s) -> Kernel {
     return [&s](const Instant& now) {
-      for (std::size_t i = 0; i < s.inertia.nodes(); ++i) {
+      s.live.each([&](std::size_t i) {
         const double* inertia = s.inertia.node(i);
         const double* force = s.force.node(i);
         double* motion = s.motion.node(i);
         if (!(inertia[0] > 0)) {
           for (std::size_t d = 0; d < 2 * Dim; ++d) motion[d] = 0;
-          continue;
+          return;
         }
         const double inverse = 1 / inertia[0];
         for (std::size_t d = 0; d < Dim; ++d) {
           motion[Dim + d] = force[d] * inverse;
           motion[d] = inertia[1 + d] * inverse + now.kick * motion[Dim + d];
         }
-      }
+      });
     };
   };
   return pass;
@@ -68,8 +68,10 @@ void hold_nodes(State<Dim>& s, Reaction reaction, double kick) {
       motion[d] = motion[Dim + d] = 0;
     }
   }
-  for (std::size_t i = 0; i < s.held_mass.size(); ++i) {
-    for (std::size_t d = 0; d < Dim; ++d) taken[d] += s.held_mass[i] * gained(s.motion.node(i), d);
+  if (!s.held_mass.empty()) {
+    s.live.each([&](std::size_t i) {
+      for (std::size_t d = 0; d < Dim; ++d) taken[d] += s.held_mass[i] * gained(s.motion.node(i), d);
+    });
   }
   for (std::size_t d = 0; d < Dim; ++d) s.ledger.impulse[d] -= taken[d];
 }

@@ -7,12 +7,12 @@ namespace assay::mpm {
 
 namespace {
 
-template <int K>
-std::array<double, 3> sum_of(const GridField<K>& field, int first, int count) {
+template <int K, int Dim>
+std::array<double, 3> sum_of(const GridField<K>& field, const LiveNodes<Dim>& live, int first, int count) {
   std::array<double, 3> sum{};
-  for (std::size_t i = 0; i < field.nodes(); ++i) {
+  live.each([&](std::size_t i) {
     for (int d = 0; d < count; ++d) sum[static_cast<std::size_t>(d)] += field.node(i)[first + d];
-  }
+  });
   return sum;
 }
 
@@ -22,7 +22,7 @@ void remember_inertia(State<Dim>& s) {
   UnfoldedSums& sums = s.unfolded;
   sums.image_mass.clear();
   for (const auto& image : s.images.list()) sums.image_mass.push_back(s.inertia.node(image.node)[0]);
-  sums.momentum = sum_of(s.inertia, 1, Dim);
+  sums.momentum = sum_of(s.inertia, s.live, 1, Dim);
 }
 
 /// The particles' gain of momentum against what they were given: by the nodes' velocities and accelerations as shares.
@@ -30,11 +30,11 @@ template <int Dim>
 void book_planes(State<Dim>& s, const Reaction& share, double kick) {
   for (std::size_t d = 0; d < Dim; ++d) {
     double by_velocity = 0, by_acceleration = 0;
-    for (std::size_t i = 0; i < s.motion.nodes(); ++i) {
+    s.live.each([&](std::size_t i) {
       const double m = s.inertia.node(i)[0];
       by_velocity += m * s.motion.node(i)[d];
       by_acceleration += m * kick * s.motion.node(i)[Dim + d];
-    }
+    });
     for (std::size_t k = 0; k < s.images.list().size(); ++k) {  // whose mass is counted with their nodes
       const auto& image = s.images.list()[k];
       const double *own = s.motion.node(image.node), *of = s.motion.node(image.of), m = s.unfolded.image_mass[k];
@@ -64,7 +64,7 @@ Pass<Dim> fold_images_pass(Folded what, bool accounts) {
       if (accounts && is_new) remember_inertia(s);
       s.images.fold(s.inertia, 1);
       if (what == Folded::inertia) return;
-      if (accounts) s.unfolded.force = sum_of(s.force, 0, Dim);
+      if (accounts) s.unfolded.force = sum_of(s.force, s.live, 0, Dim);
       s.images.fold(s.force);
     };
   };

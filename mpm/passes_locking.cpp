@@ -36,28 +36,34 @@ std::size_t find_volumes(State<Dim>& s, const Block& block, double dt) {
 template <int Dim>
 class VolumeAverage {
  public:
-  VolumeAverage(const GridGeometry<Dim>& grid, AntiLocking over)
-      : grid_(grid), over_(over), sums_(2 * grid.nodes(), 0.0) {}
+  VolumeAverage(const GridGeometry<Dim>& grid, AntiLocking over) : grid_(grid), over_(over) {
+    sums_.allocate(grid.nodes());
+    touched_.reserve(grid.nodes());
+  }
 
   void run(State<Dim>& s) {
-    std::fill(sums_.begin(), sums_.end(), 0.0);
     const bool total = s.method.is_total();
     const auto x = components<Dim>(s, total ? Column::reference_position : Column::position);
     const double *base = s.column(Column::step_volumes, 0), *after = s.column(Column::step_volumes, 1);
     double *now = s.column(Column::volume_scale, 0), *before = total ? s.column(Column::volume_scale, 1) : nullptr;
     for (std::size_t p = 0; p < s.particles; ++p) {
       visit(load(x, p), [&](std::size_t at, double share) {
-        sums_[2 * at] += share * base[p];
-        sums_[2 * at + 1] += share * after[p];
+        double* sums = sums_.node(at);
+        if (sums[0] == 0) touched_.push_back(at);
+        sums[0] += share * base[p];
+        sums[1] += share * after[p];
       });
     }
     for (std::size_t p = 0; p < s.particles; ++p) {
       double average = 0;
-      visit(load(x, p), [&](std::size_t at, double share) { average += share * sums_[2 * at + 1] / sums_[2 * at]; });
+      visit(load(x, p),
+            [&](std::size_t at, double share) { average += share * sums_.node(at)[1] / sums_.node(at)[0]; });
       if (before) before[p] = now[p] > 0 ? now[p] : 1;  // zero before the first step
       const double own = after[p] / base[p];
       now[p] = own > 0 && average > 0 ? std::pow(average / own, 1.0 / Dim) : 1;  // the stress pass reports it
     }
+    for (const std::size_t at : touched_) std::fill_n(sums_.node(at), 2, 0.0);
+    touched_.clear();
   }
 
  private:
@@ -90,7 +96,8 @@ class VolumeAverage {
 
   GridGeometry<Dim> grid_;
   AntiLocking over_;
-  std::vector<double> sums_;  ///< [2 i]: reference volume; [2 i + 1]: current volume [m^Dim]
+  GridField<2> sums_;                 ///< of reference and current volume [m^Dim]
+  std::vector<std::size_t> touched_;  ///< where they are not zero; a node can stand here more than once
 };
 
 }  // namespace

@@ -14,23 +14,23 @@ namespace {
 /// Momentum of every node.
 template <int Dim>
 void load_momentum(const State<Dim>& s, GridField<Dim>& x) {
-  for (std::size_t i = 0; i < x.nodes(); ++i) {
+  s.live.each([&](std::size_t i) {
     for (std::size_t d = 0; d < Dim; ++d) x.node(i)[d] = s.inertia.node(i)[1 + d];
-  }
+  });
 }
 
 /// Momentum that the particles gain against what the nodes were given.
 template <int Dim>
 void book_reaction(State<Dim>& s, const Reaction& share, double kick) {
   if (!s.setup.accounts || !s.images.empty()) return;  // of images the pass that unfolds them keeps the account
-  for (std::size_t i = 0; i < s.motion.nodes(); ++i) {
+  s.live.each([&](std::size_t i) {
     const double m = s.inertia.node(i)[0] - (s.held_mass.empty() ? 0 : s.held_mass[i]);
     for (std::size_t d = 0; d < Dim; ++d) {
       const double force = kick * s.force.node(i)[d];
       s.ledger.impulse[d] += share.of_velocity * (m * s.motion.node(i)[d] - s.inertia.node(i)[1 + d] - force) +
                              share.of_acceleration * (m * kick * s.motion.node(i)[Dim + d] - force);
     }
-  }
+  });
 }
 
 /// v and a as row sums give them; of FMPM v is that after the kick.
@@ -60,7 +60,7 @@ bool find_velocity(State<Dim>& s, const Method& method, double kick, MassMatrix<
   }
   matrix.find_edges();
   load_momentum(s, v);
-  std::copy_n(s.force.data(), a.nodes() * GridField<Dim>::stride, a.data());
+  a.copy(s.force, s.live.runs());
   bool solved = true;
   if (method.is_affine()) {
     matrix.divide(v);
@@ -72,7 +72,7 @@ bool find_velocity(State<Dim>& s, const Method& method, double kick, MassMatrix<
 
 template <int Dim>
 Kernel mass_matrix_kernel(State<Dim>& s, const Method& method) {
-  s.solver.assign(solver_fields(method), GridField<Dim>());
+  s.solver = std::vector<GridField<Dim>>(solver_fields(method));
   for (auto& field : s.solver) field.allocate(s.setup.grid.nodes());
   auto matrix_of_run = std::make_shared<MassMatrix<Dim>>(s);
   return [&s, method, matrix_of_run](const Instant& now) {
@@ -107,24 +107,24 @@ bool invert(MassMatrix<Dim>& matrix, const Method& method, GridField<Dim>& x) {
 template <int Dim>
 void kick_momentum(State<Dim>& s, GridField<Dim>& a, double kick, MassMatrix<Dim>& matrix) {
   const GridField<Dim>& gained = matrix.image_of(a);
-  for (std::size_t i = 0; i < a.nodes(); ++i) {
+  s.live.each([&](std::size_t i) {
     for (std::size_t d = 0; d < Dim; ++d) s.inertia.node(i)[1 + d] += kick * gained.node(i)[d];
-  }
+  });
 }
 
 /// Forces work with the mean of the velocities before and after the kick; the accounts take the one after it.
 template <int Dim>
 void book_kick(State<Dim>& s, const GridField<Dim>& v, double kick) {
   double power = 0;
-  for (std::size_t i = 0; i < v.nodes(); ++i) {
+  s.live.each([&](std::size_t i) {
     for (std::size_t d = 0; d < Dim; ++d) power += s.force.node(i)[d] * (v.node(i)[d] - s.motion.node(i)[d]);
-  }
+  });
   s.ledger.internal_work += 0.5 * kick * power;
 }
 
 template <int Dim>
 Kernel kick_kernel(State<Dim>& s, const Method& method) {
-  s.solver.assign(solver_fields(method), GridField<Dim>());
+  s.solver = std::vector<GridField<Dim>>(solver_fields(method));
   for (auto& field : s.solver) field.allocate(s.setup.grid.nodes());
   auto matrix_of_run = std::make_shared<MassMatrix<Dim>>(s);
   return [&s, method, matrix_of_run](const Instant& now) {
@@ -136,21 +136,21 @@ Kernel kick_kernel(State<Dim>& s, const Method& method) {
       matrix.assemble();
       matrix.invert_sums();
       if (method.mass == Mass::consistent) matrix.find_edges();
-      a.zero();
+      a.zero(s.live.runs());
     } else {
-      std::copy_n(s.force.data(), a.nodes() * GridField<Dim>::stride, a.data());
+      a.copy(s.force, s.live.runs());
       solved = invert(matrix, method, a);
       kick_momentum(s, a, now.kick, matrix);
     }
     load_momentum(s, v);
     solved = invert(matrix, method, v) && solved;
     if (kicks) book_kick(s, v, now.kick);
-    for (std::size_t i = 0; i < v.nodes(); ++i) {
+    s.live.each([&](std::size_t i) {
       for (std::size_t d = 0; d < Dim; ++d) {
         s.motion.node(i)[d] = v.node(i)[d];
         s.motion.node(i)[Dim + d] = a.node(i)[d];
       }
-    }
+    });
     if (kicks) book_reaction(s, reaction_of(method), now.kick);
     if (!solved) s.finding = Finding{Finding::Kind::unstable, "the consistent mass matrix could not be inverted", 0};
   };

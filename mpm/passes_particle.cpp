@@ -107,9 +107,9 @@ BlockSums sums_of_block(const State<Dim>& s, bool with_body_force, std::size_t b
 template <int Dim>
 double power_of_kick(const State<Dim>& s, double kick) {
   double power = 0;
-  for (std::size_t i = 0; i < s.force.nodes(); ++i) {
+  s.live.each([&](std::size_t i) {
     for (std::size_t d = 0; d < Dim; ++d) power += kick * s.force.node(i)[d] * s.motion.node(i)[Dim + d];
-  }
+  });
   return power;
 }
 
@@ -131,15 +131,14 @@ template <int Dim>
 void count_grid_angular_momentum(State<Dim>& s) {
   const GridGeometry<Dim>& grid = s.setup.grid;
   double sum = 0, scale = 0;
-  std::size_t i = 0;
-  for (std::int32_t row = 0; row < grid.count[1]; ++row) {
-    const double y = grid.coordinate(1, row);
-    for (std::int32_t k = 0; k < grid.count[0]; ++k, ++i) {
-      const double* mv = s.inertia.node(i) + 1;
-      const double moment = grid.coordinate(0, k) * mv[1] - y * mv[0];
-      sum += moment, scale += std::abs(moment);
-    }
-  }
+  const auto across = static_cast<std::size_t>(grid.count[0]);
+  s.live.each([&](std::size_t i) {
+    const double x = grid.coordinate(0, static_cast<std::int32_t>(i % across));
+    const double y = grid.coordinate(1, static_cast<std::int32_t>(i / across));
+    const double* mv = s.inertia.node(i) + 1;
+    const double moment = x * mv[1] - y * mv[0];
+    sum += moment, scale += std::abs(moment);
+  });
   Ledger& ledger = s.ledger;
   if (!ledger.grid_angular) ledger.grid_angular = sum;
   ledger.grid_angular_scale = std::max(ledger.grid_angular_scale, scale);
@@ -186,7 +185,7 @@ Pass<Dim> accounts_pass(const Method& method, bool with_body_force) {
       if (turns) count_grid_angular_momentum(s);  // in the plane
       if (works_after_kick) s.ledger.internal_work += 0.5 * now.kick * power_of_kick(s, now.kick);
       double grid_mass = 0;
-      for (std::size_t i = 0; i < s.inertia.nodes(); ++i) grid_mass += s.inertia.node(i)[0];
+      s.live.each([&](std::size_t i) { grid_mass += s.inertia.node(i)[0]; });
       s.ledger.mass_defect = std::max(s.ledger.mass_defect, std::abs(grid_mass / particle_mass - 1));
     };
     return kernel;

@@ -9,6 +9,24 @@
 
 namespace assay::mpm {
 
+namespace {
+
+/// Those that particles reach, those of held particles, those whose images are among them and all images of these.
+template <int Dim>
+void find_live_nodes(State<Dim>& s) {
+  s.live.forget();
+  for (const NodeBox<Dim>& box : s.reach) s.live.mark(box);
+  for (const auto& image : s.images.list()) {
+    if (s.live.holds(image.node)) s.live.mark(image.of);
+  }
+  for (const auto& image : s.images.list()) {
+    if (s.live.holds(image.of)) s.live.mark(image.node);
+  }
+  s.live.merge();
+}
+
+}  // namespace
+
 template <int Dim>
 Pass<Dim> weights_pass(const Method& method, bool domains_differ) {
   Pass<Dim> pass;
@@ -33,7 +51,7 @@ Pass<Dim> weights_pass(const Method& method, bool domains_differ) {
     const auto place = s.kernels.place;
     kernel.block = [&s, place](const Instant& now, const Block& block) { return place(s, block, now); };
     kernel.end = [&s, basis](const Instant&, std::optional<std::size_t> outside) {
-      if (!outside) return;
+      if (!outside) return find_live_nodes(s);
       bool number = true;
       for (int d = 0; d < Dim; ++d) number = number && std::isfinite(s.column(Column::position, d)[*outside]);
       if (!number) {
@@ -74,6 +92,15 @@ std::vector<double> mass_of_held(const Setup<Dim>& setup) {
 }
 
 template <int Dim>
+void hold_mass(State<Dim>& s) {
+  s.held_mass = mass_of_held(s.setup);
+  for (std::size_t i = 0; i < s.held_mass.size(); ++i) {
+    if (s.held_mass[i] > 0) s.live.keep(i);
+  }
+  s.live.merge();
+}
+
+template <int Dim>
 std::size_t around_of(const Method& method) {
   if (!method.is_affine()) return static_cast<std::size_t>(Around::nothing);
   return static_cast<std::size_t>(method.affine == Affine::moment ? Around::moment : Around::gradient);
@@ -84,9 +111,9 @@ Kernel scatter_kernel(State<Dim>& s, BlockKernel<Dim> scatter, bool momentum, bo
   Kernel kernel;
   kernel.scatters = true;
   kernel.begin = [&s, momentum, force](const Instant&) {
-    if (momentum) s.inertia.zero();
-    for (std::size_t i = 0; momentum && i < s.held_mass.size(); ++i) s.inertia.node(i)[0] = s.held_mass[i];
-    if (force) s.force.zero();
+    if (momentum) s.inertia.zero(s.live.runs());
+    if (momentum && !s.held_mass.empty()) s.live.each([&](std::size_t i) { s.inertia.node(i)[0] = s.held_mass[i]; });
+    if (force) s.force.zero(s.live.runs());
   };
   kernel.block = [&s, scatter](const Instant& now, const Block& block) { return scatter(s, block, now); };
   kernel.end = [&s, momentum, force](const Instant&, std::optional<std::size_t>) {
@@ -117,7 +144,7 @@ Pass<Dim> particles_to_grid_pass(const Method& method, bool hold_outside) {
   if (method.is_affine()) pass.reads.push_back(affine_column(method));
   pass.grid_fields = {"mass", "momentum"};
   pass.bind = [hold_outside, around = around_of<Dim>(method)](State<Dim>& s) -> Kernel {
-    if (hold_outside) s.held_mass = mass_of_held(s.setup);
+    if (hold_outside) hold_mass(s);
     return scatter_kernel(s, s.kernels.momentum[around], true, false);
   };
   return pass;
@@ -131,7 +158,7 @@ Pass<Dim> particles_and_forces_to_grid_pass(const Method& method, bool hold_outs
   if (method.is_total()) pass.doc += ", by the first Piola-Kirchhoff stress";
   call_for_force(pass, with_body_force);
   pass.bind = [hold_outside, with_body_force, around = around_of<Dim>(method)](State<Dim>& s) -> Kernel {
-    if (hold_outside) s.held_mass = mass_of_held(s.setup);
+    if (hold_outside) hold_mass(s);
     return scatter_kernel(s, s.kernels.momentum_and_force[around][with_body_force ? 1 : 0], true, true);
   };
   return pass;

@@ -152,8 +152,10 @@ Pass<2> traction_pass(const Method& method, const Traction& traction, bool accou
           return;
         }
         loads.scatter(k, s.force.data());
+        s.live.mark(loads.reach(k));
         if (accounts) book(s, point, now.kick);
       }
+      s.live.merge();
     };
   };
   return pass;

@@ -8,6 +8,7 @@
 #include "harness/failed_step.hpp"
 #include "mpm/images.hpp"
 #include "mpm/kernels.hpp"
+#include "mpm/live_nodes.hpp"
 #include "mpm/setup.hpp"
 #include "mpm/surface_loads.hpp"
 
@@ -54,6 +55,7 @@ struct State : KernelState<Dim> {
   explicit State(Setup<Dim> s) : KernelState<Dim>{s.method, s.seeds.size()}, setup(std::move(s)) {}
 
   Setup<Dim> setup;
+  LiveNodes<Dim> live{setup.grid};  ///< in which all nodal fields are kept up to date
   Kernels<Dim> kernels = kernels_of<Dim>(setup.method.basis, setup.instructions);
   std::vector<GridField<Dim>> solver;  ///< of a mass matrix that is not lumped
   std::vector<double> inverse_mass;    ///< of a mass matrix that is not lumped: 1 / row sum of a node that moves, or 0

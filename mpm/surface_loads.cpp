@@ -13,6 +13,11 @@ template <class B>
 void bind_points(SurfaceLoads& loads, const GridGeometry<2>& grid) {
   auto basis = std::make_shared<B>(grid, Vec<2>{}, loads.points.size());
   loads.place = [basis](std::size_t k, const Vec<2>& x) { return basis->place(k, x, {1, 0, 0, 1}); };
+  loads.reach = [basis](std::size_t k) {
+    NodeBox<2> nodes;
+    basis->reach(k, k + 1, nodes);
+    return nodes;
+  };
   loads.scatter = [basis, &loads](std::size_t k, double* force) {
     basis->template scatter<2, 0>(k, loads.points[k].force, {}, force);
   };
@@ -29,6 +34,7 @@ template <class B>
 void bind_particles(SurfaceLoads& loads, const State<2>& s) {
   const auto basis = [&s]() -> const B& { return *static_cast<const B*>(s.basis.get()); };
   loads.place = [](std::size_t, const Vec<2>&) { return true; };
+  loads.reach = [](std::size_t) { return NodeBox<2>(); };
   loads.scatter = [basis, &loads](std::size_t k, double* force) {
     basis().template scatter<2, 0>(loads.points[k].particle, loads.points[k].force, {}, force);
   };

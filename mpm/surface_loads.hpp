@@ -27,8 +27,9 @@ struct SurfacePoint {
 /// The grid's functions at the points: multilinear ones, or B-splines; or phi_ip of the particles.
 struct SurfaceLoads {
   std::vector<SurfacePoint> points;
-  std::function<bool(std::size_t, const Vec<2>&)> place;       ///< of a point; false outside the grid
-  std::function<void(std::size_t, double*)> scatter;           ///< its force to the field of forces
+  std::function<bool(std::size_t, const Vec<2>&)> place;  ///< of a point; false outside the grid
+  std::function<NodeBox<2>(std::size_t)> reach;           ///< nodes of a point that those of particles may not hold
+  std::function<void(std::size_t, double*)> scatter;      ///< its force to the field of forces
   std::function<Vec<2>(std::size_t, const double*)> velocity;  ///< at it, from the field of motion
 };
 

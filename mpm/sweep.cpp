@@ -53,10 +53,16 @@ class Group {
 };
 
 /// to += from, which is zero afterwards.
-void move_nodes(double* to, double* from, NodeRange nodes, std::size_t stride) {
-  const auto begin = static_cast<std::size_t>(nodes.first) * stride, end = static_cast<std::size_t>(nodes.end) * stride;
-  for (std::size_t c = begin; c < end; ++c) to[c] += from[c];
-  std::fill(from + begin, from + end, 0.0);
+template <int Dim>
+void move_nodes(double* to, double* from, const NodeBox<Dim>& nodes, const GridGeometry<Dim>& grid,
+                std::size_t stride) {
+  for_lines<Dim>(nodes, grid.count, [&](std::size_t line) {
+    const std::size_t start = line * static_cast<std::size_t>(grid.count[0]);
+    const std::size_t begin = (start + static_cast<std::size_t>(nodes.first[0])) * stride;
+    const std::size_t end = (start + static_cast<std::size_t>(nodes.end[0])) * stride;
+    for (std::size_t c = begin; c < end; ++c) to[c] += from[c];
+    std::fill(from + begin, from + end, 0.0);
+  });
 }
 
 Block block_at(std::size_t b, std::size_t particles, double* inertia, double* force) {
@@ -128,10 +134,10 @@ void for_tiles(State<Dim>& s, double* inertia, double* force, const TileBody& bo
     return;
   }
   const auto add_up = [&](std::size_t k, TileCopy<Dim>& copy) {
-    NodeRange nodes;
+    NodeBox<Dim> nodes;
     for (std::size_t b = k * blocks / tiles; b < (k + 1) * blocks / tiles; ++b) nodes.include(s.reach[b]);
-    if (inertia) move_nodes(inertia, copy.inertia.data(), nodes, GridField<Dim + 1>::stride);
-    if (force) move_nodes(force, copy.force.data(), nodes, GridField<Dim>::stride);
+    if (inertia) move_nodes<Dim>(inertia, copy.inertia.data(), nodes, s.setup.grid, GridField<Dim + 1>::stride);
+    if (force) move_nodes<Dim>(force, copy.force.data(), nodes, s.setup.grid, GridField<Dim>::stride);
   };
   const int team = static_cast<int>(s.tile_copies.size());
 #pragma omp parallel for ordered schedule(static, 1) num_threads(team) if (team > 1)

@@ -46,8 +46,7 @@ std::size_t place(KernelState<Dim>& s, const Block& block, const Instant&) {
   for (std::size_t p = block.begin; p < block.end; ++p) {
     if (!place_particle<B>(s, basis, p, total, own_domain) && bad == none_bad) bad = p;
   }
-  NodeRange& nodes = s.reach[block.begin / block_size];
-  basis.reach(block.begin, block.end, nodes.first, nodes.end);
+  basis.reach(block.begin, block.end, s.reach[block.begin / block_size]);
   return bad;
 }
 

@@ -169,12 +169,20 @@ TYPED_TEST(EveryBasisTest, ReachHoldsAllNodesThatHaveWeight) {
   for (int k = 0; k < places; ++k) {
     this->place_at_random();
     const auto w = this->weights();
-    std::int32_t first = 0, end = 0;
-    this->basis.reach(0, 1, first, end);
-    ASSERT_GE(first, 0);
-    ASSERT_LE(static_cast<std::size_t>(end), w.nodes());
+    NodeBox<TypeParam::Dim> box;
+    this->basis.reach(0, 1, box);
+    for (std::size_t d = 0; d < TypeParam::Dim; ++d) {
+      ASSERT_GE(box.first[d], 0);
+      ASSERT_LE(box.end[d], this->grid.count[d]);
+    }
     for (std::size_t i = 0; i < w.nodes(); ++i) {
-      const bool inside = i >= static_cast<std::size_t>(first) && i < static_cast<std::size_t>(end);
+      bool inside = true;
+      std::size_t rest = i;
+      for (std::size_t d = 0; d < TypeParam::Dim; ++d) {
+        const auto at = static_cast<std::int32_t>(rest % static_cast<std::size_t>(this->grid.count[d]));
+        inside = inside && at >= box.first[d] && at < box.end[d];
+        rest /= static_cast<std::size_t>(this->grid.count[d]);
+      }
       for (int c = 0; c <= TypeParam::Dim && !inside; ++c) EXPECT_EQ(w.node(i)[c], 0);
     }
   }

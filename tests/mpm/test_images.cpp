@@ -9,6 +9,7 @@
 #include "mpm/lattice.hpp"
 #include "mpm/simulation.hpp"
 #include "tests/harness/elastic_material.hpp"
+#include "tests/mpm/grid_fields.hpp"
 
 namespace assay::mpm {
 namespace {
@@ -50,7 +51,7 @@ TEST(Images, OfABodyThinnerThanTheMarginAreMirroredAgain) {
 
 TEST(Images, FoldingIsAdjointToUnfolding) {
   const Images<2> images(image_grid(), {AxisEnds{0.0, 2.0}, AxisEnds{0.0, 1.0, true}});
-  GridField<2> x, y, unfolded, folded;
+  GridField<2> x, y;
   for (auto* field : {&x, &y}) field->allocate(image_grid().nodes());
   for (std::size_t i = 0; i < x.nodes(); ++i) {
     for (std::size_t d = 0; d < 2; ++d) {
@@ -58,10 +59,10 @@ TEST(Images, FoldingIsAdjointToUnfolding) {
       y.node(i)[d] = std::cos(1.7 * static_cast<double>(i * i) + static_cast<double>(d));
     }
   }
-  unfolded = x, folded = y;
+  GridField<2> unfolded = copied(x), folded = copied(y);
   images.unfold(unfolded);
   images.fold(folded);
-  GridField<2> own = unfolded;  // of the body's own nodes
+  GridField<2> own = copied(unfolded);  // of the body's own nodes
   for (const auto& image : images.list()) own.node(image.node)[0] = own.node(image.node)[1] = 0;
   double left = 0, right = 0;
   for (std::size_t i = 0; i < x.nodes(); ++i) {

@@ -7,6 +7,7 @@
 
 #include "mpm/mass_matrix.hpp"
 #include "tests/mpm/basis_cases.hpp"
+#include "tests/mpm/grid_fields.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
 namespace assay::mpm {
@@ -43,7 +44,7 @@ void expect_inverse(const GridGeometry<Dim>& grid, const std::array<std::vector<
   for (std::size_t i = 0; i < x.nodes(); ++i) {
     for (std::size_t d = 0; d < Dim; ++d) x.node(i)[d] = random();
   }
-  GridField<Dim> y = x;
+  GridField<Dim> y = copied(x);
   for (std::size_t d = 0; d < Dim; ++d) y = product<Dim>(grid, y, d, means[d]);
   MassPreconditioner<Dim>(grid, means).solve(y);
   // round-off times the condition of the product, at most 1 / 0.03^Dim

@@ -200,6 +200,8 @@ TEST(SmallMass, SharesForcesOfLightNodesAndAccountsForTheRest) {
   Simulation<2> simulation(square(method_of(Basis::linear), {.small_mass = 0.5}));
   State<2>& s = simulation.state();
   const double least = 0.5 * 3 * 0.25;  // of rho0 h^2
+  s.live.mark(std::size_t{3});          // with its neighbours
+  s.live.merge();
   s.inertia.node(3)[0] = 0.2 * least, s.inertia.node(4)[0] = 2 * least, s.inertia.node(5)[0] = 0;
   for (const std::size_t i : {3, 4, 5}) s.force.node(i)[0] = 10, s.force.node(i)[1] = -5;
   run_pass(small_mass_pass<2>(), s, {0, 0.1});

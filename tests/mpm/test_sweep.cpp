@@ -79,7 +79,9 @@ TEST(Sweep, ResultsDoNotDependOnTheInstructions) {
 TEST(Sweep, TilesHoldEveryBlockOnce) {
   Simulation<2> simulation(large(Method{}, 3, best_instructions()));
   State<2>& s = simulation.state();
-  s.reach.assign(blocks_of(s.particles), NodeRange{0, 1});
+  NodeBox<2> corner;
+  corner.first = {0, 0}, corner.end = {1, 1};
+  s.reach.assign(blocks_of(s.particles), corner);
   std::vector<std::atomic<int>> seen(blocks_of(s.particles));
   s.force.zero();
   for_tiles<2>(s, nullptr, s.force.data(), [&](std::size_t first, std::size_t end, double* inertia, double* force) {

@@ -9,9 +9,9 @@
 #include <limits>
 
 #include "drivers/scene/scene_reader.hpp"
-#include "drivers/simulation/response_source.hpp"
 #include "mpm/simulation.hpp"
 #include "tests/drivers/quiet_run.hpp"
+#include "tests/drivers/simulation/first_breakdown.hpp"
 
 namespace assay::drivers {
 namespace {
@@ -127,36 +127,6 @@ TEST(DyingRun, ARunThatReachesItsEndLeavesNeither) {
   EXPECT_TRUE(result["replay"].is_null());
 }
 
-/// First time at which a particle's det F is not positive, a value is no number or a particle leaves the grid, by a
-/// loop that has no watch.
-double time_of_death(const std::string& scene, const std::vector<std::string>& sets) {
-  std::vector<std::string> all{"expect={}"};
-  all.insert(all.end(), sets.begin(), sets.end());
-  Problem problem = assemble(read_scene(std::string(ASSAY_SOURCE_DIR) + "/configs/" + scene + ".yaml", all), 1);
-  const auto exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end);
-  problem.setup.exact = exact;
-  if (exact->response()) problem.setup.response = *exact->response();
-  mpm::Simulation<2> simulation(problem.setup);
-  const mpm::State<2>& s = simulation.state();
-  for (std::int64_t k = 0; k < problem.steps; ++k) {
-    const double next = problem.time_of_step(k + 1);
-    simulation.step(problem.time_of_step(k), next - problem.time_of_step(k));
-    for (std::size_t p = 0; p < s.particles; ++p) {
-      const auto F = [&](int c) { return s.column(Column::deformation_gradient, c)[p]; };
-      for (int d = 0; d < 2; ++d) {  // within half a cell of the grid's edge uGIMP has no nodes around a particle
-        const auto& grid = problem.setup.grid;
-        const double x = s.column(Column::position, d)[p], half = 0.5 * grid.spacing;
-        if (x < grid.coordinate(d, 0) + half || x > grid.coordinate(d, grid.count[std::size_t(d)] - 1) - half) {
-          return next;
-        }
-      }
-      const double sum = s.column(Column::velocity, 0)[p] + s.column(Column::velocity, 1)[p];
-      if (!(F(0) * F(3) - F(1) * F(2) > 0) || !std::isfinite(sum)) return next;
-    }
-  }
-  return std::numeric_limits<double>::infinity();
-}
-
 TEST(DyingRun, IsReportedAtItsFirstInversionOrLostNumber) {
   const std::vector<std::pair<std::string, std::vector<std::string>>> deaths{
       {"paper/vortex_cpdi", dying},
@@ -173,8 +143,8 @@ TEST(DyingRun, IsReportedAtItsFirstInversionOrLostNumber) {
     EXPECT_EQ(run(quiet_run(scene, scratch / "out", quiet)), 1);
     const auto result = result_in(scratch / "out");
     EXPECT_EQ(result["outcome"], "unstable") << scene;
-    EXPECT_NEAR(result["t"].get<double>(), time_of_death(scene, quiet), share_of_run * 1.0)
-        << scene << result["reason"];
+    const Breakdown first = first_breakdown(std::string(ASSAY_SOURCE_DIR) + "/configs/" + scene + ".yaml", quiet);
+    EXPECT_NEAR(result["t"].get<double>(), first.t, share_of_run * first.run) << scene << result["reason"];
   }
 }
 

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mpm/setup.hpp"
+
+namespace assay::mpm {
+
+/// Nodes of the tiles (mpm/live_nodes.hpp) that the particles reach at first, those that never move included: found
+/// before anything of a run is allocated.
+std::size_t nodes_reached(const Setup<2>& setup);
+
+}  // namespace assay::mpm

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/drivers/simulation/first_breakdown.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "drivers/scene/scene_reader.hpp"
+#include "drivers/simulation/response_source.hpp"
+#include "drivers/simulation/simulate.hpp"
+#include "mpm/simulation.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+std::string breakdown_of(const mpm::State<2>& s) {
+  using mpm::Column;
+  const auto& grid = s.setup.grid;
+  const double half = 0.5 * grid.spacing;  // within it uGIMP has no nodes around a particle
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    const auto F = [&](int c) { return s.column(Column::deformation_gradient, c)[p]; };
+    const double det = F(0) * F(3) - F(1) * F(2);
+    if (!std::isfinite(det + s.column(Column::velocity, 0)[p] + s.column(Column::velocity, 1)[p])) return "value";
+    if (!(det > 0)) return "det F";
+    for (int d = 0; d < 2; ++d) {
+      const auto k = static_cast<std::size_t>(d);
+      const double x = s.column(s.method.is_total() ? Column::reference_position : Column::position, d)[p];
+      if (x < grid.coordinate(d, 0) + half || x > grid.coordinate(d, grid.count[k] - 1) - half) return "grid";
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+Breakdown first_breakdown(const std::string& scene, const std::vector<std::string>& sets) {
+  std::vector<std::string> all{"expect={}"};
+  all.insert(all.end(), sets.begin(), sets.end());
+  Problem problem = assemble(read_scene(scene, all), 1);
+  if (problem.compared) {
+    problem.setup.exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end);
+    if (problem.setup.exact->response()) problem.setup.response = *problem.setup.exact->response();
+  }
+  mpm::Simulation<2> simulation(problem.setup);
+  const mpm::State<2>& s = simulation.state();
+  for (std::int64_t k = 0; k < problem.steps; ++k) {
+    const double next = problem.time_of_step(k + 1);
+    const auto finding = simulation.step(problem.time_of_step(k), next - problem.time_of_step(k));
+    std::string what = breakdown_of(s);
+    if (what.empty() && finding && finding->kind == mpm::Finding::Kind::material_failed) what = "material";
+    if (!what.empty()) return {next, problem.scene.time.end, what};
+    if (finding) break;  // a domain, say: what ends a run without a breakdown of a particle
+  }
+  return {std::numeric_limits<double>::infinity(), problem.scene.time.end, ""};
+}
+
+}  // namespace assay::drivers
