@@ -17,7 +17,8 @@ namespace assay::drivers {
 /// Everything that any verb takes, as text.
 struct Arguments {
   std::string scene, out, points, threads, material, file, name, remove, parameters, json_file, junit_file, replay;
-  std::string markdown_file, study, after, error, jobs, shard;
+  std::string markdown_file, study, after, jobs, shard;
+  std::optional<std::string> error;
   std::string language, interface = "native", strain, pressure;
   std::vector<std::string> sets, from;
   bool resume = false, merge = false, list = false, of_studies = false;

@@ -98,8 +98,9 @@ struct StudyOptions {
 
 struct RecommendOptions {
   std::string study;  ///< folder of a study's results, its study.json, or the study's YAML file
-  std::string error;  ///< that is wanted: a number in the study's unit, or "1 %"
-  std::string out;    ///< folder of the results of a YAML file; empty: results/NAME
+  /// That is wanted: a number in the study's unit, or "1 %"; without, the method that lives through most is named.
+  std::optional<std::string> error;
+  std::string out;  ///< folder of the results of a YAML file; empty: results/NAME
   bool json = false;
 };
 

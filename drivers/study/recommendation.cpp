@@ -6,6 +6,7 @@
 
 #include "drivers/input_error.hpp"
 #include "drivers/output/numbers.hpp"
+#include "drivers/study/survival.hpp"
 #include "drivers/study/time_noise.hpp"
 
 namespace assay::drivers {
@@ -21,18 +22,6 @@ bool uses_exact_solution(const StudyCase& one) {
 /// Whatever a file says of it.
 bool may_be_taken(const StudyCase& one) {
   return one.eligible && one.completed() && one.error && one.cost && !one.budget && !uses_exact_solution(one);
-}
-
-const std::string* method_of(const StudyCase& one) {
-  for (const AxisValue& at : one.values) {
-    if (at.axis == "method") return &at.value;
-  }
-  return nullptr;
-}
-
-bool same_method(const StudyCase& a, const StudyCase& b) {
-  const std::string *method_a = method_of(a), *method_b = method_of(b);
-  return method_a && method_b ? *method_a == *method_b : a.series == b.series;
 }
 
 bool is_cheaper(const StudyCase& a, const StudyCase& b) {
@@ -79,7 +68,7 @@ Recommendation recommended(const StudyFindings& findings, double error) {
   }
   const StudyCase& best = findings.cases[*found.best];
   found.runner_up = first_case(
-      findings, [&](const StudyCase& one) { return meets(one) && !same_method(one, best); }, is_cheaper);
+      findings, [&](const StudyCase& one) { return meets(one) && method_of(one) != method_of(best); }, is_cheaper);
   if (found.runner_up) {
     const StudyCase& other = findings.cases[*found.runner_up];
     found.told_apart =

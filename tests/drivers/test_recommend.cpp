@@ -49,6 +49,18 @@ TEST(Recommend, AnswersInJson) {
   EXPECT_EQ(nlohmann::json::parse(found.out)["recommended"]["folder"], folder + "/cases/B05");
 }
 
+TEST(Recommend, WithoutAnErrorTheHardiestMethod) {
+  const ScratchFolder scratch;
+  StudyFindings study = two_method_study();
+  EXPECT_EQ(call_verb({"recommend", study_in(scratch, "a", study)}).status, 0);
+  for (StudyCase& one : study.cases) {
+    if (one.completed() && one.resolution == 0.1) one.outcome = "unstable";
+  }
+  const VerbOutcome found = call_verb({"recommend", study_in(scratch, "b", study), "--json"});
+  EXPECT_EQ(found.status, 1) << "it dies, too";
+  EXPECT_EQ(nlohmann::json::parse(found.out)["recommended"], "B2, AFLIP");
+}
+
 TEST(Recommend, BadInputIsOneLineAndTwo) {
   const ScratchFolder scratch;
   const std::string folder = study_in(scratch, "a", two_method_study()), empty = scratch / "empty";
@@ -59,7 +71,7 @@ TEST(Recommend, BadInputIsOneLineAndTwo) {
   metres.error_unit = "m";
   const std::string in_metres = study_in(scratch, "m", metres);
   const std::vector<std::vector<std::string>> calls{
-      {"recommend", folder},
+      {"recommend"},
       {"recommend", "--error", "1"},
       {"recommend", folder, "--error"},
       {"recommend", folder, "--error", ""},

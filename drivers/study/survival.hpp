@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which method of a study lives through its cases.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "drivers/study/study_file.hpp"
+
+namespace assay::drivers {
+
+/// The value on the axis `method`, or the series where there is no such axis.
+std::string method_of(const StudyCase& one);
+
+/// How a method went through the cases of a study, those of the error budget not counted.
+struct Survival {
+  std::string method;
+  int completed = 0, refused = 0, not_applicable = 0;
+  int died = 0;  ///< unstable, failed, crashed, stopped or missing
+  bool uses_exact_solution = false;
+  std::vector<std::size_t> lost;  ///< died or refused; indices into StudyFindings::cases
+  Figure error_ratio;             ///< median of its error over the smallest of all methods in the same case
+
+  int asked() const { return completed + died + refused; }  ///< cases that apply to it
+};
+
+/// The best first: by the share completed of what applies, fewer deaths, more cases that apply, the smaller ratio of
+/// errors. What uses the exact solution stands behind all others.
+std::vector<Survival> survivals(const StudyFindings& findings);
+
+/// At most 80 columns.
+std::string survival_text(const StoredStudy& study, const std::vector<Survival>& found);
+
+/// {recommended, methods}; a method is {method, completed, died, refused, not_applicable, uses_exact_solution,
+/// error_ratio, lost}, one lost is {number, label, outcome, reason}. `recommended` is null where there is no method.
+std::string survival_json(const StoredStudy& study, const std::vector<Survival>& found);
+
+}  // namespace assay::drivers

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/study/survival.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/drivers/study/two_methods.hpp"
+
+namespace assay::drivers {
+namespace {
+
+std::vector<std::string> names_of(const std::vector<Survival>& found) {
+  std::vector<std::string> names;
+  for (const Survival& of : found) names.push_back(of.method);
+  return names;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(Survival, CountsWhatBecameOfEachMethod) {
+  const std::vector<Survival> found = survivals(two_method_study());
+  EXPECT_EQ(names_of(found), (Names{"B2, AFLIP", "CPDI, FLIP", "uGIMP, FLIP", "Cheat"}));
+  EXPECT_EQ(found[0].completed, 3) << "the case of the error budget does not count";
+  EXPECT_EQ(found[0].error_ratio, 1) << "what uses the exact solution is no measure";
+  EXPECT_NEAR(*found[1].error_ratio, 2e-2 / 9e-3, 1e-12) << "the median of 8/6, 20/9 and 50/9";
+  EXPECT_EQ(found[2].died, 1);
+  EXPECT_EQ(found[2].lost, std::vector<std::size_t>{6});
+  EXPECT_FALSE(found[2].error_ratio);
+  EXPECT_EQ(found[3].not_applicable, 1);
+  EXPECT_EQ(found[3].asked(), 1);
+}
+
+TEST(Survival, RanksByShareDeathsAndWhatWasAsked) {
+  StudyFindings study = two_method_study();
+  study.cases[3].outcome = "refused";  // B2: 2 of 3, none died
+  study.cases[0].outcome = "unstable";
+  EXPECT_EQ(names_of(survivals(study))[0], "B2, AFLIP");
+  study.cases[3].outcome = "n/a";  // 2 of 2, against 2 of 3
+  EXPECT_EQ(names_of(survivals(study))[0], "B2, AFLIP");
+  study.cases[0].outcome = "completed";  // 3 of 3 were asked for more than 2 of 2
+  EXPECT_EQ(names_of(survivals(study))[0], "CPDI, FLIP");
+  study.cases[0].outcome = study.cases[1].outcome = study.cases[2].outcome = "stopped";
+  EXPECT_EQ(survivals(study)[1].died + survivals(study)[2].died, 4);
+}
+
+TEST(Survival, WithoutAnAxisOfMethodsSeriesAreMethods) {
+  StudyFindings study = two_method_study();
+  for (StudyCase& one : study.cases) one.values[0].axis = "basis";
+  EXPECT_EQ(names_of(survivals(study))[0], "B2, AFLIP");
+  EXPECT_NEAR(*survivals(study)[1].error_ratio, 2e-2 / 9e-3, 1e-12);
+}
+
+TEST(Survival, TextNamesOneAndWhatItLoses) {
+  StoredStudy study{"x", "x/study.json", two_method_study()};
+  study.findings.cases[3].outcome = "unstable";
+  study.findings.cases[3].reason = "det F is not positive";
+  study.findings.cases[0].outcome = study.findings.cases[1].outcome = "refused";
+  const std::string text = survival_text(study, survivals(study.findings));
+  EXPECT_TRUE(
+      text.starts_with("take B2, AFLIP: it completes 2 of the 3 cases that apply to it\n"
+                       "  B2, AFLIP, grid.spacing=0.1: unstable, det F is not positive\n"))
+      << text;
+  EXPECT_NE(text.find("\nCPDI, FLIP                             1 of 3      0        2      0         5.6\n"),
+            text.npos)
+      << text;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;
+}
+
+TEST(Survival, NobodyIsTakenWhereNoneCompletes) {
+  StudyFindings none = two_method_study();
+  for (std::size_t i = 0; i < 7; ++i) none.cases[i].outcome = "unstable";
+  for (const StudyFindings& study : {StudyFindings(), none}) {
+    const StoredStudy stored{"x", "x/study.json", study};
+    EXPECT_TRUE(survival_text(stored, survivals(study)).starts_with("no method can be recommended"));
+    EXPECT_TRUE(nlohmann::json::parse(survival_json(stored, survivals(study)))["recommended"].is_null());
+  }
+}
+
+}  // namespace
+}  // namespace assay::drivers
