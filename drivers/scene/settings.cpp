@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "drivers/output/numbers.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/yaml_values.hpp"
 
@@ -51,6 +52,16 @@ Tree value_of(const std::string& text, const std::string& path) {
   }
 }
 
+/// Value number `step`, from 0, of a list that is there.
+Tree& item_of(Tree& list, const std::string& step, const Setting& setting, const std::string& done) {
+  const auto index = parse_integer(step);
+  if (index && *index >= 0 && static_cast<std::size_t>(*index) < list.items.size()) {
+    return list.items[static_cast<std::size_t>(*index)];
+  }
+  throw InputError(setting.where, one_line(setting.path, 80),
+                   "'" + done + "' is a list of " + std::to_string(list.items.size()) + ", counted from 0");
+}
+
 }  // namespace
 
 Setting parse_setting(const std::string& text) {
@@ -71,6 +82,11 @@ void apply_setting(Tree& root, const Setting& setting) {
   std::string done;
   for (const std::string& step : steps) {
     if (at->kind == Tree::Kind::null) at->kind = Tree::Kind::map, at->where = where;
+    if (at->kind == Tree::Kind::sequence) {
+      at = &item_of(*at, step, setting, done);
+      done = key_path(done, step);
+      continue;
+    }
     if (at->kind != Tree::Kind::map) {
       throw InputError(where, path, (done.empty() ? "the scene" : "'" + done + "'") + " is not a map");
     }

@@ -18,6 +18,10 @@ bool is_scene_path(const std::string& path) {
   if (path == threads_key || path == scene_key) return true;
   const auto& keys = scene_keys();
   if (std::any_of(keys.begin(), keys.end(), [&](const Key& key) { return key.path == path; })) return true;
+  const std::size_t dot = path.rfind('.');  // a value of a list
+  if (dot != path.npos && dot + 1 < path.size() && path.find_first_not_of("0123456789", dot + 1) == path.npos) {
+    return is_scene_path(path.substr(0, dot));
+  }
   for (const Section& section : scene_sections()) {
     if (path == section.path || (section.free_keys && path.starts_with(section.path + "."))) return true;
   }

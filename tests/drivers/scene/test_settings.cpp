@@ -29,6 +29,17 @@ TEST(Settings, ReplaceAddAndMakeMaps) {
   EXPECT_EQ(changed("a: 1", "a='5'").find("a")->quoted, true);
 }
 
+TEST(Settings, ReplaceAValueOfAList) {
+  const Tree changed_list = changed("a: {b: [1, 2, 3]}", "a.b.2=7");
+  EXPECT_EQ(changed_list.find("a")->find("b")->items[2].text, "7");
+  EXPECT_EQ(changed_list.find("a")->find("b")->items[0].text, "1");
+  EXPECT_EQ(changed("a: [{b: 1}]", "a.0.b=2").find("a")->items[0].find("b")->text, "2");
+  for (const char* index : {"x", "1", "-1", "0x0", "18446744073709551616", "1e0"}) {
+    EXPECT_EQ(refused(std::string("list.") + index + "=1"),
+              std::string("--set list.") + index + ": 'list' is a list of 1, counted from 0");
+  }
+}
+
 TEST(Settings, WhatFollowsExpectIsOneKey) {
   const std::string text = "expect: {error.l2_max: {below: 1}}";
   EXPECT_EQ(changed(text, "expect={}").find("expect")->entries.size(), 0u);
@@ -47,7 +58,6 @@ TEST(Settings, RefuseWhatIsNoSetting) {
   EXPECT_EQ(refused(""), "--set: takes key.path=value, found ''");
   EXPECT_EQ(refused("a.b="), "--set a.b: no value after '='");
   EXPECT_EQ(refused("a.b.c=1"), "--set a.b.c: 'a.b' is not a map");
-  EXPECT_EQ(refused("list.x=1"), "--set list.x: 'list' is not a map");
   EXPECT_TRUE(refused("a={b: 1").starts_with("--set a: not valid YAML: "));
   EXPECT_EQ(refused("a={b: 1, b: 2}"), "--set a: b: duplicate key");
   EXPECT_EQ(refused("a=" + std::string(2000, '[')), "--set a: nested deeper than 64 levels");
