@@ -78,11 +78,12 @@ std::string memory_text(const Problem& problem, const Composition& c) {
     text += wrapped(std::string(info.doc), fmt::format("  {:20} {:4} bytes  ", info.name, use.bytes), indent);
   }
   const auto& grid = problem.setup.grid;
-  text += wrapped(fmt::format("{} x {} nodes of {} bytes, {} of them in tiles that particles reach at first; in all at "
-                              "most {} MiB",
-                              grid.count[0], grid.count[1], c.bytes_per_node, grouped_text(c.nodes_reached),
-                              rounded_text(problem.estimated_bytes() / (1024.0 * 1024), 3)),
-                  "grid: ", "  ");
+  text += wrapped(
+      fmt::format("{} x {} nodes of {} bytes, {} of them in tiles that particles reach at first; in all, with lattice "
+                  "and samples, at most {} MiB",
+                  grid.count[0], grid.count[1], c.bytes_per_node, grouped_text(c.nodes_reached),
+                  rounded_text(problem.estimated_bytes() / (1024.0 * 1024), 3)),
+      "grid: ", "  ");
   for (const auto& use : c.grid_fields) {
     text += wrapped(use.doc, fmt::format("  {:20} {:4} bytes  ", use.name, use.bytes), indent);
   }
@@ -116,12 +117,17 @@ std::string effects_text(const Composition& c) {
 }
 
 std::string steps_text(const Problem& problem) {
-  return fmt::format(
-      "{} particles stepped, {} held; {} steps of {} s\n  fastest wave on the path {} m/s, fastest particle "
-      "{} m/s\n",
-      grouped_text(static_cast<std::int64_t>(problem.setup.seeds.size())),
-      grouped_text(static_cast<std::int64_t>(problem.setup.seeds.held.size())), grouped_text(problem.steps),
-      rounded_text(problem.dt, 4), rounded_text(problem.wave_speed, 4), rounded_text(problem.particle_speed, 4));
+  const std::string reference =
+      problem.reference_wave_speed > 0
+          ? ", " + rounded_text(problem.reference_wave_speed, 4) + " m/s across the reference configuration"
+          : "";
+  return fmt::format("{} particles stepped, {} held; {} steps of {} s\n",
+                     grouped_text(static_cast<std::int64_t>(problem.setup.seeds.size())),
+                     grouped_text(static_cast<std::int64_t>(problem.setup.seeds.held.size())),
+                     grouped_text(problem.steps), rounded_text(problem.dt, 4)) +
+         wrapped(fmt::format("{} m/s{}, fastest particle {} m/s", rounded_text(problem.wave_speed, 4), reference,
+                             rounded_text(problem.particle_speed, 4)),
+                 "  fastest wave on the path ", "    ");
 }
 
 std::string frame_line(const Problem& problem) {

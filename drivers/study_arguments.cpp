@@ -47,17 +47,16 @@ StudyOptions study_options(const Arguments& given) {
 }
 
 Verb study_verb(CLI::App& app, Arguments& given) {
-  CLI::App& verb =
-      add_verb(app, "study", "accuracy against time, over methods and resolutions",
-               "assay study configs/studies/quick.yaml -o results/quick\n"
-               "  assay study big.yaml --shard 2/8 -o /shared/big; assay study big.yaml -o /shared/big --merge");
+  CLI::App& verb = add_verb(app, "study", "accuracy against time, over methods and resolutions",
+                            "assay study configs/studies/quick.yaml -o results/quick\n"
+                            "  assay study big.yaml --shard 2/8 -o /shared/big\n"
+                            "  assay study big.yaml --merge -o /shared/big");
   verb.add_option("STUDY", given.study, "the study, a YAML file")->required()->type_name("");
-  verb.add_option("--jobs", given.jobs, "threads of cases that run side by side (all cores); timed cases run alone")
-      ->type_name("N");
+  verb.add_option("--jobs", given.jobs, "threads of untimed cases, side by side (all cores)")->type_name("N");
   verb.add_flag("--resume", given.resume, "keep finished cases");
   verb.add_option("--shard", given.shard, "run part i of n, leave the report to --merge")->type_name("i/n");
   verb.add_flag("--merge", given.merge, "run nothing: the report of what is there");
-  verb.add_option("--from", given.from, "with --merge: take finished cases of this folder over; repeatable")
+  verb.add_option("--from", given.from, "with --merge: take over its cases; repeatable")
       ->type_name("DIR")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)

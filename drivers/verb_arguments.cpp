@@ -144,7 +144,7 @@ Verb check_verb(CLI::App& app, Arguments& given) {
   verb.add_flag("--quick", given.quick, "fewer steps and states");
   verb.add_option("--strain", given.strain, "largest of the histories (0.15)")->type_name("NUMBER");
   verb.add_option("--pressure", given.pressure, "at rest [Pa] (what the model needs)")->type_name("NUMBER");
-  add_out(verb, given, "DIR", "folder of the replay files of failures (results/check)");
+  add_out(verb, given, "DIR", "folder of failures' replay files (results/check)");
   return {&verb, [&given, checked, all, replay, methods, parameters, markdown] {
             const auto given_of = [](const CLI::Option* option) { return option->count() > 0 ? 1 : 0; };
             if (given_of(checked) + given_of(all) + given_of(replay) + given_of(methods) != 1)

@@ -69,7 +69,7 @@ std::string process_lines(const Result& result) {
                                 : "  shown again by ") +
             result.replay + "\n";
   }
-  if (!result.last_good.empty()) text += "  the particles while all was well: " + result.last_good + "\n";
+  if (!result.last_good.empty()) text += "  the particles before it went wrong: " + result.last_good + "\n";
   if (!result.printed.empty()) text += std::string("  what the model printed is in ") + material_log + "\n";
   return text;
 }

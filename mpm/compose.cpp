@@ -254,7 +254,7 @@ std::vector<GridFieldUse> grid_fields_of(const Setup<Dim>& setup) {
       {"force", "forces of stress, body and surface", force, {"force"}, {}},
       {"motion", "velocity and acceleration", GridField<2 * Dim>::stride * number, {"velocity", "acceleration"}, {}}};
   const auto add = [&](const char* name, const char* doc, std::size_t bytes, std::vector<Effect> effects) {
-    if (bytes > 0) fields.push_back({name, doc, bytes, {}, std::move(effects)});
+    if (bytes > 0) fields.push_back({name, doc, bytes, {name}, std::move(effects)});
   };
   add("tile_copies", "where a thread adds up inertia and force",
       tile_copies(setup.seeds.size(), setup.threads) * (inertia + force), {});

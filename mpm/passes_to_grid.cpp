@@ -61,7 +61,8 @@ Pass<Dim> weights_pass(const Method& method, bool domains_differ) {
       }
       s.finding = Finding{Finding::Kind::unstable,
                           basis.moves_corners ? "a corner of a domain left the grid, or a domain turned inside out"
-                                              : "a particle or a corner of its domain left the grid",
+                          : basis.nodes_across == 0 ? "a particle or a corner of its domain left the grid"
+                                                    : "a particle left the grid",
                           static_cast<std::int64_t>(*outside)};
     };
     return kernel;

@@ -52,10 +52,16 @@ Tree value_of(const std::string& text, const std::string& path) {
   }
 }
 
+/// "0", "12"
+bool is_index(const std::string& step) {
+  const auto index = parse_integer(step);
+  return index && *index >= 0 && std::to_string(*index) == step;
+}
+
 /// Value number `step`, from 0, of a list that is there.
 Tree& item_of(Tree& list, const std::string& step, const Setting& setting, const std::string& done) {
   const auto index = parse_integer(step);
-  if (index && *index >= 0 && static_cast<std::size_t>(*index) < list.items.size()) {
+  if (is_index(step) && static_cast<std::size_t>(*index) < list.items.size()) {
     return list.items[static_cast<std::size_t>(*index)];
   }
   throw InputError(setting.where, one_line(setting.path, 80),
@@ -81,6 +87,9 @@ void apply_setting(Tree& root, const Setting& setting) {
   Tree* at = &root;
   std::string done;
   for (const std::string& step : steps) {
+    if (at->kind == Tree::Kind::null && is_index(step)) {
+      throw InputError(where, one_line(path, 80), "the scene has no list '" + done + "' of which to set a value");
+    }
     if (at->kind == Tree::Kind::null) at->kind = Tree::Kind::map, at->where = where;
     if (at->kind == Tree::Kind::sequence) {
       at = &item_of(*at, step, setting, done);

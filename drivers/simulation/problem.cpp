@@ -84,6 +84,21 @@ std::string Problem::motion_text() const {
   return text;
 }
 
+namespace {
+
+std::string remedies_text(const mpm::Remedies& remedies) {
+  std::string text;
+  if (remedies.averages_volume()) {
+    text += std::string(", J averaged over ") + (remedies.anti_locking == mpm::AntiLocking::cell ? "cells" : "nodes");
+  }
+  if (remedies.largest_domain > 0) text += ", domains to " + rounded_text(remedies.largest_domain, 3) + " h";
+  if (remedies.small_mass > 0) text += ", small masses";
+  if (remedies.has_viscosity()) text += ", artificial viscosity";
+  return text;
+}
+
+}  // namespace
+
 std::string Problem::subject() const {
   const mpm::MethodNames names = mpm::names_of(setup.method);
   const mpm::Method& method = setup.method;
@@ -92,7 +107,7 @@ std::string Problem::subject() const {
   std::string way = names.basis + (method.is_total() ? ", total, " : ", ") + names.transfer + ", " + names.update;
   if (method.mass != mpm::Mass::lumped) way += ", " + names.mass;
   if (method.has_terms()) way += " " + std::to_string(method.terms);
-  way += integrators[static_cast<int>(method.integrator)];
+  way += integrators[static_cast<int>(method.integrator)] + remedies_text(setup.remedies);
   return material->name() + "; " + way + "; h = " + rounded_text(scene.grid->spacing, 4) + " m; " +
          std::to_string(scene.body.per_cell[0]) + "x" + std::to_string(scene.body.per_cell[1]) + " a cell" +
          lattices[static_cast<int>(scene.body.lattice)] + motion_text() +

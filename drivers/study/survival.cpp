@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "drivers/input_error.hpp"
-#include "drivers/output/numbers.hpp"
 #include "drivers/output/table_text.hpp"
 #include "drivers/output/wrapped_text.hpp"
 
@@ -19,15 +19,10 @@ namespace {
 /// The case without its method: what it shares with those of other methods.
 std::string place_of(const StudyCase& one) {
   std::string name;
-  bool left_out = false;
   for (const AxisValue& at : one.values) {
-    if (at.axis == "method") {
-      left_out = true;
-    } else {
-      name += at.axis + "=" + at.value + ";";
-    }
+    if (at.axis != "method") name += at.axis + "=" + at.value + ";";
   }
-  return left_out ? name : (one.resolution ? number_text(*one.resolution) : "");
+  return name;
 }
 
 bool uses_exact_solution(const StudyCase& one) {
@@ -37,12 +32,12 @@ bool uses_exact_solution(const StudyCase& one) {
 }
 
 void count(Survival& of, const StudyCase& one, std::size_t index) {
-  of.uses_exact_solution = of.uses_exact_solution || uses_exact_solution(one);
   if (one.outcome == "n/a") {
     ++of.not_applicable;
     return;
   }
   if (one.completed()) {
+    of.uses_exact_solution = uses_exact_solution(one) && (of.completed == 0 || of.uses_exact_solution);
     ++of.completed;
     return;
   }
@@ -91,6 +86,16 @@ std::string lost_text(const StudyFindings& findings, const Survival& best) {
   return text;
 }
 
+/// Of the first case that the method completed and whose scene is there.
+std::string command_of(const StoredStudy& study, const Survival& best) {
+  for (const StudyCase& one : study.findings.cases) {
+    if (one.budget || method_of(one) != best.method || !one.completed()) continue;
+    const std::string folder = study.case_folder(one);
+    if (!folder.empty() && std::filesystem::exists(folder + "/case.yaml")) return "assay run " + folder + "/case.yaml";
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string method_of(const StudyCase& one) {
@@ -101,6 +106,11 @@ std::string method_of(const StudyCase& one) {
 }
 
 std::vector<Survival> survivals(const StudyFindings& findings) {
+  const auto& axes = findings.axes;
+  if (std::find(axes.begin(), axes.end(), "method") == axes.end()) {
+    throw InputError({}, "axes.method",
+                     "the study has no such axis, whose values could be recommended; --error E asks for a case");
+  }
   std::vector<Survival> methods;
   for (std::size_t i = 0; i < findings.cases.size(); ++i) {
     const StudyCase& one = findings.cases[i];
@@ -127,7 +137,10 @@ std::string survival_text(const StoredStudy& study, const std::vector<Survival>&
   std::string text = wrapped("it completes " + std::to_string(best.completed) + " of the " +
                                  std::to_string(best.asked()) + " cases that apply to it",
                              "take " + best.method + ": ", "  ");
-  text += lost_text(study.findings, best) + "\n";
+  text += lost_text(study.findings, best);
+  if (const std::string command = command_of(study, best); !command.empty())
+    text += "  its settings: " + command + "\n";
+  text += "\n";
   text += padded("method", widest) + "  completed   died  refused    n/a  error/best\n";
   for (const Survival& of : found) {
     const auto right = [](const std::string& word, std::size_t width) {

@@ -16,19 +16,20 @@ std::string method_of(const StudyCase& one);
 struct Survival {
   std::string method;
   int completed = 0, refused = 0, not_applicable = 0;
-  int died = 0;  ///< unstable, failed, crashed, stopped or missing
-  bool uses_exact_solution = false;
-  std::vector<std::size_t> lost;  ///< died or refused; indices into StudyFindings::cases
-  Figure error_ratio;             ///< median of its error over the smallest of all methods in the same case
+  int died = 0;                      ///< unstable, failed, crashed, stopped or missing
+  bool uses_exact_solution = false;  ///< in all cases that it completed
+  std::vector<std::size_t> lost;     ///< died or refused; indices into StudyFindings::cases
+  Figure error_ratio;                ///< median of its error over the smallest of all methods in the same case
 
   int asked() const { return completed + died + refused; }  ///< cases that apply to it
 };
 
-/// The best first: by the share completed of what applies, fewer deaths, more cases that apply, the smaller ratio of
-/// errors. What uses the exact solution stands behind all others.
+/// The best first. Throws InputError where the study has no axis `method`. By the share completed of what applies,
+/// fewer deaths, more cases that apply, the smaller ratio of errors. What uses the exact solution stands behind all
+/// others.
 std::vector<Survival> survivals(const StudyFindings& findings);
 
-/// At most 80 columns.
+/// At most 80 columns, but for the command.
 std::string survival_text(const StoredStudy& study, const std::vector<Survival>& found);
 
 /// {recommended, methods}; a method is {method, completed, died, refused, not_applicable, uses_exact_solution,

@@ -32,8 +32,8 @@ Outcome call(std::vector<std::string> words) {
   return outcome;
 }
 
-const std::vector<std::string> verbs{"run",     "tabulate",  "eval",     "explain", "recommend",
-                                     "compare", "materials", "register", "schema"};
+const std::vector<std::string> verbs{"run",     "tabulate", "eval",      "explain",  "study",        "recommend",
+                                     "compare", "check",    "materials", "register", "new-material", "schema"};
 
 class CommandLine : public RegistryTest {
  protected:

@@ -34,10 +34,16 @@ TEST(Settings, ReplaceAValueOfAList) {
   EXPECT_EQ(changed_list.find("a")->find("b")->items[2].text, "7");
   EXPECT_EQ(changed_list.find("a")->find("b")->items[0].text, "1");
   EXPECT_EQ(changed("a: [{b: 1}]", "a.0.b=2").find("a")->items[0].find("b")->text, "2");
-  for (const char* index : {"x", "1", "-1", "0x0", "18446744073709551616", "1e0"}) {
+  for (const char* index : {"x", "1", "-1", "0x0", "00", "18446744073709551616", "1e0"}) {
     EXPECT_EQ(refused(std::string("list.") + index + "=1"),
               std::string("--set list.") + index + ": 'list' is a list of 1, counted from 0");
   }
+}
+
+TEST(Settings, AListThatIsNotThereHasNoValues) {
+  EXPECT_EQ(refused("grid.offset.1=0.5"),
+            "--set grid.offset.1: the scene has no list 'grid.offset' of which to set a value");
+  EXPECT_EQ(changed("a: {b: 1}", "a.1=2").find("a")->find("1")->text, "2") << "a map's key";
 }
 
 TEST(Settings, WhatFollowsExpectIsOneKey) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "drivers/input_error.hpp"
 #include "tests/drivers/study/two_methods.hpp"
 
 namespace assay::drivers {
@@ -30,6 +31,10 @@ TEST(Survival, CountsWhatBecameOfEachMethod) {
   EXPECT_FALSE(found[2].error_ratio);
   EXPECT_EQ(found[3].not_applicable, 1);
   EXPECT_EQ(found[3].asked(), 1);
+  EXPECT_TRUE(found[3].uses_exact_solution);
+  StudyFindings once = two_method_study();
+  once.cases[4].figures["uses_exact_solution"] = true;  // in one case of three
+  EXPECT_EQ(names_of(survivals(once))[0], "B2, AFLIP");
 }
 
 TEST(Survival, RanksByShareDeathsAndWhatWasAsked) {
@@ -45,11 +50,10 @@ TEST(Survival, RanksByShareDeathsAndWhatWasAsked) {
   EXPECT_EQ(survivals(study)[1].died + survivals(study)[2].died, 4);
 }
 
-TEST(Survival, WithoutAnAxisOfMethodsSeriesAreMethods) {
+TEST(Survival, WithoutAnAxisOfMethodsThereIsNothingToRecommend) {
   StudyFindings study = two_method_study();
-  for (StudyCase& one : study.cases) one.values[0].axis = "basis";
-  EXPECT_EQ(names_of(survivals(study))[0], "B2, AFLIP");
-  EXPECT_NEAR(*survivals(study)[1].error_ratio, 2e-2 / 9e-3, 1e-12);
+  study.axes = {"basis", "grid.spacing"};
+  EXPECT_THROW(survivals(study), InputError);
 }
 
 TEST(Survival, TextNamesOneAndWhatItLoses) {
@@ -72,7 +76,9 @@ TEST(Survival, TextNamesOneAndWhatItLoses) {
 TEST(Survival, NobodyIsTakenWhereNoneCompletes) {
   StudyFindings none = two_method_study();
   for (std::size_t i = 0; i < 7; ++i) none.cases[i].outcome = "unstable";
-  for (const StudyFindings& study : {StudyFindings(), none}) {
+  StudyFindings empty = two_method_study();
+  empty.cases.clear();
+  for (const StudyFindings& study : {empty, none}) {
     const StoredStudy stored{"x", "x/study.json", study};
     EXPECT_TRUE(survival_text(stored, survivals(study)).starts_with("no method can be recommended"));
     EXPECT_TRUE(nlohmann::json::parse(survival_json(stored, survivals(study)))["recommended"].is_null());
