@@ -203,6 +203,7 @@ StudyFindings analysed(const Plan& plan, std::vector<StudyCase> cases) {
   if (untimed) study.cost = work_key;
   StudyFindings findings;
   findings.title = study.title, findings.question = study.question, findings.study_yaml = study.text;
+  findings.asks_survival = study.asks_survival;
   findings.error_key = study.error, findings.cost_key = study.cost, findings.refine_key = study.refine;
   std::tie(findings.error_name, findings.error_unit) = name_and_unit(study.error);
   std::tie(findings.cost_name, findings.cost_unit) = name_and_unit(study.cost);

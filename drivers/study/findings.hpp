@@ -93,6 +93,7 @@ struct StudyExpectationOutcome {
 
 struct StudyFindings {
   std::string title, question;
+  bool asks_survival = false;                   ///< which method lives through most, not what accuracy costs
   std::string error_key, cost_key, refine_key;  ///< "error.relative", "step_cpu_s", "grid.spacing" (or empty)
   std::string error_name, error_unit;           ///< "largest L2 error of u over the motion", "" or "m"
   std::string cost_name, cost_unit;             ///< "processor time of the steps", "s"

@@ -93,6 +93,7 @@ struct Study {
   std::string refine;  ///< key of resolution; empty: none
   Location refine_where;
   std::string error = "error.relative", cost = "step_cpu_s";
+  bool asks_survival = false;  ///< the answer is which method lives through most, not what accuracy costs
   bool skips_invalid = false;  ///< cases that cannot be are n/a, not an error
   double case_seconds = 0;     ///< a case that takes longer is stopped [s]; 0: never
   StudyTiming timing;

@@ -10,6 +10,7 @@
 #include "drivers/output/output_folder.hpp"
 #include "drivers/output/report.hpp"
 #include "drivers/scene/yaml_reader.hpp"
+#include "drivers/study/stability_map.hpp"
 #include "drivers/study/study_json.hpp"
 #include "drivers/study/study_junit.hpp"
 #include "drivers/study/study_markdown.hpp"
@@ -60,8 +61,8 @@ std::unique_ptr<OutputFolder> folder_of_study(const fs::path& target) {
 }  // namespace
 
 std::vector<std::string> study_file_names() {
-  std::vector<std::string> names{"study.yaml",  "study.json",         "study.md",          "study.junit.xml",
-                                 "report.html", "work_precision.png", "work_precision.svg"};
+  std::vector<std::string> names{"study.yaml",  "study.json",         "study.md",           "study.junit.xml",
+                                 "report.html", "work_precision.png", "work_precision.svg", "stability.svg"};
   for (const auto& [name, text] : study_tables({})) names.push_back(name);
   return names;
 }
@@ -73,6 +74,7 @@ void write_study(const StudyFindings& findings, const CaseStore& store, const fs
   const Drawing plot = work_precision_plot(findings);
   folder.write("work_precision.png", raster(plot, 2).png());
   folder.write("work_precision.svg", svg_text(plot));
+  folder.write("stability.svg", svg_text(stability_picture(stability_map(findings))));
   folder.write("study.yaml", findings.study_yaml);
   folder.write("study.md", study_markdown(findings));
   folder.write("study.junit.xml", study_junit(findings));

@@ -155,6 +155,7 @@ std::string study_json(const StudyFindings& findings) {
   out["version"] = study_version;
   out["title"] = findings.title;
   out["question"] = findings.question;
+  out["answer"] = findings.asks_survival ? "survival" : "cost";
   out["error"] = quantity_json(findings.error_key, findings.error_name, findings.error_unit);
   out["cost"] = quantity_json(findings.cost_key, findings.cost_name, findings.cost_unit);
   out["refine"] = findings.refine_key;

@@ -232,6 +232,7 @@ StudyFindings findings_of_json(const std::string& text, const std::string& file)
   StudyFindings found;
   found.title = root["title"].text();
   found.question = root["question"].text();
+  if (json.contains("answer")) found.asks_survival = root["answer"].text() == "survival";
   const Node error = root["error"], cost = root["cost"];
   found.error_key = error["key"].text(), found.error_name = error["name"].text(),
   found.error_unit = error["unit"].text();

@@ -7,6 +7,7 @@
 #include "drivers/output/number_format.hpp"
 #include "drivers/study/stability_map.hpp"
 #include "drivers/study/study_words.hpp"
+#include "drivers/study/survival.hpp"
 
 namespace assay::drivers {
 
@@ -110,6 +111,18 @@ std::string stability(const StudyFindings& findings) {
   return section("What holds and what dies", head, rows);
 }
 
+std::string survival(const StudyFindings& findings) {
+  std::vector<Cells> rows;
+  for (const Survival& of : survivals(findings)) {
+    rows.push_back({plain(of.method), std::to_string(of.completed) + " of " + std::to_string(of.asked()),
+                    std::to_string(of.died), std::to_string(of.refused), std::to_string(of.not_applicable),
+                    html::figure(of.error_ratio, 3)});
+  }
+  return section("Which method lives through most",
+                 {"method", "completed", "died", "refused", "n/a", "error over the best"}, rows) +
+         "\nError over the best: " + ratio_note + ".\n";
+}
+
 std::string budget(const StudyFindings& findings) {
   std::vector<Cells> rows;
   for (const BudgetLine& line : findings.budget) {
@@ -158,8 +171,9 @@ std::string study_markdown(const StudyFindings& findings) {
   std::string out = "# " + plain(findings.title.empty() ? "assay study" : findings.title) + "\n";
   if (!findings.question.empty()) out += "\n" + plain(findings.question) + "\n";
   out += "\nError: " + plain(findings.error_name) + ". Cost: " + plain(findings.cost_name) + ".\n";
-  return out + answer(findings) + front(findings) + orders(findings) + stability(findings) + budget(findings) +
-         expectations(findings) + unfinished(findings) + ending(findings);
+  out += findings.asks_survival ? survival(findings) : answer(findings) + front(findings) + orders(findings);
+  return out + stability(findings) + budget(findings) + expectations(findings) + unfinished(findings) +
+         ending(findings);
 }
 
 }  // namespace assay::drivers

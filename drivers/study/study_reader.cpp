@@ -172,12 +172,21 @@ void read_cases(const Tree& root, Study& study) {
   check_axes(study);
 }
 
+void read_answer(const Tree& tree, Study& study) {
+  study.asks_survival = choice_value(tree, "answer", {"cost", "survival"}) == "survival";
+  const bool has_methods =
+      std::any_of(study.axes.begin(), study.axes.end(), [](const StudyAxis& axis) { return axis.name == "method"; });
+  if (study.asks_survival && !has_methods)
+    throw InputError(tree.where, "answer", "survival is asked of the values of an axis 'method', which is not there");
+}
+
 }  // namespace
 
 const std::vector<std::string>& study_keys() {
-  static const std::vector<std::string> keys{"title",   "question", "scene",          "set",    "axes",      "sampling",
-                                             "cases",   "exclude",  "not_applicable", "refine", "error",     "cost",
-                                             "invalid", "limit",    "timing",         "budget", "published", "expect"};
+  static const std::vector<std::string> keys{"title",  "question", "answer",    "scene",   "set",
+                                             "axes",   "sampling", "cases",     "exclude", "not_applicable",
+                                             "refine", "error",    "cost",      "invalid", "limit",
+                                             "timing", "budget",   "published", "expect"};
   return keys;
 }
 
@@ -211,6 +220,7 @@ Study study_from_text(const std::string& text, const std::string& file) {
   study.scene = scene_file(*scene), study.scene_where = scene->where;
   read_questions(root, study);
   read_cases(root, study);
+  if (const Tree* value = root.find("answer")) read_answer(*value, study);
   if (const Tree* value = root.find("exclude")) {
     if (value->kind != Tree::Kind::sequence) throw InputError(value->where, "exclude", "must be a list of maps");
     for (const Tree& item : value->items) study.excluded.push_back(selection_of(item, "exclude", study));

@@ -12,10 +12,16 @@ std::string study_report_html(const StudyFindings& findings, const std::vector<R
   using namespace study_page;
   std::string body;
   if (!findings.question.empty()) body += html::element("p class=\"question\"", escaped(findings.question)) + "\n";
-  body += answer(findings) + verdict(findings) + work_precision(findings) + pareto(findings) + digits(findings) +
-          histories(findings) + orders(findings) + pictures_section(pictures) + stability(findings);
-  body += budget(findings) + profile(findings) + expectations(findings) + unfinished(findings) + warnings(findings) +
-          work_instead(findings) + clock(findings) + provenance(findings);
+  if (findings.asks_survival) {
+    body += survival_answer(findings) + verdict(findings) + survival(findings) + stability(findings) +
+            expectations(findings) + unfinished(findings) + warnings(findings) + histories(findings);
+  } else {
+    body += answer(findings) + verdict(findings) + work_precision(findings) + pareto(findings) + digits(findings) +
+            histories(findings) + orders(findings) + pictures_section(pictures) + stability(findings);
+    body += budget(findings) + profile(findings) + expectations(findings) + unfinished(findings) + warnings(findings) +
+            work_instead(findings);
+  }
+  body += clock(findings) + provenance(findings);
   if (!findings.study_yaml.empty()) {
     body += html::section("The study", html::element("pre", escaped(findings.study_yaml)) + "\n");
   }

@@ -121,6 +121,8 @@ std::string study_schema_json() {
   };
   add("title", text(), "what the report begins with");
   add("question", text(), "what is to be known, in one sentence");
+  add("answer", {{"enum", {"cost", "survival"}}},
+      "what the report begins with: what accuracy costs, or which method completes most; default: cost");
   add("scene", text(), "the base scene, from the study's folder");
   add("set", settings(), "settings of every case");
   add("axes", axes(), "values of a key, named levels of several settings, or a span of a Latin hypercube");

@@ -9,6 +9,7 @@
 #include "drivers/output/table_text.hpp"
 #include "drivers/output/wrapped_text.hpp"
 #include "drivers/study/study_words.hpp"
+#include "drivers/study/survival.hpp"
 
 namespace assay::drivers {
 
@@ -148,8 +149,12 @@ std::string study_text(const StudyFindings& findings, const std::string& folder)
       wrapped((findings.title.empty() ? "study" : findings.title) + ": " + counts_text(findings), "", "  ");
   if (!findings.question.empty()) text += wrapped(findings.question, "  ", "  ");
   text += wrapped("error: " + findings.error_name + "; cost: " + findings.cost_name, "  ", "    ");
-  text += digits_text(findings);
-  if (!findings.front.empty()) text += front_text(findings);
+  if (findings.asks_survival) {
+    text += survival_table(survivals(findings));
+  } else {
+    text += digits_text(findings);
+    if (!findings.front.empty()) text += front_text(findings);
+  }
   const auto has_fit = [](const StudySeries& series) { return series.fit.has_value(); };
   if (std::any_of(findings.series.begin(), findings.series.end(), has_fit)) text += orders_text(findings);
   if (!findings.budget.empty()) text += budget_text(findings);

@@ -29,6 +29,14 @@ struct Survival {
 /// others.
 std::vector<Survival> survivals(const StudyFindings& findings);
 
+/// What their ratio of errors is, for readers.
+inline constexpr const char* ratio_note =
+    "the median, over the cases that a method completes, of its error over the smallest that any method has there. n/a "
+    "is no pass: such a case asks nothing of the method";
+
+/// A line each, at most 80 columns.
+std::string survival_table(const std::vector<Survival>& found);
+
 /// At most 80 columns, but for the command.
 std::string survival_text(const StoredStudy& study, const std::vector<Survival>& found);
 

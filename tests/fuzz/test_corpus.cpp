@@ -39,11 +39,14 @@ void feed(const std::string& text) {
   EXPECT_EQ(LLVMFuzzerTestOneInput(bytes.data(), bytes.size()), 0);
 }
 
+/// Of each text; the fuzzer itself goes on from there.
+constexpr std::size_t places = ASSAY_SANITIZED ? 30 : 200;
+
 TEST(FuzzCorpus, SeedsAndTheirPrefixes) {
   const auto texts = seeds();
   ASSERT_GE(texts.size(), 5u);
   for (const std::string& text : texts) {
-    for (std::size_t n = 0; n < text.size(); n += 1 + text.size() / 600) feed(text.substr(0, n));
+    for (std::size_t n = 0; n < text.size(); n += 1 + text.size() / places) feed(text.substr(0, n));
     feed(text);
   }
 }
@@ -72,7 +75,7 @@ TEST(FuzzCorpus, DamagedBytes) {
   const std::string damages("\0[{}]:\"'\n&*!-#9\xff", 16);
   std::size_t turn = 0;
   for (std::string text : seeds()) {
-    for (std::size_t at = 0; at < text.size(); at += 1 + text.size() / 600, ++turn) {
+    for (std::size_t at = 0; at < text.size(); at += 1 + text.size() / places, ++turn) {
       const char kept = text[at];
       text[at] = damages[turn % damages.size()];
       feed(text);

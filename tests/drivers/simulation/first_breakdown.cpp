@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/drivers/simulation/first_breakdown.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -17,7 +18,9 @@ namespace {
 std::string breakdown_of(const mpm::State<2>& s) {
   using mpm::Column;
   const auto& grid = s.setup.grid;
-  const double half = 0.5 * grid.spacing;  // within it uGIMP has no nodes around a particle
+  const bool boxed = s.method.basis == mpm::Basis::ugimp;  // within half a cell of the edge it has no nodes
+  const double longest =
+      s.setup.remedies.largest_domain > 0 ? s.setup.remedies.largest_domain * grid.spacing : INFINITY;
   for (std::size_t p = 0; p < s.particles; ++p) {
     const auto F = [&](int c) { return s.column(Column::deformation_gradient, c)[p]; };
     const double det = F(0) * F(3) - F(1) * F(2);
@@ -26,7 +29,16 @@ std::string breakdown_of(const mpm::State<2>& s) {
     for (int d = 0; d < 2; ++d) {
       const auto k = static_cast<std::size_t>(d);
       const double x = s.column(s.method.is_total() ? Column::reference_position : Column::position, d)[p];
-      if (x < grid.coordinate(d, 0) + half || x > grid.coordinate(d, grid.count[k] - 1) - half) return "grid";
+      double reach = 0.5 * grid.spacing;  // of the domain, along the axis
+      if (!boxed) {
+        reach = 0;
+        for (std::size_t c = 0; c < 2; ++c) {
+          const double edge = s.method.is_total() ? (c == k ? 1.0 : 0.0) : std::abs(F(2 * d + static_cast<int>(c)));
+          reach += edge * s.setup.seeds.half_size[c];
+        }
+      }
+      reach = std::min(reach, longest);
+      if (x < grid.coordinate(d, 0) + reach || x > grid.coordinate(d, grid.count[k] - 1) - reach) return "grid";
     }
   }
   return "";

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "tests/drivers/study/sample_study.hpp"
+#include "tests/drivers/study/two_methods.hpp"
 
 namespace assay::drivers {
 namespace {
@@ -44,6 +45,17 @@ TEST(StudyMarkdown, answers) {
         "**does not hold**", "not reached: orders", "- CPDI, FLIP, grid.spacing=0.025: other"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   }
+}
+
+TEST(StudyMarkdown, of_survival_names_methods_in_place_of_costs) {
+  StudyFindings findings = two_method_study();
+  findings.asks_survival = true;
+  const std::string text = study_markdown(findings);
+  EXPECT_NE(text.find("## Which method lives through most\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("| B2, AFLIP | 3 of 3 | 0 | 0 | 0 | 1 |\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("## What holds and what dies\n"), std::string::npos);
+  EXPECT_EQ(text.find("next digit"), std::string::npos);
+  EXPECT_EQ(text.find("front"), std::string::npos);
 }
 
 TEST(StudyMarkdown, of_nothing) { EXPECT_NE(study_markdown({}).find("# assay study"), std::string::npos); }

@@ -127,9 +127,10 @@ TEST(StudyReader, TheShippedStudiesAreRead) {
 TEST(StudyReader, WhatIsNoMapIsRefused) {
   EXPECT_EQ(refusal_of([] { study_from_text("", "f"); }), "f: empty");
   EXPECT_EQ(refusal_of([] { study_from_text("# nothing\n", "f"); }), "f: empty");
-  EXPECT_TRUE(refusal_of([] {
-                study_from_text("[1]\n", "f");
-              }).starts_with("f:1:1: must be a map of keys, found a list; known: title, question, scene, set, axes"));
+  EXPECT_TRUE(
+      refusal_of([] {
+        study_from_text("[1]\n", "f");
+      }).starts_with("f:1:1: must be a map of keys, found a list; known: title, question, answer, scene, set, axes"));
   EXPECT_TRUE(refusal_of([] { study_from_text("a: [\n", "f"); }).starts_with("f:2:1: ")) << "of the YAML reader";
   EXPECT_TRUE(refusal_of([] { study_from_text("title: a\ntitle: b\n", "f"); }).starts_with("f:2:1: title: "))
       << "duplicate keys";
@@ -141,7 +142,7 @@ TEST(StudyReader, UnknownKeysNameTheNearest) {
       StudyFolder()
           .refusal("axis: {}\n")
           .starts_with(
-              "study.yaml:2:1: axis: unknown key (nearest: axes); known: title, question, scene, set, "
+              "study.yaml:2:1: axis: unknown key (nearest: axes); known: title, question, answer, scene, set, "
               "axes, sampling, cases, "
               "exclude, not_applicable, refine, error, cost, invalid, limit, timing, budget, published, expect"));
   EXPECT_EQ(refused_after_axes("timing: {repeats: 2}\n"),
@@ -153,6 +154,15 @@ TEST(StudyReader, UnknownKeysNameTheNearest) {
             "study.yaml:3:24: published[0].sources: unknown key (nearest: source); known: where, order, source");
   EXPECT_TRUE(refused_after_axes("expect: [{t: 1}, {ordr: 1}]\n")
                   .starts_with("study.yaml:3:19: expect[1].ordr: unknown key (nearest: order); known: order, "));
+}
+
+TEST(StudyReader, SurvivalIsAskedOfMethods) {
+  const std::string methods = "axes: {method: {a: {method.basis: cpdi}, b: {method.basis: ugimp}}}\n";
+  EXPECT_TRUE(StudyFolder().read(methods + "answer: survival\n").asks_survival);
+  EXPECT_FALSE(StudyFolder().read(methods + "answer: cost\n").asks_survival);
+  EXPECT_EQ(refused_after_axes("answer: survival\n"),
+            "study.yaml:3:9: answer: survival is asked of the values of an axis 'method', which is not there");
+  EXPECT_TRUE(refused_after_axes("answer: yes\n").starts_with("study.yaml:3:9: answer: unknown value 'yes'"));
 }
 
 TEST(StudyReader, TheSceneMustBeThere) {

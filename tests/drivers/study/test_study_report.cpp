@@ -5,6 +5,7 @@
 
 #include "drivers/study/study_tables.hpp"
 #include "tests/drivers/study/sample_study.hpp"
+#include "tests/drivers/study/two_methods.hpp"
 
 namespace assay::drivers {
 namespace {
@@ -45,6 +46,21 @@ TEST(StudyReport, question_and_answer_come_first) {
     EXPECT_GT(at, last) << text;
     last = at;
   }
+}
+
+TEST(StudyReport, of_survival_begins_with_the_methods_that_live) {
+  StudyFindings findings = two_method_study();
+  findings.asks_survival = true;
+  const std::string page = study_report_html(findings, {});
+  std::size_t last = 0;
+  for (const char* text : {"Which is cheaper?", "<b>3 of 3</b>", "B2, AFLIP", "<h2>Which method lives through most",
+                           "<h2>What holds and what dies", "<h2>Expectations", "<h2>Where it comes from"}) {
+    const std::size_t at = place_in(page, text);
+    EXPECT_GT(at, last) << text;
+    last = at;
+  }
+  EXPECT_EQ(page.find("What accuracy costs"), std::string::npos);
+  EXPECT_EQ(page.find("next digit"), std::string::npos);
 }
 
 TEST(StudyReport, stands_alone) {
