@@ -33,6 +33,24 @@ std::string fitting(const std::string& name, double size, double width) {
   return cut_text(name, 4);
 }
 
+/// The words of a name on lines that fit, the last of so many cut.
+std::vector<std::string> lines_of(const std::string& name, std::size_t most, double size, double width) {
+  std::vector<std::string> lines(1);
+  for (std::size_t begin = 0; begin < name.size();) {
+    const std::size_t blank = std::min(name.find(' ', begin), name.size());
+    const std::string word = name.substr(begin, blank - begin);
+    begin = blank + 1;
+    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+    if (lines.back().empty() || lines.size() == most || roomy_size(longer, size).x <= width) {
+      lines.back() = longer;
+    } else {
+      lines.push_back(word);
+    }
+  }
+  for (std::string& line : lines) line = fitting(line, size, width);
+  return lines;
+}
+
 void draw_cell(Drawing& out, const StabilityCell& cell, double left, double top) {
   if (!cell.of) return;
   const double right = left + cell_width - 3, bottom = top + cell_height - 3, middle = (left + right) / 2;
@@ -61,7 +79,15 @@ std::string stability_table(const StabilityMap& map) {
 }
 
 Drawing stability_picture(const StabilityMap& map) {
-  constexpr double head = 56;
+  constexpr std::size_t head_lines = 3;
+  constexpr double line = 17;
+  std::vector<std::vector<std::string>> heads;
+  std::size_t deepest = 1;
+  for (const std::string& column : map.columns) {
+    heads.push_back(lines_of(column, head_lines, cell_text_size, cell_width - 4));
+    deepest = std::max(deepest, heads.back().size());
+  }
+  const double head = 39 + line * static_cast<double>(deepest);
   double names = 60;
   for (const StabilityRow& row : map.rows) names = std::max(names, roomy_size(row.name, cell_text_size).x);
   names = std::min(names, most_of_name) + 16;
@@ -72,8 +98,10 @@ Drawing stability_picture(const StabilityMap& map) {
   out.label({names, 18}, map.column_name, cell_text_size, Anchor::left);
   for (std::size_t k = 0; k < map.columns.size(); ++k) {
     const double middle = names + cell_width * (static_cast<double>(k) + 0.5) - 1.5;
-    out.label({middle, head - 12}, fitting(map.columns[k], cell_text_size, cell_width - 4), cell_text_size,
-              Anchor::middle);
+    for (std::size_t l = 0; l < heads[k].size(); ++l) {
+      const double above = line * static_cast<double>(heads[k].size() - 1 - l);
+      out.label({middle, head - 12 - above}, heads[k][l], cell_text_size, Anchor::middle);
+    }
   }
   for (std::size_t i = 0; i < map.rows.size(); ++i) {
     const double top = head + cell_height * static_cast<double>(i);

@@ -13,8 +13,9 @@ std::string study_report_html(const StudyFindings& findings, const std::vector<R
   std::string body;
   if (!findings.question.empty()) body += html::element("p class=\"question\"", escaped(findings.question)) + "\n";
   if (findings.asks_survival) {
-    body += survival_answer(findings) + verdict(findings) + survival(findings) + stability(findings) +
-            expectations(findings) + unfinished(findings) + warnings(findings) + histories(findings);
+    body += survival_answer(findings) + verdict(findings) + survival(findings) + survival_map(findings) +
+            stability(findings) + expectations(findings) + unfinished(findings) + warnings(findings) +
+            histories(findings);
   } else {
     body += answer(findings) + verdict(findings) + work_precision(findings) + pareto(findings) + digits(findings) +
             histories(findings) + orders(findings) + pictures_section(pictures) + stability(findings);

@@ -20,6 +20,7 @@ std::string words_cell(const std::string& text);
 // Each is HTML, and empty where the study has nothing of it.
 std::string answer(const StudyFindings& findings);           ///< what each digit costs, large
 std::string survival_answer(const StudyFindings& findings);  ///< which methods live through most, large
+std::string survival_map(const StudyFindings& findings);
 std::string survival(const StudyFindings& findings);
 std::string verdict(const StudyFindings& findings);
 std::string work_precision(const StudyFindings& findings);

@@ -4,6 +4,7 @@
 
 #include "drivers/output/html.hpp"
 #include "drivers/picture/drawing.hpp"
+#include "drivers/study/stability_map.hpp"
 #include "drivers/study/study_report_sections.hpp"
 #include "drivers/study/study_words.hpp"
 #include "drivers/study/survival.hpp"
@@ -43,6 +44,12 @@ std::string survival_answer(const StudyFindings& findings) {
     out += element("small", escaped(lost_text(of))) + "</div>\n";
   }
   return out.empty() ? out : "<div class=\"answer\">\n" + out + "</div>\n";
+}
+
+std::string survival_map(const StudyFindings& findings) {
+  if (findings.cases.empty()) return {};
+  return html::section("The map", "<figure class=\"map\">" + svg_text(stability_picture(stability_map(findings))) +
+                                      "</figure>\n" + data_link("stability.svg"));
 }
 
 std::string survival(const StudyFindings& findings) {

@@ -53,8 +53,9 @@ TEST(StudyReport, of_survival_begins_with_the_methods_that_live) {
   findings.asks_survival = true;
   const std::string page = study_report_html(findings, {});
   std::size_t last = 0;
-  for (const char* text : {"Which is cheaper?", "<b>3 of 3</b>", "B2, AFLIP", "<h2>Which method lives through most",
-                           "<h2>What holds and what dies", "<h2>Expectations", "<h2>Where it comes from"}) {
+  for (const char* text :
+       {"Which is cheaper?", "<b>3 of 3</b>", "B2, AFLIP", "<h2>Which method lives through most", "<h2>The map", "<svg",
+        "<h2>What holds and what dies", "<h2>Expectations", "<h2>Where it comes from"}) {
     const std::size_t at = place_in(page, text);
     EXPECT_GT(at, last) << text;
     last = at;
