@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/images.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace assay::mpm {
@@ -47,13 +48,16 @@ Images<Dim>::Images(const GridGeometry<Dim>& grid, const std::array<AxisEnds, Di
     }
   }
   share_.assign(grid.nodes(), 1);
+  const bool any_periodic = std::any_of(ends.begin(), ends.end(), [](const AxisEnds& axis) { return axis.periodic; });
+  if (any_periodic) cell_of_.resize(grid.nodes());
   for (std::size_t node = 0; node < grid.nodes(); ++node) {
-    std::size_t rest = node, stride = 1, of = 0;
+    std::size_t rest = node, stride = 1, of = 0, cell = 0;
     Image image;
     for (std::size_t d = 0; d < Dim; ++d) {
       const auto count = static_cast<std::size_t>(grid.count[d]);
       const AxisImage& axis = along[d][rest % count];
       of += stride * static_cast<std::size_t>(axis.of);
+      cell += stride * (ends[d].periodic ? static_cast<std::size_t>(axis.of) : rest % count);
       image.sign[d] = axis.sign;
       if (axis.on_plane) {
         share_[node] *= 0.5;
@@ -63,6 +67,7 @@ Images<Dim>::Images(const GridGeometry<Dim>& grid, const std::array<AxisEnds, Di
     }
     image.node = static_cast<std::uint32_t>(node), image.of = static_cast<std::uint32_t>(of);
     if (of != node) images_.push_back(image);
+    if (any_periodic) cell_of_[node] = static_cast<std::uint32_t>(cell);
   }
 }
 

@@ -37,6 +37,9 @@ class Images {
   /// Share of its cells that a node has in the body, were it in the middle of one: 1/2 on a symmetry plane.
   double share(std::size_t node) const { return share_.empty() ? 1 : share_[node]; }
 
+  /// The cell, by its lowest node, that a cell beyond a periodic end is the same as; no body reaches beyond planes.
+  std::size_t cell(std::size_t lowest) const { return cell_of_.empty() ? lowest : cell_of_[lowest]; }
+
   /// Adds what images have to their nodes and leaves zero there; nothing is left across symmetry planes. Components
   /// before `first` are scalars, Dim from there on those of a vector; so are the next Dim, if there are any.
   template <int K>
@@ -52,8 +55,9 @@ class Images {
     std::uint8_t direction = 0;
   };
   std::vector<Image> images_;
-  std::vector<Fixed> fixed_;   ///< components of vectors that are zero: across symmetry planes
-  std::vector<double> share_;  ///< of each node
+  std::vector<Fixed> fixed_;            ///< components of vectors that are zero: across symmetry planes
+  std::vector<double> share_;           ///< of each node
+  std::vector<std::uint32_t> cell_of_;  ///< of each node; empty without periodic ends
 };
 
 template <int Dim>

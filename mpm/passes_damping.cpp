@@ -11,10 +11,10 @@ namespace assay::mpm {
 namespace {
 
 template <int Dim>
-void share_forces(State<Dim>& s, double least, double kick) {
+void share_forces(State<Dim>& s, double whole, double kick) {
   std::array<double, Dim> left{};
   s.live.each([&](std::size_t i) {
-    const double m = s.inertia.node(i)[0];
+    const double m = s.inertia.node(i)[0], least = whole * s.images.share(i);
     if (!(m > 0 && m < least)) return;
     double* force = s.force.node(i);
     for (std::size_t d = 0; d < Dim; ++d) {

@@ -47,29 +47,37 @@ class VolumeAverage {
     const double *base = s.column(Column::step_volumes, 0), *after = s.column(Column::step_volumes, 1);
     double *now = s.column(Column::volume_scale, 0), *before = total ? s.column(Column::volume_scale, 1) : nullptr;
     for (std::size_t p = 0; p < s.particles; ++p) {
-      visit(load(x, p), [&](std::size_t at, double share) {
+      visit(load(x, p), s.images, [&](std::size_t at, double share) {
         double* sums = sums_.node(at);
         if (sums[0] == 0) touched_.push_back(at);
         sums[0] += share * base[p];
         sums[1] += share * after[p];
       });
     }
+    if (over_ == AntiLocking::node && !s.images.empty()) {
+      s.images.fold(sums_, 2);  // scalars
+      s.images.unfold(sums_, 2);
+    }
     for (std::size_t p = 0; p < s.particles; ++p) {
       double average = 0;
-      visit(load(x, p),
+      visit(load(x, p), s.images,
             [&](std::size_t at, double share) { average += share * sums_.node(at)[1] / sums_.node(at)[0]; });
       if (before) before[p] = now[p] > 0 ? now[p] : 1;  // zero before the first step
       const double own = after[p] / base[p];
       now[p] = own > 0 && average > 0 ? std::pow(average / own, 1.0 / Dim) : 1;  // the stress pass reports it
     }
-    for (const std::size_t at : touched_) std::fill_n(sums_.node(at), 2, 0.0);
+    if (s.images.empty()) {
+      for (const std::size_t at : touched_) std::fill_n(sums_.node(at), 2, 0.0);
+    } else {
+      sums_.zero();
+    }
     touched_.clear();
   }
 
  private:
   /// body(cell or node, share of it)
   template <class Body>
-  void visit(const std::array<double, Dim>& x, const Body& body) const {
+  void visit(const std::array<double, Dim>& x, const Images<Dim>& images, const Body& body) const {
     std::array<double, Dim> part{};
     std::size_t lowest = 0, stride = 1;
     std::array<std::size_t, Dim> strides{};
@@ -81,7 +89,7 @@ class VolumeAverage {
       strides[d] = stride;
       stride *= static_cast<std::size_t>(grid_.count[d]);
     }
-    if (over_ == AntiLocking::cell) return body(lowest, 1.0);
+    if (over_ == AntiLocking::cell) return body(images.cell(lowest), 1.0);
     for (std::size_t n = 0; n < std::size_t{1} << Dim; ++n) {
       double share = 1;
       std::size_t node = lowest;

@@ -16,6 +16,9 @@ template <int Dim>
 void find_live_nodes(State<Dim>& s) {
   s.live.forget();
   for (const NodeBox<Dim>& box : s.reach) s.live.mark(box);
+  if constexpr (Dim == 2) {  // what tractions gave to nodes of their own in the step before is yet to be cleared
+    for (std::size_t k = 0; s.loads && k < s.loads->points.size(); ++k) s.live.mark(s.loads->reach(k));
+  }
   for (const auto& image : s.images.list()) {
     if (s.live.holds(image.node)) s.live.mark(image.of);
   }

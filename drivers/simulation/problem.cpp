@@ -21,6 +21,7 @@
 #include "mpm/lattice.hpp"
 #include "mpm/particle_order.hpp"
 #include "mpm/patch/methods.hpp"
+#include "mpm/with_basis.hpp"
 
 namespace assay::drivers {
 
@@ -55,7 +56,13 @@ mpm::GridGeometry<2> grid_of(const Scene& scene) {
                            rounded_text((*grid.upper)[0], 6) + ", " + rounded_text((*grid.upper)[1], 6) + "]");
     }
   }
-  return grid_around({*grid.lower, *grid.upper}, grid, 1);  // one cell for the domains at the edge
+  const int across = mpm::traits_of<2>(scene.method->basis).nodes_across;
+  int margin = 1;  // one cell for the domains at the edge, and as many nodes as a particle reaches over
+  mpm::GridGeometry<2> found = grid_around({*grid.lower, *grid.upper}, grid, margin);
+  while (std::min(found.count[0], found.count[1]) < across) {
+    found = grid_around({*grid.lower, *grid.upper}, grid, ++margin);
+  }
+  return found;
 }
 
 }  // namespace

@@ -160,13 +160,13 @@ class Run {
     const auto p = static_cast<std::size_t>(finding.particle);
     const auto X = [&](int d) { return rounded_text(s.column(mpm::Column::reference_position, d)[p], 6); };
     result_.reason = finding.reason + ": particle " + std::to_string(finding.particle) + " of reference position (" +
-                     X(0) + ", " + X(1) + ") m at t = " + rounded_text(*result_.t, 6) + " s";
+                     X(0) + ", " + X(1) + ") m at t = " + rounded_text(result_.t.value_or(0), 6) + " s";
     if (finding.step) result_.failed_step = std::make_shared<const FailedStep>(*finding.step);
   }
 
   void finish(std::int64_t steps) {
     const mpm::State<2>& s = simulation_.state();
-    result_.dt = control_ && steps > 0 ? *result_.t / static_cast<double>(steps) : problem_.dt;
+    result_.dt = control_ && steps > 0 ? result_.t.value_or(0) / static_cast<double>(steps) : problem_.dt;
     if (control_) result_.material_calls += control_->material_calls();
     result_.steps = steps;
     result_.particles = problem_.particles();

@@ -19,7 +19,8 @@ constexpr std::size_t alignment = 8;  ///< doubles: a line of the cache
 
 /// Doubles of the shared columns: F, L, stress, the state twice, and what alignment takes.
 std::size_t doubles_of(const mpm::Setup<2>& setup) {
-  const std::size_t columns = 4 + 4 + 5 + 2 * setup.material->state_size();
+  const std::size_t scales = setup.remedies.averages_volume() ? 2 : 0;
+  const std::size_t columns = 4 + 4 + 5 + scales + 2 * setup.material->state_size();
   return columns * setup.seeds.size() + 8 * alignment;
 }
 

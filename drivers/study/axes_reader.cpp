@@ -19,9 +19,8 @@ bool is_scene_path(const std::string& path) {
   const auto& keys = scene_keys();
   if (std::any_of(keys.begin(), keys.end(), [&](const Key& key) { return key.path == path; })) return true;
   const std::size_t dot = path.rfind('.');  // a value of a list
-  if (dot != path.npos && dot + 1 < path.size() && path.find_first_not_of("0123456789", dot + 1) == path.npos) {
-    return is_scene_path(path.substr(0, dot));
-  }
+  const auto index = dot == path.npos ? std::nullopt : parse_integer(path.substr(dot + 1));
+  if (index && *index >= 0 && std::to_string(*index) == path.substr(dot + 1)) return is_scene_path(path.substr(0, dot));
   for (const Section& section : scene_sections()) {
     if (path == section.path || (section.free_keys && path.starts_with(section.path + "."))) return true;
   }
@@ -122,10 +121,12 @@ bool gives(const StudyAxis& axis, const std::string& path) {
     if (setting.path == path) return true;
     if (!path.starts_with(setting.path + ".")) return false;
     const Tree* at = &setting.value;
-    std::string rest = path.substr(setting.path.size() + 1);
-    for (std::size_t dot; at && (dot = rest.find('.')) != rest.npos; rest.erase(0, dot + 1))
+    std::string rest = path.substr(setting.path.size() + 1) + ".";
+    for (std::size_t dot; at && (dot = rest.find('.')) != rest.npos; rest.erase(0, dot + 1)) {
+      if (at->kind == Tree::Kind::sequence) return true;  // all of the list's values
       at = at->find(rest.substr(0, dot));
-    return at && at->find(rest);
+    }
+    return at != nullptr;
   };
   return std::any_of(axis.levels.begin(), axis.levels.end(), [&](const Level& level) {
     return std::any_of(level.settings.begin(), level.settings.end(), sets);

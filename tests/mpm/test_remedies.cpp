@@ -213,6 +213,47 @@ TEST(SmallMass, SharesForcesOfLightNodesAndAccountsForTheRest) {
   EXPECT_NEAR(s.ledger.impulse[1], 0.1 * 4, rounding);
 }
 
+TEST(SmallMass, NodesOnAPlaneAreNotLighterThanThoseInside) {
+  mpm::Setup<2> setup = square(method_of(Basis::linear), {.small_mass = 0.75});
+  setup.ends[0].lower = 0;  // nodes at x = 0 have half of their cells
+  Simulation<2> simulation(setup);
+  State<2>& s = simulation.state();
+  const std::size_t on_plane = 3 + 7 * 12;
+  ASSERT_EQ(s.images.share(on_plane), 0.5);
+  s.live.mark(on_plane);
+  s.live.merge();
+  const double whole = 3 * 0.25;  // rho0 h^2
+  s.inertia.node(on_plane)[0] = 0.4 * whole;
+  s.force.node(on_plane)[1] = 1;
+  run_pass(small_mass_pass<2>(), s, {0, 0.1});
+  EXPECT_EQ(s.force.node(on_plane)[1], 1) << "80 % of what it can have";
+}
+
+// A body that fills a period is the same wherever its ends lie.
+TEST(AntiLocking, DoesNotSeeThePeriodicEnds) {
+  for (const AntiLocking over : {AntiLocking::cell, AntiLocking::node}) {
+    std::vector<std::vector<double>> found;
+    for (const int shift : {0, 1, 2}) {  // particles of the same cells, their ends elsewhere
+      mpm::Setup<2> setup = square(method_of(Basis::linear), {.anti_locking = over});
+      setup.ends[0] = {0.5 * shift, 2 + 0.5 * shift, true};
+      for (double& x : setup.seeds.X[0]) x = x < 0.5 * shift ? x + 2 : x;
+      Simulation<2> simulation(setup);
+      State<2>& s = simulation.state();
+      for (std::size_t p = 0; p < s.particles; ++p) {
+        s.column(Column::step_volumes, 0)[p] = 1;
+        s.column(Column::step_volumes, 1)[p] = 1 + 0.1 * std::sin(3.0 * static_cast<double>(p));
+      }
+      run_pass(average_volume_pass<2>(setup.method, over), s, {0, 0.1});
+      const double* scale = s.column(Column::volume_scale);
+      found.emplace_back(scale, scale + s.particles);
+    }
+    for (std::size_t p = 0; p < found[0].size(); ++p) {
+      EXPECT_NEAR(found[1][p], found[0][p], rounding);
+      EXPECT_NEAR(found[2][p], found[0][p], rounding);
+    }
+  }
+}
+
 TEST(ArtificialViscosity, IsAPressureWhereTheVolumeShrinksAlone) {
   for (const Formulation formulation : {Formulation::updated, Formulation::total}) {
     Simulation<2> simulation(square(method_of(Basis::bspline2, formulation), {.viscosity = {0.1, 1.5}}));

@@ -210,5 +210,16 @@ TEST(AxesReader, ManyValuesAreReadInNoTime) {
   EXPECT_TRUE(refused_axes("{body.seed: [" + values + ",7e0]}").ends_with("axes.body.seed: holds '7e0' twice"));
 }
 
+TEST(AxesReader, AListAndOneOfItsValuesAreOneKey) {
+  for (const char* axes :
+       {"{body.per_cell: [[1, 1], [2, 2]], body.per_cell.0: [1, 2]}",
+        "{body.per_cell.0: [1, 2], body.per_cell: [[1, 1], [2, 2]]}",
+        "{b: {x: {body: {per_cell: [1, 1]}}, y: {body: {per_cell: [2, 2]}}}, body.per_cell.0: [1, 2]}"}) {
+    EXPECT_NE(StudyFolder().refusal("axes: " + std::string(axes) + "\n").find("sets too"), std::string::npos) << axes;
+  }
+  EXPECT_NE(StudyFolder().refusal("axes: {body.per_cell.00: [1, 2]}\n").find("unknown key of a scene"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace assay::drivers
