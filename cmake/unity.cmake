@@ -47,6 +47,7 @@ if(CMAKE_UNITY_BUILD OR ASSAY_UNITY_TESTS)
     tests/drivers/test_explain.cpp
     tests/drivers/test_foreign_models.cpp
     tests/drivers/test_screening.cpp
+    tests/drivers/test_small_corners.cpp
     tests/harness/test_frame_force.cpp
     tests/harness/test_material.cpp
     tests/harness/test_rotating_stretch.cpp

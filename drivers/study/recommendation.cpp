@@ -13,12 +13,6 @@ namespace assay::drivers {
 
 namespace {
 
-bool uses_exact_solution(const StudyCase& one) {
-  const auto found = one.figures.find("uses_exact_solution");
-  const bool* flag = found == one.figures.end() ? nullptr : std::get_if<bool>(&found->second);
-  return flag && *flag;
-}
-
 /// Whatever a file says of it.
 bool may_be_taken(const StudyCase& one) {
   return one.eligible && one.completed() && one.error && one.cost && !one.budget && !uses_exact_solution(one);

@@ -21,12 +21,6 @@ std::string place_of(const StudyCase& one) {
   return name;
 }
 
-bool uses_exact_solution(const StudyCase& one) {
-  const auto found = one.figures.find("uses_exact_solution");
-  const bool* flag = found == one.figures.end() ? nullptr : std::get_if<bool>(&found->second);
-  return flag && *flag;
-}
-
 void count(Survival& of, const StudyCase& one, std::size_t index) {
   if (one.outcome == "n/a") {
     ++of.not_applicable;
@@ -41,7 +35,7 @@ void count(Survival& of, const StudyCase& one, std::size_t index) {
   of.lost.push_back(index);
 }
 
-double median(std::vector<double> values) {
+double middle_of(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
 }
@@ -61,7 +55,7 @@ void find_ratios(const StudyFindings& findings, std::vector<Survival>& methods) 
       const auto at = best.find(place_of(one));
       if (at != best.end()) ratios.push_back(*one.error / at->second);
     }
-    if (!ratios.empty()) method.error_ratio = median(ratios);
+    if (!ratios.empty()) method.error_ratio = middle_of(ratios);
   }
 }
 
@@ -74,6 +68,12 @@ bool is_better(const Survival& a, const Survival& b) {
 }
 
 }  // namespace
+
+bool uses_exact_solution(const StudyCase& one) {
+  const auto found = one.figures.find("uses_exact_solution");
+  const bool* flag = found == one.figures.end() ? nullptr : std::get_if<bool>(&found->second);
+  return flag && *flag;
+}
 
 std::string method_of(const StudyCase& one) {
   for (const AxisValue& at : one.values) {

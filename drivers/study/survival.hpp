@@ -9,6 +9,8 @@
 
 namespace assay::drivers {
 
+bool uses_exact_solution(const StudyCase& one);
+
 /// The value on the axis `method`, or the series where there is no such axis.
 std::string method_of(const StudyCase& one);
 
