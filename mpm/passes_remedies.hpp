@@ -11,9 +11,9 @@ namespace assay::mpm {
 template <int Dim>
 Pass<Dim> step_volumes_pass();
 
-/// After it: the ratio averaged over the cells or nodes around a particle, and the factor (averaged / own)^(1/Dim) of F.
-/// In the updated formulation F keeps it: what F has of volume is then never a particle's own. In the total one F stays
-/// the gradient of the motion, and the material alone sees it scaled.
+/// After it: the ratio averaged over the cells or nodes around a particle, and the factor (averaged / own)^(1/Dim) of
+/// F. In the updated formulation F keeps it: what F has of volume is then never a particle's own. In the total one F
+/// stays the gradient of the motion, and the material alone sees it scaled.
 template <int Dim>
 Pass<Dim> average_volume_pass(const Method& method, AntiLocking over);
 

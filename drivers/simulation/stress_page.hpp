@@ -14,7 +14,7 @@ struct StressPage {
   // once: where the columns begin in the shared memory, in doubles
   std::size_t deformation_gradient[4], velocity_gradient[4], stress[5], history[2], volume_scale[2];
   std::uint32_t scales_volume[2];  ///< 0 or 1: whether volume_scale is there
-  std::uint32_t rate_of_F;      ///< 0 or 1, likewise once
+  std::uint32_t rate_of_F;         ///< 0 or 1, likewise once
   // every step
   double t, dt;
   std::size_t begin, end;  ///< particles
