@@ -13,8 +13,8 @@ int recommend(const RecommendOptions& options) {
   if (!options.error) {
     const std::vector<Survival> found = survivals(study.findings);
     std::cout << (options.json ? survival_json(study, found) : survival_text(study, found));
-    const bool any = !found.empty() && found.front().completed > 0 && !found.front().uses_exact_solution;
-    return any && found.front().died == 0 ? 0 : 1;
+    const Survival* best = hardiest(found);
+    return best && best->died == 0 ? 0 : 1;
   }
   const Recommendation found = recommended(study.findings, wanted_error(study.findings, *options.error));
   std::cout << (options.json ? recommendation_json(study, found) : recommendation_text(study, found));

@@ -52,12 +52,6 @@ Tree value_of(const std::string& text, const std::string& path) {
   }
 }
 
-/// "0", "12"
-bool is_index(const std::string& step) {
-  const auto index = parse_integer(step);
-  return index && *index >= 0 && std::to_string(*index) == step;
-}
-
 /// Value number `step`, from 0, of a list that is there.
 Tree& item_of(Tree& list, const std::string& step, const Setting& setting, const std::string& done) {
   const auto index = parse_integer(step);
@@ -69,6 +63,11 @@ Tree& item_of(Tree& list, const std::string& step, const Setting& setting, const
 }
 
 }  // namespace
+
+bool is_index(const std::string& step) {
+  const auto index = parse_integer(step);
+  return index && *index >= 0 && std::to_string(*index) == step;
+}
 
 Setting parse_setting(const std::string& text) {
   const std::size_t equals = text.find('=');

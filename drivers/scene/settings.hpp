@@ -22,4 +22,7 @@ Setting parse_setting(const std::string& text);
 /// key with its dots, and an operator after it. Throws InputError.
 void apply_setting(Tree& root, const Setting& setting);
 
+/// Whether a step of a path numbers a value of a list: "0", "12", but not "01".
+bool is_index(const std::string& step);
+
 }  // namespace assay::drivers

@@ -7,6 +7,7 @@
 
 #include "drivers/output/numbers.hpp"
 #include "drivers/scene/scene_keys.hpp"
+#include "drivers/scene/settings.hpp"
 #include "drivers/scene/yaml_values.hpp"
 
 namespace assay::drivers {
@@ -19,8 +20,7 @@ bool is_scene_path(const std::string& path) {
   const auto& keys = scene_keys();
   if (std::any_of(keys.begin(), keys.end(), [&](const Key& key) { return key.path == path; })) return true;
   const std::size_t dot = path.rfind('.');  // a value of a list
-  const auto index = dot == path.npos ? std::nullopt : parse_integer(path.substr(dot + 1));
-  if (index && *index >= 0 && std::to_string(*index) == path.substr(dot + 1)) return is_scene_path(path.substr(0, dot));
+  if (dot != path.npos && is_index(path.substr(dot + 1))) return is_scene_path(path.substr(0, dot));
   for (const Section& section : scene_sections()) {
     if (path == section.path || (section.free_keys && path.starts_with(section.path + "."))) return true;
   }

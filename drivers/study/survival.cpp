@@ -82,6 +82,11 @@ std::string method_of(const StudyCase& one) {
   return one.series;
 }
 
+const Survival* hardiest(const std::vector<Survival>& found) {
+  const bool any = !found.empty() && found.front().completed > 0 && !found.front().uses_exact_solution;
+  return any ? &found.front() : nullptr;
+}
+
 std::vector<Survival> survivals(const StudyFindings& findings) {
   const auto& axes = findings.axes;
   if (std::find(axes.begin(), axes.end(), "method") == axes.end()) {

@@ -31,6 +31,9 @@ struct Survival {
 /// others.
 std::vector<Survival> survivals(const StudyFindings& findings);
 
+/// The first of these, where it completed anything without the exact solution; null where nobody can be recommended.
+const Survival* hardiest(const std::vector<Survival>& found);
+
 /// What their ratio of errors is, for readers.
 inline constexpr const char* ratio_note =
     "the median, over the cases that a method completes, of its error over the smallest that any method has there. n/a "

@@ -49,10 +49,11 @@ std::string survival_table(const std::vector<Survival>& found) {
 }
 
 std::string survival_text(const StoredStudy& study, const std::vector<Survival>& found) {
-  if (found.empty() || found.front().completed == 0 || found.front().uses_exact_solution) {
+  const Survival* first = hardiest(found);
+  if (!first) {
     return "no method can be recommended: none completes a case without the exact solution\n";
   }
-  const Survival& best = found.front();
+  const Survival& best = *first;
   std::string text = wrapped("it completes " + std::to_string(best.completed) + " of the " +
                                  std::to_string(best.asked()) + " cases that apply to it",
                              "take " + best.method + ": ", "  ");
@@ -66,8 +67,8 @@ std::string survival_text(const StoredStudy& study, const std::vector<Survival>&
 std::string survival_json(const StoredStudy& study, const std::vector<Survival>& found) {
   using Json = nlohmann::ordered_json;
   Json out;
-  const bool any = !found.empty() && found.front().completed > 0 && !found.front().uses_exact_solution;
-  out["recommended"] = any ? Json(found.front().method) : Json(nullptr);
+  const Survival* best = hardiest(found);
+  out["recommended"] = best ? Json(best->method) : Json(nullptr);
   out["methods"] = Json::array();
   for (const Survival& of : found) {
     Json one{{"method", of.method},
