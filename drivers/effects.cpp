@@ -72,8 +72,11 @@ std::vector<EffectEntry> of_particles() {
        IF(method_of(p).is_affine()), {"affine", "first_affine_moment"}, {Column::affine}, {}, false, {}},
       {Effect::convected_corners, "convected_corners", "corners of the domains move one by one", "method.basis",
        IF(mpm::traits_of<2>(method_of(p).basis).moves_corners), {}, {Column::corners}, {}, false, {}},
-      {Effect::own_domains, "own_domains", "particles' domains differ, by their lattice or as they are shortened", "body.lattice", IF(has_own_domains(p)), {},
-       {Column::domain}, {}, false, {}},
+      {Effect::own_domains, "own_domains", "particles' domains differ, by their lattice or as they are shortened",
+       "body.lattice", IF(has_own_domains(p)), {}, {Column::domain}, {}, false, {},
+       [](const Problem& p) -> std::string {
+         return p.setup.seeds.half_edges.empty() ? "remedies.largest_domain" : "body.lattice";
+       }},
       {Effect::mass_matrix, "mass_matrix", "consistent mass, or a series of its inverse", "method.mass",
        IF(method_of(p).mass != mpm::Mass::lumped), {"grid_update"}, {}, {"solver", "inverse_mass", "mass_stencil"},
        false, {}},
@@ -161,7 +164,8 @@ void require_compiled(const Problem& problem) {
   for (const mpm::Effect effect : effects_of(problem)) {
     if (mpm::compiled(effect)) continue;
     const EffectEntry& entry = entry_of(effect);
-    throw InputError(problem.scene.place(entry.key), entry.key,
+    const std::string key = entry.key_of(problem);
+    throw InputError(problem.scene.place(key), key,
                      "calls for " + entry.name + ": this build has the spine's effects only (ASSAY_EFFECTS=spine)");
   }
 }

@@ -22,6 +22,10 @@ struct EffectEntry {
   std::vector<std::string> grid_fields;
   bool asks_material;  ///< it can, in steps, for more than the particles' stress
   std::string around;  ///< what else it brings, around the steps; empty: nothing
+  /// Where another key than `key` can call for it, too: the one that does so here.
+  std::string (*called_by)(const Problem&) = nullptr;
+
+  std::string key_of(const Problem& problem) const { return called_by ? called_by(problem) : key; }
 };
 
 /// In the order of mpm::Effect.

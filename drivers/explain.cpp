@@ -111,7 +111,7 @@ std::string effects_text(const Composition& c) {
     if (const std::string brought = brought_text(part); !brought.empty()) {
       there += wrapped(brought, indent + "  ", indent + "    ");
     }
-    there += wrapped("because of " + entry.key, indent + "  ", indent);
+    there += wrapped("because of " + part.key, indent + "  ", indent);
   }
   return "effects beyond the spine\n" + (there.empty() ? "  none\n" : there) + wrapped(absent, "not there: ", "  ");
 }

@@ -54,7 +54,7 @@ void add_effects(const Composition& c, Json& json) {
     const EffectEntry& entry = entry_of(part.effect);
     json["effects"].push_back({{"name", entry.name},
                                {"doc", entry.doc},
-                               {"key", entry.key.empty() ? Json() : Json(entry.key)},
+                               {"key", part.key.empty() ? Json() : Json(part.key)},
                                {"there", part.is_there},
                                {"passes", part.passes},
                                {"columns", part.columns},

@@ -88,7 +88,19 @@ std::size_t LiveNodes<Dim>::count() const {
   return nodes;
 }
 
+template <int Dim>
+void mark_images(LiveNodes<Dim>& live, const Images<Dim>& images) {
+  for (const auto& image : images.list()) {
+    if (live.holds(image.node)) live.mark(image.of);
+  }
+  for (const auto& image : images.list()) {
+    if (live.holds(image.of)) live.mark(image.node);
+  }
+}
+
 template class LiveNodes<2>;
 template class LiveNodes<3>;
+template void mark_images(LiveNodes<2>&, const Images<2>&);
+template void mark_images(LiveNodes<3>&, const Images<3>&);
 
 }  // namespace assay::mpm

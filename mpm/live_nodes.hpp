@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mpm/grid_geometry.hpp"
+#include "mpm/images.hpp"
 #include "mpm/node_box.hpp"
 
 namespace assay::mpm {
@@ -53,5 +54,9 @@ class LiveNodes {
   NodeBox<Dim> hull_;                 ///< of all tiles marked
   std::vector<NodeRange> runs_;
 };
+
+/// Marks the nodes of which those marked are images, and all images of these.
+template <int Dim>
+void mark_images(LiveNodes<Dim>& live, const Images<Dim>& images);
 
 }  // namespace assay::mpm

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/nodes_reached.hpp"
 
+#include <algorithm>
+
+#include "mpm/blocks.hpp"
+#include "mpm/images.hpp"
 #include "mpm/live_nodes.hpp"
 #include "mpm/with_basis.hpp"
 
@@ -27,17 +31,26 @@ std::size_t nodes_reached(const Setup<2>& setup) {
   const Mat<2> alike{seeds.half_size[0], 0, 0, seeds.half_size[1]};
   with_basis<2>(setup.method.basis, [&](auto tag) {
     typename decltype(tag)::type basis(setup.grid, seeds.half_size, 1);
-    const auto mark = [&](const std::array<double, 2>& X, const Mat<2>& half) {
+    const auto include = [&](NodeBox<2>& all, const std::array<double, 2>& X, const Mat<2>& half) {
       if (!place(basis, X, half)) return;
       NodeBox<2> box;
       basis.reach(0, 1, box);
-      live.mark(box);
+      all.include(box);
     };
-    for (std::size_t p = 0; p < seeds.size(); ++p) {
-      mark({seeds.X[0][p], seeds.X[1][p]}, seeds.half_edges.empty() ? alike : seeds.half_edges[p]);
+    for (std::size_t begin = 0; begin < seeds.size(); begin += block_size) {
+      NodeBox<2> box;
+      for (std::size_t p = begin; p < std::min(seeds.size(), begin + block_size); ++p) {
+        include(box, {seeds.X[0][p], seeds.X[1][p]}, seeds.half_edges.empty() ? alike : seeds.half_edges[p]);
+      }
+      live.mark(box);
     }
-    for (const auto& X : seeds.held) mark({X[0], X[1]}, alike);
+    for (const auto& X : seeds.held) {
+      NodeBox<2> box;
+      include(box, {X[0], X[1]}, alike);
+      live.mark(box);
+    }
   });
+  if (setup.has_images()) mark_images(live, Images<2>(setup.grid, setup.ends));
   live.merge();
   return live.count();
 }

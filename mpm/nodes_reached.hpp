@@ -5,8 +5,8 @@
 
 namespace assay::mpm {
 
-/// Nodes of the tiles (mpm/live_nodes.hpp) that the particles reach at first, those that never move included: found
-/// before anything of a run is allocated.
+/// Nodes of the tiles (mpm/live_nodes.hpp) that are live in the first step: those that blocks of particles reach, those
+/// of particles that never move, and images. Found before anything of a run is allocated.
 std::size_t nodes_reached(const Setup<2>& setup);
 
 }  // namespace assay::mpm

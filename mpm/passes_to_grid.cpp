@@ -19,12 +19,7 @@ void find_live_nodes(State<Dim>& s) {
   if constexpr (Dim == 2) {  // what tractions gave to nodes of their own in the step before is yet to be cleared
     for (std::size_t k = 0; s.loads && k < s.loads->points.size(); ++k) s.live.mark(s.loads->reach(k));
   }
-  for (const auto& image : s.images.list()) {
-    if (s.live.holds(image.node)) s.live.mark(image.of);
-  }
-  for (const auto& image : s.images.list()) {
-    if (s.live.holds(image.of)) s.live.mark(image.node);
-  }
+  mark_images(s.live, s.images);
   s.live.merge();
 }
 

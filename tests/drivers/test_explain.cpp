@@ -111,6 +111,19 @@ TEST(Explain, CountsWhatTheRunCounts) {
   EXPECT_GT(told["sheet"]["points"].get<int>(), 0);
 }
 
+TEST(Explain, NamesTheKeyThatCalledForDomainsThatDiffer) {
+  const auto key_of_own_domains = [](const std::vector<std::string>& sets) {
+    const auto told = explained(sets);
+    for (const auto& effect : told["effects"]) {
+      if (effect["name"] == "own_domains" && effect["there"]) return effect["key"].get<std::string>();
+    }
+    return std::string("nobody");
+  };
+  EXPECT_EQ(key_of_own_domains({}), "nobody");
+  EXPECT_EQ(key_of_own_domains({"remedies.largest_domain=1"}), "remedies.largest_domain");
+  EXPECT_EQ(key_of_own_domains({"body={domain: ring, lattice: polar}", "remedies.largest_domain=1"}), "body.lattice");
+}
+
 TEST(Explain, CountsTheWorkOfAStepFromItsPasses) {
   for (const char* method :
        {"method.update=usl", "method={basis: bspline2, formulation: total, integrator: symplectic_rkn4}"}) {

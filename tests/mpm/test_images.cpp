@@ -7,6 +7,7 @@
 
 #include "harness/box_stress.hpp"
 #include "mpm/lattice.hpp"
+#include "mpm/nodes_reached.hpp"
 #include "mpm/simulation.hpp"
 #include "tests/harness/elastic_material.hpp"
 #include "tests/mpm/grid_fields.hpp"
@@ -125,6 +126,15 @@ class Planes : public testing::TestWithParam<ImageMethod> {};
 
 constexpr int image_steps = 12;
 constexpr double image_dt = 0.004;
+
+TEST_P(Planes, AndTheirImagesAreAmongTheLiveNodes) {
+  for (const double lower : {0.0, -1.0}) {
+    const mpm::Setup<2> setup = box_setup(GetParam().method, lower, lower < 0, 8);
+    Simulation<2> simulation(setup);
+    ASSERT_FALSE(simulation.step(0, image_dt));
+    EXPECT_EQ(nodes_reached(setup), simulation.state().live.count());
+  }
+}
 
 /// Particles of the whole box whose reference positions are those of the quarter do as these.
 TEST_P(Planes, CutTheSymmetricBodyWithoutATrace) {
