@@ -36,6 +36,9 @@ void try_library(const std::string& path);
 /// The table of that name; an empty name stands for the only one. Throws LibraryError.
 const assay_material* table_of_library(const std::string& path, const std::string& name);
 
+/// What file_of() says of a model that is built into this program.
+inline constexpr const char* own_file = "/proc/self/exe";
+
 /// The file that holds a table: a shared library, or this program for a built-in model. Empty where it cannot be told.
 std::string file_of(const assay_material* table);
 

@@ -17,7 +17,8 @@ bool contains(const List& list, const Value& value) {
 }
 
 EffectPart part_of(const EffectEntry& entry, const Problem& problem, const Composition& c) {
-  EffectPart part{entry.effect, entry.called_for(problem), {}, {}, {}};
+  EffectPart part{entry.effect, entry.called_for(problem), entry.key, {}, {}, {}};
+  if (part.is_there) part.key = entry.key_of(problem);
   for (const auto& pass : c.passes) {
     if (contains(pass.effects, entry.effect)) part.passes.push_back(pass.name);
   }

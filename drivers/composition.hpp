@@ -23,6 +23,7 @@ struct StepWork {
 struct EffectPart {
   mpm::Effect effect;
   bool is_there = false;
+  std::string key;                                        ///< of the scene, that calls for it; empty: none
   std::vector<std::string> passes, columns, grid_fields;  ///< that it brings; empty where it is not there
   std::size_t bytes_per_particle = 0, bytes_per_node = 0;
 };

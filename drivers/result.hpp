@@ -140,6 +140,7 @@ struct Result {
   std::string reason;                             ///< one sentence where not completed
   std::string replay;                             ///< file beside the result that shows again what went wrong
   std::string last_good;                          ///< file beside the result with the particles before it did
+  std::string advice;                             ///< what an unstable run could try; empty: nothing better is known
   std::shared_ptr<const FailedStep> failed_step;  ///< that step; not in result.json
   std::vector<std::string> warnings;              ///< what did not stop the run and should be known
   bool disturbed = false;                         ///< the process that ran the material: not in result.json

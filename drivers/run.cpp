@@ -13,6 +13,7 @@
 #include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/screening.hpp"
+#include "drivers/simulation/advice.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/rim.hpp"
 #include "drivers/simulation/simulate.hpp"
@@ -59,6 +60,7 @@ std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& opt
   Progress progress(problem.scene.title, options.verbosity == Verbosity::quiet);
   simulate(problem, exact, snapshots, progress, result);
   if (result.outcome != "completed") result.last_good = snapshots.leave_last_good();
+  if (result.outcome == "unstable") result.advice = advice_after_death(problem);
   if (exact && exact->response()) record_shadow(problem.scene, **exact->response(), result);
   if (exact && exact->box()) record_box(problem.scene, **exact->box(), response_s, result);
   if (exact && exact->homogeneous()) record_history(problem.scene, **exact->homogeneous(), result);

@@ -70,6 +70,7 @@ std::string process_lines(const Result& result) {
             result.replay + "\n";
   }
   if (!result.last_good.empty()) text += "  the particles before it went wrong: " + result.last_good + "\n";
+  if (!result.advice.empty()) text += wrapped(result.advice, "  to try: ", "    ");
   if (!result.printed.empty()) text += std::string("  what the model printed is in ") + material_log + "\n";
   return text;
 }

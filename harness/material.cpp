@@ -6,8 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "harness/arithmetic.hpp"
-#include "harness/progress_mark.hpp"
+#include "harness/foreign_message.hpp"
 
 namespace assay {
 
@@ -15,14 +14,6 @@ namespace {
 
 /// The 1.0 table; later members are absent from an older plug-in.
 constexpr std::uint32_t smallest_table = offsetof(assay_material, create_of);
-
-/// A foreign message on one line; null: none.
-std::string one_line_of(const char* message) {
-  std::string line = message ? message : "";
-  std::replace_if(
-      line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
-  return line;
-}
 
 /// The functions that came with 1.1.
 bool has_second_part(const assay_material& table) { return table.struct_size >= sizeof(assay_material); }
@@ -201,78 +192,10 @@ std::vector<double> Material::initial_state(std::size_t n, std::span<const doubl
   return state;
 }
 
-namespace {
-
-/// Whether all n values are numbers. Four sums of 0 * v: independent, so that they do not wait for one another.
-bool all_finite(const double* v, std::size_t n) {
-  double sum[4] = {};
-  std::size_t k = 0;
-  for (; k + 4 <= n; k += 4) {
-    for (std::size_t j = 0; j < 4; ++j) sum[j] += 0 * v[k + j];
-  }
-  for (; k < n; ++k) sum[0] += 0 * v[k];
-  return sum[0] + sum[1] + sum[2] + sum[3] == 0;
-}
-
-/// First point and component of several of which one is not finite.
-std::pair<std::size_t, std::size_t> first_not_finite(const double* values, std::size_t components, std::size_t n) {
-  for (std::size_t p = 0; p < n; ++p) {
-    for (std::size_t c = 0; c < components; ++c) {
-      if (!std::isfinite(values[c * n + p])) return {p, c};
-    }
-  }
-  return {0, 0};
-}
-
-std::string message_text(char* message) {
-  message[ASSAY_MESSAGE_SIZE - 1] = '\0';
-  return message[0] ? one_line_of(message) : "the material refused the step";
-}
-
-}  // namespace
-
 bool Material::is_function_of_F() const {
   if (has(ASSAY_USES_INCREMENT) || has(ASSAY_RATE_DEPENDENT)) return false;
   return std::all_of(table_->state, table_->state + table_->state_count,
                      [](const assay_state_variable& variable) { return variable.role == ASSAY_ROLE_DIRECTION; });
-}
-
-UpdateReport Material::update(double t, double dt, std::size_t n, const double* F0, const double* F1,
-                              const double* state0, double* state1, double* cauchy) const {
-  const assay_step step{t, dt, F0, F1};
-  UpdateReport report;
-  char message[ASSAY_MESSAGE_SIZE] = "";
-  std::int32_t status[ASSAY_BATCH_MAX];
-  std::fill_n(status, n, ASSAY_GOOD);
-  {
-    const CallMark mark;
-    table_->update(self_.get(), &step, n, state0, state1, cauchy, status, &report.dt_factor, message);
-  }
-  const std::uint32_t changes = changes_of_arithmetic();
-  if (changes != arithmetic_kept) reset_arithmetic();
-  if (const std::string words = arithmetic_words(changes); !words.empty()) {
-    report.worst = ASSAY_FAILED;
-    report.message = arithmetic_prefix + ("the material " + words);
-    return report;
-  }
-  const auto worst = std::min_element(status, status + n);
-  if (*worst < ASSAY_GOOD) {
-    report.worst = *worst < ASSAY_DOUBTFUL ? ASSAY_FAILED : ASSAY_DOUBTFUL;
-    report.worst_point = static_cast<std::size_t>(worst - status);
-    report.message = message_text(message);
-  }
-  const auto require_finite = [&](const double* values, std::size_t components, const char* what) {
-    if (report.worst == ASSAY_FAILED || all_finite(values, components * n)) return;
-    const auto [point, component] = first_not_finite(values, components, n);
-    report.worst = ASSAY_FAILED;
-    report.not_finite = true;
-    report.worst_point = point;
-    report.message = std::string("the material returned a ") + what + " that is not finite" +
-                     (values == state1 ? ": '" + variable_at(*table_, component) + "'" : "");
-  };
-  require_finite(cauchy, 9, "stress");
-  require_finite(state1, state_size(), "state");
-  return report;
 }
 
 std::string variable_at(const assay_material& table, std::size_t component) {

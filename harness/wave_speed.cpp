@@ -29,7 +29,13 @@ double own_wave_speed(const Material& material, const assay_wave_speed& extensio
                              h.points[row].state.data(), speed.data()) == ASSAY_FAILED) {
       throw MaterialFailure("the material failed to give its wave speed", h.xi[0], h.times[row]);
     }
-    for (const double c : speed) fastest = std::max(fastest, c);
+    for (std::size_t p = 0; p < n; ++p) {
+      if (!is_wave_speed(speed[p])) {
+        throw MaterialFailure("the wave speed that the material gives is no finite number of 0 or more", h.xi[p],
+                              h.times[row]);
+      }
+      fastest = std::max(fastest, speed[p]);
+    }
   }
   return fastest;
 }
@@ -57,6 +63,8 @@ double probed_wave_speed(const Material& material, double density, double dt, co
 
 }  // namespace
 
+bool is_wave_speed(double c) { return c >= 0 && std::isfinite(c); }
+
 double fastest_wave(const TangentModulus& A, const Tensor& F, double density) {
   TangentModulus pushed;  // N.A.N = n.pushed.n
   for (int i = 0; i < 9; i += 3) {
@@ -82,8 +90,10 @@ double fastest_wave_on_path(const Material& material, const Path& given, double 
   options.tolerance = history_tolerance;
   const Histories h = integrate_histories(material, path, xi, times, options);
   const auto* extension = material.extension<assay_wave_speed>(ASSAY_EXTENSION_WAVE_SPEED);
-  if (frame == WaveFrame::current && extension && extension->wave_speed)
-    return own_wave_speed(material, *extension, density, h, path);
+  if (frame == WaveFrame::current && extension && extension->wave_speed) {
+    const double own = own_wave_speed(material, *extension, density, h, path);
+    if (own > 0) return own;  // one that is 0 everywhere says nothing
+  }
   return probed_wave_speed(material, density, share_of_end * end, h, path, frame);
 }
 

@@ -26,6 +26,7 @@ enum class Death : std::uint32_t {
 };
 
 inline constexpr std::size_t words_size = 512;
+inline constexpr std::size_t no_point = ~std::size_t{0};       ///< the model takes its batch as a whole
 inline constexpr const char* worker_folder = "assay-worker-";  ///< how the names of workers' folders begin
 
 struct Control {
@@ -38,7 +39,7 @@ struct Control {
   std::uint64_t memory_limit;  ///< bytes beyond what the worker had at its start
   // the worker's marks
   std::atomic<std::int64_t> busy_since;   ///< monotonic [ns] of the call that runs; 0: none
-  std::atomic<std::size_t> point;         ///< of the batch, that is being worked on
+  std::atomic<std::size_t> point;         ///< of the batch, that is being worked on; or no_point
   std::atomic<std::uint32_t> arithmetic;  ///< or-ed Arithmetic of the last call
   std::atomic<std::int64_t> busy_ns;      ///< spent in the last request
   std::atomic<std::uint32_t> habits;      ///< or-ed Habit so far

@@ -2,6 +2,9 @@
 // The functions of a remote table.
 #include <algorithm>
 #include <cstring>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "adapters/worker/remote_instance.hpp"
 
@@ -134,6 +137,29 @@ std::int32_t initial_state_remote(void* self, std::size_t n, const double* cauch
       [&] { std::copy_n(found, size, state); });
 }
 
+namespace {
+
+/// Of a batch in which the worker died: the first point that ends a worker when it is alone. None: reason says so.
+std::optional<std::size_t> point_that_ends(void* self, const assay_step& step, std::size_t n, const double* state0) {
+  const std::size_t size = of(self).table().state_size;
+  const std::string reason = of(self).reason;
+  std::vector<double> alone(size), state1(size);
+  double F0[9], F1[9], cauchy[9] = {}, dt_factor = 1;
+  char message[ASSAY_MESSAGE_SIZE] = "";
+  const assay_step one{step.t, step.dt, F0, F1};
+  for (std::size_t p = 0; p < n; ++p) {
+    for (std::size_t c = 0; c < 9; ++c) F0[c] = step.F0[c * n + p], F1[c] = step.F1[c * n + p];
+    for (std::size_t c = 0; c < size; ++c) alone[c] = state0[c * n + p];
+    std::int32_t status = ASSAY_GOOD;
+    update_remote(self, &one, 1, alone.data(), state1.data(), cauchy, &status, &dt_factor, message);
+    if (dt_factor == 0) return p;
+  }
+  of(self).reason = reason + " in a batch of " + std::to_string(n) + " points, by none of them alone";
+  return std::nullopt;
+}
+
+}  // namespace
+
 void update_remote(void* self, const assay_step* step, std::size_t n, const double* state0, double* state1,
                    double* cauchy, std::int32_t* status, double* dt_factor, char* message) {
   const std::size_t size = of(self).table().state_size * n;
@@ -165,8 +191,9 @@ void update_remote(void* self, const assay_step* step, std::size_t n, const doub
   } catch (const std::exception& error) {
     of(self).reason = error.what();
   }
+  if (point == no_point) point = n > 1 ? point_that_ends(self, *step, n, state0).value_or(0) : 0;
   std::fill_n(status, n, ASSAY_GOOD);
-  status[point] = ASSAY_FAILED;
+  status[std::min(point, n - 1)] = ASSAY_FAILED;
   *dt_factor = 0;
   say(message, of(self).reason);
 }

@@ -90,7 +90,7 @@ class Instance {
   std::string reason;  ///< of the last call that failed
 
   /// Room for a call's arrays, filled by `in`; `out` reads the answer. False with a reason: the worker died, refused to
-  /// make the instance, or wrote where it must not. `point`: that was being worked on.
+  /// make the instance, or wrote where it must not. `point`: that was being worked on, if it died there; or no_point.
   template <class In, class Out>
   bool call(Operation operation, std::size_t n, const In& in, const Out& out, std::size_t* point = nullptr) {
     reason.clear();
@@ -110,7 +110,7 @@ class Instance {
     in(arrays);
     arrays.raise_fences();
     if (!slot.worker.call(static_cast<std::uint32_t>(operation))) {
-      if (point) *point = std::min(slot.worker.control().point.load(), n - 1);
+      if (point) *point = slot.worker.control().point.load();
       reason = "the model " + slot.worker.how_it_ended();
       return false;
     }

@@ -171,7 +171,7 @@ std::unique_ptr<Lookout> lookout;
 }  // namespace
 
 ForeignCall::ForeignCall(Control& control) : control_(control) {
-  control_.point.store(0);
+  control_.point.store(no_point);
   reset_arithmetic();
   control_.busy_since.store(now_ns());
 }

@@ -123,6 +123,8 @@ std::optional<mpm::Finding> HealthWatch::look(const mpm::State<2>& s, std::int64
   last_t_ = t, last_acceleration_ = now;
   const double speed = std::sqrt(2 * seen.kinetic / mass_);
   const double ratio = speed / (reachable_ + known_noise * problem_->wave_speed);
+  if (!std::isfinite(ratio))
+    return finding("mass or energy is beyond the range of numbers; fastest", seen.fastest_particle);
   figures_.energy = std::max(figures_.energy.value_or(0), ratio * ratio);
   if (ratio <= most_excess) return std::nullopt;
   return finding("the kinetic energy is " + rounded_text(ratio * ratio, 3) +

@@ -10,6 +10,7 @@
 
 #include "adapters/library.hpp"
 #include "drivers/output/whole_file.hpp"
+#include "drivers/program_identity.hpp"
 #include "drivers/scene/sha256.hpp"
 #include "drivers/scene/yaml_reader.hpp"
 
@@ -66,9 +67,8 @@ SheetCache::SheetCache(const Scene& scene, const Material& material, const Path&
   if (folder.empty() || library.empty()) return;
   try {
     std::string key(signature);
-    for (const std::string& file : {std::string("/proc/self/exe"), library}) {
-      key += sha256_hex(read_bytes(file, largest_file));
-    }
+    key += program_identity();
+    if (library != adapters::own_file) key += sha256_hex(read_bytes(library, largest_file));
     key += material.name();
     for (const double value : material.parameters()) append(key, value);
     append(key, end);

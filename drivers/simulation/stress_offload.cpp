@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstring>
+#include <functional>
 #include <system_error>
 
 #include "adapters/worker/remote_table.hpp"
 #include "drivers/input_error.hpp"
 #include "drivers/output/numbers.hpp"
+#include "drivers/replay.hpp"
 #include "drivers/simulation/stress_page.hpp"
 
 namespace assay::drivers {
@@ -112,6 +115,19 @@ mpm::BlockOutcome StressOffload::update(std::size_t thread, std::size_t begin, s
   return outcome;
 }
 
+namespace {
+
+/// Of a model that took the block as a whole and ended its worker: the first point that does so alone.
+std::optional<std::size_t> point_that_ends(const Material& material, std::size_t n,
+                                           const std::function<FailedStep(std::size_t)>& step_of) {
+  for (std::size_t p = 0; p < n; ++p) {
+    if (take_again(material, step_of(p)).dt_factor == 0) return p;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 /// The particle of [begin, end) that was worked on, with its step: of a worker that is dead, or has refused. What its
 /// page says of places is not trusted: the model can write there.
 mpm::BlockOutcome StressOffload::death_of(Worker& worker, std::size_t begin, std::size_t end, const mpm::Instant& now) {
@@ -121,13 +137,23 @@ mpm::BlockOutcome StressOffload::death_of(Worker& worker, std::size_t begin, std
   const std::size_t n = std::min(mpm::block_size, end - block);
   const bool refused = page.found == StressPage::Found::refused;
   const std::size_t told = refused ? page.particle - block : worker.process.control().point.load();
-  const std::size_t point = std::min(told, n - 1);
-  mpm::BlockOutcome outcome;
-  outcome.refused = block + point;
-  outcome.message = "the model " + worker.process.how_it_ended();
   const double* state0 = state_size_ ? placed_.history[0] + block * state_size_ : nullptr;
   const double *F0 = page.scratch, *F1 = page.scratch + 9 * mpm::block_size;
-  outcome.step = failed_step(now.t, now.dt, n, point, F0, F1, state0, state_size_);
+  const auto step_of = [&](std::size_t p) {
+    return failed_step(now.t, std::abs(now.dt), n, p, F0, F1, state0, state_size_);
+  };
+  mpm::BlockOutcome outcome;
+  outcome.refused = block;
+  outcome.message = "the model " + worker.process.how_it_ended();
+  if (told != adapters::no_point || refused) {
+    outcome.refused = block + std::min(told, n - 1);
+  } else if (const auto found = point_that_ends(*material_, n, step_of)) {
+    outcome.refused = block + *found;
+  } else {
+    outcome.message += " in a block of " + std::to_string(n) + " particles, by none of them alone; the first is";
+    return outcome;
+  }
+  outcome.step = step_of(*outcome.refused - block);
   return outcome;
 }
 

@@ -61,8 +61,8 @@ std::vector<double> TimeControl::state_of(const mpm::State<2>& s, std::size_t p)
   return values;
 }
 
-/// assay.wave_speed/1 at all particles; 0 of a material without, and in the total formulation, whose waves it does not
-/// know.
+/// assay.wave_speed/1 at all particles; 0 of a material without, where it gives what is no speed, and in the total
+/// formulation, whose waves it does not know.
 double TimeControl::own_speed(const mpm::State<2>& s) const {
   const auto* extension = material_.extension<assay_wave_speed>(ASSAY_EXTENSION_WAVE_SPEED);
   if (!extension || !extension->wave_speed || problem_->setup.method.is_total()) return 0;
@@ -85,7 +85,10 @@ double TimeControl::own_speed(const mpm::State<2>& s) const {
         ASSAY_FAILED) {
       return 0;
     }
-    for (std::size_t k = 0; k < n; ++k) fastest = std::max(fastest, speed[k]);
+    for (std::size_t k = 0; k < n; ++k) {
+      if (!is_wave_speed(speed[k])) return 0;
+      fastest = std::max(fastest, speed[k]);
+    }
   }
   return fastest;
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/study/case_key.hpp"
 
-#include <fstream>
 #include <map>
-#include <set>
 
 #include "drivers/material/material_choice.hpp"
+#include "drivers/program_identity.hpp"
 #include "drivers/scene/sha256.hpp"
 #include "drivers/scene/yaml_reader.hpp"
 
@@ -24,31 +23,10 @@ const std::string& kept_hash_of(const std::string& file) {
   return found != known.end() ? found->second : known.emplace(file, hash_of(file)).first->second;
 }
 
-/// Files that are mapped to be executed.
-std::set<std::string> mapped_files() {
-  std::set<std::string> files;
-  std::ifstream maps("/proc/self/maps");
-  for (std::string line; std::getline(maps, line);) {
-    const std::size_t path = line.find('/');
-    if (path != line.npos && line.find(" r-xp ") < path && !line.ends_with(" (deleted)"))
-      files.insert(line.substr(path));
-  }
-  return files;
-}
-
 }  // namespace
 
-const std::string& program_hash() {
-  static const std::string hash = [] {
-    std::string all = hash_of("/proc/self/exe");
-    for (const std::string& file : mapped_files()) all += hash_of(file);
-    return sha256_hex(all);
-  }();
-  return hash;
-}
-
 std::string case_key(const Scene& scene, const std::string& resolved, int threads) {
-  std::string all = program_hash() + "\n" + std::to_string(threads) + "\n" + resolved;
+  std::string all = loaded_identity() + "\n" + std::to_string(threads) + "\n" + resolved;
   const ResolvedMaterial material = resolve_material(scene);
   for (const std::string& file : {material.library, material.description}) {
     if (!file.empty()) all += "\n" + kept_hash_of(file);

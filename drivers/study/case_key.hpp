@@ -13,7 +13,4 @@ namespace assay::drivers {
 /// InputError where a file cannot be read.
 std::string case_key(const Scene& scene, const std::string& resolved, int threads);
 
-/// SHA-256 of the program and its shared libraries, without those of materials: 64 hexadecimal digits.
-const std::string& program_hash();
-
 }  // namespace assay::drivers

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "drivers/program_identity.hpp"
 #include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/scene/scene_reader.hpp"
@@ -184,7 +185,7 @@ void add_budget(const Study& study, Planner& planner, const std::vector<Combinat
 }  // namespace
 
 Plan plan_of(Study study, const std::function<void(double)>& progress) {
-  program_hash();  // before the library of a material is among those of the program
+  loaded_identity();  // before the library of a material is among those of the program
   Plan plan;
   check_refined(study);
   const std::vector<Combination> combinations = combinations_of(study);

@@ -113,14 +113,16 @@ std::string stability(const StudyFindings& findings) {
 
 std::string survival(const StudyFindings& findings) {
   std::vector<Cells> rows;
-  for (const Survival& of : survivals(findings)) {
+  const std::vector<Survival> methods = survivals(findings);
+  for (const Survival& of : methods) {
     rows.push_back({plain(of.method), std::to_string(of.completed) + " of " + std::to_string(of.asked()),
                     std::to_string(of.died), std::to_string(of.refused), std::to_string(of.not_applicable),
                     html::figure(of.error_ratio, 3)});
   }
+  const std::string unfinished = unfinished_note(methods);
   return section("Which method lives through most",
                  {"method", "completed", "died", "refused", "n/a", "error over the best"}, rows) +
-         "\nError over the best: " + ratio_note + ".\n";
+         "\nError over the best: " + ratio_note + ".\n" + (unfinished.empty() ? "" : "\n" + plain(unfinished) + "\n");
 }
 
 std::string budget(const StudyFindings& findings) {

@@ -22,6 +22,7 @@ std::string completed_text(const Survival& of) {
 std::string lost_text(const Survival& of) {
   std::string text;
   if (of.died > 0) text += std::to_string(of.died) + " died";
+  if (of.unfinished > 0) text += (text.empty() ? "" : ", ") + std::to_string(of.unfinished) + " not ended";
   if (of.refused > 0) text += (text.empty() ? "" : ", ") + std::to_string(of.refused) + " refused";
   if (of.not_applicable > 0) text += (text.empty() ? "" : ", ") + std::to_string(of.not_applicable) + " n/a";
   return text;
@@ -54,14 +55,16 @@ std::string survival_map(const StudyFindings& findings) {
 
 std::string survival(const StudyFindings& findings) {
   std::vector<std::vector<std::string>> rows;
-  for (const Survival& of : survivals(findings)) {
+  const std::vector<Survival> methods = survivals(findings);
+  for (const Survival& of : methods) {
     rows.push_back({escaped(of.method), completed_text(of), std::to_string(of.died), std::to_string(of.refused),
                     std::to_string(of.not_applicable), html::figure(of.error_ratio, 3)});
   }
   if (rows.empty()) return {};
   return html::section("Which method lives through most",
                        html::table({"method", "completed", "died", "refused", "n/a", "error over the best"}, rows) +
-                           element("p class=\"tally\"", "Error over the best: " + escaped(ratio_note) + "."));
+                           element("p class=\"tally\"", "Error over the best: " + escaped(ratio_note) + ". " +
+                                                            escaped(unfinished_note(methods))));
 }
 
 }  // namespace assay::drivers::study_page

@@ -31,7 +31,8 @@ void count(Survival& of, const StudyCase& one, std::size_t index) {
     ++of.completed;
     return;
   }
-  ++(one.outcome == "refused" ? of.refused : of.died);
+  const bool unfinished = one.outcome == "stopped" || one.outcome == "missing";
+  ++(one.outcome == "refused" ? of.refused : unfinished ? of.unfinished : of.died);
   of.lost.push_back(index);
 }
 

@@ -18,12 +18,13 @@ std::string method_of(const StudyCase& one);
 struct Survival {
   std::string method;
   int completed = 0, refused = 0, not_applicable = 0;
-  int died = 0;                      ///< unstable, failed, crashed, stopped or missing
+  int died = 0;                      ///< unstable, failed or crashed
+  int unfinished = 0;                ///< stopped at the study's limit of time, or not run yet
   bool uses_exact_solution = false;  ///< in all cases that it completed
-  std::vector<std::size_t> lost;     ///< died or refused; indices into StudyFindings::cases
+  std::vector<std::size_t> lost;     ///< died, refused or unfinished; indices into StudyFindings::cases
   Figure error_ratio;                ///< median of its error over the smallest of all methods in the same case
 
-  int asked() const { return completed + died + refused; }  ///< cases that apply to it
+  int asked() const { return completed + died + refused + unfinished; }  ///< cases that apply to it
 };
 
 /// The best first. Throws InputError where the study has no axis `method`. By the share completed of what applies,
@@ -39,14 +40,18 @@ inline constexpr const char* ratio_note =
     "the median, over the cases that a method completes, of its error over the smallest that any method has there. n/a "
     "is no pass: such a case asks nothing of the method";
 
+/// Which methods have cases that did not end, and how many; empty where all did.
+std::string unfinished_note(const std::vector<Survival>& found);
+
 /// A line each, at most 80 columns.
 std::string survival_table(const std::vector<Survival>& found);
 
 /// At most 80 columns, but for the command.
 std::string survival_text(const StoredStudy& study, const std::vector<Survival>& found);
 
-/// {recommended, methods}; a method is {method, completed, died, refused, not_applicable, uses_exact_solution,
-/// error_ratio, lost}, one lost is {number, label, outcome, reason}. `recommended` is null where there is no method.
+/// {recommended, settings, methods}; settings are those of the recommended one; a method is {method, completed, died,
+/// refused, unfinished, not_applicable, uses_exact_solution, error_ratio, lost}, one lost is {number, label, outcome,
+/// reason}. `recommended` is null where there is no method.
 std::string survival_json(const StoredStudy& study, const std::vector<Survival>& found);
 
 }  // namespace assay::drivers

@@ -6,6 +6,8 @@
 #include "drivers/input_error.hpp"
 #include "drivers/output/table_text.hpp"
 #include "drivers/output/wrapped_text.hpp"
+#include "drivers/scene/yaml_reader.hpp"
+#include "drivers/study/selection.hpp"
 #include "drivers/study/survival.hpp"
 
 namespace assay::drivers {
@@ -31,7 +33,29 @@ std::string command_of(const StoredStudy& study, const Survival& best) {
   return "";
 }
 
+/// What the study's level of that name sets, as YAML on one line; empty where its text does not say.
+std::string settings_of(const StoredStudy& study, const Survival& best) {
+  try {
+    const Tree root = read_yaml(study.findings.study_yaml, study.file);
+    const Tree* axes = root.find("axes");
+    const Tree* methods = axes ? axes->find("method") : nullptr;
+    const Tree* level = methods ? methods->find(best.method) : nullptr;
+    return level ? flow_text(*level) : "";
+  } catch (const std::exception&) {  // a file that somebody has edited
+    return "";
+  }
+}
+
 }  // namespace
+
+std::string unfinished_note(const std::vector<Survival>& found) {
+  std::string text;
+  for (const Survival& of : found) {
+    if (of.unfinished > 0)
+      text += (text.empty() ? "" : "; ") + one_line(of.method, 80) + " " + std::to_string(of.unfinished);
+  }
+  return text.empty() ? text : "Neither completed nor died, but stopped or not run yet: " + text + ".";
+}
 
 std::string survival_table(const std::vector<Survival>& found) {
   constexpr std::size_t widest = 34;
@@ -58,10 +82,13 @@ std::string survival_text(const StoredStudy& study, const std::vector<Survival>&
                                  std::to_string(best.asked()) + " cases that apply to it",
                              "take " + best.method + ": ", "  ");
   text += lost_text(study.findings, best);
-  if (const std::string command = command_of(study, best); !command.empty())
-    text += "  its settings: " + command + "\n";
+  if (const std::string settings = settings_of(study, best); !settings.empty())
+    text += wrapped(settings, "  its settings: ", "    ");
+  if (const std::string command = command_of(study, best); !command.empty()) text += "  in a scene: " + command + "\n";
   text += "\n";
-  return text + survival_table(found) + "\n" + wrapped(ratio_note, "error/best: ", "  ");
+  text += survival_table(found) + "\n";
+  if (const std::string note = unfinished_note(found); !note.empty()) text += wrapped(note, "", "  ");
+  return text + wrapped(ratio_note, "error/best: ", "  ");
 }
 
 std::string survival_json(const StoredStudy& study, const std::vector<Survival>& found) {
@@ -69,12 +96,15 @@ std::string survival_json(const StoredStudy& study, const std::vector<Survival>&
   Json out;
   const Survival* best = hardiest(found);
   out["recommended"] = best ? Json(best->method) : Json(nullptr);
+  const std::string settings = best ? settings_of(study, *best) : "";
+  out["settings"] = settings.empty() ? Json(nullptr) : Json(settings);
   out["methods"] = Json::array();
   for (const Survival& of : found) {
     Json one{{"method", of.method},
              {"completed", of.completed},
              {"died", of.died},
              {"refused", of.refused},
+             {"unfinished", of.unfinished},
              {"not_applicable", of.not_applicable},
              {"uses_exact_solution", of.uses_exact_solution},
              {"error_ratio", of.error_ratio ? Json(*of.error_ratio) : Json(nullptr)},

@@ -94,10 +94,14 @@ TEST(Material, DoesNotTrustStatusAndStress) {
   };
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   EXPECT_EQ(report_of(1, ASSAY_GOOD).worst, ASSAY_GOOD);
-  EXPECT_EQ(report_of(1, 7).worst, ASSAY_GOOD);
   EXPECT_EQ(report_of(1, ASSAY_DOUBTFUL).worst, ASSAY_DOUBTFUL);
-  EXPECT_EQ(report_of(1, -5).worst, ASSAY_FAILED);
-  EXPECT_EQ(report_of(1, -5).worst_point, 4u);
+  for (const std::int32_t unknown : {7, -5}) {
+    const UpdateReport report = report_of(1, unknown);
+    EXPECT_EQ(report.worst, ASSAY_FAILED);
+    EXPECT_EQ(report.worst_point, 4u);
+    EXPECT_EQ(report.message,
+              "the material returned the status " + std::to_string(unknown) + ", which is none of the ABI's");
+  }
   for (const double bad : {nan, inf, -inf}) {
     EXPECT_EQ(report_of(bad, ASSAY_GOOD).worst, ASSAY_FAILED);
     EXPECT_EQ(report_of(bad, ASSAY_GOOD).worst_point, 1u);

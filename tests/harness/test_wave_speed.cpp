@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "harness/homogeneous.hpp"
+#include "harness/material_failure.hpp"
 #include "harness/vortex.hpp"
 #include "tests/harness/elastic_material.hpp"
 #include "tests/harness/jaumann_material.hpp"
@@ -95,6 +98,38 @@ TEST(WaveSpeed, IsProbedWhereTheMaterialGivesNone) {
   const double mu = 1e3 / 2.6, lambda = 1e3 * 0.3 / (1.3 * 0.4), density = 700;
   const double c = fastest_wave_on_path(*jaumann_material(), vortex.baseline(), density, 1);
   EXPECT_NEAR(c, std::sqrt((lambda + 2 * mu) / density), 0.05 * c);
+}
+
+/// The elastic model with another wave speed.
+Material material_with_wave_speed(double speed) {
+  static double offered;
+  offered = speed;
+  static const assay_wave_speed odd{
+      sizeof(assay_wave_speed),
+      [](void*, double, std::size_t n, const double*, const double*, const double*, double* c) -> std::int32_t {
+        std::fill_n(c, n, offered);
+        return ASSAY_GOOD;
+      }};
+  static const assay_material table = [] {
+    assay_material t = elastic_material()->table();
+    t.extension = [](const char* id) -> const void* {
+      return std::string(id) == ASSAY_EXTENSION_WAVE_SPEED ? &odd : nullptr;
+    };
+    t.extension_of = nullptr;
+    return t;
+  }();
+  return Material(&table, {{"E", 1e3}, {"nu", 0.3}});
+}
+
+TEST(WaveSpeed, IsNotTrusted) {
+  const Path path = Vortex{}.baseline();
+  for (const double bad : {std::nan(""), -1.0, HUGE_VAL}) {
+    EXPECT_THROW(fastest_wave_on_path(material_with_wave_speed(bad), path, 1000, 1), MaterialFailure) << bad;
+  }
+  const double probed = fastest_wave_on_path(material_with_wave_speed(0), path, 1000, 1);
+  const double own = fastest_wave_on_path(*elastic_material(), path, 1000, 1);
+  EXPECT_NEAR(probed, own, direction_error * own) << "one that is 0 everywhere is not taken";
+  EXPECT_EQ(fastest_wave_on_path(material_with_wave_speed(3), path, 1000, 1), 3);
 }
 
 }  // namespace

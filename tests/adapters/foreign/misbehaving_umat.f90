@@ -17,7 +17,7 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
   real(dp), intent(out) :: ddsdde(ntens, ntens)
   real(dp), intent(inout) :: rpl, ddsddt(ntens), drplde(ntens), drpldt
   integer, parameter :: stops = 2, asks_for_shorter = 13, calls_xit = 14, returns_nan = 15, writes = 18, forgets = 20
-  integer, parameter :: writes_strain = 25
+  integer, parameter :: writes_strain = 25, asks_for_nothing = 29
   integer(int64), parameter :: quiet_nan = int(z'7ff8000000000000', int64)
   interface
     subroutine misbehave(which, stress, statev, nstatv) bind(c)
@@ -56,6 +56,8 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
     stran(1) = stran(1) + dstran(1)
   case (asks_for_shorter)
     pnewdt = 0.25_dp
+  case (asks_for_nothing)
+    pnewdt = transfer(quiet_nan, 1._dp)
   case (calls_xit)
     call xit
   case (returns_nan)

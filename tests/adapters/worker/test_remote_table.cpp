@@ -84,9 +84,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Misbehaviour{3, "did not come back within 1 s"}, Misbehaviour{4, "died of signal 6"},
                     Misbehaviour{5, "the stack overflowed"}, Misbehaviour{9, "died of signal 8"},
                     Misbehaviour{10, "changes the rounding mode"}, Misbehaviour{11, "writes past STATEV"},
-                    Misbehaviour{13, "PNEWDT = 0.25"}, Misbehaviour{14, "called XIT"},
-                    Misbehaviour{15, "stress that is not finite"}, Misbehaviour{16, "with status 0, without a result"},
-                    Misbehaviour{19, "died of signal 9"}, Misbehaviour{22, "did not come back within 1 s"}),
+                    Misbehaviour{13, "PNEWDT = 0.25"}, Misbehaviour{29, "PNEWDT that is no number"},
+                    Misbehaviour{14, "called XIT"}, Misbehaviour{15, "stress that is not finite"},
+                    Misbehaviour{16, "with status 0, without a result"}, Misbehaviour{19, "died of signal 9"},
+                    Misbehaviour{22, "did not come back within 1 s"}),
     [](const auto& instance) { return "number_" + std::to_string(instance.param.which); });
 
 #if !defined(__SANITIZE_ADDRESS__) && !(defined(__has_feature) && __has_feature(address_sanitizer))
@@ -126,6 +127,30 @@ TEST_F(RemoteTable, ForwardsWhatANativeModelOffers) {
   there.extension<assay_energy>(ASSAY_EXTENSION_ENERGY)->energy(there.self(), 1, F, nullptr, &found);
   EXPECT_EQ(found, expected);
   EXPECT_GT(found, 0);
+}
+
+/// A batch of points of which the last but one is sheared too far.
+UpdateReport batch_with_a_bad_point(const std::string& plugin, std::size_t n, std::size_t bad) {
+  const std::string library = ASSAY_BINARY_DIR "/tests/plugins/" + plugin;
+  const Material material(remote_table(start_with("library: " + library + "\n")), {});
+  std::vector<double> F0(9 * n), F1(9 * n), cauchy(9 * n);
+  for (const std::size_t d : {0, 4, 8}) std::fill_n(F0.begin() + static_cast<std::ptrdiff_t>(d * n), n, 1.0);
+  F1 = F0;
+  F1[n + bad] = 0.5;
+  return material.update(0, 1, n, F0.data(), F1.data(), nullptr, nullptr, cauchy.data());
+}
+
+TEST_F(RemoteTable, APointThatEndsANativeModelIsFoundInItsBatch) {
+  const UpdateReport report = batch_with_a_bad_point("crashes_when_sheared.so", 40, 38);
+  EXPECT_EQ(report.worst, ASSAY_FAILED);
+  EXPECT_EQ(report.worst_point, 38u);
+  EXPECT_NE(report.message.find("died of signal 6"), std::string::npos) << report.message;
+}
+
+TEST_F(RemoteTable, ABatchOfWhichNoPointAloneEndsTheModelIsTold) {
+  const UpdateReport report = batch_with_a_bad_point("crashes_in_a_run.so", 70, 38);
+  EXPECT_EQ(report.worst, ASSAY_FAILED);
+  EXPECT_NE(report.message.find("in a batch of 70 points, by none of them alone"), std::string::npos) << report.message;
 }
 
 TEST_F(RemoteTable, SaysWhyThereIsNone) {

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "drivers/scene/scene_reader.hpp"
+#include "drivers/simulation/advice.hpp"
 #include "mpm/simulation.hpp"
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/simulation/first_breakdown.hpp"
@@ -55,6 +56,15 @@ TEST(HealthWatch, NamesAVelocityThatIsNoNumber) {
   }
 }
 
+TEST(HealthWatch, SaysWhereEnergyIsBeyondTheRangeOfNumbers) {
+  Watched run;
+  run.state().column(Column::velocity, 1)[17] = 1e200;
+  const auto found = run.look();
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->reason, "mass or energy is beyond the range of numbers; fastest");
+  EXPECT_EQ(found->particle, 17);
+}
+
 TEST(HealthWatch, StopsEnergyThatNoForceHasGiven) {
   Watched run;
   EXPECT_FALSE(run.look(1, 0.001));
@@ -95,6 +105,19 @@ TEST(HealthWatch, TellsFastParticlesAndLongDomains) {
 /// uGIMP in the paper's vortex, which it does not live through.
 const std::vector<std::string> dying{"method={basis: ugimp}", "grid.spacing=0.1", "output.pictures=false",
                                      "output.particles=0", "output.errors=5"};
+
+TEST(DyingRun, IsToldWhatLivesThroughMore) {
+  const auto advice = [](const std::vector<std::string>& sets) {
+    return advice_after_death(assemble(scene_from_text(watched_scene, "w.yaml", sets), 1));
+  };
+  const std::string recommended =
+      "method={basis: bspline2, formulation: total, transfer: aflip, mass: series, terms: 4, integrator: leapfrog, ";
+  EXPECT_NE(advice({}).find(recommended.substr(8, 60)), std::string::npos) << advice({});
+  EXPECT_TRUE(advice({recommended + "courant: 0.8}"}).starts_with("method.courant 0.4"));
+  EXPECT_EQ(advice({recommended + "courant: 0.4}"}), "");
+  EXPECT_TRUE(
+      advice({recommended + "courant: 0.4}", "remedies.anti_locking=cell"}).starts_with("remedies.anti_locking: none"));
+}
 
 TEST(DyingRun, LeavesTheLastGoodParticlesAndASceneOfTheEnd) {
   const ScratchFolder scratch;

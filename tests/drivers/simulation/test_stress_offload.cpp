@@ -56,6 +56,16 @@ class StressPass {
     mpm::run(simulation_->state(), stress_, {0.01 * k, 0.01});
   }
 
+  /// A step in which nothing but one particle moves: its L12 [1/s].
+  void shear(std::size_t particle, double rate) {
+    mpm::State<2>& s = simulation_->state();
+    for (int c = 0; c < 4; ++c) {
+      std::fill_n(s.column(mpm::Column::velocity_gradient, c), s.particles, 0.0);
+    }
+    s.column(mpm::Column::velocity_gradient, 1)[particle] = rate;
+    mpm::run(s, stress_, {0, 0.01});
+  }
+
   std::vector<double> columns() {
     mpm::State<2>& s = simulation_->state();
     std::vector<double> all;
@@ -120,6 +130,19 @@ class FailuresInWorkers : public StressInWorkers {
   }
 };
 
+class StressInWorkersOfNativeModels : public StressInWorkers {
+ protected:
+  static constexpr std::size_t bad = block + 77;
+
+  static mpm::Finding finding_of(const std::string& plugin) {
+    const MaterialDescription description = read_description(
+        "library: " ASSAY_BINARY_DIR "/tests/plugins/" + plugin + ".so\ninterface: native\n", "/m.yaml");
+    StressPass run(description, Isolation::worker, 2 * block, 1);
+    run.shear(bad, 50);  // by 0.5 in a step of 0.01 s
+    return run.state().finding.value_or(mpm::Finding{});
+  }
+};
+
 TEST_F(FailuresInWorkers, ADeadWorkerIsTheFindingOfItsParticle) {
   constexpr int segmentation_fault = 1;
   for (const int workers : {1, 2}) {
@@ -130,6 +153,23 @@ TEST_F(FailuresInWorkers, ADeadWorkerIsTheFindingOfItsParticle) {
     ASSERT_TRUE(found.step);
     EXPECT_NE(found.step->F0, found.step->F1);
   }
+}
+
+/// A native model takes a block as a whole; the velocity gradients of the step shear one particle too far.
+TEST_F(StressInWorkersOfNativeModels, TheParticleThatEndsThemIsFound) {
+  const mpm::Finding found = finding_of("crashes_when_sheared");
+  EXPECT_EQ(found.kind, mpm::Finding::Kind::material_failed);
+  EXPECT_EQ(found.particle, static_cast<std::int64_t>(bad));
+  EXPECT_NE(found.reason.find("died of signal 6"), std::string::npos) << found.reason;
+  ASSERT_TRUE(found.step);
+  EXPECT_NEAR(found.step->F1(0, 1), 0.5, 1e-12) << "its own step";
+}
+
+TEST_F(StressInWorkersOfNativeModels, ABlockOfWhichNoParticleAloneEndsThemIsTold) {
+  const mpm::Finding found = finding_of("crashes_in_a_run");
+  EXPECT_EQ(found.particle, 0);
+  EXPECT_NE(found.reason.find("in a block of 256 particles, by none of them alone"), std::string::npos) << found.reason;
+  EXPECT_FALSE(found.step) << "no step of one point would show it again";
 }
 
 /// The arithmetic is looked at after a block; the step of the failure is that of the block's first particle.

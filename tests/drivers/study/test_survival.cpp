@@ -47,7 +47,27 @@ TEST(Survival, RanksByShareDeathsAndWhatWasAsked) {
   study.cases[0].outcome = "completed";  // 3 of 3 were asked for more than 2 of 2
   EXPECT_EQ(names_of(survivals(study))[0], "CPDI, FLIP");
   study.cases[0].outcome = study.cases[1].outcome = study.cases[2].outcome = "stopped";
-  EXPECT_EQ(survivals(study)[1].died + survivals(study)[2].died, 4);
+}
+
+TEST(Survival, WhoWasStoppedOrNotRunHasNotDied) {
+  StudyFindings study = two_method_study();
+  EXPECT_EQ(unfinished_note(survivals(study)), "");
+  study.cases[0].outcome = study.cases[1].outcome = "stopped";
+  study.cases[2].outcome = "missing";
+  const std::vector<Survival> found = survivals(study);
+  for (const Survival& of : found) {
+    const bool stopped = of.method == "CPDI, FLIP";
+    EXPECT_EQ(of.unfinished, stopped ? 3 : 0) << of.method;
+    EXPECT_EQ(of.died, of.method == "uGIMP, FLIP" ? 1 : 0) << of.method;
+    if (stopped) {
+      EXPECT_EQ(of.asked(), 3) << "they apply to it";
+    }
+  }
+  const std::string note = "Neither completed nor died, but stopped or not run yet: CPDI, FLIP 3.";
+  EXPECT_EQ(unfinished_note(found), note);
+  const StoredStudy stored{"x", "x/study.json", study};
+  EXPECT_NE(survival_text(stored, found).find("Neither completed nor died, but stopped"), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(survival_json(stored, found))["methods"].back()["unfinished"].is_number(), true);
 }
 
 TEST(Survival, WithoutAnAxisOfMethodsThereIsNothingToRecommend) {
@@ -71,6 +91,21 @@ TEST(Survival, TextNamesOneAndWhatItLoses) {
       << text;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;
+}
+
+TEST(Survival, SettingsAreThoseOfTheStudysOwnText) {
+  StoredStudy study{"x", "x/study.json", two_method_study()};
+  const auto settings = [&] {
+    return nlohmann::json::parse(survival_json(study, survivals(study.findings)))["settings"];
+  };
+  EXPECT_TRUE(settings().is_null());
+  study.findings.study_yaml = "axes:\n  method:\n    'B2, AFLIP': {method: {basis: bspline2, terms: 4}}\n";
+  EXPECT_EQ(settings(), "{method: {basis: bspline2, terms: 4}}");
+  EXPECT_NE(
+      survival_text(study, survivals(study.findings)).find("\n  its settings: {method: {basis: bspline2, terms: 4}}\n"),
+      std::string::npos);
+  study.findings.study_yaml = "axes: {method: [";
+  EXPECT_TRUE(settings().is_null());
 }
 
 TEST(Survival, NobodyIsTakenWhereNoneCompletes) {

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a run that died could try.
+#pragma once
+
+#include <string>
+
+#include "drivers/simulation/problem.hpp"
+
+namespace assay::drivers {
+
+/// What lives through more of the hard cases (docs/hard.md, bench/results/hard) than the method of this run; empty
+/// where nothing does.
+std::string advice_after_death(const Problem& problem);
+
+}  // namespace assay::drivers
