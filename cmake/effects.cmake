@@ -2,6 +2,8 @@
 # ASSAY_EFFECTS=spine: a program without the optional effects (mpm/effect.hpp), against which `./dev test --all` shows
 # that what a scene does not call for costs nothing. compose() does not name their passes, so their sources are left out:
 # what still called for one would not link. What else nothing calls for any more, the linker takes out. No tests.
+# The drivers have their functions in sections in either build, so that what the two have in common is compiled once.
+target_compile_options(assay_drivers PRIVATE -ffunction-sections -fdata-sections)
 if(ASSAY_EFFECTS STREQUAL "spine")
   if(ASSAY_BUILD_TESTS OR ASSAY_BUILD_BENCH OR ASSAY_BUILD_FUZZ)
     message(FATAL_ERROR "ASSAY_EFFECTS=spine builds the program alone: take ASSAY_BUILD_TESTS, _BENCH and _FUZZ off")
@@ -19,9 +21,6 @@ if(ASSAY_EFFECTS STREQUAL "spine")
       target_compile_options(${target} PRIVATE -ffunction-sections -fdata-sections)
     endif()
   endforeach()
-  file(GLOB of_runs CONFIGURE_DEPENDS drivers/run.cpp drivers/check.cpp drivers/output/*.cpp
-    drivers/simulation/*.cpp)
-  set_source_files_properties(${of_runs} PROPERTIES COMPILE_OPTIONS "-ffunction-sections;-fdata-sections")
   target_link_options(assay_drivers PUBLIC -Wl,--gc-sections)
 elseif(NOT ASSAY_EFFECTS STREQUAL "full")
   message(FATAL_ERROR "ASSAY_EFFECTS is '${ASSAY_EFFECTS}'; known: full, spine")

@@ -7,8 +7,6 @@ file(GLOB kernels CONFIGURE_DEPENDS mpm/kernels/*.cpp)
 set(kernel_options -fno-trapping-math -fno-math-errno)
 if(NOT ASSAY_SANITIZE)
   list(PREPEND kernel_options -O3)
-elseif(CMAKE_CXX_COMPILER_ID STREQUAL "Clang") # of pointers the address sanitizer knows more, and these take minutes
-  list(APPEND kernel_options -fno-sanitize=null,alignment,object-size,pointer-overflow)
 endif()
 set_source_files_properties(${kernels} PROPERTIES COMPILE_OPTIONS "${kernel_options}")
 string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)

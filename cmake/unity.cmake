@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # With CMAKE_UNITY_BUILD several sources are compiled as one, which takes a third of the time. These stand alone: an
 # internal name of theirs is another file's, too. A redefinition that only such a build shows is cured by a line here.
-# ASSAY_UNITY_TESTS: the tests alone.
-if(CMAKE_UNITY_BUILD OR ASSAY_UNITY_TESTS)
-  if(CMAKE_UNITY_BUILD)
-    target_compile_options(assay_options INTERFACE -Wno-shadow) # of one file's constants by another's locals
-  endif()
+if(CMAKE_UNITY_BUILD)
+  target_compile_options(assay_options INTERFACE -Wno-shadow # of one file's constants by another's locals
+    $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>) # what is internal counts as a header's there
   set(stand_alone
     adapters/foreign/umat.cpp
     adapters/foreign/vumat.cpp
