@@ -69,6 +69,12 @@ if(CMAKE_UNITY_BUILD)
     endforeach()
     file(GLOB mutants CONFIGURE_DEPENDS tests/harness/check/*_mutants.cpp)
     set_target_properties(test_adapters PROPERTIES UNITY_BUILD OFF) # the tests of the models are too much alike
+    target_precompile_headers(test_adapters PRIVATE <gtest/gtest.h> <Eigen/Dense> <functional> <random> <regex> <string>)
+    if(NOT ASSAY_SANITIZE) # the tests only: half of their time; in loops over particles is what they call
+      foreach(floor IN ITEMS harness adapters mpm drivers house docs mutants fuzz_corpus)
+        target_compile_options(test_${floor} PRIVATE -O1)
+      endforeach()
+    endif()
   endif()
   set_source_files_properties(${stand_alone} ${mutants} DIRECTORY ${folders} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endif()
