@@ -56,23 +56,22 @@ std::vector<Method> one_of_each_basis() {
   return methods;
 }
 
-TEST(Sweep, ResultsDoNotDependOnTheNumberOfThreads) {
-  for (const Method& method : one_of_each_basis()) {
-    const std::vector<double> one = after_steps(large(method, 1, best_instructions()));
-    for (const int threads : {2, 3, 8}) {
-      SCOPED_TRACE(name_of(method) + ", " + std::to_string(threads) + " threads");
-      expect_same_bits(one, after_steps(large(method, threads, best_instructions())));
-    }
+struct EachBasis : testing::TestWithParam<Method> {};
+INSTANTIATE_TEST_SUITE_P(Sweep, EachBasis, testing::ValuesIn(one_of_each_basis()), way_name);
+
+TEST_P(EachBasis, GivesTheSameOnAnyNumberOfThreads) {
+  const std::vector<double> one = after_steps(large(GetParam(), 1, best_instructions()));
+  for (const int threads : {2, 3, 8}) {
+    SCOPED_TRACE(threads);
+    expect_same_bits(one, after_steps(large(GetParam(), threads, best_instructions())));
   }
 }
 
-TEST(Sweep, ResultsDoNotDependOnTheInstructions) {
-  for (const Method& method : one_of_each_basis()) {
-    const std::vector<double> common = after_steps(large(method, 1, Instructions::baseline));
-    for (const Instructions instructions : usable_instructions()) {
-      SCOPED_TRACE(name_of(method) + ", " + std::string(name(instructions)));
-      expect_same_bits(common, after_steps(large(method, 1, instructions)));
-    }
+TEST_P(EachBasis, GivesTheSameWithAllInstructions) {
+  const std::vector<double> common = after_steps(large(GetParam(), 1, Instructions::baseline));
+  for (const Instructions instructions : usable_instructions()) {
+    SCOPED_TRACE(std::string(name(instructions)));
+    expect_same_bits(common, after_steps(large(GetParam(), 1, instructions)));
   }
 }
 
