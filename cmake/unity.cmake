@@ -9,28 +9,6 @@ if(CMAKE_UNITY_BUILD)
     adapters/foreign/vumat.cpp
     adapters/models/neo_hookean.c
     adapters/models/neo_hookean_extensions.c
-    adapters/worker/worker_process.cpp
-    drivers/check_keeper.cpp
-    drivers/composition.cpp
-    drivers/effects.cpp
-    drivers/explain_json.cpp
-    drivers/output/result_json.cpp
-    drivers/picture/heat_map.cpp
-    drivers/picture/line_plot.cpp
-    drivers/picture/particle_picture.cpp
-    drivers/scene/scene_keys.cpp
-    drivers/scene/schema.cpp
-    harness/check/repeated_stretch.cpp
-    harness/check/rotation.cpp
-    harness/check/rotation_at_rest.cpp
-    harness/check/stability.cpp
-    harness/history_rates.cpp
-    harness/sheet_build.cpp
-    harness/stiff_integrator.cpp
-    harness/wave_speed.cpp
-    mpm/patch/constant_stress.cpp
-    mpm/patch/momentum.cpp
-    mpm/patch/translation.cpp
     tests/drivers/material/test_material_table.cpp
     tests/drivers/output/test_vtu.cpp
     tests/drivers/picture/test_drawing.cpp
@@ -69,7 +47,10 @@ if(CMAKE_UNITY_BUILD)
     endforeach()
     file(GLOB mutants CONFIGURE_DEPENDS tests/harness/check/*_mutants.cpp)
     set_target_properties(test_adapters PROPERTIES UNITY_BUILD OFF) # the tests of the models are too much alike
-    target_precompile_headers(test_adapters PRIVATE <gtest/gtest.h> <Eigen/Dense> <functional> <random> <regex> <string>)
+    foreach(floor IN ITEMS harness adapters mpm drivers)
+      target_precompile_headers(test_${floor} PRIVATE
+        <gtest/gtest.h> <Eigen/Dense> <functional> <random> <regex> <string>)
+    endforeach()
     if(NOT ASSAY_SANITIZE) # the tests alone, in half the time: what takes long is in the libraries
       foreach(floor IN ITEMS harness adapters mpm drivers house docs mutants fuzz_corpus)
         target_compile_options(test_${floor} PRIVATE -O1 # where g++ 12 sees errors in its own std::string

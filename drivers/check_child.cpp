@@ -10,7 +10,6 @@
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <new>
 
@@ -102,13 +101,11 @@ std::string new_folder() {
   return ::mkdtemp(name.data()) ? name : std::string();
 }
 
-[[noreturn]] void refuse(const char* call) { throw SystemError(std::string(call) + ": " + std::strerror(errno)); }
-
 }  // namespace
 
 Child start_child(const std::vector<CheckTask>& tasks, std::size_t task, double limit_s) {
   int records[2], output[2];
-  if (::pipe2(records, O_CLOEXEC) != 0 || ::pipe2(output, O_CLOEXEC) != 0) refuse("pipe");
+  if (::pipe2(records, O_CLOEXEC) != 0 || ::pipe2(output, O_CLOEXEC) != 0) throw_system_error("pipe");
   Child child;
   child.task = task;
   child.in = records[0];
@@ -118,7 +115,7 @@ Child start_child(const std::vector<CheckTask>& tasks, std::size_t task, double 
   child.output = std::make_unique<adapters::KeptOutput>();
   child.folder = new_folder();
   void* page = ::mmap(nullptr, sizeof(adapters::Control), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (page == MAP_FAILED) refuse("mmap");
+  if (page == MAP_FAILED) throw_system_error("mmap");
   child.control = static_cast<adapters::Control*>(page);
   std::fflush(nullptr);  // or the child would write it a second time
   const auto work = [&] {

@@ -7,9 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <filesystem>
 #include <system_error>
 
@@ -21,11 +19,9 @@ namespace assay::drivers {
 
 namespace {
 
-[[noreturn]] void refuse(const char* call) { throw SystemError(std::string(call) + ": " + std::strerror(errno)); }
-
 struct Pipe {
   Pipe() {
-    if (::pipe2(ends, O_CLOEXEC) != 0) refuse("pipe");
+    if (::pipe2(ends, O_CLOEXEC) != 0) throw_system_error("pipe");
   }
   int ends[2] = {-1, -1};
 };
@@ -113,14 +109,14 @@ Keeper start_kept(const std::function<void()>& work, const std::vector<int>& fil
   keeper.lifeline = lifeline.ends[1];
   keeper.told = told.ends[0];
   keeper.pid = ::fork();
-  if (keeper.pid < 0) refuse("fork");
+  if (keeper.pid < 0) throw_system_error("fork");
   if (keeper.pid == 0) {
     close_all(others);
     close_all({lifeline.ends[1], told.ends[0]});
     keep(work, files, lifeline.ends[0], told.ends[1], begin, folder);
   }
   close_all({lifeline.ends[0], told.ends[1], begin.ends[0], begin.ends[1]});
-  if (::read(keeper.told, &keeper.process, sizeof keeper.process) != sizeof keeper.process) refuse("fork");
+  if (::read(keeper.told, &keeper.process, sizeof keeper.process) != sizeof keeper.process) throw_system_error("fork");
   ::fcntl(keeper.told, F_SETFL, O_NONBLOCK);
   return keeper;
 }

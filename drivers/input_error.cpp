@@ -2,7 +2,9 @@
 #include "drivers/input_error.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
+#include <cstring>
 
 namespace assay::drivers {
 
@@ -83,6 +85,8 @@ std::string Location::text() const {
   if (line > 0 && column > 0) text += ":" + std::to_string(column);
   return text;
 }
+
+void throw_system_error(const char* call) { throw SystemError(std::string(call) + ": " + std::strerror(errno)); }
 
 InputError::InputError(const std::string& what) : std::runtime_error(one_line(what)) {}
 

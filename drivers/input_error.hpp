@@ -34,6 +34,9 @@ class SystemError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Of a system call that failed: its name, and what errno says.
+[[noreturn]] void throw_system_error(const char* call);
+
 /// Another run writes into the folder.
 class FolderBusy : public SystemError {
  public:

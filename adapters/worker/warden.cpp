@@ -30,7 +30,7 @@ namespace assay::adapters {
 
 namespace {
 
-constexpr int look_ms = 20;  ///< how often limits are looked at
+constexpr int limits_look_ms = 20;  ///< how often limits are looked at
 
 /// A folder of its own for what a model writes where it stands; goes with the warden.
 class Folder {
@@ -62,7 +62,7 @@ class Warden {
     begin_bytes_ = data_bytes(worker_);
     for (;;) {
       pollfd files[] = {{lifeline_file, POLLIN, 0}, {heard_, POLLIN, 0}};
-      ::poll(files, heard_open_ ? 2 : 1, look_ms);
+      ::poll(files, heard_open_ ? 2 : 1, limits_look_ms);
       hear();
       int status = 0;
       if (::waitpid(worker_, &status, WNOHANG) == worker_) return tell_end(status);

@@ -11,7 +11,6 @@ namespace assay::drivers {
 namespace {
 
 constexpr double bar_width = 24;
-constexpr Color ink = rgb(0x1a1a1a), axis_color = rgb(0x4d4d4d);
 
 double label_room(const ColorBar& bar) {
   double room = 0;

@@ -12,8 +12,7 @@ namespace assay::drivers {
 
 namespace {
 
-constexpr Color ink = rgb(0x1a1a1a), axis_color = rgb(0x4d4d4d), paper = rgb(0xffffff);
-constexpr double text_size = 17, panel_width = 700, panel_height = 480, top = 56;
+constexpr double panel_width = 700, panel_height = 480, top = 56;
 
 struct Panel {
   const HeatMap& map;
@@ -56,18 +55,20 @@ void draw_axes(Canvas& canvas, const Panel& panel, const Axis& x, const Axis& y)
   for (std::size_t i = 0; i < x.major.size(); ++i) {
     const double at = left + panel_width * x.fraction(x.major[i]);
     canvas.stroke(std::array<Point, 2>{{{at, bottom}, {at, bottom + 6}}}, 1, axis_color);
-    canvas.text({at, bottom + 25}, x.labels[i], {text_size, ink, Anchor::middle});
+    canvas.text({at, bottom + 25}, x.labels[i], {picture_text_size, ink, Anchor::middle});
   }
   for (std::size_t i = 0; i < y.major.size(); ++i) {
     const double at = bottom - panel_height * y.fraction(y.major[i]);
     canvas.stroke(std::array<Point, 2>{{{left - 6, at}, {left, at}}}, 1, axis_color);
-    canvas.text({left - 11, at + 6}, y.labels[i], {text_size, ink, Anchor::right});
+    canvas.text({left - 11, at + 6}, y.labels[i], {picture_text_size, ink, Anchor::right});
   }
   const auto with_factor = [](const std::string& label, const Axis& axis) {
     return label + (axis.factor.empty() ? "" : "  (" + axis.factor + ")");
   };
-  canvas.text({(left + right) / 2, bottom + 52}, with_factor(panel.map.x_label, x), {text_size, ink, Anchor::middle});
-  canvas.text({22, (top + bottom) / 2}, with_factor(panel.map.y_label, y), {text_size, ink, Anchor::middle, true});
+  canvas.text({(left + right) / 2, bottom + 52}, with_factor(panel.map.x_label, x),
+              {picture_text_size, ink, Anchor::middle});
+  canvas.text({22, (top + bottom) / 2}, with_factor(panel.map.y_label, y),
+              {picture_text_size, ink, Anchor::middle, true});
   canvas.stroke(std::array<Point, 5>{{{left, top}, {right, top}, {right, bottom}, {left, bottom}, {left, top}}}, 1,
                 axis_color);
 }
@@ -82,7 +83,7 @@ std::string png(const HeatMap& map) {
   const Axis x = make_axis(map.x[0], map.x[1], false, Fit::tight, 7);
   const Axis y = make_axis(map.y[0], map.y[1], false, Fit::tight, 6);
   double widest = 0;
-  for (const std::string& label : y.labels) widest = std::max(widest, label_width(label, text_size));
+  for (const std::string& label : y.labels) widest = std::max(widest, label_width(label, picture_text_size));
   const Panel panel{map, 44 + widest};
   const ColorBar bar{map.map,
                      make_axis(range[0], range[1], false, Fit::tight, 8),
@@ -90,9 +91,9 @@ std::string png(const HeatMap& map) {
                      panel.right() + 28,
                      top,
                      panel.bottom(),
-                     text_size};
+                     picture_text_size};
   Canvas canvas(static_cast<int>(std::ceil(bar.left + width_of(bar))), static_cast<int>(panel.bottom() + 70), paper);
-  canvas.text({panel.left, 34}, map.title, {text_size * 1.2, ink, Anchor::left});
+  canvas.text({panel.left, 34}, map.title, {picture_text_size * 1.2, ink, Anchor::left});
   canvas.clip(panel.left, top, panel.right(), panel.bottom());
   draw_cells(canvas, panel, range);
   draw_lines(canvas, panel);

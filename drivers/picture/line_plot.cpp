@@ -12,7 +12,7 @@ namespace assay::drivers {
 
 namespace {
 
-constexpr double plot_width = 600, plot_height = 400, text_size = 14;
+constexpr double plot_width = 600, plot_height = 400, plot_text_size = 14;
 constexpr Ink text_ink{Ink::Role::text, 0}, axis_ink{Ink::Role::axis, 0}, grid_ink{Ink::Role::grid, 0};
 
 struct Range {
@@ -82,13 +82,13 @@ double draw_legend(Drawing& out, const LinePlot& plot, double left, double right
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& series = plot.series[i];
     if (series.name.empty()) continue;
-    const double width = sample + 8 + label_width(series.name, text_size * 0.93);
+    const double width = sample + 8 + label_width(series.name, plot_text_size * 0.93);
     if (any && x + width > right) x = left, y += row_height;
     const Ink ink{Ink::Role::series, i};
     const double middle = y + row_height / 2 - 2;
     if (series.line) out.line({{x, middle}, {x + sample, middle}}, ink, 2, series.dashed ? 5 : 0);
     if (series.markers) out.disc({x + sample / 2, middle}, 3.5, ink);
-    out.label({x + sample + 8, middle + 5}, series.name, text_size * 0.93, Anchor::left);
+    out.label({x + sample + 8, middle + 5}, series.name, plot_text_size * 0.93, Anchor::left);
     x += width + gap;
     any = true;
   }
@@ -96,7 +96,7 @@ double draw_legend(Drawing& out, const LinePlot& plot, double left, double right
 }
 
 void draw_axes(Drawing& out, const LinePlot& plot, const PlotFrame& f) {
-  const double small = text_size * 0.93;
+  const double small = plot_text_size * 0.93;
   for (std::size_t i = 0; i < f.x.major.size(); ++i) {
     const double x = f.at(f.x.major[i], f.y.low).x;
     out.line({{x, f.top}, {x, f.bottom}}, grid_ink, 1);
@@ -118,9 +118,9 @@ void draw_axes(Drawing& out, const LinePlot& plot, const PlotFrame& f) {
     out.line({{f.left - 3, y}, {f.left, y}}, axis_ink, 0.8);
   }
   out.line({{f.left, f.top}, {f.left, f.bottom}, {f.right, f.bottom}}, axis_ink, 1.2);
-  out.label({(f.left + f.right) / 2, f.bottom + 44}, with_factor(plot.x_label, f.x), text_size, Anchor::middle);
-  out.label({text_size + 2, (f.top + f.bottom) / 2}, with_factor(plot.y_label, f.y), text_size, Anchor::middle,
-            text_ink, true);
+  out.label({(f.left + f.right) / 2, f.bottom + 44}, with_factor(plot.x_label, f.x), plot_text_size, Anchor::middle);
+  out.label({plot_text_size + 2, (f.top + f.bottom) / 2}, with_factor(plot.y_label, f.y), plot_text_size,
+            Anchor::middle, text_ink, true);
 }
 
 void draw_series(Drawing& out, const LinePlot& plot, const PlotFrame& f, std::size_t index) {
@@ -144,12 +144,12 @@ Drawing draw(const LinePlot& plot) {
   PlotFrame frame;
   const bool any = fit_axes(plot, frame);
   double widest = 0;
-  for (const std::string& label : frame.y.labels) widest = std::max(widest, label_width(label, text_size * 0.93));
-  frame.left = text_size + 24 + widest;
+  for (const std::string& label : frame.y.labels) widest = std::max(widest, label_width(label, plot_text_size * 0.93));
+  frame.left = plot_text_size + 24 + widest;
   frame.right = plot_width - 18;
   frame.top = 10;
   if (!plot.title.empty()) {
-    out.label({frame.left, 22}, plot.title, text_size * 1.1, Anchor::left);
+    out.label({frame.left, 22}, plot.title, plot_text_size * 1.1, Anchor::left);
     frame.top = 34;
   }
   frame.top += draw_legend(out, plot, frame.left, frame.right, frame.top);
@@ -159,7 +159,8 @@ Drawing draw(const LinePlot& plot) {
   if (any) {
     for (std::size_t i = 0; i < plot.series.size(); ++i) draw_series(out, plot, frame, i);
   } else {
-    out.label({(frame.left + frame.right) / 2, (frame.top + frame.bottom) / 2}, "no data", text_size, Anchor::middle);
+    out.label({(frame.left + frame.right) / 2, (frame.top + frame.bottom) / 2}, "no data", plot_text_size,
+              Anchor::middle);
   }
   return out;
 }

@@ -12,9 +12,6 @@ namespace assay::drivers {
 
 namespace {
 
-constexpr Color ink = rgb(0x1a1a1a), axis_color = rgb(0x4d4d4d), paper = rgb(0xffffff);
-constexpr double text_size = 17;
-
 struct Layout {
   double panel_width = 0, panel_height = 0, left = 0, top = 0, gap = 0;
   double bar_left = 0, width = 0, height = 0;
@@ -112,20 +109,20 @@ void draw_frame_axes(Canvas& canvas, const View& view, const Layout& layout, boo
   for (std::size_t i = 0; i < x.major.size(); ++i) {
     const double at = view.at(x.major[i], 0).x;
     canvas.stroke(std::array<Point, 2>{{{at, view.bottom}, {at, view.bottom + 6}}}, 1, axis_color);
-    canvas.text({at, view.bottom + 25}, x.labels[i], {text_size, ink, Anchor::middle});
+    canvas.text({at, view.bottom + 25}, x.labels[i], {picture_text_size, ink, Anchor::middle});
   }
   const double unit_y = view.bottom + 50;
   canvas.text({(view.left + right) / 2, unit_y}, "x" + (x.factor.empty() ? "" : " (" + x.factor + ")") + " [m]",
-              {text_size, ink, Anchor::middle});
+              {picture_text_size, ink, Anchor::middle});
   const Axis y = make_axis(picture.lower[1], picture.upper[1], false, Fit::tight, target);
   for (std::size_t i = 0; i < y.major.size(); ++i) {
     const double at = view.at(0, y.major[i]).y;
     canvas.stroke(std::array<Point, 2>{{{view.left - 6, at}, {view.left, at}}}, 1, axis_color);
-    if (with_y) canvas.text({view.left - 11, at + 6}, y.labels[i], {text_size, ink, Anchor::right});
+    if (with_y) canvas.text({view.left - 11, at + 6}, y.labels[i], {picture_text_size, ink, Anchor::right});
   }
   if (with_y) {
     canvas.text({22, (view.top + view.bottom) / 2}, "y" + (y.factor.empty() ? "" : " (" + y.factor + ")") + " [m]",
-                {text_size, ink, Anchor::middle, true});
+                {picture_text_size, ink, Anchor::middle, true});
   }
   canvas.stroke(std::array<Point, 5>{{{view.left, view.top},
                                       {right, view.top},
@@ -152,11 +149,12 @@ std::string png(const ParticlePicture& picture) {
   const std::array<double, 2> range = color_range(picture);
   ColorBar bar{picture.map, make_axis(range[0], range[1], false, Fit::tight, picture.frames.size() == 1 ? 8 : 6),
                picture.value_label};
-  bar.text_size = text_size;
+  bar.text_size = picture_text_size;
   const Layout layout = lay_out(picture, bar);
   bar.left = layout.bar_left, bar.top = layout.top, bar.bottom = layout.top + layout.panel_height;
   Canvas canvas(static_cast<int>(std::ceil(layout.width)), static_cast<int>(std::ceil(layout.height)), paper);
-  if (!picture.title.empty()) canvas.text({layout.left, 36}, picture.title, {text_size * 1.2, ink, Anchor::left});
+  if (!picture.title.empty())
+    canvas.text({layout.left, 36}, picture.title, {picture_text_size * 1.2, ink, Anchor::left});
   for (std::size_t i = 0; i < picture.frames.size(); ++i) {
     const double left = layout.left + static_cast<double>(i) * (layout.panel_width + layout.gap);
     const View view{picture, left, layout.top, layout.panel_width / (picture.upper[0] - picture.lower[0]),
@@ -167,7 +165,7 @@ std::string png(const ParticlePicture& picture) {
     canvas.unclip();
     draw_frame_axes(canvas, view, layout, i == 0);
     canvas.text({left + layout.panel_width / 2, layout.top - 12}, picture.frames[i].caption,
-                {text_size, ink, Anchor::middle});
+                {picture_text_size, ink, Anchor::middle});
   }
   draw(canvas, bar);
   return canvas.png();

@@ -9,8 +9,6 @@ namespace assay::drivers {
 
 namespace {
 
-const Range positive{.lower = 0, .lower_open = true};
-
 const std::vector<std::string> motion_types{
     "vortex", "homogeneous", "rotating_stretch", "twisting_ring", "axis_aligned", "bar_1d", "rigid"};
 const std::vector<std::string> amplitude_types{"sine", "one_minus_cosine", "ramp"};

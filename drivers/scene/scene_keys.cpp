@@ -10,8 +10,6 @@ namespace assay::drivers {
 
 namespace {
 
-const Range positive{.lower = 0, .lower_open = true};
-
 const std::vector<std::string> isolations{"automatic", "worker", "none"};
 const std::vector<std::string> domains{"ring", "square", "box"};
 const std::vector<std::string> outsides{"held", "free"};

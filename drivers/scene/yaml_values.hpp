@@ -21,6 +21,8 @@ struct Range {
   bool holds(double value) const;
 };
 
+inline constexpr Range positive{.lower = 0, .lower_open = true};
+
 /// Finite, in range.
 double number_value(const Tree& tree, const std::string& key, const Range& range = {});
 bool boolean_value(const Tree& tree, const std::string& key);

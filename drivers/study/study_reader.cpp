@@ -56,8 +56,8 @@ StudyTiming read_timing(const Tree& tree, const Study& study) {
   range.whole = true;
   if (const Tree* value = tree.find("repeat"))
     timing.repeat = static_cast<int>(number_value(*value, "timing.repeat", range));
-  Range positive{0, 1e9};
-  if (const Tree* value = tree.find("seconds")) timing.seconds = number_value(*value, "timing.seconds", positive);
+  const Range seconds{0, 1e9};
+  if (const Tree* value = tree.find("seconds")) timing.seconds = number_value(*value, "timing.seconds", seconds);
   if (const Tree* value = tree.find("where")) timing.where = selection_of(*value, "timing.where", study);
   return timing;
 }

@@ -13,7 +13,6 @@ namespace assay::check {
 
 namespace {
 
-constexpr double angle = turning_angle;
 constexpr double spins_alike = 2e-2;  ///< relative: stress turned by a multiple of the angle, and stress found
 
 using AngleOf = std::function<double(double)>;
@@ -47,10 +46,10 @@ Twins march_twins(const Specimen& specimen, const Loading& loading, const AngleO
   return twins;
 }
 
-/// By how many times `angle` about (1, 2, 3) `found` is turned from `unturned`; null where by none.
+/// By how many times `turning_angle` about (1, 2, 3) `found` is turned from `unturned`; null where by none.
 std::optional<double> turned_by(const Space& space, const Tensor& found, const Tensor& unturned) {
   const double scale = unturned.cwiseAbs().maxCoeff();
-  const auto miss = [&](double k) { return distance(rotated(space.turn(k * angle), unturned), found) / scale; };
+  const auto miss = [&](double k) { return distance(rotated(space.turn(k * turning_angle), unturned), found) / scale; };
   constexpr double range = 2.5, step = 0.01;
   double best = 0;
   for (double k = -range; k <= range; k += step) {
@@ -81,15 +80,15 @@ Case case_of(const Specimen& specimen, When when) {
       return {"rotation.before",
               "a body that turns before it is loaded",
               {[a, space = specimen.space](double t) { return space.stretch(a, 0.5 * std::max(0.0, t - 1)); }, 3},
-              [](double t) { return angle * ramp(0, 1, t); }};
+              [](double t) { return turning_angle * ramp(0, 1, t); }};
     case When::during:
       return {"rotation.during", "a body that turns while it is loaded", out_and_back(specimen),
-              [](double t) { return angle * ramp(0, 2, t); }};
+              [](double t) { return turning_angle * ramp(0, 2, t); }};
     case When::apex:
       return {"rotation.apex",
               "a body that is expanded, then sheared while it turns",
               {[=](double t) { return expanded(space, a, std::min(t, 1.0), std::max(0.0, t - 1)); }, 2},
-              [](double t) { return angle * ramp(1, 2, t); }};
+              [](double t) { return turning_angle * ramp(1, 2, t); }};
     case When::after:
       break;
   }
@@ -97,7 +96,7 @@ Case case_of(const Specimen& specimen, When when) {
       "rotation.after",
       "a body that turns between two loads",
       {[a, space = specimen.space](double t) { return space.stretch(a, 0.5 * (ramp(0, 1, t) + ramp(2, 3, t))); }, 3},
-      [](double t) { return angle * ramp(1, 2, t); }};
+      [](double t) { return turning_angle * ramp(1, 2, t); }};
 }
 
 }  // namespace
@@ -164,7 +163,7 @@ TestResult rotation(const Specimen& specimen, When when) {
 RotationFinding rotation_at_fixed_stretch(const Specimen& specimen) {
   const double a = specimen.amplitude;
   const Loading loading{[a, space = specimen.space](double t) { return space.stretch(a, 0.5 * std::min(t, 1.0)); }, 2};
-  const AngleOf angle_at = [](double t) { return angle * ramp(1, 2, t); };
+  const AngleOf angle_at = [](double t) { return turning_angle * ramp(1, 2, t); };
   const int steps = specimen.steps() / 4;
   RigidTurn turned;
   Twins twins;
@@ -207,7 +206,7 @@ RotationFinding rotation_of_state(const Specimen& specimen) {
   const double a = specimen.amplitude;
   const Loading loading{[a, space = specimen.space](double t) { return space.stretch(a, 0.5 * std::min(t, 1.0)); }, 2};
   const Twins twins = march_twins(
-      specimen, loading, [](double t) { return angle * ramp(1, 2, t); }, specimen.steps());
+      specimen, loading, [](double t) { return turning_angle * ramp(1, 2, t); }, specimen.steps());
   RotationFinding finding{{.id = "rotation.state"}};
   const assay_material& table = specimen.material->table();
   double worst = 0;
@@ -220,7 +219,7 @@ RotationFinding rotation_of_state(const Specimen& specimen) {
       return Variable(table.state[v].kind, &m.marks[mark].state[at]);
     };
     const Variable loaded = value(twins.still, 0), still = value(twins.still, 1), seen = value(twins.seen, 1),
-                   turned = still.turned(specimen.space.turn(angle));
+                   turned = still.turned(specimen.space.turn(turning_angle));
     at += static_cast<std::size_t>(size);
     const double scale = still.largest();
     if (size == 1 || !(scale > faded * loaded.largest())) continue;  // what has relaxed is rounding

@@ -8,8 +8,6 @@ namespace assay::check {
 
 namespace {
 
-constexpr double angle = turning_angle;
-
 /// A turn by a small angle, its square half a strain at which most materials are elastic.
 Tensor little_turn(const Space& space, double t) { return space.turn(3e-3 * t); }
 Tensor strain_of_little_turn(const Space& space, double t) {
@@ -71,7 +69,7 @@ RotationFinding rotation_at_rest(const Specimen& specimen) {
     return distance(turned.marks[0].cauchy, -specimen.rest_pressure() * Tensor::Identity()) / specimen.modulus;
   };
   for (int k = 0; k < 3; ++k) {
-    const Loading loading{[&](double t) { return specimen.space.turn(angle * t); }, 1};
+    const Loading loading{[&](double t) { return specimen.space.turn(turning_angle * t); }, 1};
     const March turned = march(material, loading, {.steps = specimen.steps() << k, .state = specimen.rest_state()});
     errors[static_cast<std::size_t>(k)] = deviation(turned);
     last = turned.last;

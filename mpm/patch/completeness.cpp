@@ -10,7 +10,7 @@ namespace assay::mpm {
 
 namespace {
 
-constexpr double threshold = 1e-13;  ///< rounding: at most 5e-16 is found
+constexpr double completeness_threshold = 1e-13;  ///< rounding: at most 5e-16 is found
 constexpr Mat<2> slope{0.31, -0.17, 0.23, 0.41};
 
 /// Writes v_i = v + A x_i, and no acceleration, over what the grid has found.
@@ -78,13 +78,13 @@ std::vector<check::TestResult> completeness(const Method& method, const Bench& b
                   {},
                   "sum phi - 1 is at most " + digits(unity.value) + ", h |sum grad phi| " + digits(unity.gradient) +
                       ", on a jittered set"},
-                 threshold, "no partition of unity"),
+                 completeness_threshold, "no partition of unity"),
           judged(method, "weights.linear",
                  {std::max(linear.value, linear.gradient),
                   {},
                   "a linear field is off by at most " + digits(linear.value) + ", its gradient by " +
                       digits(linear.gradient) + "/h, on a jittered set"},
-                 threshold, "linear fields not reproduced")};
+                 completeness_threshold, "linear fields not reproduced")};
 }
 
 }  // namespace assay::mpm

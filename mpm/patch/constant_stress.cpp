@@ -12,8 +12,8 @@ namespace assay::mpm {
 
 namespace {
 
-constexpr double threshold = 1e-12;  ///< rounding: at most 2e-14 is found, 9e-14 of the sums
-constexpr double reach = 2;          ///< of a node, in h: more than the support of any basis here, domains included
+constexpr double stress_threshold = 1e-12;  ///< rounding: at most 2e-14 is found, 9e-14 of the sums
+constexpr double reach = 2;  ///< of a node, in h: more than the support of any basis here, domains included
 
 /// Whether a square of `reach` around the node lies inside the body, which is F times the unit square, shifted by less
 /// than one h.
@@ -107,10 +107,10 @@ std::vector<check::TestResult> constant_stress(const Method& method, const Bench
     total = std::max(total, found.total);
     const Figure figure{
         found.inner, {}, std::string(what) + ": largest inner force " + digits(found.inner) + " of stress times h"};
-    results.push_back(judged(method, id, figure, threshold, "force in a body under constant stress"));
+    results.push_back(judged(method, id, figure, stress_threshold, "force in a body under constant stress"));
   }
   const Figure figure{total, {}, "sum f x is off by at most " + digits(total) + " of the volume times the stress"};
-  results.push_back(judged(method, "stress.total", figure, threshold, "forces do not add up to the stress"));
+  results.push_back(judged(method, "stress.total", figure, stress_threshold, "forces do not add up to the stress"));
   return results;
 }
 

@@ -10,7 +10,7 @@ namespace assay::mpm {
 
 namespace {
 
-constexpr double threshold = 1e-13;  ///< rounding: at most 4e-15 is found
+constexpr double momentum_threshold = 1e-13;  ///< rounding: at most 4e-15 is found
 
 /// Every particle its own mass, velocity, F and stress.
 void disturb(State<2>& s) {
@@ -74,14 +74,14 @@ std::vector<check::TestResult> momentum(const Method& method, const Bench& bench
                  {},
                  "the angular momentum changes by " + digits(whole.angular) + " of its scale in a step, by " +
                      digits(half.angular) + " in half a step"};
-  if (whole.angular > threshold) angular.order = observed_order(2, whole.angular, 1, half.angular);
+  if (whole.angular > momentum_threshold) angular.order = observed_order(2, whole.angular, 1, half.angular);
   return {judged(method, "momentum.linear",
                  {std::max(whole.grid, whole.particles),
                   {},
                   "mass and momentum on the grid are off by " + digits(whole.grid) +
                       ", the particles' momentum after a step by " + digits(whole.particles)},
-                 threshold, "momentum not conserved"),
-          judged(method, "momentum.angular", angular, threshold, "angular momentum not conserved")};
+                 momentum_threshold, "momentum not conserved"),
+          judged(method, "momentum.angular", angular, momentum_threshold, "angular momentum not conserved")};
 }
 
 }  // namespace assay::mpm

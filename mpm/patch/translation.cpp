@@ -9,7 +9,7 @@ namespace assay::mpm {
 
 namespace {
 
-constexpr double threshold = 1e-12;                                   ///< rounding: at most 6e-14 is found
+constexpr double translation_threshold = 1e-12;                       ///< rounding: at most 6e-14 is found
 constexpr Vec<2> velocity{1.4142135623730951, -0.57735026918962573};  ///< sqrt 2, -1/sqrt 3 [m/s]
 constexpr double cells_crossed = 3.7;
 
@@ -82,7 +82,7 @@ std::vector<check::TestResult> translation(const Method& method, const Bench& be
                       " steps: velocity off by " + digits(flight.velocity) + ", F by " + digits(flight.deformation) +
                       ", momentum by " + digits(flight.momentum) + ", places by " + digits(flight.place) + " h";
   }
-  return {judged(method, "translation", figure, threshold, "uniform motion disturbed")};
+  return {judged(method, "translation", figure, translation_threshold, "uniform motion disturbed")};
 }
 
 }  // namespace assay::mpm
