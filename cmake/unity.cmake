@@ -9,6 +9,17 @@ if(CMAKE_UNITY_BUILD)
     adapters/foreign/vumat.cpp
     adapters/models/neo_hookean.c
     adapters/models/neo_hookean_extensions.c
+    tests/adapters/foreign/test_foreign_clock.cpp
+    tests/adapters/foreign/test_kinematics.cpp
+    tests/adapters/foreign/test_umat_axes.cpp
+    tests/adapters/foreign/test_written_inputs.cpp
+    tests/adapters/models/test_all_models.cpp
+    tests/adapters/models/test_drucker_prager.cpp
+    tests/adapters/models/test_hypoelastic.cpp
+    tests/adapters/models/test_j2_jaumann.cpp
+    tests/adapters/models/test_j2_multiplicative.cpp
+    tests/adapters/models/test_viscoplastic.cpp
+    tests/adapters/worker/test_process_watch.cpp
     tests/drivers/material/test_material_table.cpp
     tests/drivers/output/test_vtu.cpp
     tests/drivers/picture/test_drawing.cpp
@@ -46,7 +57,6 @@ if(CMAKE_UNITY_BUILD)
         UNITY_BUILD_CODE_BEFORE_INCLUDE "#pragma GCC diagnostic ignored \"-Wshadow\"")
     endforeach()
     file(GLOB mutants CONFIGURE_DEPENDS tests/harness/check/*_mutants.cpp)
-    set_target_properties(test_adapters PROPERTIES UNITY_BUILD OFF) # the tests of the models are too much alike
     foreach(floor IN ITEMS harness adapters mpm drivers)
       target_precompile_headers(test_${floor} PRIVATE
         <gtest/gtest.h> <Eigen/Dense> <functional> <random> <regex> <string>)

@@ -121,12 +121,16 @@ std::string steps_text(const Problem& problem) {
       problem.reference_wave_speed > 0
           ? ", " + rounded_text(problem.reference_wave_speed, 4) + " m/s across the reference configuration"
           : "";
+  const std::string viscous = problem.viscous_shortening > 1
+                                  ? "; artificial viscosity makes stable steps " +
+                                        rounded_text(problem.viscous_shortening, 3) + " times shorter"
+                                  : "";
   return fmt::format("{} particles stepped, {} held; {} steps of {} s\n",
                      grouped_text(static_cast<std::int64_t>(problem.setup.seeds.size())),
                      grouped_text(static_cast<std::int64_t>(problem.setup.seeds.held.size())),
                      grouped_text(problem.steps), rounded_text(problem.dt, 4)) +
-         wrapped(fmt::format("{} m/s{}, fastest particle {} m/s", rounded_text(problem.wave_speed, 4), reference,
-                             rounded_text(problem.particle_speed, 4)),
+         wrapped(fmt::format("{} m/s{}, fastest particle {} m/s{}", rounded_text(problem.wave_speed, 4), reference,
+                             rounded_text(problem.particle_speed, 4), viscous),
                  "  fastest wave on the path ", "    ");
 }
 

@@ -92,6 +92,7 @@ std::string explanation_json(const Problem& problem, const Composition& c, const
   json["dt"] = problem.dt;
   json["wave_speed"] = problem.wave_speed;
   if (problem.reference_wave_speed > 0) json["reference_wave_speed"] = problem.reference_wave_speed;
+  if (problem.viscous_shortening > 1) json["viscous_shortening"] = problem.viscous_shortening;
   const Sheet* sheet = response ? response->sheet() : nullptr;
   if (sheet) {
     json["sheet"] = {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What keeps light nodes and shocks from throwing particles about.
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "mpm/affine.hpp"
@@ -44,12 +45,22 @@ Pass<Dim> small_mass_pass() {
 
 namespace {
 
-/// q = rho h (C1 c + C2 h |tr D|) |tr D| where tr D < 0, rho = rho0/J. [Pa]
+/// The smallest stretch of F, by its inverse G: 1 / |G|.
+template <int Dim>
+double smallest_stretch(const Mat<Dim>& inverse_of_F) {
+  using Matrix = Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor>;
+  const Eigen::Map<const Matrix> G(inverse_of_F.data());
+  Eigen::SelfAdjointEigenSolver<Matrix> squares;
+  squares.computeDirect(G * G.transpose(), Eigen::EigenvaluesOnly);
+  return 1 / std::sqrt(squares.eigenvalues()[Dim - 1]);
+}
+
+/// q = rho h (C1 c + C2 h |tr D|) |tr D| where tr D < 0, rho = rho0/J; h a cell's width, in the total formulation
+/// where F makes it thinnest. [Pa]
 template <int Dim>
 void add_viscosity(State<Dim>& s, const Block& block) {
   const Remedies& remedies = s.setup.remedies;
-  const double h = s.setup.grid.spacing, linear = remedies.viscosity[0] * remedies.viscosity_speed,
-               quadratic = remedies.viscosity[1] * h;
+  const double linear = remedies.viscosity[0] * remedies.viscosity_speed, quadratic = remedies.viscosity[1];
   const auto F = components<Dim * Dim>(s, Column::deformation_gradient);
   const auto rate = components<Dim * Dim>(s, Column::velocity_gradient);
   const auto stress = components<stress_components<Dim>>(s, Column::stress);
@@ -57,11 +68,16 @@ void add_viscosity(State<Dim>& s, const Block& block) {
   for (std::size_t p = block.begin; p < block.end; ++p) {
     const Mat<Dim> f = load(F, p);
     Mat<Dim> L = load(rate, p);
-    if (rate_of_F) L = product<Dim>(L, inverse<Dim>(f));
+    double h = s.setup.grid.spacing;
+    if (rate_of_F) {
+      const Mat<Dim> inverse_of_F = inverse<Dim>(f);
+      L = product<Dim>(L, inverse_of_F);
+      h *= smallest_stretch<Dim>(inverse_of_F);
+    }
     double trace = 0;
     for (std::size_t d = 0; d < Dim; ++d) trace += L[d * (Dim + 1)];
     if (!(trace < 0)) continue;
-    const double q = s.setup.density / determinant<Dim>(f) * h * (linear - quadratic * trace) * -trace;
+    const double q = s.setup.density / determinant<Dim>(f) * h * (linear - quadratic * h * trace) * -trace;
     for (std::size_t d = 0; d < Dim; ++d) stress[stress_index<Dim>(d, d)][p] -= q;
     if constexpr (Dim == 2) stress[4][p] -= q;
   }

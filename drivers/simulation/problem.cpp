@@ -16,7 +16,6 @@
 #include "drivers/simulation/seeds.hpp"
 #include "drivers/simulation/time_steps.hpp"
 #include "drivers/simulation/traction_choice.hpp"
-#include "harness/wave_speed.hpp"
 #include "mpm/corners.hpp"
 #include "mpm/lattice.hpp"
 #include "mpm/particle_order.hpp"
@@ -27,7 +26,6 @@ namespace assay::drivers {
 
 namespace {
 
-constexpr double wave_periods = 4;                     ///< in which the fastest wave is looked for
 constexpr double cell_bytes = 420, sector_bytes = 90;  ///< that averaging over a particle's domain takes (measured)
 constexpr double spin_bytes = 120;  ///< that a spinning frame's force takes, its means included (counted)
 constexpr double inertia_bytes =
@@ -218,13 +216,12 @@ Problem assemble(const Scene& given, int threads) {
   check_sizes(scene);
   problem.material = material_of(scene, problem.library);
   require_reversible(scene, *problem.material);
-  const double density = scene.material.density;
   mpm::Setup<2>& setup = problem.setup;
   setup.method = *scene.method;
   setup.grid = grid_of(scene);
   setup.seeds = seeds_of(scene);
   mpm::order_by_nodes(setup);
-  setup.density = density;
+  setup.density = scene.material.density;
   setup.material = problem.material;
   choose_forces(problem);
   setup.motion = scene.motion;
@@ -237,18 +234,8 @@ Problem assemble(const Scene& given, int threads) {
   if (setup.seeds.size() == 0)
     throw InputError(scene.place("grid.spacing"), "grid.spacing", "leaves no particle in the body");
   require_compiled(problem);
-  const double watched = std::min(scene.time.end, wave_periods * problem.period());
-  for (const Path& path : baseline_paths(scene)) {
-    setup.material_direction = path.material_direction;
-    const auto fastest = [&](WaveFrame in) {
-      return fastest_wave_on_path(*problem.material, path, density, watched, in);
-    };
-    problem.wave_speed = std::max(problem.wave_speed, fastest(WaveFrame::current));
-    if (!setup.method.is_total()) continue;
-    problem.reference_wave_speed = std::max(problem.reference_wave_speed, fastest(WaveFrame::reference));
-  }
-  setup.remedies.viscosity_speed = problem.wave_speed;
-  problem.particle_speed = fastest_particle(problem);
+  for (const Path& path : baseline_paths(scene)) setup.material_direction = path.material_direction;
+  find_speeds(problem);
   plan_steps(problem);
   check_limits(problem);
   return problem;

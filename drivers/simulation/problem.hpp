@@ -19,6 +19,7 @@ struct Problem {
   double wave_speed = 0;            ///< fastest on the baseline path [m/s]
   double reference_wave_speed = 0;  ///< the same across the grid of a total formulation, else 0 [m/s]
   double particle_speed = 0;        ///< fastest of the exact motion [m/s]
+  double viscous_shortening = 1;    ///< of stable steps by artificial viscosity: waves count as so much faster [1]
   double dt = 0;                    ///< [s]; the last step may be shorter
   std::int64_t steps = 0;
   mpm::Setup<2> setup;  ///< complete but for the response

@@ -46,6 +46,18 @@ double fastest_particle_of(const mpm::State<2>& s) {
   return std::sqrt(square);
 }
 
+/// -tr D, of the particle that shrinks the fastest [1/s].
+double fastest_shrinking_of(const mpm::State<2>& s) {
+  double fastest = 0;
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    Tensor L = Tensor::Zero();
+    for (int c = 0; c < 4; ++c) L(c / 2, c % 2) = s.column(Column::velocity_gradient, c)[p];
+    if (s.method.is_total()) L *= deformation_of(s, p).inverse();
+    fastest = std::max(fastest, -L.trace());
+  }
+  return fastest;
+}
+
 }  // namespace
 
 TimeControl::TimeControl(const Problem& problem, const mpm::State<2>& state)
@@ -114,7 +126,11 @@ void TimeControl::look(const mpm::State<2>& s, double t) {
   wave_ = own_speed(s);
   if (!(wave_ > 0)) wave_ = probed_speed(s, t);
   if (!(wave_ > 0 && std::isfinite(wave_))) wave_ = problem_->wave_speed;
-  const double signal = std::max(wave_ + fastest_particle_of(s), reference_);
+  double shortening = 1;
+  if (problem_->setup.remedies.has_viscosity()) {
+    shortening = viscous_shortening(*problem_, wave_, fastest_shrinking_of(s));
+  }
+  const double signal = std::max(shortening * wave_ + fastest_particle_of(s), shortening * reference_);
   longest_ = problem_->scene.method->courant * problem_->scene.grid->spacing / signal;
   stuck_ = !(longest_ > shortest * problem_->dt);
 }

@@ -7,11 +7,13 @@
 #include "drivers/output/number_format.hpp"
 #include "drivers/scene/body_box.hpp"
 #include "drivers/scene/initial_velocity.hpp"
+#include "harness/wave_speed.hpp"
 
 namespace assay::drivers {
 
 namespace {
 
+constexpr double wave_periods = 4;  ///< in which the fastest wave is looked for
 constexpr int speed_samples = 400;
 constexpr double most_steps = 1e15;   ///< beyond, step times would not be told apart
 constexpr double whole_steps = 1e-9;  ///< a number of steps this close to a whole one [relative] is that one
@@ -84,8 +86,29 @@ double fastest_of_frame(const Frame& frame, const mpm::Seeds<2>& seeds) {
 
 }  // namespace
 
+double fastest_shrinking(const Scene& scene) {
+  if (const auto& v = scene.body.initial_velocity) return std::max(0.0, -(v->stretching[0] + v->stretching[1]));
+  double fastest = 0;
+  for (const Vector3& X : places_of(scene)) {
+    for (int k = 0; k <= speed_samples; ++k) {
+      const ExactState state = state_at(scene.motion, X, scene.time.end * k / speed_samples);
+      fastest = std::max(fastest, -(state.F_rate * state.F.inverse()).trace());
+    }
+  }
+  return fastest;
+}
+
+double viscous_shortening(const Problem& problem, double wave, double shrinking) {
+  const mpm::Remedies& remedies = problem.setup.remedies;
+  if (!remedies.has_viscosity() || !(wave > 0)) return 1;
+  const double Q = remedies.viscosity[0] * remedies.viscosity_speed +
+                   remedies.viscosity[1] * problem.scene.grid->spacing * shrinking;
+  return (Q + std::hypot(Q, wave)) / wave;
+}
+
 double fastest_signal(const Problem& problem) {
-  return std::max(problem.wave_speed + problem.particle_speed, problem.reference_wave_speed);
+  return std::max(problem.viscous_shortening * problem.wave_speed + problem.particle_speed,
+                  problem.viscous_shortening * problem.reference_wave_speed);
 }
 
 namespace {
@@ -102,9 +125,24 @@ double steps_by_courant(const Problem& problem) {
 
 }  // namespace
 
-double fastest_particle(const Problem& problem) {
-  const double own = fastest_of_motion(problem.scene);
-  return problem.scene.frame ? own + fastest_of_frame(*problem.scene.frame, problem.setup.seeds) : own;
+void find_speeds(Problem& problem) {
+  const Scene& scene = problem.scene;
+  mpm::Setup<2>& setup = problem.setup;
+  const double watched = std::min(scene.time.end, wave_periods * problem.period());
+  for (const Path& path : baseline_paths(scene)) {
+    const auto fastest = [&](WaveFrame in) {
+      return fastest_wave_on_path(*problem.material, path, setup.density, watched, in);
+    };
+    problem.wave_speed = std::max(problem.wave_speed, fastest(WaveFrame::current));
+    if (!setup.method.is_total()) continue;
+    problem.reference_wave_speed = std::max(problem.reference_wave_speed, fastest(WaveFrame::reference));
+  }
+  if (setup.remedies.has_viscosity()) {
+    setup.remedies.viscosity_speed = problem.wave_speed;
+    problem.viscous_shortening = viscous_shortening(problem, problem.wave_speed, fastest_shrinking(scene));
+  }
+  const double own = fastest_of_motion(scene);
+  problem.particle_speed = scene.frame ? own + fastest_of_frame(*scene.frame, setup.seeds) : own;
 }
 
 void plan_steps(Problem& problem) {

@@ -14,11 +14,12 @@ namespace {
 constexpr double cell_width = 112, cell_height = 42, cell_text_size = 14, cell_small_size = 12, most_of_name = 330;
 
 std::string html_cell(const StabilityCell& cell) {
-  if (!cell.of) return html::element("td", html::none);
+  const StudyCase* one = telling_case(cell);
+  if (!one) return html::element("td", html::none);
   std::string text = html::element("b", escaped(cell.text));
   if (!cell.detail.empty()) text += html::element("small", escaped(cell.detail));
-  if (!cell.of->reason.empty()) text += html::element("small", escaped(cut_text(cell.of->reason, 70)));
-  const std::string title = cell.of->reason.empty() ? "" : "\" title=\"" + escaped(cell.of->reason);
+  if (!one->reason.empty()) text += html::element("small", escaped(cut_text(one->reason, 70)));
+  const std::string title = one->reason.empty() ? "" : "\" title=\"" + escaped(one->reason);
   return html::element("td class=\"state\" style=\"background:" + css_color(cell.background) +
                            ";color:" + css_color(cell.ink) + title + "\"",
                        text);
@@ -52,15 +53,17 @@ std::vector<std::string> lines_of(const std::string& name, std::size_t most, dou
 }
 
 void draw_cell(Drawing& out, const StabilityCell& cell, double left, double top) {
-  if (!cell.of) return;
+  const StudyCase* one = telling_case(cell);
+  if (!one) return;
   const double right = left + cell_width - 3, bottom = top + cell_height - 3, middle = (left + right) / 2;
   out.area({{left, top}, {right, top}, {right, bottom}, {left, bottom}}, {Ink::Role::fixed, 0, cell.background});
-  out.tip(cell.of->label + ": " + outcome_text(*cell.of) + (cell.of->reason.empty() ? "" : ". " + cell.of->reason));
+  out.tip(one->label + ": " + outcome_text(*one) + (one->reason.empty() ? "" : ". " + one->reason));
   const Ink ink{Ink::Role::fixed, 0, cell.ink};
   const bool two = !cell.detail.empty();
   const double size = cell.text.size() > 10 ? cell_small_size : cell_text_size;
   out.label({middle, top + (two ? 17 : 24.5)}, fitting(cell.text, size, cell_width - 6), size, Anchor::middle, ink);
-  if (two) out.label({middle, top + 32}, cell.detail, cell_small_size, Anchor::middle, ink);
+  const std::string detail = fitting(cell.detail, cell_small_size, cell_width - 6);
+  if (two) out.label({middle, top + 32}, detail, cell_small_size, Anchor::middle, ink);
 }
 
 }  // namespace

@@ -105,7 +105,8 @@ std::string stability(const StudyFindings& findings) {
   for (const StabilityRow& row : map.rows) {
     rows.push_back({plain(row.name)});
     for (const StabilityCell& cell : row.cells) {
-      rows.back().push_back(!cell.of ? none : plain(cell.text + (cell.detail.empty() ? "" : ", " + cell.detail)));
+      rows.back().push_back(cell.of.empty() ? none
+                                            : plain(cell.text + (cell.detail.empty() ? "" : ", " + cell.detail)));
     }
   }
   return section("What holds and what dies", head, rows);

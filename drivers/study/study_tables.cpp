@@ -102,10 +102,10 @@ std::string stability_csv(const StudyFindings& findings) {
       {"row", map.column_name.empty() ? "column" : map.column_name, "number", "outcome", "error", "t", "reason"});
   for (const StabilityRow& row : map.rows) {
     for (std::size_t k = 0; k < row.cells.size(); ++k) {
-      const StudyCase* one = row.cells[k].of;
-      if (!one) continue;
-      out.row({row.name, map.columns[k], std::to_string(one->number), one->outcome, csv_number(one->error),
-               csv_number(number_of(*one, "t")), one->reason});
+      for (const StudyCase* one : row.cells[k].of) {
+        out.row({row.name, map.columns[k], std::to_string(one->number), one->outcome, csv_number(one->error),
+                 csv_number(number_of(*one, "t")), one->reason});
+      }
     }
   }
   return out.text();

@@ -9,7 +9,7 @@
 namespace assay::model_tests {
 namespace {
 
-double largest(const std::vector<double>& a) {
+double largest_entry(const std::vector<double>& a) {
   double most = 0;
   for (const double x : a) most = std::max(most, std::abs(x));
   return most;
@@ -103,7 +103,7 @@ Measured tangent_error(const Material& material) {
     if (form->tangent(material.self(), &step, 1, s.state0.data(), found.data()) != ASSAY_GOOD) found[0] = NAN;
     double difference = 0;
     for (std::size_t i = 0; i < 81; ++i) difference = std::fmax(difference, std::abs(found[i] - expected[i]));
-    measured.add(std::isnan(found[0]) ? INFINITY : difference / largest(expected));
+    measured.add(std::isnan(found[0]) ? INFINITY : difference / largest_entry(expected));
   }
   return measured;
 }

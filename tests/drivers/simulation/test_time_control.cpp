@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "drivers/scene/scene_reader.hpp"
@@ -111,6 +112,75 @@ TEST(PlannedSteps, OfATotalFormulationFollowWavesAcrossTheReferenceConfiguration
   EXPECT_GT(total.steps, 3 * updated.steps);
   const Problem soft = problem_of("total", "0.3");
   EXPECT_EQ(fastest_signal(soft), soft.wave_speed + soft.particle_speed);
+}
+
+Problem damped(const std::string& coefficients, const std::string& motion = "vortex, amplitude: {peak: 1}",
+               const std::string& formulation = "total", const std::string& time = "{end: 0.5}") {
+  return assemble(
+      scene_from_text("motion: {type: " + motion +
+                          "}\nmaterial: {adapter: neo_hookean, parameters: {E: 1e3, nu: 0.3}, density: 1000}\n"
+                          "grid: {spacing: 0.125}\nmethod: {basis: bspline2, formulation: " +
+                          formulation + "}\nforce: {response: closed_form}\ntime: " + time +
+                          "\nremedies: {artificial_viscosity: " + coefficients + "}\n",
+                      "d.yaml", {}),
+      1);
+}
+
+/// Of v += -dt (w^2 u + 2 xi w v), u += dt v.
+double spectral_radius(double dt, double w, double xi) {
+  Eigen::Matrix2d step;
+  step << 1 - dt * w * dt * w, dt * (1 - 2 * xi * w * dt), -dt * w * w, 1 - 2 * xi * w * dt;
+  return step.eigenvalues().cwiseAbs().maxCoeff();
+}
+
+TEST(ViscousShortening, IsTheStabilityLimitOfDampedCentralDifferences) {
+  constexpr double beyond = 1.001, h = 0.125;
+  for (const double linear : {0.05, 0.5, 4.0}) {
+    const Problem problem = damped("[" + std::to_string(linear) + ", 0]");
+    const double c = problem.wave_speed, longest = h / (c * viscous_shortening(problem, c, 0));
+    EXPECT_LT(spectral_radius(longest / beyond, 2 * c / h, linear), 1);
+    EXPECT_GT(spectral_radius(longest * beyond, 2 * c / h, linear), 1);
+  }
+}
+
+TEST(ViscousShortening, ActsOnPlannedStepsByTheShrinkingOfTheExactMotion) {
+  EXPECT_EQ(damped("[0, 0]").viscous_shortening, 1);
+  const double shears_alone = 0.2 + std::sqrt(1 + 0.2 * 0.2);
+  const Problem vortex = damped("[0.2, 2]"), plain = damped("[0, 0]");
+  EXPECT_NEAR(vortex.viscous_shortening, shears_alone, 1e-9);
+  EXPECT_NEAR(fastest_signal(vortex) * plain.reference_wave_speed,
+              fastest_signal(plain) * std::max(vortex.viscous_shortening * vortex.reference_wave_speed,
+                                               vortex.viscous_shortening * vortex.wave_speed + vortex.particle_speed),
+              1e-9);
+  EXPECT_GT(vortex.steps, plain.steps);
+  const std::string squeezed = "homogeneous, period: 1, final: [[0.5, 0, 0], [0, 1, 0], [0, 0, 1]]";
+  const Problem shrinks = damped("[0, 2]", squeezed, "updated");
+  const double shrinking = fastest_shrinking(shrinks.scene), Q = 2 * 0.125 * shrinking;
+  EXPECT_GT(shrinking, 0);
+  EXPECT_NEAR(shrinks.viscous_shortening, (Q + std::hypot(Q, shrinks.wave_speed)) / shrinks.wave_speed, 1e-12);
+}
+
+TEST(ViscousShortening, OfCurrentStepsFollowsTheParticles) {
+  for (const char* formulation : {"updated", "total"}) {
+    const Problem problem = damped("[0.1, 2]", "vortex, amplitude: {peak: 1}", formulation, "{control: current}");
+    mpm::Simulation<2> simulation(problem.setup);
+    mpm::State<2>& s = simulation.state();
+    TimeControl at_rest(problem, s);
+    const double before = at_rest.next(s, 0);
+    for (std::size_t p = 0; p < s.particles; ++p) s.column(mpm::Column::velocity_gradient, 0)[p] = p == 5 ? -40 : 0;
+    TimeControl shrinking(problem, s);
+    const double c = shrinking.wave_speed(), v = std::acos(-1.0);
+    const double factor = viscous_shortening(problem, c, 40);
+    EXPECT_GT(factor, 5);
+    EXPECT_NEAR(shrinking.next(s, 0), 0.4 * 0.125 / (factor * c + v), 0.03 * before) << formulation;
+  }
+}
+
+// With steps that do not count it the sheared body dies of it, at t = 0.26 s.
+TEST(ViscousShortening, LetsAShearedBodyLive) {
+  const auto result = result_of_run("methods/best_total", {"output={particles: 0, pictures: false, report: false}",
+                                                           "remedies.artificial_viscosity=[0.2, 2]", "time.end=0.5"});
+  EXPECT_EQ(result["outcome"], "completed");
 }
 
 }  // namespace

@@ -56,6 +56,43 @@ TEST(StabilityMap, other_axes_are_rows) {
   EXPECT_TRUE(stability_map({}).rows.empty());
 }
 
+/// Two methods at so many random places, every tenth of the second dies there.
+StudyFindings sampled_study(std::size_t places) {
+  StudyFindings findings;
+  findings.axes = {"grid.offset", "method", "angle"};
+  findings.error_unit = "m";
+  for (std::size_t k = 0; k < 2 * places; ++k) {
+    StudyCase one;
+    one.number = k + 1;
+    one.values = {{"grid.offset", std::to_string(0.37 * static_cast<double>(k))},
+                  {"method", k % 2 == 0 ? "steady" : "frail"},
+                  {"angle", std::to_string(0.11 * static_cast<double>(k))}};
+    const bool dies = k % 20 == 1;
+    one.outcome = dies ? "unstable" : "completed";
+    if (dies) one.reason = "det F <= 0: particle " + std::to_string(k);
+    if (!dies) one.error = 0.01 + 1e-5 * static_cast<double>(k);
+    findings.cases.push_back(one);
+  }
+  return findings;
+}
+
+TEST(StabilityMap, of_samples_counts_what_completed) {
+  const StudyFindings findings = sampled_study(300);
+  const StabilityMap map = stability_map(findings);
+  EXPECT_EQ(map.row_name, "method");
+  EXPECT_EQ(map.columns, std::vector<std::string>{""});
+  ASSERT_EQ(map.rows.size(), 2u);
+  const StabilityCell &steady = map.rows[0].cells[0], &frail = map.rows[1].cells[0];
+  EXPECT_EQ(steady.text, "300 of 300");
+  EXPECT_EQ(steady.detail, "0.01 to 0.016 m");
+  EXPECT_EQ(frail.text, "270 of 300");
+  EXPECT_NE(css_color(steady.background), css_color(frail.background));
+  ASSERT_NE(telling_case(frail), nullptr);
+  EXPECT_EQ(telling_case(frail)->number, 2u);
+  EXPECT_NE(stability_table(map).find("det F &lt;= 0: particle 1"), std::string::npos);
+  EXPECT_EQ(stability_map(sampled_study(30)).rows.size(), 60u);  // these can still be told apart
+}
+
 TEST(StabilityMap, picture_holds_its_texts) {
   const StudyFindings findings = crowded_study(40);
   const Drawing drawing = stability_picture(stability_map(findings));
