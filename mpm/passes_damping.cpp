@@ -6,6 +6,7 @@
 #include "mpm/affine.hpp"
 #include "mpm/column_access.hpp"
 #include "mpm/passes_remedies.hpp"
+#include "mpm/with_basis.hpp"
 
 namespace assay::mpm {
 
@@ -55,10 +56,10 @@ double smallest_stretch(const Mat<Dim>& inverse_of_F) {
   return 1 / std::sqrt(squares.eigenvalues()[Dim - 1]);
 }
 
-/// q = rho h (C1 c + C2 h |tr D|) |tr D| where tr D < 0, rho = rho0/J; h a cell's width, in the total formulation
-/// where F makes it thinnest. [Pa]
+/// q = rho h (C1 c + C2 h |tr D|) |tr D| where tr D < 0, rho = rho0/J; h a cell's width, where the cell
+/// of the total formulation or the particle's domain deforms by F that where it is thinnest. [Pa]
 template <int Dim>
-void add_viscosity(State<Dim>& s, const Block& block) {
+void add_viscosity(State<Dim>& s, const Block& block, bool thins) {
   const Remedies& remedies = s.setup.remedies;
   const double linear = remedies.viscosity[0] * remedies.viscosity_speed, quadratic = remedies.viscosity[1];
   const auto F = components<Dim * Dim>(s, Column::deformation_gradient);
@@ -69,11 +70,9 @@ void add_viscosity(State<Dim>& s, const Block& block) {
     const Mat<Dim> f = load(F, p);
     Mat<Dim> L = load(rate, p);
     double h = s.setup.grid.spacing;
-    if (rate_of_F) {
-      const Mat<Dim> inverse_of_F = inverse<Dim>(f);
-      L = product<Dim>(L, inverse_of_F);
-      h *= smallest_stretch<Dim>(inverse_of_F);
-    }
+    const Mat<Dim> inverse_of_F = inverse<Dim>(f);
+    if (rate_of_F) L = product<Dim>(L, inverse_of_F);
+    if (thins) h *= smallest_stretch<Dim>(inverse_of_F);
     double trace = 0;
     for (std::size_t d = 0; d < Dim; ++d) trace += L[d * (Dim + 1)];
     if (!(trace < 0)) continue;
@@ -95,9 +94,11 @@ Pass<Dim> viscosity_pass(const Method&) {
   pass.reads = {Column::velocity_gradient, Column::deformation_gradient, Column::stress};
   pass.writes = {Column::stress};
   pass.bind = [](State<Dim>& s) -> Kernel {
+    const BasisTraits traits = traits_of<Dim>(s.method.basis);
+    const bool thins = s.method.is_total() || traits.moves_corners || traits.uses_deformation;
     Kernel kernel;
-    kernel.block = [&s](const Instant&, const Block& block) {
-      add_viscosity(s, block);
+    kernel.block = [&s, thins](const Instant&, const Block& block) {
+      add_viscosity(s, block, thins);
       return none_bad;
     };
     return kernel;

@@ -14,8 +14,8 @@ struct Remedies {
   AntiLocking anti_locking = AntiLocking::none;
   double largest_domain = 0;  ///< of convected domains, from a particle to a corner [cells]; 0: as they deform
   double small_mass = 0;      ///< lighter nodes take up force in proportion [rho0 h^Dim]; 0: all forces
-  /// C1 and C2 of q = rho h (C1 c + C2 h |tr D|) |tr D| in compression, h a cell's width, in the total formulation as it
-  /// deforms; 0: no viscosity.
+  /// C1 and C2 of q = rho h (C1 c + C2 h |tr D|) |tr D| in compression, h a cell's width, of
+  /// cells and domains that deform with the body where they are thinnest; 0: no viscosity.
   std::array<double, 2> viscosity{};
   double viscosity_speed = 0;  ///< c of it [m/s]
 

@@ -148,10 +148,11 @@ TEST(ViscousShortening, ActsOnPlannedStepsByTheShrinkingOfTheExactMotion) {
   const double shears_alone = 0.2 + std::sqrt(1 + 0.2 * 0.2);
   const Problem vortex = damped("[0.2, 2]"), plain = damped("[0, 0]");
   EXPECT_NEAR(vortex.viscous_shortening, shears_alone, 1e-9);
-  EXPECT_NEAR(fastest_signal(vortex) * plain.reference_wave_speed,
-              fastest_signal(plain) * std::max(vortex.viscous_shortening * vortex.reference_wave_speed,
-                                               vortex.viscous_shortening * vortex.wave_speed + vortex.particle_speed),
-              1e-9);
+  EXPECT_EQ(vortex.reference_wave_speed, plain.reference_wave_speed);
+  EXPECT_NEAR(
+      fastest_signal(vortex),
+      std::max(shears_alone * vortex.reference_wave_speed, shears_alone * vortex.wave_speed + vortex.particle_speed),
+      1e-9);
   EXPECT_GT(vortex.steps, plain.steps);
   const std::string squeezed = "homogeneous, period: 1, final: [[0.5, 0, 0], [0, 1, 0], [0, 0, 1]]";
   const Problem shrinks = damped("[0, 2]", squeezed, "updated");
