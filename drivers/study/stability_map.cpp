@@ -56,19 +56,19 @@ void tell(const StudyFindings& findings, const StudyCase& one, const Errors& err
 /// What it says of many.
 void tell_all(const StudyFindings& findings, const Errors& errors, StabilityCell& cell) {
   std::size_t completed = 0, asked = 0;
-  double low = INFINITY, high = -INFINITY;
+  double high = -INFINITY;
   for (const StudyCase* one : cell.of) {
     asked += one->outcome != "n/a";
     completed += one->completed();
     if (!one->completed() || !one->error) continue;
-    low = std::min(low, *one->error);
     high = std::max(high, *one->error);
   }
   cell.text = std::to_string(completed) + " of " + std::to_string(asked);
-  if (high >= low) cell.detail = error_text(findings, low, true) + " to " + error_text(findings, high);
+  const bool has_error = std::isfinite(high);
+  if (has_error) cell.detail = "up to " + error_text(findings, high);
   const bool some_died = std::any_of(cell.of.begin(), cell.of.end(), [](const StudyCase* one) { return died(*one); });
   if (asked > 0) cell.background = some_died ? orange : grey;
-  if (completed == asked && high >= low) cell.background = mix(pale_blue, deep_blue, errors.rank(high));
+  if (completed == asked && has_error) cell.background = mix(pale_blue, deep_blue, errors.rank(high));
   cell.ink = readable_on(cell.background);
 }
 

@@ -14,7 +14,7 @@ namespace assay::drivers {
 struct StabilityCell {
   std::vector<const StudyCase*> of;  ///< empty where the study has no such case, many where the map leaves axes out
   std::string text;                  ///< "1.2 %", "unstable"; of many "297 of 300"
-  std::string detail;                ///< "t = 0.31 s"; of many the smallest and the largest error
+  std::string detail;                ///< "t = 0.31 s"; of many "up to 0.013 m"
   Color background = rgb(0xffffff), ink = rgb(0x1a1a1a);
 };
 

@@ -84,7 +84,7 @@ TEST(StabilityMap, of_samples_counts_what_completed) {
   ASSERT_EQ(map.rows.size(), 2u);
   const StabilityCell &steady = map.rows[0].cells[0], &frail = map.rows[1].cells[0];
   EXPECT_EQ(steady.text, "300 of 300");
-  EXPECT_EQ(steady.detail, "0.01 to 0.016 m");
+  EXPECT_EQ(steady.detail, "up to 0.016 m");
   EXPECT_EQ(frail.text, "270 of 300");
   EXPECT_NE(css_color(steady.background), css_color(frail.background));
   ASSERT_NE(telling_case(frail), nullptr);
