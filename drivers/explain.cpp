@@ -47,7 +47,7 @@ std::string passes_text(const Problem& problem, const Composition& c) {
   std::string text = "passes of a step\n";
   const std::string indent(22, ' ');
   for (const auto& pass : c.passes) {
-    text += wrapped(pass.doc, fmt::format("  {:20}", pass.name), indent);
+    text += wrapped(pass.doc, fmt::format("  {:19} ", pass.name), indent);
     if (!pass.reads.empty()) text += wrapped("reads " + columns_text(pass.reads), indent + "  ", indent + "    ");
     if (!pass.writes.empty()) text += wrapped("writes " + columns_text(pass.writes), indent + "  ", indent + "    ");
     if (!pass.grid_fields.empty()) {
@@ -65,7 +65,7 @@ std::string passes_text(const Problem& problem, const Composition& c) {
 std::string observers_text(const Problem& problem) {
   std::string text;
   for (const Observer& o : observers_of(problem)) {
-    text += fmt::format("  {:20}{} times, because of {}\n", o.name, o.times, o.called_for_by);
+    text += fmt::format("  {:19} {} times, because of {}\n", o.name, o.times, o.called_for_by);
   }
   return text.empty() ? "nothing between steps\n" : "between steps\n" + text;
 }
@@ -107,7 +107,7 @@ std::string effects_text(const Composition& c) {
       absent += (absent.empty() ? "" : ", ") + entry.name + (entry.key.empty() ? "" : " (" + entry.key + ")");
       continue;
     }
-    there += wrapped(entry.doc, fmt::format("  {:20}", entry.name), indent);
+    there += wrapped(entry.doc, fmt::format("  {:19} ", entry.name), indent);
     if (const std::string brought = brought_text(part); !brought.empty()) {
       there += wrapped(brought, indent + "  ", indent + "    ");
     }

@@ -189,12 +189,15 @@ TEST(Explain, SaysWhyAnEffectIsThereAndWhichKeyWouldCallForOneThatIsNot) {
 TEST(Explain, TextFitsATerminal) {
   ExplainOptions options;
   options.scene = scene;
-  options.sets = {"frame={angle: -0.71234, spin: -1.31234, velocity: [-0.41234, -0.21234]}"};
+  options.sets = {"frame={angle: -0.71234, spin: -1.31234, velocity: [-0.41234, -0.21234]}",
+                  "remedies.artificial_viscosity=[0.1, 1]"};
   testing::internal::CaptureStdout();
   ASSERT_EQ(explain(options), 0);
+  const std::string all = testing::internal::GetCapturedStdout();
   std::string line;
-  std::istringstream text(testing::internal::GetCapturedStdout());
+  std::istringstream text(all);
   while (std::getline(text, line)) EXPECT_LE(line.size(), 80u) << line;
+  EXPECT_NE(all.find("\n  artificial_viscosity a pressure against"), all.npos);  // the longest name stands apart
 }
 
 }  // namespace
