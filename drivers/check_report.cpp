@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "drivers/input_error.hpp"
 #include "drivers/material/material_path.hpp"
 #include "drivers/output/junit.hpp"
 #include "drivers/output/number_format.hpp"
@@ -137,13 +138,6 @@ std::optional<CheckedMaterial> checked_of_json(const std::string& text) {
 }
 
 namespace {
-
-/// "E, nu"
-std::string joined(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
 
 /// The same wherever the library lies.
 std::string class_of(const CheckedMaterial& checked) {

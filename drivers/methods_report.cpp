@@ -24,16 +24,16 @@ std::string order_text(const std::optional<double>& order) {
   return order ? rounded_text(std::round(10 * *order) / 10 + 0.0, 3) : "-";
 }
 
-std::string row(const std::string& id, const std::string& verdict, const std::string& measure,
-                const std::string& threshold, const std::string& order) {
+std::string method_row(const std::string& id, const std::string& verdict, const std::string& measure,
+                       const std::string& threshold, const std::string& order) {
   return table_line("  " + padded(id, 25) + padded(verdict, 9) + padded(measure, 11) + padded(threshold, 10) + order);
 }
 
 std::string rows_of(const mpm::MethodReport& report, Verbosity verbosity) {
   std::string page = name_of(report.method) + "\n";
   for (const TestResult& test : report.tests) {
-    page += row(test.id, test.verdict == Verdict::fail ? "FAIL" : verdict_name(test.verdict),
-                measured_text(test.measure), measured_text(test.threshold), order_text(test.order));
+    page += method_row(test.id, test.verdict == Verdict::fail ? "FAIL" : verdict_name(test.verdict),
+                       measured_text(test.measure), measured_text(test.threshold), order_text(test.order));
     if (verbosity == Verbosity::verbose || test.verdict == Verdict::fail)
       page += wrapped(test.sentence, "    ", "    ");
   }
@@ -67,7 +67,7 @@ std::string reasons(const CheckedMethods& checked) {
   return page;
 }
 
-Json number(const std::optional<double>& value) {
+Json method_figure(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
@@ -81,9 +81,9 @@ Json json_of(const mpm::Method& method, const TestResult& test) {
           {"mass", names.mass},
           {"id", test.id},
           {"verdict", verdict_name(test.verdict)},
-          {"measure", number(test.measure)},
-          {"threshold", number(test.threshold)},
-          {"order", number(test.order)},
+          {"measure", method_figure(test.measure)},
+          {"threshold", method_figure(test.threshold)},
+          {"order", method_figure(test.order)},
           {"cause", test.cause.empty() ? Json(nullptr) : Json(test.cause)},
           {"sentence", test.sentence}};
 }
@@ -97,7 +97,7 @@ bool CheckedMethods::passes() const {
 std::string methods_text(const CheckedMethods& checked, Verbosity verbosity) {
   std::string page;
   if (verbosity != Verbosity::quiet) {
-    page += row("test", "verdict", "measured", "at most", "order");
+    page += method_row("test", "verdict", "measured", "at most", "order");
     for (const auto& report : checked.methods) page += rows_of(report, verbosity);
     page += "\n" + reasons(checked);
   }

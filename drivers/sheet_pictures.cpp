@@ -11,8 +11,8 @@ namespace assay::drivers {
 
 namespace {
 
-constexpr std::size_t columns = 350, rows = 240;  ///< of the picture: two pixels a cell
-constexpr int look = 24;                          ///< values of xi and of t for the largest component
+constexpr std::size_t map_columns = 350, map_rows = 240;  ///< of the picture: two pixels a cell
+constexpr int look = 24;                                  ///< values of xi and of t for the largest component
 constexpr int history_points = 600;
 constexpr std::size_t front_times = 1400;   ///< at which fronts are looked for
 constexpr double reach = 0.05;              ///< of the range of xi: how far a front may go from one to the next
@@ -109,16 +109,16 @@ HeatMap sheet_picture(const Tabulation& tab) {
   map.x = {0, tab.end};
   map.y = {tab.path.parameter.lower, tab.path.parameter.upper};
   if (!(map.y[1] > map.y[0])) map.y[1] = map.y[0] + 1e-9;
-  map.columns = columns;
-  map.rows = rows;
-  map.values.resize(columns * rows);
+  map.columns = map_columns;
+  map.rows = map_rows;
+  map.values.resize(map_columns * map_rows);
   std::vector<double> xi;
-  for (std::size_t j = 0; j < rows; ++j) xi.push_back(xi_at(tab, (double(j) + 0.5) / double(rows)));
-  for (std::size_t i = 0; i < columns; ++i) {
+  for (std::size_t j = 0; j < map_rows; ++j) xi.push_back(xi_at(tab, (double(j) + 0.5) / double(map_rows)));
+  for (std::size_t i = 0; i < map_columns; ++i) {
     stop_if_interrupted();
-    const double t = tab.end * (double(i) + 0.5) / double(columns);
+    const double t = tab.end * (double(i) + 0.5) / double(map_columns);
     tab.response->at_time(t, xi, [&](std::size_t j, const Tensor& tau, const Tensor&) {
-      map.values[i * rows + j] = component(tau, shown);
+      map.values[i * map_rows + j] = component(tau, shown);
     });
   }
   FrontLines fronts(tab.end / double(front_times), reach * tab.path.parameter.width());

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double difference_step = 2e-3;     ///< of the cosines: the fourth power of it is rounding
 constexpr double history_tolerance = 1e-13;  ///< of a step
-constexpr std::array<double, 5> places{-2, -1, 0, 1, 2};
+constexpr std::array<double, 5> difference_places{-2, -1, 0, 1, 2};
 
 /// tau of one history at all times [Pa].
 std::vector<Tensor> history_of(const Material& material, const Path& path, double xi, std::span<const double> times) {
@@ -55,10 +55,10 @@ std::vector<ExactStress> axis_aligned_stress(const Material& material, const Axi
     const double slope = -pi * std::sin(pi * X(d));  // of the cosine [1/m]
     if (std::abs(slope) < 1e-12) continue;
     std::array<std::vector<Tensor>, 5> near;
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t i = 0; i < difference_places.size(); ++i) {
       std::array<double, 2> at = cosine;
-      at[static_cast<std::size_t>(d)] += places[i] * difference_step;
-      if (places[i] != 0) near[i] = tau_at(at[0], at[1]);
+      at[static_cast<std::size_t>(d)] += difference_places[i] * difference_step;
+      if (difference_places[i] != 0) near[i] = tau_at(at[0], at[1]);
     }
     for (std::size_t k = 0; k < times.size(); ++k) {
       const Tensor dtau = slope * difference({near[0][k], near[1][k], tau[k], near[3][k], near[4][k]});

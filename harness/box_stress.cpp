@@ -15,7 +15,7 @@ namespace {
 constexpr int fewest_modes = 8;
 constexpr int trial_times = 24;                        ///< at which the number of modes is tried out
 constexpr double trial_periods = 2;                    ///< over which
-constexpr double history_tolerance = 1e-3;             ///< of a step, of what is asked of the whole
+constexpr double share_a_step = 1e-3;                  ///< of a step, of what is asked of the whole
 constexpr double least_tolerance = 1e-13;              ///< of a step
 constexpr std::size_t piola_components[] = {0, 4, 8};  // 11, 22, 33 of nine
 
@@ -54,7 +54,7 @@ void BoxStress::lay_out(int modes_wanted, double end) {
     F1_ = F0_;
     return;
   }
-  const double tolerance = std::max(least_tolerance, history_tolerance * options_.tolerance);
+  const double tolerance = std::max(least_tolerance, share_a_step * options_.tolerance);
   const bool watch = material_->has(ASSAY_NON_SMOOTH);
   for (const auto& section : sections_) courses_.push_back(std::make_unique<Course>(*material_, *section, end));
   for (const double xi : xi_) {

@@ -17,8 +17,8 @@ using Vector = std::vector<double>;
 
 using Explicit = odeint::runge_kutta_fehlberg78<Vector>;
 
-constexpr double first_share = 1.0 / 64;    ///< of a piece: the first step to try
-constexpr double shortest_share = 1e-14;    ///< of the end
+constexpr double first_step = 1.0 / 64;     ///< of a piece: the first step to try
+constexpr double shortest_step = 1e-14;     ///< of the end
 constexpr double longest_share = 1.0 / 16;  ///< of a piece
 constexpr double inside = 1e-13;            ///< of a piece: F' is taken this far inside its ends, where it may jump
 constexpr int most_steps = 4000;            ///< explicit, in one advance: beyond, the material is stiff
@@ -91,7 +91,7 @@ void History::Rates::slope(const Vector& x, double t, Vector& x_rate) {
 
 void History::Rates::advance(double to) {
   piece_ = h_->course_->piece_at(h_->t_);
-  if (step_ == 0) step_ = first_share * piece_.width();
+  if (step_ == 0) step_ = first_step * piece_.width();
   for (std::size_t i = 0; i < scales_.size(); ++i) h_->y_[i] /= scales_[i];
   if (!stiff_) advance_explicit(to);
   if (stiff_) advance_stiff(to);
@@ -107,7 +107,7 @@ void History::Rates::advance_explicit(double to) {
   double error = 0;  // of a step over the tolerance
   odeint::controlled_runge_kutta<Explicit, Checker> stepper(Checker(options_.tolerance, error));
   const auto system = [this](const Vector& at, Vector& at_rate, double t) { slope(at, t, at_rate); };
-  const double shortest = shortest_share * h_->course_->end, longest = longest_share * piece_.width();
+  const double shortest = shortest_step * h_->course_->end, longest = longest_share * piece_.width();
   int steps = 0;
   while (h_->t_ < to) {
     step_ = std::min(step_, longest);
@@ -133,7 +133,7 @@ void History::Rates::advance_explicit(double to) {
 
 void History::Rates::advance_stiff(double to) {
   const RateFunction rate = [this](const Vector& x, double t, Vector& x_rate) { slope(x, t, x_rate); };
-  const StiffOptions options{options_.tolerance, shortest_share * h_->course_->end, piece_.lower, piece_.upper};
+  const StiffOptions options{options_.tolerance, shortest_step * h_->course_->end, piece_.lower, piece_.upper};
   const int steps = integrate_stiff(rate, h_->y_, h_->t_, to, step_, options);
   if (steps < 0) throw MaterialFailure("its rate form cannot be integrated", h_->xi_, h_->t_);
   h_->error_ += steps * options_.tolerance;

@@ -6,13 +6,13 @@ namespace assay {
 namespace {
 
 constexpr int samples = 512;  ///< of the ring: xi' is not looked at in between
-constexpr int halvings = 60;
+constexpr int bisections = 60;
 
 /// Where `holds` changes between low and high, by bisection.
 template <class Condition>
 double change_between(double low, double high, const Condition& holds) {
   const bool at_low = holds(low);
-  for (int k = 0; k < halvings; ++k) {
+  for (int k = 0; k < bisections; ++k) {
     const double middle = 0.5 * (low + high);
     (holds(middle) == at_low ? low : high) = middle;
   }

@@ -19,18 +19,19 @@ constexpr double two_pi = 2 * std::numbers::pi;
 double norm(const Point& p) { return std::hypot(p[0], p[1]); }
 Point on_circle(double radius, double angle) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
 
-/// Edge k of a rectangle, counterclockwise from the lower one.
-struct Edge {
+/// RectangleEdge k of a rectangle, counterclockwise from the lower one.
+struct RectangleEdge {
   Point a, b;
   std::size_t along;  ///< direction in which it runs
 };
-std::array<Edge, 4> edges_of(const Rectangle& r) {
+std::array<RectangleEdge, 4> edges_of(const Rectangle& r) {
   const Point p00 = r.lower, p10{r.upper[0], r.lower[1]}, p11 = r.upper, p01{r.lower[0], r.upper[1]};
-  return {Edge{p00, p10, 0}, Edge{p10, p11, 1}, Edge{p11, p01, 0}, Edge{p01, p00, 1}};
+  return {RectangleEdge{p00, p10, 0}, RectangleEdge{p10, p11, 1}, RectangleEdge{p11, p01, 0},
+          RectangleEdge{p01, p00, 1}};
 }
 
 /// Points at which an axis-parallel edge meets a circle; snapped to the edge's ends.
-void meet(const Edge& edge, double radius, std::vector<Point>& points) {
+void meet(const RectangleEdge& edge, double radius, std::vector<Point>& points) {
   const double across = edge.a[1 - edge.along];
   if (!(std::abs(across) <= radius)) return;
   const double root = std::sqrt((radius - across) * (radius + across));
@@ -46,7 +47,7 @@ void meet(const Edge& edge, double radius, std::vector<Point>& points) {
   }
 }
 
-void add_edge_parts(const Edge& edge, const Annulus& ring, Boundary& boundary) {
+void add_edge_parts(const RectangleEdge& edge, const Annulus& ring, Boundary& boundary) {
   std::vector<Point> cuts{edge.a, edge.b};
   meet(edge, ring.inner, cuts);
   meet(edge, ring.outer, cuts);
@@ -64,7 +65,7 @@ void add_edge_parts(const Edge& edge, const Annulus& ring, Boundary& boundary) {
 /// Arcs of a circle inside the rectangle; counterclockwise where the domain lies within the circle.
 void add_arcs(const Rectangle& r, double radius, bool within, Boundary& boundary) {
   std::vector<Point> cuts;
-  for (const Edge& edge : edges_of(r)) meet(edge, radius, cuts);
+  for (const RectangleEdge& edge : edges_of(r)) meet(edge, radius, cuts);
   std::vector<std::pair<double, Point>> at;
   for (const Point& p : cuts) at.emplace_back(std::atan2(p[1], p[0]), p);
   std::sort(at.begin(), at.end());
@@ -112,7 +113,7 @@ void add_moments(const BoundaryPiece& piece, const Point& about, double& area, P
 
 Boundary common_boundary(const Rectangle& rectangle, const Annulus& ring) {
   Boundary boundary;
-  for (const Edge& edge : edges_of(rectangle)) add_edge_parts(edge, ring, boundary);
+  for (const RectangleEdge& edge : edges_of(rectangle)) add_edge_parts(edge, ring, boundary);
   add_arcs(rectangle, ring.inner, false, boundary);
   add_arcs(rectangle, ring.outer, true, boundary);
   return boundary;

@@ -8,7 +8,7 @@ namespace assay {
 
 namespace {
 
-constexpr double step_share = 1e-2;  ///< of the tolerance, for each step of a history
+constexpr double history_tolerance_share = 1e-2;  ///< of the tolerance, for each step of a history
 
 }  // namespace
 
@@ -17,7 +17,8 @@ Shadow::Shadow(std::shared_ptr<const Material> material, const Path& path, const
   const bool watch = material_->has(ASSAY_NON_SMOOTH);
   course_ = std::make_unique<Course>(*material_, path_, options.end, watch ? Form::increments : Form::automatic);
   workers_ = course_->workers(options.workers);
-  const HistoryOptions history{.tolerance = std::max(1e-12, step_share * options.tolerance), .watch = watch};
+  const HistoryOptions history{.tolerance = std::max(1e-12, history_tolerance_share * options.tolerance),
+                               .watch = watch};
   const Interval range = path_.parameter;
   for (int k = 0; k < options.radii; ++k) {
     xi_.push_back(range.lower + range.width() * k / std::max(1, options.radii - 1));

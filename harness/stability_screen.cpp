@@ -12,11 +12,11 @@ namespace assay {
 
 namespace {
 
-constexpr int samples = 16;                 ///< in each piece of time
-constexpr int fractions = 8;                ///< of the range of xi, on both sides of 0
-constexpr int sections = 5;                 ///< of a bracket, again and again
-constexpr double bracket = 5e-4;            ///< relative, at which that ends
-constexpr double history_tolerance = 1e-5;  ///< of the states that are looked at
+constexpr int screened_times = 16;           ///< in each piece of time
+constexpr int screened_fractions = 8;        ///< of the range of xi, on both sides of 0
+constexpr int sections = 5;                  ///< of a bracket, again and again
+constexpr double bracket = 5e-4;             ///< relative, at which that ends
+constexpr double screened_tolerance = 1e-5;  ///< of the states that are looked at
 
 /// One screening: what does not change from place to place.
 class Screen {
@@ -51,7 +51,7 @@ class Screen {
   };
   Scan scan(const std::vector<double>& xi, const std::vector<double>& times) const {
     DriverOptions options;
-    options.tolerance = history_tolerance;
+    options.tolerance = screened_tolerance;
     const Histories h = integrate_histories(material_, path_, xi, times, options);
     Scan result{xi, times, {}};
     std::vector<double> state(material_.state_size());
@@ -76,7 +76,8 @@ class Screen {
     const std::vector<double>& breaks = probe_.breaks();
     std::vector<double> times;
     for (std::size_t b = 0; b + 1 < breaks.size(); ++b) {
-      for (int k = 1; k <= samples; ++k) times.push_back(breaks[b] + (breaks[b + 1] - breaks[b]) * k / samples);
+      for (int k = 1; k <= screened_times; ++k)
+        times.push_back(breaks[b] + (breaks[b + 1] - breaks[b]) * k / screened_times);
     }
     return times;
   }
@@ -95,7 +96,7 @@ class Screen {
   std::vector<double> places() const {
     const Interval& range = path_.parameter;
     std::vector<double> xi{range.lower};
-    for (const double x : between(range.lower, range.upper, 2 * fractions)) xi.push_back(x);
+    for (const double x : between(range.lower, range.upper, 2 * screened_fractions)) xi.push_back(x);
     return xi;
   }
 
@@ -106,7 +107,7 @@ class Screen {
   }
 
   void follow(StabilityScreen& screen) const {
-    const std::vector<double> shares = between(0, 1, fractions);
+    const std::vector<double> shares = between(0, 1, screened_fractions);
     const Scan whole = scan(path_.parameter_is_place ? places() : shrunk(shares), sampled_times());
     screen.unjudged = whole.unjudged;
     for (std::size_t row = 0; row < whole.times.size(); ++row) {

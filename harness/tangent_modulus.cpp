@@ -7,13 +7,13 @@ namespace assay {
 
 namespace {
 
-constexpr double difference = 1e-5;  ///< of F, central: error about 1e-10 relative, round-off about 1e-11
+constexpr double difference_of_F = 1e-5;  ///< of F, central: error about 1e-10 relative, round-off about 1e-11
 
 }  // namespace
 
 TangentModulus probe_tangent_modulus(const Material& material, double t, double dt, const Tensor& F,
                                      const std::vector<double>& state0) {
-  return probe_tangent_modulus(material, t, dt, F, F, state0, difference);
+  return probe_tangent_modulus(material, t, dt, F, F, state0, difference_of_F);
 }
 
 TangentModulus probe_tangent_modulus(const Material& material, double t, double dt, const Tensor& F0, const Tensor& F1,

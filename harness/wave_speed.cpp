@@ -11,9 +11,9 @@ namespace assay {
 
 namespace {
 
-constexpr int samples = 9;                  ///< of xi, and of t in each piece
-constexpr double history_tolerance = 1e-3;  ///< of the states at which waves are looked at
-constexpr double share_of_end = 1e-4;       ///< the probing step's dt: a usual step of an explicit run
+constexpr int speed_samples = 9;          ///< of xi, and of t in each piece
+constexpr double speed_tolerance = 1e-3;  ///< of the states at which waves are looked at
+constexpr double probing_share = 1e-4;    ///< the probing step's dt: a usual step of an explicit run
 
 double own_wave_speed(const Material& material, const assay_wave_speed& extension, double density, const Histories& h,
                       const Path& path) {
@@ -78,23 +78,25 @@ double fastest_wave_on_path(const Material& material, const Path& given, double 
       material.path_independent() && given.straight();  // then every state is reached by straight loading
   const Path path = curve ? loading_path(given, end) : given;
   std::vector<double> xi, times, breaks{0};
-  for (int k = 0; k < samples; ++k) xi.push_back(path.parameter.lower + path.parameter.width() * k / (samples - 1));
+  for (int k = 0; k < speed_samples; ++k)
+    xi.push_back(path.parameter.lower + path.parameter.width() * k / (speed_samples - 1));
   if (curve) end = 1;
   for (const double t : path.reversals(end)) breaks.push_back(t);
   breaks.push_back(end);
   times.push_back(0);
   for (std::size_t b = 0; b + 1 < breaks.size(); ++b) {
-    for (int k = 1; k < samples; ++k) times.push_back(breaks[b] + (breaks[b + 1] - breaks[b]) * k / (samples - 1));
+    for (int k = 1; k < speed_samples; ++k)
+      times.push_back(breaks[b] + (breaks[b + 1] - breaks[b]) * k / (speed_samples - 1));
   }
   DriverOptions options;
-  options.tolerance = history_tolerance;
+  options.tolerance = speed_tolerance;
   const Histories h = integrate_histories(material, path, xi, times, options);
   const auto* extension = material.extension<assay_wave_speed>(ASSAY_EXTENSION_WAVE_SPEED);
   if (frame == WaveFrame::current && extension && extension->wave_speed) {
     const double own = own_wave_speed(material, *extension, density, h, path);
     if (own > 0) return own;  // one that is 0 everywhere says nothing
   }
-  return probed_wave_speed(material, density, share_of_end * end, h, path, frame);
+  return probed_wave_speed(material, density, probing_share * end, h, path, frame);
 }
 
 }  // namespace assay

@@ -6,9 +6,6 @@
 // its integral. l is at most h: beyond, a particle would reach more than four nodes.
 #pragma once
 
-#ifndef ASSAY_ONLY_2D
-#include <Eigen/Eigenvalues>
-#endif
 #include <algorithm>
 #include <cmath>
 
@@ -24,14 +21,7 @@ ASSAY_INLINE Vec<2> stretches_along_axes(const Mat<2>& F) {
   return {(a + J) / trace_U, (b + J) / trace_U};
 }
 
-#ifndef ASSAY_ONLY_2D
-inline Vec<3> stretches_along_axes(const Mat<3>& F) {
-  using Matrix = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-  const Eigen::Map<const Matrix> gradient(F.data());
-  const Matrix U = Eigen::SelfAdjointEigenSolver<Matrix>(gradient.transpose() * gradient).operatorSqrt();
-  return {U(0, 0), U(1, 1), U(2, 2)};
-}
-#endif
+Vec<3> stretches_along_axes(const Mat<3>& F);
 
 template <int Dim>
 class CpgimpBasis : public SeparableBasis<CpgimpBasis<Dim>, Dim, 4> {

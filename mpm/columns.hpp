@@ -5,8 +5,11 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
+
+#include "mpm/effect.hpp"
 
 namespace assay::mpm {
 
@@ -89,5 +92,28 @@ class ColumnData {
   std::vector<double> own_;
   double* data_ = nullptr;
 };
+
+/// The effect that a column belongs to; none: the spine.
+constexpr std::optional<Effect> effect_of(Column column) {
+  switch (column) {
+    case Column::body_force:
+      return Effect::body_force;
+    case Column::excess_stress:
+      return Effect::virtual_stress;
+    case Column::affine:
+      return Effect::affine_velocity;
+    case Column::corners:
+      return Effect::convected_corners;
+    case Column::step_volumes:
+    case Column::volume_scale:
+      return Effect::anti_locking;
+    case Column::domain:
+      return Effect::own_domains;
+    case Column::history:
+      return Effect::history;
+    default:
+      return std::nullopt;
+  }
+}
 
 }  // namespace assay::mpm

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "mpm/affine.hpp"
+#include "mpm/dimension.hpp"
 #include "mpm/mass_matrix.hpp"
 #include "mpm/material_batch.hpp"
 #include "mpm/passes_affine.hpp"
@@ -170,28 +171,6 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
   return step;
 }
 
-std::optional<Effect> effect_of(Column column) {
-  switch (column) {
-    case Column::body_force:
-      return Effect::body_force;
-    case Column::excess_stress:
-      return Effect::virtual_stress;
-    case Column::affine:
-      return Effect::affine_velocity;
-    case Column::corners:
-      return Effect::convected_corners;
-    case Column::step_volumes:
-    case Column::volume_scale:
-      return Effect::anti_locking;
-    case Column::domain:
-      return Effect::own_domains;
-    case Column::history:
-      return Effect::history;
-    default:
-      return std::nullopt;
-  }
-}
-
 template <int Dim>
 std::size_t bytes_of(Column column, const Setup<Dim>& setup) {
   const auto doubles = [](int components) { return static_cast<std::size_t>(components) * sizeof(double); };
@@ -281,15 +260,10 @@ std::size_t grid_bytes_per_node(const Setup<Dim>& setup) {
   return bytes;
 }
 
-template std::vector<Pass<2>> compose(const Setup<2>&);
-template std::vector<Pass<3>> compose(const Setup<3>&);
-template std::vector<ColumnUse> columns_of(const std::vector<Pass<2>>&, const Setup<2>&);
-template std::vector<ColumnUse> columns_of(const std::vector<Pass<3>>&, const Setup<3>&);
-template std::size_t bytes_of(Column, const Setup<2>&);
-template std::size_t bytes_of(Column, const Setup<3>&);
-template std::vector<GridFieldUse> grid_fields_of(const Setup<2>&);
-template std::vector<GridFieldUse> grid_fields_of(const Setup<3>&);
-template std::size_t grid_bytes_per_node(const Setup<2>&);
-template std::size_t grid_bytes_per_node(const Setup<3>&);
+template std::vector<Pass<ASSAY_DIMENSION>> compose(const Setup<ASSAY_DIMENSION>&);
+template std::vector<ColumnUse> columns_of(const std::vector<Pass<ASSAY_DIMENSION>>&, const Setup<ASSAY_DIMENSION>&);
+template std::size_t bytes_of(Column, const Setup<ASSAY_DIMENSION>&);
+template std::vector<GridFieldUse> grid_fields_of(const Setup<ASSAY_DIMENSION>&);
+template std::size_t grid_bytes_per_node(const Setup<ASSAY_DIMENSION>&);
 
 }  // namespace assay::mpm

@@ -22,9 +22,6 @@ struct ColumnUse {
   std::optional<Effect> effect;     ///< without which it is not there; none: of the spine
 };
 
-/// The effect that a column belongs to; none: the spine.
-std::optional<Effect> effect_of(Column column);
-
 /// One field of the grid.
 struct GridFieldUse {
   std::string name, doc;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mpm/dimension.hpp"
+
 namespace assay::mpm {
 
 namespace {
@@ -71,7 +73,6 @@ Images<Dim>::Images(const GridGeometry<Dim>& grid, const std::array<AxisEnds, Di
   }
 }
 
-template class Images<2>;
-template class Images<3>;
+template class Images<ASSAY_DIMENSION>;
 
 }  // namespace assay::mpm

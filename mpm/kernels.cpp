@@ -2,6 +2,7 @@
 #include "mpm/kernels.hpp"
 
 #include "mpm/advance.hpp"
+#include "mpm/dimension.hpp"
 #include "mpm/mass_stencil.hpp"
 #include "mpm/with_basis.hpp"
 
@@ -22,6 +23,8 @@ ASSAY_DECLARE_KERNELS(v3)
 ASSAY_DECLARE_KERNELS(v4)
 #undef ASSAY_DECLARE_KERNELS
 
+#if ASSAY_DIMENSION == 2
+
 /// A name in the namespace of a set of instructions.
 #ifdef ASSAY_DISPATCHES
 #define ASSAY_OF(SET, ...) \
@@ -39,13 +42,20 @@ Kernels<2> kernels_of(Basis basis, Instructions instructions) {
 }
 
 template <>
-Kernels<3> kernels_of(Basis basis, Instructions) {
-  return with_basis<3>(basis, [&](auto tag) { return baseline::table<typename decltype(tag)::type, 3>(); });
+AdvanceDeformation<2> advance_deformation(Instructions instructions) {
+  return ASSAY_OF(instructions, advance<2>);
 }
 
 template <>
-AdvanceDeformation<2> advance_deformation(Instructions instructions) {
-  return ASSAY_OF(instructions, advance<2>);
+MultiplyRows multiply_rows_of<2>(Instructions instructions) {
+  return ASSAY_OF(instructions, multiply_rows<2>);
+}
+
+#else
+
+template <>
+Kernels<3> kernels_of(Basis basis, Instructions) {
+  return with_basis<3>(basis, [&](auto tag) { return baseline::table<typename decltype(tag)::type, 3>(); });
 }
 
 template <>
@@ -54,13 +64,10 @@ AdvanceDeformation<3> advance_deformation(Instructions) {
 }
 
 template <>
-MultiplyRows multiply_rows_of<2>(Instructions instructions) {
-  return ASSAY_OF(instructions, multiply_rows<2>);
-}
-
-template <>
 MultiplyRows multiply_rows_of<3>(Instructions) {
   return baseline::multiply_rows<3>;
 }
+
+#endif
 
 }  // namespace assay::mpm

@@ -52,7 +52,7 @@ struct Kernels {
   void (*multiply_mass)(const KernelState<Dim>&, const Block&, const double* x) = nullptr;
 };
 
-/// In three dimensions, which serve property tests alone, always the first set.
+/// In three dimensions (mpm/dimension.hpp) always the first set.
 template <int Dim>
 Kernels<Dim> kernels_of(Basis basis, Instructions instructions);
 template <>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/live_nodes.hpp"
 
+#include "mpm/dimension.hpp"
+
 namespace assay::mpm {
 
 template <int Dim>
@@ -98,9 +100,7 @@ void mark_images(LiveNodes<Dim>& live, const Images<Dim>& images) {
   }
 }
 
-template class LiveNodes<2>;
-template class LiveNodes<3>;
-template void mark_images(LiveNodes<2>&, const Images<2>&);
-template void mark_images(LiveNodes<3>&, const Images<3>&);
+template class LiveNodes<ASSAY_DIMENSION>;
+template void mark_images(LiveNodes<ASSAY_DIMENSION>&, const Images<ASSAY_DIMENSION>&);
 
 }  // namespace assay::mpm

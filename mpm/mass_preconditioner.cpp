@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "mpm/dimension.hpp"
+
 namespace assay::mpm {
 
 template <int Dim>
@@ -63,7 +65,6 @@ void MassPreconditioner<Dim>::solve(GridField<Dim>& x) const {
   }
 }
 
-template class MassPreconditioner<2>;
-template class MassPreconditioner<3>;
+template class MassPreconditioner<ASSAY_DIMENSION>;
 
 }  // namespace assay::mpm

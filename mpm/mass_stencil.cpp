@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "mpm/dimension.hpp"
+
 namespace assay::mpm {
 
 namespace {
@@ -198,7 +200,6 @@ void MassStencil<Dim>::multiply(const GridField<Dim>& x, GridField<Dim>& y, int 
   multiply(x, y, threads, [](std::size_t, std::size_t) {});
 }
 
-template class MassStencil<2>;
-template class MassStencil<3>;
+template class MassStencil<ASSAY_DIMENSION>;
 
 }  // namespace assay::mpm

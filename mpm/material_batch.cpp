@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "harness/material_failure.hpp"
+#include "mpm/dimension.hpp"
 
 namespace assay::mpm {
 
@@ -79,13 +80,6 @@ std::vector<double> MaterialBatches<Dim>::directions(std::size_t begin, std::siz
   return found;
 }
 
-void FirstOutcome::note(BlockOutcome outcome) {
-  const std::size_t at = place(outcome);
-  if (at == none_bad) return;
-  const std::lock_guard lock(guard_);
-  if (at < place(first_)) first_ = std::move(outcome);
-}
-
 template <int Dim>
 std::size_t MaterialBatches<Dim>::update(std::size_t begin, std::size_t end, const Instant& now) {
   const auto thread = static_cast<std::size_t>(omp_get_thread_num());
@@ -110,7 +104,6 @@ BlockOutcome MaterialBatches<Dim>::update_elsewhere(const Instant& now) {
   return first_.take();
 }
 
-template class MaterialBatches<2>;
-template class MaterialBatches<3>;
+template class MaterialBatches<ASSAY_DIMENSION>;
 
 }  // namespace assay::mpm

@@ -14,7 +14,12 @@ namespace assay::mpm {
 /// Of the outcomes of blocks that of the smallest particle that went wrong. Safe for several threads.
 class FirstOutcome {
  public:
-  void note(BlockOutcome outcome);
+  void note(BlockOutcome outcome) {
+    const std::size_t at = place(outcome);
+    if (at == none_bad) return;
+    const std::lock_guard lock(guard_);
+    if (at < place(first_)) first_ = std::move(outcome);
+  }
   BlockOutcome take() { return std::exchange(first_, {}); }
 
   /// The particle that went wrong, or none_bad.

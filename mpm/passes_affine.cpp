@@ -2,6 +2,7 @@
 #include "mpm/passes_affine.hpp"
 
 #include "mpm/affine.hpp"
+#include "mpm/dimension.hpp"
 #include "mpm/kernels.hpp"
 
 namespace assay::mpm {
@@ -49,9 +50,7 @@ Pass<Dim> first_affine_moment_pass() {
   return pass;
 }
 
-template Pass<2> affine_pass(const Method&);
-template Pass<3> affine_pass(const Method&);
-template Pass<2> first_affine_moment_pass();
-template Pass<3> first_affine_moment_pass();
+template Pass<ASSAY_DIMENSION> affine_pass(const Method&);
+template Pass<ASSAY_DIMENSION> first_affine_moment_pass();
 
 }  // namespace assay::mpm

@@ -5,6 +5,7 @@
 
 #include "mpm/affine.hpp"
 #include "mpm/column_access.hpp"
+#include "mpm/dimension.hpp"
 #include "mpm/passes_remedies.hpp"
 #include "mpm/with_basis.hpp"
 
@@ -106,9 +107,7 @@ Pass<Dim> viscosity_pass(const Method&) {
   return pass;
 }
 
-template Pass<2> small_mass_pass<2>();
-template Pass<3> small_mass_pass<3>();
-template Pass<2> viscosity_pass<2>(const Method&);
-template Pass<3> viscosity_pass<3>(const Method&);
+template Pass<ASSAY_DIMENSION> small_mass_pass<ASSAY_DIMENSION>();
+template Pass<ASSAY_DIMENSION> viscosity_pass<ASSAY_DIMENSION>(const Method&);
 
 }  // namespace assay::mpm

@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "mpm/dimension.hpp"
+
 namespace assay::mpm {
 
 template <int Dim>
@@ -90,12 +92,8 @@ Pass<Dim> hold_nodes_pass(Reaction reaction) {
   return pass;
 }
 
-#define ASSAY_GRID_PASSES(DIM)                  \
-  template Pass<DIM> grid_velocity_pass<DIM>(); \
-  template Pass<DIM> grid_update_pass<DIM>();   \
-  template Pass<DIM> hold_nodes_pass<DIM>(Reaction);
-
-ASSAY_GRID_PASSES(2)
-ASSAY_GRID_PASSES(3)
+template Pass<ASSAY_DIMENSION> grid_velocity_pass();
+template Pass<ASSAY_DIMENSION> grid_update_pass();
+template Pass<ASSAY_DIMENSION> hold_nodes_pass(Reaction);
 
 }  // namespace assay::mpm

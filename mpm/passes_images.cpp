@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "mpm/dimension.hpp"
+
 namespace assay::mpm {
 
 namespace {
@@ -88,9 +90,7 @@ Pass<Dim> unfold_images_pass(Reaction reaction, bool accounts) {
   return pass;
 }
 
-template Pass<2> fold_images_pass<2>(Folded, bool);
-template Pass<3> fold_images_pass<3>(Folded, bool);
-template Pass<2> unfold_images_pass<2>(Reaction, bool);
-template Pass<3> unfold_images_pass<3>(Reaction, bool);
+template Pass<ASSAY_DIMENSION> fold_images_pass<ASSAY_DIMENSION>(Folded, bool);
+template Pass<ASSAY_DIMENSION> unfold_images_pass<ASSAY_DIMENSION>(Reaction, bool);
 
 }  // namespace assay::mpm

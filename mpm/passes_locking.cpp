@@ -6,6 +6,7 @@
 
 #include "mpm/affine.hpp"
 #include "mpm/column_access.hpp"
+#include "mpm/dimension.hpp"
 #include "mpm/passes_remedies.hpp"
 
 namespace assay::mpm {
@@ -145,9 +146,7 @@ Pass<Dim> average_volume_pass(const Method& method, AntiLocking over) {
   return pass;
 }
 
-template Pass<2> step_volumes_pass<2>();
-template Pass<3> step_volumes_pass<3>();
-template Pass<2> average_volume_pass<2>(const Method&, AntiLocking);
-template Pass<3> average_volume_pass<3>(const Method&, AntiLocking);
+template Pass<ASSAY_DIMENSION> step_volumes_pass<ASSAY_DIMENSION>();
+template Pass<ASSAY_DIMENSION> average_volume_pass<ASSAY_DIMENSION>(const Method&, AntiLocking);
 
 }  // namespace assay::mpm

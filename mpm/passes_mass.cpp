@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mpm/dimension.hpp"
 #include "mpm/mass_matrix.hpp"
 #include "mpm/passes_grid.hpp"
 
@@ -158,16 +159,6 @@ Kernel kick_kernel(State<Dim>& s, const Method& method) {
 
 }  // namespace
 
-std::vector<Effect> effects_of_matrix(const Method& method) {
-  std::vector<Effect> effects;
-  if (method.mass != Mass::lumped) effects.push_back(Effect::mass_matrix);
-  if (method.transfer == Transfer::xpic || method.transfer == Transfer::fmpm) {
-    effects.push_back(Effect::velocity_terms);
-  }
-  if (method.has_stages()) effects.push_back(Effect::force_stages);
-  return effects;
-}
-
 template <int Dim>
 Pass<Dim> mass_matrix_pass(const Method& method) {
   Pass<Dim> pass;
@@ -198,9 +189,7 @@ Pass<Dim> kick_pass(const Method& method) {
   return pass;
 }
 
-template Pass<2> mass_matrix_pass(const Method&);
-template Pass<3> mass_matrix_pass(const Method&);
-template Pass<2> kick_pass(const Method&);
-template Pass<3> kick_pass(const Method&);
+template Pass<ASSAY_DIMENSION> mass_matrix_pass(const Method&);
+template Pass<ASSAY_DIMENSION> kick_pass(const Method&);
 
 }  // namespace assay::mpm

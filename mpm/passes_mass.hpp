@@ -12,7 +12,15 @@ inline std::size_t solver_fields(const Method& method) {
 }
 
 /// That call for an inversion.
-std::vector<Effect> effects_of_matrix(const Method& method);
+inline std::vector<Effect> effects_of_matrix(const Method& method) {
+  std::vector<Effect> effects;
+  if (method.mass != Mass::lumped) effects.push_back(Effect::mass_matrix);
+  if (method.transfer == Transfer::xpic || method.transfer == Transfer::fmpm) {
+    effects.push_back(Effect::velocity_terms);
+  }
+  if (method.has_stages()) effects.push_back(Effect::force_stages);
+  return effects;
+}
 
 /// a = M^-1 f, v = M^-1 (m v) + dt a, on nodes that are not held. M_ij = sum m_p phi_ip phi_jp is inverted by k terms
 /// of sum_l (I - M_L^-1 M)^l M_L^-1, M_L its row sums, or by conjugate gradients:

@@ -7,6 +7,7 @@
 #include "mpm/affine.hpp"
 #include "mpm/blocks.hpp"
 #include "mpm/column_access.hpp"
+#include "mpm/dimension.hpp"
 #include "mpm/material_batch.hpp"
 
 namespace assay::mpm {
@@ -193,9 +194,7 @@ Pass<Dim> accounts_pass(const Method& method, bool with_body_force) {
   return pass;
 }
 
-template Pass<2> stress_pass<2>(bool);
-template Pass<3> stress_pass<3>(bool);
-template Pass<2> accounts_pass<2>(const Method&, bool);
-template Pass<3> accounts_pass<3>(const Method&, bool);
+template Pass<ASSAY_DIMENSION> stress_pass<ASSAY_DIMENSION>(bool);
+template Pass<ASSAY_DIMENSION> accounts_pass<ASSAY_DIMENSION>(const Method&, bool);
 
 }  // namespace assay::mpm

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mpm/affine.hpp"
+#include "mpm/dimension.hpp"
 #include "mpm/kernels.hpp"
 #include "mpm/with_basis.hpp"
 
@@ -180,14 +181,9 @@ Pass<Dim> force_pass(const Method& method, bool with_body_force) {
   return pass;
 }
 
-#define ASSAY_PASSES(DIM)                                                               \
-  template Pass<DIM> weights_pass<DIM>(const Method&, bool);                            \
-  template Pass<DIM> particles_to_grid_pass<DIM>(const Method&, bool);                  \
-  template Pass<DIM> particles_and_forces_to_grid_pass<DIM>(const Method&, bool, bool); \
-  template Pass<DIM> force_pass<DIM>(const Method&, bool);
-
-ASSAY_PASSES(2)
-ASSAY_PASSES(3)
-#undef ASSAY_PASSES
+template Pass<ASSAY_DIMENSION> weights_pass(const Method&, bool);
+template Pass<ASSAY_DIMENSION> particles_to_grid_pass(const Method&, bool);
+template Pass<ASSAY_DIMENSION> particles_and_forces_to_grid_pass(const Method&, bool, bool);
+template Pass<ASSAY_DIMENSION> force_pass(const Method&, bool);
 
 }  // namespace assay::mpm

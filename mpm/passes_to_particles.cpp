@@ -2,6 +2,7 @@
 #include "mpm/passes_to_particles.hpp"
 
 #include "mpm/affine.hpp"
+#include "mpm/dimension.hpp"
 #include "mpm/kernels.hpp"
 #include "mpm/with_basis.hpp"
 
@@ -81,11 +82,8 @@ Pass<Dim> velocity_gradient_pass() {
   return pass;
 }
 
-template bool fits_with_corners<2>(const Method&);
-template bool fits_with_corners<3>(const Method&);
-template Pass<2> grid_to_particles_pass(const Method&, bool, bool);
-template Pass<3> grid_to_particles_pass(const Method&, bool, bool);
-template Pass<2> velocity_gradient_pass();
-template Pass<3> velocity_gradient_pass();
+template bool fits_with_corners<ASSAY_DIMENSION>(const Method&);
+template Pass<ASSAY_DIMENSION> grid_to_particles_pass(const Method&, bool, bool);
+template Pass<ASSAY_DIMENSION> velocity_gradient_pass();
 
 }  // namespace assay::mpm

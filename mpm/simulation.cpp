@@ -5,6 +5,7 @@
 
 #include "mpm/affine.hpp"
 #include "mpm/corners.hpp"
+#include "mpm/dimension.hpp"
 #include "mpm/sweep.hpp"
 
 namespace assay::mpm {
@@ -206,7 +207,6 @@ const std::optional<Finding>& Simulation<Dim>::step(double t, double dt) {
   return state_.finding;
 }
 
-template class Simulation<2>;
-template class Simulation<3>;
+template class Simulation<ASSAY_DIMENSION>;
 
 }  // namespace assay::mpm

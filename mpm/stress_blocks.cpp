@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mpm/advance.hpp"
+#include "mpm/dimension.hpp"
 
 namespace assay::mpm {
 
@@ -100,11 +101,8 @@ BlockOutcome update_block(const StressColumns<Dim>& columns, const Material& mat
   return outcome;
 }
 
-template class BlockScratch<2>;
-template class BlockScratch<3>;
-template BlockOutcome update_block<2>(const StressColumns<2>&, const Material&, std::size_t, std::size_t,
-                                      const Instant&, BlockScratch<2>&);
-template BlockOutcome update_block<3>(const StressColumns<3>&, const Material&, std::size_t, std::size_t,
-                                      const Instant&, BlockScratch<3>&);
+template class BlockScratch<ASSAY_DIMENSION>;
+template BlockOutcome update_block<ASSAY_DIMENSION>(const StressColumns<ASSAY_DIMENSION>&, const Material&, std::size_t,
+                                                    std::size_t, const Instant&, BlockScratch<ASSAY_DIMENSION>&);
 
 }  // namespace assay::mpm

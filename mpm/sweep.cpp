@@ -7,11 +7,12 @@
 #include <array>
 #include <chrono>
 
+#include "mpm/dimension.hpp"
+
 namespace assay::mpm {
 
 namespace {
 
-constexpr std::size_t blocks_of_tile = 16, most_tiles = 8;
 /// Side by side with blocks; a step has fewer.
 constexpr std::size_t most_kernels = 16;
 /// Of this many blocks one is timed, pass by pass: reading the clock takes as long as two particles.
@@ -114,15 +115,6 @@ void run_group(State<Dim>& s, std::span<const Kernel* const> kernels, const Inst
 
 }  // namespace
 
-std::size_t tiles_of(std::size_t particles) {
-  return std::clamp<std::size_t>(blocks_of(particles) / blocks_of_tile, 1, most_tiles);
-}
-
-std::size_t tile_copies(std::size_t particles, int threads) {
-  const std::size_t tiles = tiles_of(particles);
-  return tiles == 1 ? 0 : std::min<std::size_t>(tiles, static_cast<std::size_t>(threads));
-}
-
 template <int Dim>
 void for_tiles(State<Dim>& s, double* inertia, double* force, const TileBody& body) {
   const std::size_t tiles = tiles_of(s.particles), blocks = blocks_of(s.particles);
@@ -176,12 +168,8 @@ void run(State<Dim>& s, const Kernel& kernel, const Instant& now) {
   run(s, std::span(&one, 1), now, std::span(&seconds, 1));
 }
 
-#define ASSAY_SWEEPS(DIM)                                                                            \
-  template void for_tiles(State<DIM>&, double*, double*, const TileBody&);                           \
-  template void run(State<DIM>&, std::span<const Kernel* const>, const Instant&, std::span<double>); \
-  template void run(State<DIM>&, const Kernel&, const Instant&);
-
-ASSAY_SWEEPS(2)
-ASSAY_SWEEPS(3)
+template void for_tiles(State<ASSAY_DIMENSION>&, double*, double*, const TileBody&);
+template void run(State<ASSAY_DIMENSION>&, std::span<const Kernel* const>, const Instant&, std::span<double>);
+template void run(State<ASSAY_DIMENSION>&, const Kernel&, const Instant&);
 
 }  // namespace assay::mpm

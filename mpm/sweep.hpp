@@ -5,6 +5,7 @@
 // which is added to the grid in the order of the tiles. So nothing depends on the number of threads.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "mpm/pass.hpp"
@@ -12,10 +13,16 @@
 namespace assay::mpm {
 
 /// Tiles of so many particles: pieces of neighbours in their first order, few enough that adding them up costs little.
-std::size_t tiles_of(std::size_t particles);
+inline std::size_t tiles_of(std::size_t particles) {
+  constexpr std::size_t blocks_of_tile = 16, most_tiles = 8;
+  return std::clamp<std::size_t>(blocks_of(particles) / blocks_of_tile, 1, most_tiles);
+}
 
 /// Copies of inertia and force that so many threads need.
-std::size_t tile_copies(std::size_t particles, int threads);
+inline std::size_t tile_copies(std::size_t particles, int threads) {
+  const std::size_t tiles = tiles_of(particles);
+  return tiles == 1 ? 0 : std::min<std::size_t>(tiles, static_cast<std::size_t>(threads));
+}
 
 /// A tile's blocks, one after the other; each adds where `block` says.
 using TileBody = std::function<void(std::size_t first_block, std::size_t end_block, double* inertia, double* force)>;

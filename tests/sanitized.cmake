@@ -1,34 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# With the address sanitizer it is the libraries, the program and the plug-ins that are watched. The tests themselves are
-# compiled without it and without optimisation, in a third of the time. Libraries stand before them on the linker's line,
-# so that of an inline function that both have the watched one is taken. (Races need every atomic watched: not there.)
-# The drivers' floor, which has no loop over particles, is watched but not optimised: half of its time.
+# With the address sanitizer. (Races need every atomic watched: not there.) The drivers' floor, which has no loop over
+# particles, is watched but not optimised: half of its time.
 if(NOT ASSAY_SANITIZE MATCHES "address")
   return()
 endif()
 target_compile_options(assay_drivers PRIVATE -O0)
-foreach(library IN ITEMS drivers adapters mpm harness)
-  set(first_${library} "-Wl,--whole-archive $<TARGET_FILE:assay_${library}> -Wl,--no-whole-archive")
-endforeach()
-function(leave_unwatched target)
-  set_target_properties(${target} PROPERTIES ASSAY_UNWATCHED ON)
-  target_compile_options(${target} PRIVATE -O0)
-endfunction()
-leave_unwatched(test_docs)
-foreach(test IN ITEMS harness adapters mpm drivers house fuzz_corpus mutants)
-  leave_unwatched(test_${test})
-  if(test STREQUAL "harness" OR test STREQUAL "adapters")
-    set(libraries adapters harness)
-  elseif(test STREQUAL "mpm")
-    set(libraries adapters mpm harness)
-  else()
-    set(libraries drivers adapters mpm harness)
-  endif()
-  foreach(library IN LISTS libraries)
-    target_link_options(test_${test} PRIVATE "SHELL:${first_${library}}")
-  endforeach()
-endforeach()
-
 # The tests of mpm are 1,500 small ones, and a watched program takes as long to start as one of them: many a process.
 # Of the pairs of a basis and a transfer some are left to the release build.
 set(left_out "Long*" "Method/Accounts*" "Method/EveryPatchedMethod*consistent*")

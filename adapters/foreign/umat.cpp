@@ -15,16 +15,16 @@ namespace assay::adapters {
 
 namespace {
 
-constexpr std::size_t name_length = 80, least_fields = 16;
+constexpr std::size_t umat_name_length = 80, least_fields = 16;
 
 /// Scalars that are handed over by reference: for the model to write, and given.
-enum Scalar : std::size_t { sse, spd, scd, rpl, drpldt, pnewdt, scalar_count };
+enum UmatScalar : std::size_t { sse, spd, scd, rpl, drpldt, pnewdt, umat_scalar_count };
 enum Given : std::size_t { dtime, temp, dtemp, celent, given_count };
 
-constexpr StateLayout layout{standard_order, plain_shear, engineering_shear};
+constexpr StateLayout umat_layout{standard_order, plain_shear, engineering_shear};
 
 /// Where a point's own state begins.
-enum Own : std::size_t { own_stress = 0, own_strain = 6, own_energies = 12, own_time = 15 };
+enum UmatState : std::size_t { umat_stress = 0, umat_strain = 6, umat_energies = 12, umat_time = 15 };
 
 /// Fortran's order of a matrix.
 void write_column_major(const Tensor& A, double* out) { Eigen::Map<Tensor>(out, 3, 3) = A; }
@@ -75,7 +75,7 @@ void Umat::add_arrays() {
   ddsdde_ = arrays_.add("DDSDDE", n * n);
   ddsddt_ = arrays_.add("DDSDDT", n);
   drplde_ = arrays_.add("DRPLDE", n);
-  scalars_ = arrays_.add("the scalars", scalar_count);
+  scalars_ = arrays_.add("the scalars", umat_scalar_count);
   inputs_.begin(arrays_);
   stran_ = arrays_.add("STRAN", n);
   dstran_ = arrays_.add("DSTRAN", n);
@@ -111,10 +111,10 @@ void Umat::watch_inputs() {
 
 void Umat::initial_state(const Tensor& cauchy, double* state) {
   std::fill_n(state, own_state, 0.0);
-  write_symmetric(cauchy, standard_order, plain_shear, state + own_stress);
+  write_symmetric(cauchy, standard_order, plain_shear, state + umat_stress);
   write_initial(model_.state, state + own_state);
   if (void* sdvini = dlsym(table_.library, "sdvini_")) {
-    to_foreign(layout, model_.state, state + own_state, arrays_[statev_]);
+    to_foreign(umat_layout, model_.state, state + own_state, arrays_[statev_]);
     int statev = nstatv_, ncrds = 3, one = 1, point = 1, layer = 1, section = 1;
     const auto ended = ended_in([&] {
       reinterpret_cast<SdviniEntry>(sdvini)(arrays_[statev_], arrays_[coords_], &statev, &ncrds, &one, &point, &layer,
@@ -123,7 +123,7 @@ void Umat::initial_state(const Tensor& cauchy, double* state) {
     arrays_.fill(coords_, 0);
     if (ended) throw PointFailure("SDVINI " + *ended);
     if (const auto broken = arrays_.broken_fence()) throw PointFailure(overrun_words + ("SDVINI " + *broken));
-    from_foreign(layout, model_.state, arrays_[statev_], state + own_state);
+    from_foreign(umat_layout, model_.state, arrays_[statev_], state + own_state);
   }
 }
 
@@ -151,8 +151,8 @@ void Umat::hand_over_tensors(const PointStep& step) {
     const Tensor own = read_symmetric(step.state0 + at, standard_order, plain_shear);
     return Tensor(rotation_ * own * rotation_.transpose());
   };
-  const Tensor strain_before = turned(own_strain);
-  put(turned(own_stress) / model_.units.stress, plain_shear, stress_);
+  const Tensor strain_before = turned(umat_strain);
+  put(turned(umat_stress) / model_.units.stress, plain_shear, stress_);
   put(strain_before, engineering_shear, stran_);
   put(strain, engineering_shear, dstran_);
   strain_after_ = strain_before + strain;
@@ -163,13 +163,13 @@ void Umat::hand_over_tensors(const PointStep& step) {
 
 /// The clock is the point's own: a step of a loaded point is never the first, whatever t is.
 void Umat::hand_over_scalars(const PointStep& step) {
-  to_foreign(layout, model_.state, step.state0 + own_state, arrays_[statev_]);
+  to_foreign(umat_layout, model_.state, step.state0 + own_state, arrays_[statev_]);
   for (const std::size_t array : {ddsdde_, ddsddt_, drplde_, scalars_}) arrays_.fill(array, 0);
-  const double age = step.state0[own_time];
+  const double age = step.state0[umat_time];
   arrays_[time_][0] = age / model_.units.time;
   arrays_[time_][1] = arrays_[time_][0] + (model_.step - 1);  // steps before, each of Abaqus' default length
   double* s = arrays_[scalars_];
-  for (std::size_t k = 0; k < 3; ++k) s[sse + k] = step.state0[own_energies + k] / model_.units.stress;
+  for (std::size_t k = 0; k < 3; ++k) s[sse + k] = step.state0[umat_energies + k] / model_.units.stress;
   s[pnewdt] = 1;
   double* given = arrays_[given_];
   given[dtime] = step.dt / model_.units.time;
@@ -180,9 +180,9 @@ void Umat::hand_over_scalars(const PointStep& step) {
 }
 
 std::optional<std::string> Umat::call_entry() {
-  char name[name_length];
-  std::fill_n(name, name_length, ' ');
-  std::copy_n(model_.material_name.data(), std::min(name_length, model_.material_name.size()), name);
+  char name[umat_name_length];
+  std::fill_n(name, umat_name_length, ' ');
+  std::copy_n(model_.material_name.data(), std::min(umat_name_length, model_.material_name.size()), name);
   double *s = arrays_[scalars_], *given = arrays_[given_];
   Integers& i = integers_;
   return ended_in([&] {
@@ -191,7 +191,7 @@ std::optional<std::string> Umat::call_entry() {
         arrays_[drplde_], s + drpldt, arrays_[stran_], arrays_[dstran_], arrays_[time_], given + dtime, given + temp,
         given + dtemp, arrays_[predef_], arrays_[dpred_], name, &i.ndi, &i.nshr, &i.ntens, &i.nstatv, arrays_[props_],
         &i.nprops, arrays_[coords_], arrays_[drot_], s + pnewdt, given + celent, arrays_[dfgrd0_], arrays_[dfgrd1_],
-        &i.noel, &i.npt, &i.layer, &i.kspt, i.jstep, &i.kinc, name_length);
+        &i.noel, &i.npt, &i.layer, &i.kspt, i.jstep, &i.kinc, umat_name_length);
   });
 }
 
@@ -220,11 +220,11 @@ void Umat::update(const PointStep& step, PointEnd& end) {
   call(step);
   const Tensor found = stress();
   end.cauchy = turns() ? Tensor(frame_ * found * frame_.transpose()) : found;
-  write_symmetric(found, standard_order, plain_shear, end.state1 + own_stress);
-  write_symmetric(strain_after_, standard_order, plain_shear, end.state1 + own_strain);
-  for (std::size_t k = 0; k < 3; ++k) end.state1[own_energies + k] = model_.units.stress * arrays_[scalars_][sse + k];
-  end.state1[own_time] = step.state0[own_time] + step.dt;
-  from_foreign(layout, model_.state, arrays_[statev_], end.state1 + own_state);
+  write_symmetric(found, standard_order, plain_shear, end.state1 + umat_stress);
+  write_symmetric(strain_after_, standard_order, plain_shear, end.state1 + umat_strain);
+  for (std::size_t k = 0; k < 3; ++k) end.state1[umat_energies + k] = model_.units.stress * arrays_[scalars_][sse + k];
+  end.state1[umat_time] = step.state0[umat_time] + step.dt;
+  from_foreign(umat_layout, model_.state, arrays_[statev_], end.state1 + own_state);
 }
 
 }  // namespace assay::adapters

@@ -15,13 +15,13 @@ namespace assay::adapters {
 
 namespace {
 
-constexpr std::size_t name_length = 80, block_numbers = 8;
+constexpr std::size_t vumat_name_length = 80, block_numbers = 8;
 /// Points a call: models dimension arrays of their own for no more than Abaqus hands over, 136.
 constexpr std::size_t most_points = 128;
-constexpr StateLayout layout{explicit_order, plain_shear, plain_shear};
+constexpr StateLayout vumat_layout{explicit_order, plain_shear, plain_shear};
 
 /// Where a point's own state begins.
-enum Own : std::size_t { own_stress = 0, own_internal = 6, own_inelastic = 7, own_time = 8 };
+enum VumatState : std::size_t { vumat_stress = 0, vumat_internal = 6, vumat_inelastic = 7, vumat_time = 8 };
 
 Tensor tensor_at(const double* nine, std::size_t n, std::size_t p) {
   Tensor A;
@@ -131,7 +131,7 @@ Vumat::Block& Vumat::block_of(std::size_t n) {
 
 void Vumat::initial_state(const Tensor& cauchy, double* state) {
   std::fill_n(state, own_state, 0.0);
-  write_symmetric(cauchy, standard_order, plain_shear, state + own_stress);
+  write_symmetric(cauchy, standard_order, plain_shear, state + vumat_stress);
   write_initial(model_.state, state + own_state);
   const double I[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   // Abaqus asks for an elastic response at time zero before the first step; what it leaves in the state is not kept.
@@ -164,14 +164,14 @@ void Vumat::hand_over(Block& block, const assay_step& step, const Part& part, co
     write_tensor(F0, explicit_tensor_order, a[block.gradient[0]] + p, n);
     write_tensor(F1, explicit_tensor_order, a[block.gradient[1]] + p, n);
     for (std::size_t k = 0; k < ours.size(); ++k) ours[k] = state0[k * part.of + part.begin + p];
-    const Tensor before = read_symmetric(ours.data() + own_stress, standard_order, plain_shear) / model_.units.stress;
-    to_foreign(layout, model_.state, ours.data() + own_state, theirs.data());
+    const Tensor before = read_symmetric(ours.data() + vumat_stress, standard_order, plain_shear) / model_.units.stress;
+    to_foreign(vumat_layout, model_.state, ours.data() + own_state, theirs.data());
     write_symmetric(before, explicit_order, plain_shear, a[block.stress[0]] + p, n);
     for (std::size_t k = 0; k < 6; ++k) a[block.stress[1]][k * n + p] = unwritten();
     for (const int end : {0, 1}) {  // a model may leave what does not change of its state
       for (std::size_t k = 0; k < size; ++k) a[block.state[end]][k * n + p] = theirs[k];
-      a[block.internal[end]][p] = ours[own_internal] / specific_energy(model_.units);
-      a[block.inelastic[end]][p] = ours[own_inelastic] / specific_energy(model_.units);
+      a[block.internal[end]][p] = ours[vumat_internal] / specific_energy(model_.units);
+      a[block.inelastic[end]][p] = ours[vumat_inelastic] / specific_energy(model_.units);
     }
   }
 }
@@ -189,9 +189,9 @@ void Vumat::require_written(const Block& block) {
 }
 
 void Vumat::call(Block& block, double time, double dt) {
-  char name[name_length];
-  std::fill_n(name, name_length, ' ');
-  std::copy_n(model_.material_name.data(), std::min(name_length, model_.material_name.size()), name);
+  char name[vumat_name_length];
+  std::fill_n(name, vumat_name_length, ' ');
+  std::copy_n(model_.material_name.data(), std::min(vumat_name_length, model_.material_name.size()), name);
   int nblock[block_numbers] = {static_cast<int>(block.n), 1, 1, 1, 1};
   int ndir = 3, nshr = 3, nstatev = foreign_state_size(model_.state), nfieldv = static_cast<int>(model_.fields.size()),
       nprops = static_cast<int>(properties_.size()), lanneal = 0;
@@ -205,7 +205,7 @@ void Vumat::call(Block& block, double time, double dt) {
         a[block.temperature[0]], a[block.stretch[0]], a[block.gradient[0]], a[block.fields[0]], a[block.stress[0]],
         a[block.state[0]], a[block.internal[0]], a[block.inelastic[0]], a[block.temperature[1]], a[block.stretch[1]],
         a[block.gradient[1]], a[block.fields[1]], a[block.stress[1]], a[block.state[1]], a[block.internal[1]],
-        a[block.inelastic[1]], name_length);
+        a[block.inelastic[1]], vumat_name_length);
   });
   const auto broken = block.inputs.broken_fence(a, time > 0);
   if (ended) throw PointFailure("the VUMAT " + *ended);
@@ -213,7 +213,7 @@ void Vumat::call(Block& block, double time, double dt) {
 }
 
 void Vumat::update_batch(const assay_step& step, std::size_t n, const double* state0, double* state1, double* cauchy) {
-  const double* age = state0 + own_time * n;
+  const double* age = state0 + vumat_time * n;
   const auto loaded = [age](std::size_t p) { return age[p] > 0; };
   for (std::size_t begin = 0, end = 0; begin < n; begin = end) {
     for (++end; end < n && end - begin < most_points && loaded(end) == loaded(begin);) ++end;
@@ -223,7 +223,7 @@ void Vumat::update_batch(const assay_step& step, std::size_t n, const double* st
     call(block, end_of_step(step, loaded(begin)), step.dt);
     require_written(block);
     take_back(block, {n, begin}, state1, cauchy);
-    for (std::size_t p = begin; p < end; ++p) state1[own_time * n + p] = age[p] + step.dt;
+    for (std::size_t p = begin; p < end; ++p) state1[vumat_time * n + p] = age[p] + step.dt;
   }
 }
 
@@ -236,11 +236,11 @@ void Vumat::take_back(Block& block, const Part& part, double* state1, double* ca
     const Tensor T = model_.units.stress * read_symmetric(a[block.stress[1]] + p, explicit_order, plain_shear, block.n);
     const Tensor sigma = block.rotation[p] * T * block.rotation[p].transpose();
     for (std::size_t c = 0; c < 9; ++c) cauchy[c * part.of + at] = component(sigma, static_cast<int>(c));
-    write_symmetric(T, standard_order, plain_shear, ours.data() + own_stress);
-    ours[own_internal] = a[block.internal[1]][p] * specific_energy(model_.units);
-    ours[own_inelastic] = a[block.inelastic[1]][p] * specific_energy(model_.units);
+    write_symmetric(T, standard_order, plain_shear, ours.data() + vumat_stress);
+    ours[vumat_internal] = a[block.internal[1]][p] * specific_energy(model_.units);
+    ours[vumat_inelastic] = a[block.inelastic[1]][p] * specific_energy(model_.units);
     for (std::size_t k = 0; k < size; ++k) theirs[k] = a[block.state[1]][k * block.n + p];
-    from_foreign(layout, model_.state, theirs.data(), ours.data() + own_state);
+    from_foreign(vumat_layout, model_.state, theirs.data(), ours.data() + own_state);
     for (std::size_t k = 0; k < ours.size(); ++k) state1[k * part.of + at] = ours[k];
   }
 }

@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 Json figure(const Figure& value) { return value && std::isfinite(*value) ? Json(*value) : Json(nullptr); }
 
-Json count(const std::optional<std::int64_t>& value) { return value ? Json(*value) : Json(nullptr); }
+Json count_or_null(const std::optional<std::int64_t>& value) { return value ? Json(*value) : Json(nullptr); }
 
 Json maximum(const FieldMaximum& field) {
   return Json::object({{"l2_max", figure(field.l2_max)}, {"linf_max", figure(field.linf_max)}});
@@ -162,8 +162,8 @@ Json tree(const Result& result) {
   out["warnings"] = result.warnings;
   out["t"] = figure(result.t);
   out["dt"] = figure(result.dt);
-  out["steps"] = count(result.steps);
-  out["particles"] = count(result.particles);
+  out["steps"] = count_or_null(result.steps);
+  out["particles"] = count_or_null(result.particles);
   out["particles_held"] =
       result.particles && result.moving_particles ? Json(*result.particles - *result.moving_particles) : Json(nullptr);
   out["uses_exact_solution"] = result.uses_exact_solution;

@@ -114,7 +114,7 @@ std::vector<Key> amplitude_keys() {
        GET(amplitude(s).peak), SET(amplitude(s).peak = real(v)), {}, {}, false, "1 of a ring, 0.1 in the unit box", all},
       {"motion.wave_speed", automatic, "c: the motion takes T = 1/c [m/s]; auto: sqrt(E/rho0) by the material's parameter E",
        GET(as<AxisAligned>(s).given_speed ? Value(as<AxisAligned>(s).wave_speed()) : Value("auto")), set_wave_speed,
-       {.lower = slowest_wave, .upper = fastest_wave}, {}, false, {}, boxes},
+       {.lower = least_wave_speed, .upper = most_wave_speed}, {}, false, {}, boxes},
   };
 }
 

@@ -7,7 +7,7 @@
 namespace assay::drivers {
 
 /// Of motion.wave_speed: within these c and T = 1/c are both numbers of full precision [m/s].
-inline constexpr double slowest_wave = 1e-300, fastest_wave = 1e300;
+inline constexpr double least_wave_speed = 1e-300, most_wave_speed = 1e300;
 
 /// title, motion.* and frame.*, in the order in which they are read and written.
 std::vector<Key> motion_keys();

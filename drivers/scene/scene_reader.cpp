@@ -28,11 +28,6 @@ const Tree* value_at(const Tree& root, const std::string& path) {
   return at;
 }
 
-std::string parent_of(const std::string& path) {
-  const std::size_t dot = path.rfind('.');
-  return dot == path.npos ? std::string() : path.substr(0, dot);
-}
-
 Value read_value(const Key& key, const Tree& tree) {
   switch (key.type) {
     case KeyType::number:

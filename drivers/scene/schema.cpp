@@ -117,11 +117,6 @@ Json free_section(const Section& section) {
   return out;
 }
 
-std::string parent_of(const std::string& path) {
-  const std::size_t dot = path.rfind('.');
-  return dot == path.npos ? std::string() : path.substr(0, dot);
-}
-
 /// The section whose alternatives are the motions; in others every key is listed that some motion knows.
 bool is_of_motion(const std::string& section) { return section.starts_with("motion"); }
 

@@ -45,6 +45,11 @@ std::string described(const Tree& tree) {
   return "'" + one_line(tree.text, 60) + "'";
 }
 
+std::string parent_of(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  return dot == path.npos ? std::string() : path.substr(0, dot);
+}
+
 std::string key_path(const std::string& prefix, const std::string& key) {
   return prefix.empty() ? key : prefix + "." + key;
 }

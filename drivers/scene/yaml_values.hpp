@@ -43,5 +43,7 @@ std::string described(const Tree& tree);
 
 /// prefix.key, or key at the top.
 std::string key_path(const std::string& prefix, const std::string& key);
+/// Of "motion.amplitude.peak" "motion.amplitude"; empty at the top.
+std::string parent_of(const std::string& path);
 
 }  // namespace assay::drivers

@@ -154,10 +154,10 @@ void resolve_wave_speed(Scene& scene) {
                      "auto takes sqrt(E/rho0), and the material has no parameter E above 0: give it [m/s]");
   }
   const double speed = std::sqrt(modulus->second / scene.material.density);
-  if (!(speed >= slowest_wave && speed <= fastest_wave)) {
+  if (!(speed >= least_wave_speed && speed <= most_wave_speed)) {
     throw InputError(scene.place("motion.wave_speed"), "motion.wave_speed",
                      "auto takes sqrt(E/rho0), which is " + rounded_text(speed, 3) + " m/s, beyond " +
-                         rounded_text(speed > 1 ? fastest_wave : slowest_wave, 3) + ": give it [m/s]");
+                         rounded_text(speed > 1 ? most_wave_speed : least_wave_speed, 3) + ": give it [m/s]");
   }
   box->amplitude.period = 1 / speed;
   box->given_speed = true;

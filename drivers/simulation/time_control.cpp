@@ -15,9 +15,9 @@ namespace {
 
 using mpm::Column;
 
-constexpr std::int64_t interval = 16;        ///< steps between two looks
-constexpr double shortest = 1e-4;            ///< of the planned step: what needs shorter ones has gone wrong
-constexpr std::int64_t calls_of_probe = 19;  ///< of a tangent modulus by central differences
+constexpr std::int64_t steps_between_looks = 16;  ///< steps between two looks
+constexpr double shortest = 1e-4;                 ///< of the planned step: what needs shorter ones has gone wrong
+constexpr std::int64_t calls_of_probe = 19;       ///< of a tangent modulus by central differences
 
 Tensor deformation_of(const mpm::State<2>& s, std::size_t p) {
   Tensor F = Tensor::Identity();
@@ -136,7 +136,7 @@ void TimeControl::look(const mpm::State<2>& s, double t) {
 }
 
 double TimeControl::next(const mpm::State<2>& s, double t) {
-  if (steps_++ % interval == 0) look(s, t);
+  if (steps_++ % steps_between_looks == 0) look(s, t);
   const double end = problem_->scene.time.end, half = 0.5 * problem_->period();
   constexpr double rounding = 1e-9;  // of T/2: a time this close to a multiple is there
   const double mark = std::min(end, half * (std::floor(t / half + rounding) + 1));

@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* record_file = "case.json";
-constexpr const char* scene_file = "case.yaml";
+constexpr const char* case_scene_file = "case.yaml";
 constexpr const char* result_file = "result.json";
 constexpr std::size_t largest_result = std::size_t{1} << 30;
 
@@ -167,8 +167,8 @@ fs::path CaseStore::begin(const PlannedCase& one) const {
   if (!error && fs::is_symlink(folder, error)) throw SystemError(folder.string() + ": is a link, and not followed");
   if (error) fail(folder, "folder cannot be created", error);
   clear_case(folder);
-  write_file(folder / scene_file, one.yaml);
-  return folder / scene_file;
+  write_file(folder / case_scene_file, one.yaml);
+  return folder / case_scene_file;
 }
 
 void CaseStore::finish(const PlannedCase& one, const CaseRecord& record) const {

@@ -11,7 +11,7 @@
 
 namespace assay::drivers {
 
-namespace study_text {
+namespace markdown {
 
 namespace {
 
@@ -167,10 +167,10 @@ std::string ending(const StudyFindings& findings) {
 
 }  // namespace
 
-}  // namespace study_text
+}  // namespace markdown
 
 std::string study_markdown(const StudyFindings& findings) {
-  using namespace study_text;
+  using namespace markdown;
   std::string out = "# " + plain(findings.title.empty() ? "assay study" : findings.title) + "\n";
   if (!findings.question.empty()) out += "\n" + plain(findings.question) + "\n";
   out += "\nError: " + plain(findings.error_name) + ". Cost: " + plain(findings.cost_name) + ".\n";

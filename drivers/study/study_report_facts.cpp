@@ -2,6 +2,7 @@
 // Stability, budget, profile, expectations, and where a study comes from, in its report.
 #include <algorithm>
 
+#include "drivers/input_error.hpp"
 #include "drivers/output/html.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/report_sections.hpp"
@@ -24,12 +25,6 @@ std::string error_cell(const StudyFindings& findings, const Figure& error) {
 
 double most(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string out;
-  for (const std::string& word : words) out += (out.empty() ? "" : ", ") + word;
-  return escaped(out);
 }
 
 }  // namespace
@@ -132,9 +127,9 @@ std::string provenance(const StudyFindings& findings) {
   const Provenance& from = findings.provenance;
   std::string out = "<dl class=\"facts\">\n" + html::fact("assay", escaped(from.version)) +
                     html::fact("Commit", escaped(from.git)) + html::fact("Compiler", escaped(from.compiler)) +
-                    html::fact("Flags", escaped(from.flags)) + html::fact("Libraries", joined(from.libraries));
+                    html::fact("Flags", escaped(from.flags)) + html::fact("Libraries", escaped(joined(from.libraries)));
   if (!from.material.empty()) out += html::fact("Material", escaped(from.material));
-  out += html::fact("Machines", joined(findings.machines));
+  out += html::fact("Machines", escaped(joined(findings.machines)));
   out += html::fact("Error", escaped(findings.error_name) + ", <code>" + escaped(findings.error_key) + "</code>");
   out += html::fact("Cost", escaped(findings.cost_name) + ", <code>" + escaped(findings.cost_key) + "</code>");
   return html::section("Where it comes from", out + "</dl>\n" + data_link("cases.csv"));

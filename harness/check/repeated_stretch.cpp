@@ -17,7 +17,7 @@ constexpr double most_change = 1e-4;
 constexpr double per_difference = 1e3;       ///< of stress, relative, over a difference of stretches
 constexpr double per_large_difference = 20;  ///< the same where stretches differ by more than rounding could explain
 
-constexpr double differences[] = {1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-4, 1e-3};
+constexpr double stretch_differences[] = {1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-4, 1e-3};
 
 /// `apart`: of stretches that are not nearly equal.
 Tensor stress_at(const Specimen& specimen, double amplitude, bool three, double difference, double* largest = nullptr,
@@ -62,7 +62,7 @@ TestResult nearly_equal_stretches(const Specimen& specimen) {
     double largest = 0;
     const Tensor equal = stress_at(specimen, amplitude, three, 0, &largest);
     const double scale = std::max(largest, 1e-6 * specimen.modulus * amplitude);
-    for (const double difference : differences) {
+    for (const double difference : stretch_differences) {
       const bool large = difference > 1e-5;
       if (large && difference > 0.02 * amplitude) continue;
       const double least = large ? 1e-2 * specimen.modulus * amplitude : 0;  // a fluid may have none in expansion

@@ -31,8 +31,8 @@ std::vector<Baseline> baselines() {
           {"uniaxial compression", uniaxial, -0.3, "strain", 1}};
 }
 
-Path straight_path(const Baseline& baseline) {
-  Path path;
+assay::Path straight_path(const Baseline& baseline) {
+  assay::Path path;
   path.name = "straight";
   path.parameter = {baseline.end, baseline.end};
   path.reversals = [](double) { return std::vector<double>{}; };
@@ -51,7 +51,7 @@ struct Finding {
 
 Finding along(const Specimen& specimen, const Baseline& baseline) {
   const Material& material = *specimen.material;
-  const Path path = straight_path(baseline);
+  const assay::Path path = straight_path(baseline);
   const auto place = [&](double t) {
     return std::string(baseline.measure) + " = " + rounded(baseline.per_eps * baseline.end * t);
   };

@@ -18,7 +18,7 @@ constexpr double explained = 1e-3;          ///< of an error that an assumption 
 constexpr double trifle = 1e-10;
 
 /// A tensor or vector of the state that has to turn, or a tensor that is declared to turn by itself.
-struct Place {
+struct StatePlace {
   std::string name;
   std::int32_t kind;
   std::size_t at;
@@ -27,9 +27,9 @@ struct Place {
   Variable in(const std::vector<double>& state) const { return {kind, &state[at]}; }
 };
 
-std::vector<Place> places_of(const Material& material) {
+std::vector<StatePlace> places_of(const Material& material) {
   const assay_material& table = material.table();
-  std::vector<Place> places;
+  std::vector<StatePlace> places;
   std::size_t at = 0;
   for (std::uint32_t v = 0; v < table.state_count; ++v) {
     const assay_state_variable& variable = table.state[v];
@@ -112,7 +112,7 @@ Loaded loaded(const Specimen& specimen, double s) {
 }
 
 /// Whether the stress of a loading depends on a variable at all: a model may keep what only its output shows.
-bool is_read(const Specimen& specimen, const Loaded& from, double s, const Place& place) {
+bool is_read(const Specimen& specimen, const Loaded& from, double s, const StatePlace& place) {
   constexpr double further = 0.02, significant = 1e-9;
   const Tensor F1 = specimen.space.stretch(specimen.amplitude, s + further);
   std::vector<double> other = from.point.state;
@@ -133,11 +133,11 @@ bool is_read(const Specimen& specimen, const Loaded& from, double s, const Place
 std::vector<TurnedVariable> carried_variables(const Specimen& specimen, const Loaded& from, double s) {
   const Material& material = *specimen.material;
   const Tensor Q = specimen.space.turn(small_turn);
-  const std::vector<Place> places = places_of(material);
+  const std::vector<StatePlace> places = places_of(material);
   std::vector<TurnedVariable> all;
   std::vector<double> misses;
   std::vector<bool> seen_at_all(places.size(), false);
-  for (const Place& place : places) {
+  for (const StatePlace& place : places) {
     all.push_back({place.name, false, Turned::otherwise, 1, place.is_own});
     misses.push_back(INFINITY);
   }
@@ -220,12 +220,12 @@ class Assumptions {
     return distance(rotated(Q.transpose(), read_as(output, seen)), read_as(output, expected_)) / scale_;
   }
 
-  const std::vector<Place>& places() const { return places_; }
+  const std::vector<StatePlace>& places() const { return places_; }
 
   /// What the variables are declared to be.
   std::vector<As> declared() const {
     std::vector<As> all;
-    for (const Place& place : places_) all.push_back(place.is_own ? As::own_frame : As::tensor);
+    for (const StatePlace& place : places_) all.push_back(place.is_own ? As::own_frame : As::tensor);
     return all;
   }
 
@@ -239,7 +239,7 @@ class Assumptions {
   const Material& material_;
   Space space_;
   const Loaded& from_;
-  std::vector<Place> places_;
+  std::vector<StatePlace> places_;
   Tensor F1_, expected_;
   double scale_;
 };

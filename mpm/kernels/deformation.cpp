@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/advance.hpp"
+#include "mpm/dimension.hpp"
 #include "mpm/kernels/basis_of.hpp"
 
 namespace assay::mpm::ASSAY_INSTRUCTIONS {
@@ -60,9 +61,6 @@ std::size_t advance(const Deformations<Dim>& d, std::size_t n, double dt) {
   return d.rate_of_F ? advance_by<Dim, true>(d, n, dt) : advance_by<Dim, false>(d, n, dt);
 }
 
-template std::size_t advance(const Deformations<2>&, std::size_t, double);
-#ifndef ASSAY_ONLY_2D
-template std::size_t advance(const Deformations<3>&, std::size_t, double);
-#endif
+template std::size_t advance(const Deformations<ASSAY_DIMENSION>&, std::size_t, double);
 
 }  // namespace assay::mpm::ASSAY_INSTRUCTIONS

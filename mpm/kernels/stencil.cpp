@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "mpm/dimension.hpp"
 #include "mpm/kernels/basis_of.hpp"
 #include "mpm/mass_stencil.hpp"
 
@@ -8,6 +9,8 @@ namespace assay::mpm::ASSAY_INSTRUCTIONS {
 
 template <int Dim>
 void multiply_rows(const StencilRows& rows);
+
+#if ASSAY_DIMENSION == 2
 
 namespace {
 
@@ -66,7 +69,8 @@ void multiply_rows<2>(const StencilRows& rows) {
   }
 }
 
-#ifndef ASSAY_ONLY_2D
+#else
+
 template <>
 void multiply_rows<3>(const StencilRows& rows) {
   constexpr std::size_t S = GridField<3>::stride;
@@ -81,6 +85,7 @@ void multiply_rows<3>(const StencilRows& rows) {
     std::copy_n(sum, 3, rows.to + S * i);
   }
 }
+
 #endif
 
 }  // namespace assay::mpm::ASSAY_INSTRUCTIONS

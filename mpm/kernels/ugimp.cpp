@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/basis_ugimp.hpp"
+#include "mpm/dimension.hpp"
 #include "mpm/kernels/table.hpp"
 
 namespace assay::mpm::ASSAY_INSTRUCTIONS {
 
-template Kernels<2> table<UgimpBasis<2>, 2>();
-#ifndef ASSAY_ONLY_2D
-template Kernels<3> table<UgimpBasis<3>, 3>();
-#endif
+template Kernels<ASSAY_DIMENSION> table<UgimpBasis<ASSAY_DIMENSION>, ASSAY_DIMENSION>();
 
 }  // namespace assay::mpm::ASSAY_INSTRUCTIONS

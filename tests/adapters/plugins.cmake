@@ -21,7 +21,6 @@ foreach(source IN LISTS plugin_sources)
 endforeach()
 target_sources(test_plugin_prints PRIVATE
   ${PROJECT_SOURCE_DIR}/adapters/models/neo_hookean.c ${PROJECT_SOURCE_DIR}/adapters/models/neo_hookean_extensions.c)
-set_target_properties(test_plugin_prints PROPERTIES UNITY_BUILD OFF)
 add_test_plugin(unturned ${PROJECT_SOURCE_DIR}/tests/downstream/unturned.c)
 target_include_directories(test_plugin_unturned PRIVATE ${PROJECT_SOURCE_DIR})
 add_test_plugin(frozen_1_0 ${CMAKE_CURRENT_LIST_DIR}/frozen_1_0/plugin.c) # sees its own header alone

@@ -5,7 +5,7 @@
 
 #include "harness/material.hpp"
 
-namespace assay::adapters {
+namespace assay::adapters::test_builtin {
 namespace {
 
 TEST(Builtin, TablesAreFreeOfDefectsAndFoundByName) {
@@ -20,4 +20,4 @@ TEST(Builtin, TablesAreFreeOfDefectsAndFoundByName) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_builtin

@@ -15,7 +15,7 @@
 #include "adapters/library.hpp"
 #include "tests/adapters/foreign/foreign_doubles.hpp"
 
-namespace assay::adapters {
+namespace assay::adapters::test_elf_symbols {
 namespace {
 
 namespace fs = std::filesystem;
@@ -138,4 +138,4 @@ TEST_F(ElfSymbols, OfTablesBeyondTheFileAreNone) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_elf_symbols

@@ -7,7 +7,7 @@
 #include <csignal>
 #include <stdexcept>
 
-namespace assay::adapters {
+namespace assay::adapters::test_forked {
 namespace {
 
 using End = Forked::End;
@@ -41,4 +41,4 @@ TEST(Forked, TellsHowItEnded) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_forked

@@ -9,13 +9,14 @@
 
 #include "adapters/builtin.hpp"
 #include "harness/material.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::adapters {
+namespace assay::adapters::test_library {
 namespace {
 
 namespace fs = std::filesystem;
 
-const std::string plugins = ASSAY_BINARY_DIR "/tests/plugins/";
+const std::string plugins = built("tests/plugins/");
 
 std::string refusal(const std::string& path, const std::string& name = {}) {
   try {
@@ -55,7 +56,7 @@ TEST(Library, ARelativePathIsAFileNotASystemLibrary) {
 
 TEST(Library, ThePluginAnswersAsTheBuiltInModel) {
   const Material built_in(builtin_table("neo_hookean"), {{"E", 1e3}, {"nu", 0.2}});
-  const assay_material* table = table_of_library(ASSAY_BINARY_DIR "/materials/libneo_hookean.so", "");
+  const assay_material* table = table_of_library(built("materials/libneo_hookean.so"), "");
   ASSERT_NE(table, builtin_table("neo_hookean"));
   const Material loaded(table, {{"E", 1e3}, {"nu", 0.2}});
   const double F0[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, F1[9] = {1.1, 0.3, 0, -0.2, 0.9, 0.1, 0, 0.05, 1.2};
@@ -154,4 +155,4 @@ TEST(Library, ATrialTellsWhatLoadingWouldTell) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_library

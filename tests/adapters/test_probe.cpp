@@ -8,12 +8,13 @@
 
 #include "adapters/builtin.hpp"
 #include "adapters/library.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::adapters {
+namespace assay::adapters::test_probe {
 namespace {
 
 std::optional<std::string> probed(const std::string& name, const std::map<std::string, double>& given = {}) {
-  return probe_defect(table_of_library(ASSAY_BINARY_DIR "/tests/plugins/" + name + ".so", ""), given);
+  return probe_defect(table_of_library(built("tests/plugins/") + name + ".so", ""), given);
 }
 
 TEST(Probe, AcceptsModelsThatAnswer) {
@@ -49,4 +50,4 @@ TEST(Probe, ParametersLieInsideTheirBounds) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_probe

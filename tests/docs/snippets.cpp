@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/house/tree.hpp"
+#include "tests/support/built.hpp"
 
 namespace assay::docs {
 
@@ -25,9 +26,10 @@ struct Ran {
 };
 
 /// The shell's environment: `assay` and this build's cmake first, nothing of the user's.
-const char* const environment =
+const std::string environment =
     "unset ASSAY_MATERIAL_PATH CDPATH DESTDIR\n"
-    "PATH='" ASSAY_PROGRAM_FOLDER
+    "PATH='" +
+    built() +
     "':$PATH ASSAY_DATA_HOME=$PWD/data ASSAY_CACHE_HOME=$PWD/cache HOME=$PWD\n"
     "CMAKE_GENERATOR='" ASSAY_CMAKE_GENERATOR
     "' LC_ALL=C\n"
@@ -134,11 +136,11 @@ std::string run_console(const Block& block, const fs::path& folder) {
 }  // namespace
 
 fs::path scratch_folder(const std::string& name) {
-  const fs::path root = ASSAY_SOURCE_DIR, folder = fs::path(ASSAY_BINARY_DIR) / "docs" / name;
+  const fs::path root = ASSAY_SOURCE_DIR, folder = fs::path(built()) / "docs" / name;
   fs::remove_all(folder);
   fs::create_directories(folder / "build");
   for (const char* link : {"configs", "harness"}) fs::create_directory_symlink(root / link, folder / link);
-  fs::create_directory_symlink(ASSAY_BINARY_DIR, folder / "build" / "release");
+  fs::create_directory_symlink(built(), folder / "build" / "release");
   return folder;
 }
 

@@ -10,6 +10,7 @@
 #include "tests/docs/page.hpp"
 #include "tests/house/tree.hpp"
 
+namespace assay::test_links {
 namespace {
 
 namespace fs = std::filesystem;
@@ -109,3 +110,4 @@ TEST(LinksNegativeControl, WhatIsNotThereIsMissed) {
 }
 
 }  // namespace
+}  // namespace assay::test_links

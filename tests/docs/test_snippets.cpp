@@ -7,6 +7,7 @@
 #include "tests/docs/snippets.hpp"
 #include "tests/house/tree.hpp"
 
+namespace assay::test_snippets {
 namespace {
 
 using namespace assay::docs;
@@ -82,3 +83,4 @@ TEST(SnippetsNegativeControl, AnOpenFenceIsRefused) {
 }
 
 }  // namespace
+}  // namespace assay::test_snippets

@@ -13,6 +13,7 @@
 #include "tests/docs/snippets.hpp"
 #include "tests/house/tree.hpp"
 
+namespace assay::test_tables {
 namespace {
 
 namespace fs = std::filesystem;
@@ -257,3 +258,4 @@ TEST(TablesNegativeControl, AKeyThatIsMissingIsSeen) {
 }
 
 }  // namespace
+}  // namespace assay::test_tables

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/built.hpp"
 
 namespace assay::drivers {
 
@@ -18,7 +19,7 @@ namespace assay::drivers {
 /// the child.
 inline pid_t start_assay(const std::vector<std::string>& words, const std::string& said,
                          const std::function<void()>& before = {}) {
-  const std::string program = ASSAY_BINARY_DIR "/assay";
+  const std::string program = built("assay");
   std::string name = "assay";
   std::vector<char*> argv{name.data()};
   for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));

@@ -9,9 +9,11 @@
 #include <fstream>
 #include <string>
 
+#include "tests/support/built.hpp"
+
 namespace assay::drivers {
 
-inline const std::string plugins = ASSAY_BINARY_DIR "/tests/plugins/";
+inline const std::string plugins = built("tests/plugins/");
 
 /// An empty folder for each test; ASSAY_DATA_HOME lies in it and $ASSAY_MATERIAL_PATH is unset.
 class RegistryTest : public testing::Test {

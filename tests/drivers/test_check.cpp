@@ -14,11 +14,12 @@
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_check {
 namespace {
 
-const std::string plugins = ASSAY_BINARY_DIR "/tests/plugins/", broken_model = plugins + "unturned.so";
+const std::string plugins = built("tests/plugins/"), broken_model = plugins + "unturned.so";
 
 CheckedMaterial broken();
 
@@ -94,7 +95,7 @@ void expect_junit(const std::string& file) {
 TEST(Check, ARelativePathIsThatOfWhoAsks) {
   const ScratchFolder scratch;
   const Ending ending = assay({"check", "./libneo_hookean.so", "--parameters", "E=1e3", "-o", scratch / "check"},
-                              [] { [[maybe_unused]] const int moved = ::chdir(ASSAY_BINARY_DIR "/materials"); });
+                              [] { [[maybe_unused]] const int moved = ::chdir(built("materials").c_str()); });
   EXPECT_EQ(ending.status, 0) << ending.said;
 }
 
@@ -299,4 +300,4 @@ TEST(CheckReport, JsonHasNoNumberForWhatIsInfinite) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_check

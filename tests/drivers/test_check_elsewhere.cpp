@@ -8,8 +8,9 @@
 
 #include "harness/check/battery.hpp"
 #include "tests/harness/check/model_table.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_check_elsewhere {
 namespace {
 
 enum Habit : int { none, keeps_the_first, crashes_first, never_comes_back };
@@ -62,7 +63,7 @@ TEST(CheckElsewhere, NamesWhatIsKeptOfTheFirstCall) {
 
 ResolvedMaterial library(const std::string& file) {
   MaterialChoice choice;
-  choice.adapter = ASSAY_BINARY_DIR + file;
+  choice.adapter = built() + file;
   choice.density = 1000;
   return resolve_material(choice, Example::all);
 }
@@ -102,4 +103,4 @@ TEST(CheckElsewhere, IsEmptyWhereTheOtherProcessEndsOrHangs) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_check_elsewhere

@@ -4,11 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "tests/drivers/process.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_check_foreign {
 namespace {
 
-const std::string doubles = ASSAY_BINARY_DIR "/tests/foreign/";
+const std::string doubles = built("tests/foreign/");
 
 bool built(const std::string& name) { return std::filesystem::exists(doubles + name + ".so"); }
 
@@ -149,4 +150,4 @@ TEST(CheckForeign, ALibraryOfMFrontIsCheckedAsItIs) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_check_foreign

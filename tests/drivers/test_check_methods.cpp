@@ -9,7 +9,7 @@
 #include "drivers/methods_report.hpp"
 #include "tests/drivers/process.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_check_methods {
 namespace {
 
 TEST(CheckMethods, RunsEveryMethodAndSaysItInJsonAndJUnit) {
@@ -134,4 +134,4 @@ TEST(MethodsReport, JsonHasNoNumberForWhatIsInfiniteAndJUnitNamesTheCause) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_check_methods

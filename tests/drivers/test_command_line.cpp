@@ -10,7 +10,7 @@
 #include "tests/drivers/registry_fixture.hpp"
 #include "tests/drivers/scene_text.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_command_line {
 namespace {
 
 struct Outcome {
@@ -183,4 +183,4 @@ TEST_F(CommandLine, RegistersAndRemoves) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_command_line

@@ -5,7 +5,7 @@
 
 #include "tests/drivers/study/verb_call.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_compare {
 namespace {
 
 class Compare : public testing::Test {
@@ -66,4 +66,4 @@ TEST_F(Compare, BadInputIsOneLineAndTwo) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_compare

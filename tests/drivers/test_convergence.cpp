@@ -8,7 +8,7 @@
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_convergence {
 namespace {
 
 /// error.l2_max of a moderate vortex that starts from rest, at h = .1, .05, .025 [m].
@@ -51,4 +51,4 @@ TEST(LongDomainAverage, DoesNotConvergeOnTheRingWithoutClipping) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_convergence

@@ -6,14 +6,15 @@
 #include <random>
 
 #include "tests/drivers/process.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_damaged_libraries {
 namespace {
 
 namespace fs = std::filesystem;
 
 struct Library {
-  const char *name, *file, *keys;
+  std::string name, file, keys;
 };
 
 void PrintTo(const Library& library, std::ostream* out) { *out << library.name; }
@@ -86,17 +87,17 @@ TEST_P(DamagedLibrary, UndamagedServes) {
 
 INSTANTIATE_TEST_SUITE_P(
     Interfaces, DamagedLibrary,
-    testing::Values(Library{"native", ASSAY_BINARY_DIR "/materials/libneo_hookean.so", ""},
-                    Library{"umat", ASSAY_BINARY_DIR "/tests/foreign/umat_j2.so",
+    testing::Values(Library{"native", built("materials/libneo_hookean.so"), ""},
+                    Library{"umat", built("tests/foreign/umat_j2.so"),
                             "interface: umat\nproperties: [1e3, 0.3, 10, 20, 50]\n"
                             "state: {back_stress: symmetric_tensor, p: scalar}\n"},
-                    Library{"mfront", ASSAY_BINARY_DIR "/tests/foreign/mfront_norton.so",
+                    Library{"mfront", built("tests/foreign/mfront_norton.so"),
                             "interface: mfront\nproperties: {YoungModulus: 1e3, PoissonRatio: 0.3}\n"}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 /// What no random damage hits every time.
 TEST(DamagedLibraries, ANativeOneThatEndsTheProcessIsRefused) {
-  const std::string plugins = ASSAY_BINARY_DIR "/tests/plugins/";
+  const std::string plugins = built("tests/plugins/");
   for (const auto& [name, words] :
        {std::pair{"entry_crashes", "died of signal 6 (Aborted) when it was loaded"},
         std::pair{"entry_exits", "without a result when it was loaded; the last that it printed: no licence"}}) {
@@ -111,4 +112,4 @@ TEST(DamagedLibraries, ANativeOneThatEndsTheProcessIsRefused) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_damaged_libraries

@@ -14,9 +14,10 @@
 #include "drivers/simulation/response_source.hpp"
 #include "mpm/simulation.hpp"
 #include "tests/drivers/scene_text.hpp"
+#include "tests/support/built.hpp"
 #include "tests/support/counting_material.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_effects {
 namespace {
 
 using mpm::Column;
@@ -244,7 +245,7 @@ TEST_P(OfEachEffect, TheMaterialIsCalledForTheStressAlone) {
 
 /// But isolation, whose workers belong to a run: see OfIsolation.
 std::vector<bench::EffectScene> scenes_in_process() {
-  auto list = bench::effect_scenes(ASSAY_BINARY_DIR "/materials");
+  auto list = bench::effect_scenes(built("materials"));
   std::erase_if(list, [](const bench::EffectScene& way) { return way.effect == Effect::isolation; });
   return list;
 }
@@ -270,4 +271,4 @@ TEST(OfTheThirdDimension, APlaneStepHasNoComponent) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_effects

@@ -11,9 +11,10 @@
 #include "drivers/screening.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "tests/drivers/quiet_run.hpp"
+#include "tests/support/built.hpp"
 #include "tests/support/counting_material.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_effects_of_runs {
 namespace {
 
 using mpm::Effect;
@@ -25,7 +26,7 @@ struct Around {
 };
 
 Around run_of(Effect effect, bool with) {
-  for (const bench::EffectScene& way : bench::effect_scenes(ASSAY_BINARY_DIR "/materials")) {
+  for (const bench::EffectScene& way : bench::effect_scenes(built("materials"))) {
     if (way.effect != effect) continue;
     const ScratchFolder scratch;
     EXPECT_EQ(run(quiet_run(way.scene, scratch / "out", with ? way.with : way.without)), 0);
@@ -80,4 +81,4 @@ TEST(OfIsolation, ThereIsNoWorkerWithoutIt) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_effects_of_runs

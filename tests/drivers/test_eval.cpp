@@ -10,7 +10,7 @@
 #include "drivers/verbs.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_eval {
 namespace {
 
 using std::numbers::pi;
@@ -159,4 +159,4 @@ TEST(Eval, NeverReplacesItsInputs) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_eval

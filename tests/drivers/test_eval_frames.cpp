@@ -12,7 +12,7 @@
 #include "harness/tensor.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_eval_frames {
 namespace {
 
 constexpr double angle = 0.7, spin = 1.3, density = 1000;
@@ -215,4 +215,4 @@ TEST(EvalFrames, AnAbsentFrameAndAnIdleOneAreTheSame) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_eval_frames

@@ -15,7 +15,7 @@
 #include "drivers/verbs.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_eval_references {
 namespace {
 
 constexpr double digits = 3e-9;  ///< of the largest component of a field: 8 digits are promised
@@ -92,4 +92,4 @@ INSTANTIATE_TEST_SUITE_P(Cases, EvalReferences, testing::ValuesIn(cases()),
                          [](const auto& which) { return which.param; });
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_eval_references

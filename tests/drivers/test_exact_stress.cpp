@@ -7,7 +7,7 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/problem.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_exact_stress {
 namespace {
 
 /// Parameters of every built-in model at which a stretch of some per cent takes it into all that it can do.
@@ -120,4 +120,4 @@ TEST(ExactStress, NeoHookeanIsTheFormula) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_exact_stress

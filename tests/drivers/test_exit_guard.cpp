@@ -10,7 +10,7 @@
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/registry_fixture.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_exit_guard {
 namespace {
 
 const std::string scene = ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml";
@@ -132,4 +132,4 @@ TEST(ExitGuardDeathTest, HandlersThatWereThereStay) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_exit_guard

@@ -9,7 +9,7 @@
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_explain {
 namespace {
 
 const std::string scene = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/vortex_cpdi.yaml";
@@ -201,4 +201,4 @@ TEST(Explain, TextFitsATerminal) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_explain

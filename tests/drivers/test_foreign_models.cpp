@@ -11,15 +11,16 @@
 
 #include "drivers/output/numbers.hpp"
 #include "tests/drivers/process.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_foreign_models {
 namespace {
 
 namespace fs = std::filesystem;
 
 const std::string configs = ASSAY_SOURCE_DIR "/configs/foreign/";
 const std::string descriptions = ASSAY_SOURCE_DIR "/tests/adapters/foreign/";
-const std::string doubles = ASSAY_BINARY_DIR "/tests/foreign/";
+const std::string doubles = built("tests/foreign/");
 
 /// The program, where the scenes' models are found.
 Ending assay_with_doubles(const std::vector<std::string>& words) {
@@ -210,4 +211,4 @@ TEST(ForeignModels, ErrorsStandAtTheKeyOfTheDescription) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_foreign_models

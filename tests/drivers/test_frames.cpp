@@ -7,7 +7,7 @@
 
 #include "tests/drivers/quiet_run.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_frames {
 namespace {
 
 double error_of(const std::string& scene, const std::vector<std::string>& sets) {
@@ -107,4 +107,4 @@ TEST(Frames, OnlyASpinIsAPassMore) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_frames

@@ -10,7 +10,7 @@
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/refusal.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_free_body {
 namespace {
 
 const std::string moment_scene = "hard/free_vibration_moment";
@@ -64,4 +64,4 @@ TEST(FreeBody, KeepsItsAngularMomentumWithMomentsAndNotWithGradients) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_free_body

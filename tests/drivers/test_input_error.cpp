@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace assay::drivers {
+namespace assay::drivers::test_input_error {
 namespace {
 
 TEST(InputError, SaysWhereWhatAndWhatIsKnown) {
@@ -52,4 +52,4 @@ TEST(InputError, SuggestsTheNearestWord) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_input_error

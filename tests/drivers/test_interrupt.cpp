@@ -10,7 +10,7 @@
 
 #include "tests/drivers/process.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_interrupt {
 namespace {
 
 // In a child process: handlers and flag must not leak into other tests.
@@ -112,4 +112,4 @@ TEST(InterruptDeathTest, ignored_signals_stay_ignored) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_interrupt

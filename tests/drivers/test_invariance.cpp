@@ -7,7 +7,7 @@
 
 #include "tests/drivers/quiet_run.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_invariance {
 namespace {
 
 constexpr double same = 1e-10;  ///< relative: rounding of other numbers, over some hundred steps
@@ -100,4 +100,4 @@ TEST(CutBodies, FlyOverTheGridWhereverItsNodesLie) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_invariance

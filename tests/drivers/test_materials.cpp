@@ -8,7 +8,7 @@
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/registry_fixture.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_materials {
 namespace {
 
 class Materials : public RegistryTest {
@@ -86,4 +86,4 @@ TEST_F(Materials, ABrokenEntryDoesNotHideTheOthers) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_materials

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace assay::drivers {
+namespace assay::drivers::test_methods_table {
 namespace {
 
 using check::Verdict;
@@ -63,4 +63,4 @@ TEST(MethodsTable, IsASentenceWhereAllPass) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_methods_table

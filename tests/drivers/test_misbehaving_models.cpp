@@ -5,14 +5,15 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/drivers/process.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_misbehaving_models {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-const std::string library = ASSAY_BINARY_DIR "/tests/foreign/misbehaving_umat.so";
+const std::string library = built("tests/foreign/misbehaving_umat.so");
 
 struct Misbehaviour {
   int which;  ///< of tests/adapters/foreign/misbehaving_umat_c.c
@@ -167,4 +168,4 @@ INSTANTIATE_TEST_SUITE_P(Kinds, WritingModel,
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_misbehaving_models

@@ -10,7 +10,7 @@
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_model_orders {
 namespace {
 
 using Errors = std::array<double, 3>;
@@ -74,4 +74,4 @@ TEST(LongModelOrders, FlowAtLongStepsFallsShortOfSecondOrder) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_model_orders

@@ -13,7 +13,7 @@
 #include "harness/norms.hpp"
 #include "mpm/simulation.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_motion_runs {
 namespace {
 
 const std::string motions = std::string(ASSAY_SOURCE_DIR) + "/configs/motions/";
@@ -227,4 +227,4 @@ TEST(LongPlantedInTheRing, IsCaught) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_motion_runs

@@ -8,8 +8,9 @@
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/registry_fixture.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_new_material {
 namespace {
 
 namespace fs = std::filesystem;
@@ -180,7 +181,7 @@ TEST_P(LongNewMaterial, BuildsPassesCheckAndRunsTheVortex) {
   ASSERT_EQ(make("clay", GetParam()), 0);
   const std::string readme = read("clay/README.md");
   const std::string said =
-      shell("cmake --install '" ASSAY_BINARY_DIR "' --prefix 'pre fix' >installed\ncd clay\n" + commands_of(readme));
+      shell("cmake --install '" + built() + "' --prefix 'pre fix' >installed\ncd clay\n" + commands_of(readme));
   EXPECT_TRUE(said.ends_with("AS EXPECTED; results in results/vortex\nstatus 0")) << said;
   EXPECT_NE(said.find("100% tests passed"), std::string::npos) << said;
   EXPECT_EQ(said.find("arning"), std::string::npos) << said;
@@ -191,4 +192,4 @@ TEST_P(LongNewMaterial, BuildsPassesCheckAndRunsTheVortex) {
 INSTANTIATE_TEST_SUITE_P(Kinds, LongNewMaterial, testing::ValuesIn(flavours), name_of);
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_new_material

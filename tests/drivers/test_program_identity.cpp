@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string>
 
-namespace assay::drivers {
+namespace assay::drivers::test_program_identity {
 namespace {
 
 /// As binutils read it.
@@ -39,4 +39,4 @@ TEST(ProgramIdentity, OfWhatIsLoadedIsAnother) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_program_identity

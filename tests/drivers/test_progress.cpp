@@ -10,7 +10,7 @@
 #include <array>
 #include <limits>
 
-namespace assay::drivers {
+namespace assay::drivers::test_progress {
 namespace {
 
 TEST(Progress, says_durations) {
@@ -79,4 +79,4 @@ TEST(Progress, rewrites_one_line_and_erases_it_on_a_terminal) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_progress

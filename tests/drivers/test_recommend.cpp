@@ -5,7 +5,7 @@
 
 #include "tests/drivers/study/verb_call.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_recommend {
 namespace {
 
 TEST(Recommend, FindsTheStudyByFolderFileAndYaml) {
@@ -96,4 +96,4 @@ TEST(Recommend, BadInputIsOneLineAndTwo) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_recommend

@@ -6,7 +6,7 @@
 #include "adapters/builtin.hpp"
 #include "harness/motion.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_references {
 namespace {
 
 Path shear() {
@@ -68,4 +68,4 @@ TEST(References, NoneIsSaid) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_references

@@ -6,8 +6,9 @@
 #include "drivers/verbs.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/registry_fixture.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_register {
 namespace {
 
 namespace fs = std::filesystem;
@@ -93,7 +94,7 @@ TEST_F(Register, RefusesWhatFailsTheProbeAndWritesNothing) {
 }
 
 TEST_F(Register, ALibraryOfMfrontDescribesItself) {
-  const std::string library = ASSAY_BINARY_DIR "/tests/foreign/mfront_neo_hookean.so";
+  const std::string library = built("tests/foreign/mfront_neo_hookean.so");
   testing::internal::CaptureStdout();
   EXPECT_EQ(register_material({library, "rubber", {}, Verbosity::normal}), 0);
   const std::string said = testing::internal::GetCapturedStdout();
@@ -112,7 +113,7 @@ TEST_F(Register, APipeAmongTheNamesIsNoName) {
 }
 
 TEST_F(Register, CountsTheStateAsItsAuthorDoes) {
-  const std::string library = ASSAY_BINARY_DIR "/tests/foreign/umat_j2.so";
+  const std::string library = built("tests/foreign/umat_j2.so");
   if (!fs::exists(library)) GTEST_SKIP() << "no Fortran compiler";
   const std::string file = write("clay.yaml", "library: " + library + "\ninterface: umat\ndensity: 1000\n" +
                                                   "properties: {E: 1.0e3, nu: 0.3, y: 10, h: 20, c: 50}\n" +
@@ -124,7 +125,7 @@ TEST_F(Register, CountsTheStateAsItsAuthorDoes) {
 }
 
 TEST_F(Register, ASubroutineNeedsADescription) {
-  const std::string library = ASSAY_BINARY_DIR "/tests/foreign/umat_neo_hookean.so";
+  const std::string library = built("tests/foreign/umat_neo_hookean.so");
   if (!fs::exists(library)) GTEST_SKIP() << "no Fortran compiler";
   EXPECT_EQ(refused(library), "'" + library + "' exports 'umat_', a UMAT: it needs a description, a YAML file with " +
                                   "library, interface: umat, properties and state");
@@ -132,7 +133,7 @@ TEST_F(Register, ASubroutineNeedsADescription) {
 }
 
 TEST_F(Register, SaysThatTheStressDependsOnTheDuration) {
-  const std::string library = ASSAY_BINARY_DIR "/tests/foreign/mfront_norton.so";
+  const std::string library = built("tests/foreign/mfront_norton.so");
   const std::string properties =
       "\ninterface: mfront\nproperties: {YoungModulus: 1e3, PoissonRatio: 0.3, A: 1e-3, n: 2}\n";
   const auto said = [&](const std::string& keys) {
@@ -147,7 +148,7 @@ TEST_F(Register, SaysThatTheStressDependsOnTheDuration) {
 
 TEST_F(Register, CountsTheStateThatMetadataTells) {
   testing::internal::CaptureStdout();
-  register_material({ASSAY_BINARY_DIR "/tests/foreign/mfront_norton.so", "creep", {}, Verbosity::normal});
+  register_material({built("tests/foreign/mfront_norton.so"), "creep", {}, Verbosity::normal});
   const std::string said = testing::internal::GetCapturedStdout();
   EXPECT_TRUE(said.starts_with("registered creep: norton in ")) << said;
   EXPECT_NE(said.find("2 state variables of 7"), std::string::npos) << said;
@@ -156,7 +157,7 @@ TEST_F(Register, CountsTheStateThatMetadataTells) {
 TEST_F(Register, RefusesBadNames) {
   EXPECT_EQ(refused(plugins + "frozen_1_0.so", "neo_hookean"),
             "--as: 'neo_hookean' is the name of a built-in material; choose another with --as");
-  EXPECT_TRUE(refused(ASSAY_BINARY_DIR "/materials/libneo_hookean.so").ends_with("choose another with --as"));
+  EXPECT_TRUE(refused(built("materials/libneo_hookean.so")).ends_with("choose another with --as"));
   for (const char* name : {"a/b", "../x", ".x", "x.so", "x.yaml", "a b", "-x", "a\nb"}) {
     EXPECT_TRUE(refused(plugins + "frozen_1_0.so", name).starts_with("--as: ")) << name;
   }
@@ -230,4 +231,4 @@ TEST_F(Register, AnUnusableRegistryIsTheSystemsFault) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_register

@@ -18,7 +18,7 @@
 #include "tests/drivers/scene_text.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_replay {
 namespace {
 
 std::string fails_when_sheared() {
@@ -166,4 +166,4 @@ TEST(Replay, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_replay

@@ -8,8 +8,9 @@
 #include "drivers/verbs.hpp"
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_run {
 namespace {
 
 /// The paper's vortex on a coarse grid, short and silent.
@@ -94,8 +95,8 @@ TEST(Run, AMaterialThatFailsIsAFindingBeforeAndDuringTheSteps) {
   const ScratchFolder scratch;
   const std::string out = scratch / "out";
   const auto material = [](double modulus) {
-    return "material={adapter: " ASSAY_BINARY_DIR "/tests/plugins/fails_when_sheared.so, parameters: {modulus: " +
-           std::to_string(modulus) + "}, density: 1000}";
+    return "material={adapter: " + built("tests/plugins/fails_when_sheared.so") +
+           ", parameters: {modulus: " + std::to_string(modulus) + "}, density: 1000}";
   };
   EXPECT_EQ(run(quick(out, {material(1000)})), 1);  // on the baseline path
   EXPECT_EQ(result_in(out)["outcome"], "material_failed");
@@ -201,4 +202,4 @@ TEST(Run, ACylindricallyOrthotropicRingMovesAsItShould) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_run

@@ -13,8 +13,9 @@
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_screening {
 namespace {
 
 const std::string vortex_scene = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/vortex_cpdi.yaml";
@@ -118,7 +119,7 @@ TEST(Screening, EvalAndTabulateWarnAndGoOn) {
 /// A material that ends just beyond the path: stable as far as it was judged, with a warning, and the run goes on.
 TEST(Screening, WarnsOfPlacesThatItCouldNotJudge) {
   const ScratchFolder scratch;
-  const std::string out = scratch / "out", plugin = ASSAY_BINARY_DIR "/tests/plugins/fails_midway.so";
+  const std::string out = scratch / "out", plugin = built("tests/plugins/fails_midway.so");
   const double peak = (0.4 - 4e-5) / 7.0656;  // the material refuses |gamma| > 0.4
   const Ending ending = assay({"run", vortex_scene, "-o", out, "--set", "grid.spacing=0.125", "--set", "expect={}",
                                "--set", "motion.amplitude.peak=" + std::to_string(peak), "--set",
@@ -164,4 +165,4 @@ TEST(Screening, OfARingAndABoxLooksWhereTheBodyIs) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_screening

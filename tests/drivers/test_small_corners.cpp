@@ -4,7 +4,7 @@
 
 #include "tests/drivers/quiet_run.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_small_corners {
 namespace {
 
 TEST(SmallCorners, AGridOfFewNodesHoldsEveryBasis) {
@@ -38,4 +38,4 @@ TEST(SmallCorners, TractionsLeaveNoForcesBehind) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_small_corners

@@ -11,8 +11,9 @@
 #include "tests/adapters/models/references/zener.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_tabulate {
 namespace {
 
 const std::string configs = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/";
@@ -158,10 +159,10 @@ TEST(Tabulate, CurveOfUniaxialStrainIsThePapers) {
 TEST(Tabulate, AMaterialThatFailsIsAFinding) {
   const ScratchFolder scratch;
   const std::string out = scratch / "out";
-  EXPECT_EQ(tabulate(options_for(
-                "vortex_cpdi.yaml", out,
-                {"material={adapter: " ASSAY_BINARY_DIR "/tests/plugins/fails_when_sheared.so, density: 1}"})),
-            1);
+  EXPECT_EQ(
+      tabulate(options_for("vortex_cpdi.yaml", out,
+                           {"material={adapter: " + built("tests/plugins/fails_when_sheared.so") + ", density: 1}"})),
+      1);
   const auto result = nlohmann::json::parse(bytes_of(out + "/result.json"));
   EXPECT_EQ(result["outcome"], "material_failed");
   EXPECT_NE(result["reason"].get<std::string>().find("deformed beyond its limit"), std::string::npos);
@@ -198,4 +199,4 @@ TEST(Tabulate, RefusesTimesBeforeTheStart) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_tabulate

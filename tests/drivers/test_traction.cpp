@@ -10,7 +10,7 @@
 #include "drivers/simulation/simulate.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_traction {
 namespace {
 
 constexpr double rounding = 1e-12;        ///< [m], of E up to 1e6
@@ -203,4 +203,4 @@ TEST(TractionMaterials, WithHistory) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_traction

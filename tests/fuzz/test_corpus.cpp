@@ -12,9 +12,11 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "tests/fuzz/composition.hpp"
 #include "tests/fuzz/mutants.hpp"
+#include "tests/support/built.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
+namespace assay::test_corpus {
 namespace {
 
 namespace fs = std::filesystem;
@@ -40,7 +42,7 @@ void feed(const std::string& text) {
 }
 
 /// Of each text; the fuzzer itself goes on from there.
-constexpr std::size_t places = ASSAY_SANITIZED ? 30 : 200;
+const std::size_t places = sanitized() ? 30 : 200;
 
 TEST(FuzzCorpus, SeedsAndTheirPrefixes) {
   const auto texts = seeds();
@@ -107,3 +109,4 @@ TEST(FuzzCorpus, AbusiveNesting) {
 }
 
 }  // namespace
+}  // namespace assay::test_corpus

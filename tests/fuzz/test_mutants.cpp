@@ -11,28 +11,26 @@
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/fuzz/mutants.hpp"
 #include "tests/fuzz/run_faults.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::fuzz {
+namespace assay::fuzz::test_mutants {
 
 namespace {
 
 namespace fs = std::filesystem;
 
 const std::string sources = ASSAY_SOURCE_DIR "/tests/fuzz/scenes/";
-const std::string program = ASSAY_BINARY_DIR "/assay";
-const std::string kept = ASSAY_BINARY_DIR "/mutants/";  ///< those that found a fault
+const std::string program = built("assay");
+const std::string kept = built("mutants/");  ///< those that found a fault
 
 /// A mutant may ask for much: it is refused beyond 100 times the particle-steps of the scenes that it was made from, or
 /// two periods of a sheet of a material with a history.
 const std::vector<std::string> limits{"limits.particle_steps=100000", "limits.memory_gib=0.01"};
 
-#if ASSAY_SANITIZED
-const Bounds bounds{.cpu_s = 200};
-const Promise promise{.cpu_s = 150, .resident_bytes = std::int64_t{1536} << 20};
-#else
-const Bounds bounds{.cpu_s = 20, .address_bytes = std::int64_t{2} << 30};
-const Promise promise{.cpu_s = 15, .resident_bytes = std::int64_t{256} << 20};
-#endif
+const Bounds bounds = sanitized() ? Bounds{.cpu_s = 200} : Bounds{.cpu_s = 20, .address_bytes = std::int64_t{2} << 30};
+const Promise promise = sanitized() ? Promise{.cpu_s = 150, .resident_bytes = std::int64_t{1536} << 20}
+                                    : Promise{.cpu_s = 15, .resident_bytes = std::int64_t{256} << 20};
+const int in_sample = sanitized() ? 40 : 100;
 
 const Mutants& mutants() {
   static const Mutants all = mutants_of_the_tree();
@@ -133,7 +131,7 @@ TEST(Mutants, AreTheSameEachTimeAndOfEveryKind) {
 class Sample : public testing::TestWithParam<int> {};
 
 /// Spread over all kinds and scenes: what runs every day, and under the sanitizers.
-TEST_P(Sample, EndsWithAStatusAndALine) { run_mutants(GetParam() * 127, ASSAY_MUTANTS_IN_SAMPLE, 7); }
+TEST_P(Sample, EndsWithAStatusAndALine) { run_mutants(GetParam() * 127, in_sample, 7); }
 
 INSTANTIATE_TEST_SUITE_P(Mutants, Sample, testing::Range(0, 5));
 
@@ -145,4 +143,4 @@ INSTANTIATE_TEST_SUITE_P(Thousand, LongMutants, testing::Range(0, 10));
 
 }  // namespace
 
-}  // namespace assay::fuzz
+}  // namespace assay::fuzz::test_mutants

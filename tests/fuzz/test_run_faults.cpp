@@ -13,7 +13,7 @@
 #include "tests/fuzz/result_files.hpp"
 #include "tests/fuzz/run_faults.hpp"
 
-namespace assay::fuzz {
+namespace assay::fuzz::test_run_faults {
 
 namespace {
 
@@ -134,4 +134,4 @@ TEST(RunFaults, BoundsAreThoseOfTheKernel) {
 
 }  // namespace
 
-}  // namespace assay::fuzz
+}  // namespace assay::fuzz::test_run_faults

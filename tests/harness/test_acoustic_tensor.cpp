@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace assay {
+namespace assay::test_acoustic_tensor {
 namespace {
 
 /// A_iJkL of the neo-Hookean model (34), typed from its energy.
@@ -93,4 +93,4 @@ TEST(AcousticTensor, ItsDirectionBelongsToItsValue) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_acoustic_tensor

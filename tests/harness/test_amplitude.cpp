@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace assay {
+namespace assay::test_amplitude {
 namespace {
 
 constexpr double step = 1e-4;
@@ -70,4 +70,4 @@ TEST(Amplitude, OneMinusCosineStartsFromRest) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_amplitude

@@ -8,7 +8,7 @@
 #include "harness/material.hpp"
 #include "tests/harness/elastic_material.hpp"
 
-namespace assay {
+namespace assay::test_arithmetic {
 namespace {
 
 TEST(Arithmetic, TellsAndUndoesChanges) {
@@ -47,4 +47,4 @@ TEST(Arithmetic, ChangedByAModelIsAFailureAndPutRight) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_arithmetic

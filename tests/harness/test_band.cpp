@@ -9,7 +9,7 @@
 #include "harness/vortex.hpp"
 #include "tests/harness/builtin_material.hpp"
 
-namespace assay {
+namespace assay::test_band {
 namespace {
 
 const std::map<std::string, double> plastic{{"E", 1000}, {"nu", 0.3}, {"yield_stress", 10}, {"hardening_modulus", 20}};
@@ -133,4 +133,4 @@ TEST(BandTable, FollowsTheFrontAndSurvivesPacking) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_band

@@ -10,7 +10,7 @@
 #include "harness/central_difference.hpp"
 #include "tests/harness/elastic_material.hpp"
 
-namespace assay {
+namespace assay::test_body_force {
 namespace {
 
 using std::numbers::pi;
@@ -230,4 +230,4 @@ TEST(BodyForceField, GivesEveryPointItsOwnForceOncePerRadius) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_body_force

@@ -14,7 +14,7 @@
 #include "tests/harness/builtin_material.hpp"
 #include "tests/harness/elastic_material.hpp"
 
-namespace assay {
+namespace assay::test_box_stress {
 namespace {
 
 constexpr double box_density = 1000;
@@ -149,4 +149,4 @@ TEST(CosineRows, AreMeansOverTheirStretches) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_box_stress

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace assay::chebyshev {
+namespace assay::chebyshev::test_chebyshev {
 namespace {
 
 constexpr double round_off = 1e-13;
@@ -58,4 +58,4 @@ TEST(Chebyshev, TransformsLinesOfAnyStrideInPlace) {
 }
 
 }  // namespace
-}  // namespace assay::chebyshev
+}  // namespace assay::chebyshev::test_chebyshev

@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-namespace assay {
+namespace assay::test_convergence {
 namespace {
 
 using Sequence = std::vector<double>;
@@ -136,4 +136,4 @@ TEST(Convergence, TheRangeNeedsThreeResolutionsApart) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_convergence

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-namespace assay {
+namespace assay::test_cubic_spline {
 namespace {
 
 CubicSpline through(const std::vector<double>& x, const std::function<double(double)>& f) {
@@ -52,4 +52,4 @@ TEST(CubicSpline, IsTwiceSmoothAcrossItsPointsAndConvergesAtFourthOrder) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_cubic_spline

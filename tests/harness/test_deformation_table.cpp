@@ -9,7 +9,7 @@
 
 #include "harness/motion.hpp"
 
-namespace assay {
+namespace assay::test_deformation_table {
 namespace {
 
 Tensor gradient(double t) {
@@ -74,4 +74,4 @@ TEST(DeformationTable, FindsTheSmallestDeterminantBetweenRows) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_deformation_table

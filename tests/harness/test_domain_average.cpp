@@ -10,7 +10,7 @@
 #include "harness/gauss.hpp"
 #include "harness/radii_of_xi.hpp"
 
-namespace assay {
+namespace assay::test_domain_average {
 namespace {
 
 constexpr double density = 1000;
@@ -407,4 +407,4 @@ TEST(DomainAverage, RefusesAnUnknownNumberOfGaussPoints) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_domain_average

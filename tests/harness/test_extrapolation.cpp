@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace assay {
+namespace assay::test_extrapolation {
 namespace {
 
 /// Increments of y' = -y, by what they err: h, h^2, h^3 ... (backward Euler); h^2, h^3, h^4 ... (explicit midpoint);
@@ -83,4 +83,4 @@ TEST(Extrapolation, KnowsHowItEnlargesRounding) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_extrapolation

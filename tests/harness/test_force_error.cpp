@@ -8,7 +8,7 @@
 #include "harness/body_force.hpp"
 #include "tests/harness/builtin_material.hpp"
 
-namespace assay {
+namespace assay::test_force_error {
 namespace {
 
 TEST(ForceError, BoundsTheDifferenceToABetterSheet) {
@@ -41,4 +41,4 @@ TEST(ForceError, BoundsTheDifferenceToABetterSheet) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_force_error

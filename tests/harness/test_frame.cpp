@@ -6,7 +6,7 @@
 #include "harness/central_difference.hpp"
 #include "harness/vortex.hpp"
 
-namespace assay {
+namespace assay::test_frame {
 namespace {
 
 const Frame frame{0.7, 1.3, {0.4, -0.2, 0}};
@@ -60,4 +60,4 @@ TEST(Frame, TurnsStressWithTheMotionAndKeepsItsBalance) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_frame

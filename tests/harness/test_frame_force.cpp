@@ -10,7 +10,7 @@
 #include "harness/frame.hpp"
 #include "tests/harness/elastic_material.hpp"
 
-namespace assay {
+namespace assay::test_frame_force {
 namespace {
 
 constexpr double spin = 1.3;
@@ -72,4 +72,4 @@ TEST(FrameForce, OverDomainsIsTheMeanOfThePoints) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_frame_force

@@ -9,7 +9,7 @@
 #include "harness/vortex.hpp"
 #include "tests/harness/builtin_material.hpp"
 
-namespace assay {
+namespace assay::test_history {
 namespace {
 
 const Path cyclic = Vortex{0.75, 1.25, 2, {Amplitude::Type::sine, 0.1, 1.0}}.baseline();
@@ -207,4 +207,4 @@ TEST(History, StatesTheErrorOfRatesWithoutExaggeration) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_history

@@ -5,7 +5,7 @@
 
 #include "harness/motion.hpp"
 
-namespace assay {
+namespace assay::test_homogeneous {
 namespace {
 
 TEST(Homogeneous, MorphsLinearly) {
@@ -46,4 +46,4 @@ TEST(Motion, KnowsItsPeriod) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_homogeneous

@@ -7,7 +7,7 @@
 
 #include "harness/frame.hpp"
 
-namespace assay {
+namespace assay::test_inertia {
 namespace {
 
 constexpr double step = 1e-5;            ///< [m]
@@ -91,4 +91,4 @@ TEST(Inertia, IsNoneOutsideTheRingOfABodyAtRest) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_inertia

@@ -9,7 +9,7 @@
 #include "tests/harness/elastic_material.hpp"
 #include "tests/harness/jaumann_material.hpp"
 
-namespace assay {
+namespace assay::test_material {
 namespace {
 
 const assay_material* elastic() { return assay_builtin_neo_hookean(ASSAY_ABI_MAJOR, 0); }
@@ -152,4 +152,4 @@ TEST(MaterialTable, DefectsAreNamed) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_material

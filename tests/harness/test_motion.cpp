@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace assay {
+namespace assay::test_motion {
 namespace {
 
 constexpr double difference_step = 1e-4;  ///< [m], [s]; central differences of fourth order leave rounding / step
@@ -129,4 +129,4 @@ TEST(Motion, KnowsWhatItHas) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_motion

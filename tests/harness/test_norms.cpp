@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace assay {
+namespace assay::test_norms {
 namespace {
 
 TEST(Norms, WeighByVolume) {
@@ -29,4 +29,4 @@ TEST(Norms, NothingIsZero) { EXPECT_EQ(NormAccumulator().l2(), 0); }
 TEST(Norms, OrderOfAPowerLaw) { EXPECT_NEAR(observed_order(0.1, 0.04, 0.05, 0.01), 2, 1e-12); }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_norms

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace assay {
+namespace assay::test_parallel {
 namespace {
 
 TEST(Parallel, DoesEveryPieceOnce) {
@@ -43,4 +43,4 @@ TEST(Parallel, PollsAndStops) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_parallel

@@ -6,7 +6,7 @@
 #include "harness/homogeneous.hpp"
 #include "harness/vortex.hpp"
 
-namespace assay {
+namespace assay::test_path {
 namespace {
 
 TEST(LoadingPath, ReachesEveryStateOfThePathAndLittleMore) {
@@ -36,4 +36,4 @@ TEST(LoadingPath, ReachesEveryStateOfThePathAndLittleMore) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_path

@@ -10,7 +10,7 @@
 #include "tests/harness/elastic_material.hpp"
 #include "tests/harness/jaumann_material.hpp"
 
-namespace assay {
+namespace assay::test_point_driver {
 namespace {
 
 const Vortex small{0.75, 1.25, 2, {Amplitude::Type::sine, 0.3, 1.0}};
@@ -120,4 +120,4 @@ TEST(PointDriver, ReportsWhereAMaterialFails) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_point_driver

@@ -8,7 +8,7 @@
 
 #include "harness/gauss.hpp"
 
-namespace assay {
+namespace assay::test_reference_domain {
 namespace {
 
 constexpr Annulus ring{0.75, 1.25};
@@ -177,4 +177,4 @@ TEST(ReferenceDomain, SectorsFillTheirRing) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_reference_domain

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace assay {
+namespace assay::test_regime {
 namespace {
 
 assay_material table_with(const assay_state_variable* state, std::uint32_t count) {
@@ -44,4 +44,4 @@ TEST(Regime, IsUnknownWithoutScalars) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_regime

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace assay {
+namespace assay::test_ring_points {
 namespace {
 
 TEST(RingPoints, PointsOfOneCircleShareARadiusWhateverTheirRounding) {
@@ -34,4 +34,4 @@ TEST(RingPoints, DifferentRadiiStayApartAlsoWhereTheyAreClose) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_ring_points

@@ -9,7 +9,7 @@
 
 #include "harness/motion.hpp"
 
-namespace assay {
+namespace assay::test_rotating_stretch {
 namespace {
 
 using std::numbers::pi;
@@ -93,4 +93,4 @@ TEST(RotatingStretch, TurnsAtTheMultiplesOfHalfThePeriod) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_rotating_stretch

@@ -7,7 +7,7 @@
 #include "harness/vortex.hpp"
 #include "tests/harness/builtin_material.hpp"
 
-namespace assay {
+namespace assay::test_shadow {
 namespace {
 
 const Path path = Vortex{0.75, 1.25, 2, {Amplitude::Type::sine, 0.1, 1.0}}.baseline();
@@ -70,4 +70,4 @@ TEST(Shadow, KnowsWhereTheFrontsAre) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_shadow

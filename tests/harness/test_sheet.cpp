@@ -15,7 +15,7 @@
 #include "tests/harness/jaumann_material.hpp"
 #include "tests/harness/sheet_difference.hpp"
 
-namespace assay {
+namespace assay::test_sheet {
 namespace {
 
 TEST(Sheet, IsTheClosedFormOfElasticityOnBothBaselines) {
@@ -117,4 +117,4 @@ TEST(Response, NamesNoClosedFormWhereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_sheet

@@ -8,7 +8,7 @@
 #include "tests/harness/elastic_material.hpp"
 #include "tests/harness/sheet_difference.hpp"
 
-namespace assay {
+namespace assay::test_sheet_disturbed {
 namespace {
 
 const Path path = Vortex{0.75, 1.25, 2, {Amplitude::Type::sine, 0.1, 1.0}}.baseline();
@@ -77,4 +77,4 @@ TEST(Disturbed, AFlickeringRegimeIsNotFollowed) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_sheet_disturbed

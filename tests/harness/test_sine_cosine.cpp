@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-namespace assay {
+namespace assay::test_sine_cosine {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -55,4 +55,4 @@ TEST(SineCosine, OfNoNumberIsNone) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_sine_cosine

@@ -10,7 +10,7 @@
 #include "harness/wave_speed.hpp"
 #include "tests/harness/jaumann_material.hpp"
 
-namespace assay {
+namespace assay::test_stability_probe {
 namespace {
 
 /// The Jaumann rate for deformations of the plane alone: it fails in others.
@@ -61,4 +61,4 @@ TEST(StabilityProbe, ADifferenceByWhatAMaterialDoesNotTakeIsZero) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_stability_probe

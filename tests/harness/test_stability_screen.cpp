@@ -14,7 +14,7 @@
 #include "tests/harness/elastic_material.hpp"
 #include "tests/harness/jaumann_material.hpp"
 
-namespace assay {
+namespace assay::test_stability_screen {
 namespace {
 
 using Verdict = StabilityScreen::Verdict;
@@ -246,4 +246,4 @@ TEST(StabilityScreen, PassesOnTheFailureOfAMaterialThatNowhereStandsItsSteps) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_stability_screen

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace assay {
+namespace assay::test_stiff_integrator {
 namespace {
 
 TEST(StiffIntegrator, FollowsASlowSolutionInFewSteps) {
@@ -33,4 +33,4 @@ TEST(StiffIntegrator, SaysWhenTheStepBecomesTooShort) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_stiff_integrator

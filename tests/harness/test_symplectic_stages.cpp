@@ -10,7 +10,7 @@
 #include <boost/numeric/odeint/stepper/symplectic_rkn_sb3a_m4_mclachlan.hpp>
 // clang-format on
 
-namespace assay {
+namespace assay::test_symplectic_stages {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -74,4 +74,4 @@ TEST(SymplecticStages, AreOfFourthOrder) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_symplectic_stages

@@ -9,7 +9,7 @@
 #include "harness/domain_average.hpp"
 #include "harness/gauss.hpp"
 
-namespace assay {
+namespace assay::test_twisting_ring {
 namespace {
 
 constexpr double shear_modulus = 400, lame_modulus = 600, density = 1000;
@@ -148,4 +148,4 @@ TEST(TwistingRing, AveragedForceIsTheMeanOfThatAtPoints) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_twisting_ring

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace assay {
+namespace assay::test_vortex {
 namespace {
 
 constexpr double step = 1e-5;
@@ -120,4 +120,4 @@ TEST(Vortex, BaselineIsTheDeformationWithoutItsRotations) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_vortex

@@ -13,7 +13,7 @@
 #include "tests/harness/elastic_material.hpp"
 #include "tests/harness/jaumann_material.hpp"
 
-namespace assay {
+namespace assay::test_wave_speed {
 namespace {
 
 /// The probe's directions lie a few degrees apart; c is stationary there.
@@ -133,4 +133,4 @@ TEST(WaveSpeed, IsNotTrusted) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::test_wave_speed

@@ -9,6 +9,7 @@
 #include "tests/house/abi_layout.h"
 #include "tests/house/tree.hpp"
 
+namespace assay::test_abi_fortran {
 namespace {
 
 using namespace assay::house;
@@ -55,3 +56,4 @@ TEST(AbiFortran, ExtensionsHaveTheSameIds) {
 }
 
 }  // namespace
+}  // namespace assay::test_abi_fortran

@@ -5,6 +5,7 @@
 
 #include "tests/house/abi_facts.h"
 
+namespace assay::test_abi_header {
 namespace {
 
 using Facts = std::array<std::size_t, ABI_FACT_COUNT>;
@@ -37,3 +38,4 @@ TEST(AbiHeader, LayoutOf1_0IsFrozen) {
 }
 
 }  // namespace
+}  // namespace assay::test_abi_header

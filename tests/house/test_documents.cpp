@@ -7,6 +7,7 @@
 #include "drivers/build_information.hpp"
 #include "tests/house/tree.hpp"
 
+namespace assay::test_documents {
 namespace {
 
 using namespace assay::house;
@@ -95,3 +96,4 @@ TEST(Documents, EverySceneSaysWhatItExpects) {
 }
 
 }  // namespace
+}  // namespace assay::test_documents

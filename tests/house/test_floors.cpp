@@ -7,6 +7,7 @@
 
 #include "tests/house/tree.hpp"
 
+namespace assay::test_floors {
 namespace {
 
 using namespace assay::house;
@@ -91,3 +92,4 @@ TEST(Floors, HeadersOfOursAreLight) {
 }
 
 }  // namespace
+}  // namespace assay::test_floors

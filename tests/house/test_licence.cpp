@@ -3,6 +3,7 @@
 
 #include "tests/house/tree.hpp"
 
+namespace assay::test_licence {
 namespace {
 
 using namespace assay::house;
@@ -48,3 +49,4 @@ TEST(Licence, EveryDependencyIsListed) {
 }
 
 }  // namespace
+}  // namespace assay::test_licence

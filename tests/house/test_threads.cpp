@@ -7,7 +7,9 @@
 #include <sstream>
 
 #include "tests/house/tree.hpp"
+#include "tests/support/built.hpp"
 
+namespace assay::test_threads {
 namespace {
 
 using namespace assay::house;
@@ -16,7 +18,7 @@ namespace fs = std::filesystem;
 /// Tests run side by side: each has its own folder.
 std::string errors_of_run(const std::string& scene, int run, const std::string& more) {
   const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-  const fs::path folder = fs::path(ASSAY_BINARY_DIR) / "tests" / ("threads_" + test + std::to_string(run));
+  const fs::path folder = fs::path(built()) / "tests" / ("threads_" + test + std::to_string(run));
   fs::remove_all(folder);
   const Outcome outcome = run_assay(
       "run '" ASSAY_SOURCE_DIR "/" + scene + "' -o '" + folder.string() +
@@ -45,3 +47,4 @@ TEST(Threads, ManyTilesRunTwiceToTheSameBits) {
 TEST(Threads, UgimpRunsTwiceToTheSameBits) { expect_same_bits_again("configs/paper/vortex_ugimp.yaml"); }
 
 }  // namespace
+}  // namespace assay::test_threads

@@ -11,6 +11,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/support/built.hpp"
+
 namespace assay::house {
 
 namespace fs = std::filesystem;
@@ -73,7 +75,7 @@ std::vector<Include> includes_of(const std::string& text) {
 }
 
 Outcome run_assay(const std::string& arguments) {
-  const std::string command = "'" ASSAY_PROGRAM "' " + arguments + " </dev/null";
+  const std::string command = "'" + built("assay") + "' " + arguments + " </dev/null";
   FILE* pipe = popen(command.c_str(), "r");
   if (!pipe) throw std::runtime_error("cannot run " + command);
   Outcome outcome;

@@ -2,7 +2,7 @@
 // What every basis must do: partition of unity, linear reproduction, gather as the adjoint of scatter.
 #include "tests/mpm/basis_cases.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_basis {
 namespace {
 
 template <class Case>
@@ -243,4 +243,4 @@ TYPED_TEST(EveryBasisTest, RefusesToPlaceOutsideTheGrid) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_basis

@@ -2,7 +2,7 @@
 // Twin: the recursion of Cox and de Boor on uniform knots; and the edge of the grid.
 #include "tests/mpm/basis_cases.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_basis_bspline {
 namespace {
 
 /// B-spline of a degree whose support begins at 0, knots one apart.
@@ -97,4 +97,4 @@ TYPED_TEST(BsplineBasisTest, AtTheEdgeOfTheGridStaysComplete) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_basis_bspline

@@ -5,7 +5,7 @@
 
 #include "tests/mpm/basis_cases.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_basis_cpdi {
 namespace {
 
 template <class Case>
@@ -134,4 +134,4 @@ TYPED_TEST(CpdiBasisTest, AParticlesOwnDomainIsTheCommonOneDeformedBeforehand) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_basis_cpdi

@@ -5,7 +5,7 @@
 
 #include "tests/mpm/basis_cases.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_basis_cpdi2 {
 namespace {
 
 constexpr int points = 5;  ///< of Gauss, in each direction: exact to degree 9
@@ -149,4 +149,4 @@ TYPED_TEST(Cpdi2BasisTest, FindsADomainOutsideTheGridAndOneInsideOut) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_basis_cpdi2

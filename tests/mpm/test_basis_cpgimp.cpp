@@ -2,7 +2,7 @@
 // Twins: uGIMP where nothing is stretched; samples of the hat function over the stretched box; U by its definition.
 #include "tests/mpm/basis_cases.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_basis_cpgimp {
 namespace {
 
 template <class Case>
@@ -80,4 +80,4 @@ TEST(CpgimpStretch, IsTheDiagonalOfTheRightStretch) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_basis_cpgimp

@@ -2,7 +2,7 @@
 // Against the plain hat function at every node of the grid.
 #include "tests/mpm/basis_cases.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_basis_linear {
 namespace {
 
 template <class Case>
@@ -25,4 +25,4 @@ TYPED_TEST(LinearBasisTest, IsTheHatFunction) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_basis_linear

@@ -5,7 +5,7 @@
 
 #include "tests/mpm/basis_cases.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_basis_ugimp {
 namespace {
 
 template <class Case>
@@ -87,4 +87,4 @@ TYPED_TEST(UgimpBasisTest, IsTheAverageOverAParticlesOwnBox) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_basis_ugimp

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace assay::mpm {
+namespace assay::mpm::test_blocks {
 namespace {
 
 TEST(Blocks, CoverEveryParticleOnceWhateverTheThreads) {
@@ -37,4 +37,4 @@ TEST(Blocks, TheSmallestReportedIndexWins) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_blocks

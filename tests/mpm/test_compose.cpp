@@ -9,7 +9,7 @@
 #include "tests/mpm/vortex_setup.hpp"
 #include "tests/support/test_materials.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_compose {
 namespace {
 
 template <int Dim>
@@ -192,4 +192,4 @@ TEST(Compose, NothingIsReadThatNobodyWrites) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_compose

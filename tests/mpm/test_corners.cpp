@@ -10,7 +10,7 @@
 #include "mpm/corner_average.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_corners {
 namespace {
 
 constexpr Method cpdi2{Basis::cpdi2, Transfer::flip, Update::usl};
@@ -71,4 +71,4 @@ TEST(Corners, NeighboursKeepTheCornersThatTheyShare) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_corners

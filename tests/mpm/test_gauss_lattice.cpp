@@ -7,7 +7,7 @@
 #include <numbers>
 #include <set>
 
-namespace assay::mpm {
+namespace assay::mpm::test_gauss_lattice {
 namespace {
 
 using Point = std::array<double, 2>;
@@ -106,4 +106,4 @@ TEST(GaussLattice, TheDomainsOfTheAverageFillTheRing) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_gauss_lattice

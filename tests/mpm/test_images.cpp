@@ -12,7 +12,7 @@
 #include "tests/harness/elastic_material.hpp"
 #include "tests/mpm/grid_fields.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_images {
 namespace {
 
 constexpr double image_rounding = 1e-13;
@@ -202,4 +202,4 @@ TEST(Images, APlaneThatIsLeftOutIsSeen) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_images

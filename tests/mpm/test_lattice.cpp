@@ -9,7 +9,7 @@
 #include "harness/ring_points.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_lattice {
 namespace {
 
 using Point = std::array<double, 2>;
@@ -303,4 +303,4 @@ TEST(Lattice, TheGridHasItsNodesAtMultiplesOfTheSpacing) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_lattice

@@ -9,7 +9,7 @@
 #include "mpm/nodes_reached.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_live_nodes {
 namespace {
 
 template <int Dim>
@@ -181,4 +181,4 @@ TEST_P(EveryMethodOnTiles, AWiderGridChangesNoBit) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_live_nodes

@@ -10,7 +10,7 @@
 #include "tests/mpm/grid_fields.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_mass_preconditioner {
 namespace {
 
 /// Symbols from 0.03 (as for cubic splines) to one.
@@ -88,4 +88,4 @@ TEST(MassPreconditioner, ItsMeansAreSharesOfTheMatrix) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_mass_preconditioner

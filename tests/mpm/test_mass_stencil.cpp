@@ -8,7 +8,7 @@
 #include "tests/mpm/basis_cases.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_mass_stencil {
 namespace {
 
 Method total_with(Basis basis) {
@@ -83,4 +83,4 @@ TEST(MassStencil, BasesWithCornersAndUpdatedFormulationsHaveNone) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_mass_stencil

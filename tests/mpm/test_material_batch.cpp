@@ -12,7 +12,7 @@
 #include "tests/mpm/vortex_setup.hpp"
 #include "tests/support/test_materials.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_material_batch {
 namespace {
 
 using namespace test_materials;
@@ -224,4 +224,4 @@ TEST(MaterialBatches, EveryParticleCarriesTheDirectionOfItsReferenceAngle) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_material_batch

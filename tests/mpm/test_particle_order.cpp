@@ -10,6 +10,7 @@
 #include "mpm/lattice.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
+namespace assay::test_particle_order {
 namespace {
 
 using namespace assay;
@@ -77,3 +78,4 @@ TEST(ParticleOrder, BasesWithoutAFixedReachStayInCellOrder) {
 }
 
 }  // namespace
+}  // namespace assay::test_particle_order

@@ -7,7 +7,7 @@
 
 #include "tests/mpm/vortex_setup.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_passes_grid {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -89,4 +89,4 @@ TEST(GridPasses, EmptyNodesStandStill) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_passes_grid

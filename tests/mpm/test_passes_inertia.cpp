@@ -3,7 +3,7 @@
 
 #include "tests/mpm/vortex_setup.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_passes_inertia {
 namespace {
 
 constexpr Method updated{Basis::cpdi2, Transfer::aflip, Update::usl, Formulation::updated, Mass::lumped};
@@ -125,4 +125,4 @@ TEST(InertiaPass, IsThereOnlyWhereItIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_passes_inertia

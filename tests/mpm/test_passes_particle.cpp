@@ -8,7 +8,7 @@
 
 #include "tests/mpm/vortex_setup.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_passes_particle {
 namespace {
 
 /// The vortex at 8 cells across up to T/2 in steps of 1/(200 N), as the runs.
@@ -213,4 +213,4 @@ TEST(LeapfrogAccounts, CloseWhereTheMassMatrixIsConsistent) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_passes_particle

@@ -8,7 +8,7 @@
 #include "tests/mpm/basis_cases.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_passes_to_particles {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -127,4 +127,4 @@ TEST_P(TransferPasses, FindsAVelocityThatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_passes_to_particles

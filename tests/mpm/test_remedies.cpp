@@ -15,7 +15,7 @@
 #include "tests/mpm/basis_cases.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_remedies {
 namespace {
 
 constexpr double rounding = 1e-13;
@@ -312,4 +312,4 @@ TEST(RemedyContradictions, NameTheKeyAndWhatToTake) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_remedies

@@ -5,7 +5,7 @@
 
 #include "tests/mpm/vortex_setup.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_simulation {
 namespace {
 
 constexpr double dt = 1e-3;
@@ -211,4 +211,4 @@ TEST(Simulation, UgimpDiesWhereCpdiLives) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_simulation

@@ -7,7 +7,7 @@
 
 #include "tests/mpm/vortex_setup.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_stages {
 namespace {
 
 constexpr double stage_epsilon = std::numeric_limits<double>::epsilon();
@@ -194,4 +194,4 @@ TEST(Stages, AreRefusedWhereTheyWouldNotBeSymplectic) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_stages

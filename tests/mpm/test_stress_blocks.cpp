@@ -13,7 +13,7 @@
 #include "tests/mpm/vortex_setup.hpp"
 #include "tests/support/test_materials.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_stress_blocks {
 namespace {
 
 using namespace test_materials;
@@ -156,4 +156,4 @@ TEST(Offload, TheFindingIsThatOfTheFirstParticle) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_stress_blocks

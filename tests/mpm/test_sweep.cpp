@@ -9,7 +9,7 @@
 #include "mpm/patch/methods.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_sweep {
 namespace {
 
 /// Enough particles for several tiles; b from a sheet, averaged over domains clipped to the ring.
@@ -116,4 +116,4 @@ TEST(Sweep, TheFirstParticleThatIsBadIsTold) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_sweep

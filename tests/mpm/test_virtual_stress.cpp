@@ -8,7 +8,7 @@
 #include "mpm/simulation.hpp"
 #include "tests/harness/elastic_material.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_virtual_stress {
 namespace {
 
 constexpr double of_stress = 1e-12;  ///< relative
@@ -63,4 +63,4 @@ TEST(VirtualStress, IsTakenFromTheStressOfParticlesThatErr) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_virtual_stress

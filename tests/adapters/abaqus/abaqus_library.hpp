@@ -10,11 +10,12 @@
 #include <string>
 
 #include "harness/tensor.hpp"
+#include "tests/support/built.hpp"
 
 namespace assay::adapters {
 
 inline void* abaqus_library() {
-  static void* const handle = dlopen(ASSAY_BINARY_DIR "/libassay_abaqus.so", RTLD_NOW | RTLD_GLOBAL);
+  static void* const handle = dlopen(built("libassay_abaqus.so").c_str(), RTLD_NOW | RTLD_GLOBAL);
   if (!handle) throw std::runtime_error(dlerror());
   return handle;
 }

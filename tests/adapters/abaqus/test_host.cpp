@@ -12,7 +12,7 @@
 
 #include "tests/adapters/abaqus/abaqus_library.hpp"
 
-namespace assay::adapters {
+namespace assay::adapters::test_host {
 namespace {
 
 using Exit = void();
@@ -194,4 +194,4 @@ TEST(AbaqusHost, IdsOutOfRangeAndUnlocksTooManyDoNoHarm) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_host

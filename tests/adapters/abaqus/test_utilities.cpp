@@ -13,7 +13,7 @@
 #include "adapters/foreign/component_order.hpp"
 #include "tests/adapters/abaqus/abaqus_library.hpp"
 
-namespace assay::adapters {
+namespace assay::adapters::test_utilities {
 namespace {
 
 using Sinv = void(const double*, double*, double*, const int*, const int*);
@@ -161,4 +161,4 @@ TEST(AbaqusUtilities, BlocksOfExplicitTensorsHaveTheirOwnOrder) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_utilities

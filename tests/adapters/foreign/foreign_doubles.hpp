@@ -6,12 +6,11 @@
 #include <string>
 
 #include "adapters/foreign/foreign_model.hpp"
+#include "tests/support/built.hpp"
 
 namespace assay::adapters {
 
-inline std::string double_library(const std::string& name) {
-  return std::string(ASSAY_BINARY_DIR) + "/tests/foreign/" + name + ".so";
-}
+inline std::string double_library(const std::string& name) { return built("tests/foreign/") + name + ".so"; }
 
 /// Whether it was built: those in Fortran need its compiler.
 inline bool double_exists(const std::string& name) { return std::filesystem::exists(double_library(name)); }

@@ -8,7 +8,7 @@
 #include "adapters/worker/remote_table.hpp"
 #include "tests/adapters/foreign/foreign_steps.hpp"
 
-namespace assay::adapters {
+namespace assay::adapters::test_absent_routines {
 namespace {
 
 Tensor stretched(double by) { return Vector3(1 + by, 1, 1).asDiagonal(); }
@@ -54,4 +54,4 @@ TEST(AbsentRoutines, AreNamedFromAWorkerThatLives) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_absent_routines

@@ -11,7 +11,7 @@
 #include "harness/material.hpp"
 #include "tests/adapters/foreign/foreign_doubles.hpp"
 
-namespace assay::adapters {
+namespace assay::adapters::test_callbacks {
 namespace {
 
 enum Deed { nothing = 0, sdvini_overruns = 1, sdvini_exits = 2, ends_with_a_lock = 3, reports_errors = 4 };
@@ -98,4 +98,4 @@ TEST_F(Callbacks, AnErrorThatEndsTheAnalysisIsTheCause) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_callbacks

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace assay::adapters {
+namespace assay::adapters::test_component_order {
 namespace {
 
 /// 11, 12, ..., 33 as numbers.
@@ -69,4 +69,4 @@ TEST(ComponentOrder, WhatIsWrittenReadsBackWhereverItLies) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_component_order

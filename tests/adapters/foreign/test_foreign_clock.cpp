@@ -4,7 +4,7 @@
 
 #include "tests/adapters/foreign/foreign_steps.hpp"
 
-namespace assay::adapters {
+namespace assay::adapters::test_foreign_clock {
 namespace {
 
 constexpr std::size_t umat_own = 16, vumat_own = 9;  // components before the model's own
@@ -107,4 +107,4 @@ TEST(StateOfMfrontInAUmat, HasShearsTimesTheRootOfTwo) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_foreign_clock

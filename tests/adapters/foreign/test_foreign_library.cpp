@@ -6,12 +6,13 @@
 
 #include "adapters/library.hpp"
 #include "tests/adapters/foreign/foreign_doubles.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::adapters {
+namespace assay::adapters::test_foreign_library {
 namespace {
 
 TEST(ForeignLibrary, TellsASymbolThatNobodyHas) {
-  const LoadedLibrary library = load_foreign_library(ASSAY_BINARY_DIR "/tests/plugins/unresolved.so");
+  const LoadedLibrary library = load_foreign_library(built("tests/plugins/unresolved.so"));
   ASSERT_NE(library.handle, nullptr);
   EXPECT_EQ(library.missing, std::vector<std::string>{"assay_test_provided_by_nobody"});
 }
@@ -30,4 +31,4 @@ TEST(ForeignLibrary, OfWhatIsNoneIsRefused) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_foreign_library

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace assay::adapters {
+namespace assay::adapters::test_foreign_state {
 namespace {
 
 using Kind = ForeignVariable::Kind;
@@ -101,4 +101,4 @@ TEST(PlaneStrainModels, RefuseStepsThatShearOutOfThePlane) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_foreign_state

@@ -14,7 +14,7 @@
 #include "harness/material.hpp"
 #include "tests/adapters/foreign/foreign_doubles.hpp"
 
-namespace assay::adapters {
+namespace assay::adapters::test_foreign_table {
 namespace {
 
 /// det F from 1/2 to 2 and rotations of any angle.
@@ -79,4 +79,4 @@ INSTANTIATE_TEST_SUITE_P(Doubles, GoodForeignModel,
                          [](const auto& instance) { return std::string(instance.param); });
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_foreign_table

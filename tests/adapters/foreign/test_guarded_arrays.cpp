@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace assay::adapters {
+namespace assay::adapters::test_guarded_arrays {
 namespace {
 
 TEST(GuardedArrays, TellWhichArrayWasLeft) {
@@ -42,4 +42,4 @@ TEST(GuardedArrays, AnEmptyArrayHasAPlaceToPointTo) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_guarded_arrays

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <unsupported/Eigen/MatrixFunctions>
 
-namespace assay::adapters {
+namespace assay::adapters::test_kinematics {
 namespace {
 
 constexpr double rounding = 1e-13;
@@ -87,4 +87,4 @@ TEST(Rates, AreThoseOfDifferences) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_kinematics

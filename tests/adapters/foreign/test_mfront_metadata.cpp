@@ -7,7 +7,7 @@
 #include "adapters/foreign/foreign_table.hpp"
 #include "tests/adapters/foreign/foreign_doubles.hpp"
 
-namespace assay::adapters {
+namespace assay::adapters::test_mfront_metadata {
 namespace {
 
 MfrontBehaviour behaviour_of(const std::string& library, const std::string& name) {
@@ -82,4 +82,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& instance) { return std::string(instance.param.behaviour); });
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_mfront_metadata

@@ -4,7 +4,7 @@
 
 #include "tests/adapters/foreign/foreign_steps.hpp"
 
-namespace assay::adapters {
+namespace assay::adapters::test_umat_axes {
 namespace {
 
 Tensor turn(double angle) { return Eigen::AngleAxisd(angle, Vector3(1, 2, 3).normalized()).toRotationMatrix(); }
@@ -95,4 +95,4 @@ INSTANTIATE_TEST_SUITE_P(OfFiniteStrain, TangentOfAUmat,
                                           testing::ValuesIn(any_kinematics)));
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_umat_axes

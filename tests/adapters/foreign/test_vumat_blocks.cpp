@@ -8,7 +8,7 @@
 
 #include "tests/adapters/foreign/foreign_doubles.hpp"
 
-namespace assay::adapters {
+namespace assay::adapters::test_vumat_blocks {
 namespace {
 
 /// Two steps of n points, each with a history of its own.
@@ -84,4 +84,4 @@ TEST(Vumat, StressThatIsLeftUnwrittenIsNamed) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_vumat_blocks

@@ -8,7 +8,7 @@
 #include "adapters/worker/remote_table.hpp"
 #include "tests/adapters/foreign/foreign_steps.hpp"
 
-namespace assay::adapters {
+namespace assay::adapters::test_written_inputs {
 namespace {
 
 Tensor stretched(double by) { return Vector3(1 + by, 1, 1).asDiagonal(); }
@@ -78,4 +78,4 @@ TEST(WrittenInputs, AreHeardOfFromAWorker) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_written_inputs

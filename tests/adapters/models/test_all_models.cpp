@@ -7,7 +7,7 @@
 #include "harness/check/battery.hpp"
 #include "tests/adapters/models/properties.hpp"
 
-namespace assay::model_tests {
+namespace assay::model_tests::test_all_models {
 namespace {
 
 struct Variant {
@@ -141,4 +141,4 @@ TEST(AllModels, AreAllHere) {
 }
 
 }  // namespace
-}  // namespace assay::model_tests
+}  // namespace assay::model_tests::test_all_models

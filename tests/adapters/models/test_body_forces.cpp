@@ -7,7 +7,7 @@
 
 #include "tests/adapters/models/sheet_checks.hpp"
 
-namespace assay::model_tests {
+namespace assay::model_tests::test_body_forces {
 namespace {
 
 constexpr double density = 1000;
@@ -169,4 +169,4 @@ TEST(BodyForceNegativeControl, TheNaivePathDerivativeFailsForUnloadedJ2) {
 }
 
 }  // namespace
-}  // namespace assay::model_tests
+}  // namespace assay::model_tests::test_body_forces

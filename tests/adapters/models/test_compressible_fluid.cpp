@@ -4,7 +4,7 @@
 #include "tests/adapters/models/references/elastic.hpp"
 #include "tests/adapters/models/single_point.hpp"
 
-namespace assay::model_tests {
+namespace assay::model_tests::test_compressible_fluid {
 namespace {
 
 constexpr double modulus = 2000;
@@ -84,4 +84,4 @@ TEST(CompressibleFluid, ClosedFormsWithoutViscosityOnly) {
 }
 
 }  // namespace
-}  // namespace assay::model_tests
+}  // namespace assay::model_tests::test_compressible_fluid

@@ -5,7 +5,7 @@
 #include "tests/adapters/models/references/elastic.hpp"
 #include "tests/adapters/models/single_point.hpp"
 
-namespace assay::model_tests {
+namespace assay::model_tests::test_damage {
 namespace {
 
 constexpr double kappa_0 = 2;
@@ -93,4 +93,4 @@ TEST(Damage, TangentEnergyObjectivity) {
 }
 
 }  // namespace
-}  // namespace assay::model_tests
+}  // namespace assay::model_tests::test_damage

@@ -5,7 +5,7 @@
 #include "tests/adapters/models/references/drucker_prager.hpp"
 #include "tests/adapters/models/single_point.hpp"
 
-namespace assay::model_tests {
+namespace assay::model_tests::test_drucker_prager {
 namespace {
 
 using drucker_prager::Reference;
@@ -191,4 +191,4 @@ TEST(DruckerPrager, WithoutFrictionItIsVonMises) {
 }
 
 }  // namespace
-}  // namespace assay::model_tests
+}  // namespace assay::model_tests::test_drucker_prager

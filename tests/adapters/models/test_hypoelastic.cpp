@@ -4,7 +4,7 @@
 
 #include "tests/adapters/models/references/hypoelastic.hpp"
 
-namespace assay::model_tests {
+namespace assay::model_tests::test_hypoelastic {
 namespace {
 
 const Parameters parameters{{"E", 1000}, {"nu", 0.3}};
@@ -59,4 +59,4 @@ TEST(Hypoelastic, TheLogarithmicRateIntegratesToTheLogarithm) {
 }
 
 }  // namespace
-}  // namespace assay::model_tests
+}  // namespace assay::model_tests::test_hypoelastic

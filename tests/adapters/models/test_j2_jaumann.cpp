@@ -3,7 +3,7 @@
 
 #include "tests/adapters/models/references/j2_jaumann.hpp"
 
-namespace assay::model_tests {
+namespace assay::model_tests::test_j2_jaumann {
 namespace {
 
 const auto exact = [](const Hardening& h, const History& history) { return j2_jaumann::integrated(h, history); };
@@ -24,4 +24,4 @@ TEST(J2Jaumann, LongStepsStayNearTheYieldSurface) { expect_long_steps("j2_jauman
 TEST(J2Jaumann, CarriesAnInitialStressUpToYield) { expect_initial_stress("j2_jaumann"); }
 
 }  // namespace
-}  // namespace assay::model_tests
+}  // namespace assay::model_tests::test_j2_jaumann

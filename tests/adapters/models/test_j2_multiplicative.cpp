@@ -3,7 +3,7 @@
 
 #include "tests/adapters/models/references/j2_multiplicative.hpp"
 
-namespace assay::model_tests {
+namespace assay::model_tests::test_j2_multiplicative {
 namespace {
 
 const auto exact = [](const Hardening& h, const History& history) { return j2_multiplicative::integrated(h, history); };
@@ -48,4 +48,4 @@ TEST(J2Multiplicative, LongStepsStayNearTheYieldSurface) { expect_long_steps("j2
 TEST(J2Multiplicative, CarriesAnInitialStressUpToYield) { expect_initial_stress("j2_multiplicative"); }
 
 }  // namespace
-}  // namespace assay::model_tests
+}  // namespace assay::model_tests::test_j2_multiplicative

@@ -3,7 +3,7 @@
 
 #include "tests/adapters/models/single_point.hpp"
 
-namespace assay::model_tests {
+namespace assay::model_tests::test_mooney_rivlin {
 namespace {
 
 constexpr double c10 = 120, c01 = 70, kappa = 900;
@@ -46,4 +46,4 @@ TEST(MooneyRivlin, ClosedFormsAreTheUpdate) {
 }
 
 }  // namespace
-}  // namespace assay::model_tests
+}  // namespace assay::model_tests::test_mooney_rivlin

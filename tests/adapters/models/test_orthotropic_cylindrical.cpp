@@ -3,7 +3,7 @@
 
 #include "tests/adapters/models/single_point.hpp"
 
-namespace assay::model_tests {
+namespace assay::model_tests::test_orthotropic_cylindrical {
 namespace {
 
 const std::map<std::string, double> wood = {{"E_r", 1000},  {"E_t", 2500},  {"E_z", 1600},
@@ -121,4 +121,4 @@ TEST(OrthotropicCylindrical, ADirectionOutOfThePlaneFails) {
 }
 
 }  // namespace
-}  // namespace assay::model_tests
+}  // namespace assay::model_tests::test_orthotropic_cylindrical

@@ -7,7 +7,7 @@
 
 #include "tests/adapters/models/properties.hpp"
 
-namespace assay::model_tests {
+namespace assay::model_tests::test_planted_bugs {
 namespace {
 
 enum class Bug { none, frame, impure, batch, rest, scalar, tangent, rate, energy, closed_form, slope };
@@ -112,4 +112,4 @@ TEST(AllModelsNegativeControl, PlantedBugsAreSeen) {
 }
 
 }  // namespace
-}  // namespace assay::model_tests
+}  // namespace assay::model_tests::test_planted_bugs

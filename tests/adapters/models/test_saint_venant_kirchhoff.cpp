@@ -4,7 +4,7 @@
 #include "tests/adapters/models/references/elastic.hpp"
 #include "tests/adapters/models/single_point.hpp"
 
-namespace assay::model_tests {
+namespace assay::model_tests::test_saint_venant_kirchhoff {
 namespace {
 
 constexpr double E = 1000, nu = 0.3;
@@ -29,4 +29,4 @@ TEST(SaintVenantKirchhoff, ClosedFormsAreTheUpdate) {
 }
 
 }  // namespace
-}  // namespace assay::model_tests
+}  // namespace assay::model_tests::test_saint_venant_kirchhoff

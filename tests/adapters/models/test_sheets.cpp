@@ -7,7 +7,7 @@
 
 #include "tests/adapters/models/sheet_checks.hpp"
 
-namespace assay::model_tests {
+namespace assay::model_tests::test_sheets {
 namespace {
 
 /// What the integrations themselves leave, relative.
@@ -69,4 +69,4 @@ TEST(SheetNegativeControl, OtherParametersAreCaught) {
 }
 
 }  // namespace
-}  // namespace assay::model_tests
+}  // namespace assay::model_tests::test_sheets

@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 
+namespace assay::test_vector_log {
 namespace {
 
 /// Within one unit in the last place of the library's of long double.
@@ -37,3 +38,4 @@ TEST(VectorLog, OfOneIsZeroAndOfPowersOfTwoExact) {
 }
 
 }  // namespace
+}  // namespace assay::test_vector_log

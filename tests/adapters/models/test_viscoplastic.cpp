@@ -5,7 +5,7 @@
 #include "tests/adapters/models/references/viscoplastic.hpp"
 #include "tests/adapters/models/single_point.hpp"
 
-namespace assay::model_tests {
+namespace assay::model_tests::test_viscoplastic {
 namespace {
 
 using Constants = Viscoplasticity;
@@ -197,4 +197,4 @@ TEST(Viscoplastic, NortonWithExponentOneIsMaxwell) {
 }
 
 }  // namespace
-}  // namespace assay::model_tests
+}  // namespace assay::model_tests::test_viscoplastic

@@ -3,7 +3,7 @@
 
 #include "tests/adapters/models/references/zener.hpp"
 
-namespace assay::model_tests {
+namespace assay::model_tests::test_zener {
 namespace {
 
 const Lame elastic(1000, 0.3);
@@ -56,4 +56,4 @@ TEST(Zener, RelaxesExactlyAndKeepsItsDigitsAtSmallSteps) {
 }
 
 }  // namespace
-}  // namespace assay::model_tests
+}  // namespace assay::model_tests::test_zener

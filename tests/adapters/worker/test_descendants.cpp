@@ -7,7 +7,7 @@
 
 #include <csignal>
 
-namespace assay::adapters {
+namespace assay::adapters::test_descendants {
 namespace {
 
 void sleep_for_long() {
@@ -62,4 +62,4 @@ TEST(Descendants, AChildKnowsWhetherItsParentAdopts) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_descendants

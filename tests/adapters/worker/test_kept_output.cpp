@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace assay::adapters {
+namespace assay::adapters::test_kept_output {
 namespace {
 
 TEST(LastLine, IsTheLastThatSaysSomething) {
@@ -20,4 +20,4 @@ TEST(LastLine, HoldsNothingThatATerminalOrXmlWouldTakeForMore) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_kept_output

@@ -14,7 +14,7 @@
 
 #include "adapters/worker/kept_output.hpp"
 
-namespace assay::adapters {
+namespace assay::adapters::test_process_watch {
 namespace {
 
 struct Deed {
@@ -90,4 +90,4 @@ TEST(KeptOutput, KeepsBothEndsAndSaysHowMuchIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_process_watch

@@ -11,8 +11,9 @@
 #include "adapters/builtin.hpp"
 #include "harness/material.hpp"
 #include "tests/adapters/foreign/foreign_doubles.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::adapters {
+namespace assay::adapters::test_remote_table {
 namespace {
 
 namespace fs = std::filesystem;
@@ -112,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Harmless,
                          [](const auto& instance) { return "number_" + std::to_string(instance.param); });
 
 TEST_F(RemoteTable, ForwardsWhatANativeModelOffers) {
-  const std::string library = std::string(ASSAY_BINARY_DIR) + "/materials/libneo_hookean.so";
+  const std::string library = built("materials/libneo_hookean.so");
   const Material here(builtin_table("neo_hookean"), {{"E", 1e3}, {"nu", 0.3}});
   const Material there(remote_table(start_with("library: " + library + "\n")), {{"E", 1e3}, {"nu", 0.3}});
   EXPECT_EQ(there.name(), "neo_hookean");
@@ -131,7 +132,7 @@ TEST_F(RemoteTable, ForwardsWhatANativeModelOffers) {
 
 /// A batch of points of which the last but one is sheared too far.
 UpdateReport batch_with_a_bad_point(const std::string& plugin, std::size_t n, std::size_t bad) {
-  const std::string library = ASSAY_BINARY_DIR "/tests/plugins/" + plugin;
+  const std::string library = built("tests/plugins/") + plugin;
   const Material material(remote_table(start_with("library: " + library + "\n")), {});
   std::vector<double> F0(9 * n), F1(9 * n), cauchy(9 * n);
   for (const std::size_t d : {0, 4, 8}) std::fill_n(F0.begin() + static_cast<std::ptrdiff_t>(d * n), n, 1.0);
@@ -175,4 +176,4 @@ TEST_F(RemoteTable, KeepsWhatIsPrinted) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_remote_table

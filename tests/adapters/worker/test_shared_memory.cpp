@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace assay::adapters {
+namespace assay::adapters::test_shared_memory {
 namespace {
 
 /// Whoever shares it could end the other side by SIGBUS.
@@ -17,4 +17,4 @@ TEST(SharedMemory, KeepsItsSize) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_shared_memory

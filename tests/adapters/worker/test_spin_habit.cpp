@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace assay::adapters {
+namespace assay::adapters::test_spin_habit {
 namespace {
 
 /// Calls of so many that looked, where answers come in time or do not.
@@ -39,4 +39,4 @@ TEST(SpinHabit, OneLateAnswerOfManyChangesNothing) {
 }
 
 }  // namespace
-}  // namespace assay::adapters
+}  // namespace assay::adapters::test_spin_habit

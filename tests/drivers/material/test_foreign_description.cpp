@@ -6,7 +6,7 @@
 #include "tests/drivers/material/description_text.hpp"
 #include "tests/drivers/refusal.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_foreign_description {
 namespace {
 
 const std::string file = "/folder/My-Clay.yaml";
@@ -169,4 +169,4 @@ TEST(ForeignDescription, AnUnknownInterfaceIsToldWithTheNearest) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_foreign_description

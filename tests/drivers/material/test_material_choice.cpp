@@ -6,7 +6,7 @@
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/registry_fixture.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_material_choice {
 namespace {
 
 class MaterialChoices : public RegistryTest {
@@ -101,4 +101,4 @@ TEST_F(MaterialChoices, ADirectionBelongsToModelsThatHaveOne) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_material_choice

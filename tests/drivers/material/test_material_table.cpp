@@ -8,11 +8,12 @@
 #include "harness/material.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/registry_fixture.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_material_table {
 namespace {
 
-const std::string norton = ASSAY_BINARY_DIR "/tests/foreign/mfront_norton.so";
+const std::string norton = built("tests/foreign/mfront_norton.so");
 const std::string file = "/folder/creep.yaml";
 
 class MaterialTable : public RegistryTest {
@@ -106,4 +107,4 @@ TEST_F(MaterialTable, ADescriptionTooLongForAWorkerIsBadInput) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_material_table

@@ -4,8 +4,9 @@
 #include "adapters/builtin.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/registry_fixture.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_registry {
 namespace {
 
 namespace fs = std::filesystem;
@@ -56,7 +57,7 @@ TEST_F(Registry, SearchPathTakesLibrariesWithAndWithoutPrefix) {
 
 TEST_F(Registry, PathsAreLoadedDirectly) {
   EXPECT_STREQ(find(plugins + "two_models.so:second").table->name, "second");
-  EXPECT_STREQ(find(ASSAY_BINARY_DIR "/materials/libneo_hookean.so").table->name, "neo_hookean");
+  EXPECT_STREQ(find(built("materials/libneo_hookean.so")).table->name, "neo_hookean");
   fs::copy_file(plugins + "two_models.so", folder / "local.so");
   const std::string file = write("soft.yaml", "library: local.so\nname: second\ninterface: native\n");
   EXPECT_EQ(find(file).library, (folder / "local.so").string()) << "relative to the description";
@@ -93,7 +94,7 @@ TEST_F(Registry, DescriptionsAreStrict) {
             file + ":2:7: name: '" + plugins + "two_models.so' holds no material 'third'; known: first, second");
   EXPECT_EQ(line("library: absent.so\n"), file + ":1:10: library: '" + (folder / "absent.so").string() +
                                               "' no such library, and none of that name in $ASSAY_MATERIAL_PATH");
-  const std::string norton = ASSAY_BINARY_DIR "/tests/foreign/mfront_norton.so";
+  const std::string norton = built("tests/foreign/mfront_norton.so");
   EXPECT_EQ(
       line("library: " + norton + "\n"),
       file + ":1:10: library: '" + norton + "' is no plug-in of the ABI: the description lacks interface: mfront");
@@ -117,4 +118,4 @@ TEST_F(Registry, TheFolderFollowsTheEnvironment) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_registry

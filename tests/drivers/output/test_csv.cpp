@@ -9,7 +9,7 @@
 
 #include "drivers/input_error.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_csv {
 namespace {
 
 std::string refusal(std::string_view text) {
@@ -104,4 +104,4 @@ TEST(CsvFields, are_quoted_where_they_must_be) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_csv

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace assay::drivers {
+namespace assay::drivers::test_errors_csv {
 namespace {
 
 TEST(ErrorsCsv, has_one_column_a_field_and_norm) {
@@ -28,4 +28,4 @@ TEST(ErrorsCsv, the_history_of_the_displacement_is_read_back) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_errors_csv

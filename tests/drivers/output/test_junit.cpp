@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace assay::drivers {
+namespace assay::drivers::test_junit {
 namespace {
 
 TEST(Junit, counts_and_escapes) {
@@ -23,4 +23,4 @@ TEST(Junit, counts_and_escapes) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_junit

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace assay::drivers {
+namespace assay::drivers::test_number_format {
 namespace {
 
 TEST(NumberFormat, rounds_to_significant_digits) {
@@ -33,4 +33,4 @@ TEST(NumberFormat, groups_thousands) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_number_format

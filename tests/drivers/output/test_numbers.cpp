@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-namespace assay::drivers {
+namespace assay::drivers::test_numbers {
 namespace {
 
 TEST(Numbers, ReadsDecimals) {
@@ -55,4 +55,4 @@ TEST(Numbers, RoundTripByTheShortestText) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_numbers

@@ -16,7 +16,7 @@
 #include "drivers/input_error.hpp"
 #include "drivers/output/whole_file.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_output_folder {
 namespace {
 
 namespace fs = std::filesystem;
@@ -281,4 +281,4 @@ TEST_F(OutputFolderTest, serves_under_any_umask) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_output_folder

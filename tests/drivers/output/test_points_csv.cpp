@@ -9,7 +9,7 @@
 
 #include "drivers/input_error.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_points_csv {
 namespace {
 
 class PointsCsvTest : public testing::Test {
@@ -54,4 +54,4 @@ TEST_F(PointsCsvTest, reads_points_of_the_sheet) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_points_csv

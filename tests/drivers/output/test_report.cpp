@@ -10,7 +10,7 @@
 
 #include "drivers/output/html.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_report {
 namespace {
 
 Result sample() {
@@ -159,4 +159,4 @@ TEST(Report, of_a_run_that_reached_nothing) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_report

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-namespace assay::drivers {
+namespace assay::drivers::test_result_json {
 namespace {
 
 using Json = nlohmann::json;
@@ -148,4 +148,4 @@ TEST(ResultJson, what_is_torn_is_not_read) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_result_json

@@ -12,7 +12,7 @@
 
 #include "tests/drivers/sample_vortex.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_vtu {
 namespace {
 
 /// The value of an attribute of the DataArray called `name`.
@@ -157,4 +157,4 @@ assert grid.GetFieldData().GetArray('TimeValue').GetTuple1(0) == 0.25
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_vtu

@@ -11,7 +11,7 @@
 #include "drivers/interrupt.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_whole_file {
 namespace {
 
 namespace fs = std::filesystem;
@@ -83,4 +83,4 @@ TEST(WriteFileDeathTest, LeavesNothingWhenInterrupted) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_whole_file

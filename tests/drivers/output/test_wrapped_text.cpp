@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace assay::drivers {
+namespace assay::drivers::test_wrapped_text {
 namespace {
 
 TEST(WrappedText, BreaksBetweenWords) {
@@ -17,4 +17,4 @@ TEST(WrappedText, LetsALongWordStandAlone) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_wrapped_text

@@ -3,18 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wpragmas"
-#include <stb/stb_image.h>
-#pragma GCC diagnostic pop
-
 #include <cmath>
 
-namespace assay::drivers {
+#include "tests/support/png.hpp"
+
+namespace assay::drivers::test_canvas {
 namespace {
 
 constexpr Color white = rgb(0xffffff), black = rgb(0x000000), red = rgb(0xff0000);
@@ -137,4 +130,4 @@ TEST(Canvas, png_holds_the_pixels_and_is_deterministic) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_canvas

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace assay::drivers {
+namespace assay::drivers::test_colormap {
 namespace {
 
 /// CIE lightness L*.
@@ -73,4 +73,4 @@ TEST(ColorMap, texts_can_be_read) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_colormap

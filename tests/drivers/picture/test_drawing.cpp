@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace assay::drivers {
+namespace assay::drivers::test_drawing {
 namespace {
 
 Drawing sample() {
@@ -57,4 +57,4 @@ TEST(Drawing, areas_and_tips) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_drawing

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace assay::drivers {
+namespace assay::drivers::test_label_placer {
 namespace {
 
 constexpr Box label_room{0, 0, 400, 300};
@@ -68,4 +68,4 @@ TEST(LabelPlacer, none_where_it_cannot_be) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_label_placer

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace assay::drivers {
+namespace assay::drivers::test_line_plot {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -94,4 +94,4 @@ TEST(LinePlot, same_plot_same_bytes) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_line_plot

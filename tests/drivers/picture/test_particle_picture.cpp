@@ -3,20 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wpragmas"
-#include <stb/stb_image.h>
-#pragma GCC diagnostic pop
-
 #include <stdexcept>
 
 #include "tests/drivers/sample_vortex.hpp"
+#include "tests/support/png.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_particle_picture {
 namespace {
 
 struct Image {
@@ -130,4 +122,4 @@ TEST(ParticlePicture, refuses_what_does_not_fit_together) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_particle_picture

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace assay::drivers {
+namespace assay::drivers::test_stroke_font {
 namespace {
 
 TEST(StrokeFont, has_all_of_ascii_inside_its_box) {
@@ -60,4 +60,4 @@ TEST(StrokeFont, raised_text_is_narrower) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_stroke_font

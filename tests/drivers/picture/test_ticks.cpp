@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-namespace assay::drivers {
+namespace assay::drivers::test_ticks {
 namespace {
 
 TEST(Ticks, linear_labels) {
@@ -71,4 +71,4 @@ TEST(Ticks, hold_for_any_range) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_ticks

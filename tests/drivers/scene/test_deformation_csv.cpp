@@ -8,7 +8,7 @@
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_deformation_csv {
 namespace {
 
 TEST(DeformationCsv, ReadsPlaneAndFullGradients) {
@@ -70,4 +70,4 @@ TEST(DeformationCsv, ServesASceneAndItsResolvedForm) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_deformation_csv

@@ -8,7 +8,7 @@
 #include "drivers/output/result_json.hpp"
 #include "tests/drivers/refusal.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_expect {
 namespace {
 
 std::vector<Expectation> lines(const std::string& map) { return read_expectations(read_yaml(map, "f")); }
@@ -92,4 +92,4 @@ TEST(Expect, UnknownKeysAreBadInput) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_expect

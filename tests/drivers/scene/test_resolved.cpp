@@ -11,7 +11,7 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "tests/drivers/scene_text.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_resolved {
 namespace {
 
 void expect_same(const Scene& a, const Scene& b, const std::string& what) {
@@ -120,4 +120,4 @@ TEST(Resolved, IsAFunctionOfTheValuesAlone) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_resolved

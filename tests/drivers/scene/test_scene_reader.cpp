@@ -10,7 +10,7 @@
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/scene_text.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_scene_reader {
 namespace {
 
 std::string refused(const std::string& text, const std::vector<std::string>& sets = {}) {
@@ -389,4 +389,4 @@ TEST(SceneReader, EveryMutationEndsInASceneOrOneLine) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_scene_reader

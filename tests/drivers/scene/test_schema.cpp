@@ -14,7 +14,7 @@
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/scene_text.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_schema {
 namespace {
 
 using nlohmann::json;
@@ -113,4 +113,4 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_schema

@@ -5,7 +5,7 @@
 
 #include "tests/drivers/refusal.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_settings {
 namespace {
 
 Tree changed(const std::string& text, const std::string& setting) {
@@ -73,4 +73,4 @@ TEST(Settings, RefuseWhatIsNoSetting) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_settings

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace assay::drivers {
+namespace assay::drivers::test_sha256 {
 namespace {
 
 // FIPS 180-4 examples and the lengths around which padding changes (reference: coreutils sha256sum).
@@ -27,4 +27,4 @@ TEST(Sha256, BytesOfAnyValue) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_sha256

@@ -8,7 +8,7 @@
 
 #include "tests/drivers/refusal.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_yaml_reader {
 namespace {
 
 std::string refused(const std::string& text, const YamlLimits& limits = {}) {
@@ -149,4 +149,4 @@ TEST(YamlReader, ScalarsReadBack) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_yaml_reader

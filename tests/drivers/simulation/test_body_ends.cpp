@@ -7,7 +7,7 @@
 #include "drivers/simulation/problem.hpp"
 #include "tests/drivers/refusal.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_body_ends {
 namespace {
 
 Scene box_scene(const std::string& scene, const std::vector<std::string>& sets) {
@@ -53,4 +53,4 @@ TEST(BodyEnds, TractionsActOnTheOtherFaces) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_body_ends

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-namespace assay::drivers {
+namespace assay::drivers::test_growth {
 namespace {
 
 std::vector<ErrorSample> history_of(const std::function<double(double)>& error, int samples = 100) {
@@ -39,4 +39,4 @@ TEST(Growth, RoundingThatAddsUpIsNone) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_growth

@@ -14,7 +14,7 @@
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/simulation/first_breakdown.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_health {
 namespace {
 
 using mpm::Column;
@@ -172,4 +172,4 @@ TEST(DyingRun, IsReportedAtItsFirstInversionOrLostNumber) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_health

@@ -6,7 +6,7 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "tests/drivers/refusal.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_problem {
 namespace {
 
 std::string refused_model(const std::string& material) {
@@ -93,4 +93,4 @@ TEST(Problem, RefusesSpeedsThatNoNumberHolds) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_problem

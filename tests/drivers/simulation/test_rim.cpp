@@ -11,7 +11,7 @@
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/harness/builtin_material.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_rim {
 namespace {
 
 TEST(Rim, ZonesEndWhereXiPassesAFront) {
@@ -87,4 +87,4 @@ TEST_F(RimOfARun, SmoothMaterialsHaveNone) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_rim

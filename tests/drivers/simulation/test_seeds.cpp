@@ -8,7 +8,7 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "tests/drivers/scene_text.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_seeds {
 namespace {
 
 mpm::Seeds<2> seeds(const std::string& body, const std::string& method = "{basis: bspline2}") {
@@ -49,4 +49,4 @@ TEST(Seeds, OfAJitteredLatticeKeepTheVolumesAndTheDomainsOfTheCartesianOne) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_seeds

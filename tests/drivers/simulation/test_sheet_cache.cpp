@@ -13,8 +13,9 @@
 #include "harness/point_driver.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_sheet_cache {
 namespace {
 
 const char* const scene_text = R"(
@@ -117,7 +118,7 @@ TEST_F(Cached, ASheetOfABuiltInModelIsKeptByAProgramThatPathFinds) {
 }
 
 TEST_F(Cached, AFailureIsNotKept) {
-  scene_.material.adapter = ASSAY_BINARY_DIR "/tests/plugins/fails_when_sheared.so";
+  scene_.material.adapter = built("tests/plugins/fails_when_sheared.so");
   scene_.material.parameters = {{"modulus", 0.1}};  // which sets its limit
   std::string library;
   material_ = material_of(scene_, library);
@@ -126,4 +127,4 @@ TEST_F(Cached, AFailureIsNotKept) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_sheet_cache

@@ -5,7 +5,7 @@
 
 #include "tests/drivers/quiet_run.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_simulate {
 namespace {
 
 constexpr double clock_grain = 0.02;  ///< of a processor's clock that is read twice [s]
@@ -41,4 +41,4 @@ TEST(PeakMemory, GrowsWithWhatIsTouched) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_simulate

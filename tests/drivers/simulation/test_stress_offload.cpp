@@ -13,15 +13,16 @@
 #include "mpm/simulation.hpp"
 #include "mpm/sweep.hpp"
 #include "tests/mpm/one_place.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_stress_offload {
 namespace {
 
 constexpr std::size_t block = mpm::block_size;
 
 /// Of the test double NAME.
 MaterialDescription description_of(const std::string& name, const std::string& keys) {
-  return read_description("library: " ASSAY_BINARY_DIR "/tests/foreign/" + name + ".so\n" + keys, "/folder/m.yaml");
+  return read_description("library: " + built("tests/foreign/") + name + ".so\n" + keys, "/folder/m.yaml");
 }
 
 MaterialDescription norton() {
@@ -114,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(Points, StressInWorkers, testing::Values(0, 1, block, b
 class FailuresInWorkers : public StressInWorkers {
  protected:
   void SetUp() override {
-    if (!std::filesystem::exists(ASSAY_BINARY_DIR "/tests/foreign/misbehaving_umat.so")) {
+    if (!std::filesystem::exists(built("tests/foreign/misbehaving_umat.so"))) {
       GTEST_SKIP() << "no Fortran compiler";
     }
   }
@@ -135,8 +136,8 @@ class StressInWorkersOfNativeModels : public StressInWorkers {
   static constexpr std::size_t bad = block + 77;
 
   static mpm::Finding finding_of(const std::string& plugin) {
-    const MaterialDescription description = read_description(
-        "library: " ASSAY_BINARY_DIR "/tests/plugins/" + plugin + ".so\ninterface: native\n", "/m.yaml");
+    const MaterialDescription description =
+        read_description("library: " + built("tests/plugins/") + plugin + ".so\ninterface: native\n", "/m.yaml");
     StressPass run(description, Isolation::worker, 2 * block, 1);
     run.shear(bad, 50);  // by 0.5 in a step of 0.01 s
     return run.state().finding.value_or(mpm::Finding{});
@@ -190,4 +191,4 @@ TEST_F(FailuresInWorkers, AChangedRoundingModeIsToldWithAStepThatHappened) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_stress_offload

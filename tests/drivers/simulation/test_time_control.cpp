@@ -14,7 +14,7 @@
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/refusal.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_time_control {
 namespace {
 
 std::string controlled_scene(const std::string& method, const std::string& time = "{control: current}",
@@ -185,4 +185,4 @@ TEST(ViscousShortening, LetsAShearedBodyLive) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_time_control

@@ -6,7 +6,7 @@
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/refusal.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_traction_table {
 namespace {
 
 const std::string table1_scene = "paper/table1_traction";
@@ -133,4 +133,4 @@ TEST(TractionTable, OneThatCannotRunLeavesTheOthers) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_traction_table

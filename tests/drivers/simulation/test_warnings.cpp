@@ -4,8 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "drivers/scene/scene_reader.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_warnings {
 namespace {
 
 std::string scene_and(const std::string& more) {
@@ -32,7 +33,7 @@ TEST(Warnings, SaysThatAStepIsTooLongToBeStable) {
 TEST(Warnings, SaysThatFreeFacesDoNotBearTheStressOfRest) {
   std::string scene = scene_and("");
   const std::string model = "neo_hookean, parameters: {E: 1e3, nu: 0.3}";
-  scene.replace(scene.find(model), model.size(), ASSAY_BINARY_DIR "/tests/plugins/pressed_at_rest.so");
+  scene.replace(scene.find(model), model.size(), built("tests/plugins/pressed_at_rest.so"));
   EXPECT_EQ(warnings_in(scene),
             "the material bears 100 Pa at rest, and free faces no traction: the body will not follow the motion there");
   scene.replace(scene.find("ring"), 4, "square, outside: held");
@@ -40,4 +41,4 @@ TEST(Warnings, SaysThatFreeFacesDoNotBearTheStressOfRest) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_warnings

@@ -9,7 +9,7 @@
 
 #include "drivers/study/study_words.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_analysis {
 namespace {
 
 StudyCase eligible_case(double error, Figure cost) {
@@ -344,4 +344,4 @@ TEST(Analysis, CarriesWhatTheStudySays) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_analysis

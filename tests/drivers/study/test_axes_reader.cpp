@@ -5,7 +5,7 @@
 
 #include "tests/drivers/study/study_text_fixture.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_axes_reader {
 namespace {
 
 /// The refusal of axes in flow style; they begin at column 7 of line 2.
@@ -222,4 +222,4 @@ TEST(AxesReader, AListAndOneOfItsValuesAreOneKey) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_axes_reader

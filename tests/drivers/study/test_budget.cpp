@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace assay::drivers {
+namespace assay::drivers::test_budget {
 namespace {
 
 using History = std::vector<std::array<double, 2>>;
@@ -99,4 +99,4 @@ TEST(Budget, NothingIsDividedByARunThatDied) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_budget

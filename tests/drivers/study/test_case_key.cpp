@@ -11,8 +11,9 @@
 
 #include "drivers/study/plan.hpp"
 #include "tests/drivers/study/study_text_fixture.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_case_key {
 namespace {
 
 namespace fs = std::filesystem;
@@ -108,7 +109,7 @@ TEST(CaseKey, ChangesWithTheBytesOfTheMaterialsLibrary) {
   std::string scene = small_scene;
   scene.replace(scene.find("neo_hookean"), 11, "mine.so");
   folder.scratch().write("s.yaml", scene);
-  fs::copy(ASSAY_BINARY_DIR "/materials/libneo_hookean.so", folder.scratch() / "mine.so");
+  fs::copy(built("materials/libneo_hookean.so"), folder.scratch() / "mine.so");
   const std::string first = key_elsewhere(folder);
   ASSERT_EQ(first.size(), 32u) << first;
   EXPECT_EQ(key_elsewhere(folder), first);
@@ -142,7 +143,7 @@ TEST(CaseKey, TheProgramIsHashedOnceWithoutMaterials) {
   EXPECT_EQ(before.size(), 64u);
   const StudyFolder folder;
   std::string scene = small_scene;
-  scene.replace(scene.find("neo_hookean"), 11, ASSAY_BINARY_DIR "/materials/libneo_hookean.so");
+  scene.replace(scene.find("neo_hookean"), 11, built("materials/libneo_hookean.so"));
   folder.scratch().write("s.yaml", scene);
   const std::string key = key_in(folder);
   EXPECT_EQ(loaded_identity(), before);
@@ -150,4 +151,4 @@ TEST(CaseKey, TheProgramIsHashedOnceWithoutMaterials) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_case_key

@@ -7,7 +7,7 @@
 
 #include "tests/drivers/scratch_folder.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_case_list {
 namespace {
 
 PlannedCase listed_case(std::size_t number, const std::string& key) {
@@ -87,4 +87,4 @@ TEST_F(CaseList, WhatIsNoUtf8IsStillJson) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_case_list

@@ -8,7 +8,7 @@
 #include "drivers/input_error.hpp"
 #include "tests/drivers/study/study_program.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_case_process {
 namespace {
 
 namespace fs = std::filesystem;
@@ -109,4 +109,4 @@ TEST(Machine, HasANameAndAClock) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_case_process

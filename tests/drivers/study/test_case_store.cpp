@@ -11,7 +11,7 @@
 #include "drivers/output/whole_file.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_case_store {
 namespace {
 
 namespace fs = std::filesystem;
@@ -238,4 +238,4 @@ TEST_F(CaseStoreTest, AFolderThatCannotBeMadeIsOneLine) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_case_store

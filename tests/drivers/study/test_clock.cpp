@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace assay::drivers {
+namespace assay::drivers::test_clock {
 namespace {
 
 TEST(Clock, TheMedianIsTheMiddleOrBetweenTheTwoInTheMiddle) {
@@ -32,4 +32,4 @@ TEST(Clock, CoresStandAtTheEndOfAMachinesName) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_clock

@@ -5,8 +5,9 @@
 #include <cstdlib>
 
 #include "tests/drivers/study/study_program.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_clusters {
 namespace {
 
 namespace fs = std::filesystem;
@@ -17,7 +18,7 @@ const std::string slurm_of_one_node = ASSAY_SOURCE_DIR "/tests/drivers/study/one
 /// A shell's command in the folder, with this build's program on the PATH.
 Ending shell_command(const ScratchFolder& scratch, const std::string& command) {
   const std::string said = scratch / "shell";
-  const std::string line = "cd '" + scratch / "." + "' && export HOME=$PWD PATH='" ASSAY_BINARY_DIR "':$PATH && { " +
+  const std::string line = "cd '" + scratch / "." + "' && export HOME=$PWD PATH='" + built() + "':$PATH && { " +
                            command + "\n} >'" + said + "' 2>&1 </dev/null";
   const int status = std::system(line.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(said)};
@@ -49,7 +50,7 @@ TEST(Clusters, TheArrayScriptMapsItsIndexToAShard) {
   EXPECT_NE(first.said.find("shard 1/2: 2 cases"), std::string::npos) << first.said;
   const Ending early = shell_command(small.scratch, "bash " + array_script + " study.yaml out --merge");
   EXPECT_EQ(early.status, 1) << early.said;
-  const Ending second = shell_command(small.scratch, as_task(2, 2, "ASSAY=" ASSAY_BINARY_DIR "/assay"));
+  const Ending second = shell_command(small.scratch, as_task(2, 2, "ASSAY=" + built("assay")));
   EXPECT_EQ(second.status, 0) << second.said;
   const Ending merged = shell_command(small.scratch, "bash " + array_script + " study.yaml out --merge");
   EXPECT_EQ(merged.status, 0) << merged.said;
@@ -131,4 +132,4 @@ TEST_F(LongClusters, AJobThatFailedIsNamedByTheMergeAndStartedAgain) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_clusters

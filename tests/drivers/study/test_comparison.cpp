@@ -13,7 +13,7 @@
 #include "drivers/study/comparison_text.hpp"
 #include "tests/drivers/study/two_methods.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_comparison {
 namespace {
 
 /// The comparison of the sample with the sample that was changed.
@@ -264,4 +264,4 @@ TEST(Comparison, MarkdownAndJsonTellAll) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_comparison

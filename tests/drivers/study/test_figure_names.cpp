@@ -9,7 +9,7 @@
 
 #include "drivers/output/result_json.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_figure_names {
 namespace {
 
 TEST(FigureNames, KeysHaveWordsAndUnits) {
@@ -38,4 +38,4 @@ TEST(FigureNames, PowersOfTenAreTheNearestNumbers) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_figure_names

@@ -9,8 +9,9 @@
 
 #include "drivers/scene/scene_reader.hpp"
 #include "tests/drivers/study/study_text_fixture.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_plan {
 namespace {
 
 Plan planned_of(const StudyFolder& folder, const std::string& text) { return plan_of(folder.read(text)); }
@@ -253,8 +254,8 @@ TEST(Plan, RelativePathsCountFromTheFileInWhichTheyStand) {
   const StudyFolder folder;
   fs::create_directories(folder.scratch() / "studies");
   fs::create_directories(folder.scratch() / "scenes");
-  fs::copy(ASSAY_BINARY_DIR "/materials/libneo_hookean.so", folder.scratch() / "studies/mine.so");
-  fs::copy(ASSAY_BINARY_DIR "/materials/libneo_hookean.so", folder.scratch() / "scenes/theirs.so");
+  fs::copy(built("materials/libneo_hookean.so"), folder.scratch() / "studies/mine.so");
+  fs::copy(built("materials/libneo_hookean.so"), folder.scratch() / "scenes/theirs.so");
   std::string text = small_scene;
   text.replace(text.find("neo_hookean"), 11, "theirs.so");
   folder.scratch().write("scenes/s.yaml", text);
@@ -272,4 +273,4 @@ TEST(Plan, TellsItsProgress) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_plan

@@ -9,7 +9,7 @@
 #include "drivers/input_error.hpp"
 #include "tests/drivers/study/two_methods.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_recommendation {
 namespace {
 
 using CaseIndex = std::optional<std::size_t>;
@@ -129,4 +129,4 @@ TEST(Recommendation, JsonHasEveryKey) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_recommendation

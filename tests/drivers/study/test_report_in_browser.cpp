@@ -2,14 +2,6 @@
 // The report of a study as a browser lays it out.
 #include <gtest/gtest.h>
 
-#define STB_IMAGE_STATIC
-#define STB_IMAGE_IMPLEMENTATION
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wpragmas"
-#include <stb/stb_image.h>
-#pragma GCC diagnostic pop
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -22,8 +14,9 @@
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/drivers/study/page_probe.hpp"
 #include "tests/drivers/study/sample_study.hpp"
+#include "tests/support/png.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_report_in_browser {
 namespace {
 
 struct Sight {
@@ -176,4 +169,4 @@ TEST_F(ReportInBrowser, planted_faults_are_caught) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_report_in_browser

@@ -8,7 +8,7 @@
 #include "drivers/input_error.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_runner {
 namespace {
 
 namespace fs = std::filesystem;
@@ -206,4 +206,4 @@ TEST_F(RunnerTest, ACaseThatAnotherStudyGaveUpIsRun) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_runner

@@ -9,7 +9,7 @@
 #include "drivers/output/numbers.hpp"
 #include "tests/drivers/study/study_text_fixture.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_sampling {
 namespace {
 
 /// "a,x b,y": of each combination the values, without the names of the axes.
@@ -181,4 +181,4 @@ TEST(Sampling, ExclusionHoldsOnSamplesToo) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_sampling

@@ -5,7 +5,7 @@
 
 #include "tests/drivers/refusal.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_selection {
 namespace {
 
 Selection selection_in(const std::string& flow) { return read_selection(read_yaml(flow, "f"), "where"); }
@@ -106,4 +106,4 @@ TEST(Selection, AValueIsOneLineOfYaml) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_selection

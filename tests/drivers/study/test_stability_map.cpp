@@ -6,7 +6,7 @@
 #include "drivers/picture/colormap.hpp"
 #include "tests/drivers/study/sample_study.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_stability_map {
 namespace {
 
 TEST(StabilityMap, methods_by_resolution) {
@@ -105,4 +105,4 @@ TEST(StabilityMap, picture_holds_its_texts) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_stability_map

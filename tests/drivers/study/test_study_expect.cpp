@@ -6,7 +6,7 @@
 #include "tests/drivers/study/study_text_fixture.hpp"
 #include "tests/drivers/study/two_methods.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_study_expect {
 namespace {
 
 /// A study whose axes are those of two_method_study(), with `expect` in flow style.
@@ -101,4 +101,4 @@ TEST(StudyExpect, TheLastOrderIsOfTheFinestThatCanBe) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_study_expect

@@ -4,8 +4,9 @@
 #include <sys/resource.h>
 
 #include "tests/drivers/study/study_program.hpp"
+#include "tests/support/built.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_study_failures {
 namespace {
 
 namespace fs = std::filesystem;
@@ -96,8 +97,8 @@ std::string crashing_study_text(const std::string& plugin = "crashes_in_a_run.so
   const std::string axis = "  method: {CPDI: {method.basis: cpdi}, uGIMP: {method.basis: ugimp}}\n";
   text.replace(text.find(axis), axis.size(),
                "  model:\n    good: {material.adapter: neo_hookean}\n"
-               "    bad: {material: {adapter: " ASSAY_BINARY_DIR "/tests/plugins/" +
-                   plugin +
+               "    bad: {material: {adapter: " +
+                   built("tests/plugins/") + plugin +
                    ", parameters: {}, "
                    "density: 1000}}\n");
   return text;
@@ -142,4 +143,4 @@ TEST(LongStudyFailures, ACrashElsewhereComesWithAMerge) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_study_failures

@@ -12,7 +12,7 @@
 #include "drivers/input_error.hpp"
 #include "tests/drivers/study/two_methods.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_study_json {
 namespace {
 
 using StudyTree = nlohmann::ordered_json;
@@ -163,4 +163,4 @@ TEST(StudyJson, HostileTextsDoNotCrash) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_study_json

@@ -8,7 +8,7 @@
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/drivers/study/sample_study.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_study_junit {
 namespace {
 
 TEST(StudyJunit, a_death_is_a_finding_and_no_failure) {
@@ -39,4 +39,4 @@ TEST(StudyJunit, is_valid) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_study_junit

@@ -8,7 +8,7 @@
 #include "tests/drivers/study/sample_study.hpp"
 #include "tests/drivers/study/two_methods.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_study_markdown {
 namespace {
 
 /// Cells of a line: bars that no backslash stands before, less one.
@@ -61,4 +61,4 @@ TEST(StudyMarkdown, of_survival_names_methods_in_place_of_costs) {
 TEST(StudyMarkdown, of_nothing) { EXPECT_NE(study_markdown({}).find("# assay study"), std::string::npos); }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_study_markdown

@@ -10,7 +10,7 @@
 #include "drivers/scene/sha256.hpp"
 #include "tests/drivers/study/study_text_fixture.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_study_reader {
 namespace {
 
 const std::string two_axes = "axes: {method.basis: [cpdi, ugimp], grid.spacing: [0.75, 0.5]}\n";  // line 2
@@ -306,4 +306,4 @@ TEST(StudyReader, ARefinedKeyIsSetByAnAxis) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_study_reader

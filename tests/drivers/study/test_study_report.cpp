@@ -7,7 +7,7 @@
 #include "tests/drivers/study/sample_study.hpp"
 #include "tests/drivers/study/two_methods.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_study_report {
 namespace {
 
 std::size_t place_in(const std::string& page, const std::string& text) {
@@ -102,4 +102,4 @@ TEST(StudyReport, no_digit_beyond_the_first_that_is_missed) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_study_report

@@ -6,7 +6,7 @@
 
 #include "tests/drivers/study/study_program.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_study_resume {
 namespace {
 
 namespace fs = std::filesystem;
@@ -143,4 +143,4 @@ TEST(StudyResume, ManyJobsFindTheSameAsOne) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_study_resume

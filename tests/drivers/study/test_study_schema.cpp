@@ -8,7 +8,7 @@
 #include "tests/drivers/json_schema.hpp"
 #include "tests/drivers/refusal.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_study_schema {
 namespace {
 
 const json& schema_of_studies() {
@@ -80,4 +80,4 @@ TEST(StudySchema, RefusesWhatTheReaderRefuses) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_study_schema

@@ -4,7 +4,7 @@
 
 #include "tests/drivers/study/study_program.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_study_shards {
 namespace {
 
 namespace fs = std::filesystem;
@@ -132,4 +132,4 @@ TEST(StudyShards, TwoMergesAtOnceBothEndWell) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_study_shards

@@ -5,7 +5,7 @@
 
 #include "tests/drivers/study/sample_study.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_study_tables {
 namespace {
 
 /// Records of a CSV text (RFC 4180).
@@ -85,4 +85,4 @@ TEST(StudyTables, nothing_completed_and_nothing_at_all) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_study_tables

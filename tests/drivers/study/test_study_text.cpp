@@ -8,7 +8,7 @@
 #include "tests/drivers/study/sample_study.hpp"
 #include "tests/drivers/study/two_methods.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_study_text {
 namespace {
 
 /// The longest line in characters, not bytes.
@@ -144,4 +144,4 @@ TEST(StudyText, AStudyWithoutAnythingSaysSo) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_study_text

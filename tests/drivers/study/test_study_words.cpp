@@ -9,7 +9,7 @@
 #include "drivers/study/study_markdown.hpp"
 #include "tests/drivers/study/sample_study.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_study_words {
 namespace {
 
 TEST(StudyWords, HistoriesAreOfTheFrontAndThenOfEverySeries) {
@@ -42,4 +42,4 @@ TEST(StudyWords, ParticleStepsAreOneColumn) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_study_words

@@ -9,7 +9,7 @@
 #include "drivers/input_error.hpp"
 #include "tests/drivers/study/two_methods.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_survival {
 namespace {
 
 std::vector<std::string> names_of(const std::vector<Survival>& found) {
@@ -121,4 +121,4 @@ TEST(Survival, NobodyIsTakenWhereNoneCompletes) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_survival

@@ -8,7 +8,7 @@
 
 #include "tests/drivers/study/two_methods.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_time_noise {
 namespace {
 
 /// A study of 10 cases, each run so often, whose times scatter by sigma; of some runs a disturbance takes a third more.
@@ -99,4 +99,4 @@ TEST(TimeNoise, ToldApartIsRelativeToTheSmaller) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_time_noise

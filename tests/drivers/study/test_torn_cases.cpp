@@ -4,7 +4,7 @@
 
 #include "tests/drivers/study/study_program.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_torn_cases {
 namespace {
 
 namespace fs = std::filesystem;
@@ -101,4 +101,4 @@ INSTANTIATE_TEST_SUITE_P(LongFiles, TornCases,
                          [](const auto& torn) { return torn.param.name; });
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_torn_cases

@@ -6,7 +6,7 @@
 #include "drivers/picture/label_placer.hpp"
 #include "tests/drivers/study/sample_study.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::test_work_precision_plot {
 namespace {
 
 /// Where a label stands on a screen with a wide font.
@@ -112,4 +112,4 @@ TEST(WorkPrecisionPlot, equal_costs_and_errors_in_metres) {
 }
 
 }  // namespace
-}  // namespace assay::drivers
+}  // namespace assay::drivers::test_work_precision_plot

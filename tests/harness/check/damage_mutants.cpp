@@ -6,7 +6,7 @@
 #include "harness/check/battery.hpp"
 #include "tests/harness/check/model_table.hpp"
 
-namespace assay::check_tests {
+namespace assay::check_tests::damage_mutants {
 
 namespace {
 
@@ -82,7 +82,7 @@ const void* extension(const char* id) {
 
 }  // namespace
 
-std::vector<Subject> damage_subjects() {
+std::vector<Subject> subjects() {
   using namespace check::causes;
   static const assay_parameter parameters[] = {{"mu", "Pa", 400, 0, 1e12, "shear modulus"},
                                                {"lambda", "Pa", 600, 0, 1e12, "Lame's first"},
@@ -117,4 +117,4 @@ std::vector<Subject> damage_subjects() {
   return all;
 }
 
-}  // namespace assay::check_tests
+}  // namespace assay::check_tests::damage_mutants

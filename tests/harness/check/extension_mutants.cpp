@@ -4,7 +4,7 @@
 #include "harness/check/battery.hpp"
 #include "tests/harness/check/model_table.hpp"
 
-namespace assay::check_tests {
+namespace assay::check_tests::extension_mutants {
 
 namespace {
 
@@ -144,7 +144,7 @@ const void* extension(const char* id) {
 
 }  // namespace
 
-std::vector<Subject> extension_subjects() {
+std::vector<Subject> subjects() {
   static const assay_parameter parameters[] = {{"mu", "Pa", 400, 0, 1e12, "shear modulus"},
                                                {"lambda", "Pa", 600, 0, 1e12, "Lame's first"},
                                                {"defect", "1", 0, 0, defects - 1, "which"}};
@@ -176,4 +176,4 @@ std::vector<Subject> extension_subjects() {
   return all;
 }
 
-}  // namespace assay::check_tests
+}  // namespace assay::check_tests::extension_mutants

@@ -4,7 +4,7 @@
 #include "harness/check/battery.hpp"
 #include "tests/harness/check/model_table.hpp"
 
-namespace assay::check_tests {
+namespace assay::check_tests::fibre_mutants {
 
 namespace {
 
@@ -79,7 +79,7 @@ const void* extension(const char* id) {
 
 }  // namespace
 
-std::vector<Subject> fibre_subjects() {
+std::vector<Subject> subjects() {
   using namespace check::causes;
   static const assay_parameter parameters[] = {{"mu", "Pa", 400, 0, 1e12, "shear modulus"},
                                                {"lambda", "Pa", 600, 0, 1e12, "Lame's first"},
@@ -113,4 +113,4 @@ std::vector<Subject> fibre_subjects() {
   return all;
 }
 
-}  // namespace assay::check_tests
+}  // namespace assay::check_tests::fibre_mutants

@@ -5,7 +5,7 @@
 #include "harness/check/battery.hpp"
 #include "tests/harness/check/model_table.hpp"
 
-namespace assay::check_tests {
+namespace assay::check_tests::fluid_mutants {
 
 namespace {
 
@@ -59,7 +59,7 @@ struct Fluid {
 
 }  // namespace
 
-std::vector<Subject> fluid_subjects() {
+std::vector<Subject> subjects() {
   using namespace check::causes;
   static const assay_parameter parameters[] = {{"viscosity", "Pa*s", 20, 0, 1e12, "at a unit rate of shear"},
                                                {"bulk", "Pa", 900, 0, 1e12, "modulus"},
@@ -85,4 +85,4 @@ std::vector<Subject> fluid_subjects() {
   return all;
 }
 
-}  // namespace assay::check_tests
+}  // namespace assay::check_tests::fluid_mutants

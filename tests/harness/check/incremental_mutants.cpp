@@ -3,7 +3,7 @@
 #include "harness/check/battery.hpp"
 #include "tests/harness/check/incremental_model.hpp"
 
-namespace assay::check_tests {
+namespace assay::check_tests::incremental_mutants {
 
 namespace {
 
@@ -48,7 +48,7 @@ const assay_material* table() {
 
 }  // namespace
 
-std::vector<Subject> incremental_subjects() {
+std::vector<Subject> subjects() {
   using namespace check::causes;
   const Planted planted{{"hughes_winget", hughes_winget, ""},
                         {"green_naghdi", green_naghdi, ""},
@@ -113,4 +113,4 @@ std::vector<Subject> incremental_subjects() {
   return subjects;
 }
 
-}  // namespace assay::check_tests
+}  // namespace assay::check_tests::incremental_mutants

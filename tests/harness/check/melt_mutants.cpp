@@ -6,7 +6,7 @@
 #include "harness/check/battery.hpp"
 #include "tests/harness/check/model_table.hpp"
 
-namespace assay::check_tests {
+namespace assay::check_tests::melt_mutants {
 
 namespace {
 
@@ -68,7 +68,7 @@ const void* extension(const char* id) {
 
 }  // namespace
 
-std::vector<Subject> melt_subjects() {
+std::vector<Subject> subjects() {
   using namespace check::causes;
   static const assay_parameter parameters[] = {{"shear", "Pa", 240, 0, 1e12, "modulus of the network"},
                                                {"bulk", "Pa", 1100, 0, 1e12, "modulus"},
@@ -90,4 +90,4 @@ std::vector<Subject> melt_subjects() {
   return all;
 }
 
-}  // namespace assay::check_tests
+}  // namespace assay::check_tests::melt_mutants

@@ -10,8 +10,9 @@ namespace assay::check_tests {
 std::vector<Subject> all_subjects() {
   std::vector<Subject> all;
   for (const auto& subjects :
-       {incremental_subjects, total_subjects, viscous_subjects, fluid_subjects, soil_subjects, damage_subjects,
-        extension_subjects, fibre_subjects, potential_subjects, melt_subjects}) {
+       {incremental_mutants::subjects, total_mutants::subjects, viscous_mutants::subjects, fluid_mutants::subjects,
+        soil_mutants::subjects, damage_mutants::subjects, extension_mutants::subjects, fibre_mutants::subjects,
+        potential_mutants::subjects, melt_mutants::subjects}) {
     for (Subject& subject : subjects()) all.push_back(std::move(subject));
   }
   return all;

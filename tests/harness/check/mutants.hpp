@@ -19,32 +19,52 @@ struct Subject {
 
 /// Increments in J2 plasticity with back stress: Hughes-Winget, Green-Naghdi, logarithmic, rotations of second order;
 /// and their mutants.
-std::vector<Subject> incremental_subjects();
+namespace incremental_mutants {
+std::vector<Subject> subjects();
+}
 
 /// Total laws (neo-Hookean and others), with tangent and energy; and their mutants.
-std::vector<Subject> total_subjects();
+namespace total_mutants {
+std::vector<Subject> subjects();
+}
 
 /// A generalised Maxwell solid, a Maxwell liquid, a Newtonian fluid; and their mutants.
-std::vector<Subject> viscous_subjects();
-std::vector<Subject> fluid_subjects();
+namespace viscous_mutants {
+std::vector<Subject> subjects();
+}
+namespace fluid_mutants {
+std::vector<Subject> subjects();
+}
 
 /// A cone with an apex, and a soil that needs an initial pressure; and their mutants.
-std::vector<Subject> soil_subjects();
+namespace soil_mutants {
+std::vector<Subject> subjects();
+}
 
 /// Damage by the largest energy, with the energy that is left; and its mutants.
-std::vector<Subject> damage_subjects();
+namespace damage_mutants {
+std::vector<Subject> subjects();
+}
 
 /// A total law and one in increments that offer their rate, wave speed and closed form; and their mutants.
-std::vector<Subject> extension_subjects();
+namespace extension_mutants {
+std::vector<Subject> subjects();
+}
 
 /// Fibres along a direction of the state; and their mutants.
-std::vector<Subject> fibre_subjects();
+namespace fibre_mutants {
+std::vector<Subject> subjects();
+}
 
 /// Rubber without an energy, a law that has none; and their mutants.
-std::vector<Subject> potential_subjects();
+namespace potential_mutants {
+std::vector<Subject> subjects();
+}
 
 /// A melt whose state goes with the current body, with its energy; and its mutants.
-std::vector<Subject> melt_subjects();
+namespace melt_mutants {
+std::vector<Subject> subjects();
+}
 
 /// All of them.
 std::vector<Subject> all_subjects();

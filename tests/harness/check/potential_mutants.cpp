@@ -6,7 +6,7 @@
 #include "harness/check/battery.hpp"
 #include "tests/harness/check/model_table.hpp"
 
-namespace assay::check_tests {
+namespace assay::check_tests::potential_mutants {
 
 namespace {
 
@@ -52,7 +52,7 @@ struct Rubber {
 
 }  // namespace
 
-std::vector<Subject> potential_subjects() {
+std::vector<Subject> subjects() {
   using namespace check::causes;
   static const assay_parameter parameters[] = {{"c1", "Pa", 120, 0, 1e12, "of the first invariant"},
                                                {"c2", "Pa", 60, 0, 1e12, "of the second"},
@@ -69,4 +69,4 @@ std::vector<Subject> potential_subjects() {
   return all;
 }
 
-}  // namespace assay::check_tests
+}  // namespace assay::check_tests::potential_mutants

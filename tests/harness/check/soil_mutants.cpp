@@ -7,7 +7,7 @@
 #include "harness/check/battery.hpp"
 #include "tests/harness/check/model_table.hpp"
 
-namespace assay::check_tests {
+namespace assay::check_tests::soil_mutants {
 
 namespace {
 
@@ -129,7 +129,7 @@ struct Soil {
 
 }  // namespace
 
-std::vector<Subject> soil_subjects() {
+std::vector<Subject> subjects() {
   using namespace check::causes;
   static const assay_parameter parameters[] = {
       {"shear", "Pa", 400, 0, 1e12, "modulus, or its multiple of the pressure"},
@@ -180,4 +180,4 @@ std::vector<Subject> soil_subjects() {
   return all;
 }
 
-}  // namespace assay::check_tests
+}  // namespace assay::check_tests::soil_mutants

@@ -7,7 +7,7 @@
 
 #include "tests/harness/check/mutants.hpp"
 
-namespace assay::check {
+namespace assay::check::test_arrays {
 namespace {
 
 const assay_material* inner = nullptr;
@@ -30,7 +30,7 @@ void update(void* self, const assay_step* step, std::size_t n, const double* sta
 
 // Loads of 16 bytes at once, which only a multiple of 16 bears, are met with what the contract promises: 8.
 TEST(GuardedArrays, StandWhereNoMoreThanThePromisedAlignmentIs) {
-  const std::vector<check_tests::Subject> subjects = check_tests::total_subjects();
+  const std::vector<check_tests::Subject> subjects = check_tests::total_mutants::subjects();
   inner = &subjects.front().material.table();
   assay_material table = *inner;
   table.update = update;
@@ -42,4 +42,4 @@ TEST(GuardedArrays, StandWhereNoMoreThanThePromisedAlignmentIs) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::test_arrays

@@ -14,7 +14,7 @@
 #include "tests/harness/check/mutants.hpp"
 #include "tests/harness/jaumann_material.hpp"
 
-namespace assay::check {
+namespace assay::check::test_battery {
 namespace {
 
 using check_tests::all_subjects;
@@ -133,7 +133,7 @@ TEST(Battery, EveryDiagnosisIsPlantedOnTwoKindsOfModel) {
 
 /// Rounding of single precision is no defect, whatever the moduli.
 TEST(Battery, PassesSinglePrecisionAtAnyModuli) {
-  const auto all = check_tests::total_subjects();
+  const auto all = check_tests::total_mutants::subjects();
   const auto single =
       std::find_if(all.begin(), all.end(), [](const auto& subject) { return subject.name == "single_precision"; });
   ASSERT_NE(single, all.end());
@@ -157,4 +157,4 @@ TEST(Battery, ARefusedStepIsKept) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::test_battery

@@ -11,7 +11,7 @@
 #include "tests/harness/check/model_table.hpp"
 #include "tests/harness/check/mutants.hpp"
 
-namespace assay::check {
+namespace assay::check::test_battery_in_plane {
 namespace {
 
 using check_tests::all_subjects;
@@ -81,7 +81,7 @@ TEST(BatteryInPlane, WhatIsRightPassesAndWhatIsWrongThereIsNamed) {
 }
 
 TEST(SpaceOfDeformations, ThePlaneHasFiveComponents) {
-  const std::vector<Subject> subjects = check_tests::total_subjects();
+  const std::vector<Subject> subjects = check_tests::total_mutants::subjects();
   const Subject& solid = subjects.front();
   assay_material table{};
   const Subject plane = in_plane(solid, table);
@@ -100,4 +100,4 @@ TEST(SpaceOfDeformations, ThePlaneHasFiveComponents) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::test_battery_in_plane

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace assay::check {
+namespace assay::check::test_judge {
 namespace {
 
 /// Errors at 100, 200 and 400 steps of increments under a rotation during load.
@@ -36,4 +36,4 @@ TEST(Limit, SaysHowInOneSentence) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::test_judge

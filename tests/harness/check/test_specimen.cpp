@@ -5,7 +5,7 @@
 
 #include "tests/harness/check/model_table.hpp"
 
-namespace assay::check {
+namespace assay::check::test_specimen {
 namespace {
 
 using check_tests::read;
@@ -110,4 +110,4 @@ TEST(Specimen, AStepWithoutDeformationIsNoQuestionOfStretches) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::test_specimen

@@ -8,7 +8,7 @@
 #include "harness/check/tangent_conventions.hpp"
 #include "tests/harness/check/model_table.hpp"
 
-namespace assay::check_tests {
+namespace assay::check_tests::total_mutants {
 
 namespace {
 
@@ -254,7 +254,7 @@ const assay_material* table(int extensions) {
 
 }  // namespace
 
-std::vector<Subject> total_subjects() {
+std::vector<Subject> subjects() {
   using namespace check::causes;
   const std::vector<std::tuple<const char*, Defect, std::string>> list{
       {"neo_hookean", none, ""},
@@ -303,4 +303,4 @@ std::vector<Subject> total_subjects() {
   return subjects;
 }
 
-}  // namespace assay::check_tests
+}  // namespace assay::check_tests::total_mutants

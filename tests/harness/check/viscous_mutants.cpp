@@ -7,7 +7,7 @@
 #include "harness/check/tangent_conventions.hpp"
 #include "tests/harness/check/model_table.hpp"
 
-namespace assay::check_tests {
+namespace assay::check_tests::viscous_mutants {
 
 namespace {
 
@@ -239,7 +239,7 @@ constexpr assay_state_variable overstress{"overstress", "Pa", ASSAY_SYMMETRIC_TE
 
 }  // namespace
 
-std::vector<Subject> viscous_subjects() {
+std::vector<Subject> subjects() {
   using namespace check::causes;
   static const assay_parameter parameters[] = {
       {"modulus", "Pa", 400, 0, 1e12, "of shear"},    {"bulk", "Pa", 900, 0, 1e12, "modulus"},
@@ -307,4 +307,4 @@ std::vector<Subject> viscous_subjects() {
   return all;
 }
 
-}  // namespace assay::check_tests
+}  // namespace assay::check_tests::viscous_mutants

@@ -9,7 +9,7 @@
 #include "mpm/patch/patch.hpp"
 #include "tests/harness/elastic_material.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_bench {
 namespace {
 
 constexpr Method cpdi{Basis::cpdi, Transfer::flip, Update::usl};
@@ -125,4 +125,4 @@ TEST(PatchBench, MomentumIsThatOfTheParticles) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_bench

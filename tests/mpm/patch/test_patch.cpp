@@ -9,7 +9,7 @@
 #include "mpm/kernels/table.hpp"
 #include "tests/mpm/patch/planted.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_patch {
 namespace {
 
 struct EveryPatchedMethod : testing::TestWithParam<Method> {};
@@ -265,4 +265,4 @@ TEST(PatchTests, ARunThatEndsEarlyFails) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_patch

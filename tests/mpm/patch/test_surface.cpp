@@ -3,7 +3,7 @@
 // bears something.
 #include "tests/mpm/patch/planted.hpp"
 
-namespace assay::mpm {
+namespace assay::mpm::test_surface {
 namespace {
 
 using LoadedSetup = Setup<2>;  // within a test `Setup` is GoogleTest's
@@ -82,4 +82,4 @@ TEST(PatchedSurface, SeesAFreeFaceThatBearsSomething) {
 }
 
 }  // namespace
-}  // namespace assay::mpm
+}  // namespace assay::mpm::test_surface
