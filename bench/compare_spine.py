@@ -27,7 +27,7 @@ STEP = "assay::mpm::Simulation<2>::step(double, double)"
 # of effects that the spine build leaves out; each is a function of the full one
 LEFT_OUT = [r"::affine_pass<2>", r"::traction_pass\(", r"::virtual_stress_pass\(", r"::inertia_pass<2>",
             r"::fold_images_pass<2>", r"::mass_matrix_pass<2>", r"::kick_pass<2>", r"::accounts_pass<2>",
-            r"::hold_nodes_pass<2>", r"::moving_frame_pass<2>", r"mpm::Simulation<3>", r"Cpdi2Basis<2>",
+            r"::hold_nodes_pass<2>", r"::moving_frame_pass<2>", r"Cpdi2Basis<2>",
             r"StressOffload::StressOffload\(", r"Snapshots::write_vtu", r"drivers::report_html",
             r"drivers::traction_table"]
 
