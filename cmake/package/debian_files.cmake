@@ -20,13 +20,21 @@ string(REPLACE "Copyright (c) " "" holder "${holder}")
 file(WRITE ${documents}/copyright
 "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
 Upstream-Name: assay
-Comment: What the program links has licences of its own, see THIRD_PARTY.md.
+Comment: What the program has of others is under their licences, see THIRD_PARTY.md and third_party.
 
 Files: *
 Copyright: ${holder}
 License: BSD-3-Clause
  ${licence}
 ")
+
+# Terms that a binary must carry, of headers that were compiled into it; libraries come with packages of their own, and
+# Boost's licence asks for nothing with a binary.
+foreach(headers IN ITEMS libcli11-dev libeigen3-dev libstb-dev nlohmann-json3-dev)
+  if(EXISTS /usr/share/doc/${headers}/copyright)
+    configure_file(/usr/share/doc/${headers}/copyright ${documents}/third_party/${headers} COPYONLY)
+  endif()
+endforeach()
 
 # The history in the form that Debian's tools read; the one for people lies beside it.
 set(epoch "$ENV{SOURCE_DATE_EPOCH}")

@@ -75,7 +75,6 @@ make_base() {
   debootstrap --variant=minbase --include=ca-certificates "$suite" "$base" "$address" >"$log" 2>&1 ||
     not_tried "debootstrap: $(tail -n 1 "$log")"
   copy_sources "$base"
-  in_root "$base" apt-get update -qq >"$log" 2>&1 || not_tried "apt-get update: $(tail -n 1 "$log")"
   mkdir -p "$cache/archives"
   : >"$cache/made"
 }
@@ -103,6 +102,15 @@ start() { # a fresh copy of the bare system, with the package in its root folder
 }
 
 as_root() { in_root "$root" "$@" >"$log" 2>&1 || { cat "$log"; fail "$*"; }; }
+
+# What the tries need is fetched before: a failure of the network is none of the package.
+tools='cmake g++ gfortran ninja-build pkg-config'
+fetch_tools() {
+  in_root "$root" apt-get update -qq >"$log" 2>&1 || not_tried "apt-get update: $(tail -n 1 "$log")"
+  # shellcheck disable=SC2086
+  in_root "$root" apt-get install -y --no-install-recommends --download-only $tools >"$log" 2>&1 ||
+    not_tried "apt-get cannot fetch packages: $(tail -n 1 "$log")"
+}
 
 # As somebody who may write into one folder only.
 as_user() {
@@ -132,7 +140,7 @@ scene=/usr/share/assay/configs/paper/vortex_cpdi.yaml
 try_to_run() {
   as_root apt-get install -y "/$name"
   # shellcheck disable=SC2016
-  say "installed: $(in_root "$root" dpkg-query -W -f '${Version}, ${Installed-Size} KiB' assay), and with it" \
+  say "installed: $(in_root "$root" dpkg-query -W -f '${Version}, ${Installed-Size} KiB' assay)," \
     "$(grep -c '^Setting up' "$log") packages in all"
   for script in preinst postinst prerm postrm config; do
     [ ! -e "$root/var/lib/dpkg/info/assay.$script" ] || fail "the package runs a script: $script"
@@ -159,19 +167,20 @@ try_to_remove() {
 
 # Somebody else's project, by CMake and by pkg-config. A UMAT that calls a routine of Abaqus needs the utilities' library.
 try_to_build() {
-  as_root apt-get install -y --no-install-recommends "/$name" cmake g++ gfortran ninja-build pkg-config
+  # shellcheck disable=SC2086
+  as_root apt-get install -y --no-install-recommends "/$name" $tools
   cp -r "$checkout/tests/downstream" "$root/work/downstream"
   expect 'Build files' cmake -S downstream -B build -G Ninja -D CMAKE_BUILD_TYPE=Release
   expect 'kirchhoff.so' cmake --build build --verbose
   expect '100% tests passed' ctest --test-dir build -LE must_fail
   say "tests/downstream: $(grep '100% tests passed' "$log")"
   # shellcheck disable=SC2016
-  expect 'downstream_kirchhoff: pass' sh -ec '
+  expect 'by_hand.so: pass' sh -ec '
     cc -std=c11 -O2 -fPIC -shared $(pkg-config --cflags assay-abi) downstream/kirchhoff.c -o by_hand.so -lm
     assay check ./by_hand.so --parameters lambda=600,mu=400 --quick'
-  say "pkg-config assay-abi $(in_root "$root" pkg-config --modversion --cflags assay-abi | tr '\n' ' ')"
+  say "pkg-config assay-abi: $(in_root "$root" pkg-config --cflags assay-abi)"
   # shellcheck disable=SC2016
-  expect 'hooke_umat: pass' sh -ec '
+  expect 'hooke_umat.yaml: pass' sh -ec '
     sed "s/^      RETURN/      CALL SINV(STRESS,S1,S2,NDI,NSHR)\n&/" downstream/hooke_umat.f >hooke_umat.f
     gfortran -O2 -fPIC -shared -I build/abaqus hooke_umat.f -o hooke_umat.so
     cp downstream/hooke_umat.yaml . && assay check hooke_umat.yaml --quick'
@@ -238,12 +247,14 @@ if [ ! -f "$cache/made" ]; then
   make_base
 fi
 start
+fetch_tools
 files >"$work/before"
 sed -i "\|^./$name\$|d" "$work/before"
 try_to_run
 rm "$root/$name"
 try_to_remove
 start
+fetch_tools
 try_to_build
 try_dockerfile
 try_definition
