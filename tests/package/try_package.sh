@@ -184,7 +184,7 @@ try_to_build() {
     sed "s/^      RETURN/      CALL SINV(STRESS,S1,S2,NDI,NSHR)\n&/" downstream/hooke_umat.f >hooke_umat.f
     gfortran -O2 -fPIC -shared -I build/abaqus hooke_umat.f -o hooke_umat.so
     cp downstream/hooke_umat.yaml . && assay check hooke_umat.yaml --quick'
-  expect 'AS EXPECTED' sh -ec 'assay new-material clay --language fortran && cmake -S clay -B clay/build &&
+  expect 'AS EXPECTED' sh -ec 'assay new-material clay --language fortran && cmake -S clay -B clay/build -G Ninja &&
     cmake --build clay/build && ctest --test-dir clay/build && assay run clay/vortex.yaml'
   as_root apt-get purge -y assay
   left=$(in_root "$root" find / -xdev -name '*assay*' ! -path '/proc/*' ! -path '/work/*' ! -path '/var/log/*' \
