@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The installed package: binary, material ABI, plug-ins, documents, and what find_package(assay) needs.
+# The installed package: binary, material ABI, plug-ins, scenes, documents, and what find_package(assay) and pkg-config
+# need.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -9,10 +10,19 @@ set(materials_dir ${CMAKE_INSTALL_LIBDIR}/assay/materials)
 set(fortran_module ${include_dir}/harness/assay_material.f90)
 
 install(TARGETS ${material_plugins} LIBRARY DESTINATION ${materials_dir})
-install(TARGETS assay_abaqus LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/assay)
+install(TARGETS assay_abaqus LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/${abaqus_folder})
 install(FILES harness/assay_material.h harness/assay_material.f90 DESTINATION ${include_dir}/harness)
 install(FILES docs/assay.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES LICENSE THIRD_PARTY.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
+# The README stands beside the pages there, not above them.
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS README.md)
+file(READ README.md readme)
+string(REPLACE "](docs/" "](" readme "${readme}")
+file(WRITE ${PROJECT_BINARY_DIR}/package/README.md "${readme}")
+install(FILES ${PROJECT_BINARY_DIR}/package/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# Those of configs/foreign take libraries that the tests compile.
+install(DIRECTORY configs DESTINATION ${CMAKE_INSTALL_DATADIR}/assay USE_SOURCE_PERMISSIONS PATTERN foreign EXCLUDE)
 install(FILES completions/assay.bash RENAME assay DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(FILES completions/_assay DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
 install(FILES completions/assay.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
@@ -31,3 +41,10 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/assay-config-vers
 install(FILES ${PROJECT_BINARY_DIR}/package/assay-config.cmake ${PROJECT_BINARY_DIR}/package/assay-config-version.cmake
   cmake/assay_add_material.cmake cmake/assay_add_foreign_material.cmake cmake/assay_add_material_test.cmake
   cmake/check_exported.cmake cmake/exported_symbols.map DESTINATION ${package_dir})
+
+# For those who build without CMake. Nothing in it depends on the machine, and it finds its prefix from where it lies.
+set(pc_dir ${CMAKE_INSTALL_DATADIR}/pkgconfig)
+file(RELATIVE_PATH prefix_of_pc ${CMAKE_INSTALL_PREFIX}/${pc_dir} ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" prefix_of_pc "${prefix_of_pc}")
+configure_file(cmake/assay-abi.pc.in ${PROJECT_BINARY_DIR}/package/assay-abi.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/package/assay-abi.pc DESTINATION ${pc_dir})

@@ -16,8 +16,8 @@ struct LoadedLibrary {
 /// Throws LibraryError.
 LoadedLibrary load_foreign_library(const std::string& path);
 
-/// The companion library with the host's utility routines: beside the program, or in ../lib/assay of it. Empty where it
-/// is not found.
+/// The companion library with the host's utility routines: beside the program, or in ../lib/assay/abaqus of it. Empty
+/// where it is not found.
 std::string utilities_library();
 
 }  // namespace assay::adapters

@@ -26,7 +26,9 @@ run(0 "" ${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${work}/first)
 file(RENAME ${work}/first ${prefix})
 foreach(file IN ITEMS bin/assay include/assay/harness/assay_material.h
     include/assay/harness/assay_material.f90 share/man/man1/assay.1
-    share/doc/assay/LICENSE share/bash-completion/completions/assay)
+    share/doc/assay/LICENSE share/bash-completion/completions/assay share/pkgconfig/assay-abi.pc
+    share/assay/configs/paper/vortex_cpdi.yaml share/doc/assay/README.md share/doc/assay/scenes.md
+    share/doc/assay/figures/demo_shear.png)
   if(NOT EXISTS ${prefix}/${file})
     message(FATAL_ERROR "not installed: ${file}")
   endif()
