@@ -11,17 +11,11 @@
 #include "drivers/scene/sha256.hpp"
 #include "drivers/scene/yaml_reader.hpp"
 #include "drivers/scene/yaml_values.hpp"
+#include "drivers/scene/yaml_writer.hpp"
 
 namespace assay::drivers {
 
 namespace {
-
-/// A state may hold what is not finite: that is what replays are for.
-std::string yaml_number(double value) {
-  if (std::isnan(value)) return ".nan";
-  if (std::isinf(value)) return value > 0 ? ".inf" : "-.inf";
-  return number_text(value);
-}
 
 template <class Value>
 std::string list_text(int count, const Value& value) {
@@ -139,9 +133,10 @@ Replay replay_of(const ResolvedMaterial& resolved, const std::optional<FailedSte
 namespace {
 
 std::string test_text(const Replay& replay) {
-  std::string text = "test: " + replay.test + "\nquick: " + (replay.effort.quick ? "true" : "false") + "\n";
-  if (replay.effort.strain != check::Effort{}.strain) text += "strain: " + number_text(replay.effort.strain) + "\n";
-  if (replay.effort.pressure) text += "pressure: " + number_text(*replay.effort.pressure) + "\n";
+  std::string text =
+      "test: " + yaml_scalar(replay.test) + "\nquick: " + (replay.effort.quick ? "true" : "false") + "\n";
+  if (replay.effort.strain != check::Effort{}.strain) text += "strain: " + yaml_number(replay.effort.strain) + "\n";
+  if (replay.effort.pressure) text += "pressure: " + yaml_number(*replay.effort.pressure) + "\n";
   return text;
 }
 
@@ -155,8 +150,8 @@ std::string replay_yaml(const Replay& replay) {
   if (replay.parameters.empty()) text += " {}";
   text += "\n";
   for (const auto& [name, value] : replay.parameters)
-    text += "  " + yaml_scalar(name) + ": " + number_text(value) + "\n";
-  text += "library_sha256: " + (replay.library_sha256.empty() ? "null" : replay.library_sha256) + "\n";
+    text += "  " + yaml_scalar(name) + ": " + yaml_number(value) + "\n";
+  text += "library_sha256: " + (replay.library_sha256.empty() ? "null" : yaml_scalar(replay.library_sha256)) + "\n";
   if (!replay.test.empty()) text += test_text(replay);
   if (replay.step) text += step_text(material.table(), *replay.step);
   return text + "reason: " + yaml_scalar(one_line(replay.reason)) + "\n";
@@ -217,7 +212,7 @@ UpdateReport take_again(const Material& material, const FailedStep& step) {
 std::string replay_hint(const std::string& scene, const std::vector<std::string>& sets, double end) {
   std::string command = "assay tabulate " + scene;
   for (const std::string& set : sets) command += " --set '" + set + "'";
-  return "`" + command + " --set time.end=" + number_text(end) + "` leaves the step in a replay.yaml";
+  return "`" + command + " --set time.end=" + yaml_number(end) + "` leaves the step in a replay.yaml";
 }
 
 }  // namespace assay::drivers

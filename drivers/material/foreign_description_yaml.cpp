@@ -5,8 +5,7 @@
 
 #include "drivers/material/foreign_description.hpp"
 #include "drivers/material/foreign_words.hpp"
-#include "drivers/output/numbers.hpp"
-#include "drivers/scene/yaml_reader.hpp"
+#include "drivers/scene/yaml_writer.hpp"
 
 namespace assay::drivers {
 
@@ -42,10 +41,10 @@ class FlowMap {
 
 std::string property_text(const ForeignProperty& p) {
   FlowMap map;
-  if (std::isfinite(p.value)) map.add("value", number_text(p.value));
+  if (std::isfinite(p.value)) map.add("value", yaml_number(p.value));
   map.add_words("unit", p.unit);
-  if (std::isfinite(p.lower)) map.add("lower", number_text(p.lower));
-  if (std::isfinite(p.upper)) map.add("upper", number_text(p.upper));
+  if (std::isfinite(p.lower)) map.add("lower", yaml_number(p.lower));
+  if (std::isfinite(p.upper)) map.add("upper", yaml_number(p.upper));
   map.add_words("doc", p.doc);
   return map.text();
 }
@@ -54,7 +53,7 @@ std::string variable_text(const ForeignVariable& v) {
   FlowMap map;
   map.add("kind", kinds[static_cast<std::size_t>(v.kind)]);
   std::vector<std::string> numbers;
-  for (const double value : v.initial) numbers.push_back(number_text(value));
+  for (const double value : v.initial) numbers.push_back(yaml_number(value));
   if (numbers.size() == 1) map.add("initial", numbers.front());
   if (numbers.size() > 1) map.add("initial", listed(numbers));
   map.add_words("unit", v.unit);
@@ -64,7 +63,7 @@ std::string variable_text(const ForeignVariable& v) {
 
 std::string fields_text(const ForeignModel& model) {
   FlowMap map;
-  for (const auto& field : model.fields) map.add(yaml_scalar(field.name), number_text(field.value));
+  for (const auto& field : model.fields) map.add(yaml_scalar(field.name), yaml_number(field.value));
   return map.text();
 }
 
@@ -108,8 +107,8 @@ std::string foreign_yaml(const ForeignModel& model) {
   line("units", "{stress: " + word_of(model.units.stress, stress_units) +
                     ", time: " + word_of(model.units.time, time_units) +
                     ", length: " + word_of(model.units.length, length_units) + "}");
-  line("temperature", number_text(model.temperature));
-  line("characteristic_length", number_text(model.characteristic_length));
+  line("temperature", yaml_number(model.temperature));
+  line("characteristic_length", yaml_number(model.characteristic_length));
   line("material_name", yaml_scalar(model.material_name));
   return text;
 }

@@ -6,8 +6,8 @@
 
 #include "drivers/material/foreign_description.hpp"
 #include "drivers/material/material_path.hpp"
-#include "drivers/output/numbers.hpp"
 #include "drivers/scene/yaml_values.hpp"
+#include "drivers/scene/yaml_writer.hpp"
 
 namespace assay::drivers {
 
@@ -97,16 +97,16 @@ std::string description_yaml(const MaterialDescription& description) {
   text += description.foreign ? foreign_yaml(*description.foreign) : "interface: native\n";
   if (!description.parameters.empty()) text += "parameters:\n";
   for (const auto& [name, value] : description.parameters) {
-    text += "  " + yaml_scalar(name) + ": " + number_text(value) + "\n";
+    text += "  " + yaml_scalar(name) + ": " + yaml_number(value) + "\n";
   }
   const adapters::WorkerLimits usual;
   if (description.limits.seconds != usual.seconds) {
-    text += "time_limit: " + number_text(description.limits.seconds) + "\n";
+    text += "time_limit: " + yaml_number(description.limits.seconds) + "\n";
   }
   if (description.limits.gigabytes != usual.gigabytes) {
-    text += "memory_limit: " + number_text(description.limits.gigabytes) + "\n";
+    text += "memory_limit: " + yaml_number(description.limits.gigabytes) + "\n";
   }
-  if (description.density) text += "density: " + number_text(*description.density) + "\n";
+  if (description.density) text += "density: " + yaml_number(*description.density) + "\n";
   return text;
 }
 

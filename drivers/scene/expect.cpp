@@ -7,6 +7,7 @@
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/result_json.hpp"
 #include "drivers/scene/yaml_values.hpp"
+#include "drivers/scene/yaml_writer.hpp"
 
 namespace assay::drivers {
 
@@ -107,9 +108,9 @@ std::string expectation_yaml(const Expectation& line) {
   if (line.text) return yaml_scalar(*line.text);
   const std::string name = expectation_operators()[static_cast<std::size_t>(line.op)];
   if (line.op == Operator::between) {
-    return "{between: [" + number_text(line.number) + ", " + number_text(line.upper) + "]}";
+    return "{between: [" + yaml_number(line.number) + ", " + yaml_number(line.upper) + "]}";
   }
-  return "{" + name + ": " + number_text(line.number) + "}";
+  return "{" + name + ": " + yaml_number(line.number) + "}";
 }
 
 ExpectationOutcome judged(const Expectation& line, const FlatValue& found) {

@@ -2,29 +2,35 @@
 #include "drivers/scene/resolved.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
-#include "drivers/output/numbers.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/scene_keys.hpp"
+#include "drivers/scene/yaml_writer.hpp"
 
 namespace assay::drivers {
 
 namespace {
 
-std::string list_text(const std::vector<double>& values) {
+/// A whole number has no exponent: readers take it for one.
+std::string number_of(const Key& key, double value) {
+  return key.range.whole ? std::to_string(static_cast<std::int64_t>(value)) : yaml_number(value);
+}
+
+std::string list_text(const Key& key, const std::vector<double>& values) {
   std::string text;
-  for (const double value : values) text += (text.empty() ? "" : ", ") + number_text(value);
+  for (const double value : values) text += (text.empty() ? "" : ", ") + number_of(key, value);
   return "[" + text + "]";
 }
 
 std::string value_text(const Key& key, const Value& value) {
   if (const auto* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
-  if (const auto* number = std::get_if<double>(&value)) return number_text(*number);
+  if (const auto* number = std::get_if<double>(&value)) return number_of(key, *number);
   if (const auto* text = std::get_if<std::string>(&value)) return yaml_scalar(*text);
   const auto& list = std::get<std::vector<double>>(value);
-  if (key.type != KeyType::matrix) return list_text(list);
-  return "[" + list_text({list.begin(), list.begin() + 3}) + ", " + list_text({list.begin() + 3, list.begin() + 6}) +
-         ", " + list_text({list.begin() + 6, list.end()}) + "]";
+  if (key.type != KeyType::matrix) return list_text(key, list);
+  const auto row = [&](int k) { return list_text(key, {list.begin() + 3 * k, list.begin() + 3 * k + 3}); };
+  return "[" + row(0) + ", " + row(1) + ", " + row(2) + "]";
 }
 
 std::string indent(const std::string& path) {
@@ -49,7 +55,7 @@ std::string free_text(const std::string& section, const Scene& scene) {
   std::string text;
   if (section == "material.parameters") {
     for (const auto& [name, value] : scene.material.parameters) {
-      text += "    " + yaml_scalar(name) + ": " + number_text(value) + "\n";
+      text += "    " + yaml_scalar(name) + ": " + yaml_number(value) + "\n";
     }
   } else {
     for (const Expectation& line : scene.expect) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "drivers/build_information.hpp"
 #include "drivers/output/result_json.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/schema_parts.hpp"
@@ -152,6 +153,10 @@ Json object_schema(const std::string& path, const Scene& scene) {
 
 }  // namespace
 
+std::string schema_id(const std::string& what) {
+  return "urn:assay:schema:" + what + ":" + build_information().version;
+}
+
 std::string type_schema(const Key& key) { return type_json(key).dump(); }
 
 std::string expectation_schema(const std::string& key, const std::vector<std::string>& outcomes) {
@@ -165,7 +170,9 @@ std::string schema_json() {
   Json motions = Json::array();
   for (std::size_t k = 0; k + 1 < kinds.size(); ++k) motions.push_back(object_schema("motion", kinds[k]));
   out["properties"]["motion"] = {{"description", doc}, {"oneOf", motions}};
-  Json head{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "assay scene"}};
+  Json head{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+            {"$id", schema_id("scene")},
+            {"title", "assay scene"}};
   head.update(out);
   return head.dump(2) + "\n";
 }

@@ -9,6 +9,9 @@
 
 namespace assay::drivers {
 
+/// What names a schema to an editor, "urn:assay:schema:scene:1.0.0": the same on every machine.
+std::string schema_id(const std::string& what);
+
 /// The values of a key of a scene.
 std::string type_schema(const Key& key);
 

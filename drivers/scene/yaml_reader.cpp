@@ -156,16 +156,6 @@ class Builder : public YAML::EventHandler {
   int documents_ = 0;
 };
 
-bool is_plain(const std::string& text) {
-  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
-  const auto plain = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '-' || c == '.' || c == '/'; };
-  if (text.empty() || !(letter(text[0]) || (text[0] == '/' && text.size() > 1))) return false;
-  if (!std::all_of(text.begin(), text.end(), plain)) return false;
-  static const std::set<std::string> words{"null",  "Null", "NULL", "true", "True", "TRUE", "false", "False",
-                                           "FALSE", "yes",  "no",   "on",   "off",  "y",    "n"};
-  return words.count(text) == 0;
-}
-
 }  // namespace
 
 const Tree* Tree::find(std::string_view key) const {
@@ -189,22 +179,6 @@ Tree read_yaml(std::string_view text, const std::string& name, const YamlLimits&
   }
   if (!builder.found()) throw InputError({name, 0, 0}, "", "empty");
   return builder.take();
-}
-
-std::string yaml_scalar(const std::string& text) {
-  if (is_plain(text)) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      quoted += '\\', quoted += c;
-    } else if (byte < 0x20 || byte == 0x7f) {
-      quoted += "\\x", quoted += "0123456789abcdef"[byte >> 4], quoted += "0123456789abcdef"[byte & 15u];
-    } else {
-      quoted += c;
-    }
-  }
-  return quoted + "\"";
 }
 
 }  // namespace assay::drivers

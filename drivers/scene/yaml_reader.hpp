@@ -46,7 +46,4 @@ Tree read_yaml(std::string_view text, const std::string& name, const YamlLimits&
 /// All bytes of a file. Throws InputError where it is missing, a folder, unreadable or longer than `limit`.
 std::string read_bytes(const std::string& file, std::size_t limit = YamlLimits{}.bytes);
 
-/// `text` as a YAML scalar that reads back to it: plain where that is safe, else double-quoted.
-std::string yaml_scalar(const std::string& text);
-
 }  // namespace assay::drivers

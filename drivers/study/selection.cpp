@@ -5,6 +5,7 @@
 
 #include "drivers/output/numbers.hpp"
 #include "drivers/scene/yaml_values.hpp"
+#include "drivers/scene/yaml_writer.hpp"
 
 namespace assay::drivers {
 

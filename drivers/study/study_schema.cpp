@@ -140,7 +140,9 @@ std::string study_schema_json() {
   add("budget", budget(), "of which cases the error is divided, and what makes each source finer");
   add("published", published, "orders that others have published, beside ours");
   add("expect", expect(), "what is to be found of each case, or series, of a selection");
-  Json head{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "assay study"}};
+  Json head{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+            {"$id", schema_id("study")},
+            {"title", "assay study"}};
   head.update(object(properties, {scene_key}));
   return head.dump(2) + "\n";
 }

@@ -20,11 +20,12 @@ namespace fs = std::filesystem;
 using namespace assay;
 using Json = nlohmann::ordered_json;
 
-/// "0.75", "1000000", "1e12".
+/// "0.75", "1000000", "1.0e+12": as a scene should say it.
 std::string number(const Json& value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.7g", value.get<double>());
-  return std::regex_replace(std::string(text), std::regex("e([-]?)[+0]*"), "e$1");
+  const std::string pointed = std::regex_replace(std::string(text), std::regex("^(-?[0-9])e"), "$1.0e");
+  return std::regex_replace(pointed, std::regex("e([-+])0*"), "e$1");
 }
 
 std::string bounds(const Json& key) {

@@ -94,7 +94,7 @@ inline bool valid(const json& schema, const json& value) {
       "$schema",          "title", "description", "default",  "type",    "properties",        "additionalProperties",
       "required",         "items", "minItems",    "maxItems", "minimum", "maximum",           "exclusiveMinimum",
       "exclusiveMaximum", "enum",  "const",       "oneOf",    "anyOf",   "patternProperties", "minProperties",
-      "maxProperties"};
+      "maxProperties",    "$id"};
   for (const auto& [name, ignored] : schema.items()) EXPECT_TRUE(keywords.count(name)) << name;
   if (schema.contains("type")) {
     const json types = schema["type"].is_array() ? schema["type"] : json::array({schema["type"]});

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A folder of its own for a test, gone afterwards.
+// A folder of its own for a test, gone afterwards. The resolved scenes of results in it are kept (kept_yaml.hpp).
 #pragma once
 
 #include <unistd.h>
 
 #include <atomic>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+
+#include "tests/support/kept_yaml.hpp"
 
 namespace assay::drivers {
 
@@ -21,6 +24,10 @@ class ScratchFolder {
     std::filesystem::create_directories(path_);
   }
   ~ScratchFolder() {
+    try {
+      keep_resolved_scenes(path_);
+    } catch (const std::exception&) {  // a folder that a test has made unreadable
+    }
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
   }

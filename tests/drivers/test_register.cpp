@@ -2,7 +2,7 @@
 #include <sys/stat.h>
 
 #include "drivers/material/registry.hpp"
-#include "drivers/scene/yaml_reader.hpp"
+#include "drivers/scene/yaml_writer.hpp"
 #include "drivers/verbs.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/registry_fixture.hpp"

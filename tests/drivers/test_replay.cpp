@@ -123,6 +123,7 @@ TEST(Replay, IsReadAsItWasWritten) {
   replay.step->state0 = {1.0 / 3, -0.0, std::nan(""), std::numeric_limits<double>::infinity(), 5e-324, -1e308};
   replay.reason = "what: it said, on\ntwo lines";
   const ScratchFolder scratch;
+  keep_yaml("plain", replay_yaml(replay));
   const Replay back = read_replay(scratch.write("replay.yaml", replay_yaml(replay)));
   EXPECT_EQ(back.material, replay.material);
   EXPECT_EQ(back.parameters, replay.parameters);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/fuzz/loose_yaml.hpp"
 
+#include "drivers/scene/yaml_writer.hpp"
+
 namespace assay::fuzz {
 
 namespace {

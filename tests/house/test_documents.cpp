@@ -95,5 +95,29 @@ TEST(Documents, EverySceneSaysWhatItExpects) {
   }
 }
 
+/// The line by which an editor finds the schema of a file of configs/, from the file's own folder.
+std::string line_for_editors(const std::string& path) {
+  std::string up;
+  for (std::size_t at = path.find('/'); (at = path.find('/', at + 1)) != path.npos;) up += "../";
+  const bool study = path.starts_with("configs/studies/");
+  return "# yaml-language-server: $schema=" + up + "schema/" + (study ? "study" : "scene") + ".schema.json";
+}
+
+TEST(Documents, EverySceneBeginsWithTheLineForEditors) {
+  EXPECT_EQ(line_for_editors("configs/a/b.yaml"), "# yaml-language-server: $schema=../schema/scene.schema.json");
+  EXPECT_EQ(line_for_editors("configs/studies/b.yaml"), "# yaml-language-server: $schema=../schema/study.schema.json");
+  for (const std::string& path : files_in("configs", {".yaml", ".yml"}, true)) {
+    EXPECT_EQ(lines_of(text_of(path)).at(0), line_for_editors(path)) << path;
+  }
+}
+
+TEST(Documents, SchemasBesideTheScenesAreThoseOfTheProgram) {
+  const std::string again = " is out of date; make it anew: build/release/assay schema";
+  EXPECT_TRUE(text_of("configs/schema/scene.schema.json") == run_assay("schema").output)
+      << "configs/schema/scene.schema.json" << again << " > configs/schema/scene.schema.json";
+  EXPECT_TRUE(text_of("configs/schema/study.schema.json") == run_assay("schema --study").output)
+      << "configs/schema/study.schema.json" << again << " --study > configs/schema/study.schema.json";
+}
+
 }  // namespace
 }  // namespace assay::test_documents

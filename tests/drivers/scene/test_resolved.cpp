@@ -10,6 +10,7 @@
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "tests/drivers/scene_text.hpp"
+#include "tests/support/kept_yaml.hpp"
 
 namespace assay::drivers::test_resolved {
 namespace {
@@ -32,9 +33,10 @@ void expect_same(const Scene& a, const Scene& b, const std::string& what) {
   }
 }
 
-/// Reading it back from elsewhere gives the same scene and the same text.
+/// Reading it back from elsewhere gives the same scene and the same text; it is kept for other readers.
 void check_round_trip(const Scene& scene, const std::string& what) {
   const std::string once = resolved_yaml(scene);
+  keep_yaml("scene", once);
   const Scene again = scene_from_text(once, "/elsewhere/resolved.yaml");
   expect_same(scene, again, what);
   EXPECT_EQ(resolved_yaml(again), once) << what;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "drivers/build_information.hpp"
 #include "drivers/output/result_json.hpp"
 #include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_keys.hpp"
@@ -43,6 +44,7 @@ void collect(const json& schema, const std::string& path, std::set<std::string>&
 
 TEST(Schema, SaysWhatItIs) {
   EXPECT_EQ(the_schema()["$schema"], "https://json-schema.org/draft/2020-12/schema");
+  EXPECT_EQ(the_schema()["$id"], "urn:assay:schema:scene:" + build_information().version);
   EXPECT_EQ(schema_json(), schema_json());
 }
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "drivers/build_information.hpp"
 #include "drivers/scene/yaml_values.hpp"
 #include "drivers/study/study_reader.hpp"
 #include "tests/drivers/json_schema.hpp"
@@ -17,6 +18,10 @@ const json& schema_of_studies() {
 }
 
 bool schema_takes(const std::string& yaml) { return valid(schema_of_studies(), json_of(read_yaml(yaml, "f"))); }
+
+TEST(StudySchema, HasANameOfItsOwn) {
+  EXPECT_EQ(schema_of_studies()["$id"], "urn:assay:schema:study:" + build_information().version);
+}
 
 TEST(StudySchema, ListsTheKeysOfTheReader) {
   std::set<std::string> listed;
