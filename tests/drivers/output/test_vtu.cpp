@@ -24,7 +24,7 @@ struct Sample {
   }
 };
 
-/// Of particles `spacing` apart. At 0.02 an array takes several blocks, and few of them are full.
+/// For particles `spacing` apart: at 0.02 an array takes several blocks.
 Sample sample(double spacing = 0.1) {
   Sample out;
   const ParticleFrame frame = sample_vortex(spacing, 0.25);
