@@ -41,7 +41,7 @@ _assay() {
   esac
   local options='--help --quiet --verbose'
   case $verb in
-    run) options+=' -o --set --threads --json' ;;
+    run) options+=' -o --set --threads --json --junit' ;;
     tabulate) options+=' -o --set --points --json' ;;
     eval) options+=' -o --set --points' ;;
     explain) options+=' --set --json' ;;

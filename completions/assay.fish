@@ -17,6 +17,7 @@ complete -c assay -n "__fish_seen_subcommand_from run tabulate eval explain stud
 complete -c assay -n "__fish_seen_subcommand_from run tabulate eval explain" -l set -x -d 'key.path=value'
 complete -c assay -n "__fish_seen_subcommand_from run tabulate eval study recommend" -s o -r -F -d 'Where results go'
 complete -c assay -n "__fish_seen_subcommand_from run" -l threads -x -d 'Number of threads'
+complete -c assay -n "__fish_seen_subcommand_from run" -l junit -r -F -d 'Findings for CI'
 complete -c assay -n "__fish_seen_subcommand_from tabulate eval" -l points -r -F -d 'Table of points'
 complete -c assay -n "__fish_seen_subcommand_from run tabulate explain study recommend compare materials" -l json -d 'JSON on standard output'
 complete -c assay -n "__fish_seen_subcommand_from study" -l jobs -x -d 'Threads of cases side by side'

@@ -9,6 +9,8 @@
 #include "drivers/output/errors_csv.hpp"
 #include "drivers/output/report.hpp"
 #include "drivers/output/result_json.hpp"
+#include "drivers/output/whole_file.hpp"
+#include "drivers/run_junit.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_reader.hpp"
@@ -104,29 +106,50 @@ std::string write_results(const Scene& scene, const Result& result, std::vector<
   return json;
 }
 
-}  // namespace
-
-int run(const RunOptions& options) {
-  const auto start = Clock::now();
-  Scene scene = read_scene(options.scene, options.sets);
-  watch_interrupts();
-  Result result;
+/// Poses the scene's problem, and completes the scene by it. Returns whether it is to be run: not where the material
+/// fails on the way, or the motion is not admitted.
+bool pose(Scene& scene, int threads, std::optional<Problem>& problem, Result& result) {
   result.title = scene.title;
   result.provenance = build_information();
   result.provenance.scene_sha256 = scene.sha256;
-  std::optional<Problem> problem;
-  bool runs = false;
   try {
-    problem = assemble(scene, options.threads);
+    problem = assemble(scene, threads);
     scene = problem->scene;
     result.subject = problem->subject();
     result.uses_exact_solution = problem->setup.uses_exact_solution();
     for (const std::string& sentence : warnings_of(*problem)) result.warnings.push_back(sentence);
     result.provenance.material = material_provenance(*problem->material, problem->library);
-    runs = admitted(*problem, result);
+    return admitted(*problem, result);
   } catch (const MaterialFailure& failure) {
     record_failure(failure, result);
+    return false;
   }
+}
+
+/// What was found first, on standard output; then the file for CI, whatever becomes of it.
+void tell_findings(const RunOptions& options, const Result& result, const std::string& json, double seconds) {
+  const std::string junit = options.junit.empty() ? "" : run_junit(result, options, seconds);
+  std::string said;
+  if (options.verbosity != Verbosity::quiet) {
+    said = verdict_text(result, options.out, options.verbosity == Verbosity::verbose);
+  }
+  if (options.json) said = json;
+  if (options.junit == "-") said = junit;
+  std::fputs(said.c_str(), stdout);
+  std::fflush(stdout);
+  if (!options.junit.empty() && options.junit != "-") write_file(options.junit, junit);
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  const auto start = Clock::now();
+  Scene scene = read_scene(options.scene, options.sets);
+  refuse_junit_in_the_way(options);
+  watch_interrupts();
+  Result result;
+  std::optional<Problem> problem;
+  const bool runs = pose(scene, options.threads, problem, result);
   result.setup_s = seconds_since(start);
   OutputFolder folder(options.out);
   std::vector<ReportPicture> pictures;
@@ -142,10 +165,7 @@ int run(const RunOptions& options) {
   const std::string json = write_results(scene, result, std::move(pictures), folder);
   stop_if_interrupted();
   folder.commit();
-  if (options.json)
-    std::fputs(json.c_str(), stdout);
-  else if (options.verbosity != Verbosity::quiet)
-    std::fputs(verdict_text(result, options.out, options.verbosity == Verbosity::verbose).c_str(), stdout);
+  tell_findings(options, result, json, seconds_since(start));
   return exit_status(result);
 }
 

@@ -33,6 +33,12 @@ void add_results(CLI::App& verb, Arguments& given) {
   verb.add_flag("--json", given.json, "result.json on standard output");
 }
 
+std::string fault_of_empty_name(const std::string& name) { return name.empty() ? "is an empty name" : ""; }
+
+void add_junit(CLI::App& verb, Arguments& given, const std::string& doc) {
+  verb.add_option("--junit", given.junit_file, doc)->type_name("FILE")->check(fault_of_empty_name, "");
+}
+
 std::optional<double> number_in(const std::string& option, const std::string& text, double largest) {
   if (text.empty()) return std::nullopt;
   const auto number = parse_number(text);
@@ -73,8 +79,7 @@ CLI::App& add_verb(CLI::App& app, const std::string& name, const std::string& do
 }
 
 void add_out(CLI::App& verb, Arguments& given, const std::string& type, const std::string& doc) {
-  const auto not_empty = [](const std::string& name) { return name.empty() ? "is an empty name" : std::string(); };
-  verb.add_option("-o", given.out, doc)->type_name(type)->check(not_empty, "");
+  verb.add_option("-o", given.out, doc)->type_name(type)->check(fault_of_empty_name, "");
 }
 
 void add_verbosity(CLI::App& app, Arguments& given) {
@@ -90,10 +95,11 @@ std::vector<Verb> scene_verbs(CLI::App& app, Arguments& given) {
   add_scene(run_verb, given);
   run_verb.add_option("--threads", given.threads, "number of threads (1)")->type_name("N");
   add_results(run_verb, given);
-  verbs.push_back(
-      {&run_verb, [&given] {
-         return run({given.scene, given.folder(), given.sets, given.thread_count(), given.json, given.verbosity()});
-       }});
+  add_junit(run_verb, given, "outcome and expectations for CI, JUnit's XML");
+  verbs.push_back({&run_verb, [&given] {
+                     return run({given.scene, given.folder(), given.sets, given.thread_count(), given.json,
+                                 given.verbosity(), given.junit_file});
+                   }});
 
   CLI::App& tabulate_verb = add_verb(app, "tabulate", "the point driver's sheet and curves",
                                      "assay tabulate configs/paper/tabulate_neo_hookean.yaml -o results/sheet");
@@ -138,7 +144,7 @@ Verb check_verb(CLI::App& app, Arguments& given) {
   auto* parameters = verb.add_option("--parameters", given.parameters, "in place of the defaults");
   parameters->type_name("NAME=NUMBER,...");
   verb.add_option("--json", given.json_file, "verdicts and diagnosis (- for standard output)")->type_name("FILE");
-  verb.add_option("--junit", given.junit_file, "the same for CI, JUnit's XML")->type_name("FILE");
+  add_junit(verb, given, "the same for CI, JUnit's XML");
   auto* markdown = verb.add_option("--markdown", given.markdown_file, "the methods' table (- for standard output)");
   markdown->type_name("FILE");
   verb.add_flag("--quick", given.quick, "fewer steps and states");

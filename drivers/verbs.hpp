@@ -21,6 +21,7 @@ struct RunOptions {
   int threads = 1;
   bool json = false;  ///< result.json on standard output
   Verbosity verbosity = Verbosity::normal;
+  std::string junit = {};  ///< file; "-": standard output; empty: none
 };
 
 struct TabulateOptions {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "drivers/output/numbers.hpp"
+#include "drivers/output/vtu_blocks.hpp"
 #include "drivers/picture/drawing.hpp"
 
 namespace assay::drivers {
@@ -25,9 +26,7 @@ class Writer {
     line("<DataArray type=\"" + std::string(type) + "\" Name=\"" + escaped(name) + "\" NumberOfComponents=\"" +
          std::to_string(components) + "\"" + more + " format=\"appended\" offset=\"" + std::to_string(data_.size()) +
          "\"/>");
-    const std::uint64_t bytes = values.size_bytes();
-    data_.append(reinterpret_cast<const char*>(&bytes), sizeof bytes);
-    if (bytes > 0) data_.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
+    append_compressed(data_, {reinterpret_cast<const char*>(values.data()), values.size_bytes()});
   }
 
   std::string finish() && {
@@ -41,12 +40,9 @@ class Writer {
   std::string xml_, data_;
 };
 
-constexpr const char* head =
-    "<?xml version=\"1.0\"?>\n<VTKFile type=\"%\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">";
-
-std::string file_head(const std::string& type) {
-  std::string out = head;
-  return out.replace(out.find('%'), 1, type);
+std::string file_head(const std::string& type, const std::string& more = {}) {
+  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type +
+         "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\"" + more + ">";
 }
 
 /// What ParaView shows instead of 0..8.
@@ -93,7 +89,7 @@ std::string vtu_text(std::span<const double> positions, const std::vector<VtuArr
   if (positions.size() % 3 != 0) throw std::invalid_argument("vtu_text: length of positions");
   const std::size_t particles = positions.size() / 3;
   Writer out;
-  out.line(file_head("UnstructuredGrid"));
+  out.line(file_head("UnstructuredGrid", " compressor=\"vtkZLibDataCompressor\""));
   out.line("<UnstructuredGrid>");
   out.line("<FieldData>");
   out.array<double>("TimeValue", "Float64", 1, std::span(&t, 1), " NumberOfTuples=\"1\"");

@@ -19,8 +19,9 @@ struct VtuArray {
   std::variant<std::span<const double>, std::span<const std::int64_t>> values;
 };
 
-/// One .vtu file: raw appended little-endian data with UInt64 headers. `positions` holds x,y,z of each particle [m],
-/// `t` becomes TimeValue [s]. Equal input gives equal bytes. Throws std::invalid_argument where a length does not fit.
+/// One .vtu file: appended little-endian data, compressed by zlib (vtu_blocks.hpp), with UInt64 headers. `positions`
+/// holds x,y,z of each particle [m], `t` becomes TimeValue [s]. Equal input gives equal bytes with the same version of
+/// zlib. Throws std::invalid_argument where a length does not fit.
 std::string vtu_text(std::span<const double> positions, const std::vector<VtuArray>& arrays, double t);
 
 struct PvdEntry {

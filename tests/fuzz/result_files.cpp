@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
+#include <exception>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -13,6 +12,7 @@
 #include "drivers/input_error.hpp"
 #include "drivers/output/csv.hpp"
 #include "drivers/scene/scene_reader.hpp"
+#include "tests/support/vtu_reader.hpp"
 
 namespace assay::fuzz {
 
@@ -65,29 +65,23 @@ std::string json_fault(const std::string& text) {
   return "outcome " + outcome;
 }
 
-/// All appended arrays: their lengths fit the file, and what is Float64 is finite.
+/// All appended arrays: their blocks are whole, and what is Float64 is finite.
 std::string vtu_fault(const std::string& text) {
-  const std::string mark = "<AppendedData encoding=\"raw\">\n_";
-  const std::size_t data = text.find(mark);
-  if (data == text.npos || !text.ends_with("</VTKFile>\n")) return "is not whole";
-  const std::size_t first = data + mark.size();
-  for (std::size_t at = text.find("<DataArray "); at < data; at = text.find("<DataArray ", at + 1)) {
-    const std::string head = text.substr(at, text.find('>', at) - at);
-    const std::size_t offset = head.find("offset=\"");
-    if (offset == head.npos) return "an array without data";
-    const std::size_t begin = first + std::stoul(head.substr(offset + 8));
-    std::uint64_t bytes = 0;
-    if (begin + sizeof bytes > text.size()) return "an array beyond the end";
-    std::memcpy(&bytes, text.data() + begin, sizeof bytes);
-    if (bytes > text.size() - begin - sizeof bytes) return "an array beyond the end";
-    if (head.find("\"Float64\"") == head.npos) continue;
-    for (std::uint64_t k = 0; k + sizeof(double) <= bytes; k += sizeof(double)) {
-      double value = 0;
-      std::memcpy(&value, text.data() + begin + sizeof bytes + k, sizeof value);
-      if (!std::isfinite(value)) return "a value that is not finite: " + head;
+  try {
+    const VtuFile file(text);
+    for (const std::string& name : file.names()) {
+      if (file.attribute(name, "type") != "Float64") {
+        file.bytes(name);
+        continue;
+      }
+      for (const double value : file.array<double>(name)) {
+        if (!std::isfinite(value)) return "a value that is not finite: " + name;
+      }
     }
+    return {};
+  } catch (const std::exception& error) {
+    return error.what();
   }
-  return {};
 }
 
 std::string scene_fault(const std::string& file) {

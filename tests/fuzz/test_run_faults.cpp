@@ -105,9 +105,16 @@ TEST(RunFaults, ValuesOfAVtuFile) {
   EXPECT_EQ(fault_of("particles_0000.vtu", text()), "");
   EXPECT_NE(fault_of("particles_0000.vtu", text().substr(0, text().size() - 30)), "");
   values[0] = std::nan("");
-  EXPECT_NE(fault_of("particles_0000.vtu", text()), "");
+  EXPECT_NE(fault_of("particles_0000.vtu", text()).find("jacobian"), std::string::npos);
   values[0] = 2, at[2] = -INFINITY;
-  EXPECT_NE(fault_of("particles_0000.vtu", text()), "");
+  EXPECT_NE(fault_of("particles_0000.vtu", text()).find("Points"), std::string::npos);
+}
+
+TEST(RunFaults, ADamagedBlockOfAVtuFile) {
+  const std::vector<double> at(3000, 0.5);
+  std::string text = drivers::vtu_text(at, {}, 0.5);
+  text[text.rfind("\n</AppendedData>") - 5] ^= 0x10;
+  EXPECT_EQ(fault_of("particles_0000.vtu", text), "a damaged block");
 }
 
 /// Runs sh with a script.
