@@ -11,5 +11,7 @@ namespace assay::mpm {
 /// `called_for`: else the virtual stress wants it.
 template <int Dim>
 Pass<Dim> inertia_pass(const Method& method, bool called_for, bool accounts);
+template <>
+Pass<2> inertia_pass<2>(const Method& method, bool called_for, bool accounts);
 
 }  // namespace assay::mpm

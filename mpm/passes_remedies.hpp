@@ -21,6 +21,8 @@ Pass<Dim> average_volume_pass(const Method& method, AntiLocking over);
 /// particle than the setup's largest_domain; of domains whose corners move one by one, these corners.
 template <int Dim>
 Pass<Dim> limit_domains_pass(bool moves_corners);
+template <>
+Pass<2> limit_domains_pass<2>(bool moves_corners);
 
 /// Before the grid moves: of the force on nodes lighter than the setup's small_mass only their share of it is left.
 template <int Dim>

@@ -8,12 +8,45 @@ endif()
 # The drivers' floor, which has no loop over particles, is watched but not optimised: half of its time.
 target_compile_options(assay_drivers PRIVATE -O0)
 
+# Of each program: in how many processes, and what is left out.
 set(shards_of_test_harness 6)
+set(left_out_of_test_harness # searches, sheets and batteries over many models
+  Battery.NamesWhatIsPlanted* Battery.PassesSingle* BatteryInPlane.* AcousticTensor.Search*
+  History.GivesUpAMotion* Disturbed.NoiseOfIncrements* Shadow.ConvergesToTheSheet* ForceError.Bounds*)
+
 set(shards_of_test_adapters 6)
-set(shards_of_test_mpm 12)
-set(shards_of_test_drivers 12)
+set(left_out_of_test_adapters # orders of convergence, and models whose sheets take long
+  BodyForceNegativeControl.* SheetNegative* J2Multiplicative.Increments* J2Multiplicative.Other*
+  Models/SheetOfEvery*/hypo* Models/SheetOfEvery*/zener* Models/BodyForceOfEvery*/hypo* Models/BodyForceOfEvery*/zener*)
+
+set(shards_of_test_mpm 16)
+set(left_out_of_test_mpm # of the pairs of a basis and a transfer some, and runs of many steps
+  Method/Accounts* Method/EveryPatchedMethod*consistent* Methods/Traction.HoldsToR* Sweep.Results* Stages.A* Stages.K*)
+foreach(basis IN ITEMS linear ugimp cpgimp bspline3 bspline4)
+  foreach(transfer IN ITEMS xpic fmpm apic aflip flip_usl_series)
+    list(APPEND left_out_of_test_mpm "Method/*/${basis}_${transfer}*")
+  endforeach()
+  if(NOT basis STREQUAL "cpgimp")
+    list(APPEND left_out_of_test_mpm "Method/*/${basis}_*_total")
+  endif()
+endforeach()
+
+set(shards_of_test_drivers 16)
+set(left_out_of_test_drivers # whole runs of full size; studies, which start the program many times; timing; a browser
+  CutBodies* StudyShards.M* StudyShards.T* StudyFailures.AF* StudyFailures.AM* Clusters* CaseKey.Changes*
+  Files/TornCases* StudyResume.C* StudyResume.F* StudyResume.K* StudyResume.M* Plan.* StudyJson.Host*
+  Cases/EvalReferences*ring* *BoxRun.ConvergesAt* PlantedInTheBox* Interfaces/ForeignVortex* */closes_everything*
+  CheckForeign.AModelOfPlaneStrainAloneRuns* CheckMethods.RunsEvery* CheckMethods.WritesJson* Check.JUnit*
+  Check.AllChecks* Cached.ADamaged* Cached.EverythingThat* Cached.ASheetOfABuiltIn* ForeignModels.TwoCores*
+  Frames.TheMethodErrs* Frames.BodiesOf* Frames.AMaterialWith* RimOfARun.CoarseGrids* Run.EveryLattice*
+  Run.ACylindrically* Run.Repeats* Run.AnExpect* Run.AnUnst* Run.EveryField* Run.Square* Run.ItsFig*
+  Replay.OfAH* Replay.OfAR* Screening.* Tabulate.AnswersPoints* Tabulate.W* Tabulate.C* TractionTable.*
+  SceneReader.EveryTrunc* ReportInBrowser* EffectList.Owns* TimeNoise.Noise* ParticlePicture*)
+
 set(shards_of_test_house 1)
+set(left_out_of_test_house Threads.*)
 set(shards_of_test_fuzz_corpus 1)
+set(left_out_of_test_fuzz_corpus FuzzCorpus.M* FuzzCorpus.D*)
 set(shards_of_test_mutants 4)
 
 # add_shards(TEST_PROGRAM): its tests but those of left_out_of_TEST_PROGRAM, patterns of GoogleTest.

@@ -10,11 +10,13 @@ std::size_t advance(const Deformations<Dim>& d, std::size_t n, double dt);
 
 namespace {
 
-ASSAY_INLINE double determinant_of(const double* F, std::integral_constant<int, 2>) {
-  return F[0] * F[3] - F[1] * F[2];
-}
-ASSAY_INLINE double determinant_of(const double* F, std::integral_constant<int, 3>) {
-  return F[0] * (F[4] * F[8] - F[5] * F[7]) - F[1] * (F[3] * F[8] - F[5] * F[6]) + F[2] * (F[3] * F[7] - F[4] * F[6]);
+template <int Dim>
+ASSAY_INLINE double determinant_of(const double* F) {
+  if constexpr (Dim == 2) {
+    return F[0] * F[3] - F[1] * F[2];
+  } else {
+    return F[0] * (F[4] * F[8] - F[5] * F[7]) - F[1] * (F[3] * F[8] - F[5] * F[6]) + F[2] * (F[3] * F[7] - F[4] * F[6]);
+  }
 }
 
 template <int Dim, bool RateOfF>
@@ -42,14 +44,14 @@ ASSAY_INLINE std::size_t advance_by(const Deformations<Dim>& d, std::size_t n, d
         after[i * Dim + j] = old[i * Dim + j] + dt * change;
       }
     }
-    good = determinant_of(after, std::integral_constant<int, Dim>()) > 0 ? good : 0;
+    good = determinant_of<Dim>(after) > 0 ? good : 0;
     for (int c = 0; c < N; ++c) before[c][p] = old[c], F[c][p] = now[c][p] = after[c];
   }
   if (good > 0) return n;
   for (std::size_t p = 0; p < n; ++p) {
     double after[N];
     for (int c = 0; c < N; ++c) after[c] = now[c][p];
-    if (!(determinant_of(after, std::integral_constant<int, Dim>()) > 0)) return p;
+    if (!(determinant_of<Dim>(after) > 0)) return p;
   }
   return n;
 }
