@@ -21,6 +21,7 @@ file(READ README.md readme)
 string(REPLACE "](docs/" "](" readme "${readme}")
 file(WRITE ${PROJECT_BINARY_DIR}/package/README.md "${readme}")
 install(FILES ${PROJECT_BINARY_DIR}/package/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY configs/schema DESTINATION ${CMAKE_INSTALL_DATADIR}/assay) # and beside the scenes, which name it so
 # Those of configs/foreign take libraries that the tests compile.
 install(DIRECTORY configs DESTINATION ${CMAKE_INSTALL_DATADIR}/assay USE_SOURCE_PERMISSIONS PATTERN foreign EXCLUDE)
 install(FILES completions/assay.bash RENAME assay DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)

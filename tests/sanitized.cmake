@@ -57,6 +57,7 @@ function(discover_tests target)
     set(name ${target}/${shard}_of_${shards_of_${target}})
     add_test(NAME ${name} COMMAND ${target} "--gtest_filter=-Long*:*/Long*:${left_out}" --gtest_brief=1)
     set_tests_properties(${name} PROPERTIES
+      ENVIRONMENT_MODIFICATION OMP_WAIT_POLICY=set:passive
       ENVIRONMENT "${test_environment};GTEST_TOTAL_SHARDS=${shards_of_${target}};GTEST_SHARD_INDEX=${index}")
   endforeach()
 endfunction()

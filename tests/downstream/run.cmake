@@ -27,7 +27,8 @@ file(RENAME ${work}/first ${prefix})
 foreach(file IN ITEMS bin/assay include/assay/harness/assay_material.h
     include/assay/harness/assay_material.f90 share/man/man1/assay.1
     share/doc/assay/LICENSE share/bash-completion/completions/assay share/pkgconfig/assay-abi.pc
-    share/assay/configs/paper/vortex_cpdi.yaml share/doc/assay/README.md share/doc/assay/scenes.md
+    share/assay/configs/paper/vortex_cpdi.yaml
+    share/assay/configs/schema/scene.schema.json share/assay/schema/study.schema.json share/doc/assay/README.md share/doc/assay/scenes.md
     share/doc/assay/figures/demo_shear.png)
   if(NOT EXISTS ${prefix}/${file})
     message(FATAL_ERROR "not installed: ${file}")
