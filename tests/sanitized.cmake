@@ -36,7 +36,7 @@ set(left_out_of_test_drivers # whole runs of full size; studies, which start the
   CutBodies* StudyShards.M* StudyShards.T* StudyFailures.AF* StudyFailures.AM* Clusters* CaseKey.Changes*
   Files/TornCases* StudyResume.C* StudyResume.F* StudyResume.K* StudyResume.M* Plan.* StudyJson.Host*
   Cases/EvalReferences*ring* *BoxRun.ConvergesAt* PlantedInTheBox* Interfaces/ForeignVortex* */closes_everything*
-  CheckForeign.AModelOfPlaneStrainAloneRuns* CheckMethods.RunsEvery* CheckMethods.WritesJson* Check.JUnit*
+  CheckForeign.AModelOfPlaneStrainAloneRuns* CheckMethods.RunsEvery* Check.JUnit*
   Check.AllChecks* Cached.ADamaged* Cached.EverythingThat* Cached.ASheetOfABuiltIn* ForeignModels.TwoCores*
   Frames.TheMethodErrs* Frames.BodiesOf* Frames.AMaterialWith* RimOfARun.CoarseGrids* Run.EveryLattice*
   Run.ACylindrically* Run.Repeats* Run.AnExpect* Run.AnUnst* Run.EveryField* Run.Square* Run.ItsFig*
@@ -49,15 +49,7 @@ set(shards_of_test_fuzz_corpus 1)
 set(left_out_of_test_fuzz_corpus FuzzCorpus.M* FuzzCorpus.D*)
 set(shards_of_test_mutants 4)
 
-# add_shards(TEST_PROGRAM): its tests but those of left_out_of_TEST_PROGRAM, patterns of GoogleTest.
 function(discover_tests target)
   list(JOIN left_out_of_${target} ":" left_out)
-  foreach(shard RANGE 1 ${shards_of_${target}})
-    math(EXPR index "${shard} - 1")
-    set(name ${target}/${shard}_of_${shards_of_${target}})
-    add_test(NAME ${name} COMMAND ${target} "--gtest_filter=-Long*:*/Long*:${left_out}" --gtest_brief=1)
-    set_tests_properties(${name} PROPERTIES
-      ENVIRONMENT_MODIFICATION OMP_WAIT_POLICY=set:passive
-      ENVIRONMENT "${test_environment};GTEST_TOTAL_SHARDS=${shards_of_${target}};GTEST_SHARD_INDEX=${index}")
-  endforeach()
+  add_shards(${target} ${shards_of_${target}} "${left_out}")
 endfunction()
