@@ -14,10 +14,10 @@ namespace {
 
 TEST(CheckMethods, RunsEveryMethodAndSaysItInJsonAndJUnit) {
   const ScratchFolder scratch;
-  const std::string junit = scratch / "methods.xml", table = scratch / "methods.md";
-  const Ending ending = assay({"check", "--methods", "--quick", "--json", "-", "--junit", junit, "--markdown", table});
+  const std::string json = scratch / "methods.json", junit = scratch / "methods.xml", table = scratch / "methods.md";
+  const Ending ending = assay({"check", "--methods", "--quick", "--json", json, "--junit", junit, "--markdown", table});
   EXPECT_EQ(ending.status, 0) << ending.said;
-  const auto found = nlohmann::json::parse(ending.said);
+  const auto found = nlohmann::json::parse(bytes_of(json));
   EXPECT_EQ(found["verdict"], "pass");
   ASSERT_EQ(found["methods"].size(), mpm::all_methods().size());
   std::set<std::string> rows, ids;
@@ -54,6 +54,12 @@ TEST(CheckMethods, RunsEveryMethodAndSaysItInJsonAndJUnit) {
   }
   EXPECT_TRUE(rows.empty());
   EXPECT_NE(ending.said.find("\nn/a  stress.jittered: domains of CPDI"), std::string::npos) << ending.said;
+}
+
+TEST(CheckMethods, WritesJsonAloneOnStandardOutput) {
+  const Ending ending = assay({"check", "--methods", "--quick", "--json", "-"});
+  EXPECT_EQ(ending.status, 0);
+  EXPECT_TRUE(nlohmann::json::parse(ending.said)["tests"].is_array());
 }
 
 TEST(CheckMethods, MarkdownGoesWithMethodsToAFileOfItsOwn) {
