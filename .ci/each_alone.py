@@ -27,6 +27,8 @@ def main(database, jobs):
     commands = {}
     for entry in json.loads(Path(database).read_text()):
         commands.setdefault(entry["file"], (entry["directory"], command_of(entry)))
+    if not commands:
+        sys.exit(f"{database} has no command")
     todo = sorted(wanted & set(commands))
 
     def read(source):
@@ -42,7 +44,7 @@ def main(database, jobs):
                 print(said, end="")
     print(f"{len(todo)} sources by themselves, {len(failed)} do not compile" +
           "".join(f"\n  {Path(source).relative_to(ROOT)}" for source in failed))
-    return 1 if failed or (wanted and not todo) else 0
+    return 1 if failed else 0
 
 
 sys.exit(main(*sys.argv[1:3]))
