@@ -6,7 +6,7 @@ if(NOT ASSAY_SANITIZE MATCHES "thread")
 endif()
 add_executable(test_races harness/test_parallel.cpp harness/test_point_driver.cpp mpm/test_blocks.cpp
   mpm/test_material_batch.cpp mpm/test_stress_blocks.cpp mpm/test_sweep.cpp)
-target_link_libraries(test_races PRIVATE assay_mpm assay_adapters assay_options GTest::gtest_main)
+target_link_libraries(test_races PRIVATE assay_mpm_3d assay_mpm assay_adapters assay_options GTest::gtest_main)
 target_compile_definitions(test_races PRIVATE ASSAY_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 string(JOIN ":" threaded "Parallel.*" "Blocks.*" "Offload.*" "*NumberOfThreads" "*NumberOfThreads/linear_*"
   "*NumberOfThreads/cpdi_*" "*NumberOfThreads/bspline3_*" "Sweep.T*" "MaterialBatches.GiveBit*"
