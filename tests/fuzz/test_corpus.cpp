@@ -42,7 +42,7 @@ void feed(const std::string& text) {
 }
 
 /// Of each text; the fuzzer itself goes on from there.
-const std::size_t places = sanitized() ? 30 : 100;
+const std::size_t places = sanitized() ? 30 : 200;
 
 TEST(FuzzCorpus, SeedsAndTheirPrefixes) {
   const auto texts = seeds();

@@ -98,7 +98,7 @@ start() { # a fresh copy of the bare system, with the package in its root folder
   mount -t proc proc "$root/proc" 2>/dev/null || not_tried "/proc cannot be mounted here"
   mount --rbind /dev "$root/dev"
   mount --bind "$cache/archives" "$root/var/cache/apt/archives"
-  mkdir -m 777 "$root/work"
+  mkdir -m 777 "$root/trial"
 }
 
 as_root() { in_root "$root" "$@" >"$log" 2>&1 || { cat "$log"; fail "$*"; }; }
@@ -114,7 +114,7 @@ fetch_tools() {
 
 # As somebody who may write into one folder only.
 as_user() {
-  in_root "$root" setpriv --reuid=1000 --regid=1000 --clear-groups env HOME=/work/home sh -ec 'cd /work && exec "$@"' \
+  in_root "$root" setpriv --reuid=1000 --regid=1000 --clear-groups env HOME=/trial/home sh -ec 'cd /trial && exec "$@"' \
     sh "$@"
 }
 
@@ -127,7 +127,7 @@ expect() { # WORDS COMMAND...
 
 # What apt and dpkg keep for themselves is no file of the package.
 files() {
-  (cd "$root" && find . -xdev \( -path ./proc -o -path ./dev -o -path ./work -o -path ./var/cache -o -path ./var/log \
+  (cd "$root" && find . -xdev \( -path ./proc -o -path ./dev -o -path ./trial -o -path ./var/cache -o -path ./var/log \
     -o -path ./var/lib/apt -o -path './var/lib/dpkg/*-old' -o -path ./tmp \) -prune -o -print | sort)
 }
 
@@ -150,7 +150,7 @@ try_to_run() {
   took=$((($(now) - began) / 1000000))
   say "assay run $scene: $took ms"
   [ "$took" -lt 10000 ] || fail "the first run took $took ms, more than 10 s"
-  [ -f "$root/work/results/vortex_cpdi/report.html" ] || fail "no report in the current folder"
+  [ -f "$root/trial/results/vortex_cpdi/report.html" ] || fail "no report in the current folder"
   expect 'completed' assay tabulate /usr/share/assay/configs/tabulate/table.yaml
   expect '^neo_hookean' assay materials
   expect 'neo_hookean: pass' assay check neo_hookean --quick
@@ -169,7 +169,7 @@ try_to_remove() {
 try_to_build() {
   # shellcheck disable=SC2086
   as_root apt-get install -y --no-install-recommends "/$name" $tools
-  cp -r "$checkout/tests/downstream" "$root/work/downstream"
+  cp -r "$checkout/tests/downstream" "$root/trial/downstream"
   expect 'Build files' cmake -S downstream -B build -G Ninja -D CMAKE_BUILD_TYPE=Release
   expect 'kirchhoff.so' cmake --build build --verbose
   expect '100% tests passed' ctest --test-dir build -LE must_fail
@@ -187,7 +187,7 @@ try_to_build() {
   expect 'AS EXPECTED' sh -ec 'assay new-material clay --language fortran && cmake -S clay -B clay/build -G Ninja &&
     cmake --build clay/build && ctest --test-dir clay/build && assay run clay/vortex.yaml'
   as_root apt-get purge -y assay
-  left=$(in_root "$root" find / -xdev -name '*assay*' ! -path '/proc/*' ! -path '/work/*' ! -path '/var/log/*' \
+  left=$(in_root "$root" find / -xdev -name '*assay*' ! -path '/proc/*' ! -path '/trial/*' ! -path '/var/log/*' \
     ! -path "/$name")
   [ -z "$left" ] || fail "left behind: $left"
 }
