@@ -93,17 +93,17 @@ CheckReporter reporter_to(int records, int folder_before, const adapters::Proces
   leave_process(0);
 }
 
-std::string new_folder() {
+std::string temporary_folders() {
   std::error_code error;
   const std::filesystem::path base = std::filesystem::temp_directory_path(error);
   if (error) throw SystemError("$TMPDIR is no folder for temporary files: " + error.message());
-  std::string name = (base / "assay-check-XXXXXX").string();
-  return ::mkdtemp(name.data()) ? name : std::string();
+  return base.string();
 }
 
 }  // namespace
 
 Child start_child(const std::vector<CheckTask>& tasks, std::size_t task, double limit_s) {
+  const std::string folders = temporary_folders();
   int records[2], output[2];
   if (::pipe2(records, O_CLOEXEC) != 0 || ::pipe2(output, O_CLOEXEC) != 0) throw_system_error("pipe");
   Child child;
@@ -113,17 +113,16 @@ Child start_child(const std::vector<CheckTask>& tasks, std::size_t task, double 
   child.end = Child::Clock::now() + std::chrono::milliseconds(std::llround(1e3 * limit_s));
   child.limits = tasks[task].limits;
   child.output = std::make_unique<adapters::KeptOutput>();
-  child.folder = new_folder();
   void* page = ::mmap(nullptr, sizeof(adapters::Control), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (page == MAP_FAILED) throw_system_error("mmap");
   child.control = static_cast<adapters::Control*>(page);
   std::fflush(nullptr);  // or the child would write it a second time
-  const auto work = [&] {
+  const auto work = [&](const std::string& folder) {
     call_mark = &child.control->busy_since;
     adapters::mark_crashes(*child.control);
-    serve(tasks[task], {out_of_reach(records[1]), output[1]}, child.folder);
+    serve(tasks[task], {out_of_reach(records[1]), output[1]}, folder);
   };
-  child.keeper = start_kept(work, {records[1], output[1]}, {records[0], output[0]}, child.folder);
+  child.keeper = start_kept(work, {records[1], output[1]}, {records[0], output[0]}, folders);
   ::close(records[1]);
   ::close(output[1]);
   for (const int file : {child.in, child.heard}) ::fcntl(file, F_SETFL, O_NONBLOCK);
@@ -183,7 +182,7 @@ void release(Child& child) {
   child.claim = static_cast<adapters::Death>(child.control->claim.load());
   ::munmap(child.control, sizeof *child.control);
   std::error_code ignored;
-  if (!child.folder.empty()) std::filesystem::remove_all(child.folder, ignored);
+  if (const std::string& folder = child.keeper.folder; !folder.empty()) std::filesystem::remove_all(folder, ignored);
 }
 
 }  // namespace assay::drivers

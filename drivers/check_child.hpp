@@ -27,7 +27,6 @@ struct Child {
   std::string said;  ///< its records so far
   std::unique_ptr<adapters::KeptOutput> output;
   adapters::Control* control = nullptr;  ///< shared: of a foreign call that runs, and how the end was seen to come
-  std::string folder;                    ///< where it stands: what a model writes there is not the user's
   std::uint64_t begin_bytes = 0;         ///< of memory
   enum class Excess { none, time, call, memory } excess = Excess::none;  ///< for which it was ended
   adapters::Death claim = adapters::Death::none;                         ///< how it saw its end come

@@ -63,37 +63,62 @@ void watch(pid_t process, int deaths, int lifeline, int told) {
   }
 }
 
+std::string new_folder(const std::string& folders) {
+  std::string name = folders + "/assay-check-XXXXXX";
+  return ::mkdtemp(name.data()) ? name : std::string();
+}
+
+/// What the keeper tells first; the name of the folder follows.
+struct Introduction {
+  pid_t process;
+  std::size_t length;  ///< of the name
+};
+
+bool introduce(int told, pid_t process, const std::string& folder) {
+  const Introduction first{process, folder.size()};
+  return ::write(told, &first, sizeof first) == sizeof first &&
+         ::write(told, folder.data(), folder.size()) == static_cast<ssize_t>(folder.size());
+}
+
+bool hear_introduction(Keeper& keeper) {
+  Introduction first{};
+  if (::read(keeper.told, &first, sizeof first) != sizeof first) return false;
+  keeper.process = first.process;
+  keeper.folder.resize(first.length);
+  return ::read(keeper.told, keeper.folder.data(), first.length) == static_cast<ssize_t>(first.length);
+}
+
 /// The kept process: at work once its keeper has said who it is, since a model may end the keeper at once.
-[[noreturn]] void begin_work(const std::function<void()>& work, const Pipe& begin) {
+[[noreturn]] void begin_work(const Keeper::Work& work, const std::string& folder, const Pipe& begin) {
   unblock_signals();
   ::close(begin.ends[1]);
   char told;
   if (::read(begin.ends[0], &told, 1) != 1) leave_process(3);
   ::close(begin.ends[0]);
-  work();
+  work(folder);
   leave_process(3);
 }
 
-[[noreturn]] void keep(const std::function<void()>& work, const std::vector<int>& files, int lifeline, int told,
-                       const Pipe& begin, const std::string& folder) {
+[[noreturn]] void keep(const Keeper::Work& work, const std::vector<int>& files, int lifeline, int told,
+                       const Pipe& begin, const std::string& folders) {
   ::setpgid(0, 0);  // not ended by the terminal's Ctrl-C
   adapters::adopt_orphans();
   const int deaths = deaths_of_children();
+  const std::string folder = new_folder(folders);
   const pid_t process = ::fork();
   if (process == 0) {
     close_all({lifeline, told, deaths});
-    begin_work(work, begin);
+    begin_work(work, folder, begin);
   }
   close_all(files);
   ::close(begin.ends[0]);
-  if (process < 0) leave_process(3);
-  ::setpgid(process, process);
-  if (::write(told, &process, sizeof process) == sizeof process) {
+  if (process > 0) ::setpgid(process, process);
+  if (process > 0 && introduce(told, process, folder)) {
     [[maybe_unused]] const ssize_t written = ::write(begin.ends[1], "", 1);
     ::close(begin.ends[1]);
     watch(process, deaths, lifeline, told);
   }
-  ::kill(-process, SIGKILL);
+  if (process > 0) ::kill(-process, SIGKILL);
   adapters::end_descendants();
   std::error_code ignored;
   if (!folder.empty()) std::filesystem::remove_all(folder, ignored);
@@ -102,8 +127,8 @@ void watch(pid_t process, int deaths, int lifeline, int told) {
 
 }  // namespace
 
-Keeper start_kept(const std::function<void()>& work, const std::vector<int>& files, const std::vector<int>& others,
-                  const std::string& folder) {
+Keeper start_kept(const Keeper::Work& work, const std::vector<int>& files, const std::vector<int>& others,
+                  const std::string& folders) {
   const Pipe lifeline, told, begin;
   Keeper keeper;
   keeper.lifeline = lifeline.ends[1];
@@ -113,10 +138,10 @@ Keeper start_kept(const std::function<void()>& work, const std::vector<int>& fil
   if (keeper.pid == 0) {
     close_all(others);
     close_all({lifeline.ends[1], told.ends[0]});
-    keep(work, files, lifeline.ends[0], told.ends[1], begin, folder);
+    keep(work, files, lifeline.ends[0], told.ends[1], begin, folders);
   }
   close_all({lifeline.ends[0], told.ends[1], begin.ends[0], begin.ends[1]});
-  if (::read(keeper.told, &keeper.process, sizeof keeper.process) != sizeof keeper.process) throw_system_error("fork");
+  if (!hear_introduction(keeper)) throw_system_error("fork");
   ::fcntl(keeper.told, F_SETFL, O_NONBLOCK);
   return keeper;
 }
