@@ -19,7 +19,8 @@ ROOT = Path(__file__).resolve().parent.parent
 CALLS = {
     "spine": r"mpm/|cmake/(effects|instructions)|bench/compare_spine|drivers/simulation/|harness/body_force",
     "mutants": r"drivers/(scene|simulation)/|drivers/run|tests/fuzz/",
-    "long": r"harness/|adapters/|mpm/|tests/(harness|adapters|mpm|downstream)/|tests/scenes[.]cmake|configs/(hard|methods|models)/",
+    "long": r"harness/|adapters/|mpm/|drivers/(simulation|study)/|tests/(harness|adapters|mpm|drivers|downstream)/|"
+            r"tests/scenes[.]cmake|configs/(hard|methods|models)/|docs/check[.]md",
     "bench": r"bench/",
     "package": r"cmake/|CMakeLists|tests/(package|downstream)/|completions/|configs/schema/|docs/assay[.]1|dev$",
 }

@@ -4,11 +4,29 @@
 
 #include "adapters/builtin.hpp"
 #include "drivers/check_output.hpp"
+#include "drivers/input_error.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/methods_table.hpp"
 #include "drivers/verbs.hpp"
 
 namespace assay::drivers {
+
+namespace {
+
+/// All that can be composed, or the one of that name.
+std::vector<mpm::Method> chosen_methods(const std::string& name) {
+  const std::vector<mpm::Method> all = mpm::all_methods();
+  if (name.empty()) return all;
+  std::vector<std::string> names;
+  for (const mpm::Method& method : all) {
+    if (name_of(method) == name) return {method};
+    names.push_back(name_of(method));
+  }
+  throw InputError({}, "--methods",
+                   unknown("method '" + one_line(name, 60) + "'", name, names) + "; --methods alone prints them all");
+}
+
+}  // namespace
 
 int check_methods(const CheckOptions& options) {
   watch_interrupts();
@@ -17,7 +35,7 @@ int check_methods(const CheckOptions& options) {
   const auto material = std::make_shared<const Material>(adapters::builtin_table("neo_hookean"),
                                                          std::map<std::string, double>{{"E", 1e3}, {"nu", 0.3}});
   const mpm::Bench bench = mpm::bench_of(material, options.quick);
-  for (const mpm::Method& method : mpm::all_methods()) {
+  for (const mpm::Method& method : chosen_methods(options.material)) {
     stop_if_interrupted();
     checked.methods.push_back(mpm::run_patch_tests(method, bench));
   }

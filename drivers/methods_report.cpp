@@ -101,9 +101,10 @@ std::string methods_text(const CheckedMethods& checked, Verbosity verbosity) {
     for (const auto& report : checked.methods) page += rows_of(report, verbosity);
     page += "\n" + reasons(checked);
   }
-  return page + "methods: " + (checked.passes() ? "pass" : "FAIL") + "; " + std::to_string(checked.methods.size()) +
-         " methods, " + std::to_string(count_of(checked, Verdict::pass)) + " tests passed, " +
-         std::to_string(count_of(checked, Verdict::fail)) + " failed, " +
+  const std::size_t count = checked.methods.size();
+  return page + "methods: " + (checked.passes() ? "pass" : "FAIL") + "; " + std::to_string(count) +
+         (count == 1 ? " method, " : " methods, ") + std::to_string(count_of(checked, Verdict::pass)) +
+         " tests passed, " + std::to_string(count_of(checked, Verdict::fail)) + " failed, " +
          std::to_string(count_of(checked, Verdict::not_applicable)) + " not promised\n";
 }
 

@@ -140,7 +140,7 @@ Verb check_verb(CLI::App& app, Arguments& given) {
   auto* all = verb.add_flag("--all", given.all, "everything that is registered, in parallel");
   auto* replay = verb.add_option("--replay", given.replay, "a failure again, alone");
   replay->type_name("FILE");
-  auto* methods = verb.add_flag("--methods", given.methods, "patch tests of the particle methods");
+  auto* methods = verb.add_flag("--methods", given.methods, "patch tests of all particle methods, or of that one");
   auto* parameters = verb.add_option("--parameters", given.parameters, "in place of the defaults");
   parameters->type_name("NAME=NUMBER,...");
   verb.add_option("--json", given.json_file, "verdicts and diagnosis (- for standard output)")->type_name("FILE");
@@ -153,8 +153,8 @@ Verb check_verb(CLI::App& app, Arguments& given) {
   add_out(verb, given, "DIR", "folder of failures' replay files (results/check)");
   return {&verb, [&given, checked, all, replay, methods, parameters, markdown] {
             const auto given_of = [](const CLI::Option* option) { return option->count() > 0 ? 1 : 0; };
-            if (given_of(checked) + given_of(all) + given_of(replay) + given_of(methods) != 1)
-              throw InputError("assay check: takes one of MATERIAL, --all, --methods and --replay FILE");
+            if (std::max(given_of(checked), given_of(methods)) + given_of(all) + given_of(replay) != 1)
+              throw InputError("assay check: takes one of MATERIAL, --all, --methods [METHOD] and --replay FILE");
             if (given_of(parameters) && given_of(methods) + given_of(replay) > 0)
               throw InputError("assay check: --methods and --replay take no --parameters");
             if (given_of(markdown) > given_of(methods)) throw InputError("assay check: --markdown goes with --methods");

@@ -49,7 +49,7 @@ struct ExplainOptions {
 };
 
 struct CheckOptions {
-  std::string material;    ///< registered name, library, description or scene
+  std::string material;    ///< registered name, library, description or scene; with `methods` the name of one, or empty
   std::string parameters;  ///< "E=1e3,nu=0.3"
   std::string json;        ///< file; "-": standard output; empty: none
   std::string junit;       ///< the same

@@ -89,7 +89,8 @@ void run_variant(const Scene& scene, int threads, OutputFolder& folder, bool qui
   take_figures(result, run);
 }
 
-/// Section 3 of the paper, whatever the grid. It names no density there, and takes 1000 kg/m^3 in section 2.
+}  // namespace
+
 bool is_table_1(const Problem& problem) {
   const Scene& scene = problem.scene;
   const auto* motion = std::get_if<Homogeneous>(&scene.motion);
@@ -102,8 +103,6 @@ bool is_table_1(const Problem& problem) {
   return problem.material->name() == "neo_hookean" && problem.library.empty() && material.density == 1000 &&
          material.parameters.at("E") == 1e6 && material.parameters.at("nu") == 0.25 && scene.time.end == 1;
 }
-
-}  // namespace
 
 TractionTable traction_table(const Problem& problem, const Result& own, OutputFolder& folder, bool quiet) {
   using Clock = std::chrono::steady_clock;

@@ -126,15 +126,6 @@ TEST(Tables, SceneKeysAreThoseOfTheSchema) {
   EXPECT_NE(page.find(table), page.npos) << "docs/scenes.md is to hold this table:\n" << table;
 }
 
-TEST(Tables, MethodsAndPatchTestsAreThoseOfTheProgram) {
-  const house::Outcome ran = house::run_assay("check --methods --quick --quiet --markdown -");
-  EXPECT_EQ(ran.status, 0) << ran.output;
-  ASSERT_GT(house::lines_of(ran.output).size(), 10u) << ran.output;
-  EXPECT_NE(house::text_of("docs/check.md").find(ran.output), std::string::npos)
-      << "docs/check.md is to hold this table:\n"
-      << ran.output;
-}
-
 Json effects() {
   const auto ran = house::run_assay("explain '" ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml' --json");
   return Json::parse(ran.output)["effects"];

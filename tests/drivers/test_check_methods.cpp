@@ -12,7 +12,8 @@
 namespace assay::drivers::test_check_methods {
 namespace {
 
-TEST(CheckMethods, RunsEveryMethodAndSaysItInJsonAndJUnit) {
+/// All in one test: the methods are what takes the time.
+TEST(CheckMethods, RunsEveryMethodAndSaysItInJsonJUnitAndTheTableOfTheDocuments) {
   const ScratchFolder scratch;
   const std::string json = scratch / "methods.json", junit = scratch / "methods.xml", table = scratch / "methods.md";
   const Ending ending = assay({"check", "--methods", "--quick", "--json", json, "--junit", junit, "--markdown", table});
@@ -38,7 +39,12 @@ TEST(CheckMethods, RunsEveryMethodAndSaysItInJsonAndJUnit) {
   EXPECT_NE(xml.find("name=\"cpdi/flip/usl rotation.volume\""), std::string::npos);
   EXPECT_EQ(xml.find("<failure"), std::string::npos);
   EXPECT_NE(xml.find("not promised: "), std::string::npos);
-  EXPECT_EQ(bytes_of(table).rfind("All " + std::to_string(found["methods"].size()) + " methods pass `", 0), 0u);
+  const std::string markdown = bytes_of(table);
+  EXPECT_EQ(markdown.rfind("All " + std::to_string(found["methods"].size()) + " methods pass `", 0), 0u);
+  EXPECT_GT(std::count(markdown.begin(), markdown.end(), '\n'), 10);
+  EXPECT_NE(bytes_of(ASSAY_SOURCE_DIR "/docs/check.md").find(markdown), std::string::npos)
+      << "docs/check.md is to hold this table:\n"
+      << markdown;
 
   std::istringstream page(ending.said);
   std::string line, method;
@@ -56,10 +62,26 @@ TEST(CheckMethods, RunsEveryMethodAndSaysItInJsonAndJUnit) {
   EXPECT_NE(ending.said.find("\nn/a  stress.jittered: domains of CPDI"), std::string::npos) << ending.said;
 }
 
-TEST(CheckMethods, WritesJsonAloneOnStandardOutput) {
-  const Ending ending = assay({"check", "--methods", "--quick", "--json", "-"});
+TEST(CheckMethods, WritesJsonAloneOnStandardOutputAndOfOneMethodThatAlone) {
+  const Ending ending = assay({"check", "--methods", "cpdi/flip/usl", "--json", "-"});
   EXPECT_EQ(ending.status, 0);
-  EXPECT_TRUE(nlohmann::json::parse(ending.said)["tests"].is_array());
+  const auto found = nlohmann::json::parse(ending.said);
+  EXPECT_EQ(found["methods"], nlohmann::json({"cpdi/flip/usl"}));
+  ASSERT_TRUE(found["tests"].is_array());
+  for (const auto& test : found["tests"]) EXPECT_EQ(test["method"], "cpdi/flip/usl");
+}
+
+TEST(CheckMethods, AnUnknownMethodNamesTheNearest) {
+  const Ending ending = assay({"check", "--methods", "cpdi/flap/usl"});
+  EXPECT_EQ(ending.status, 2);
+  EXPECT_EQ(ending.said,
+            "--methods: unknown method 'cpdi/flap/usl' (nearest: cpdi/flip/usl); --methods alone prints them all\n");
+}
+
+TEST(CheckMethods, MarkdownAloneGoesToStandardOutput) {
+  const Ending ending = assay({"check", "--methods", "cpdi/flip/usl", "--quick", "--quiet", "--markdown", "-"});
+  EXPECT_EQ(ending.status, 0);
+  EXPECT_EQ(ending.said.rfind("All 1 methods pass `", 0), 0u) << ending.said;
 }
 
 TEST(CheckMethods, MarkdownGoesWithMethodsToAFileOfItsOwn) {
@@ -110,7 +132,7 @@ TEST(MethodsReport, TextFitsEightyColumnsAndShowsWhatFails) {
     std::istringstream page(text);
     std::string line, last;
     for (; std::getline(page, line); last = line) EXPECT_LE(line.size(), 80u) << line;
-    EXPECT_EQ(last, "methods: FAIL; 1 methods, 1 tests passed, 1 failed, 1 not promised");
+    EXPECT_EQ(last, "methods: FAIL; 1 method, 1 tests passed, 1 failed, 1 not promised");
     EXPECT_EQ(text.find("unstable & gone") != std::string::npos, verbosity != Verbosity::quiet);
     EXPECT_EQ(text.find("holes") != std::string::npos, verbosity == Verbosity::verbose);
   }

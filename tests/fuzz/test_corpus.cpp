@@ -73,17 +73,26 @@ TEST(FuzzCorpus, ScenesOfManyParticlesAreRefused) {
   }
 }
 
-TEST(FuzzCorpus, DamagedBytes) {
+/// Of all damages those whose number leaves this rest when it is divided by three.
+void feed_damaged(std::size_t rest) {
   const std::string damages("\0[{}]:\"'\n&*!-#9\xff", 16);
   std::size_t turn = 0;
   for (std::string text : seeds()) {
     for (std::size_t at = 0; at < text.size(); at += 1 + text.size() / places, ++turn) {
+      if (turn % 3 != rest) continue;
       const char kept = text[at];
       text[at] = damages[turn % damages.size()];
       feed(text);
       text[at] = kept;
     }
   }
+}
+
+TEST(FuzzCorpus, DamagedBytes) { feed_damaged(0); }
+
+TEST(LongFuzzCorpus, MoreDamagedBytes) {
+  feed_damaged(1);
+  feed_damaged(2);
 }
 
 /// As those that run through the program itself, others of them.

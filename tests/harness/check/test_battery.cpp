@@ -95,7 +95,7 @@ TEST(Battery, NamesWhatIsPlantedInAFractionOfTheTime) {
 }
 
 /// One test for all of it: the batteries are what takes the time.
-TEST(Battery, NamesWhatIsPlantedAndKeepsTheMarginsOfTheDocuments) {
+TEST(LongBattery, NamesWhatIsPlantedAndKeepsTheMarginsOfTheDocuments) {
   std::vector<Margin> margins;
   for (const auto& subject : all_subjects()) {
     const Report full = battery_of(subject);
