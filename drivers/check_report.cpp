@@ -2,11 +2,11 @@
 #include "drivers/check_report.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "drivers/input_error.hpp"
 #include "drivers/material/material_path.hpp"
+#include "drivers/output/json_figure.hpp"
 #include "drivers/output/junit.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/numbers.hpp"
@@ -20,26 +20,22 @@ using Json = nlohmann::ordered_json;
 using check::TestResult;
 using check::Verdict;
 
-Json number(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
-
 Json json_of(const CheckedMaterial& checked) {
   Json out;
   out["material"] = checked.name;
-  out["library"] = checked.library.empty() ? Json(nullptr) : Json(checked.library);
+  out["library"] = json_text(checked.library);
   if (!checked.description.empty()) out["description"] = checked.description;
-  out["model"] = checked.model.empty() ? Json(nullptr) : Json(checked.model);
+  out["model"] = json_text(checked.model);
   out["parameters"] = Json::object();
-  for (const auto& [name, value] : checked.parameters) out["parameters"][name] = number(value);
+  for (const auto& [name, value] : checked.parameters) out["parameters"][name] = json_figure(value);
   if (!checked.of_example.empty()) out["parameters_of_example"] = checked.of_example;
   out["verdict"] = overall(checked);
-  out["error"] = checked.error.empty() ? Json(nullptr) : Json(checked.error);
-  out["unwritten"] = checked.unwritten.empty() ? Json(nullptr) : Json(checked.unwritten);
+  out["error"] = json_text(checked.error);
+  out["unwritten"] = json_text(checked.unwritten);
   out["printed"] = checked.printed;
-  out["wall_s"] = number(checked.wall_s);
-  out["strain"] = number(checked.report.strain);
-  out["pressure"] = number(checked.report.pressure);
+  out["wall_s"] = json_figure(checked.wall_s);
+  out["strain"] = json_figure(checked.report.strain);
+  out["pressure"] = json_figure(checked.report.pressure);
   out["diagnosis"] = Json::array();
   for (const check::Diagnosis& d : checked.report.diagnosis) {
     out["diagnosis"].push_back({{"cause", d.cause}, {"sentence", d.sentence}});
@@ -49,10 +45,10 @@ Json json_of(const CheckedMaterial& checked) {
     const auto replay = checked.replays.find(test.id);
     out["tests"].push_back({{"id", test.id},
                             {"verdict", verdict_name(test.verdict)},
-                            {"measure", number(test.measure)},
-                            {"threshold", number(test.threshold)},
-                            {"order", number(test.order)},
-                            {"cause", test.cause.empty() ? Json(nullptr) : Json(test.cause)},
+                            {"measure", json_figure(test.measure)},
+                            {"threshold", json_figure(test.threshold)},
+                            {"order", json_figure(test.order)},
+                            {"cause", json_text(test.cause)},
                             {"sentence", test.sentence},
                             {"replay", replay == checked.replays.end() ? Json(nullptr) : Json(replay->second)}});
   }

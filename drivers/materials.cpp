@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay materials`: what is registered, for people (80 columns) and for machines.
-#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "drivers/material/material_path.hpp"
 #include "drivers/material/material_text.hpp"
 #include "drivers/material/registry.hpp"
+#include "drivers/output/json_figure.hpp"
 #include "drivers/verbs.hpp"
 
 namespace assay::drivers {
@@ -15,8 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON has no infinity: null is "none".
-Json figure(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json text(const char* value) { return value ? Json(value) : Json(nullptr); }
 
 Json parameters_json(const MaterialSource& source) {
@@ -25,9 +23,9 @@ Json parameters_json(const MaterialSource& source) {
     const auto own = source.parameters.find(p.name);
     list.push_back({{"name", text(p.name)},
                     {"unit", text(p.unit)},
-                    {"default", figure(own == source.parameters.end() ? p.default_value : own->second)},
-                    {"lower", figure(p.lower)},
-                    {"upper", figure(p.upper)},
+                    {"default", json_figure(own == source.parameters.end() ? p.default_value : own->second)},
+                    {"lower", json_figure(p.lower)},
+                    {"upper", json_figure(p.upper)},
                     {"doc", text(p.doc)}});
   }
   return list;
@@ -54,8 +52,8 @@ Json material_json(const std::string& name, const MaterialSource& source) {
   out["licence"] = text(table.licence);
   out["doc"] = text(table.doc);
   out["library"] = source.library.empty() ? Json("built-in") : Json(source.library);
-  out["description"] = source.description.empty() ? Json(nullptr) : Json(source.description);
-  out["density"] = source.density ? figure(*source.density) : Json(nullptr);
+  out["description"] = json_text(source.description);
+  out["density"] = source.density ? json_figure(*source.density) : Json(nullptr);
   out["flags"] = flag_names(table);
   out["parameters"] = parameters_json(source);
   out["state"] = state_json(table);

@@ -7,6 +7,7 @@
 
 #include "drivers/check_report.hpp"
 #include "drivers/input_error.hpp"
+#include "drivers/output/json_figure.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/table_text.hpp"
 #include "drivers/output/wrapped_text.hpp"
@@ -67,10 +68,6 @@ std::string reasons(const CheckedMethods& checked) {
   return page;
 }
 
-Json method_figure(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
-
 Json json_of(const mpm::Method& method, const TestResult& test) {
   const mpm::MethodNames names = names_of(method);
   return {{"method", name_of(method)},
@@ -81,10 +78,10 @@ Json json_of(const mpm::Method& method, const TestResult& test) {
           {"mass", names.mass},
           {"id", test.id},
           {"verdict", verdict_name(test.verdict)},
-          {"measure", method_figure(test.measure)},
-          {"threshold", method_figure(test.threshold)},
-          {"order", method_figure(test.order)},
-          {"cause", test.cause.empty() ? Json(nullptr) : Json(test.cause)},
+          {"measure", json_figure(test.measure)},
+          {"threshold", json_figure(test.threshold)},
+          {"order", json_figure(test.order)},
+          {"cause", json_text(test.cause)},
           {"sentence", test.sentence}};
 }
 

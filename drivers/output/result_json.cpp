@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/output/result_json.hpp"
 
-#include "drivers/output/json_depth.hpp"
-
-#include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "drivers/output/json_depth.hpp"
+#include "drivers/output/json_figure.hpp"
 
 namespace assay::drivers {
 
@@ -12,28 +12,26 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json figure(const Figure& value) { return value && std::isfinite(*value) ? Json(*value) : Json(nullptr); }
-
 Json count_or_null(const std::optional<std::int64_t>& value) { return value ? Json(*value) : Json(nullptr); }
 
 Json maximum(const FieldMaximum& field) {
-  return Json::object({{"l2_max", figure(field.l2_max)}, {"linf_max", figure(field.linf_max)}});
+  return Json::object({{"l2_max", json_figure(field.l2_max)}, {"linf_max", json_figure(field.linf_max)}});
 }
 
 Json errors(const ErrorFigures& error) {
   Json out;
-  out["l2_half"] = figure(error.l2_half);
-  out["l2_end"] = figure(error.l2_end);
-  out["l2_max"] = figure(error.l2_max);
-  out["linf_max"] = figure(error.linf_max);
-  out["rms36_half"] = figure(error.rms36_half);
-  out["rms36_end"] = figure(error.rms36_end);
-  out["rms36_max"] = figure(error.rms36_max);
+  out["l2_half"] = json_figure(error.l2_half);
+  out["l2_end"] = json_figure(error.l2_end);
+  out["l2_max"] = json_figure(error.l2_max);
+  out["linf_max"] = json_figure(error.linf_max);
+  out["rms36_half"] = json_figure(error.rms36_half);
+  out["rms36_end"] = json_figure(error.rms36_end);
+  out["rms36_max"] = json_figure(error.rms36_max);
   out["velocity"] = maximum(error.velocity);
   out["deformation_gradient"] = maximum(error.deformation_gradient);
   out["jacobian"] = maximum(error.jacobian);
   out["stress"] = maximum(error.stress);
-  out["relative"] = figure(error.relative);
+  out["relative"] = json_figure(error.relative);
   return out;
 }
 
@@ -48,8 +46,8 @@ Json passes(const std::vector<PassFigures>& list) {
   Json out = Json::array();
   for (const PassFigures& pass : list) {
     out.push_back(Json::object({{"name", pass.name},
-                                {"seconds", figure(pass.seconds)},
-                                {"bytes_per_particle", figure(pass.bytes_per_particle)}}));
+                                {"seconds", json_figure(pass.seconds)},
+                                {"bytes_per_particle", json_figure(pass.bytes_per_particle)}}));
   }
   return out;
 }
@@ -57,10 +55,10 @@ Json passes(const std::vector<PassFigures>& list) {
 Json sheet(const std::optional<SheetFigures>& figures) {
   Json out;
   out["points"] = figures ? Json(figures->points) : Json(nullptr);
-  out["error_tau"] = figures ? figure(figures->error_tau) : Json(nullptr);
-  out["error_dtau"] = figures ? figure(figures->error_dtau) : Json(nullptr);
-  out["error_b"] = figures ? figure(figures->error_b) : Json(nullptr);
-  out["wall_s"] = figures ? figure(figures->wall_s) : Json(nullptr);
+  out["error_tau"] = figures ? json_figure(figures->error_tau) : Json(nullptr);
+  out["error_dtau"] = figures ? json_figure(figures->error_dtau) : Json(nullptr);
+  out["error_b"] = figures ? json_figure(figures->error_b) : Json(nullptr);
+  out["wall_s"] = figures ? json_figure(figures->wall_s) : Json(nullptr);
   out["cached"] = figures ? Json(figures->cached) : Json(nullptr);
   return out;
 }
@@ -69,28 +67,28 @@ Json screen(const std::optional<ScreenFigures>& found) {
   const ScreenFigures figures = found.value_or(ScreenFigures{});
   Json out;
   out["verdict"] = found ? Json(figures.verdict) : Json(nullptr);
-  out["t"] = figure(figures.t);
-  out["xi"] = figure(figures.xi);
-  out["gamma"] = figure(figures.gamma);
-  out["smallest"] = figure(figures.smallest);
+  out["t"] = json_figure(figures.t);
+  out["xi"] = json_figure(figures.xi);
+  out["gamma"] = json_figure(figures.gamma);
+  out["smallest"] = json_figure(figures.smallest);
   out["unjudged"] = found ? Json(figures.unjudged) : Json(nullptr);
-  out["largest_safe_amplitude"] = figure(figures.largest_safe_amplitude);
-  out["wall_s"] = found ? figure(figures.wall_s) : Json(nullptr);
+  out["largest_safe_amplitude"] = json_figure(figures.largest_safe_amplitude);
+  out["wall_s"] = found ? json_figure(figures.wall_s) : Json(nullptr);
   return out;
 }
 
 Json reference(const ReferenceFigures& figures) {
   Json out;
-  out["closed_form"] = figure(figures.closed_form);
-  out["rate_form"] = figure(figures.rate_form);
+  out["closed_form"] = json_figure(figures.closed_form);
+  out["rate_form"] = json_figure(figures.rate_form);
   return out;
 }
 
 Json growth(const std::optional<GrowthFigures>& figures) {
   Json out;
-  out["rate"] = figures ? figure(figures->rate) : Json(nullptr);
-  out["from"] = figures ? figure(figures->from) : Json(nullptr);
-  out["to"] = figures ? figure(figures->to) : Json(nullptr);
+  out["rate"] = figures ? json_figure(figures->rate) : Json(nullptr);
+  out["from"] = figures ? json_figure(figures->from) : Json(nullptr);
+  out["to"] = figures ? json_figure(figures->to) : Json(nullptr);
   return out;
 }
 
@@ -98,39 +96,39 @@ Json tractions(const std::vector<TractionRun>& runs) {
   Json out = Json::array();
   for (const TractionRun& run : runs) {
     out.push_back(Json::object({{"algorithm", run.algorithm},
-                                {"form", run.form.empty() ? Json(nullptr) : Json(run.form)},
-                                {"spacing", figure(run.spacing)},
+                                {"form", json_text(run.form)},
+                                {"spacing", json_figure(run.spacing)},
                                 {"outcome", run.outcome},
-                                {"t", figure(run.t)},
-                                {"l2_end", figure(run.l2_end)},
-                                {"l2_max", figure(run.l2_max)}}));
+                                {"t", json_figure(run.t)},
+                                {"l2_end", json_figure(run.l2_end)},
+                                {"l2_max", json_figure(run.l2_max)}}));
   }
   return out;
 }
 
 Json rim(const std::optional<RimFigures>& figures) {
   Json out;
-  out["width"] = figures ? figure(figures->width) : Json(nullptr);
-  out["cells"] = figures ? figure(figures->cells) : Json(nullptr);
+  out["width"] = figures ? json_figure(figures->width) : Json(nullptr);
+  out["cells"] = figures ? json_figure(figures->cells) : Json(nullptr);
   return out;
 }
 
 Json drift(const DriftFigures& figures) {
   Json out;
-  out["mass"] = figure(figures.mass);
-  out["momentum"] = figure(figures.momentum);
-  out["angular_momentum"] = figure(figures.angular_momentum);
-  out["energy"] = figure(figures.energy);
+  out["mass"] = json_figure(figures.mass);
+  out["momentum"] = json_figure(figures.momentum);
+  out["angular_momentum"] = json_figure(figures.angular_momentum);
+  out["energy"] = json_figure(figures.energy);
   return out;
 }
 
 Json health(const HealthFigures& figures) {
   Json out;
-  out["jacobian_min"] = figure(figures.jacobian_min);
-  out["fastest"] = figure(figures.fastest);
-  out["courant"] = figure(figures.courant);
-  out["domain_extent"] = figure(figures.domain_extent);
-  out["energy"] = figure(figures.energy);
+  out["jacobian_min"] = json_figure(figures.jacobian_min);
+  out["fastest"] = json_figure(figures.fastest);
+  out["courant"] = json_figure(figures.courant);
+  out["domain_extent"] = json_figure(figures.domain_extent);
+  out["energy"] = json_figure(figures.energy);
   return out;
 }
 
@@ -158,25 +156,25 @@ Json provenance(const Provenance& from) {
 Json tree(const Result& result) {
   Json out;
   out["outcome"] = result.outcome;
-  out["reason"] = result.reason.empty() ? Json(nullptr) : Json(result.reason);
+  out["reason"] = json_text(result.reason);
   out["warnings"] = result.warnings;
-  out["t"] = figure(result.t);
-  out["dt"] = figure(result.dt);
+  out["t"] = json_figure(result.t);
+  out["dt"] = json_figure(result.dt);
   out["steps"] = count_or_null(result.steps);
   out["particles"] = count_or_null(result.particles);
   out["particles_held"] =
       result.particles && result.moving_particles ? Json(*result.particles - *result.moving_particles) : Json(nullptr);
   out["uses_exact_solution"] = result.uses_exact_solution;
   out["error"] = errors(result.error);
-  out["setup_s"] = figure(result.setup_s);
-  out["wall_s"] = figure(result.wall_s);
-  out["cpu_s"] = figure(result.cpu_s);
-  out["step_cpu_s"] = figure(result.step_cpu_s);
+  out["setup_s"] = json_figure(result.setup_s);
+  out["wall_s"] = json_figure(result.wall_s);
+  out["cpu_s"] = json_figure(result.cpu_s);
+  out["step_cpu_s"] = json_figure(result.step_cpu_s);
   out["peak_rss_bytes"] = result.peak_rss_bytes;
   out["work"] = Json::object({{"particle_steps", result.particle_steps},
                               {"material_calls", result.material_calls},
                               {"bytes", bytes_of(result)}});
-  out["particle_steps_per_s"] = figure(result.particle_steps_per_s);
+  out["particle_steps_per_s"] = json_figure(result.particle_steps_per_s);
   out["passes"] = passes(result.passes);
   out["sheet"] = sheet(result.sheet);
   out["screen"] = screen(result.screen);
@@ -186,8 +184,8 @@ Json tree(const Result& result) {
   if (result.tractions) out["tractions"] = tractions(result.tractions->runs);
   out["drift"] = drift(result.drift);
   out["health"] = health(result.health);
-  out["last_good"] = result.last_good.empty() ? Json(nullptr) : Json(result.last_good);
-  out["replay"] = result.replay.empty() ? Json(nullptr) : Json(result.replay);
+  out["last_good"] = json_text(result.last_good);
+  out["replay"] = json_text(result.replay);
   out["expect"] = expectations(result.expect);
   out["provenance"] = provenance(result.provenance);
   return out;

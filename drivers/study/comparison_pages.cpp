@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "drivers/input_error.hpp"
+#include "drivers/output/json_figure.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/study/comparison_text.hpp"
 
@@ -31,13 +31,11 @@ std::string in_unit(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : name + " [" + unit + "]";
 }
 
-Json figure_json(const Figure& value) { return value && std::isfinite(*value) ? Json(*value) : Json(nullptr); }
-
 Json compared_json(const ComparedFigure& figure) {
   Json out;
-  out["a"] = figure_json(figure.before);
-  out["b"] = figure_json(figure.after);
-  out["bound"] = figure_json(figure.bound);
+  out["a"] = json_figure(figure.before);
+  out["b"] = json_figure(figure.after);
+  out["bound"] = json_figure(figure.bound);
   out["trend"] = figure.trend;
   return out;
 }
@@ -60,15 +58,13 @@ const char* standing_name(Standing standing) {
   return "compared";
 }
 
-Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
-
 Json case_json_of(const ComparedCase& one) {
   Json out;
   out["label"] = one.label;
   out["standing"] = standing_name(one.standing);
   out["worse"] = one.is_worse();
-  out["outcome_a"] = text_or_null(one.outcome_a);
-  out["outcome_b"] = text_or_null(one.outcome_b);
+  out["outcome_a"] = json_text(one.outcome_a);
+  out["outcome_b"] = json_text(one.outcome_b);
   out["error"] = compared_json(one.error);
   out["cost"] = compared_json(one.cost);
   out["noise_measured"] = one.noise_measured;
@@ -120,9 +116,9 @@ std::string comparison_json(const StoredStudy& A, const StoredStudy& B, const Co
   for (const ComparedCase& one : found.cases) out["cases"].push_back(case_json_of(one));
   out["digits"] = Json::array();
   for (const ComparedDigit& digit : found.digits) {
-    out["digits"].push_back(Json::object({{"error", figure_json(digit.error)},
-                                          {"a", text_or_null(digit.a)},
-                                          {"b", text_or_null(digit.b)},
+    out["digits"].push_back(Json::object({{"error", json_figure(digit.error)},
+                                          {"a", json_text(digit.a)},
+                                          {"b", json_text(digit.b)},
                                           {"changed", digit.changed},
                                           {"told_apart", digit.told_apart}}));
   }

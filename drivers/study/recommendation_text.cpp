@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "drivers/output/json_figure.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/wrapped_text.hpp"
@@ -83,8 +83,6 @@ std::string next_text(const StoredStudy& study, const std::optional<NextDigit>& 
   return wrapped(between.empty() ? "no measured case meets it" : between + factor, first, "  ");
 }
 
-Json json_figure(const Figure& value) { return value && std::isfinite(*value) ? Json(*value) : Json(nullptr); }
-
 Json json_case(const StoredStudy& study, const std::optional<std::size_t>& index) {
   if (!index) return nullptr;
   const StudyCase& one = study.findings.cases[*index];
@@ -95,7 +93,7 @@ Json json_case(const StoredStudy& study, const std::optional<std::size_t>& index
   out["label"] = one.label;
   out["values"] = Json::object();
   for (const AxisValue& at : one.values) out["values"][at.axis] = at.value;
-  out["folder"] = folder.empty() ? Json(nullptr) : Json(folder);
+  out["folder"] = json_text(folder);
   out["command"] = folder.empty() ? Json(nullptr) : Json(command_of(study, one));
   out["error"] = json_figure(one.error);
   out["cost"] = json_figure(one.cost);

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/study/study_json.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "drivers/output/json_figure.hpp"
 
 namespace assay::drivers {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json study_figure(const Figure& value) { return value && std::isfinite(*value) ? Json(*value) : Json(nullptr); }
 
 Json index_json(const std::optional<std::size_t>& index) { return index ? Json(*index) : Json(nullptr); }
 
@@ -22,11 +21,11 @@ Json list_json(const List& list, const Convert& convert) {
 }
 
 Json numbers_json(const std::vector<double>& list) {
-  return list_json(list, [](double each) { return study_figure(each); });
+  return list_json(list, [](double each) { return json_figure(each); });
 }
 
 Json leaf_json(const FlatValue& value) {
-  if (const double* number = std::get_if<double>(&value)) return study_figure(*number);
+  if (const double* number = std::get_if<double>(&value)) return json_figure(*number);
   if (const std::string* text = std::get_if<std::string>(&value)) return *text;
   if (const bool* flag = std::get_if<bool>(&value)) return *flag;
   return nullptr;
@@ -45,8 +44,8 @@ Json clock_json(const ClockReadings& clock) {
 
 Json pass_json(const PassFigures& pass) {
   return Json::object({{"name", pass.name},
-                       {"seconds", study_figure(pass.seconds)},
-                       {"bytes_per_particle", study_figure(pass.bytes_per_particle)}});
+                       {"seconds", json_figure(pass.seconds)},
+                       {"bytes_per_particle", json_figure(pass.bytes_per_particle)}});
 }
 
 Json case_json(const StudyCase& one) {
@@ -58,14 +57,14 @@ Json case_json(const StudyCase& one) {
   });
   out["label"] = one.label;
   out["series"] = one.series;
-  out["resolution"] = study_figure(one.resolution);
+  out["resolution"] = json_figure(one.resolution);
   out["outcome"] = one.outcome;
   out["reason"] = one.reason;
   out["budget"] = one.budget;
-  out["error"] = study_figure(one.error);
-  out["cost"] = study_figure(one.cost);
-  out["cost_spread"] = study_figure(one.cost_spread);
-  out["work"] = study_figure(one.work);
+  out["error"] = json_figure(one.error);
+  out["cost"] = json_figure(one.cost);
+  out["cost_spread"] = json_figure(one.cost_spread);
+  out["work"] = json_figure(one.work);
   out["eligible"] = one.eligible;
   out["on_front"] = one.on_front;
   out["clock"] = clock_json(one.clock);
@@ -73,7 +72,7 @@ Json case_json(const StudyCase& one) {
   for (const auto& [key, value] : one.figures) out["figures"][key] = leaf_json(value);
   out["passes"] = list_json(one.passes, pass_json);
   out["history"] = list_json(one.history, [](const std::array<double, 2>& at) {
-    return Json::array({study_figure(at[0]), study_figure(at[1])});
+    return Json::array({json_figure(at[0]), json_figure(at[1])});
   });
   return out;
 }
@@ -81,7 +80,7 @@ Json case_json(const StudyCase& one) {
 Json fit_json(const std::optional<FittedOrder>& fit) {
   if (!fit) return nullptr;
   return Json::object(
-      {{"order", study_figure(fit->order)}, {"lower", study_figure(fit->lower)}, {"upper", study_figure(fit->upper)}});
+      {{"order", json_figure(fit->order)}, {"lower", json_figure(fit->lower)}, {"upper", json_figure(fit->upper)}});
 }
 
 Json series_json(const StudySeries& series) {
@@ -89,25 +88,25 @@ Json series_json(const StudySeries& series) {
   Json out;
   out["name"] = series.name;
   out["cases"] = series.cases;
-  out["pairwise"] = list_json(series.pairwise, study_figure);
+  out["pairwise"] = list_json(series.pairwise, json_figure);
   out["fit"] = fit_json(series.fit);
   out["asymptotic"] = series.asymptotic == Range::reached       ? "reached"
                       : series.asymptotic == Range::not_reached ? "not_reached"
                                                                 : "unknown";
   out["sentence"] = series.sentence;
-  out["published"] = study_figure(series.published);
+  out["published"] = json_figure(series.published);
   out["source"] = series.source;
   return out;
 }
 
 Json digit_json(const StudyDigit& digit) {
   Json out;
-  out["error"] = study_figure(digit.error);
+  out["error"] = json_figure(digit.error);
   out["best"] = index_json(digit.best);
-  out["cost"] = study_figure(digit.cost);
+  out["cost"] = json_figure(digit.cost);
   out["series"] = digit.series;
-  out["interpolated"] = study_figure(digit.interpolated);
-  out["factor"] = study_figure(digit.factor);
+  out["interpolated"] = json_figure(digit.interpolated);
+  out["factor"] = json_figure(digit.factor);
   return out;
 }
 
@@ -116,9 +115,9 @@ Json budget_json(const BudgetLine& line) {
   out["base"] = line.base;
   out["source"] = line.source;
   out["changed"] = line.changed;
-  out["error"] = study_figure(line.error);
-  out["refined"] = study_figure(line.refined);
-  out["share"] = study_figure(line.share);
+  out["error"] = json_figure(line.error);
+  out["refined"] = json_figure(line.refined);
+  out["share"] = json_figure(line.share);
   out["outcome"] = line.outcome;
   return out;
 }
