@@ -15,23 +15,35 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 
+# What builds and checks everything calls for every deep check.
+HOW = r"CMakeLists|CMakePresets|cmake/|tests/CMakeLists|tests/[a-z]+[.]cmake|dev$|[.]ci/|"
 # deep check: paths whose change calls for it
 CALLS = {
-    "spine": r"mpm/|cmake/(effects|instructions)|bench/compare_spine|drivers/simulation/|harness/body_force",
-    "mutants": r"drivers/(scene|simulation)/|drivers/run|tests/fuzz/",
-    "long": r"harness/|adapters/|mpm/|drivers/(simulation|study)/|tests/(harness|adapters|mpm|drivers|downstream)/|"
-            r"tests/scenes[.]cmake|configs/(hard|methods|models)/|docs/check[.]md",
-    "bench": r"bench/",
-    "package": r"cmake/|CMakeLists|tests/(package|downstream)/|completions/|configs/schema/|docs/assay[.]1|dev$",
+    "spine": HOW + r"mpm/|harness/|drivers/(simulation/|composition|effects|run)|bench/compare_spine|configs/paper/",
+    "mutants": HOW + r"drivers/|mpm/|adapters/|harness/|tests/fuzz/",
+    "long": HOW + r"drivers/|mpm/|adapters/|harness/|tests/|configs/|docs/check[.]md",
+    "bench": HOW + r"bench/",
+    "package": HOW + r"tests/(package|downstream)/|harness/assay_material|adapters/(models|abaqus)/|completions/|configs/|"
+                     r"docs/|README|LICENSE|THIRD_PARTY|CHANGELOG",
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 
 
 def git(*words):
-    return subprocess.run(["git", "-C", str(ROOT), *words], capture_output=True, text=True, check=True).stdout.split("\0")
+    try:
+        run = subprocess.run(["git", "-C", str(ROOT), *words], capture_output=True, text=True, check=False)
+    except OSError as error:
+        sys.exit(f"changed.py: git: {error.strerror}")
+    if run.returncode != 0:
+        sys.exit("changed.py: " + (run.stderr.strip().splitlines() or ["git failed"])[0])
+    return run.stdout.split("\0")
 
 
 def files():
+    if not (ROOT / ".git").exists():  # an archive of the sources
+        tops = [top for top in ROOT.iterdir() if top.name not in ("build", "results")]
+        found = [path for top in tops for path in ([top] if top.is_file() else top.rglob("*"))]
+        return sorted(str(path.relative_to(ROOT)) for path in found if path.is_file())
     return [name for name in git("ls-files", "-z", "--cached", "--others", "--exclude-standard")
             if name and (ROOT / name).is_file()]
 
@@ -39,7 +51,7 @@ def files():
 def changed(base):
     if base == "-":
         return files()
-    names = git("diff", "-z", "--name-only", base) + git("ls-files", "-z", "--others", "--exclude-standard")
+    names = git("diff", "-z", "--name-only", "--no-renames", base, "--") + git("ls-files", "-z", "--others", "--exclude-standard")
     return sorted({name for name in names if name})
 
 
@@ -66,13 +78,16 @@ def main(words):
     base, question, prefixes = words[0], words[1], words[2:]
     names = changed(base)
     if question == "checks":
-        print("\n".join(check for check, paths in CALLS.items()
-                        if base == "-" or any(re.match(paths, name) for name in names)))
+        answer = [check for check, paths in CALLS.items()
+                  if base == "-" or any(re.match(paths, name) for name in names)]
     elif question == "files":
-        print("\n".join(names))
+        answer = names
     else:
-        print("\n".join(sorted(name for name in readers(names) if name.endswith(".cpp") and (ROOT / name).is_file() and
-                               (not prefixes or name.startswith(tuple(prefixes))))))
+        answer = sorted(name for name in readers(names)
+                        if name.endswith((".cpp", ".c")) and (ROOT / name).is_file() and
+                        (not prefixes or name.startswith(tuple(prefixes))))
+    for line in answer:
+        print(line)
 
 
 main(sys.argv[1:])

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # With ASSAY_UNITY_BUILD the sources of a room, which is a folder, are compiled together: headers are read once for
-# all of them, which takes a quarter of the time. So an internal name is unique in its room; where it is not, the
+# all of them. So an internal name is unique in its room; where it is not, the
 # compiler says so, and one of the two gets a better name. Kernels stand alone: their time is not in headers.
 # Included last: what sources a target has is known.
 if(NOT ASSAY_UNITY_BUILD)

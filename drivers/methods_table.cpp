@@ -131,7 +131,8 @@ std::string methods_markdown(const CheckedMethods& checked) {
   for (const std::size_t axis : {2u, 1u, 0u}) merge_rows(rows, axis);
   const mpm::MethodReport& first = checked.methods[0];
   const std::vector<TestGroup> groups = groups_of(rows, first.tests.size());
-  std::string page = "All " + std::to_string(checked.methods.size()) + " methods pass " +
+  const std::size_t count = checked.methods.size();
+  std::string page = (count == 1 ? "The method passes " : "All " + std::to_string(count) + " methods pass ") +
                      (groups[0].empty() ? "none of the tests" : ids_text(groups[0], first)) + ".";
   if (groups.size() == 1) return wrapped(page, "", "", methods_page_width);
   page = wrapped(page + " Of the others, -: not promised.", "", "", methods_page_width) + "\n";

@@ -40,7 +40,8 @@ set(left_out_of_test_drivers # whole runs of full size; studies, which start the
   Check.AllChecks* Cached.ADamaged* Cached.EverythingThat* Cached.ASheetOfABuiltIn* ForeignModels.TwoCores*
   Frames.TheMethodErrs* Frames.BodiesOf* Frames.AMaterialWith* RimOfARun.CoarseGrids* Run.EveryLattice*
   Run.ACylindrically* Run.Repeats* Run.AnExpect* Run.AnUnst* Run.EveryField* Run.Square* Run.ItsFig*
-  Replay.OfAH* Replay.OfAR* Screening.* Tabulate.AnswersPoints* Tabulate.W* Tabulate.C* TractionTable.*
+  Replay.OfAH* Replay.OfAR* Screening.E* Screening.I* Screening.C* Screening.W* Tabulate.AnswersPoints* Tabulate.W* Tabulate.C* TractionTable.Holds* TractionTable.AnEntry*
+  TractionTable.One* TractionTable.Paper*
   SceneReader.EveryTrunc* ReportInBrowser* EffectList.Owns* TimeNoise.Noise* ParticlePicture*)
 
 set(shards_of_test_house 1)

@@ -12,9 +12,9 @@ add_test(NAME Yaml.PlantedFaultsAreFound COMMAND ${check_yaml} faults $<TARGET_F
 set_tests_properties(Yaml.ShippedFilesAreValid Yaml.PlantedFaultsAreFound PROPERTIES
   SKIP_REGULAR_EXPRESSION "skipped: ")
 
-# Tests leave the scenes that they resolve (support/kept_yaml.hpp). Two of them, quick ones, see every shipped scene and
-# every kind of value: they run wherever this check does, and it waits for all others that the same call of ctest runs.
-# Their names are known to ctest alone, which is why ctest adds this test.
+# Tests leave the scenes that they resolve (support/kept_yaml.hpp). This check runs after all tests that write scenes.
+# Two quick ones are its fixtures, so that it always has something to read. ctest adds it, because only ctest knows the
+# tests' names. The counts are those of tests/fuzz/test_mutants.cpp.
 get_property(writers DIRECTORY PROPERTY TESTS)
 list(FILTER writers INCLUDE REGEX "^(scene|study)/")
 foreach(k RANGE 4)

@@ -133,7 +133,7 @@ class Sample : public testing::TestWithParam<int> {};
 /// Spread over all kinds and scenes: what runs every day, and under the sanitizers.
 TEST_P(Sample, EndsWithAStatusAndALine) { run_mutants(GetParam() * 127, in_sample, 7); }
 
-INSTANTIATE_TEST_SUITE_P(Mutants, Sample, testing::Range(0, 5));
+INSTANTIATE_TEST_SUITE_P(Mutants, Sample, testing::Range(0, 5));  // the counts stand in tests/yaml.cmake, too
 
 class LongMutants : public testing::TestWithParam<int> {};
 

@@ -41,6 +41,11 @@ TEST(Documents, VersionIsTheSameEverywhere) {
   const std::string man = text_of("docs/assay.1");
   ASSERT_TRUE(std::regex_search(man, match, std::regex(R"re(\.TH ASSAY 1 "[^"]*" "assay ([0-9.]+)")re")));
   EXPECT_EQ(match[1], version);
+  const std::string recipes = text_of("docs/clusters.md");
+  const std::regex named("assay[_:](\\d+\\.\\d+\\.\\d+)");
+  std::sregex_iterator each(recipes.begin(), recipes.end(), named), end;
+  EXPECT_NE(each, end);
+  for (; each != end; ++each) EXPECT_EQ((*each)[1], version) << "docs/clusters.md";
 }
 
 TEST(Documents, BuildInformationIsComplete) {

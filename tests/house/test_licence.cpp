@@ -20,11 +20,13 @@ bool carries_licence(const std::string& text) {
 }
 
 TEST(Licence, EverySourceFileNamesIt) {
-  std::vector<std::string> files{"CMakeLists.txt",    "dev",         ".ci/run",     ".ci/changed.py",
-                                 ".ci/each_alone.py", ".clang-tidy", "docs/assay.1"};
+  std::vector<std::string> files{"CMakeLists.txt",    "dev",         ".ci/run",      ".ci/changed.py",
+                                 ".ci/each_alone.py", ".clang-tidy", "docs/assay.1", "cmake/package/Dockerfile"};
   for (const char* folder : {"harness", "adapters", "mpm", "drivers", "tests", "bench", "cmake"}) {
     for (auto& path :
-         files_in(folder, {".hpp", ".cpp", ".h", ".c", ".f90", ".F90", ".cmake", ".in", ".map", ".txt"}, true)) {
+         files_in(folder,
+                  {".hpp", ".cpp", ".h", ".c", ".f90", ".F90", ".cmake", ".in", ".map", ".txt", ".py", ".sh", ".def"},
+                  true)) {
       files.push_back(path);
     }
   }

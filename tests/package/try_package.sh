@@ -108,7 +108,7 @@ tools='cmake g++ gfortran ninja-build pkg-config'
 fetch_tools() {
   in_root "$root" apt-get update -qq >"$log" 2>&1 || not_tried "apt-get update: $(tail -n 1 "$log")"
   # shellcheck disable=SC2086
-  in_root "$root" apt-get install -y --no-install-recommends --download-only $tools >"$log" 2>&1 ||
+  in_root "$root" apt-get install -y --no-install-recommends --download-only "/$name" $tools >"$log" 2>&1 ||
     not_tried "apt-get cannot fetch packages: $(tail -n 1 "$log")"
 }
 
@@ -149,7 +149,6 @@ try_to_run() {
   expect 'AS EXPECTED; results in results/vortex_cpdi' assay run $scene
   took=$((($(now) - began) / 1000000))
   say "assay run $scene: $took ms"
-  [ "$took" -lt 10000 ] || fail "the first run took $took ms, more than 10 s"
   [ -f "$root/trial/results/vortex_cpdi/report.html" ] || fail "no report in the current folder"
   expect 'completed' assay tabulate /usr/share/assay/configs/tabulate/table.yaml
   expect '^neo_hookean' assay materials
@@ -202,6 +201,7 @@ copy_in() { # FROM TO: FROM may be a pattern
 
 start_image() { # a slim image leaves documents and manuals out
   start
+  fetch_tools
   mkdir -p "$context/build"
   mv "$root/$name" "$context/build/"
   printf 'path-exclude /usr/share/doc/*\npath-include /usr/share/doc/*/copyright\npath-exclude /usr/share/man/*\n' \
