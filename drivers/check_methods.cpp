@@ -15,7 +15,7 @@ namespace {
 
 /// All that can be composed, or the one of that name.
 std::vector<mpm::Method> chosen_methods(const std::string& name) {
-  const std::vector<mpm::Method> all = mpm::all_methods();
+  std::vector<mpm::Method> all = mpm::all_methods();
   if (name.empty()) return all;
   std::vector<std::string> names;
   for (const mpm::Method& method : all) {
