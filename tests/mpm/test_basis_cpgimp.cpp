@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Twins: uGIMP where nothing is stretched; samples of the hat function over the stretched box; U by its definition.
+#include <Eigen/Dense>
+
 #include "tests/mpm/basis_cases.hpp"
 
 namespace assay::mpm::test_basis_cpgimp {
