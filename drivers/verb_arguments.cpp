@@ -140,7 +140,7 @@ Verb check_verb(CLI::App& app, Arguments& given) {
   auto* all = verb.add_flag("--all", given.all, "everything that is registered, in parallel");
   auto* replay = verb.add_option("--replay", given.replay, "a failure again, alone");
   replay->type_name("FILE");
-  auto* methods = verb.add_flag("--methods", given.methods, "patch tests of all particle methods, or of that one");
+  auto* methods = verb.add_flag("--methods", given.methods, "patch tests: all particle methods, or the one named");
   auto* parameters = verb.add_option("--parameters", given.parameters, "in place of the defaults");
   parameters->type_name("NAME=NUMBER,...");
   verb.add_option("--json", given.json_file, "verdicts and diagnosis (- for standard output)")->type_name("FILE");
