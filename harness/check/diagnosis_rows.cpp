@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/check/diagnosis_rows.hpp"
+
+namespace assay::check {
+
+namespace {
+
+using Found = std::optional<Suspicion>;
+
+/// As `said_by`, of what is right or wrong whatever its size.
+Found of(const Findings& f, const std::string& id) {
+  Found said = said_by(f, id);
+  if (said) said->size = INFINITY;
+  return said;
+}
+
+/// Whether a body that stands in a turned frame is wrong already.
+bool wrong_once_for_all(const Findings& f) { return f.failed("rotation.constant") || f.failed("basis"); }
+
+/// A pressure is the same in every frame: what else differs has a cause of its own.
+bool is_pressure_beside_frames(const Findings& f) {
+  return f.evidence.pressed_at_rest && f.failed("rotation.constant");
+}
+
+Found increment_of_scalars(const Findings& f) {
+  return f.evidence.has_state_that_turns ? std::nullopt : of(f, "calls.increment");  // nor has it a spin
+}
+
+Found increment(const Findings& f) { return of(f, "calls.increment"); }
+
+Found pressure_at_rest_alone(const Findings& f) {
+  return is_pressure_beside_frames(f) && !rest_is_of_stretches(f.verdicts) ? of(f, "rest") : std::nullopt;
+}
+
+Found stress_at_rest(const Findings& f) {
+  return is_pressure_beside_frames(f) || rest_is_of_stretches(f.verdicts) ? std::nullopt : of(f, "rest");
+}
+
+/// A stress that is held grows without bounds: then no test of rotation means anything.
+Found growth(const Findings& f) {
+  const bool grows = f.failed("rotation.revolutions") && !f.failed("rotation.constant") &&
+                     !std::isfinite(f.find("rotation.revolutions")->measure.value_or(0));
+  return grows ? of(f, "dissipation") : std::nullopt;
+}
+
+Found nearly_equal_stretches(const Findings& f) {
+  return wrong_once_for_all(f) ? std::nullopt : of(f, "stretches.nearly_equal");
+}
+
+Found zero_increment(const Findings& f) {
+  return wrong_once_for_all(f) ? std::nullopt : of(f, "zero_increment");
+}
+
+Found components(const Findings& f) { return said_by(f, "elasticity.components"); }
+
+Found shear(const Findings& f) { return said_by(f, "elasticity.shear"); }
+
+Found shear_beside_components(const Findings& f) {
+  return f.failed("elasticity.components") ? said_by(f, "elasticity.shear") : std::nullopt;
+}
+
+Found swapped_initial_stress(const Findings& f) {
+  const Found said = of(f, "initial_stress");
+  return said && said->cause == causes::components_swapped ? said : std::nullopt;
+}
+
+Found isotropy(const Findings& f) {
+  if (!f.failed("isotropy")) return std::nullopt;
+  const TestResult& test = *f.find("isotropy");
+  const bool swapped = test.cause == causes::components_swapped;
+  return Suspicion{swapped ? causes::components_swapped : causes::not_isotropic,
+                   "a body that was turned before it is loaded answers otherwise: " + test.sentence};
+}
+
+Found isotropy_and_basis(const Findings& f) { return f.failed("basis") ? isotropy(f) : std::nullopt; }
+
+constexpr Row before[] = {
+    {increment_of_scalars, Explains::frames, Beside::any},
+    {increment, Explains::its_own_test, Beside::any},
+    {pressure_at_rest_alone, Explains::its_own_test, Beside::any},
+    {stress_at_rest, Explains::frames, Beside::any},
+    {growth, Explains::frames, Beside::any},
+    {nearly_equal_stretches, Explains::frames, Beside::any},
+    {zero_increment, Explains::its_own_test, Beside::any},
+    {components, Explains::frames, Beside::no_frames},
+    {shear_beside_components, Explains::frames, Beside::any},
+    {shear, Explains::frames, Beside::no_frames},
+    {swapped_initial_stress, Explains::frames, Beside::any},
+};
+
+constexpr Row after[] = {
+    {isotropy_and_basis, Explains::frames, Beside::no_frames},
+    {isotropy, Explains::its_own_test, Beside::no_frames},
+};
+
+}  // namespace
+
+std::span<const Row> rows_before_rotation() { return before; }
+std::span<const Row> rows_after_rotation() { return after; }
+
+bool rest_is_of_stretches(const Verdicts& verdicts) {
+  const auto rest = verdicts.of("rest"), equal = verdicts.of("stretches.nearly_equal");
+  return rest && equal && equal->cause == causes::repeated_stretch &&
+         (rest->cause == causes::refuses || rest->cause == causes::not_finite);
+}
+
+}  // namespace assay::check
