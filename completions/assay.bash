@@ -48,7 +48,7 @@ _assay() {
     study) options+=' -o --jobs --resume --shard --merge --from --list --json' ;;
     recommend) options+=' --error -o --json' ;;
     compare) options+=' --json --markdown' ;;
-    check) options+=' --parameters --json --junit --quick --strain --pressure --methods --markdown --all --replay -o' ;;
+    check) options+=' --parameters --json --junit --quick --strain --pressure --step --methods --markdown --all --replay -o' ;;
     materials) options+=' --json' ;;
     register) options+=' --as --remove' ;;
     new-material) options+=' --language --interface -o' ;;

@@ -93,6 +93,7 @@ check::Declarations declarations_of(const ResolvedMaterial& material) {
   const bool umat = model->interface == ForeignInterface::umat;
   return {.rate_dependence = "flags: [rate_dependent]",
           .own_axes = "its components as scalars of `state`",
+          .growth = "flags: [grows]",
           .guesses_roles = true,
           .may_drop_stress = true,
           .tangent_within = 2e-3,
@@ -117,6 +118,13 @@ void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& repo
   if (!passes_with(*model, material, report.effort)) return;
   test->cause = check::causes::tangent_convention;
   say_instead(report, *test, other_strain_words(*model));
+}
+
+std::vector<std::string> foreign_not_tested(const ResolvedMaterial& material) {
+  const std::optional<ForeignModel> model = foreign_of(material);
+  if (!model) return {};
+  const std::string fields = model->fields.empty() ? "" : " and fields";
+  return {"other temperatures" + fields + " (they are constant)"};
 }
 
 void tell_initial_values(const ResolvedMaterial& material, check::Report& report) {

@@ -19,6 +19,9 @@ void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& repo
 /// its description, as the elastic part of F must not.
 void tell_initial_values(const ResolvedMaterial& material, check::Report& report);
 
+/// What of a foreign model the tests leave as it is.
+std::vector<std::string> foreign_not_tested(const ResolvedMaterial& material);
+
 /// Whether it was a model of our own interface, to which its rules apply.
 bool is_native(const CheckedMaterial& checked);
 

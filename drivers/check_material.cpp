@@ -137,6 +137,7 @@ CheckedMaterial check_material(const ResolvedMaterial& material, const std::stri
                                                           .others_elsewhere = others,
                                                           .begins = reporter.begins,
                                                           .ends = reporter.ends});
+  for (std::string& what : foreign_not_tested(material)) checked.report.not_tested.push_back(std::move(what));
   judge_foreign_tangent(material, checked.report);
   tell_initial_values(material, checked.report);
   const bool asked = settings.only.empty() ? !settings.effort.quick : settings.only == vortex_test;

@@ -36,6 +36,8 @@ Json json_of(const CheckedMaterial& checked) {
   out["wall_s"] = json_figure(checked.wall_s);
   out["strain"] = json_figure(checked.report.strain);
   out["pressure"] = json_figure(checked.report.pressure);
+  out["step"] = json_figure(checked.report.effort.step);
+  out["not_tested"] = checked.report.not_tested;
   out["diagnosis"] = Json::array();
   for (const check::Diagnosis& d : checked.report.diagnosis) {
     out["diagnosis"].push_back({{"cause", d.cause}, {"sentence", d.sentence}});
@@ -113,6 +115,8 @@ CheckedMaterial checked_in(const Json& found) {
   checked.wall_s = number_in(found.at("wall_s")).value_or(0);
   checked.report.strain = number_in(found.at("strain")).value_or(0);
   checked.report.pressure = number_in(found.at("pressure")).value_or(0);
+  checked.report.effort.step = number_in(found.at("step")).value_or(1);
+  checked.report.not_tested = found.at("not_tested").get<std::vector<std::string>>();
   for (const Json& d : found.at("diagnosis")) checked.report.diagnosis.push_back({d.at("cause"), d.at("sentence")});
   for (const Json& test : found.at("tests")) {
     checked.report.tests.push_back(test_in(test));
@@ -164,6 +168,7 @@ JunitSuite suite(const CheckedMaterial& checked) {
   if (!checked.of_example.empty()) {
     out.properties.emplace_back("parameters of the example", joined(checked.of_example));
   }
+  for (const std::string& what : checked.report.not_tested) out.properties.emplace_back("not tested", what);
   for (const TestResult& test : checked.report.tests) out.cases.push_back(test_case(checked, test));
   if (!checked.error.empty()) {
     out.cases.push_back({class_of(checked), "loading", 0, JunitCase::Kind::error, checked.error, "not checked"});

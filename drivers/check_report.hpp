@@ -41,7 +41,7 @@ std::string check_text(const CheckedMaterial& checked, Verbosity verbosity);
 /// One line for each, the causes below, and how many passed.
 std::string check_text(const std::vector<CheckedMaterial>& all, double wall_s);
 
-/// {material, library, parameters, verdict, wall_s, error, diagnosis: [{cause, sentence}], tests: [{id, verdict,
+/// {material, library, parameters, verdict, wall_s, error, strain, pressure, step, not_tested, diagnosis: [{cause, sentence}], tests: [{id, verdict,
 /// measure, threshold, order, cause, sentence, replay}]}; figures that were not found, or are infinite, are null.
 std::string check_json(const CheckedMaterial& checked);
 

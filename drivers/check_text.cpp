@@ -40,6 +40,13 @@ std::string unusual_effort(const check::Report& report) {
   return text;
 }
 
+/// What a pass says nothing of, as one sentence.
+std::string not_tested(const check::Report& report) {
+  std::string text;
+  for (const std::string& what : report.not_tested) text += (text.empty() ? "" : "; ") + what;
+  return text;
+}
+
 /// "c10 = 120, c01 = 40": what was not given.
 std::string example_values(const CheckedMaterial& checked) {
   std::string text;
@@ -91,6 +98,9 @@ std::string check_text(const CheckedMaterial& checked, Verbosity verbosity) {
     page += "\n";
   }
   page += wrapped(summary(checked), "", "    ");
+  if (checked.passes() && !checked.report.not_tested.empty()) {
+    page += wrapped(not_tested(checked.report), "not tested: ", "    ");
+  }
   if (!checked.of_example.empty()) {
     page += wrapped(example_values(checked), "required and not given, from the model's own example: ", "    ");
   }

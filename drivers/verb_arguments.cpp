@@ -149,6 +149,7 @@ Verb check_verb(CLI::App& app, Arguments& given) {
   markdown->type_name("FILE");
   verb.add_flag("--quick", given.quick, "fewer steps and states");
   verb.add_option("--strain", given.strain, "largest of the histories (0.15)")->type_name("NUMBER");
+  verb.add_option("--step", given.step, "longest usual step [s] (1, or what is taken)")->type_name("NUMBER");
   verb.add_option("--pressure", given.pressure, "at rest [Pa] (what the model needs)")->type_name("NUMBER");
   add_out(verb, given, "DIR", "folder of failures' replay files (results/check)");
   return {&verb, [&given, checked, all, replay, methods, parameters, markdown] {
@@ -161,7 +162,8 @@ Verb check_verb(CLI::App& app, Arguments& given) {
             return check({given.material, given.parameters, given.json_file, given.junit_file,
                           given.out.empty() ? "results/check" : given.out, given.replay, given.all, given.quick,
                           given.verbosity(), given.methods, number_in("--strain", given.strain, 0.5),
-                          number_in("--pressure", given.pressure, 1e12), given.markdown_file});
+                          number_in("--pressure", given.pressure, 1e12), number_in("--step", given.step, 1e12),
+                          given.markdown_file});
           }};
 }
 

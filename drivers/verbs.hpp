@@ -60,6 +60,7 @@ struct CheckOptions {
   Verbosity verbosity = Verbosity::normal;
   bool methods = false;                              ///< the patch tests of the particle method, in place of a material
   std::optional<double> strain = {}, pressure = {};  ///< of the battery's histories [1], at rest [Pa]
+  std::optional<double> step = {};                   ///< the longest usual step [s]
   std::string markdown = {};                         ///< file of the methods' table; "-": standard output
 };
 

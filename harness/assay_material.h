@@ -75,7 +75,8 @@ enum {
   ASSAY_RATE_DEPENDENT = 1u << 1, /* the response depends on dt, not on the path alone */
   ASSAY_THREAD_SAFE = 1u << 2,    /* `update` may run concurrently on one `self` */
   ASSAY_USES_INCREMENT = 1u << 3, /* reads F0 as well as F1; absent: total F (F1) alone */
-  ASSAY_IN_PLANE = 1u << 4        /* takes no deformation with F13, F23, F31 or F32 */
+  ASSAY_IN_PLANE = 1u << 4,       /* takes no deformation with F13, F23, F31 or F32 */
+  ASSAY_GROWS = 1u << 5           /* its own strain changes with time, as of growth: work may come out of it */
 };
 
 /* One step of n points. F0, F1: deformation gradients at t and t + dt, 9 * n each. */

@@ -111,6 +111,7 @@ std::vector<std::string> flag_names(const assay_material& table) {
                                  has(ASSAY_RATE_DEPENDENT) ? "rate-dependent" : "rate-independent",
                                  has(ASSAY_THREAD_SAFE) ? "thread-safe" : "not thread-safe",
                                  has(ASSAY_USES_INCREMENT) ? "uses increments of F" : "uses total F"};
+  if (has(ASSAY_GROWS)) names.emplace_back("grows");
   if (has(ASSAY_IN_PLANE)) names.emplace_back("in the plane 12 alone");
   return names;
 }

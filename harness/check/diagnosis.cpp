@@ -10,36 +10,28 @@ namespace assay::check {
 
 namespace {
 
-/// Tests that one mistake about rotations, stiffness or spectra fails as a whole.
-constexpr const char* of_frames[] = {
-    "elasticity.components",  "elasticity.shear",     "isotropy",        "rotation.constant", "basis",
-    "rotation.at_rest",       "rotation.before",      "rotation.during", "rotation.after",    "rotation.apex",
-    "rotation.fixed_stretch", "rotation.revolutions", "rotation.state",  "stretches.turning", "initial_stress"};
-
 /// A test that tells nothing of its own where another one fails.
 struct Consequence {
   const char *test, *of;
 };
 constexpr Consequence consequences[] = {
-    {"dissipation", "energy"},          // without a right energy there is none to be lost
+    {"dissipation", "energy"},  // without a right energy there is none to be lost
     {"dissipation", "calls.increment"},
-    {"clock", "calls.repeated"},        // what is kept elsewhere follows no clock
+    {"clock", "calls.repeated"},  // what is kept elsewhere follows no clock
 };
-
-bool is_of_frames(const TestResult& test) {
-  return std::any_of(std::begin(of_frames), std::end(of_frames), [&](const char* id) { return test.id == id; });
-}
 
 class Diagnostician {
  public:
-  Diagnostician(std::vector<TestResult>& tests, const Evidence& evidence) : findings_{Verdicts(tests), evidence} {}
+  Diagnostician(std::vector<TestResult>& tests, const Evidence& evidence) : findings_{Verdicts(tests), evidence, {}} {}
 
   std::vector<Diagnosis> run() {
+    std::vector<const Row*> too_small;
     for (const auto& rows : {rows_before_rotation(), rows_of_rotation(), rows_after_rotation()}) {
-      for (const Row& row : rows) suspect(row);
+      for (const Row& row : rows) {
+        if (!take(row, least_share * error_of_frames())) too_small.push_back(&row);
+      }
     }
-    for (const Suspect& each : suspects_) accept(each, !is_too_small(each));
-    for (const Suspect& each : suspects_) accept(each, is_too_small(each));
+    for (const Row* row : too_small) add_beside(*row);
     for (const TestResult& test : tests()) {
       if (test.verdict == Verdict::fail && speaks_for_itself(test)) add({test.cause, test.sentence});
     }
@@ -52,55 +44,56 @@ class Diagnostician {
   }
 
  private:
-  struct Suspect {
-    const Row* row;
-    Suspicion what;
-  };
+  static constexpr double least_share = 0.05;  ///< a cause is of the size of what it explains
 
   std::vector<TestResult>& tests() const { return findings_.verdicts.tests(); }
-
-  void suspect(const Row& row) {
-    if (const auto what = row.evidence(findings_)) suspects_.push_back({&row, *what});
-  }
 
   /// The largest error of the tests of frames, over the largest stress; what has none is no matter of size.
   double error_of_frames() const {
     double largest = 0;
     for (const TestResult& test : tests()) {
       const double measure = test.measure.value_or(0);
-      if (test.verdict == Verdict::fail && is_of_frames(test) && std::isfinite(measure)) {
+      if (test.verdict == Verdict::fail && is_of(Explains::frames, test.id) && std::isfinite(measure)) {
         largest = std::max(largest, measure);
       }
     }
     return largest;
   }
 
-  /// A cause is of the size of what it explains.
-  bool is_too_small(const Suspect& each) const {
-    constexpr double least = 0.05;
-    return each.row->explains == Explains::frames && each.what.size < least * error_of_frames();
+  static bool is_shut_out(const Row& row, const Findings& findings) {
+    return (row.beside == Beside::no_frames && findings.has_explained(Explains::frames)) ||
+           (row.beside == Beside::no_time && findings.has_explained(Explains::time));
   }
 
-  void accept(const Suspect& each, bool in_turn) {
-    if (!in_turn || (each.row->beside == Beside::no_frames && frames_explained_)) return;
-    add({each.what.cause, each.what.sentence});
-    if (each.row->explains == Explains::frames) frames_explained_ = true;
+  /// False where what the row names would explain the tests of frames, and makes a smaller error than `least`.
+  bool take(const Row& row, double least) {
+    if (is_shut_out(row, findings_)) return true;
+    const std::optional<Suspicion> what = row.evidence(findings_);
+    if (!what) return true;
+    if (row.explains == Explains::frames && what->size < least) return false;
+    add({what->cause, what->sentence});
+    if (row.explains != Explains::its_own_test) findings_.explained.push_back(row.explains);
+    return true;
+  }
+
+  /// What is too small to explain the others, and wrong all the same.
+  void add_beside(const Row& row) {
+    if (const std::optional<Suspicion> what = row.evidence(findings_)) add({what->cause, what->sentence});
   }
 
   /// Whether a test that has failed tells a cause that does not follow from another one.
   bool speaks_for_itself(const TestResult& test) const {
-    if (test.cause.empty() || (frames_explained_ && is_of_frames(test))) return false;
+    if (test.cause.empty() || findings_.is_explained(test.id)) return false;
     if (!found_.empty() && test.cause == causes::no_convergence) return false;  // the weakest of all
     if (test.id == "rest" && rest_is_of_stretches(findings_.verdicts)) return false;
-    return std::none_of(std::begin(consequences), std::end(consequences), [&](const Consequence& each) {
-      return test.id == each.test && findings_.failed(each.of);
-    });
+    return std::none_of(std::begin(consequences), std::end(consequences),
+                        [&](const Consequence& each) { return test.id == each.test && findings_.failed(each.of); });
   }
 
   /// A failed test that has no cause of its own has that of the first one found.
   void name_what_follows() {
     for (TestResult& test : tests()) {
-      if (test.verdict != Verdict::fail || !(test.cause.empty() || (frames_explained_ && is_of_frames(test)))) continue;
+      if (test.verdict != Verdict::fail || !(test.cause.empty() || findings_.is_explained(test.id))) continue;
       test.cause = found_.empty() ? causes::not_indifferent : found_.front().cause;
     }
   }
@@ -111,9 +104,7 @@ class Diagnostician {
   }
 
   Findings findings_;
-  std::vector<Suspect> suspects_;
   std::vector<Diagnosis> found_;
-  bool frames_explained_ = false;
 };
 
 }  // namespace
@@ -150,6 +141,11 @@ const std::vector<std::string>& all_causes() {
                                             causes::not_a_number,
                                             causes::no_stress,
                                             causes::refuses,
+                                            causes::refuses_length,
+                                            causes::missing_routine,
+                                            causes::not_reached,
+                                            causes::grows,
+                                            causes::single_precision,
                                             causes::not_finite,
                                             causes::not_symmetric,
                                             causes::ends_process,

@@ -16,8 +16,10 @@ struct Evidence {
   std::vector<History> first;       ///< of the process
   bool has_spin = false;            ///< steps turn something of the state
   bool has_state_that_turns = false;
-  bool pressed_at_rest = false;  ///< what stress there is at rest is a pressure
-  std::string drifting;          ///< a variable of the state that changes in steps without deformation
+  bool pressed_at_rest = false;    ///< what stress there is at rest is a pressure
+  bool grows_at_rest = false;      ///< a stress at rest that time brings, and not steps
+  std::string growth_declaration;  ///< how the author of a model declares that
+  std::string drifting;            ///< a variable of the state that changes in steps without deformation
 };
 
 /// Fills in the cause of failed tests that have none, and lists the causes; none for one that follows from another.

@@ -2,23 +2,45 @@
 // The rows of the diagnosis: what speaks for a cause, and what that cause explains.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "harness/check/diagnosis.hpp"
 #include "harness/check/verdicts.hpp"
 
 namespace assay::check {
 
+/// Which failures follow from a cause.
+enum class Explains {
+  its_own_test,
+  frames,  ///< what one mistake about rotations, stiffness or spectra fails
+  time,    ///< what a stress that comes with time fails
+};
+
+/// Whether a test is of that group; none is of `its_own_test`.
+bool is_of(Explains group, const std::string& test);
+
 /// What the tests have found, as the rows read it.
 struct Findings {
   Verdicts verdicts;
   const Evidence& evidence;
+  std::vector<Explains> explained = {};  ///< by the causes that were found so far
 
   TestResult* find(const std::string& id) const { return verdicts.find(id); }
-  bool failed(const std::string& id) const { return verdicts.failed(id); }
+  /// But for what comes with time.
+  bool failed(const std::string& id) const {
+    return verdicts.failed(id) && !(has_explained(Explains::time) && is_of(Explains::time, id));
+  }
+  bool has_explained(Explains group) const {
+    return std::find(explained.begin(), explained.end(), group) != explained.end();
+  }
+  bool is_explained(const std::string& id) const {
+    return std::any_of(explained.begin(), explained.end(), [&](Explains group) { return is_of(group, id); });
+  }
 };
 
 /// A cause that the data speak for.
@@ -28,16 +50,11 @@ struct Suspicion {
   double size = INFINITY;
 };
 
-/// Which failures follow from a cause.
-enum class Explains {
-  its_own_test,
-  frames,  ///< all tests that one mistake about rotations, stiffness or spectra fails
-};
-
 /// Which other causes keep a row from being looked at.
 enum class Beside {
   any,        ///< none: it is said whatever else is found
   no_frames,  ///< one that explains the tests of frames
+  no_time,    ///< one that explains those of time
 };
 
 struct Row {

@@ -136,8 +136,7 @@ Found turned_once_for_all(const Findings& f) {
 
 Found drift(const Findings& f) {
   if (!f.failed("rotation.constant") || f.evidence.drifting.empty()) return std::nullopt;
-  return Suspicion{causes::drifts, "'" + f.evidence.drifting +
-                                       "' of the state changes in steps without deformation, " +
+  return Suspicion{causes::drifts, "'" + f.evidence.drifting + "' of the state changes in steps without deformation, " +
                                        "and what follows shows it"};
 }
 
@@ -160,9 +159,9 @@ Found wrong_frame_at_fixed_stretch(const Findings& f) {
 Found no_rotations(const Findings& f) {
   const RotationFinding& fixed = f.evidence.fixed;
   if (!f.failed("rotation.fixed_stretch") || !fixed.result.order) return std::nullopt;  // falls with the step
-  return Suspicion{causes::explicit_spin,
-                   "the stress is turned in steps that are no rotations, or a turn is taken for a strain: " +
-                       fixed.result.sentence};
+  return Suspicion{
+      causes::explicit_spin,
+      "the stress is turned in steps that are no rotations, or a turn is taken for a strain: " + fixed.result.sentence};
 }
 
 Found another_angle(const Findings& f) {

@@ -123,6 +123,7 @@ TEST(Battery, EveryDiagnosisIsPlantedOnTwoKindsOfModel) {
     if (cause == causes::ends_process || cause == causes::disturbs_process || cause == causes::other_stress) {
       continue;  // of the program, not of the battery
     }
+    if (cause == causes::not_reached || cause == causes::refuses_length) continue;  // of what is asked for: test_scope
     std::set<std::string> kinds;
     for (const auto& subject : all_subjects()) {
       if (subject.cause == cause) kinds.insert(subject.material.table().name);
@@ -143,6 +144,20 @@ TEST(Battery, PassesSinglePrecisionAtAnyModuli) {
     const Report report = run_battery(material, {.effort = {.quick = true}});
     EXPECT_TRUE(report.passes()) << "mu " << mu << ", lambda " << lambda << "\n" << told(report);
   }
+}
+
+/// What is declared to grow is not asked for what growth cannot hold.
+TEST(Battery, PassesWhatIsDeclaredToGrow) {
+  int count = 0;
+  for (const auto& subject : all_subjects()) {
+    if (subject.cause != causes::grows) continue;
+    ++count;
+    assay_material table = subject.material.table();
+    table.flags |= ASSAY_GROWS;
+    const Report report = run_battery(Material(&table, subject.material.named_parameters()));
+    EXPECT_TRUE(report.passes()) << subject.name << "\n" << told(report);
+  }
+  EXPECT_EQ(count, 2);
 }
 
 /// A material that refuses a step leaves the step.
