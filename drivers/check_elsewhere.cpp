@@ -28,6 +28,9 @@ namespace {
 
 using Maker = std::function<check::History()>;
 
+/// Behind the last row, so that rows of a process that has ended too soon are told from all.
+constexpr double end_of_rows = -1;
+
 /// Row by row, each after its length.
 [[noreturn]] void send(const Maker& make, int out) {
   call_mark = nullptr;
@@ -42,6 +45,7 @@ using Maker = std::function<check::History()>;
       all.push_back(static_cast<double>(row.size()));
       all.insert(all.end(), row.begin(), row.end());
     }
+    all.push_back(end_of_rows);
   } catch (const std::exception&) {
     leave_process(1);
   }
@@ -54,8 +58,29 @@ using Maker = std::function<check::History()>;
   leave_process(0);
 }
 
-/// All that comes until the pipe is closed; none where that takes too long.
-std::optional<std::vector<double>> received(int in, double limit_s) {
+/// Nothing where the last of them has not come.
+std::optional<check::History> rows_of(const std::vector<double>& all) {
+  check::History rows;
+  for (std::size_t at = 0; at < all.size();) {
+    const double size = all[at++];
+    if (size == end_of_rows && at == all.size()) return rows;
+    if (!(size >= 0) || size > static_cast<double>(all.size() - at)) return std::nullopt;
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(at);
+    rows.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(size));
+    at += static_cast<std::size_t>(size);
+  }
+  return std::nullopt;
+}
+
+std::vector<double> numbers_in(const std::string& bytes) {
+  std::vector<double> all(bytes.size() / sizeof(double));
+  std::copy_n(bytes.data(), all.size() * sizeof(double), reinterpret_cast<char*>(all.data()));
+  return all;
+}
+
+/// All that comes until it is whole, or the pipe is closed, which others than the sender may hold; none where that
+/// takes too long.
+std::optional<check::History> received(int in, double limit_s) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::milliseconds(std::llround(1e3 * limit_s));
   std::string bytes;
@@ -67,23 +92,13 @@ std::optional<std::vector<double>> received(int in, double limit_s) {
     const ssize_t length = ::read(in, text, sizeof text);
     if (length == 0) break;
     if (length < 0 && errno != EINTR) return std::nullopt;
-    if (length > 0) bytes.append(text, static_cast<std::size_t>(length));
+    if (length <= 0) continue;
+    bytes.append(text, static_cast<std::size_t>(length));
+    const std::vector<double> all = numbers_in(bytes);
+    const bool may_be_whole = bytes.size() % sizeof(double) == 0 && all.back() == end_of_rows;
+    if (auto rows = may_be_whole ? rows_of(all) : std::nullopt) return rows;
   }
-  std::vector<double> all(bytes.size() / sizeof(double));
-  std::copy_n(bytes.data(), all.size() * sizeof(double), reinterpret_cast<char*>(all.data()));
-  return all;
-}
-
-check::History rows_of(const std::vector<double>& all) {
-  check::History rows;
-  for (std::size_t at = 0; at < all.size();) {
-    const double size = all[at++];
-    if (!(size >= 0) || size > static_cast<double>(all.size() - at)) return {};
-    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(at);
-    rows.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(size));
-    at += static_cast<std::size_t>(size);
-  }
-  return rows;
+  return std::nullopt;
 }
 
 /// Of both: near where the pipe was closed, brought about otherwise; waits until no watcher sees either.
@@ -94,10 +109,11 @@ void end_group(pid_t process, bool is_near) {
   for (int waited = 0; ::kill(-process, SIGKILL) == 0 && waited < patience_ms; ++waited) ::usleep(1000);
 }
 
-/// What `make` gives in a process of its own.
-check::History made_elsewhere(const Maker& make, double limit_s) {
+}  // namespace
+
+std::optional<check::History> made_elsewhere(const Maker& make, double limit_s) {
   int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) return {};
+  if (::pipe2(ends, O_CLOEXEC) != 0) return std::nullopt;
   const pid_t process = ::fork();
   if (process == 0) {  // between the two, for models that kill whoever has started them
     ::setpgid(0, 0);
@@ -109,17 +125,16 @@ check::History made_elsewhere(const Maker& make, double limit_s) {
   }
   ::setpgid(process, process);  // whichever comes first
   ::close(ends[1]);
-  const auto all = process > 0 ? received(ends[0], limit_s) : std::nullopt;
+  const std::optional<check::History> all = process > 0 ? received(ends[0], limit_s) : std::nullopt;
   ::close(ends[0]);
-  if (process < 0) return {};
+  if (process < 0) return std::nullopt;
   end_group(process, all.has_value());
-  return all ? rows_of(*all) : check::History();
+  return all;
 }
 
-}  // namespace
-
 check::History history_elsewhere(const Material& material, const check::Effort& effort, double limit_s) {
-  return made_elsewhere([&] { return check::history(material, check::amplitudes_of_first(effort).back()); }, limit_s);
+  const auto make = [&] { return check::history(material, check::amplitudes_of_first(effort).back()); };
+  return made_elsewhere(make, limit_s).value_or(check::History());
 }
 
 check::History history_of_others(const ResolvedMaterial& material, const check::Effort& effort, double limit_s) {
@@ -138,7 +153,7 @@ check::History history_of_others(const ResolvedMaterial& material, const check::
       choice.isolation = Isolation::none;
       return check::history(resolve_material(choice).material, check::amplitudes_of_first(effort).back());
     };
-    found = made_elsewhere(make, limit_s);
+    found = made_elsewhere(make, limit_s).value_or(check::History());
   }
   std::filesystem::remove_all(folder, code);
   return found;

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: BSD-3-Clause
 ! J2 plasticity by radial return, linear isotropic hardening, in the axes of the Green-Naghdi rotation.
 ! PROPS: E, nu, yield stress, hardening modulus. State: equivalent plastic strain. Elastic at total time 0.
+! The words of CMNAME say what its stiffness depends on beside: LENGTH, PLACE, WARMTH, DENSITY, STEP_TIME.
 subroutine vumat(nblock, ndir, nshr, nstatev, nfieldv, nprops, lanneal, steptime, totaltime, dt, cmname, coordmp, &
                  charlength, props, density, straininc, relspininc, tempold, stretchold, defgradold, fieldold, &
                  stressold, stateold, enerinternold, enerinelasold, tempnew, stretchnew, defgradnew, fieldnew, &
@@ -24,6 +25,11 @@ subroutine vumat(nblock, ndir, nshr, nstatev, nfieldv, nprops, lanneal, steptime
   n = ndir + nshr
   lambda = props(1) * props(2) / ((1 + props(2)) * (1 - 2 * props(2)))
   shear = props(1) / (2 * (1 + props(2)))
+  if (index(cmname, 'LENGTH') > 0) shear = shear * (1 + 0.1_dp * charlength(1))
+  if (index(cmname, 'PLACE') > 0) shear = shear * (1 + 0.1_dp * coordmp(1, 2))
+  if (index(cmname, 'WARMTH') > 0) shear = shear * (1 + 0.001_dp * tempnew(1))
+  if (index(cmname, 'DENSITY') > 0) shear = shear * (1 + 1e-5_dp * density(1))
+  if (index(cmname, 'STEP_TIME') > 0) shear = shear * (1 + 0.1_dp * steptime / totaltime)
   do k = 1, nblock
     trial = stressold(k, :) + 2 * shear * straininc(k, :) ! tensor shear
     trial(1:3) = trial(1:3) + lambda * sum(straininc(k, 1:3))
