@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adapters/foreign/foreign_state.hpp"
 #include "drivers/check_elsewhere.hpp"
 #include "drivers/check_steps.hpp"
 #include "drivers/material/material_description.hpp"
@@ -18,11 +19,21 @@ using adapters::HostValues;
 
 constexpr double same_within = 1e-12;  ///< of the largest stress, as in calls.repeated
 
+/// Numbers of a state that are not the model's own.
+std::size_t bridge_components(const ResolvedMaterial& material) {
+  const auto model = read_description(material.description).foreign;
+  const auto own = model ? adapters::foreign_state_size(model->state) : 0;
+  return material.material.state_size() - static_cast<std::size_t>(own);
+}
+
 /// The same steps under one host after the other.
 class Hosts {
  public:
   Hosts(const ResolvedMaterial& material, const HostAccess& access, double strain, double pressure)
-      : material_(material.material.clone()), access_(access), usual_(access.values(material_.self())) {
+      : material_(material.material.clone()),
+        access_(access),
+        usual_(access.values(material_.self())),
+        own_(state_of_answer + bridge_components(material)) {
     constexpr int count = 8;
     constexpr double far = 30;  // as far beyond yield as the battery goes: the others stay elastic
     for (const double amplitude : {strain, strain / far}) {
@@ -70,6 +81,7 @@ class Hosts {
     for (std::size_t c = stress_of_answer; c < found.size(); ++c) {
       const double change = std::abs(found[c] - usual[c]);
       const bool of_stress = c < state_of_answer;
+      if (!of_stress && c < own_) continue;
       if (!(change > same_within * (of_stress ? scales_[k] : std::abs(usual[c])))) continue;
       if (of_stress) effect.stress = std::max(effect.stress, change / scales_[k]);
       effect.state = true;
@@ -79,6 +91,7 @@ class Hosts {
   Material material_;
   const HostAccess& access_;
   HostValues usual_;
+  std::size_t own_;  ///< where STATEV begins in an answer: what stands before are outputs, as energies by mass
   std::vector<RepeatedStep> steps_;
   std::vector<Answer> answers_;
   std::vector<double> scales_;  ///< the largest stress of a history so far [Pa]

@@ -49,8 +49,7 @@ void write_replay(const std::string& file, const Replay& replay) {
 /// Those of earlier failures that are none any more.
 void remove_stale(const CheckedMaterial& checked, const CheckSettings& settings) {
   std::vector<std::string> ids = check::test_ids();
-  for (const char* own : {process_test, beyond_test, host_test}) ids.emplace_back(own);
-  ids.emplace_back(vortex_test);
+  for (const char* own : {process_test, vortex_test, beyond_test, host_test}) ids.emplace_back(own);
   for (const std::string& id : ids) {
     std::error_code ignored;
     if (checked.replays.count(id) == 0) fs::remove(replay_file(checked, settings.folder, id), ignored);
