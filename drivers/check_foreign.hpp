@@ -8,6 +8,15 @@
 
 namespace assay::drivers {
 
+/// The test of that id, where it fails; null otherwise.
+check::TestResult* failed_test(check::Report& report, const char* id);
+
+/// Another sentence, with the test's cause, in the diagnosis too.
+void say_instead(check::Report& report, check::TestResult& test, const std::string& sentence);
+
+/// More words behind a sentence, wherever it stands.
+void say_also(check::Report& report, const std::string& sentence, const std::string& more);
+
 /// Those of the ABI for a native model.
 check::Declarations declarations_of(const ResolvedMaterial& material);
 

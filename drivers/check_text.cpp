@@ -63,13 +63,27 @@ std::string remark_of(const std::string& sentence) {
   return at == std::string::npos ? "" : sentence.substr(at);
 }
 
+/// "; depends on TEMP (2 % for +10), COORDS (...)"
+std::string dependences(const CheckedMaterial& checked) {
+  std::string text;
+  for (const Dependence& each : checked.depends_on) {
+    text += (text.empty() ? "; depends on " : ", ") + each.on + " (" + each.how + ")";
+  }
+  return text;
+}
+
+/// Whether it passes for another reason than its measure, which its sentence says.
+bool passes_otherwise(const TestResult& test) {
+  return test.verdict == Verdict::pass && test.measure && test.threshold && *test.measure > *test.threshold;
+}
+
 std::string summary(const CheckedMaterial& checked) {
   const check::Report& report = checked.report;
   return checked.name + ": " + (report.passes() ? "pass" : "FAIL") + "; " +
          std::to_string(count_of(report, Verdict::pass)) + " tests passed, " +
          std::to_string(count_of(report, Verdict::fail)) + " failed, " +
          std::to_string(count_of(report, Verdict::not_applicable)) + " not applicable, in " +
-         rounded_text(checked.wall_s, 2) + " s" + unusual_effort(report);
+         rounded_text(checked.wall_s, 2) + " s" + unusual_effort(report) + dependences(checked);
 }
 
 }  // namespace
@@ -90,7 +104,7 @@ std::string check_text(const CheckedMaterial& checked, Verbosity verbosity) {
       }
       page += row(test.id, test.verdict == Verdict::fail ? "FAIL" : verdict_name(test.verdict),
                   measured_text(test.measure), measured_text(test.threshold), measured_text(test.order));
-      const bool whole = verbosity == Verbosity::verbose || test.verdict == Verdict::fail;
+      const bool whole = verbosity == Verbosity::verbose || test.verdict == Verdict::fail || passes_otherwise(test);
       const std::string words = whole ? test.sentence : remark_of(test.sentence);
       if (!words.empty()) page += wrapped(words, "    ", "    ");
     }

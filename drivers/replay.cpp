@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "drivers/check_beyond.hpp"
+#include "drivers/check_host.hpp"
 #include "drivers/check_material.hpp"
 #include "drivers/check_vortex.hpp"
 #include "drivers/material/material_choice.hpp"
@@ -163,8 +165,7 @@ namespace {
 
 std::vector<std::string> tests_of_check() {
   std::vector<std::string> ids = check::test_ids();
-  ids.emplace_back(process_test);
-  ids.emplace_back(vortex_test);
+  for (const char* own : {process_test, vortex_test, beyond_test, host_test}) ids.emplace_back(own);
   return ids;
 }
 

@@ -45,6 +45,10 @@ const void* extension_of(const char* id) {
     static const assay_tangent tangent{sizeof(assay_tangent), Calls::tangent};
     if (std::string(id) == ASSAY_EXTENSION_TANGENT) return &tangent;
   }
+  if constexpr (requires { &Bridge::hold; }) {
+    static const HostAccess access = Calls::host_access_of();
+    if (std::string(id) == host_access) return &access;
+  }
   return nullptr;
 }
 

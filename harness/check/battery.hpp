@@ -56,9 +56,10 @@ struct Declarations {
   std::string rate_dependence = "ASSAY_RATE_DEPENDENT";
   std::string own_axes = "ASSAY_ROLE_ROTATES_ITSELF";
   std::string growth = "ASSAY_GROWS";
-  bool guesses_roles = false;    ///< of the state: a foreign interface knows none
-  bool may_drop_stress = false;  ///< an initial one that it cannot carry: it has no way to refuse
-  double tangent_within = 1e-4;  ///< relative: of a foreign implicit law more, as its last iteration leaves it
+  std::string numbered_state = "";  ///< an array whose numbers are the names s1, s2 ... of state variables; or empty
+  bool guesses_roles = false;       ///< of the state: a foreign interface knows none
+  bool may_drop_stress = false;     ///< an initial one that it cannot carry: it has no way to refuse
+  double tangent_within = 1e-4;     ///< relative: of a foreign implicit law more, as its last iteration leaves it
   std::string tangent = "d sigma / d F1 in row-major order";
 };
 
@@ -98,8 +99,12 @@ inline constexpr const char* repeated_stretch = "unstable at repeated principal 
 inline constexpr const char* tangent_convention = "tangent of another convention";
 inline constexpr const char* tangent_wrong = "tangent wrong";
 inline constexpr const char* hidden_state = "hidden state";
+inline constexpr const char* kept_by_element = "state kept by element";
+inline constexpr const char* host_counters = "depends on the host's counters";
 inline constexpr const char* clock = "clock";
 inline constexpr const char* overrun = "overrun";
+inline constexpr const char* state_undeclared = "state not declared";
+inline constexpr const char* properties_missing = "properties missing";
 inline constexpr const char* undeclared_increment = "increment read undeclared";
 inline constexpr const char* not_indifferent = "not frame-indifferent";
 inline constexpr const char* stress_at_rest = "stress at rest";

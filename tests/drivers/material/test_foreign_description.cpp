@@ -66,7 +66,7 @@ TEST(ForeignDescription, StateKeepsItsOrderInEveryForm) {
   EXPECT_EQ(model("state: 3").state[2].name, "s3");
   EXPECT_EQ(model("state: [b, a]").state[1].name, "a");
   const auto state =
-      model("state: {z: tensor, n: 0.8, a: {kind: strain, count: 2, initial: [1, 2, 3, 4, 5, 6]}}").state;
+      model("state: {z: tensor, n: {initial: 0.8}, a: {kind: strain, count: 2, initial: [1, 2, 3, 4, 5, 6]}}").state;
   ASSERT_EQ(state.size(), 4u);
   EXPECT_EQ(state[0].kind, Kind::tensor);
   EXPECT_EQ(state[1].initial, std::vector<double>{0.8});
@@ -122,7 +122,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadKey{"state: -1", "8: state: must be from 0 to 10000, found '-1'"},
         BadKey{"state: 1.5", "8: state: must be a whole number"},
         BadKey{"state: {a: vectr}", "12: state.a: unknown value 'vectr' (nearest: vector); known: scalar, vector"},
-        BadKey{"state: {a: .nan}", "12: state.a: must be a finite number"},
+        BadKey{"state: {a: .nan}", "12: state.a: a number alone may be a count or a first value"},
+        BadKey{"state: {a: 14}",
+               "12: state.a: a number alone may be a count or a first value: write {count: 14} or {initial: 14}"},
+        BadKey{"noel: 0", "7: noel: must be from 1 to"},
+        BadKey{"npt: 1.5", "6: npt: must be a whole number"},
+        BadKey{"elements: all", "11: elements: unknown value 'all'"},
         BadKey{"state: {a: {knd: vector}}", "13: state.a.knd: unknown key (nearest: kind); known: kind, count"},
         BadKey{"state: {a: {count: 0}}", "20: state.a.count: must be from 1 to 10000"},
         BadKey{"state: {a: {kind: vector, initial: [1, 2]}}",
