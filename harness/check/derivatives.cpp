@@ -98,8 +98,8 @@ FromElasticity from_elasticity(const Specimen& specimen, const Sample& s, const 
 struct Tangents {
   double worst = 0;                           ///< relative
   double elastic = 0;                         ///< as wrong as if they were those of elasticity
-  double largest = 0;                         ///< component
-  double secant = 0, least_share = 1;         ///< of elasticity with a share of the stiffness; the least share
+  double secant = 0;                          ///< of elasticity with a share of the stiffness
+  double least_share = 1, largest_share = 0;  ///< of these
   int given = 0, refused = 0;                 ///< in steps that do not end at a kink
   std::map<std::string, double> conventions;  ///< by its name, as wrong as if it were that one
 };
@@ -118,11 +118,11 @@ Tangents tangents_of(Specimen specimen, double amplitude, const assay_tangent& f
     ++(given ? found.given : found.refused);
     if (!given) continue;
     found.worst = std::max(found.worst, apart(*given, expected));
-    found.largest = std::max(found.largest, given->cwiseAbs().maxCoeff());
     const FromElasticity elasticity = from_elasticity(specimen, s, *given);
     found.elastic = std::max(found.elastic, elasticity.whole);
     found.secant = std::max(found.secant, elasticity.fitted);
     found.least_share = std::min(found.least_share, elasticity.share);
+    found.largest_share = std::max(found.largest_share, std::abs(elasticity.share));
     for (const auto& [name, other] : other_conventions(expected, s.end.cauchy, s.F1)) {
       double& off = found.conventions[name];
       off = std::max(off, apart(*given, within(specimen.space, other)));
@@ -186,7 +186,7 @@ std::string words_of(const Tangents& found, double worst) {
     return "the model refuses to give its tangent in " + std::to_string(found.refused) + " of " +
            std::to_string(found.refused + found.given) + " steps";
   }
-  if (found.largest == 0) return "the tangent is zero in every step: none is given";
+  if (found.secant <= within && found.largest_share <= least_share) return "no moduli are given: the tangent is zero";
   if (found.elastic <= within) {
     return "the tangent is that of elasticity, where the material flows, too: " + wrong_by;
   }
