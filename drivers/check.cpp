@@ -121,7 +121,14 @@ CheckedMaterial check_one(const CheckOptions& options) {
                      },
                      adapters::start_of(&resolved.material.table()).limits};
   };
-  CheckedMaterial checked = check_in_processes({task_of(settings)}, processes_for(options)).front();
+  Progress progress("check", options.verbosity == Verbosity::quiet);
+  CheckProcesses how = processes_for(options);
+  how.at_work = [&progress](std::size_t begun, const std::string& test) {
+    const auto all = static_cast<double>(check::test_ids().size() + 2);  // and the process, and the vortex
+    progress.update(std::min(1.0, static_cast<double>(begun) / all), test);
+  };
+  CheckedMaterial checked = check_in_processes({task_of(settings)}, how).front();
+  progress.finish();
   take_end_for_refusal(checked, options, settings, task_of);
   hint_components(checked, settings.effort, processes_for(options));
   judge_printing(checked);
