@@ -138,7 +138,7 @@ std::vector<std::string> column_sentences(const ColumnReadings& readings, const 
   if (!readings.cut.empty()) {
     all.push_back(begin_of(readings.cut, file) + "code beyond column 132 (" + which(readings.cut) + "), here '" +
                   one_line(readings.cut.front().beyond, longest) +
-                  "': Abaqus cuts it off without a word, and so does assay");
+                  "': Abaqus takes 132 columns and cuts it off without a word, and so does assay");
   }
   return all;
 }

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -44,18 +45,24 @@ int major_version(const FortranCompiler& compiler) {
 
 /// The files that Abaqus has, and those of the source's folder under the names that the source has for them.
 void provide_includes(const FortranSource& source, const fs::path& folder) {
-  std::error_code code;
-  fs::create_directories(folder, code);
-  if (code) fail(folder, "cannot be made", code);
   for (const IncludedFile& include : source.includes) {
-    const fs::path name = fs::path(include.name).filename(), place = folder / name;
-    if (name.empty() || fs::exists(place, code)) continue;
-    if (include.path.empty()) {
-      write_bytes(place, include.bytes, O_CREAT | O_EXCL);
-    } else if (fs::path(include.path).filename() != name) {
+    const fs::path name = fs::path(include.name).lexically_normal(), place = folder / name;
+    std::error_code code;
+    if (name.empty() || name.is_absolute() || *name.begin() == ".." || fs::exists(place, code)) continue;
+    fs::create_directories(place.parent_path(), code);
+    if (code) fail(place.parent_path(), "cannot be made", code);
+    if (include.path.empty() || !include.adapted.empty()) {
+      write_bytes(place, include.adapted.empty() ? include.bytes : include.adapted, O_CREAT | O_EXCL);
+    } else if (fs::path(include.path).filename() != name.filename()) {
       fs::create_symlink(include.path, place, code);
     }
   }
+}
+
+/// Whether gfortran is given another text than that of the files.
+bool is_adapted(const FortranSource& source) {
+  return !source.adapted.empty() || std::any_of(source.includes.begin(), source.includes.end(),
+                                                [](const IncludedFile& each) { return !each.adapted.empty(); });
 }
 
 /// "./model.f:4:72: Error: Syntax error in argument list at (1)".
@@ -111,6 +118,8 @@ InputError refusal_of_compiler(const FortranSource& source, const FortranCompile
   if (source.has_cards) {
     more +=
         "; columns 73 to 80 hold the numbers of punched cards, which Abaqus reads as code: " + card_remedy(source.file);
+  } else if (source.cut_line > 0) {
+    more += "; what stands beyond column 132, as in line " + std::to_string(source.cut_line) + ", is cut";
   } else if (!source.form.why.empty()) {
     more += std::string("; it was taken for ") + (fixed ? "fixed" : "free") + " form " + source.form.why;
   }
@@ -155,10 +164,14 @@ void compile_library(const FortranSource& source, const FortranCompiler& compile
   const fs::path place(folder), file(source.file);
   provide_includes(source, place / "include");
   ToolCall call{.program = compiler.program, .arguments = flags_for(source, compiler)};
-  call.folder = file.parent_path().string();  // so that no path of it gets into the library
+  call.folder = file.parent_path().string();  // where it is called by its name: no path of it gets into the library
   call.temporary = folder;
-  const std::string include = (place / "include").string();
-  for (const std::string& word : {"-I" + include, "-J" + folder, "./" + file.filename().string(), std::string("-x"),
+  if (is_adapted(source)) {
+    call.folder = folder;
+    write_bytes(place / file.filename(), source.adapted.empty() ? source.bytes : source.adapted, O_CREAT | O_EXCL);
+  }
+  for (const std::string& word : {"-I" + (place / "include").string(), "-I" + file.parent_path().string(),
+                                  "-J" + folder, "./" + file.filename().string(), std::string("-x"),
                                   std::string("none"), std::string("-lm"), std::string("-o"), library}) {
     call.arguments.push_back(word);
   }

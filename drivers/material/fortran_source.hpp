@@ -17,21 +17,24 @@ struct IncludedFile {
   std::string name;
   std::string path;  ///< in the source's folder, where letters of the other size count too; empty: this program's own
   std::string bytes;
+  std::string adapted;  ///< what gfortran is given in its place; empty: itself
 };
 
 struct FortranSource {
   std::string file;  ///< absolute
   std::string bytes;
   FoundForm form;
-  bool preprocessed = false;                     ///< its name ends in capitals, or it has lines that begin with '#'
-  std::vector<IncludedFile> includes;            ///< those that are found
-  std::vector<FortranStatement> statements;      ///< its own
-  std::vector<FortranStatement> all_statements;  ///< and those of files of its folder
-  std::vector<std::string> warnings;             ///< sentences on columns, of the source and of files of its folder
+  std::vector<std::string> lines;            ///< as gfortran reads them: see fortran_adapted.hpp
+  std::string adapted;                       ///< the same where they are not those of the file; else empty
+  bool preprocessed = false;                 ///< its name ends in capitals, or it has lines that begin with '#'
+  std::vector<IncludedFile> includes;        ///< those that are found
+  std::vector<FortranStatement> statements;  ///< its own, and those of files of its folder
+  std::vector<std::string> warnings;         ///< sentences on columns, of the source and of files of its folder
 
-  std::vector<FortranRoutine> routines() const { return subroutines_of(all_statements); }
+  std::vector<FortranRoutine> routines() const { return subroutines_of(statements); }
   bool includes_parameters(const FortranRoutine& routine) const;  ///< ABA_PARAM.INC, VABA_PARAM.INC
   bool has_cards = false;                                         ///< numbers of punched cards, which are read as code
+  int cut_line = 0;                                               ///< the first with code beyond column 132; 0: none
 };
 
 /// Throws InputError at `where`, `key`: missing, no text, too long.

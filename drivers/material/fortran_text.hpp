@@ -26,6 +26,8 @@ class FortranCode {
 
   /// Columns of the result are those of the line; tabs at the beginning of fixed form are written out.
   std::string of(const std::string& line);
+  /// Whether the last line ended in a character constant.
+  bool is_open() const { return open_ != 0; }
 
  private:
   FortranForm form_;

@@ -195,8 +195,9 @@ class Describer {
   std::string source_note() const {
     const bool fixed = source_.form.form == FortranForm::fixed;
     const bool umat = entry_.interface == adapters::ForeignInterface::umat;
-    return std::string(umat ? "a UMAT" : "a VUMAT") + " (" + entry_.symbol + ") in " + (fixed ? "fixed" : "free") +
-           " form" + (source_.form.why.empty() ? "" : " " + source_.form.why) +
+    const std::string form = source_.form.mixed ? "a" : fixed ? "fixed" : "free";
+    return std::string(umat ? "a UMAT" : "a VUMAT") + " (" + entry_.symbol + ") in " + form + " form" +
+           (source_.form.why.empty() ? "" : " " + source_.form.why) +
            (fixed ? ", read at 132 columns as by Abaqus" : "") + "; " + library_.compiler;
   }
 

@@ -48,7 +48,7 @@ std::map<int, std::string> property_names(const std::vector<FortranStatement>& s
 
 SourceFacts facts_of(const FortranSource& source, const SourceEntry& entry) {
   const EntryNames names = names_of_entry(entry);
-  const std::vector<FortranStatement>& all = source.all_statements;
+  const std::vector<FortranStatement>& all = source.statements;
   const bool umat = entry.interface == adapters::ForeignInterface::umat;
   SourceFacts facts;
   facts.props = use_of(all, names.props);

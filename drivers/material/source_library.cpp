@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* library_signature = "assay source 1\n";
+constexpr const char* library_signature = "assay source 2\n";
 constexpr std::size_t digits_of_hash = 20;
 
 /// A folder for what is made on the way; gone with this object, and swept by others where this process is killed.

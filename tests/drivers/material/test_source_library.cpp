@@ -83,6 +83,30 @@ TEST_F(SourceLibraryTest, BothFormsWithAnyIncludeOfAbaqus) {
   EXPECT_EQ(kept(".so").size(), 7u) << "free.f90 and free.for are one";
 }
 
+// As their authors' compiler takes them.
+TEST_F(SourceLibraryTest, WhatOtherCompilersTakeIsAdapted) {
+  scratch.write("free.inc", "a = 1\n");
+  built(scratch.write("mixed.for", hooke_umat +
+                                       "!DEC$ FREEFORM\nsubroutine other(a)\n  implicit none\n  real a\n"
+                                       "include 'free.inc'\na = a &\n + 1\nend subroutine\ncDEC$ NOFREEFORM\n" +
+                                       fixed_umat(hooke_statements, "LAST")));
+  std::string both = hooke_umat;
+  both.replace(both.find("SSE,SPD,SCD,\n"), 13, "SSE,SPD,SCD,                       &\n");
+  built(scratch.write("both.for", both));
+  scratch.write("own.inc", "      #include 'ABA_PARAM.INC'\n");
+  built(scratch.write("directive.f", "#DEFINE ONE 1\n" + fixed_umat("      EMOD=ONE\n" + hooke_statements)));
+  std::string indented = hooke_umat;
+  indented.replace(indented.find("INCLUDE"), 7, "#include");
+  const std::string library = built(scratch.write("indented.f", indented));
+  EXPECT_EQ(kept(".so").size(), 4u);
+  EXPECT_EQ(kept("").size(), 4u);
+  EXPECT_EQ(bytes_of(library).find(".assay-"), std::string::npos) << "no path of the way to it";
+  scratch.write("mixed.for", hooke_umat + "!DEC$ FREEFORM\nsubroutine other(a)\n a = (1\nend\n");
+  const int line = static_cast<int>(lines_of_source(hooke_umat).size()) + 3;
+  EXPECT_EQ(refused(scratch / "mixed.for").substr(0, 13), "mixed.for:" + std::to_string(line) + ":")
+      << refused(scratch / "mixed.for");
+}
+
 TEST_F(SourceLibraryTest, OldAndLooseSourcesCompile) {
   built(scratch.write("loose.f",
                       fixed_umat("      STRUCTURE /S/\n      REAL*8 X\n      END STRUCTURE\n      RECORD /S/ R\n"
@@ -95,6 +119,11 @@ TEST_F(SourceLibraryTest, FixedFormIsReadAt132Columns) {
   line.resize(100, ' ');
   const std::string source = scratch.write("long.f", fixed_umat(line + "+)\n" + hooke_statements));
   EXPECT_NE(refused(source).find("long.f:13:"), std::string::npos) << refused(source);
+  line = "      X=1";
+  line.resize(132, ' ');
+  const std::string cut =
+      refused(scratch.write("cut.f", fixed_umat("      Y=(1\n" + line + "+2\n" + hooke_statements)));
+  EXPECT_NE(cut.find("what stands beyond column 132, as in line 14, is cut"), std::string::npos) << cut;
 }
 
 TEST_F(SourceLibraryTest, TheCompilersFirstErrorIsALine) {
