@@ -5,7 +5,7 @@
 # at 132 columns, as Abaqus does, with a warning where that makes a difference; INCLUDE 'ABA_PARAM.INC' and
 # 'VABA_PARAM.INC' are found. Fails the build where the entry point is missing.
 #   SYMBOL  the entry point in the library, where it is none of umat_, umat, vumat_, vumat
-set(_assay_check_columns ${CMAKE_CURRENT_LIST_DIR}/check_columns.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/check_columns.cmake)
 
 function(assay_add_foreign_material name)
   cmake_parse_arguments(PARSE_ARGV 1 given "" "SYMBOL" "")
@@ -26,19 +26,23 @@ function(assay_add_foreign_material name)
 endfunction()
 
 # The last of such flags counts: target_compile_options(NAME PRIVATE -ffixed-line-length-72) after it has the standard's.
+# Warnings come when the project is configured, which a change of the source brings about.
 function(_assay_read_132_columns name)
   target_compile_options(${name} PRIVATE
     $<$<COMPILE_LANG_AND_ID:Fortran,GNU>:-ffixed-line-length-132>
     $<$<COMPILE_LANG_AND_ID:Fortran,LLVMFlang>:-ffixed-line-length=132>
     "$<$<COMPILE_LANG_AND_ID:Fortran,Intel,IntelLLVM>:SHELL:-extend-source 132>")
-  set(sources "")
   foreach(source IN LISTS given_UNPARSED_ARGUMENTS)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
-    list(APPEND sources ${source})
+    if(EXISTS "${source}")
+      set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
+      _assay_check_columns("${source}")
+      set(options $<$<COMPILE_LANG_AND_ID:Fortran,GNU>:-ffixed-line-length-72>)
+      if(_assay_columns EQUAL 72)
+        set_property(SOURCE "${source}" APPEND PROPERTY COMPILE_OPTIONS ${options})
+      endif()
+    endif()
   endforeach()
-  list(JOIN sources "|" sources)
-  add_custom_command(TARGET ${name} POST_BUILD
-    COMMAND ${CMAKE_COMMAND} -D "SOURCES=${sources}" -P ${_assay_check_columns} VERBATIM)
 endfunction()
 
 # What Abaqus includes into a routine without declarations: reals of double precision, and the length of a VUMAT's block.

@@ -3,6 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
+
+#include "drivers/material/fortran_adapted.hpp"
+#include "drivers/material/tool_process.hpp"
+#include "tests/drivers/scratch_folder.hpp"
+
 namespace assay::drivers::test_fortran_columns {
 namespace {
 
@@ -104,6 +110,41 @@ TEST(FortranColumns, BeyondColumn132NothingIsRead) {
       "m.f:1: code beyond column 132 (line 1), here '+2': Abaqus takes 132 columns and cuts it off without a word, "
       "and so does assay");
   EXPECT_TRUE(readings(at_column(132, "      A=1", "2")).cut.empty());
+}
+
+/// "1, 3" of "(2 lines: 1, 3)", and of "(line 1)".
+std::string told_lines(const std::string& text, const std::string& words) {
+  std::string flat = text;  // CMake breaks its messages
+  flat = std::regex_replace(flat, std::regex("\\s+"), " ");
+  std::smatch found;
+  const std::regex pattern(words + "[^(]*\\((?:line |[0-9]+ lines: )([^)]*)\\)");
+  return std::regex_search(flat, found, pattern) ? found[1].str() : "";
+}
+
+// The build of a project with assay_add_foreign_material warns of the same lines.
+TEST(FortranColumns, CMakeTellsTheSame) {
+  if (tool_in_path("cmake").empty()) GTEST_SKIP() << "no cmake";
+  const ScratchFolder scratch;
+  const std::string text = at_column(73, "      A=1", "+2") + at_column(80, "C     long", "comment") +
+                           at_column(75, "      B='it''s' ! [a; b", "c") +
+                           at_column(90, "      C=\"!;\"", "//'x' ! y") + at_column(73, "      D=1", "00000010") +
+                           at_column(73, "      E=1", "00000020") + "\tF=1" + std::string(63, ' ') + "+2\n" +
+                           at_column(73, "      CALL A(X,", "&") + "     &  Y)\n";
+  const std::string file = scratch.write("m.f", text);
+  const ToolEnd ran =
+      run_tool({.program = tool_in_path("cmake"),
+                .arguments = {"-D", "SOURCE=" + file, "-P", ASSAY_SOURCE_DIR "/cmake/check_columns.cmake"}});
+  std::string own;
+  const std::vector<std::string> lines = lines_of_source(text);
+  const std::vector<FortranForm> forms(lines.size(), FortranForm::fixed);
+  for (const std::string& sentence :
+       column_sentences(readings_of(adapted_lines(lines, forms), FortranForm::fixed), file)) {
+    own += sentence + "\n";
+  }
+  for (const std::string words : {"code beyond column 72", "punched cards"}) {
+    EXPECT_EQ(told_lines(ran.said, words), told_lines(own, words)) << ran.said << own;
+    EXPECT_NE(told_lines(own, words), "") << own;
+  }
 }
 
 TEST(FortranColumns, FreeFormHasNoColumns) {
