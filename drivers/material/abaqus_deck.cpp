@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <map>
 
 #include "drivers/material/deck_keywords.hpp"
 #include "drivers/output/numbers.hpp"
@@ -24,14 +25,38 @@ bool is_section(const DeckBlock& block) { return block.is("solidsection", 6) || 
 
 bool tells_of_material(const DeckBlock& block) {
   return block.is("material", 4) || is_user_material(block) || block.is("depvar", 3) || block.is("density", 3) ||
-         is_section(block) || block.is("initialconditions", 8);
+         is_section(block) || block.is("initialconditions", 8) || block.is("parameter", 5);
 }
 
-double number_at(const DeckLine& line, std::size_t k, const std::string& key) {
+/// "K = 1000." of *Parameter; what is no number is left to whoever uses it.
+using DeckNumbers = std::map<std::string, double>;
+
+DeckNumbers numbers_named_in(const std::vector<DeckBlock>& blocks) {
+  DeckNumbers numbers;
+  for (const DeckBlock& block : blocks) {
+    if (!block.is("parameter", 5)) continue;
+    for (const DeckLine& line : block.data) {
+      const std::string text = line.items.empty() ? "" : line.items[0];
+      const std::size_t equals = text.find('=');
+      std::string name = text.substr(0, equals), value = equals == text.npos ? "" : text.substr(equals + 1);
+      std::erase(name, ' ');
+      std::erase(value, ' ');
+      if (const auto number = deck_number(value)) numbers[deck_letters(name)] = *number;
+    }
+  }
+  return numbers;
+}
+
+double number_at(const DeckLine& line, std::size_t k, const std::string& key, const DeckNumbers& named) {
   const std::string item = k < line.items.size() ? line.items[k] : "";
   if (item.empty()) return 0;  // Abaqus' default
   if (const auto number = deck_number(item)) return *number;
-  throw InputError(line.where, key, "must be a number, found '" + one_line(item, 60) + "'");
+  const bool is_name = item.size() > 2 && item.front() == '<' && item.back() == '>';
+  const auto found = named.find(is_name ? deck_letters(item.substr(1, item.size() - 2)) : "");
+  if (found != named.end()) return found->second;
+  throw InputError(
+      line.where, key,
+      "must be a number, found '" + one_line(item, 60) + "'" + (is_name ? ", to which no *Parameter gives one" : ""));
 }
 
 int count_in(const std::string& text, const Location& where, const std::string& key) {
@@ -42,32 +67,38 @@ int count_in(const std::string& text, const Location& where, const std::string& 
 }
 
 /// CalculiX has a temperature behind the constants.
-void drop_temperature(std::vector<double>& constants, std::size_t count, const DeckBlock& block,
-                      std::vector<std::string>& notes) {
-  if (constants.size() != count + 1) return;
-  constants.pop_back();
-  notes.push_back(block.where.text() + ": a number more than constants=" + std::to_string(count) +
-                  " is taken for the temperature that CalculiX has there, and left out");
+bool is_temperature(const DeckBlock& block, std::size_t count) {
+  const std::size_t rows = block.data.size(), whole = count / items_a_line;
+  if (rows == 0 || rows != whole + 1) return false;
+  return block.data.back().items.size() == count % items_a_line + 1;
 }
 
-std::vector<double> constants_of(const DeckBlock& block, std::vector<std::string>& notes) {
-  const std::string key = "*User Material", said = block.value("constants");
+/// Eight a line; what is left out is zero.
+std::vector<double> constants_of(const DeckBlock& block, const DeckNumbers& named, std::vector<std::string>& notes) {
+  const std::string key = "*User Material", said = block.value("constants", 5);
   if (said.empty()) throw InputError(block.where, key, "constants= is required and not given");
   const auto count = static_cast<std::size_t>(count_in(said, block.where, "constants"));
-  std::vector<double> constants;
-  for (std::size_t row = 0; row < block.data.size(); ++row) {
-    const DeckLine& line = block.data[row];
-    for (std::size_t k = 0; k < line.items.size(); ++k) constants.push_back(number_at(line, k, key));
-    if (row + 1 < block.data.size() && line.items.size() < items_a_line && constants.size() != count) {
-      throw InputError(line.where, key,
-                       "has " + std::to_string(line.items.size()) + " numbers, and more below: Abaqus takes eight a " +
-                           "line, and zeros for those that are left out");
-    }
+  const std::size_t rows = (count + items_a_line - 1) / items_a_line;
+  const bool temperature = is_temperature(block, count);
+  if (block.data.size() != rows && !temperature) {
+    throw InputError(block.where, key,
+                     "has " + std::to_string(block.data.size()) + " lines, and constants=" + said + " takes " +
+                         std::to_string(rows) + ", with eight numbers in each but the last");
   }
-  drop_temperature(constants, count, block, notes);
-  if (constants.size() == count) return constants;
-  throw InputError(block.where, key,
-                   "says constants=" + said + ", and " + std::to_string(constants.size()) + " numbers follow");
+  std::vector<double> constants;
+  for (const DeckLine& line : block.data) {
+    if (line.items.size() > items_a_line) {
+      throw InputError(line.where, key,
+                       "has " + std::to_string(line.items.size()) + " numbers, and Abaqus takes eight a line");
+    }
+    for (std::size_t k = 0; k < items_a_line; ++k) constants.push_back(number_at(line, k, key, named));
+  }
+  constants.resize(count);
+  if (temperature) {
+    notes.push_back(block.where.text() + ": a number more than constants=" + said +
+                    " is taken for the temperature that CalculiX has there, and left out");
+  }
+  return constants;
 }
 
 void read_depvar(const DeckBlock& block, DeckMaterial& material) {
@@ -91,6 +122,7 @@ void read_depvar(const DeckBlock& block, DeckMaterial& material) {
 /// Every material that has *User Material, with what stands below it.
 std::vector<DeckMaterial> materials_of(const std::vector<DeckBlock>& blocks, std::vector<std::string>& others) {
   std::vector<DeckMaterial> all;
+  const DeckNumbers named = numbers_named_in(blocks);
   DeckMaterial current;
   bool has_constants = false, within = false;
   const auto finish = [&] {
@@ -104,12 +136,12 @@ std::vector<DeckMaterial> materials_of(const std::vector<DeckBlock>& blocks, std
       within = true;
       current.name = block.value("name");
     } else if (within && is_user_material(block) && deck_letters(block.value("type")) != "thermal") {
-      current.constants = constants_of(block, current.notes);
+      current.constants = constants_of(block, named, current.notes);
       has_constants = true;
     } else if (within && block.is("depvar", 3)) {
       read_depvar(block, current);
     } else if (within && block.is("density", 3) && !block.data.empty()) {
-      current.density = number_at(block.data[0], 0, "*Density");
+      current.density = number_at(block.data[0], 0, "*Density", named);
     }
   }
   finish();

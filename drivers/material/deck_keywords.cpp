@@ -106,12 +106,12 @@ class DeckReader {
   /// Abaqus looks in the folder of the job.
   void include(const DeckBlock& block, int depth) {
     constexpr int deepest = 10;
-    const fs::path file = folder_ / block.value("input");
+    const std::string name = block.value(block.parameters.contains("input") ? "input" : "file");
+    const fs::path file = folder_ / name;
     std::error_code code;
     keeps_ = false;
     if (depth < deepest && fs::is_regular_file(file, code)) return read(file.string(), depth + 1);
-    notes_.push_back(block.where.text() + ": *Include: '" + one_line(block.value("input"), 200) +
-                     "' cannot be read, and is left out");
+    notes_.push_back(block.where.text() + ": *Include: '" + one_line(name, 200) + "' cannot be read, and is left out");
   }
 
   fs::path folder_;
@@ -129,8 +129,10 @@ bool DeckBlock::is(const std::string& whole, std::size_t least) const {
   return keyword.size() >= least && whole.starts_with(keyword);
 }
 
-std::string DeckBlock::value(const std::string& parameter) const {
-  const auto found = parameters.find(parameter);
+std::string DeckBlock::value(const std::string& parameter, std::size_t least) const {
+  const auto found = std::find_if(parameters.begin(), parameters.end(), [&](const auto& each) {
+    return each.first == parameter || (each.first.size() >= least && parameter.starts_with(each.first));
+  });
   return found == parameters.end() ? "" : found->second;
 }
 

@@ -25,8 +25,8 @@ struct DeckBlock {
 
   /// Whether it is that keyword, which may be cut after `least` letters: Abaqus knows it by as many.
   bool is(const std::string& whole, std::size_t least) const;
-  /// The value of a parameter; empty where it has none.
-  std::string value(const std::string& parameter) const;
+  /// The value of a parameter, which may be cut after `least` letters; empty where it has none.
+  std::string value(const std::string& parameter, std::size_t least = std::string::npos) const;
 };
 
 /// The blocks whose keyword `wanted` takes, in their order; *Include is followed. What cannot be included is told in

@@ -53,6 +53,21 @@ TEST(AbaqusDeck, KeywordsGoOnBehindACommaAndAreShortened) {
   EXPECT_FALSE(found.density);
 }
 
+// As in decks of crystal plasticity in common use.
+TEST(AbaqusDeck, WhatIsLeftOutOfALineIsZero) {
+  const DeckMaterial found = read("*Material, name=A\n*User Material, const=18\n1, 2, 3 ,\n** words\n4\n5\n");
+  EXPECT_EQ(found.constants, (std::vector<double>{1, 2, 3, 0, 0, 0, 0, 0, 4, 0, 0, 0, 0, 0, 0, 0, 5, 0}));
+}
+
+TEST(AbaqusDeck, ParametersAreNumbersWithNames) {
+  const std::string material = "*Material, name=A\n*Density\n<rho>,\n*User Material, constants=2\n<K>, <G>\n";
+  const DeckMaterial found = read("*PARAMETER\n# words\n k = 1.e3\nG=2\nrho = 7\ntwice = 2*K\n" + material);
+  EXPECT_EQ(found.constants, (std::vector<double>{1e3, 2}));
+  EXPECT_EQ(found.density, 7);
+  EXPECT_NE(refused("*Parameter\nrho=1\nK=1\nG = 2*K\n" + material).find("found '<G>', to which no *Parameter"),
+            std::string::npos);
+}
+
 TEST(AbaqusDeck, OneOfSeveralIsChosenByName) {
   const std::string text =
       "*Material, name=A\n*User Material, constants=1\n1\n*Material, name=plain\n*Elastic\n1, .3\n"
@@ -80,14 +95,14 @@ TEST(AbaqusDeck, IncludedFilesAreRead) {
 
 TEST(AbaqusDeck, WhatIsWrongIsSaidAtItsLine) {
   const std::string head = "*Material, name=A\n";
-  EXPECT_EQ(refused(head + "*User Material, constants=3\n1, 2\n"),
-            "job.inp:2:1: *User Material: says constants=3, and 2 numbers follow");
-  EXPECT_EQ(
-      refused(head + "*User Material, constants=2\n1,\n2\n"),
-      "job.inp:3:1: *User Material: has 1 numbers, and more below: Abaqus takes eight a line, and zeros for those "
-      "that are left out");
+  EXPECT_EQ(refused(head + "*User Material, constants=8\n1, 2, 3, 4\n5, 6, 7, 8\n"),
+            "job.inp:2:1: *User Material: has 2 lines, and constants=8 takes 1, with eight numbers in each but the last");
+  EXPECT_EQ(refused(head + "*User Material, constants=9\n1, 2, 3, 4\n"),
+            "job.inp:2:1: *User Material: has 1 lines, and constants=9 takes 2, with eight numbers in each but the last");
+  EXPECT_EQ(refused(head + "*User Material, constants=16\n1, 2, 3, 4, 5, 6, 7, 8, 9\n1\n"),
+            "job.inp:3:1: *User Material: has 9 numbers, and Abaqus takes eight a line");
   EXPECT_EQ(refused(head + "*User Material, constants=2\n1, <E>\n"),
-            "job.inp:3:1: *User Material: must be a number, found '<E>'");
+            "job.inp:3:1: *User Material: must be a number, found '<E>', to which no *Parameter gives one");
   EXPECT_EQ(refused(head + "*User Material\n1\n"), "job.inp:2:1: *User Material: constants= is required and not given");
   EXPECT_EQ(refused(head + "*User Material, constants=two\n1\n"),
             "job.inp:2:1: constants: must be a whole number of 0 or more, found 'two'");
@@ -100,8 +115,8 @@ TEST(AbaqusDeck, WhatIsWrongIsSaidAtItsLine) {
 
 TEST(AbaqusDeck, WhatIsSeenAndNotTakenIsTold) {
   const DeckMaterial found = read(
-      "*Solid Section, elset=all, material=a, orientation=Ori-1\n*Material, name=A\n*User Material, constants=1\n1\n"
-      "294.\n*Initial Conditions, type=SOLUTION\nall, 1., 2.\n");
+      "*Solid Section, elset=all, material=a, orientation=Ori-1\n*Material, name=A\n*User Material, constants=1\n"
+      "1, 294.\n*Initial Conditions, type=SOLUTION\nall, 1., 2.\n");
   EXPECT_EQ(found.constants, std::vector<double>{1}) << "the number behind them is CalculiX's temperature";
   ASSERT_EQ(found.notes.size(), 3u);
   EXPECT_NE(found.notes[0].find("temperature that CalculiX has"), std::string::npos);
