@@ -2,6 +2,7 @@
 // `assay check`: the battery of model tests, for people, for scripts and for CI.
 #include <algorithm>
 #include <chrono>
+#include <iostream>
 #include <thread>
 
 #include "adapters/worker/remote_table.hpp"
@@ -16,6 +17,7 @@
 #include "drivers/progress.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/scene/yaml_reader.hpp"
+#include "drivers/source_options.hpp"
 #include "drivers/verbs.hpp"
 #include "mpm/effect.hpp"
 
@@ -56,13 +58,23 @@ ResolvedMaterial material_to_check(const CheckOptions& options) {
   MaterialChoice choice;
   if (is_scene(options.material)) {
     choice = read_scene(options.material).material;
+  } else if (asks_for_source(options.material)) {
+    SourceRequest request = request_of(options.source);
+    request.needs_values = options.parameters.empty();
+    request.least_properties = numbered_parameters(parameters_in(options.parameters));
+    choice.adapter = described_source(options.material, request, options.out, options.verbosity);
   } else {
     choice.adapter = absolute_material(options.material, {});  // the process that tests it stands elsewhere
   }
+  if (!asks_for_source(options.material)) refuse_source_options(options.source, options.material);
   for (const auto& [name, value] : parameters_in(options.parameters)) choice.parameters[name] = value;
   if (!(choice.density > 0)) choice.density = 1;  // no test needs one
   choice.isolation = Isolation::worker;           // nobody's code runs in this process
-  return resolve_material(choice, Example::where_required);
+  ResolvedMaterial resolved = resolve_material(choice, Example::where_required);
+  if (!asks_for_source(options.material)) {
+    for (const std::string& warning : resolved.warnings) std::cerr << "warning: " << warning << "\n";
+  }
+  return resolved;
 }
 
 /// At what its author shows it, where its parameters have no default; `given` before all, as far as it takes them.
@@ -207,6 +219,7 @@ void refuse_unknown_parameters(const CheckOptions& options, const std::vector<Ch
 
 int check(const CheckOptions& options) {
   refuse_what_contradicts(options);
+  if (options.material.empty() || options.methods) refuse_source_options(options.source, "");
   if constexpr (mpm::compiled(mpm::Effect::third_dimension)) {
     if (options.methods) return check_methods(options);
   } else if (options.methods) {

@@ -16,6 +16,7 @@
 #include "drivers/check_judgement.hpp"
 #include "drivers/check_vortex.hpp"
 #include "drivers/material/material_path.hpp"
+#include "drivers/material/model_files.hpp"
 #include "drivers/output/whole_file.hpp"
 #include "drivers/replay.hpp"
 
@@ -107,6 +108,7 @@ ResolvedMaterial in_this_process(const ResolvedMaterial& apart) {
   if (!apart.library.empty()) choice.adapter = apart.library + ":" + apart.material.name();
   if (!apart.description.empty()) choice.adapter = apart.description;
   choice.isolation = Isolation::none;
+  place_model_files(apart.files);
   ResolvedMaterial here = resolve_material(choice);
   here.of_example = apart.of_example;
   return here;

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstring>
 
+#include "adapters/worker/missing_file.hpp"
 #include "drivers/check_child.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
@@ -68,6 +69,7 @@ CheckedMaterial result_of(const Child& child, const CheckTask& task, double limi
   const std::string last = adapters::last_line(child.output->text());
   const std::string sentence = "the model " + how_it_ended(child, limit_s) + " in the test " + test +
                                (last.empty() ? "" : "; the last that it printed: " + last) +
+                               adapters::missing_file_words(child.output->text()) +
                                (gave_up(child) ? "; it may stand a smaller --strain" : "");
   const char* cause =
       test == "calls.arrays" && spoilt_memory(child) ? check::causes::overrun : check::causes::ends_process;

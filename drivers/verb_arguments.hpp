@@ -20,6 +20,7 @@ struct Arguments {
   std::string markdown_file, study, after, jobs, shard;
   std::optional<std::string> error;
   std::string language, interface = "native", strain, pressure, step;
+  SourceOptions source;
   std::vector<std::string> sets, from;
   bool resume = false, merge = false, list = false, of_studies = false;
   bool json = false, quick = false, all = false, methods = false, quiet = false, verbose = false;

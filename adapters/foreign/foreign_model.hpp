@@ -85,6 +85,7 @@ struct ForeignModel {
   double characteristic_length = 1;     ///< CELENT, charLength, in units of the model
   double density = 1000;                ///< [kg/m^3], for interfaces that hand it on
   std::string material_name = "ASSAY";  ///< CMNAME
+  std::string folder = {};              ///< GETOUTDIR; empty: that of the library
 };
 
 }  // namespace assay::adapters

@@ -178,7 +178,7 @@ const assay_material* foreign_table(const ForeignModel& model) {
   auto table = std::make_unique<ForeignTable>();
   static_cast<assay_material&>(*table) = assay_material{};
   table->model = model;
-  const LoadedLibrary library = load_foreign_library(model.library);
+  const LoadedLibrary library = load_foreign_library(model.library, model.folder);
   table->library = library.handle;
   table->missing = library.missing;
   const std::vector<ForeignVariable> state = bind_interface(*table);

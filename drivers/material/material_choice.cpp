@@ -58,7 +58,8 @@ std::vector<std::string> filled_from_example(const assay_material& table, Exampl
 }  // namespace
 
 ResolvedMaterial resolve_material(const MaterialChoice& given, Example example) {
-  const MaterialSource source = find_material(given.adapter, given.where, "material.adapter", given.isolation);
+  const MaterialSource source =
+      find_material(given.adapter, given.where, "material.adapter", given.isolation, given.parameters);
   MaterialChoice choice = given;
   choice.isolation = source.isolation;
   choice.parameters.insert(source.parameters.begin(), source.parameters.end());  // the scene's own stay
@@ -73,8 +74,8 @@ ResolvedMaterial resolve_material(const MaterialChoice& given, Example example) 
   for (std::uint32_t i = 0; i < source.table->parameter_count; ++i) {
     choice.parameters[source.table->parameters[i].name] = material.parameters()[i];
   }
-  return {std::move(material), std::move(choice), source.library, source.is_foreign ? source.description : "",
-          std::move(of_example)};
+  return {std::move(material),   std::move(choice), source.library, source.is_foreign ? source.description : "",
+          std::move(of_example), source.warnings,   source.files};
 }
 
 ResolvedMaterial resolve_material(const Scene& scene) {

@@ -123,6 +123,7 @@ std::string material_text(const std::string& name, const MaterialSource& source)
   if (name != table.name) head += " (model " + words(table.name) + ")";
   if (const std::string doc = words(table.doc); !doc.empty()) head += ": " + doc;
   std::string out = wrapped(head, "", "");
+  if (!source.source.empty()) out += "  source   " + source.source + "\n";
   out += "  from     " + (source.library.empty() ? "built-in" : source.library) + "\n";
   if (!source.description.empty()) out += "  through  " + source.description + "\n";
   if (source.density) out += "  density  " + number_text(*source.density) + " kg/m^3\n";
