@@ -53,7 +53,7 @@ _assay() {
     study) options+=' -o --jobs --resume --shard --merge --from --list --json' ;;
     recommend) options+=' --error -o --json' ;;
     compare) options+=' --json --markdown' ;;
-    check) options+=' --parameters --json --junit --quick --strain --pressure --step --methods --markdown --all --replay'
+    check) options+=' --parameters --json --junit --quick --strain --pressure --step --methods --markdown --all --replay --explain'
       options+=' --props --statev --deck --material --symbol -o'
       ;;
     materials) options+=' --json' ;;

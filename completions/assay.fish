@@ -34,6 +34,7 @@ complete -c assay -n "__fish_seen_subcommand_from check" -l junit -r -F -d 'Verd
 complete -c assay -n "__fish_seen_subcommand_from check" -l quick -d 'Fewer steps'
 complete -c assay -n "__fish_seen_subcommand_from check" -l strain -x -d 'Largest of the histories'
 complete -c assay -n "__fish_seen_subcommand_from check" -l pressure -x -d 'At rest [Pa]'
+complete -c assay -n "__fish_seen_subcommand_from check" -l explain -x -d 'What a cause means, or all'
 complete -c assay -n "__fish_seen_subcommand_from check" -l step -x -d 'Longest usual step [s]'
 complete -c assay -n "__fish_seen_subcommand_from check" -l methods -d 'The particle methods'
 complete -c assay -n "__fish_seen_subcommand_from check" -l markdown -r -F -d 'Table of the methods'

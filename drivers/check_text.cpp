@@ -121,6 +121,7 @@ std::string check_text(const CheckedMaterial& checked, Verbosity verbosity) {
   for (const check::Diagnosis& d : checked.report.diagnosis) {
     page += wrapped(d.cause, "diagnosis: ", "");
     page += wrapped(d.sentence, "    ", "    ");
+    page += "    more: assay check --explain \"" + d.cause + "\"\n";
   }
   for (const auto& [test, file] : checked.replays) page += "replay: " + file + "\n";
   if (verbosity == Verbosity::verbose && !checked.printed.empty()) page += "the model printed:\n" + checked.printed;

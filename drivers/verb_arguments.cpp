@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
+#include "drivers/causes_page.hpp"
 #include "drivers/input_error.hpp"
 #include "drivers/output/numbers.hpp"
 
@@ -160,16 +161,21 @@ Verb check_verb(CLI::App& app, Arguments& given) {
   add_junit(verb, given, "the same for CI, JUnit's XML");
   auto* markdown = verb.add_option("--markdown", given.markdown_file, "the methods' table (- for standard output)");
   markdown->type_name("FILE");
+  auto* explain = verb.add_option("--explain", given.explain, "what a cause means, and its repair (all: their list)");
+  explain->type_name("CAUSE");
   verb.add_flag("--quick", given.quick, "fewer steps and states");
   verb.add_option("--strain", given.strain, "largest of the histories (0.15)")->type_name("NUMBER");
   verb.add_option("--step", given.step, "longest usual step [s] (1, or what is taken)")->type_name("NUMBER");
   verb.add_option("--pressure", given.pressure, "at rest [Pa] (what the model needs)")->type_name("NUMBER");
   add_source_options(verb, given.source);
   add_out(verb, given, "DIR", "folder of failures' replay files (results/check)");
-  return {&verb, [&given, checked, all, replay, methods, parameters, markdown] {
+  return {&verb, [&given, checked, all, replay, methods, parameters, markdown, explain] {
             const auto given_of = [](const CLI::Option* option) { return option->count() > 0 ? 1 : 0; };
-            if (std::max(given_of(checked), given_of(methods)) + given_of(all) + given_of(replay) != 1)
-              throw InputError("assay check: takes one of MATERIAL, --all, --methods [METHOD] and --replay FILE");
+            const int others = given_of(all) + given_of(replay) + given_of(explain);
+            if (std::max(given_of(checked), given_of(methods)) + others != 1)
+              throw InputError(
+                  "assay check: takes one of MATERIAL, --all, --methods [METHOD], --replay FILE and --explain CAUSE");
+            if (given.explain) return explain_cause(*given.explain);
             if (given_of(parameters) && given_of(methods) + given_of(replay) > 0)
               throw InputError("assay check: --methods and --replay take no --parameters");
             if (given_of(markdown) > given_of(methods)) throw InputError("assay check: --markdown goes with --methods");

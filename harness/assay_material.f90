@@ -18,7 +18,7 @@ module assay_abi
   integer(c_int32_t), parameter :: assay_isotropic = 0, assay_cylindrically_orthotropic = 1, assay_anisotropic = 2
   ! Flags, added together.
   integer(c_int32_t), parameter :: assay_non_smooth = 1, assay_rate_dependent = 2, assay_thread_safe = 4, &
-                                   assay_uses_increment = 8, assay_in_plane = 16
+                                   assay_uses_increment = 8, assay_in_plane = 16, assay_grows = 32
   integer(c_int32_t), parameter :: assay_baseline_simple_shear = 1, assay_baseline_uniaxial_strain = 2
   character(len=*), parameter :: assay_extension_rate = 'assay.rate/1', assay_extension_tangent = 'assay.tangent/1', &
                                  assay_extension_energy = 'assay.energy/1', &

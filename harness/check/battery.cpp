@@ -229,13 +229,14 @@ Report run_battery(const Material& material, const Options& asked) {
   if (!any_refused(first)) return first;
   const std::optional<double> length = length_taken(own, first);
   if (!length) return at_smaller_strains(own, options);
-  if (usual) {
-    Options other = options;
-    other.effort.step = *length;
-    Report again = run_battery(material, other);
-    if (!any_refused(again)) return again;
-  }
-  name_lengths(*length, first);
+  Options other = options;
+  other.effort.step *= *length;
+  other.elsewhere.clear();
+  other.others_elsewhere.clear();
+  Report again = run_once(at_pace(material, other.effort.step), other);
+  if (any_refused(again)) return at_smaller_strains(own, options);  // it was not the length, or not that alone
+  if (usual) return again;
+  name_lengths(other.effort.step, first);
   return first;
 }
 

@@ -117,7 +117,7 @@ contains
       assay_scalar, assay_vector, assay_symmetric_tensor, assay_tensor, &
       assay_role_plain, assay_role_rotates_itself, assay_role_direction, &
       assay_isotropic, assay_cylindrically_orthotropic, assay_anisotropic, &
-      assay_non_smooth, assay_rate_dependent, assay_thread_safe, assay_uses_increment, assay_in_plane, &
+      assay_non_smooth, assay_rate_dependent, assay_thread_safe, assay_uses_increment, assay_in_plane, assay_grows, &
       assay_baseline_simple_shear, assay_baseline_uniaxial_strain]
     do i = 1, size(constants)
       call add(int(constants(i), c_int64_t))

@@ -109,7 +109,7 @@ TEST_P(BadForeignKey, IsOneLineAtItsPlace) {
 INSTANTIATE_TEST_SUITE_P(
     Keys, BadForeignKey,
     testing::Values(
-        BadKey{"propertys: {E: 1}", "1: propertys: unknown key (nearest: properties); known: library, name, interface"},
+        BadKey{"propertys: {E: 1}", "1: propertys: unknown key (nearest: properties); known: library, source, name, i"},
         BadKey{"parameters: {E: 1}", "1: parameters: unknown key"},
         BadKey{"properties: 3", "13: properties: must be a map of keys, found '3'"},
         BadKey{"properties: {E: {vale: 1}}", "18: properties.E.vale: unknown key (nearest: value); known: value, unit"},
