@@ -72,6 +72,7 @@ struct ForeignModel {
   bool finite_strain = false;      ///< the tangent is that of J sigma (Jaumann), and the model may read F alone
   std::vector<int> components{6};  ///< NTENS that the model serves: 6, 4 (plane strain) or both
   int symmetry = ASSAY_ISOTROPIC;  ///< of the ABI
+  int material_class = 0;          ///< of assay_symmetry, of what is anisotropic; 0: none is declared
   std::uint32_t flags = 0;         ///< of the ABI
   ModelUnits units;
   std::vector<ForeignField> fields;

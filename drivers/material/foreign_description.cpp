@@ -57,9 +57,7 @@ class Reader {
     if (const Tree* tree = root_.find("strain")) {
       model_.finite_strain = choice_value(*tree, "strain", {"small", "finite"}) == "finite";
     }
-    if (const Tree* tree = root_.find("symmetry")) {
-      model_.symmetry = static_cast<std::int32_t>(index_of(choice_value(*tree, "symmetry", symmetries), symmetries));
-    }
+    if (const Tree* tree = root_.find("symmetry")) read_symmetry(*tree);
     if (const Tree* tree = root_.find("flags")) read_flags(*tree);
     if (const Tree* tree = root_.find("components")) read_components(*tree);
     if (const Tree* tree = root_.find("units")) read_units(*tree);
@@ -178,6 +176,12 @@ class Reader {
     const std::size_t size =
         library_knows ? std::max<std::size_t>(tree.items.size(), 1) : sizes[static_cast<std::size_t>(kind)];
     return numbers_value(tree, key + ".initial", 1, size);
+  }
+
+  void read_symmetry(const Tree& tree) {
+    const int index = static_cast<int>(index_of(choice_value(tree, "symmetry", symmetries), symmetries));
+    model_.symmetry = std::min(index, static_cast<int>(ASSAY_ANISOTROPIC));
+    model_.material_class = index - model_.symmetry;
   }
 
   void read_axes(const Tree& tree) {

@@ -96,7 +96,7 @@ std::string foreign_yaml(const ForeignModel& model) {
   if (!model.fields.empty()) line("fields", fields_text(model));
   line("step", std::to_string(model.step));
   line("strain", model.finite_strain ? "finite" : "small");
-  line("symmetry", symmetries[static_cast<std::size_t>(model.symmetry)]);
+  line("symmetry", symmetries[static_cast<std::size_t>(model.symmetry + model.material_class)]);
   std::vector<std::string> flags, components;
   for (std::size_t k = 0; k < std::size(flag_bits); ++k) {
     if (model.flags & flag_bits[k]) flags.push_back(flag_words[k]);

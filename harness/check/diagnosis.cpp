@@ -14,16 +14,20 @@ namespace {
 constexpr const char* of_frames[] = {
     "elasticity.components",  "elasticity.shear",     "isotropy",        "rotation.constant", "basis",
     "rotation.at_rest",       "rotation.before",      "rotation.during", "rotation.after",    "rotation.apex",
-    "rotation.fixed_stretch", "rotation.revolutions", "rotation.state",  "stretches.turning", "initial_stress"};
+    "rotation.fixed_stretch", "rotation.revolutions", "rotation.state",  "stretches.turning", "initial_stress",
+    "elasticity.class",       "symmetry_class"};
 
 /// A test that tells nothing of its own where another one fails.
 struct Consequence {
   const char *test, *of;
 };
 constexpr Consequence consequences[] = {
-    {"dissipation", "energy"},          // without a right energy there is none to be lost
+    {"dissipation", "energy"},  // without a right energy there is none to be lost
     {"dissipation", "calls.increment"},
-    {"clock", "calls.repeated"},        // what is kept elsewhere follows no clock
+    {"energy", "elasticity.major"},  // there is none
+    {"dissipation", "elasticity.major"},
+    {"elasticity.major", "elasticity.class"},  // a stiffness that is mixed up is seldom symmetric
+    {"clock", "calls.repeated"},               // what is kept elsewhere follows no clock
 };
 
 bool is_of_frames(const TestResult& test) {
@@ -92,9 +96,8 @@ class Diagnostician {
     if (test.cause.empty() || (frames_explained_ && is_of_frames(test))) return false;
     if (!found_.empty() && test.cause == causes::no_convergence) return false;  // the weakest of all
     if (test.id == "rest" && rest_is_of_stretches(findings_.verdicts)) return false;
-    return std::none_of(std::begin(consequences), std::end(consequences), [&](const Consequence& each) {
-      return test.id == each.test && findings_.failed(each.of);
-    });
+    return std::none_of(std::begin(consequences), std::end(consequences),
+                        [&](const Consequence& each) { return test.id == each.test && findings_.failed(each.of); });
   }
 
   /// A failed test that has no cause of its own has that of the first one found.
@@ -128,6 +131,7 @@ const std::vector<std::string>& all_causes() {
                                             causes::state_not_rotated,
                                             causes::wrong_role,
                                             causes::not_isotropic,
+                                            causes::not_of_class,
                                             causes::repeated_stretch,
                                             causes::tangent_convention,
                                             causes::tangent_wrong,
