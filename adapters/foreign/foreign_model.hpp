@@ -75,6 +75,7 @@ struct ForeignModel {
   std::vector<int> components{6};  ///< NTENS that the model serves: 6, 4 (plane strain) or both
   bool components_are_said = true;
   int symmetry = ASSAY_ISOTROPIC;  ///< of the ABI
+  int material_class = 0;          ///< of assay_symmetry, of what is anisotropic; 0: none is declared
   std::uint32_t flags = 0;         ///< of the ABI
   ModelUnits units;
   std::vector<ForeignField> fields;

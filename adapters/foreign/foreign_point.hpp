@@ -28,6 +28,7 @@ struct ForeignTable : assay_material {
   std::vector<assay_parameter> parameter_list;
   std::vector<assay_state_variable> state_list;
   std::deque<std::string> words;                    ///< that the lists point to
+  assay_symmetry material_class{};                  ///< of the model, where it declares one
   mutable std::mutex one_at_a_time;                 ///< of models that are not thread-safe
   mutable std::vector<double> last_set;             ///< parameters that the library keeps for itself
   mutable std::atomic<int> elements{0};             ///< numbers given to points that have one of their own

@@ -218,7 +218,8 @@ const void* extension_remote(const assay_material* table, const char* id) {
                           {ASSAY_EXTENSION_WAVE_SPEED, a.wave_speed, &wave_speed},
                           {ASSAY_EXTENSION_CLOSED_FORM, a.closed_form, &closed_form},
                           {ASSAY_EXTENSION_REASON, true, &reason},
-                          {ASSAY_EXTENSION_EXAMPLE, !a.example.empty(), &remote.example}};
+                          {ASSAY_EXTENSION_EXAMPLE, !a.example.empty(), &remote.example},
+                          {ASSAY_EXTENSION_SYMMETRY, a.material_class != 0, &remote.material_class}};
   for (const Offer& offer : offers) {
     if (std::strcmp(offer.id, id) == 0) return offer.there ? offer.functions : nullptr;
   }

@@ -59,9 +59,7 @@ class Reader {
     if (const Tree* tree = root_.find("strain")) {
       model_.finite_strain = choice_value(*tree, "strain", {"small", "finite"}) == "finite";
     }
-    if (const Tree* tree = root_.find("symmetry")) {
-      model_.symmetry = static_cast<std::int32_t>(index_of(choice_value(*tree, "symmetry", symmetries), symmetries));
-    }
+    if (const Tree* tree = root_.find("symmetry")) read_symmetry(*tree);
     if (const Tree* tree = root_.find("flags")) read_flags(*tree);
     model_.components_are_said = root_.find("components") != nullptr;
     if (const Tree* tree = root_.find("components")) read_components(*tree);
@@ -216,6 +214,12 @@ class Reader {
       throw InputError(tree->where, "elements", "each is for UMATs alone: no other interface counts elements");
     }
     if (root_.find("noel")) throw InputError(root_.find("noel")->where, "noel", "contradicts elements: each");
+  }
+
+  void read_symmetry(const Tree& tree) {
+    const int index = static_cast<int>(index_of(choice_value(tree, "symmetry", symmetries), symmetries));
+    model_.symmetry = std::min(index, static_cast<int>(ASSAY_ANISOTROPIC));
+    model_.material_class = index - model_.symmetry;
   }
 
   void read_axes(const Tree& tree) {

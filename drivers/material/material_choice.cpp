@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "drivers/material/registry.hpp"
+#include "harness/check/material_symmetry.hpp"
 
 namespace assay::drivers {
 
@@ -80,13 +81,13 @@ ResolvedMaterial resolve_material(const MaterialChoice& given, Example example) 
 
 ResolvedMaterial resolve_material(const Scene& scene) {
   ResolvedMaterial resolved = resolve_material(scene.material);
-  if (ring_of(scene.motion) && resolved.material.table().symmetry == ASSAY_ANISOTROPIC) {
+  if (ring_of(scene.motion) && !check::serves_ring(resolved.material)) {
     throw InputError(
         scene.material.where, "material.adapter",
         "'" + resolved.material.name() +
             "' is anisotropic in fixed axes, and the response (19) of its motion is the same all around the ring only "
-            "for a material that is isotropic about the ring's axis, or whose axes turn with "
-            "the radius (cylindrically orthotropic)");
+            "for a material that is isotropic about the ring's axis (or transversely isotropic about it, and declared "
+            "so), or whose axes turn with the radius (cylindrically orthotropic)");
   }
   if (scene.method && std::holds_alternative<AxisAligned>(scene.motion) &&
       resolved.material.table().symmetry != ASSAY_ISOTROPIC) {

@@ -7,6 +7,7 @@
 #include "adapters/worker/remote_table.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/wrapped_text.hpp"
+#include "harness/check/symmetry_class.hpp"
 
 namespace assay::drivers {
 
@@ -104,8 +105,11 @@ std::string role_name(std::int32_t role) {
 std::vector<std::string> flag_names(const assay_material& table) {
   const std::uint32_t flags = adapters::own_flags(&table);
   const auto has = [&](std::uint32_t flag) { return (flags & flag) != 0; };
+  const check::SymmetryClass declared = check::declared_class(table);
+  const bool has_class = table.symmetry == ASSAY_ANISOTROPIC && declared != check::SymmetryClass::none;
   const std::string symmetry = table.symmetry == ASSAY_ISOTROPIC                   ? "isotropic"
                                : table.symmetry == ASSAY_CYLINDRICALLY_ORTHOTROPIC ? "cylindrically orthotropic"
+                               : has_class                                         ? check::name_of(declared)
                                                                                    : "anisotropic";
   std::vector<std::string> names{symmetry, has(ASSAY_NON_SMOOTH) ? "non-smooth" : "smooth",
                                  has(ASSAY_RATE_DEPENDENT) ? "rate-dependent" : "rate-independent",

@@ -17,7 +17,10 @@ struct Consequence {
 constexpr Consequence consequences[] = {
     {"dissipation", "energy"},  // without a right energy there is none to be lost
     {"dissipation", "calls.increment"},
-    {"clock", "calls.repeated"},  // what is kept elsewhere follows no clock
+    {"energy", "elasticity.major"},  // there is none
+    {"dissipation", "elasticity.major"},
+    {"elasticity.major", "elasticity.class"},  // a stiffness that is mixed up is seldom symmetric
+    {"clock", "calls.repeated"},               // what is kept elsewhere follows no clock
 };
 
 class Diagnostician {
@@ -119,6 +122,7 @@ const std::vector<std::string>& all_causes() {
                                             causes::state_not_rotated,
                                             causes::wrong_role,
                                             causes::not_isotropic,
+                                            causes::not_of_class,
                                             causes::repeated_stretch,
                                             causes::tangent_convention,
                                             causes::tangent_wrong,

@@ -3,14 +3,16 @@
 #pragma once
 
 #include "harness/check/arrays.hpp"
+#include "harness/check/material_symmetry.hpp"
 #include "harness/check/rotation.hpp"
 #include "harness/check/turned_step.hpp"
 
 namespace assay::check {
 
-/// What the tests of rotation tell beyond their verdicts.
+/// What the tests tell beyond their verdicts.
 struct Evidence {
   RotationFinding at_rest, fixed, state;
+  ClassFinding symmetry;
   std::optional<TurnedStep> turned;
   bool right_without_spin = false;  ///< rotation.constant of a stretch along axes that stand still
   std::vector<History> first;       ///< of the process

@@ -8,7 +8,8 @@ namespace {
 constexpr const char* of_frames[] = {
     "elasticity.components",  "elasticity.shear",     "isotropy",        "rotation.constant", "basis",
     "rotation.at_rest",       "rotation.before",      "rotation.during", "rotation.after",    "rotation.apex",
-    "rotation.fixed_stretch", "rotation.revolutions", "rotation.state",  "stretches.turning", "initial_stress"};
+    "rotation.fixed_stretch", "rotation.revolutions", "rotation.state",  "stretches.turning", "initial_stress",
+    "elasticity.class",       "symmetry_class"};
 constexpr const char* of_time[] = {"rest",         "clock", "zero_increment", "rotation.at_rest",
                                    "step_halving", "jumps", "dissipation",    "initial_stress"};
 
@@ -94,6 +95,18 @@ Found isotropy_row(const Findings& f) {
                    "a body that was turned before it is loaded answers otherwise: " + test.sentence};
 }
 
+/// Of a stiffness that is mixed up as a whole: a frame shows it as well.
+Found no_class(const Findings& f) {
+  const Found said = said_by(f, "elasticity.class");
+  const bool mixed_up = said && (f.evidence.symmetry.fits_no_class || said->cause != causes::not_of_class);
+  return mixed_up ? said : std::nullopt;
+}
+
+/// Of another class, which no frame shows.
+Found other_class(const Findings& f) { return no_class(f) ? std::nullopt : of(f, "elasticity.class"); }
+
+Found other_class_in_loading(const Findings& f) { return of(f, "symmetry_class"); }
+
 Found isotropy_and_basis(const Findings& f) { return f.failed("basis") ? isotropy_row(f) : std::nullopt; }
 
 constexpr Row before[] = {
@@ -109,12 +122,15 @@ constexpr Row before[] = {
     {components, Explains::frames, Beside::no_frames},
     {shear_beside_components, Explains::frames, Beside::any},
     {shear, Explains::frames, Beside::no_frames},
+    {no_class, Explains::frames, Beside::no_frames},
     {swapped_initial_stress, Explains::frames, Beside::any},
 };
 
 constexpr Row after[] = {
     {isotropy_and_basis, Explains::frames, Beside::no_frames},
     {isotropy_row, Explains::its_own_test, Beside::no_frames},
+    {other_class, Explains::its_own_test, Beside::any},
+    {other_class_in_loading, Explains::its_own_test, Beside::no_frames},
 };
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "harness/check/elasticity.hpp"
 #include "harness/check/extensions.hpp"
 #include "harness/check/initial_stress.hpp"
+#include "harness/check/material_symmetry.hpp"
 #include "harness/check/memory.hpp"
 #include "harness/check/refusals.hpp"
 #include "harness/check/repeated_stretch.hpp"
@@ -50,6 +51,15 @@ std::function<TestResult(const Specimen&, Evidence&)> kept(RotationFinding Evide
   };
 }
 
+TestResult stiffness_class(const Specimen& specimen, Evidence& evidence) {
+  evidence.symmetry = class_at_rest(specimen);
+  return evidence.symmetry.result;
+}
+
+TestResult loading_class(const Specimen& specimen, Evidence& evidence) {
+  return class_in_loading(specimen, evidence.symmetry.axes);
+}
+
 }  // namespace
 
 std::vector<Entry> first_entries() {
@@ -67,9 +77,12 @@ std::vector<Entry> entries() {
       {"zero_increment", nullptr, unless_it_grows("zero_increment", plain(zero_increment))},
       {"elasticity.components", nullptr, plain(shear_components)},
       {"elasticity.shear", nullptr, plain(shear_modulus)},
+      {"elasticity.class", nullptr, stiffness_class},
+      {"elasticity.major", nullptr, plain(major_symmetry)},
       {"rotation.constant", causes::not_indifferent, plain(constant_rotation)},
       {"basis", causes::not_indifferent, plain(change_of_basis)},
       {"isotropy", causes::not_isotropic, plain(isotropy)},
+      {"symmetry_class", causes::not_of_class, loading_class},
       {"rotation.at_rest", causes::not_indifferent,
        unless_it_grows("rotation.at_rest", kept(&Evidence::at_rest, rotation_at_rest))},
       {"rotation.before", causes::not_indifferent, turning(When::before)},

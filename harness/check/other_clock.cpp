@@ -93,7 +93,11 @@ const void* extension_of_clock(const assay_material* table, const char* id) {
                                                      {ASSAY_EXTENSION_WAVE_SPEED, &speeds},
                                                      {ASSAY_EXTENSION_CLOSED_FORM, &forms},
                                                      {ASSAY_EXTENSION_REASON, &reasons}};
-  if (!extension_of(static_cast<const ClockTable*>(table)->inner, id)) return nullptr;
+  const void* const offered = extension_of(static_cast<const ClockTable*>(table)->inner, id);
+  if (!offered) return nullptr;
+  for (const char* plain : {ASSAY_EXTENSION_EXAMPLE, ASSAY_EXTENSION_SYMMETRY}) {
+    if (std::string(id) == plain) return offered;  // no functions
+  }
   for (const auto& [name, ours] : own) {
     if (std::string(id) == name) return ours;
   }

@@ -37,7 +37,7 @@ class RandomDescription {
       text += any({"noel: 1\n", "noel: 100000\n", "elements: one\n", "elements: each\n"});
     }
     maybe("strain", any({"small", "finite"}));
-    maybe("symmetry", any({"isotropic", "cylindrically_orthotropic", "anisotropic"}));
+    maybe("symmetry", any({"isotropic", "cylindrically_orthotropic", "anisotropic", "orthotropic", "cubic"}));
     maybe("flags", any({"[]", "[non_smooth]", "[thread_safe, rate_dependent]", "[non_smooth, non_smooth]"}));
     maybe("components", any({"4", "[6]", "[4, 6]", "[6, 4]"}));
     maybe("units", any({"{}", "{stress: MPa}", "{length: in, time: h}", "{stress: ksi, time: us, length: mm}"}));
@@ -128,6 +128,7 @@ inline void expect_same(const adapters::ForeignModel& a, const adapters::Foreign
   EXPECT_EQ(a.components, b.components);
   EXPECT_EQ(a.components_are_said, b.components_are_said);
   EXPECT_EQ(a.symmetry, b.symmetry);
+  EXPECT_EQ(a.material_class, b.material_class);
   EXPECT_EQ(a.flags, b.flags);
   EXPECT_TRUE(a.units.stress == b.units.stress && a.units.time == b.units.time && a.units.length == b.units.length);
   EXPECT_EQ(a.temperature, b.temperature);

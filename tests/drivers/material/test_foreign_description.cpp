@@ -82,6 +82,22 @@ TEST(ForeignDescription, InitialValuesOfMfrontAreAsManyAsTheyAre) {
   expect_same(read_description(description_yaml(found), file), found);
 }
 
+TEST(ForeignDescription, AClassOfSymmetryIsThatOfWhatIsAnisotropic) {
+  const auto of = [](const std::string& word) {
+    const adapters::ForeignModel found = model("symmetry: " + word);
+    return std::pair(found.symmetry, found.material_class);
+  };
+  EXPECT_EQ(of("isotropic"), std::pair(int{ASSAY_ISOTROPIC}, 0));
+  EXPECT_EQ(of("anisotropic"), std::pair(int{ASSAY_ANISOTROPIC}, 0));
+  EXPECT_EQ(of("monoclinic"), std::pair(int{ASSAY_ANISOTROPIC}, int{ASSAY_MONOCLINIC}));
+  EXPECT_EQ(of("orthotropic"), std::pair(int{ASSAY_ANISOTROPIC}, int{ASSAY_ORTHOTROPIC}));
+  EXPECT_EQ(of("trigonal"), std::pair(int{ASSAY_ANISOTROPIC}, int{ASSAY_TRIGONAL}));
+  EXPECT_EQ(of("tetragonal"), std::pair(int{ASSAY_ANISOTROPIC}, int{ASSAY_TETRAGONAL}));
+  EXPECT_EQ(of("hexagonal"), std::pair(int{ASSAY_ANISOTROPIC}, int{ASSAY_HEXAGONAL}));
+  EXPECT_EQ(of("transversely_isotropic"), std::pair(int{ASSAY_ANISOTROPIC}, int{ASSAY_TRANSVERSELY_ISOTROPIC}));
+  EXPECT_EQ(of("cubic"), std::pair(int{ASSAY_ANISOTROPIC}, int{ASSAY_CUBIC}));
+}
+
 TEST(ForeignDescription, OnlyAUmatIsToldItsAxes) {
   const auto of = [](const std::string& interface, const std::string& axes) {
     return refusal_of(
