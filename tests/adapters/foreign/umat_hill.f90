@@ -32,7 +32,8 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
   trial = stress + matmul(elastic, dstran)
   stress = trial
   ddsdde = elastic
-  if (sqrt(dot_product(trial, matmul(hill, trial))) <= props(3) + props(4) * statev(1)) return
+  ! under pressure alone rounding may leave less than nothing
+  if (sqrt(max(0._dp, dot_product(trial, matmul(hill, trial)))) <= props(3) + props(4) * statev(1)) return
   ! Newton's method for the multiplier: s = (1 + multiplier C P)^-1 trial
   multiplier = 0
   do step = 1, 60

@@ -171,18 +171,26 @@ const assay_material* turning() {
   return declaring<TurningCrystal, material_class>("turning_crystal_for_tests", ASSAY_USES_INCREMENT, turning_state);
 }
 
-}  // namespace
+const CrystalModuli cube = cubic_moduli(1000, 600, 500);
+const CrystalModuli beech{140, 230, 1400, 80, 100, 150, 46, 107, 161};
+const CrystalModuli fibres = transversely_isotropic_moduli(120, 900, 60, 50, 45);
+const CrystalModuli quartz{868, 868, 1058, 70, 119, 119, 399, 582, 582, -180};
+const CrystalModuli zircon{1000, 1000, 1200, 600, 600, 600, 420, 500, 500};
 
-std::vector<Subject> subjects() {
+CrystalModuli lamina() {
+  CrystalModuli m = beech;
+  m.C21_over_C12 = 1.3;
+  return m;
+}
+
+CrystalModuli fibres_sheared(double factor) {
+  CrystalModuli m = fibres;
+  m.C1212 *= factor;
+  return m;
+}
+
+void add_totals(std::vector<Subject>& all) {
   using namespace check::causes;
-  const CrystalModuli cube = cubic_moduli(1000, 600, 500), beech{140, 230, 1400, 80, 100, 150, 46, 107, 161};
-  const CrystalModuli fibres = transversely_isotropic_moduli(120, 900, 60, 50, 45);
-  const CrystalModuli quartz{868, 868, 1058, 70, 119, 119, 399, 582, 582, -180};
-  CrystalModuli lamina = beech, wrong_shear = fibres, nearly_wrong = fibres, zircon = cube;
-  lamina.C21_over_C12 = 1.3;
-  wrong_shear.C1212 *= 1.3, nearly_wrong.C1212 *= 0.85;
-  zircon.C33 = 1200, zircon.C1212 = 420;
-  std::vector<Subject> all;
   add(all, total<ASSAY_CUBIC>(),
       {{"cube", bond_right, ""},
        {"cube_of_wrong_sign", bond_wrong_sign, not_of_class},
@@ -190,18 +198,22 @@ std::vector<Subject> subjects() {
        {"cube_turned_on", bond_turned_on, not_of_class},
        {"cube_of_transposed_turn", bond_transposed, not_of_class}},
       values_of(cube));
+  add(all, total<ASSAY_CUBIC>(), {{"zircon_called_cubic", bond_right, not_of_class}}, values_of(zircon));
   add(all, total<ASSAY_ORTHOTROPIC>(),
       {{"beech", bond_right, ""},
        {"beech_of_another_place", bond_of_another_place, not_of_class},
        {"beech_of_two_slips", bond_of_stress_for_both, shear_factor}},
       values_of(beech));
-  add(all, total<ASSAY_ORTHOTROPIC>(), {{"lamina_of_other_contraction", bond_right, dissipation}}, values_of(lamina));
+  add(all, total<ASSAY_ORTHOTROPIC>(), {{"lamina_of_other_contraction", bond_right, dissipation}}, values_of(lamina()));
   add(all, total<ASSAY_TRANSVERSELY_ISOTROPIC>(), {{"bundle", bond_right, ""}}, values_of(fibres));
   add(all, total<ASSAY_TRANSVERSELY_ISOTROPIC>(), {{"bundle_of_wrong_shear", bond_right, not_of_class}},
-      values_of(wrong_shear));
+      values_of(fibres_sheared(1.3)));
   add(all, total<ASSAY_TRIGONAL>(), {{"quartz", bond_right, ""}}, values_of(quartz));
   add(all, total<ASSAY_HEXAGONAL>(), {{"quartz_called_hexagonal", bond_right, not_of_class}}, values_of(quartz));
-  add(all, total<ASSAY_CUBIC>(), {{"zircon_called_cubic", bond_right, not_of_class}}, values_of(zircon));
+}
+
+void add_with_a_state(std::vector<Subject>& all) {
+  using namespace check::causes;
   add(all, relaxing<ASSAY_CUBIC>(),
       {{"relaxing_cube", bond_right, ""}, {"relaxing_cube_of_wrong_sign", bond_wrong_sign, not_of_class}},
       values_of(cube));
@@ -212,10 +224,18 @@ std::vector<Subject> subjects() {
       values_of(cube));
   add(all, turning<ASSAY_TRANSVERSELY_ISOTROPIC>(), {{"turning_bundle", bond_right, ""}}, values_of(fibres));
   add(all, turning<ASSAY_TRANSVERSELY_ISOTROPIC>(), {{"turning_bundle_of_wrong_shear", bond_right, not_of_class}},
-      values_of(nearly_wrong));
+      values_of(fibres_sheared(0.85)));
   add(all, turning<ASSAY_TETRAGONAL>(), {{"zircon", bond_right, ""}}, values_of(zircon));
   add(all, turning<ASSAY_ORTHOTROPIC>(), {{"turning_lamina_of_other_contraction", bond_right, dissipation}},
-      values_of(lamina));
+      values_of(lamina()));
+}
+
+}  // namespace
+
+std::vector<Subject> subjects() {
+  std::vector<Subject> all;
+  add_totals(all);
+  add_with_a_state(all);
   return all;
 }
 
