@@ -63,6 +63,14 @@ TEST_F(StateBlocks, ThoseThatTurnAreNoDefectUndeclared) {
   EXPECT_EQ(two.status, 0) << two.said;
 }
 
+/// The first component of the back stress is said to be a scalar.
+TEST_F(StateBlocks, WhereNothingFitsItIsAskedFor) {
+  const ForeignCheck check("umat_kinematic", kinematic("UNTURNED", "{x: scalar, y: {count: 6}}"));
+  EXPECT_EQ(check.status, 1) << check.said;
+  EXPECT_NE(check.sentence().find("one of the numbers of `state` may belong to a tensor"), std::string::npos)
+      << check.said;
+}
+
 TEST_F(StateBlocks, DeclaredItKeepsItsName) {
   const ForeignCheck check("umat_kinematic", kinematic("UNTURNED", "{back_stress: symmetric_tensor, p: scalar}"));
   EXPECT_EQ(check.cause(), check::causes::state_not_rotated) << check.said;
