@@ -59,7 +59,7 @@ HostVariation field(const std::string& name, std::size_t k) {
       host.fields[k] += by;
     };
   };
-  return {name, false, {{"for +1", add(1)}, {"for +100", add(100)}}};
+  return {name, false, {{"for +1", add(1)}}};
 }
 
 void add_elements(const ForeignModel& model, std::vector<HostVariation>& all) {
@@ -86,13 +86,14 @@ std::vector<HostVariation> host_variations(const ForeignModel& model) {
   add_elements(model, all);
   all.push_back(temperatures(umat ? "TEMP" : "tempOld and tempNew", model.temperature));
   if (umat) {
-    all.push_back({"DTEMP", false, {{"of 1", [](HostValues& host) { host.temperature_rise = 1; }}}});
+    all.push_back({"DTEMP", false, {{"for 1", [](HostValues& host) { host.temperature_rise = 1; }}}});
   }
   all.push_back(places(umat ? "COORDS" : "coordMp"));
   all.push_back(multiples(umat ? "CELENT" : "charLength", &HostValues::length));
   if (!umat) all.push_back(multiples("density", &HostValues::density_times));
   constexpr std::size_t most_fields = 4;
-  for (std::size_t k = 0; k < std::clamp<std::size_t>(model.fields.size(), 1, most_fields); ++k) {
+  const std::size_t fields = umat ? most_fields : std::clamp<std::size_t>(model.fields.size(), 1, most_fields);
+  for (std::size_t k = 0; k < fields; ++k) {
     all.push_back(field((umat ? "PREDEF(" : "field ") + std::to_string(k + 1) + (umat ? ")" : ""), k));
   }
   return all;

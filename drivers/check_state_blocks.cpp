@@ -8,6 +8,7 @@
 #include "drivers/check_foreign.hpp"
 #include "drivers/material/foreign_words.hpp"
 #include "drivers/material/material_description.hpp"
+#include "drivers/output/numbers.hpp"
 
 namespace assay::drivers {
 
@@ -39,28 +40,41 @@ std::size_t component_of(const ForeignModel& model, std::size_t variable) {
   return at;
 }
 
-/// "state: {t1: symmetric_tensor, s7: scalar}"
+bool begins_elsewhere(const ForeignVariable& v) {
+  return std::any_of(v.initial.begin(), v.initial.end(), [](double value) { return value != 0; });
+}
+
+/// "vector", or "{kind: vector, initial: [1, 0, 0]}"
+std::string variable_words(const ForeignVariable& v) {
+  const std::string kind = foreign_words::kinds[static_cast<std::size_t>(v.kind)];
+  if (!begins_elsewhere(v)) return kind;
+  std::string numbers;
+  for (const double value : v.initial) numbers += (numbers.empty() ? "" : ", ") + number_text(value);
+  return "{kind: " + kind + ", initial: " + (v.initial.size() == 1 ? numbers : "[" + numbers + "]") + "}";
+}
+
+/// So many variables from that one on that have no name but their place.
+std::size_t nameless_from(const ForeignModel& model, std::size_t first) {
+  const auto is_nameless = [&](std::size_t at) {
+    const ForeignVariable& v = model.state[at];
+    return !v.kind_is_said && !begins_elsewhere(v) && v.name == "s" + std::to_string(component_of(model, at) + 1);
+  };
+  std::size_t count = 0;
+  while (first + count < model.state.size() && is_nameless(first + count)) ++count;
+  return count;
+}
+
+/// "`state: {t1: symmetric_tensor, s7: scalar}`"
 std::string declared(const ForeignModel& model) {
   std::string text;
   int tensors = 0;
-  const auto add = [&](const std::string& name, const std::string& words) {
-    text += (text.empty() ? "" : ", ") + name + ": " + words;
-  };
-  for (std::size_t k = 0; k < model.state.size(); ++k) {
+  for (std::size_t k = 0; k < model.state.size();) {
     const ForeignVariable& v = model.state[k];
-    const std::string kind = foreign_words::kinds[static_cast<std::size_t>(v.kind)];
-    if (v.kind != Kind::scalar) {
-      add(v.kind_is_said && v.name.find('(') == std::string::npos ? v.name : "t" + std::to_string(++tensors), kind);
-      continue;
-    }
-    const auto is_counted = [&](std::size_t at) {
-      return at < model.state.size() && !model.state[at].kind_is_said &&
-             model.state[at].name == "s" + std::to_string(component_of(model, at) + 1);
-    };
-    std::size_t count = 1;
-    while (is_counted(k) && is_counted(k + count)) ++count;
-    add(v.name, count == 1 ? "scalar" : "{count: " + std::to_string(count) + "}");
-    k += count - 1;
+    const std::size_t count = nameless_from(model, k);
+    const bool is_guessed = v.name.find('(') != std::string::npos;
+    text += (text.empty() ? "" : ", ") + (is_guessed ? "t" + std::to_string(++tensors) : v.name) + ": " +
+            (count > 1 ? "{count: " + std::to_string(count) + "}" : variable_words(v));
+    k += std::max<std::size_t>(count, 1);
   }
   return "`state: {" + text + "}`";
 }

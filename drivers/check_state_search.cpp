@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "adapters/foreign/component_order.hpp"
 #include "adapters/foreign/foreign_state.hpp"
 #include "adapters/foreign/foreign_table.hpp"
 #include "drivers/check_state_blocks.hpp"
@@ -20,16 +21,18 @@ namespace {
 using adapters::ForeignModel;
 using Kind = adapters::ForeignVariable::Kind;
 
-constexpr Kind likely_kinds[] = {Kind::symmetric_tensor, Kind::strain, Kind::tensor, Kind::vector};
+constexpr Kind likely_kinds[] = {Kind::symmetric_tensor, Kind::strain, Kind::mandel, Kind::tensor, Kind::vector};
 
 std::size_t size_of(Kind kind) { return static_cast<std::size_t>(adapters::components_of(kind)); }
 
-/// Components of that kind as Q turns them; a strain's shears are twice those of the tensor.
+/// Components of that kind as Q turns them; shears of some are multiples of the tensor's.
 void turn(Kind kind, const Tensor& Q, double* components) {
   const std::int32_t plain = kind == Kind::vector   ? ASSAY_VECTOR
                              : kind == Kind::tensor ? ASSAY_TENSOR
                                                     : ASSAY_SYMMETRIC_TENSOR;
-  const double shear = kind == Kind::strain ? 0.5 : 1;
+  const double shear = kind == Kind::strain   ? 1 / adapters::engineering_shear
+                       : kind == Kind::mandel ? 1 / adapters::mfront_shear
+                                              : 1;
   const check::Variable read(plain, components);
   const check::Variable turned = read.with(check::sheared(read.value(), shear)).turned(Q);
   turned.with(check::sheared(turned.value(), 1 / shear)).write(components);
@@ -53,6 +56,7 @@ class Search {
     found.turns = as_scalars > check::own_precision;
     if (!found.turns) return found;
     found.blocks = one_by_one();
+    if (!fits(found.blocks)) found.blocks = axes();
     if (!fits(found.blocks)) found.blocks = two_at_once();
     return found;
   }
@@ -148,6 +152,22 @@ class Search {
       end = block.first + size_of(block.kind);
     }
     return found;
+  }
+
+  /// Three vectors one after the other, as of a matrix whose columns turn: those of a crystal, or of F. One that is
+  /// turned alone is no such matrix any more.
+  std::vector<StateBlock> axes() const {
+    for (const StateBlock& first : candidates()) {
+      const std::vector<StateBlock> three{first, {first.first + 3, first.kind}, {first.first + 6, first.kind}};
+      if (first.kind == Kind::vector && is_candidate(three[1]) && is_candidate(three[2]) && fits(three)) return three;
+    }
+    return {};
+  }
+
+  bool is_candidate(const StateBlock& block) const {
+    const std::vector<StateBlock> all = candidates();
+    return std::any_of(all.begin(), all.end(),
+                       [&](const StateBlock& each) { return each.first == block.first && each.kind == block.kind; });
   }
 
   /// Numbers that mean nothing without others.

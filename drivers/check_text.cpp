@@ -63,11 +63,11 @@ std::string remark_of(const std::string& sentence) {
   return at == std::string::npos ? "" : sentence.substr(at);
 }
 
-/// "; depends on TEMP (2 % for +10), COORDS (...)"
+/// "depends on TEMP (2 % for +10), COORDS (...)"
 std::string dependences(const CheckedMaterial& checked) {
   std::string text;
   for (const Dependence& each : checked.depends_on) {
-    text += (text.empty() ? "; depends on " : ", ") + each.on + " (" + each.how + ")";
+    text += (text.empty() ? "depends on " : ", ") + each.on + " (" + each.how + ")";
   }
   return text;
 }
@@ -83,7 +83,8 @@ std::string summary(const CheckedMaterial& checked) {
          std::to_string(count_of(report, Verdict::pass)) + " tests passed, " +
          std::to_string(count_of(report, Verdict::fail)) + " failed, " +
          std::to_string(count_of(report, Verdict::not_applicable)) + " not applicable, in " +
-         rounded_text(checked.wall_s, 2) + " s" + unusual_effort(report) + dependences(checked);
+         rounded_text(checked.wall_s, 2) + " s" + unusual_effort(report) +
+         (checked.depends_on.empty() ? "" : "; " + dependences(checked));
 }
 
 }  // namespace
@@ -139,6 +140,7 @@ std::string check_text(const std::vector<CheckedMaterial>& all, double wall_s) {
                 std::to_string(count_of(report, Verdict::not_applicable)));
     if (!checked.error.empty()) page += wrapped(checked.error, "    ", "    ");
     for (const check::Diagnosis& d : report.diagnosis) page += wrapped(d.cause + ": " + d.sentence, "    ", "      ");
+    if (!checked.depends_on.empty()) page += wrapped(dependences(checked), "    ", "      ");
     for (const auto& [test, file] : checked.replays) page += "    replay: " + file + "\n";
   }
   return page + "\n" + std::to_string(passed) + " of " + std::to_string(all.size()) + " materials pass, in " +

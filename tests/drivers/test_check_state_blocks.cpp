@@ -8,9 +8,9 @@
 namespace assay::drivers::test_check_state_blocks {
 namespace {
 
-std::string kinematic(const std::string& words, const std::string& state) {
-  return "interface: umat\nflags: [non_smooth]\nproperties: {E: 1.0e3, nu: 0.3, yield: 10, C: 50}\nstate: " + state +
-         "\nmaterial_name: " + words + "\n";
+std::string kinematic(const std::string& words, const std::string& state, const std::string& yield = "10") {
+  return "interface: umat\nflags: [non_smooth]\nproperties: {E: 1.0e3, nu: 0.3, yield: " + yield +
+         ", C: 50}\nstate: " + state + "\nmaterial_name: " + words + "\n";
 }
 
 class StateBlocks : public testing::Test {
@@ -43,6 +43,17 @@ TEST_F(StateBlocks, TwoOfThemAreToldFromEachOther) {
       << check.sentence();
 }
 
+TEST_F(StateBlocks, AVectorKeepsItsFirstValue) {
+  const std::string known = "{b: symmetric_tensor, p: scalar, ", keys = "symmetry: anisotropic\n", elastic = "1.0e3";
+  const std::string counted = known + "a1: {initial: 1}, a2: {initial: 0}, a3: {initial: 0}}";
+  const ForeignCheck check("umat_kinematic", keys + kinematic("FIBRE UNTURNED", counted, elastic));
+  EXPECT_EQ(check.cause(), check::causes::state_not_rotated) << check.said;
+  EXPECT_NE(check.sentence().find("'STATEV(8:10)'"), std::string::npos) << check.sentence();
+  EXPECT_NE(check.sentence().find("t1: {kind: vector, initial: [1, 0, 0]}"), std::string::npos) << check.sentence();
+  const ForeignCheck right("umat_kinematic", keys + kinematic("FIBRE", counted, elastic));
+  EXPECT_EQ(right.status, 0) << right.said;
+}
+
 TEST_F(StateBlocks, ThoseThatTurnAreNoDefectUndeclared) {
   for (const char* words : {"ASSAY", "P_FIRST"}) {
     const ForeignCheck check("umat_kinematic", kinematic(words, "7"));
@@ -50,6 +61,14 @@ TEST_F(StateBlocks, ThoseThatTurnAreNoDefectUndeclared) {
   }
   const ForeignCheck two("umat_kinematic", kinematic("TWO_TENSORS", "13"));
   EXPECT_EQ(two.status, 0) << two.said;
+}
+
+/// The first component of the back stress is said to be a scalar.
+TEST_F(StateBlocks, WhereNothingFitsItIsAskedFor) {
+  const ForeignCheck check("umat_kinematic", kinematic("UNTURNED", "{x: scalar, y: {count: 6}}"));
+  EXPECT_EQ(check.status, 1) << check.said;
+  EXPECT_NE(check.sentence().find("one of the numbers of `state` may belong to a tensor"), std::string::npos)
+      << check.said;
 }
 
 TEST_F(StateBlocks, DeclaredItKeepsItsName) {

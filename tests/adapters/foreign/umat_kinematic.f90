@@ -2,7 +2,7 @@
 ! J2 plasticity by radial return with linear kinematic hardening, which does what the words of CMNAME say beside.
 ! PROPS: E, nu, yield stress, C, and with MORE_PROPS a factor of the yield stress. STATEV: back stress (11, 22, 33, 12,
 ! 13, 23), p; with P_FIRST p is the first; with TWO_TENSORS the plastic strain with doubled shears stands behind, which
-! hardens, too. Without words it is right.
+! hardens, too; with FIBRE the direction of a fibre, which adds to the stress. Without words it is right.
 subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpldt, stran, dstran, time, dtime, temp, &
                 dtemp, predef, dpred, cmname, ndi, nshr, ntens, nstatv, props, nprops, coords, drot, pnewdt, celent, &
                 dfgrd0, dfgrd1, noel, npt, layer, kspt, jstep, kinc)
@@ -21,7 +21,8 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
   real(dp) :: table(most_elements), kept(most_elements)
   common /by_element/ kept
   data table/1d0, 999*2d0/
-  real(dp) :: bulk, shear, yield, excess, increment, hardening, factor, alpha(6), strain(6), flow(6), mean, mises, p
+  real(dp) :: bulk, shear, yield, excess, increment, hardening, factor, alpha(6), strain(6), flow(6), mean, mises, p, fibre(3), &
+              dyad(6)
   integer :: i, at, at_p
 
   at = merge(2, 1, says('P_FIRST'))
@@ -88,6 +89,17 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
     statev(at_p) = statev(at_p) + increment
     if (says('TWO_TENSORS')) statev(8:13) = strain
     if (says('KEEPS_KINC')) statev(8) = kinc
+  end if
+
+  if (says('FIBRE')) then
+    fibre = statev(8:10)
+    if (.not. says('UNTURNED')) fibre = matmul(drot, fibre)
+    dyad = [fibre(1)**2, fibre(2)**2, fibre(3)**2, fibre(1) * fibre(2), fibre(1) * fibre(3), fibre(2) * fibre(3)]
+    stress = stress + props(1) * sum(dyad * dstran) * dyad
+    do i = 1, ntens
+      ddsdde(:, i) = ddsdde(:, i) + props(1) * dyad * dyad(i)
+    end do
+    statev(8:10) = fibre
   end if
 
   if (says('BY_KINC') .and. kinc >= 10) stress(1) = stress(1) + 1
