@@ -7,6 +7,7 @@
 #include "drivers/material/foreign_description.hpp"
 #include "drivers/material/material_path.hpp"
 #include "drivers/material/model_files.hpp"
+#include "drivers/material/source_entry.hpp"
 #include "drivers/material/source_library.hpp"
 #include "drivers/scene/yaml_values.hpp"
 #include "drivers/scene/yaml_writer.hpp"
@@ -63,6 +64,10 @@ void read_library(const Tree& root, const std::string& interface, const std::fil
   description.library = library_of_source(text).file;
   description.library_key = "source";
   description.warnings = text.warnings;
+  const Tree* symbol = root.find("symbol");
+  for (const std::string& trap : size_traps(text, symbol ? symbol->text : interface + "_")) {
+    description.warnings.push_back(trap);
+  }
 }
 
 /// A file's name as the name of a table: "My-Clay.yaml" is my_clay.
@@ -73,6 +78,26 @@ std::string name_of_file(const std::string& file) {
     c = std::isalnum(u) ? static_cast<char>(std::tolower(u)) : '_';
   }
   return name;
+}
+
+void read_numbers(const Tree& root, MaterialDescription& description) {
+  if (const Tree* parameters = root.find("parameters")) {
+    require_map(*parameters, "parameters", "the parameters of the material");
+    for (const Tree::Entry& entry : parameters->entries) {
+      const std::string key = "parameters." + one_line(entry.key, 80);
+      description.parameters[entry.key] = number_value(entry.value, key);
+      description.parameter_where[entry.key] = entry.value.where;
+    }
+  }
+  if (const Tree* density = root.find("density")) {
+    description.density = number_value(*density, "density", {.lower = 0, .lower_open = true});
+  }
+  if (const Tree* limit = root.find("time_limit")) {
+    description.limits.seconds = number_value(*limit, "time_limit", {.lower = 0, .upper = 1e7, .lower_open = true});
+  }
+  if (const Tree* limit = root.find("memory_limit")) {
+    description.limits.gigabytes = number_value(*limit, "memory_limit", {.lower = 0, .upper = 1e6, .lower_open = true});
+  }
 }
 
 }  // namespace
@@ -94,23 +119,7 @@ MaterialDescription read_description(const std::string& text, const std::string&
     description.name = text_value(*name, "name");
     description.name_where = name->where;
   }
-  if (const Tree* parameters = root.find("parameters")) {
-    require_map(*parameters, "parameters", "the parameters of the material");
-    for (const Tree::Entry& entry : parameters->entries) {
-      const std::string key = "parameters." + one_line(entry.key, 80);
-      description.parameters[entry.key] = number_value(entry.value, key);
-      description.parameter_where[entry.key] = entry.value.where;
-    }
-  }
-  if (const Tree* density = root.find("density")) {
-    description.density = number_value(*density, "density", {.lower = 0, .lower_open = true});
-  }
-  if (const Tree* limit = root.find("time_limit")) {
-    description.limits.seconds = number_value(*limit, "time_limit", {.lower = 0, .upper = 1e7, .lower_open = true});
-  }
-  if (const Tree* limit = root.find("memory_limit")) {
-    description.limits.gigabytes = number_value(*limit, "memory_limit", {.lower = 0, .upper = 1e6, .lower_open = true});
-  }
+  read_numbers(root, description);
   if (const Tree* files = root.find("files")) {
     description.files = read_model_files(*files, std::filesystem::path(file).parent_path());
   }

@@ -216,4 +216,9 @@ std::vector<std::string> size_traps(const FortranSource& source, const SourceEnt
   return all;
 }
 
+std::vector<std::string> size_traps(const FortranSource& source, const std::string& symbol) {
+  const auto entry = entry_behind(symbol, source.routines());
+  return entry ? size_traps(source, *entry) : std::vector<std::string>();
+}
+
 }  // namespace assay::drivers

@@ -34,4 +34,7 @@ EntryNames names_of_entry(const SourceEntry& entry);
 /// Sentences on arguments whose declared size is not what Abaqus hands over: integers of 8 bytes, reals of 4.
 std::vector<std::string> size_traps(const FortranSource& source, const SourceEntry& entry);
 
+/// The same of a symbol, which need not be there.
+std::vector<std::string> size_traps(const FortranSource& source, const std::string& symbol);
+
 }  // namespace assay::drivers

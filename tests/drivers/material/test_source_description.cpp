@@ -240,6 +240,9 @@ TEST_F(SourceDescriptionTest, ADescriptionMayNameASource) {
   EXPECT_NE(read("source: hooke.f\ninterface: umat\n").library, first.library) << "compiled when it has changed";
   EXPECT_EQ(read(description_yaml(first)).library, first.library) << "and not by a worker";
   EXPECT_EQ(read(lasting_yaml(first)).source, scratch / "hooke.f");
+  scratch.write("wide.f", fixed_umat("      INTEGER*8 NDI\n" + hooke_statements));
+  EXPECT_NE(all(read("source: wide.f\ninterface: umat\n").warnings).find("NDI is declared an integer of 8 bytes"),
+            std::string::npos);
   const auto line = [&](const std::string& text) { return refusal_of([&] { read(text); }); };
   EXPECT_NE(line("source: hooke.f\n").find("source: goes with interface: umat or vumat"), std::string::npos);
   EXPECT_NE(line("source: no.f\ninterface: umat\n").find(":1:9: source: no such file"), std::string::npos);

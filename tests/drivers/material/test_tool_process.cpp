@@ -43,6 +43,13 @@ TEST(ToolProcess, WorksWhereItIsToldAndInEnglish) {
   EXPECT_EQ(run_tool(call).status, 126);
 }
 
+// What a killed program leaves behind comes to an end.
+TEST(ToolProcess, HasItsShareOfTheProcessor) {
+  ToolCall call = shell("ulimit -t; ulimit -c");
+  call.limit_s = 7;
+  EXPECT_EQ(run_tool(call).said, "8\n0\n");
+}
+
 TEST(ToolProcess, TakesWordsAsTheyStand) {
   const ToolCall call{.program = "/bin/echo", .arguments = {"a b", "$HOME", "'", "*"}};
   EXPECT_EQ(run_tool(call).said, "a b $HOME ' *\n");
