@@ -23,7 +23,8 @@ std::vector<std::string> not_tested(const Specimen& specimen) {
   if (material.table().parameter_count > 0 && !material.extension<assay_closed_form>(ASSAY_EXTENSION_CLOSED_FORM)) {
     all.emplace_back("the values of its parameters (there is no reference)");
   }
-  if (!has_reached(specimen)) all.push_back("strains above " + rounded(specimen.amplitude));
+  const char* why = specimen.refusal ? " (it refuses them)" : "";
+  if (!has_reached(specimen)) all.push_back("strains above " + rounded(specimen.amplitude) + why);
   if (material.has(ASSAY_NON_SMOOTH) && stays_linear(specimen)) {
     all.emplace_back("what lies beyond its first straight line (a kink is declared, and none was met)");
   }
