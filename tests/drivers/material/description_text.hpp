@@ -72,8 +72,8 @@ class RandomDescription {
     std::string map;
     for (std::size_t k = random_() % 5; k > 0; --k) {
       map += (map.empty() ? "" : ", ") + key(k) + ": " +
-             any({"scalar", "vector", "symmetric_tensor", "strain", "tensor", "mandel", "{initial: " + number() + "}", "{}",
-                  "{kind: tensor, count: 3}", "{kind: strain, initial: " + number() + "}",
+             any({"scalar", "vector", "symmetric_tensor", "strain", "tensor", "mandel", "{initial: " + number() + "}",
+                  "{}", "{kind: tensor, count: 3}", "{kind: strain, initial: " + number() + "}",
                   "{kind: vector, initial: [1, " + number() + ", 3], unit: " + any(texts_) + "}"});
     }
     return "{" + map + "}";

@@ -95,10 +95,12 @@ TEST(AbaqusDeck, IncludedFilesAreRead) {
 
 TEST(AbaqusDeck, WhatIsWrongIsSaidAtItsLine) {
   const std::string head = "*Material, name=A\n";
-  EXPECT_EQ(refused(head + "*User Material, constants=8\n1, 2, 3, 4\n5, 6, 7, 8\n"),
-            "job.inp:2:1: *User Material: has 2 lines, and constants=8 takes 1, with eight numbers in each but the last");
-  EXPECT_EQ(refused(head + "*User Material, constants=9\n1, 2, 3, 4\n"),
-            "job.inp:2:1: *User Material: has 1 lines, and constants=9 takes 2, with eight numbers in each but the last");
+  EXPECT_EQ(
+      refused(head + "*User Material, constants=8\n1, 2, 3, 4\n5, 6, 7, 8\n"),
+      "job.inp:2:1: *User Material: has 2 lines, and constants=8 takes 1, with eight numbers in each but the last");
+  EXPECT_EQ(
+      refused(head + "*User Material, constants=9\n1, 2, 3, 4\n"),
+      "job.inp:2:1: *User Material: has 1 lines, and constants=9 takes 2, with eight numbers in each but the last");
   EXPECT_EQ(refused(head + "*User Material, constants=16\n1, 2, 3, 4, 5, 6, 7, 8, 9\n1\n"),
             "job.inp:3:1: *User Material: has 9 numbers, and Abaqus takes eight a line");
   EXPECT_EQ(refused(head + "*User Material, constants=2\n1, <E>\n"),
