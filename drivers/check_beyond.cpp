@@ -167,7 +167,7 @@ std::vector<adapters::GuardedArrays::Beyond> places_of(const ResolvedMaterial& m
 std::optional<BeyondFinding> reads_beyond(const ResolvedMaterial& material, const check::Effort& effort) {
   const auto* access = material.material.extension<HostAccess>(adapters::host_access);
   if (!access || material.description.empty()) return std::nullopt;
-  constexpr double brief_s = 5, long_s = 20;
+  constexpr double brief_s = 20, long_s = 60;
   const double limit_s = std::min(brief_s, read_description(material.description).limits.seconds);
   const auto first = looked(material, *access, effort, false, limit_s);
   const auto found = first && first->size() == 2 ? looked(material, *access, effort, true, long_s) : first;

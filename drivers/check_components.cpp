@@ -24,7 +24,7 @@ std::optional<ForeignModel> silent_model(const CheckedMaterial& checked) {
 
 /// Whether a shear 13 has no stress of its own, or one that is nothing like that of a shear 12; or is the end.
 bool fails_out_of_plane(const ForeignModel& model, const std::map<std::string, double>& parameters) {
-  constexpr double limit_s = 5, little = 1e-2, much = 1e2, shear = 1e-4;
+  constexpr double limit_s = 20, little = 1e-2, much = 1e2, shear = 1e-4;
   const auto rows = made_elsewhere(
       [&]() -> check::History {
         const Material material(adapters::foreign_table(model), parameters);

@@ -89,7 +89,7 @@ class Bodies {
 bool keeps_state_by_element(const ResolvedMaterial& material, double strain, double pressure) {
   const auto* access = material.material.extension<HostAccess>(adapters::host_access);
   if (!access || !(strain > 0)) return false;
-  constexpr double limit_s = 5;
+  constexpr double limit_s = 20;
   const auto rows = made_elsewhere(
       [&]() -> check::History {
         Bodies bodies(material, *access, strain, pressure);

@@ -104,13 +104,14 @@ void say_instead(check::Report& report, check::TestResult& test, const std::stri
 }
 
 void say_also(check::Report& report, const std::string& sentence, const std::string& more) {
-  const std::string before = sentence;
+  std::vector<std::string*> found;  // `sentence` may be one of them
   for (check::Diagnosis& each : report.diagnosis) {
-    if (each.sentence == before) each.sentence += more;
+    if (each.sentence == sentence) found.push_back(&each.sentence);
   }
   for (check::TestResult& test : report.tests) {
-    if (test.sentence == before) test.sentence += more;
+    if (test.sentence == sentence) found.push_back(&test.sentence);
   }
+  for (std::string* each : found) *each += more;
 }
 
 check::Declarations declarations_of(const ResolvedMaterial& material) {

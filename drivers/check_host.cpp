@@ -126,7 +126,7 @@ class Trials {
   }
 
   std::optional<std::vector<std::vector<HostEffect>>> tried(const std::vector<HostVariation>& all) const {
-    constexpr double limit_s = 10;
+    constexpr double limit_s = 30;
     const auto rows = made_elsewhere(
         [&] {
           Hosts hosts(material_, access_, strain_, pressure_);

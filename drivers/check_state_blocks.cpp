@@ -46,7 +46,7 @@ bool begins_elsewhere(const ForeignVariable& v) {
 
 /// "vector", or "{kind: vector, initial: [1, 0, 0]}"
 std::string variable_words(const ForeignVariable& v) {
-  const std::string kind = foreign_words::kinds[static_cast<std::size_t>(v.kind)];
+  const std::string& kind = foreign_words::kinds[static_cast<std::size_t>(v.kind)];
   if (!begins_elsewhere(v)) return kind;
   std::string numbers;
   for (const double value : v.initial) numbers += (numbers.empty() ? "" : ", ") + number_text(value);

@@ -158,7 +158,7 @@ class Search {
   /// turned alone is no such matrix any more.
   std::vector<StateBlock> axes() const {
     for (const StateBlock& first : candidates()) {
-      const std::vector<StateBlock> three{first, {first.first + 3, first.kind}, {first.first + 6, first.kind}};
+      std::vector<StateBlock> three{first, {first.first + 3, first.kind}, {first.first + 6, first.kind}};
       if (first.kind == Kind::vector && is_candidate(three[1]) && is_candidate(three[2]) && fits(three)) return three;
     }
     return {};

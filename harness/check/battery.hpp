@@ -56,7 +56,7 @@ struct Declarations {
   std::string rate_dependence = "ASSAY_RATE_DEPENDENT";
   std::string own_axes = "ASSAY_ROLE_ROTATES_ITSELF";
   std::string growth = "ASSAY_GROWS";
-  std::string numbered_state = "";  ///< an array whose numbers are the names s1, s2 ... of state variables; or empty
+  std::string numbered_state = {};  ///< an array whose numbers are the names s1, s2 ... of state variables; or empty
   bool guesses_roles = false;       ///< of the state: a foreign interface knows none
   bool may_drop_stress = false;     ///< an initial one that it cannot carry: it has no way to refuse
   double tangent_within = 1e-4;     ///< relative: of a foreign implicit law more, as its last iteration leaves it
