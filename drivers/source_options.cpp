@@ -114,7 +114,7 @@ std::string described_source(const std::string& material, SourceRequest request,
   if (chosen.empty()) chosen = name.table;
   const SourceDescription described = describe_source(absolute_path(name.file), request, {}, "");
   bool edited = false;
-  const std::string file = write_description(described, folder, edited);
+  std::string file = write_description(described, folder, edited);
   std::string page;
   if (verbosity != Verbosity::quiet) {
     page = name.file + ":\n";
