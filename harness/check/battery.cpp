@@ -162,24 +162,15 @@ bool any_refused(const Report& report) {
   return std::any_of(report.tests.begin(), report.tests.end(), [](const TestResult& test) { return test.refused; });
 }
 
-bool takes(const Material& material, const FailedStep& step, double dt) {
-  try {
-    stepped(material, step.t, dt, step.F0, step.F1, step.state0);
-    return true;
-  } catch (const MaterialFailure&) {
-    return false;
-  }
-}
-
 /// A length [s] in which the strain of a refused step is taken; nothing where it is taken in none.
 std::optional<double> length_taken(const Material& material, const Report& report) {
   constexpr int decades = 12;
   for (const TestResult& test : report.tests) {
-    if (!test.refused || !test.step || takes(material, *test.step, test.step->dt)) continue;
-    double length = test.step->dt;
+    if (!test.refused || !test.step || takes(material, *test.step)) continue;
+    FailedStep shorter = *test.step;
     for (int k = 0; k < decades; ++k) {
-      length *= 0.1;
-      if (takes(material, *test.step, length)) return length;
+      shorter.dt *= 0.1;
+      if (takes(material, shorter)) return shorter.dt;
     }
   }
   return std::nullopt;

@@ -46,14 +46,6 @@ class Trials {
       return false;
     }
   }
-  static bool takes(const Material& material, const FailedStep& step) {
-    try {
-      stepped(material, step.t, step.dt, step.F0, step.F1, step.state0);
-      return true;
-    } catch (const std::runtime_error&) {
-      return false;
-    }
-  }
 
   const Material& material_;
   const MaterialFailure& failure_;
