@@ -142,7 +142,7 @@ CheckedMaterial check_one(const CheckOptions& options) {
   CheckedMaterial checked = check_in_processes({task_of(settings)}, how).front();
   progress.finish();
   take_end_for_refusal(checked, options, settings, task_of);
-  hint_components(checked, settings.effort, processes_for(options));
+  judge_components(checked, settings.effort, processes_for(options));
   judge_printing(checked);
   leave_replay_of_the_end(checked, settings);
   return checked;
@@ -172,7 +172,7 @@ std::vector<CheckedMaterial> check_all(const CheckOptions& options) {
   for (std::size_t k = 0; k < all.size(); ++k) {
     take_end_for_refusal(all[k], options, settings,
                          [&](const CheckSettings& other) { return task_of(names[k], other); });
-    hint_components(all[k], settings.effort, how);
+    judge_components(all[k], settings.effort, how);
     judge_printing(all[k]);
     leave_replay_of_the_end(all[k], settings);
   }

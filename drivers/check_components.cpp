@@ -2,11 +2,14 @@
 #include "drivers/check_components.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "adapters/foreign/foreign_table.hpp"
 #include "drivers/check_elsewhere.hpp"
+#include "drivers/check_foreign.hpp"
 #include "drivers/check_steps.hpp"
+#include "drivers/check_undeclared.hpp"
 #include "drivers/material/material_description.hpp"
 
 namespace assay::drivers {
@@ -22,52 +25,119 @@ std::optional<ForeignModel> silent_model(const CheckedMaterial& checked) {
   return silent ? model : std::nullopt;
 }
 
-/// Whether a shear 13 has no stress of its own, or one that is nothing like that of a shear 12; or is the end.
-bool fails_out_of_plane(const ForeignModel& model, const std::map<std::string, double>& parameters) {
-  constexpr double limit_s = 20, little = 1e-2, much = 1e2, shear = 1e-4;
+using Stress = std::array<double, 9>;  ///< magnitudes, row-major [Pa]; not a number where the step is refused
+
+constexpr int in_11 = 0, shear_12 = 1, shear_13 = 2, in_22 = 4, in_33 = 8;  // components, row-major
+
+/// The stress of one small strain from rest.
+Stress stress_of(const Material& material, int place) {
+  constexpr double strain = 1e-4;
+  Tensor F = Tensor::Identity();
+  component(F, place) += strain;
+  const Answer answer = answer_of(material, {0, 1, Tensor::Identity(), F, material.initial_state(1), true});
+  Stress stress;
+  for (std::size_t c = 0; c < stress.size(); ++c) {
+    stress[c] = is_good(answer) ? std::abs(answer[stress_of_answer + c]) : NAN;
+  }
+  return stress;
+}
+
+/// The components that a model of six answers as another would.
+enum class Fills { six, plane_strain, plane_stress, unknown };
+
+constexpr double little = 1e-2, much = 1e2;  // of another stress
+
+/// STRESS(1:3) are then 11, 22 and 12, so that DSTRAN(3) makes STRESS(3), and nothing else does.
+bool is_of_plane_stress(const Stress& of_11, const Stress& of_33, const Stress& of_12) {
+  constexpr double none = 1e-9;
+  return of_33[in_33] > little * of_11[in_11] && of_33[in_11] <= none * of_33[in_33] &&
+         of_33[in_22] <= none * of_33[in_33] && of_11[in_33] <= none * of_11[in_11] &&
+         of_12[shear_12] <= none * of_11[in_11];
+}
+
+Fills filled_by(const ForeignModel& model, const std::map<std::string, double>& parameters) {
+  constexpr double limit_s = 20;
   const auto rows = made_elsewhere(
       [&]() -> check::History {
         const Material material(adapters::foreign_table(model), parameters);
-        std::vector<double> row;
-        for (const int place : {1, 2}) {
-          Tensor F = Tensor::Identity();
-          component(F, place) = shear;
-          const Answer answer = answer_of(material, {0, 1, Tensor::Identity(), F, material.initial_state(1), true});
-          row.push_back(is_good(answer) ? std::abs(answer[stress_of_answer + static_cast<std::size_t>(place)]) : NAN);
+        check::History all;
+        for (const int place : {in_11, in_33, shear_12, shear_13}) {
+          const Stress stress = stress_of(material, place);
+          all.emplace_back(stress.begin(), stress.end());
         }
-        return {row};
+        return all;
       },
       limit_s);
-  if (!rows) return true;
-  const double in_plane = rows->front()[0], out_of_plane = rows->front()[1];
-  return !(out_of_plane > little * in_plane && out_of_plane < much * in_plane);
+  if (!rows || rows->size() != 4) return Fills::unknown;
+  std::array<Stress, 4> stress;
+  for (std::size_t k = 0; k < stress.size(); ++k) std::copy_n((*rows)[k].begin(), 9, stress[k].begin());
+  const auto& [of_11, of_33, of_12, of_13] = stress;
+  if (is_of_plane_stress(of_11, of_33, of_12)) return Fills::plane_stress;
+  const double in_plane = of_12[shear_12], out_of_plane = of_13[shear_13];
+  const bool alike = out_of_plane > little * in_plane && out_of_plane < much * in_plane;
+  return alike ? Fills::six : Fills::plane_strain;
+}
+
+/// What overruns an array of four.
+bool may_overrun(const check::Report& report) {
+  using namespace check::causes;
+  const char* const all[] = {hidden_state, not_finite, overrun, ends_process};
+  return std::any_of(report.diagnosis.begin(), report.diagnosis.end(), [&](const check::Diagnosis& each) {
+    return std::any_of(std::begin(all), std::end(all), [&](const char* cause) { return each.cause == cause; });
+  });
+}
+
+/// The battery with four components.
+CheckedMaterial with_four(const CheckedMaterial& checked, const ForeignModel& silent, const check::Effort& effort,
+                          const CheckProcesses& how) {
+  const std::map<std::string, double> parameters(checked.parameters.begin(), checked.parameters.end());
+  const auto report_of = [&](std::uint32_t flags, const CheckReporter& reporter) {
+    ForeignModel model = silent;
+    model.components = {4}, model.flags |= flags;
+    check::Effort quick = effort;
+    quick.quick = true;
+    return check::run_battery(Material(adapters::foreign_table(model), parameters),
+                              {.effort = quick, .begins = reporter.begins});
+  };
+  const CheckTask task{checked.name, [&](const CheckReporter& reporter) {
+                         CheckedMaterial found;
+                         reporter.begins("loading");
+                         found.report = report_of(0, reporter);
+                         if (silent.flags_are_said || !failed_test(found.report, "clock")) return found;
+                         check::Report of_rate = report_of(ASSAY_RATE_DEPENDENT, reporter);
+                         if (settles_rate(of_rate, found.report)) found.report = std::move(of_rate);
+                         return found;
+                       }};
+  CheckProcesses quietly = how;
+  quietly.progress = {}, quietly.at_work = {};
+  return check_in_processes({task}, quietly).front();
+}
+
+/// Of what was tried with four components.
+std::string words_of(const CheckedMaterial& checked, const CheckedMaterial& four) {
+  const std::string key = "; with components: [4] in its description ";
+  if (four.passes()) return key + "it passes: it fills the components of plane strain alone";
+  const bool reaches_more =
+      count_of(four.report, check::Verdict::pass) > 2 * count_of(checked.report, check::Verdict::pass);
+  if (!reaches_more || four.report.diagnosis.empty()) return "";
+  return key + "it can be judged, and fails otherwise: " + four.report.diagnosis.front().cause;
 }
 
 }  // namespace
 
-void hint_components(CheckedMaterial& checked, const check::Effort& effort, const CheckProcesses& how) {
+void judge_components(CheckedMaterial& checked, const check::Effort& effort, const CheckProcesses& how) {
   std::optional<ForeignModel> model;
   if (checked.passes() || checked.report.diagnosis.empty() || !(model = silent_model(checked))) return;
-  const std::map<std::string, double> parameters(checked.parameters.begin(), checked.parameters.end());
-  const CheckTask task{checked.name, [&](const CheckReporter& reporter) {
-                         CheckedMaterial found;
-                         if (!fails_out_of_plane(*model, parameters)) {
-                           found.error = "it takes shears out of the plane";
-                           return found;
-                         }
-                         reporter.begins("loading");
-                         model->components = {4};
-                         const Material material(adapters::foreign_table(*model), parameters);
-                         check::Effort quick = effort;
-                         quick.quick = true;
-                         found.report = check::run_battery(material, {.effort = quick});
-                         return found;
-                       }};
-  CheckProcesses quietly = how;
-  quietly.progress = {};
-  if (!check_in_processes({task}, quietly).front().passes()) return;
-  checked.report.diagnosis.front().sentence +=
-      "; with components: [4] in its description it passes: it fills the components of plane strain alone";
+  const Fills fills = filled_by(*model, {checked.parameters.begin(), checked.parameters.end()});
+  if (fills == Fills::plane_stress) {
+    checked.error = checked.name +
+                    ": its three components of stress are 11, 22 and 12, those of plane stress: DSTRAN(3) makes "
+                    "STRESS(3), and nothing else does. assay drives plane strain and three dimensions, and cannot "
+                    "judge it";
+    return;
+  }
+  if (fills == Fills::six && !may_overrun(checked.report)) return;
+  checked.report.diagnosis.front().sentence += words_of(checked, with_four(checked, *model, effort, how));
 }
 
 }  // namespace assay::drivers

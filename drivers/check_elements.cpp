@@ -105,8 +105,8 @@ void judge_elements(const ResolvedMaterial& material, check::Report& report) {
   const auto test = std::find_if(report.tests.begin(), report.tests.end(), [](const check::TestResult& each) {
     return each.verdict == check::Verdict::fail && each.cause == check::causes::hidden_state;
   });
-  if (test == report.tests.end() || material.description.empty()) return;
-  const auto model = read_description(material.description).foreign;
+  if (test == report.tests.end()) return;
+  const auto& model = material.foreign;
   const double strain = report.strain > 0 ? report.strain : report.effort.strain;
   if (!model || !keeps_state_by_element(material, strain, report.pressure)) return;
   test->cause = check::causes::kept_by_element;

@@ -19,11 +19,6 @@ using adapters::ForeignModel;
 
 constexpr const char* tangent_test = "tangent";
 
-std::optional<ForeignModel> foreign_of(const ResolvedMaterial& material) {
-  if (material.description.empty()) return std::nullopt;
-  return read_description(material.description).foreign;
-}
-
 /// Whether variables of the state are called s1, s2 ... for their places.
 bool counts_state(const ForeignModel& model) {
   std::size_t at = 0;
@@ -75,7 +70,7 @@ std::string strain_words(const ForeignModel& right) {
 /// The first that is not symmetric; empty where there is none.
 std::string tensor_without_initial_value(const ResolvedMaterial& material) {
   const assay_material& table = material.material.table();
-  const std::optional<ForeignModel> described = foreign_of(material);
+  const std::optional<ForeignModel>& described = material.foreign;
   if (!described || described->interface != ForeignInterface::mfront) return {};
   for (std::uint32_t v = 0; v < table.state_count; ++v) {
     if (table.state[v].kind != ASSAY_TENSOR) continue;
@@ -115,7 +110,7 @@ void say_also(check::Report& report, const std::string& sentence, const std::str
 }
 
 check::Declarations declarations_of(const ResolvedMaterial& material) {
-  const std::optional<ForeignModel> model = foreign_of(material);
+  const std::optional<ForeignModel>& model = material.foreign;
   if (!model) return {};
   const bool umat = model->interface == ForeignInterface::umat;
   const std::string numbered = umat ? "STATEV" : "numbers";
@@ -133,7 +128,7 @@ check::Declarations declarations_of(const ResolvedMaterial& material) {
 void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& report) {
   check::TestResult* const test = failed_test(report, tangent_test);
   if (!test) return;
-  std::optional<ForeignModel> model = foreign_of(material);
+  std::optional<ForeignModel> model = material.foreign;
   if (!model || model->interface != ForeignInterface::umat) return;
   const std::string before = test->sentence;
   if (turns_wrongly(report)) {
@@ -159,7 +154,7 @@ void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& repo
 }
 
 std::vector<std::string> foreign_not_tested(const ResolvedMaterial& material) {
-  const std::optional<ForeignModel> model = foreign_of(material);
+  const std::optional<ForeignModel>& model = material.foreign;
   if (!model) return {};
   const std::string fields = model->fields.empty() ? "" : " and fields";
   return {"other temperatures" + fields + " (they are constant)"};

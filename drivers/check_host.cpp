@@ -21,7 +21,7 @@ constexpr double same_within = 1e-12;  ///< of the largest stress, as in calls.r
 
 /// Numbers of a state that are not the model's own.
 std::size_t bridge_components(const ResolvedMaterial& material) {
-  const auto model = read_description(material.description).foreign;
+  const auto& model = material.foreign;
   const auto own = model ? adapters::foreign_state_size(model->state) : 0;
   return material.material.state_size() - static_cast<std::size_t>(own);
 }
@@ -216,9 +216,8 @@ void judge_one(const HostVariation& variation, const HostEffect& effect, const s
 
 std::optional<HostFinding> depends_on_host(const ResolvedMaterial& material, double strain, double pressure) {
   const auto* access = material.material.extension<HostAccess>(adapters::host_access);
-  if (!access || material.description.empty()) return std::nullopt;
-  const auto model = read_description(material.description).foreign;
-  const std::vector<HostVariation> all = model ? host_variations(*model) : std::vector<HostVariation>();
+  if (!access || !material.foreign) return std::nullopt;
+  const std::vector<HostVariation> all = host_variations(*material.foreign);
   const auto effects = Trials(material, *access, strain, pressure).effects(all);
   HostFinding finding{{.id = host_test, .measure = 0, .threshold = same_within}, {}};
   if (!effects) {

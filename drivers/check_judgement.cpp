@@ -10,6 +10,7 @@
 #include "drivers/check_foreign.hpp"
 #include "drivers/check_host.hpp"
 #include "drivers/check_state_blocks.hpp"
+#include "drivers/check_undeclared.hpp"
 
 namespace assay::drivers {
 
@@ -77,23 +78,45 @@ void judge_host(const ResolvedMaterial& material, const CheckSettings& settings,
   if (!found) return;
   if (reporter.ends) reporter.ends(found->test);
   report.tests.push_back(found->test);
-  checked.depends_on = found->depends_on;
+  checked.depends_on.insert(checked.depends_on.end(), found->depends_on.begin(), found->depends_on.end());
   if (found->test.verdict == check::Verdict::fail)
     report.diagnosis.push_back({found->test.cause, found->test.sentence});
 }
 
+/// The battery again, of the model as one that depends on the rate, where its description says nothing of it and the
+/// length of a step matters.
+std::optional<ResolvedMaterial> settle_rate(const ResolvedMaterial& material, const CheckSettings& settings,
+                                            const CheckReporter& reporter, const check::Report& before,
+                                            CheckedMaterial& checked) {
+  if (!settings.rate_dependent && !may_depend_on_rate(material, checked.report)) return std::nullopt;
+  ResolvedMaterial other = as_rate_dependent(material);
+  keep_elements(other);
+  check::Report report = battery_of(other, settings, reporter, before);
+  if (!settings.rate_dependent && !settles_rate(report, checked.report)) return std::nullopt;
+  const check::TestResult* const clock = failed_test(checked.report, "clock");
+  const double effect = clock ? clock->measure.value_or(0) : 0;
+  checked.report = std::move(report);
+  checked.depends_on.push_back(say_rate(checked.report, effect));
+  return other;
+}
+
 }  // namespace
 
-void judge(const ResolvedMaterial& material, const CheckSettings& settings, const CheckReporter& reporter,
-           CheckedMaterial& checked) {
+std::optional<ResolvedMaterial> judge(const ResolvedMaterial& material, const CheckSettings& settings,
+                                      const CheckReporter& reporter, CheckedMaterial& checked) {
   keep_elements(material);
-  if (!judge_beyond(material, settings, reporter, checked.report)) return;
-  checked.report = battery_of(material, settings, reporter, checked.report);
-  for (std::string& what : foreign_not_tested(material)) checked.report.not_tested.push_back(std::move(what));
-  judge_foreign_tangent(material, checked.report);
-  tell_initial_values(material, checked.report);
-  judge_state_blocks(material, checked.report);
-  judge_host(material, settings, reporter, checked);
+  if (!judge_beyond(material, settings, reporter, checked.report)) return std::nullopt;
+  const check::Report before = checked.report;
+  checked.report = battery_of(material, settings, reporter, before);
+  std::optional<ResolvedMaterial> other = settle_rate(material, settings, reporter, before, checked);
+  const ResolvedMaterial& judged = other ? *other : material;
+  for (std::string& what : foreign_not_tested(judged)) checked.report.not_tested.push_back(std::move(what));
+  judge_foreign_tangent(judged, checked.report);
+  tell_initial_values(judged, checked.report);
+  judge_state_blocks(judged, checked.report);
+  hint_symmetry(judged, checked.report);
+  judge_host(judged, settings, reporter, checked);
+  return other;
 }
 
 }  // namespace assay::drivers

@@ -6,8 +6,9 @@
 
 namespace assay::drivers {
 
-/// Into `checked`: the report, and what the answer depends on.
-void judge(const ResolvedMaterial& material, const CheckSettings& settings, const CheckReporter& reporter,
-           CheckedMaterial& checked);
+/// Into `checked`: the report, and what the answer depends on. What the material was taken for instead, where its
+/// description leaves open what the answers settle.
+std::optional<ResolvedMaterial> judge(const ResolvedMaterial& material, const CheckSettings& settings,
+                                      const CheckReporter& reporter, CheckedMaterial& checked);
 
 }  // namespace assay::drivers

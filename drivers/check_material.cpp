@@ -57,13 +57,15 @@ void remove_stale(const CheckedMaterial& checked, const CheckSettings& settings)
   }
 }
 
-void leave_replays(const ResolvedMaterial& material, CheckedMaterial& checked, const CheckSettings& settings) {
+void leave_replays(const ResolvedMaterial& material, bool rate_dependent, CheckedMaterial& checked,
+                   const CheckSettings& settings) {
   try {
     for (const check::TestResult& test : checked.report.tests) {
       if (test.verdict != check::Verdict::fail) continue;
       Replay replay = replay_of(material, test.step, test.cause + ": " + test.sentence);
       replay.test = test.id;
       replay.effort = checked.report.effort;
+      replay.rate_dependent = rate_dependent;
       const std::string file = replay_file(checked, settings.folder, test.id);
       write_replay(file, replay);
       checked.replays[test.id] = file;
@@ -127,11 +129,12 @@ CheckedMaterial check_material(const ResolvedMaterial& material, const std::stri
   }
   checked.of_example = material.of_example;
   reporter.material(checked);
-  judge(material, settings, reporter, checked);
+  const std::optional<ResolvedMaterial> other = judge(material, settings, reporter, checked);
+  const ResolvedMaterial& judged = other ? *other : material;
   const std::string only = settings.only == process_test ? std::string() : settings.only;
   const bool asked = settings.only.empty() ? !settings.effort.quick : settings.only == vortex_test;
   if (asked && checked.report.passes()) {
-    add_vortex(material, checked.report, reporter);
+    add_vortex(judged, checked.report, reporter);
   } else if (asked) {
     checked.report.tests.push_back({.id = vortex_test,
                                     .verdict = check::Verdict::not_applicable,
@@ -140,7 +143,7 @@ CheckedMaterial check_material(const ResolvedMaterial& material, const std::stri
   if (only.empty() && reporter.habits) add_process(reporter.habits(), checked.report);
   checked.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (reporter.over) reporter.over();
-  if (!settings.folder.empty()) leave_replays(material, checked, settings);
+  if (!settings.folder.empty()) leave_replays(judged, other.has_value(), checked, settings);
   return checked;
 }
 

@@ -12,9 +12,10 @@ inline constexpr const char* process_test = "calls.process";
 
 struct CheckSettings {
   check::Effort effort = {};
-  std::string only = {};     ///< id of the one test that is wanted; empty: all
-  std::string folder = {};   ///< of the replay files, one for each failure; empty: none is written
-  std::string without = {};  ///< id of a test that is left out
+  std::string only = {};        ///< id of the one test that is wanted; empty: all
+  std::string folder = {};      ///< of the replay files, one for each failure; empty: none is written
+  std::string without = {};     ///< id of a test that is left out
+  bool rate_dependent = false;  ///< what its description leaves open is settled: it depends on the rate
 };
 
 /// The same with its code where this is called, which is to be a process that may die.

@@ -41,7 +41,9 @@ check::TestResult step_again(const Material& material, const FailedStep& step) {
 CheckedMaterial again(const Replay& replay, const ResolvedMaterial& resolved, const CheckReporter& reporter) {
   CheckedMaterial checked;
   if (!replay.test.empty()) {
-    checked = check_material(resolved, replay.material, {replay.effort, replay.test, {}}, reporter);
+    checked = check_material(resolved, replay.material,
+                             {.effort = replay.effort, .only = replay.test, .rate_dependent = replay.rate_dependent},
+                             reporter);
     std::erase_if(checked.report.tests,
                   [&](const auto& test) { return test.id != replay.test && test.verdict != check::Verdict::fail; });
   } else {

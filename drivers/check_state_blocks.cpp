@@ -121,8 +121,8 @@ void replace(check::Report& report, check::Diagnosis& old, const check::Diagnosi
 
 void judge_state_blocks(const ResolvedMaterial& material, check::Report& report) {
   check::Diagnosis* const found = first_of_turns(report);
-  if (!found || material.description.empty()) return;
-  const std::optional<ForeignModel> model = read_description(material.description).foreign;
+  if (!found) return;
+  const std::optional<ForeignModel>& model = material.foreign;
   constexpr std::size_t least = 3;  // components of a vector
   const bool fixed_axes =
       model && model->interface == adapters::ForeignInterface::umat && model->axes == adapters::Axes::fixed;

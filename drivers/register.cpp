@@ -177,7 +177,7 @@ Candidate candidate_of(const RegisterOptions& options) {
 std::optional<std::string> tried(const MaterialSource& source, const Location& where) {
   try {
     std::optional<std::string> defect = adapters::probe_defect(source.table, source.parameters);
-    if (source.is_foreign && !names_without_value(source).empty()) defect.reset();
+    if (source.foreign && !names_without_value(source).empty()) defect.reset();
     if (defect && !defect->starts_with(adapters::refuses_rest)) {
       throw InputError(where, "", "material '" + std::string(source.table->name) + "' is refused: " + *defect);
     }

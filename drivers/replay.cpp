@@ -140,6 +140,7 @@ std::string test_text(const Replay& replay) {
   if (replay.effort.strain != check::Effort{}.strain) text += "strain: " + yaml_number(replay.effort.strain) + "\n";
   if (replay.effort.strain_is_asked) text += "strain_is_asked: true\n";
   if (replay.effort.step != check::Effort{}.step) text += "step: " + yaml_number(replay.effort.step) + "\n";
+  if (replay.rate_dependent) text += "rate_dependent: true\n";
   if (replay.effort.pressure) text += "pressure: " + yaml_number(*replay.effort.pressure) + "\n";
   return text;
 }
@@ -173,8 +174,10 @@ std::vector<std::string> tests_of_check() {
 
 Replay read_replay(const std::string& file) {
   const Tree root = read_yaml(read_bytes(file), file);
-  const std::vector<std::string> known{"material", "parameters", "library_sha256", "t",     "dt",     "F0",      "F1",
-                                       "state0",   "reason",     "test",           "quick", "strain", "pressure"};
+  const std::vector<std::string> known{
+      "material",        "parameters",    "library_sha256", "t",     "dt",     "F0",   "F1",
+      "state0",          "reason",        "test",           "quick", "strain", "step", "pressure",
+      "strain_is_asked", "rate_dependent"};
   require_map(root, "", joined(known));
   refuse_unknown_keys(root, "", known);
   Replay replay;
@@ -192,6 +195,7 @@ Replay read_replay(const std::string& file) {
   if (const Tree* asked = root.find("strain_is_asked")) {
     replay.effort.strain_is_asked = boolean_value(*asked, "strain_is_asked");
   }
+  if (const Tree* rate = root.find("rate_dependent")) replay.rate_dependent = boolean_value(*rate, "rate_dependent");
   if (const Tree* step = root.find("step")) replay.effort.step = number_value(*step, "step");
   if (const Tree* pressure = root.find("pressure")) replay.effort.pressure = number_value(*pressure, "pressure");
   if (replay.test.empty() || root.find("t")) replay.step = step_of(root, material_of(replay).table());

@@ -24,6 +24,7 @@ struct Replay {
   std::string reason;                        ///< one sentence
   std::string test = {};                     ///< id of the test of `check` that failed; empty: none
   check::Effort effort = {};                 ///< of that test
+  bool rate_dependent = false;               ///< was taken for it, where nobody had declared anything
 };
 
 /// SHA-256 of a file in hexadecimal digits. Throws InputError, SystemError.

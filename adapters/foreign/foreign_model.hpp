@@ -75,8 +75,10 @@ struct ForeignModel {
   std::vector<int> components{6};  ///< NTENS that the model serves: 6, 4 (plane strain) or both
   bool components_are_said = true;
   int symmetry = ASSAY_ISOTROPIC;  ///< of the ABI
-  int material_class = 0;          ///< of assay_symmetry, of what is anisotropic; 0: none is declared
-  std::uint32_t flags = 0;         ///< of the ABI
+  bool symmetry_is_said = true;
+  int material_class = 0;   ///< of assay_symmetry, of what is anisotropic; 0: none is declared
+  std::uint32_t flags = 0;  ///< of the ABI
+  bool flags_are_said = true;
   ModelUnits units;
   std::vector<ForeignField> fields;
   int step = 1;                         ///< KSTEP

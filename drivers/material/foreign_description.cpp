@@ -59,7 +59,9 @@ class Reader {
     if (const Tree* tree = root_.find("strain")) {
       model_.finite_strain = choice_value(*tree, "strain", {"small", "finite"}) == "finite";
     }
+    model_.symmetry_is_said = root_.find("symmetry") != nullptr;
     if (const Tree* tree = root_.find("symmetry")) read_symmetry(*tree);
+    model_.flags_are_said = root_.find("flags") != nullptr;
     if (const Tree* tree = root_.find("flags")) read_flags(*tree);
     model_.components_are_said = root_.find("components") != nullptr;
     if (const Tree* tree = root_.find("components")) read_components(*tree);

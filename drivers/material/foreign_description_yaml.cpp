@@ -99,12 +99,13 @@ std::string foreign_yaml(const ForeignModel& model) {
   if (model.point != 1) line("npt", std::to_string(model.point));
   if (model.each_its_element) line("elements", "each");
   if (model.strain_is_said) line("strain", model.finite_strain ? "finite" : "small");
-  line("symmetry", symmetries[static_cast<std::size_t>(model.symmetry + model.material_class)]);
+  if (model.symmetry_is_said)
+    line("symmetry", symmetries[static_cast<std::size_t>(model.symmetry + model.material_class)]);
   std::vector<std::string> flags, components;
   for (std::size_t k = 0; k < std::size(flag_bits); ++k) {
     if (model.flags & flag_bits[k]) flags.push_back(flag_words[k]);
   }
-  line("flags", listed(flags));
+  if (model.flags_are_said) line("flags", listed(flags));
   for (const int n : model.components) components.push_back(std::to_string(n));
   if (model.components_are_said) line("components", listed(components));
   line("units", "{stress: " + word_of(model.units.stress, stress_units) +

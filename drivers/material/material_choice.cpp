@@ -75,8 +75,8 @@ ResolvedMaterial resolve_material(const MaterialChoice& given, Example example) 
   for (std::uint32_t i = 0; i < source.table->parameter_count; ++i) {
     choice.parameters[source.table->parameters[i].name] = material.parameters()[i];
   }
-  return {std::move(material),   std::move(choice), source.library, source.is_foreign ? source.description : "",
-          std::move(of_example), source.warnings,   source.files};
+  return {std::move(material),   std::move(choice), source.library, source.foreign ? source.description : "",
+          std::move(of_example), source.warnings,   source.files,   source.foreign};
 }
 
 ResolvedMaterial resolve_material(const Scene& scene) {

@@ -89,7 +89,7 @@ MaterialSource source_of(const MaterialDescription& description, const std::stri
   const bool apart = isolation == Isolation::worker || (isolation == Isolation::automatic && own_process);
   source.isolation = apart ? Isolation::worker : Isolation::none;
   source.table = apart ? table_in_worker(description, file) : table_here(description);
-  source.is_foreign = description.foreign.has_value();
+  source.foreign = description.foreign;
   source.library = description.library;
   source.parameters = description.parameters;
   source.parameter_where = description.parameter_where;

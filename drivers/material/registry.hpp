@@ -23,10 +23,10 @@ struct MaterialSource {
   std::map<std::string, Location> parameter_where;
   std::optional<double> density;  ///< the description's rho0 [kg/m^3]
   Isolation isolation = Isolation::none;
-  bool is_foreign = false;                 ///< behind an interface that its library alone does not tell
-  std::string source = {};                 ///< the Fortran source of its library; empty: none
-  std::vector<ModelFile> files = {};       ///< for the folder of a process of its own
-  std::vector<std::string> warnings = {};  ///< sentences on the source that it was compiled from
+  std::optional<adapters::ForeignModel> foreign = {};  ///< behind an interface that its library alone does not tell
+  std::string source = {};                             ///< the Fortran source of its library; empty: none
+  std::vector<ModelFile> files = {};                   ///< for the folder of a process of its own
+  std::vector<std::string> warnings = {};              ///< sentences on the source that it was compiled from
 };
 
 /// A name that can be asked for. `file`: the library or description; empty: built in.

@@ -101,7 +101,7 @@ TEST_F(Register, ALibraryOfMfrontDescribesItself) {
   EXPECT_NE(said.find("mfront, NeoHookean"), std::string::npos) << said;
   EXPECT_NE(said.find("must give YoungModulus, PoissonRatio"), std::string::npos) << said;
   EXPECT_NE(said.find("scenes must give its density"), std::string::npos) << said;
-  EXPECT_TRUE(find_material("rubber", {}, "").is_foreign);
+  EXPECT_TRUE(find_material("rubber", {}, "").foreign);
   EXPECT_EQ(add(library + ":NeoHookean", "rubber2"), 0);
   EXPECT_NE(refused(library + ":Norton").find("has no behaviour 'Norton'; known: NeoHookean"), std::string::npos);
 }

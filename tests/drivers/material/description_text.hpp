@@ -128,8 +128,10 @@ inline void expect_same(const adapters::ForeignModel& a, const adapters::Foreign
   EXPECT_EQ(a.components, b.components);
   EXPECT_EQ(a.components_are_said, b.components_are_said);
   EXPECT_EQ(a.symmetry, b.symmetry);
+  EXPECT_EQ(a.symmetry_is_said, b.symmetry_is_said);
   EXPECT_EQ(a.material_class, b.material_class);
   EXPECT_EQ(a.flags, b.flags);
+  EXPECT_EQ(a.flags_are_said, b.flags_are_said);
   EXPECT_TRUE(a.units.stress == b.units.stress && a.units.time == b.units.time && a.units.length == b.units.length);
   EXPECT_EQ(a.temperature, b.temperature);
   EXPECT_EQ(a.characteristic_length, b.characteristic_length);

@@ -61,7 +61,7 @@ TEST_F(MaterialTable, OfAWorkerIsTheOneOfThisProcess) {
     EXPECT_EQ(there.table->state[k].kind, here.table->state[k].kind);
     EXPECT_EQ(there.table->state[k].role, here.table->state[k].role);
   }
-  EXPECT_TRUE(there.is_foreign);
+  EXPECT_TRUE(there.foreign);
   EXPECT_EQ(there.library, norton);
 }
 

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/check_undeclared.hpp"
+
+#include <algorithm>
+
+#include "adapters/foreign/foreign_table.hpp"
+#include "drivers/check_foreign.hpp"
+#include "harness/check/judge.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr const char* clock_test = "clock";
+
+ResolvedMaterial taken_for(const ResolvedMaterial& material, adapters::ForeignModel model) {
+  return {.material = Material(adapters::foreign_table(model), material.choice.parameters),
+          .choice = material.choice,
+          .library = material.library,
+          .description = material.description,
+          .of_example = material.of_example,
+          .warnings = material.warnings,
+          .files = material.files,
+          .foreign = std::move(model)};
+}
+
+bool passes_as(const ResolvedMaterial& other, const check::Effort& effort) {
+  check::Effort quick = effort;
+  quick.quick = true;
+  return check::run_battery(other.material, {.effort = quick, .declarations = declarations_of(other)}).passes();
+}
+
+}  // namespace
+
+bool may_depend_on_rate(const ResolvedMaterial& material, check::Report& report) {
+  const auto& model = material.foreign;
+  return model && !model->flags_are_said && failed_test(report, clock_test);
+}
+
+ResolvedMaterial as_rate_dependent(const ResolvedMaterial& material) {
+  adapters::ForeignModel model = material.foreign.value();
+  model.flags |= ASSAY_RATE_DEPENDENT;
+  return taken_for(material, std::move(model));
+}
+
+bool settles_rate(const check::Report& with_flag, const check::Report& without) {
+  const auto is_of_clock = [](const check::Diagnosis& each) { return each.cause == check::causes::clock; };
+  return std::none_of(with_flag.diagnosis.begin(), with_flag.diagnosis.end(), is_of_clock) &&
+         count_of(with_flag, check::Verdict::fail) < count_of(without, check::Verdict::fail);
+}
+
+Dependence say_rate(check::Report& report, double effect) {
+  for (check::TestResult& test : report.tests) {
+    if (test.id != clock_test || test.verdict == check::Verdict::fail) continue;
+    test.sentence += std::string("; ") + check::remark_words +
+                     "its stress depends on the length of a step, and it holds the tests of a material that depends on "
+                     "the rate. Nothing is declared: flags: [rate_dependent] settles it, and flags: [] where no rate "
+                     "is meant to matter";
+  }
+  const std::string share = effect < 1 ? check::percent(effect) : check::rounded(effect) + " times itself";
+  return {"the rate", share + "; flags: [rate_dependent] declares it"};
+}
+
+void hint_symmetry(const ResolvedMaterial& material, check::Report& report) {
+  const auto found = std::find_if(report.diagnosis.begin(), report.diagnosis.end(),
+                                  [](const auto& each) { return each.cause == check::causes::not_isotropic; });
+  const bool said = !material.foreign || material.foreign->symmetry_is_said ||
+                    material.foreign->interface == adapters::ForeignInterface::mfront;  // whose library says it
+  if (said || found == report.diagnosis.end()) return;
+  adapters::ForeignModel model = *material.foreign;
+  model.symmetry = ASSAY_ANISOTROPIC;
+  const bool passes = passes_as(taken_for(material, std::move(model)), report.effort);
+  const std::string sentence = found->sentence;
+  say_also(
+      report, sentence,
+      std::string("; nobody has declared its symmetry, and it was taken for isotropic: `symmetry: anisotropic`, ") +
+          (passes ? "with which it passes, declares directions of its own"
+                  : "where directions of its own are meant, does not make it pass"));
+}
+
+}  // namespace assay::drivers
