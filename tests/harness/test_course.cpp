@@ -15,10 +15,8 @@ const Path path = Vortex{0.75, 1.25, 2, {Amplitude::Type::sine, 0.02, 1.0}}.base
 constexpr double yield_stress = 5;
 
 std::shared_ptr<const Material> plain() {
-  return builtin_material(assay_builtin_j2_jaumann, {{"E", 1000},
-                                                     {"nu", 0.3},
-                                                     {"yield_stress", yield_stress},
-                                                     {"kinematic_modulus", 50}});
+  return builtin_material(assay_builtin_j2_jaumann,
+                          {{"E", 1000}, {"nu", 0.3}, {"yield_stress", yield_stress}, {"kinematic_modulus", 50}});
 }
 
 /// Times at which a history's regime changes, and what it took to find them.
@@ -68,8 +66,7 @@ TEST_P(Disguised, HasASheetOfNoMoreCalls) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Disguised,
-                         testing::Values(Disguise{.clock = true, .counts = true}, Disguise{.clock = true},
-                                         Disguise{}),
+                         testing::Values(Disguise{.clock = true, .counts = true}, Disguise{.clock = true}, Disguise{}),
                          [](const auto& instance) {
                            return std::string(instance.param.counts ? "counts" : "back_stress_alone") +
                                   (instance.param.clock ? "_with_a_clock" : "");

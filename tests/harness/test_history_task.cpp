@@ -91,7 +91,8 @@ TEST(HistoryTask, TakesNoAnswerThatIsNone) {
   HistoryTasks tasks(material->clone());
   const std::vector<double> answer = tasks.answer(follow_task(course, xi, options, times));
   for (std::size_t length = 0; length < answer.size(); length += 7) {
-    EXPECT_THROW(trail_in(std::span(answer).first(length), times.size(), width()), std::runtime_error) << length;
+    EXPECT_THROW(trail_in(std::span<const double>(answer).first(length), times.size(), width()), std::runtime_error)
+        << length;
   }
   EXPECT_THROW(trail_in(answer, times.size() + 1, width()), std::runtime_error);
   EXPECT_THROW(trail_in(answer, times.size(), width() + 1), std::runtime_error);

@@ -76,7 +76,7 @@ TEST(NumberArchive, RefusesAListThatIsCut) {
   const std::vector<double> numbers = written(sample());
   for (std::size_t length = 0; length < numbers.size(); ++length) {
     Whole found;
-    NumberReader reader(std::span(numbers).first(length));
+    NumberReader reader(std::span<const double>(numbers).first(length));
     EXPECT_THROW(reader(found), std::runtime_error) << length;
   }
 }
@@ -86,9 +86,10 @@ TEST(NumberArchive, RefusesSizesThatNoListHas) {
   std::vector<double> numbers;
   std::string text;
   std::vector<Part> parts;
-  EXPECT_THROW(NumberReader(huge)(numbers), std::runtime_error);
-  EXPECT_THROW(NumberReader(huge)(text), std::runtime_error);
-  EXPECT_THROW(NumberReader(huge)(parts), std::runtime_error);
+  NumberReader reader{std::span<const double>(huge)};
+  EXPECT_THROW(reader(numbers), std::runtime_error);
+  EXPECT_THROW(reader(text), std::runtime_error);
+  EXPECT_THROW(reader(parts), std::runtime_error);
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ TEST(PathRecipe, MakesTheSamePathOfATable) {
 TEST(PathRecipe, RefusesWhatIsNone) {
   std::vector<double> recipe = Vortex().baseline().recipe;
   for (std::size_t length = 0; length < recipe.size(); ++length) {
-    EXPECT_THROW(path_of_recipe(std::span(recipe).first(length)), std::runtime_error) << length;
+    EXPECT_THROW(path_of_recipe(std::span<const double>(recipe).first(length)), std::runtime_error) << length;
   }
   recipe[0] = 1e300;  // a kind that nothing has
   EXPECT_THROW(path_of_recipe(recipe), std::runtime_error);
