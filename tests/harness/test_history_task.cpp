@@ -5,6 +5,7 @@
 
 #include "harness/vortex.hpp"
 #include "tests/harness/builtin_material.hpp"
+#include "tests/harness/jaumann_material.hpp"
 
 namespace assay::test_history_task {
 namespace {
@@ -55,13 +56,10 @@ TEST(HistoryTask, GivesTheCoarseMarch) {
   EXPECT_GT(here.largest[1], 0);
 }
 
-/// Turned inside out from t = 0.4 on.
+/// It stands no shear beyond 0.1.
 TEST(HistoryTask, CarriesAFailureWithItsStep) {
-  const auto material = builtin_material(assay_builtin_j2_multiplicative, plastic);
-  RotatingStretch squeeze;
-  squeeze.stretch = -1.4, squeeze.rotate = RotatingStretch::Rotate::none, squeeze.period = 1;
-  const Path path = squeeze.baseline();
-  const Course course(*material, path, end);
+  const auto material = jaumann_material(0.1);
+  const Course course(*material, cyclic, end);
   HistoryTasks tasks(material->clone());
   const auto failure_of = [](const auto& taken) -> std::optional<MaterialFailure> {
     try {
@@ -71,9 +69,9 @@ TEST(HistoryTask, CarriesAFailureWithItsStep) {
     }
     return std::nullopt;
   };
-  const auto here = failure_of([&] { follow_here(course, 1, options, times); });
+  const auto here = failure_of([&] { follow_here(course, xi, options, times); });
   const auto there = failure_of([&] {
-    trail_in(tasks.answer(follow_task(course, 1, options, times)), times.size(), 9 + material->state_size());
+    trail_in(tasks.answer(follow_task(course, xi, options, times)), times.size(), 9 + material->state_size());
   });
   ASSERT_TRUE(here && there);
   EXPECT_STREQ(there->what(), here->what());

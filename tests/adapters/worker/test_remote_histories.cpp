@@ -68,7 +68,7 @@ TEST_F(RemoteHistories, AreTheBitsOfHistoriesHereAndTakeOneHandOverEach) {
     }
     calls += found.calls;
   }
-  EXPECT_GT(calls, 4000);
+  EXPECT_GT(calls, 3000);
   EXPECT_EQ(hand_overs_of(&there.table()).count, 5);
   EXPECT_LE(hand_overs_of(&there.table()).wake_ups, 2 * (5 + 3)) << "one a side, for these, metadata and instance";
 }
@@ -113,6 +113,7 @@ TEST_F(RemoteHistories, OfShadowPointsDoNotDependOnTheNumberOfThreads) {
 struct Misdeed {
   int which;
   const char* words;
+  bool final = true;  ///< no shorter step would do
 };
 
 class HistoryOfMisdeeds : public RemoteHistories, public testing::WithParamInterface<Misdeed> {};
@@ -140,7 +141,7 @@ TEST_P(HistoryOfMisdeeds, TellsTheStep) {
   for (const auto& [failure, xi] : {std::pair(alone, 1.7), std::pair(among, -2.0)}) {
     ASSERT_TRUE(failure);
     EXPECT_NE(std::string(failure->what()).find(GetParam().words), std::string::npos) << failure->what();
-    EXPECT_TRUE(failure->final);
+    EXPECT_EQ(failure->final, GetParam().final);
     EXPECT_EQ(failure->xi, xi);
     ASSERT_TRUE(failure->step);
     EXPECT_GE(failure->step->t + failure->step->dt, 0.3 - 1e-9);
@@ -156,7 +157,8 @@ INSTANTIATE_TEST_SUITE_P(Kinds, HistoryOfMisdeeds,
                                          Misdeed{2, "ended the process with status 0, without a result"},
                                          Misdeed{3, "did not come back within 0.5 s"},
                                          Misdeed{5, "the stack overflowed"}, Misdeed{10, "changes the rounding mode"},
-                                         Misdeed{14, "called XIT"}, Misdeed{22, "did not come back within 0.5 s"}),
+                                         Misdeed{14, "called XIT", false},
+                                         Misdeed{22, "did not come back within 0.5 s"}),
                          [](const auto& instance) { return "number_" + std::to_string(instance.param.which); });
 
 /// What a model writes past its own arrays ends one step, as elsewhere: shorter ones are tried.
