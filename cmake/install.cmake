@@ -41,7 +41,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/assay-config-vers
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/package/assay-config.cmake ${PROJECT_BINARY_DIR}/package/assay-config-version.cmake
   cmake/assay_add_material.cmake cmake/assay_add_foreign_material.cmake cmake/assay_add_material_test.cmake
-  cmake/check_exported.cmake cmake/exported_symbols.map DESTINATION ${package_dir})
+  cmake/check_columns.cmake cmake/check_exported.cmake cmake/exported_symbols.map DESTINATION ${package_dir})
 
 # For those who build without CMake. Nothing in it depends on the machine, and it finds its prefix from where it lies.
 set(pc_dir ${CMAKE_INSTALL_DATADIR}/pkgconfig)

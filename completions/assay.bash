@@ -25,7 +25,12 @@ _assay() {
       compopt -o filenames
       return
       ;;
-    --set | --as | --remove | --parameters | --error | --shard) return ;;
+    --deck)
+      mapfile -t COMPREPLY < <(compgen -f -X '!*.inp' -- "$cur"; compgen -d -- "$cur")
+      compopt -o filenames
+      return
+      ;;
+    --set | --as | --remove | --parameters | --error | --shard | --props | --statev | --material | --symbol) return ;;
     --threads | --jobs)
       mapfile -t COMPREPLY < <(compgen -W "1 2 4 8 16" -- "$cur")
       return
@@ -48,9 +53,11 @@ _assay() {
     study) options+=' -o --jobs --resume --shard --merge --from --list --json' ;;
     recommend) options+=' --error -o --json' ;;
     compare) options+=' --json --markdown' ;;
-    check) options+=' --parameters --json --junit --quick --strain --pressure --methods --markdown --all --replay -o' ;;
+    check) options+=' --parameters --json --junit --quick --strain --pressure --step --methods --markdown --all --replay --explain'
+      options+=' --props --statev --deck --material --symbol -o'
+      ;;
     materials) options+=' --json' ;;
-    register) options+=' --as --remove' ;;
+    register) options+=' --as --remove --props --statev --deck --material --symbol' ;;
     new-material) options+=' --language --interface -o' ;;
     schema) options+=' --study' ;;
   esac
@@ -67,7 +74,7 @@ _assay() {
       mapfile -t COMPREPLY < <(compgen -f -X '!*.@(json|yaml|yml)' -- "$cur"; compgen -d -- "$cur")
       ;;
     register | materials | check)
-      mapfile -t COMPREPLY < <(compgen -f -X '!*.@(so|yaml|yml)' -- "$cur"; compgen -d -- "$cur")
+      mapfile -t COMPREPLY < <(compgen -f -X '!*.@(so|yaml|yml|f|for|f90|f95|F|FOR|F90|inp)' -- "$cur"; compgen -d -- "$cur")
       ;;
   esac
 }

@@ -2,9 +2,11 @@
 // `assay check`: the battery of model tests, for people, for scripts and for CI.
 #include <algorithm>
 #include <chrono>
+#include <iostream>
 #include <thread>
 
 #include "adapters/worker/remote_table.hpp"
+#include "drivers/check_components.hpp"
 #include "drivers/check_material.hpp"
 #include "drivers/check_output.hpp"
 #include "drivers/check_replay.hpp"
@@ -15,6 +17,7 @@
 #include "drivers/progress.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/scene/yaml_reader.hpp"
+#include "drivers/source_options.hpp"
 #include "drivers/verbs.hpp"
 #include "mpm/effect.hpp"
 
@@ -55,13 +58,23 @@ ResolvedMaterial material_to_check(const CheckOptions& options) {
   MaterialChoice choice;
   if (is_scene(options.material)) {
     choice = read_scene(options.material).material;
+  } else if (asks_for_source(options.material)) {
+    SourceRequest request = request_of(options.source);
+    request.needs_values = options.parameters.empty();
+    request.least_properties = numbered_parameters(parameters_in(options.parameters));
+    choice.adapter = described_source(options.material, request, options.out, options.verbosity);
   } else {
     choice.adapter = absolute_material(options.material, {});  // the process that tests it stands elsewhere
   }
+  if (!asks_for_source(options.material)) refuse_source_options(options.source, options.material);
   for (const auto& [name, value] : parameters_in(options.parameters)) choice.parameters[name] = value;
   if (!(choice.density > 0)) choice.density = 1;  // no test needs one
   choice.isolation = Isolation::worker;           // nobody's code runs in this process
-  return resolve_material(choice, Example::where_required);
+  ResolvedMaterial resolved = resolve_material(choice, Example::where_required);
+  if (!asks_for_source(options.material)) {
+    for (const std::string& warning : resolved.warnings) std::cerr << "warning: " << warning << "\n";
+  }
+  return resolved;
 }
 
 /// At what its author shows it, where its parameters have no default; `given` before all, as far as it takes them.
@@ -80,7 +93,8 @@ ResolvedMaterial registered_material(const std::string& name, const std::map<std
 
 CheckSettings settings_of(const CheckOptions& options) {
   CheckSettings settings{{.quick = options.quick, .pressure = options.pressure}, {}, options.out};
-  if (options.strain) settings.effort.strain = *options.strain;
+  if (options.strain) settings.effort.strain = *options.strain, settings.effort.strain_is_asked = true;
+  if (options.step) settings.effort.step = *options.step;
   return settings;
 }
 
@@ -119,8 +133,16 @@ CheckedMaterial check_one(const CheckOptions& options) {
                      },
                      adapters::start_of(&resolved.material.table()).limits};
   };
-  CheckedMaterial checked = check_in_processes({task_of(settings)}, processes_for(options)).front();
+  Progress progress("check", options.verbosity == Verbosity::quiet);
+  CheckProcesses how = processes_for(options);
+  how.at_work = [&progress](std::size_t begun, const std::string& test) {
+    const auto all = static_cast<double>(check::test_ids().size() + 2);  // and the process, and the vortex
+    progress.update(std::min(1.0, static_cast<double>(begun) / all), test);
+  };
+  CheckedMaterial checked = check_in_processes({task_of(settings)}, how).front();
+  progress.finish();
   take_end_for_refusal(checked, options, settings, task_of);
+  hint_components(checked, settings.effort, processes_for(options));
   judge_printing(checked);
   leave_replay_of_the_end(checked, settings);
   return checked;
@@ -150,6 +172,7 @@ std::vector<CheckedMaterial> check_all(const CheckOptions& options) {
   for (std::size_t k = 0; k < all.size(); ++k) {
     take_end_for_refusal(all[k], options, settings,
                          [&](const CheckSettings& other) { return task_of(names[k], other); });
+    hint_components(all[k], settings.effort, how);
     judge_printing(all[k]);
     leave_replay_of_the_end(all[k], settings);
   }
@@ -196,6 +219,7 @@ void refuse_unknown_parameters(const CheckOptions& options, const std::vector<Ch
 
 int check(const CheckOptions& options) {
   refuse_what_contradicts(options);
+  if (options.material.empty() || options.methods) refuse_source_options(options.source, "");
   if constexpr (mpm::compiled(mpm::Effect::third_dimension)) {
     if (options.methods) return check_methods(options);
   } else if (options.methods) {

@@ -28,7 +28,19 @@ namespace {
 
 using Maker = std::function<check::History()>;
 
-/// Row by row, each after its length.
+/// Behind the last row, so that rows of a process that has ended too soon are told from all.
+constexpr double end_of_rows = -1;
+
+void send_all(const std::vector<double>& all, int out) {
+  const char* bytes = reinterpret_cast<const char*>(all.data());
+  for (std::size_t at = 0, size = all.size() * sizeof(double); at < size;) {
+    const ssize_t written = ::write(out, bytes + at, size - at);
+    if (written < 0 && errno != EINTR) leave_process(1);
+    if (written > 0) at += static_cast<std::size_t>(written);
+  }
+}
+
+/// The process itself, then row by row, each after its length.
 [[noreturn]] void send(const Maker& make, int out) {
   call_mark = nullptr;
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -36,68 +48,84 @@ using Maker = std::function<check::History()>;
   ::dup2(nowhere, STDERR_FILENO);
   std::signal(SIGSEGV, SIG_DFL);  // its end is nobody's finding
   std::signal(SIGBUS, SIG_DFL);
+  send_all({static_cast<double>(::getpid())}, out);
   std::vector<double> all;
   try {
     for (const auto& row : make()) {
       all.push_back(static_cast<double>(row.size()));
       all.insert(all.end(), row.begin(), row.end());
     }
+    all.push_back(end_of_rows);
   } catch (const std::exception&) {
     leave_process(1);
   }
-  const char* bytes = reinterpret_cast<const char*>(all.data());
-  for (std::size_t at = 0, size = all.size() * sizeof(double); at < size;) {
-    const ssize_t written = ::write(out, bytes + at, size - at);
-    if (written < 0 && errno != EINTR) leave_process(1);
-    if (written > 0) at += static_cast<std::size_t>(written);
-  }
+  send_all(all, out);
   leave_process(0);
 }
 
-/// All that comes until the pipe is closed; none where that takes too long.
-std::optional<std::vector<double>> received(int in, double limit_s) {
-  using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + std::chrono::milliseconds(std::llround(1e3 * limit_s));
-  std::string bytes;
-  for (char text[1 << 14];;) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
-    pollfd file{in, POLLIN, 0};
-    if (left <= 0 || (::poll(&file, 1, static_cast<int>(left)) < 0 && errno != EINTR)) return std::nullopt;
-    if (file.revents == 0) continue;
-    const ssize_t length = ::read(in, text, sizeof text);
-    if (length == 0) break;
-    if (length < 0 && errno != EINTR) return std::nullopt;
-    if (length > 0) bytes.append(text, static_cast<std::size_t>(length));
+/// Nothing where the last of them has not come.
+std::optional<check::History> rows_of(const std::vector<double>& all) {
+  check::History rows;
+  for (std::size_t at = 1; at < all.size();) {
+    const double size = all[at++];
+    if (size == end_of_rows && at == all.size()) return rows;
+    if (!(size >= 0) || size > static_cast<double>(all.size() - at)) return std::nullopt;
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(at);
+    rows.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(size));
+    at += static_cast<std::size_t>(size);
   }
+  return std::nullopt;
+}
+
+std::vector<double> numbers_in(const std::string& bytes) {
   std::vector<double> all(bytes.size() / sizeof(double));
   std::copy_n(bytes.data(), all.size() * sizeof(double), reinterpret_cast<char*>(all.data()));
   return all;
 }
 
-check::History rows_of(const std::vector<double>& all) {
-  check::History rows;
-  for (std::size_t at = 0; at < all.size();) {
-    const double size = all[at++];
-    if (!(size >= 0) || size > static_cast<double>(all.size() - at)) return {};
-    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(at);
-    rows.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(size));
-    at += static_cast<std::size_t>(size);
+struct Received {
+  pid_t sender = -1;
+  bool in_time = false;  ///< the rows have come, or can come no more
+  std::optional<check::History> rows = {};
+};
+
+/// Until they are whole, or the pipe is closed, which others than the sender may hold.
+Received received(int in, double limit_s) {
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::milliseconds(std::llround(1e3 * limit_s));
+  Received found;
+  std::string bytes;
+  for (char text[1 << 14];;) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+    pollfd file{in, POLLIN, 0};
+    if (left <= 0 || (::poll(&file, 1, static_cast<int>(left)) < 0 && errno != EINTR)) return found;
+    if (file.revents == 0) continue;
+    const ssize_t length = ::read(in, text, sizeof text);
+    if (length < 0 && errno != EINTR) return found;
+    if (length > 0) bytes.append(text, static_cast<std::size_t>(length));
+    const std::vector<double> all = numbers_in(bytes);
+    if (!all.empty()) found.sender = static_cast<pid_t>(all.front());
+    const bool may_be_whole = !all.empty() && bytes.size() % sizeof(double) == 0 && all.back() == end_of_rows;
+    found.rows = may_be_whole ? rows_of(all) : std::nullopt;
+    found.in_time = length == 0 || found.rows;
+    if (found.in_time) return found;
   }
-  return rows;
 }
 
-/// Of both: near where the pipe was closed, brought about otherwise; waits until no watcher sees either.
-void end_group(pid_t process, bool is_near) {
+/// Of both: near where the rows have come, brought about otherwise, of the sender, which the other waits for; waits
+/// until no watcher sees either.
+void end_group(pid_t process, const Received& what) {
   constexpr int patience_ms = 500;
-  if (!is_near) ::kill(-process, SIGKILL);
+  if (!what.in_time) ::kill(what.sender > 0 ? what.sender : -process, SIGKILL);
   adapters::await_end(process);
   for (int waited = 0; ::kill(-process, SIGKILL) == 0 && waited < patience_ms; ++waited) ::usleep(1000);
 }
 
-/// What `make` gives in a process of its own.
-check::History made_elsewhere(const Maker& make, double limit_s) {
+}  // namespace
+
+std::optional<check::History> made_elsewhere(const Maker& make, double limit_s) {
   int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) return {};
+  if (::pipe2(ends, O_CLOEXEC) != 0) return std::nullopt;
   const pid_t process = ::fork();
   if (process == 0) {  // between the two, for models that kill whoever has started them
     ::setpgid(0, 0);
@@ -109,17 +137,16 @@ check::History made_elsewhere(const Maker& make, double limit_s) {
   }
   ::setpgid(process, process);  // whichever comes first
   ::close(ends[1]);
-  const auto all = process > 0 ? received(ends[0], limit_s) : std::nullopt;
+  const Received all = process > 0 ? received(ends[0], limit_s) : Received();
   ::close(ends[0]);
-  if (process < 0) return {};
-  end_group(process, all.has_value());
-  return all ? rows_of(*all) : check::History();
+  if (process < 0) return std::nullopt;
+  end_group(process, all);
+  return all.rows;
 }
 
-}  // namespace
-
 check::History history_elsewhere(const Material& material, const check::Effort& effort, double limit_s) {
-  return made_elsewhere([&] { return check::history(material, check::amplitudes_of_first(effort).back()); }, limit_s);
+  const auto make = [&] { return check::history(material, check::amplitudes_of_first(effort).back()); };
+  return made_elsewhere(make, limit_s).value_or(check::History());
 }
 
 check::History history_of_others(const ResolvedMaterial& material, const check::Effort& effort, double limit_s) {
@@ -138,7 +165,7 @@ check::History history_of_others(const ResolvedMaterial& material, const check::
       choice.isolation = Isolation::none;
       return check::history(resolve_material(choice).material, check::amplitudes_of_first(effort).back());
     };
-    found = made_elsewhere(make, limit_s);
+    found = made_elsewhere(make, limit_s).value_or(check::History());
   }
   std::filesystem::remove_all(folder, code);
   return found;

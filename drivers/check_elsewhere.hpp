@@ -2,10 +2,17 @@
 // What a model does in a process that begins in another way: one that keeps something of its first call shows it.
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "drivers/material/material_choice.hpp"
 #include "harness/check/arrays.hpp"
 
 namespace assay::drivers {
+
+/// Rows that `make` gives in a process of its own, which what it does cannot harm; none where that ends before it has
+/// given them, or takes longer than limit_s.
+std::optional<check::History> made_elsewhere(const std::function<check::History()>& make, double limit_s);
 
 /// The last of the battery's first histories, as the first of a process of its own; empty where that comes to nothing
 /// within limit_s. For a process that has not called the model yet.

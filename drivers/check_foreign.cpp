@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "adapters/foreign/foreign_state.hpp"
 #include "adapters/foreign/foreign_table.hpp"
 #include "adapters/foreign/mfront_metadata.hpp"
 #include "drivers/material/material_description.hpp"
@@ -23,32 +24,32 @@ std::optional<ForeignModel> foreign_of(const ResolvedMaterial& material) {
   return read_description(material.description).foreign;
 }
 
-/// The test of that id, where it fails; null otherwise.
-check::TestResult* failed_test(check::Report& report, const char* id) {
-  const auto test = std::find_if(report.tests.begin(), report.tests.end(), [&](const check::TestResult& each) {
-    return each.id == id && each.verdict == check::Verdict::fail;
-  });
-  return test == report.tests.end() ? nullptr : &*test;
-}
-
-/// Another sentence, in the diagnosis too.
-void say_instead(check::Report& report, check::TestResult& test, const std::string& sentence) {
-  for (check::Diagnosis& diagnosis : report.diagnosis) {
-    if (diagnosis.sentence == test.sentence) diagnosis = {test.cause, sentence};
+/// Whether variables of the state are called s1, s2 ... for their places.
+bool counts_state(const ForeignModel& model) {
+  std::size_t at = 0;
+  bool any = false;
+  for (const adapters::ForeignVariable& v : model.state) {
+    const bool is_number = v.name == "s" + std::to_string(at + 1);
+    if (!v.kind_is_said && !is_number) return false;
+    any = any || !v.kind_is_said;
+    at += static_cast<std::size_t>(adapters::components_of(v.kind));
   }
-  test.sentence = sentence;
+  return any;
 }
 
-/// Whether the tangent passes with that description.
-bool passes_with(const ForeignModel& model, const ResolvedMaterial& material, const check::Effort& effort) {
+/// The test of the tangent with that description, where it passes.
+std::optional<check::TestResult> passed_with(const ForeignModel& model, const ResolvedMaterial& material,
+                                             const check::Report& before) {
   try {
     const Material other(adapters::foreign_table(model), material.choice.parameters);
-    const check::Report report = check::run_battery(other, {.effort = effort, .only = tangent_test});
-    return report.passes() && std::any_of(report.tests.begin(), report.tests.end(), [](const check::TestResult& test) {
-             return test.id == tangent_test && test.verdict == check::Verdict::pass;
-           });
+    const check::Report report = check::run_battery(
+        other, {.effort = before.effort, .only = tangent_test, .declarations = declarations_of(material)});
+    const auto test = std::find_if(report.tests.begin(), report.tests.end(), [](const check::TestResult& each) {
+      return each.id == tangent_test && each.verdict == check::Verdict::pass;
+    });
+    return report.passes() && test != report.tests.end() ? std::optional(*test) : std::nullopt;
   } catch (const std::runtime_error&) {
-    return false;
+    return std::nullopt;
   }
 }
 
@@ -62,12 +63,13 @@ bool turns_wrongly(const check::Report& report) {
   });
 }
 
+const char* strain_word(bool finite) { return finite ? "finite" : "small"; }
+
 /// What DDSDDE is, of the model with which it is right.
-std::string other_strain_words(const ForeignModel& right) {
-  return std::string("DDSDDE is that of strain: ") +
-         (right.finite_strain
-              ? "finite, the modulus of J sigma by the Jaumann rate, over J; it is declared strain: small"
-              : "small, d STRESS / d DSTRAN; it is declared strain: finite");
+std::string strain_words(const ForeignModel& right) {
+  return std::string("DDSDDE is that of strain: ") + (right.finite_strain
+                                                          ? "finite, the modulus of J sigma by the Jaumann rate, over J"
+                                                          : "small, d STRESS / d DSTRAN");
 }
 
 /// The first that is not symmetric; empty where there is none.
@@ -87,12 +89,40 @@ std::string tensor_without_initial_value(const ResolvedMaterial& material) {
 
 }  // namespace
 
+check::TestResult* failed_test(check::Report& report, const char* id) {
+  const auto test = std::find_if(report.tests.begin(), report.tests.end(), [&](const check::TestResult& each) {
+    return each.id == id && each.verdict == check::Verdict::fail;
+  });
+  return test == report.tests.end() ? nullptr : &*test;
+}
+
+void say_instead(check::Report& report, check::TestResult& test, const std::string& sentence) {
+  for (check::Diagnosis& diagnosis : report.diagnosis) {
+    if (diagnosis.sentence == test.sentence) diagnosis = {test.cause, sentence};
+  }
+  test.sentence = sentence;
+}
+
+void say_also(check::Report& report, const std::string& sentence, const std::string& more) {
+  std::vector<std::string*> found;  // `sentence` may be one of them
+  for (check::Diagnosis& each : report.diagnosis) {
+    if (each.sentence == sentence) found.push_back(&each.sentence);
+  }
+  for (check::TestResult& test : report.tests) {
+    if (test.sentence == sentence) found.push_back(&test.sentence);
+  }
+  for (std::string* each : found) *each += more;
+}
+
 check::Declarations declarations_of(const ResolvedMaterial& material) {
   const std::optional<ForeignModel> model = foreign_of(material);
   if (!model) return {};
   const bool umat = model->interface == ForeignInterface::umat;
+  const std::string numbered = umat ? "STATEV" : "numbers";
   return {.rate_dependence = "flags: [rate_dependent]",
           .own_axes = "its components as scalars of `state`",
+          .growth = "flags: [grows]",
+          .numbered_state = counts_state(*model) ? numbered : "",
           .guesses_roles = true,
           .may_drop_stress = true,
           .tangent_within = 2e-3,
@@ -114,9 +144,25 @@ void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& repo
     return;
   }
   model->finite_strain = !model->finite_strain;
-  if (!passes_with(*model, material, report.effort)) return;
-  test->cause = check::causes::tangent_convention;
-  say_instead(report, *test, other_strain_words(*model));
+  const std::optional<check::TestResult> passed = passed_with(*model, material, report);
+  if (!passed) return;
+  if (model->strain_is_said) {
+    test->cause = check::causes::tangent_convention;
+    say_instead(report, *test, strain_words(*model) + "; it is declared strain: " + strain_word(!model->finite_strain));
+    return;
+  }
+  std::erase_if(report.diagnosis, [&](const check::Diagnosis& d) { return d.sentence == before; });
+  *test = *passed;
+  test->sentence = check::remark_words + strain_words(*model) +
+                   ". Its description says nothing, and both were tried: strain: " + strain_word(model->finite_strain) +
+                   " settles it";
+}
+
+std::vector<std::string> foreign_not_tested(const ResolvedMaterial& material) {
+  const std::optional<ForeignModel> model = foreign_of(material);
+  if (!model) return {};
+  const std::string fields = model->fields.empty() ? "" : " and fields";
+  return {"other temperatures" + fields + " (they are constant)"};
 }
 
 void tell_initial_values(const ResolvedMaterial& material, check::Report& report) {

@@ -8,6 +8,15 @@
 
 namespace assay::drivers {
 
+/// The test of that id, where it fails; null otherwise.
+check::TestResult* failed_test(check::Report& report, const char* id);
+
+/// Another sentence, with the test's cause, in the diagnosis too.
+void say_instead(check::Report& report, check::TestResult& test, const std::string& sentence);
+
+/// More words behind a sentence, wherever it stands.
+void say_also(check::Report& report, const std::string& sentence, const std::string& more);
+
 /// Those of the ABI for a native model.
 check::Declarations declarations_of(const ResolvedMaterial& material);
 
@@ -18,6 +27,9 @@ void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& repo
 /// Of an MFront behaviour that cannot be loaded at all: a tensor that begins at zero for want of an initial value in
 /// its description, as the elastic part of F must not.
 void tell_initial_values(const ResolvedMaterial& material, check::Report& report);
+
+/// What of a foreign model the tests leave as it is.
+std::vector<std::string> foreign_not_tested(const ResolvedMaterial& material);
 
 /// Whether it was a model of our own interface, to which its rules apply.
 bool is_native(const CheckedMaterial& checked);

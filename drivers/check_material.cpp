@@ -10,10 +10,13 @@
 #include "adapters/foreign/written_inputs.hpp"
 #include "adapters/worker/kept_output.hpp"
 #include "adapters/worker/process_watch.hpp"
-#include "drivers/check_elsewhere.hpp"
+#include "drivers/check_beyond.hpp"
 #include "drivers/check_foreign.hpp"
+#include "drivers/check_host.hpp"
+#include "drivers/check_judgement.hpp"
 #include "drivers/check_vortex.hpp"
 #include "drivers/material/material_path.hpp"
+#include "drivers/material/model_files.hpp"
 #include "drivers/output/whole_file.hpp"
 #include "drivers/replay.hpp"
 
@@ -47,8 +50,7 @@ void write_replay(const std::string& file, const Replay& replay) {
 /// Those of earlier failures that are none any more.
 void remove_stale(const CheckedMaterial& checked, const CheckSettings& settings) {
   std::vector<std::string> ids = check::test_ids();
-  ids.emplace_back(process_test);
-  ids.emplace_back(vortex_test);
+  for (const char* own : {process_test, vortex_test, beyond_test, host_test}) ids.emplace_back(own);
   for (const std::string& id : ids) {
     std::error_code ignored;
     if (checked.replays.count(id) == 0) fs::remove(replay_file(checked, settings.folder, id), ignored);
@@ -106,6 +108,7 @@ ResolvedMaterial in_this_process(const ResolvedMaterial& apart) {
   if (!apart.library.empty()) choice.adapter = apart.library + ":" + apart.material.name();
   if (!apart.description.empty()) choice.adapter = apart.description;
   choice.isolation = Isolation::none;
+  place_model_files(apart.files);
   ResolvedMaterial here = resolve_material(choice);
   here.of_example = apart.of_example;
   return here;
@@ -124,21 +127,8 @@ CheckedMaterial check_material(const ResolvedMaterial& material, const std::stri
   }
   checked.of_example = material.of_example;
   reporter.material(checked);
+  judge(material, settings, reporter, checked);
   const std::string only = settings.only == process_test ? std::string() : settings.only;
-  const bool repeats = only.empty() || only == "calls.repeated";
-  const check::History elsewhere =
-      repeats && reporter.first_calls ? history_elsewhere(material.material, settings.effort) : check::History();
-  const check::History others = repeats ? history_of_others(material, settings.effort) : check::History();
-  checked.report = check::run_battery(material.material, {.effort = settings.effort,
-                                                          .only = only,
-                                                          .without = settings.without,
-                                                          .declarations = declarations_of(material),
-                                                          .elsewhere = elsewhere,
-                                                          .others_elsewhere = others,
-                                                          .begins = reporter.begins,
-                                                          .ends = reporter.ends});
-  judge_foreign_tangent(material, checked.report);
-  tell_initial_values(material, checked.report);
   const bool asked = settings.only.empty() ? !settings.effort.quick : settings.only == vortex_test;
   if (asked && checked.report.passes()) {
     add_vortex(material, checked.report, reporter);

@@ -7,6 +7,7 @@
 #include "drivers/input_error.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/methods_table.hpp"
+#include "drivers/progress.hpp"
 #include "drivers/verbs.hpp"
 
 namespace assay::drivers {
@@ -35,10 +36,14 @@ int check_methods(const CheckOptions& options) {
   const auto material = std::make_shared<const Material>(adapters::builtin_table("neo_hookean"),
                                                          std::map<std::string, double>{{"E", 1e3}, {"nu", 0.3}});
   const mpm::Bench bench = mpm::bench_of(material, options.quick);
-  for (const mpm::Method& method : chosen_methods(options.material)) {
+  const std::vector<mpm::Method> methods = chosen_methods(options.material);
+  Progress progress("check", options.verbosity == Verbosity::quiet);
+  for (const mpm::Method& method : methods) {
     stop_if_interrupted();
+    progress.update(static_cast<double>(checked.methods.size()) / static_cast<double>(methods.size()), name_of(method));
     checked.methods.push_back(mpm::run_patch_tests(method, bench));
   }
+  progress.finish();
   checked.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   stop_if_interrupted();
   tell(options, methods_text(checked, options.verbosity), methods_json(checked), methods_junit(checked),

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstring>
 
+#include "adapters/worker/missing_file.hpp"
 #include "drivers/check_child.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
@@ -68,6 +69,7 @@ CheckedMaterial result_of(const Child& child, const CheckTask& task, double limi
   const std::string last = adapters::last_line(child.output->text());
   const std::string sentence = "the model " + how_it_ended(child, limit_s) + " in the test " + test +
                                (last.empty() ? "" : "; the last that it printed: " + last) +
+                               adapters::missing_file_words(child.output->text()) +
                                (gave_up(child) ? "; it may stand a smaller --strain" : "");
   const char* cause =
       test == "calls.arrays" && spoilt_memory(child) ? check::causes::overrun : check::causes::ends_process;
@@ -76,10 +78,21 @@ CheckedMaterial result_of(const Child& child, const CheckTask& task, double limi
   return checked;
 }
 
+/// How many tests have begun in a child, and the id of the last.
+std::pair<std::size_t, std::string> begun_in(const Child& child) {
+  std::pair<std::size_t, std::string> begun{0, ""};
+  for (std::size_t at = 0, end = 0; (end = child.said.find('\0', at)) != std::string::npos; at = end + 1) {
+    if (child.said[at] != '@') continue;
+    ++begun.first;
+    begun.second = child.said.substr(at + 1, end - at - 1);
+  }
+  return begun;
+}
+
 /// The children that run; what is left of them is killed.
 class Children {
  public:
-  Children() = default;
+  explicit Children(const CheckProcesses& how) : how_(&how) {}
   Children(const Children&) = delete;
   Children& operator=(const Children&) = delete;
   ~Children() {
@@ -103,6 +116,9 @@ class Children {
           end_process(all[i]);
         }
         if (ended(all[i])) return taken(i);
+        if (!how_->at_work) continue;
+        const auto [count, test] = begun_in(all[i]);
+        how_->at_work(count, test);
       }
     }
   }
@@ -122,13 +138,15 @@ class Children {
     release(child);
     return child;
   }
+
+  const CheckProcesses* how_;
 };
 
 }  // namespace
 
 std::vector<CheckedMaterial> check_in_processes(const std::vector<CheckTask>& tasks, const CheckProcesses& how) {
   std::vector<CheckedMaterial> results(tasks.size());
-  Children running;
+  Children running(how);
   std::size_t next = 0, done = 0;
   while (done < tasks.size()) {
     while (next < tasks.size() && running.all.size() < static_cast<std::size_t>(how.at_once)) {

@@ -32,6 +32,8 @@ struct CheckProcesses {
   int at_once = 1;
   double limit_s = 600;                                 ///< for each
   std::function<void(std::size_t done)> progress = {};  ///< whenever one has ended
+  /// Again and again while one runs: how many of its tests have begun, and the last of them.
+  std::function<void(std::size_t begun, const std::string& test)> at_work = {};
 };
 
 /// Each task in a process of its own, in the order given. One that ends without a report has failed the test in which

@@ -36,6 +36,10 @@ Json json_of(const CheckedMaterial& checked) {
   out["wall_s"] = json_figure(checked.wall_s);
   out["strain"] = json_figure(checked.report.strain);
   out["pressure"] = json_figure(checked.report.pressure);
+  out["step"] = json_figure(checked.report.effort.step);
+  out["not_tested"] = checked.report.not_tested;
+  if (!checked.depends_on.empty()) out["depends_on"] = Json::array();
+  for (const Dependence& each : checked.depends_on) out["depends_on"].push_back({{"on", each.on}, {"how", each.how}});
   out["diagnosis"] = Json::array();
   for (const check::Diagnosis& d : checked.report.diagnosis) {
     out["diagnosis"].push_back({{"cause", d.cause}, {"sentence", d.sentence}});
@@ -113,6 +117,11 @@ CheckedMaterial checked_in(const Json& found) {
   checked.wall_s = number_in(found.at("wall_s")).value_or(0);
   checked.report.strain = number_in(found.at("strain")).value_or(0);
   checked.report.pressure = number_in(found.at("pressure")).value_or(0);
+  checked.report.effort.step = number_in(found.at("step")).value_or(1);
+  checked.report.not_tested = found.at("not_tested").get<std::vector<std::string>>();
+  if (const auto all = found.find("depends_on"); all != found.end()) {
+    for (const Json& each : *all) checked.depends_on.push_back({each.at("on"), each.at("how")});
+  }
   for (const Json& d : found.at("diagnosis")) checked.report.diagnosis.push_back({d.at("cause"), d.at("sentence")});
   for (const Json& test : found.at("tests")) {
     checked.report.tests.push_back(test_in(test));
@@ -164,6 +173,8 @@ JunitSuite suite(const CheckedMaterial& checked) {
   if (!checked.of_example.empty()) {
     out.properties.emplace_back("parameters of the example", joined(checked.of_example));
   }
+  for (const std::string& what : checked.report.not_tested) out.properties.emplace_back("not tested", what);
+  for (const Dependence& each : checked.depends_on) out.properties.emplace_back("depends on " + each.on, each.how);
   for (const TestResult& test : checked.report.tests) out.cases.push_back(test_case(checked, test));
   if (!checked.error.empty()) {
     out.cases.push_back({class_of(checked), "loading", 0, JunitCase::Kind::error, checked.error, "not checked"});

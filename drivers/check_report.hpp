@@ -13,6 +13,12 @@
 
 namespace assay::drivers {
 
+/// What the host of a foreign model holds constant, and the answer of a step depends on all the same.
+struct Dependence {
+  std::string on;   ///< "TEMP"
+  std::string how;  ///< "2 % for +10"
+};
+
 struct CheckedMaterial {
   std::string name;     ///< as it was asked for
   std::string library;  ///< empty: built in
@@ -30,6 +36,8 @@ struct CheckedMaterial {
 
   std::vector<std::string> of_example = {};  ///< parameters that have the values of the model's own example
 
+  std::vector<Dependence> depends_on = {};  ///< which is no failure, for it may be meant
+
   std::string unwritten = {};  ///< why a replay file could not be written; empty: all were
 
   bool passes() const { return error.empty() && report.passes(); }
@@ -41,8 +49,9 @@ std::string check_text(const CheckedMaterial& checked, Verbosity verbosity);
 /// One line for each, the causes below, and how many passed.
 std::string check_text(const std::vector<CheckedMaterial>& all, double wall_s);
 
-/// {material, library, parameters, verdict, wall_s, error, diagnosis: [{cause, sentence}], tests: [{id, verdict,
-/// measure, threshold, order, cause, sentence, replay}]}; figures that were not found, or are infinite, are null.
+/// {material, library, parameters, verdict, wall_s, error, strain, pressure, step, not_tested, depends_on: [{on, how}],
+/// diagnosis: [{cause, sentence}], tests: [{id, verdict, measure, threshold, order, cause, sentence, replay}]}; figures
+/// that were not found, or are infinite, are null.
 std::string check_json(const CheckedMaterial& checked);
 
 /// {verdict, materials: [as above]}.

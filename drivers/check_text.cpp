@@ -40,6 +40,13 @@ std::string unusual_effort(const check::Report& report) {
   return text;
 }
 
+/// What a pass says nothing of, as one sentence.
+std::string not_tested(const check::Report& report) {
+  std::string text;
+  for (const std::string& what : report.not_tested) text += (text.empty() ? "" : "; ") + what;
+  return text;
+}
+
 /// "c10 = 120, c01 = 40": what was not given.
 std::string example_values(const CheckedMaterial& checked) {
   std::string text;
@@ -56,13 +63,28 @@ std::string remark_of(const std::string& sentence) {
   return at == std::string::npos ? "" : sentence.substr(at);
 }
 
+/// "depends on TEMP (2 % for +10), COORDS (...)"
+std::string dependences(const CheckedMaterial& checked) {
+  std::string text;
+  for (const Dependence& each : checked.depends_on) {
+    text += (text.empty() ? "depends on " : ", ") + each.on + " (" + each.how + ")";
+  }
+  return text;
+}
+
+/// Whether it passes for another reason than its measure, which its sentence says.
+bool passes_otherwise(const TestResult& test) {
+  return test.verdict == Verdict::pass && test.measure && test.threshold && *test.measure > *test.threshold;
+}
+
 std::string summary(const CheckedMaterial& checked) {
   const check::Report& report = checked.report;
   return checked.name + ": " + (report.passes() ? "pass" : "FAIL") + "; " +
          std::to_string(count_of(report, Verdict::pass)) + " tests passed, " +
          std::to_string(count_of(report, Verdict::fail)) + " failed, " +
          std::to_string(count_of(report, Verdict::not_applicable)) + " not applicable, in " +
-         rounded_text(checked.wall_s, 2) + " s" + unusual_effort(report);
+         rounded_text(checked.wall_s, 2) + " s" + unusual_effort(report) +
+         (checked.depends_on.empty() ? "" : "; " + dependences(checked));
 }
 
 }  // namespace
@@ -83,7 +105,7 @@ std::string check_text(const CheckedMaterial& checked, Verbosity verbosity) {
       }
       page += row(test.id, test.verdict == Verdict::fail ? "FAIL" : verdict_name(test.verdict),
                   measured_text(test.measure), measured_text(test.threshold), measured_text(test.order));
-      const bool whole = verbosity == Verbosity::verbose || test.verdict == Verdict::fail;
+      const bool whole = verbosity == Verbosity::verbose || test.verdict == Verdict::fail || passes_otherwise(test);
       const std::string words = whole ? test.sentence : remark_of(test.sentence);
       if (!words.empty()) page += wrapped(words, "    ", "    ");
     }
@@ -91,12 +113,16 @@ std::string check_text(const CheckedMaterial& checked, Verbosity verbosity) {
     page += "\n";
   }
   page += wrapped(summary(checked), "", "    ");
+  if (checked.passes() && !checked.report.not_tested.empty()) {
+    page += wrapped(not_tested(checked.report), "not tested: ", "    ");
+  }
   if (!checked.of_example.empty()) {
     page += wrapped(example_values(checked), "required and not given, from the model's own example: ", "    ");
   }
   for (const check::Diagnosis& d : checked.report.diagnosis) {
     page += wrapped(d.cause, "diagnosis: ", "");
     page += wrapped(d.sentence, "    ", "    ");
+    page += "    more: assay check --explain \"" + d.cause + "\"\n";
   }
   for (const auto& [test, file] : checked.replays) page += "replay: " + file + "\n";
   if (verbosity == Verbosity::verbose && !checked.printed.empty()) page += "the model printed:\n" + checked.printed;
@@ -114,6 +140,7 @@ std::string check_text(const std::vector<CheckedMaterial>& all, double wall_s) {
                 std::to_string(count_of(report, Verdict::not_applicable)));
     if (!checked.error.empty()) page += wrapped(checked.error, "    ", "    ");
     for (const check::Diagnosis& d : report.diagnosis) page += wrapped(d.cause + ": " + d.sentence, "    ", "      ");
+    if (!checked.depends_on.empty()) page += wrapped(dependences(checked), "    ", "      ");
     for (const auto& [test, file] : checked.replays) page += "    replay: " + file + "\n";
   }
   return page + "\n" + std::to_string(passed) + " of " + std::to_string(all.size()) + " materials pass, in " +

@@ -11,6 +11,7 @@
 #include "drivers/output/whole_file.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/simulate.hpp"
+#include "harness/check/material_symmetry.hpp"
 #include "harness/check/specimen.hpp"
 
 namespace assay::drivers {
@@ -116,7 +117,7 @@ TestResult judged(double error, std::optional<double> other, std::optional<doubl
 
 TestResult end_to_end_vortex(const ResolvedMaterial& resolved, std::optional<double> ellipticity) {
   const Material& material = resolved.material;
-  if (material.table().symmetry == ASSAY_ANISOTROPIC) return not_applicable("the vortex needs isotropy about its axis");
+  if (!check::serves_ring(material)) return not_applicable("the vortex needs isotropy about its axis");
   std::optional<check::Specimen> examined;
   try {
     examined = check::examine(material, {});

@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "drivers/build_information.hpp"
+#include "drivers/cache_home.hpp"
 #include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
 #include "drivers/interrupt.hpp"
@@ -64,6 +65,7 @@ void flush_output() {
 }
 
 int act(int argc, const char* const* argv) {
+  settle_environment();
   CLI::App app{"Verification of material models and of the material point method.", "assay"};
   app.get_formatter()->column_width(28);
   app.get_formatter()->label("REQUIRED", "(required)");

@@ -35,7 +35,30 @@ void on_signal(int signal) {
     leave_process(128 + signal);
 }
 
+constexpr int stop_signals[] = {SIGINT, SIGTERM, SIGHUP};
+
+bool is_watched() {
+  for (const int signal : stop_signals) {
+    struct sigaction present = {};
+    if (sigaction(signal, nullptr, &present) == 0 && present.sa_handler == on_signal) return true;
+  }
+  return false;
+}
+
 }  // namespace
+
+InterruptWatch::InterruptWatch() : mine_(!is_watched()) {
+  if (mine_) watch_interrupts();
+}
+
+InterruptWatch::~InterruptWatch() {
+  if (!mine_) return;
+  adapters::give_up_waiting = nullptr;
+  for (const int signal : stop_signals) {
+    struct sigaction present = {};
+    if (sigaction(signal, nullptr, &present) == 0 && present.sa_handler == on_signal) std::signal(signal, SIG_DFL);
+  }
+}
 
 void watch_interrupts() {
   first_signal = 0;
@@ -45,7 +68,7 @@ void watch_interrupts() {
   action.sa_handler = on_signal;
   sigemptyset(&action.sa_mask);
   // No SA_RESTART: a read that waits for ever (a pipe without a writer) must come back.
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+  for (const int signal : stop_signals) {
     struct sigaction old = {};
     sigaction(signal, nullptr, &old);
     if (old.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);  // nohup and shells ask for that

@@ -10,6 +10,19 @@ namespace assay::drivers {
 /// timeout(1) sends two). To be called when the scene is read.
 void watch_interrupts();
 
+/// While one lives, as after watch_interrupts(); then as before. For what may take long before the scene is read. Where
+/// somebody watches already, it changes nothing.
+class InterruptWatch {
+ public:
+  InterruptWatch();
+  InterruptWatch(const InterruptWatch&) = delete;
+  InterruptWatch& operator=(const InterruptWatch&) = delete;
+  ~InterruptWatch();
+
+ private:
+  bool mine_;
+};
+
 /// Whether a signal came since watch_interrupts().
 bool interrupted();
 

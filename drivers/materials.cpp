@@ -52,6 +52,7 @@ Json material_json(const std::string& name, const MaterialSource& source) {
   out["licence"] = text(table.licence);
   out["doc"] = text(table.doc);
   out["library"] = source.library.empty() ? Json("built-in") : Json(source.library);
+  if (!source.source.empty()) out["source"] = source.source;
   out["description"] = json_text(source.description);
   out["density"] = source.density ? json_figure(*source.density) : Json(nullptr);
   out["flags"] = flag_names(table);
@@ -72,14 +73,20 @@ int materials(const MaterialsOptions& options) {
   };
   if (!options.name.empty()) {
     const MaterialSource source = find_material(options.name, command, "", Isolation::worker);
+    for (const std::string& warning : source.warnings) std::cerr << "warning: " << warning << "\n";
     add(parse_material(options.name).is_path ? source.table->name : options.name, source);
   }
   for (const RegisteredName& registered : options.name.empty() ? registered_names() : std::vector<RegisteredName>{}) {
+    const auto add_broken = [&](const char* reason) {  // one broken entry must not hide the others
+      list.push_back({{"name", registered.name}, {"broken", reason}});
+      page += "\n" + broken_text(registered.name, reason);
+    };
     try {
       add(registered.name, find_material(registered.name, {registered.file, 0, 0}, "", Isolation::worker));
-    } catch (const InputError& error) {  // one broken entry must not hide the others
-      list.push_back({{"name", registered.name}, {"broken", error.what()}});
-      page += "\n" + broken_text(registered.name, error.what());
+    } catch (const InputError& error) {
+      add_broken(error.what());
+    } catch (const SystemError& error) {  // as of a source where there is no compiler
+      add_broken(error.what());
     }
   }
   if (options.json) {

@@ -11,15 +11,18 @@
 #include "adapters/foreign/foreign_state.hpp"
 #include "adapters/probe.hpp"
 #include "drivers/interrupt.hpp"
+#include "drivers/material/abaqus_deck.hpp"
 #include "drivers/material/foreign_description.hpp"
 #include "drivers/material/material_description.hpp"
 #include "drivers/material/material_path.hpp"
 #include "drivers/material/material_text.hpp"
 #include "drivers/material/raw_library.hpp"
 #include "drivers/material/registry.hpp"
+#include "drivers/material/source_library.hpp"
 #include "drivers/output/whole_file.hpp"
 #include "drivers/output/wrapped_text.hpp"
 #include "drivers/scene/text_check.hpp"
+#include "drivers/source_options.hpp"
 #include "drivers/verbs.hpp"
 
 namespace assay::drivers {
@@ -134,41 +137,86 @@ void refuse_what_is_no_text(const std::string& path) {
   }
 }
 
-}  // namespace
+/// What is to be registered.
+struct Candidate {
+  MaterialSource source;
+  MaterialDescription description;
+  std::string text;                ///< that the registry keeps
+  std::vector<std::string> notes;  ///< of a Fortran source: what was taken and guessed
+  std::vector<std::string> warnings;
+};
 
-int register_material(const RegisterOptions& options) {
-  if (!options.remove.empty()) return remove_name(options.remove);
-  const Location where{options.file, 0, 0};
+Candidate candidate_of_source(const std::string& path, const std::string& chosen, const SourceOptions& options) {
+  SourceRequest request = request_of(options);
+  std::string& choice = is_deck(path) ? request.material : request.symbol;
+  if (choice.empty()) choice = chosen;
+  const SourceDescription described = describe_source(path, request, {}, "");
+  const std::string file = kept_description(described.name, described.text);
+  Candidate candidate{
+      find_material(file, {}, "", Isolation::worker), {}, described.text, described.notes, described.warnings};
+  candidate.description = description_of(file, candidate.source);
+  return candidate;
+}
+
+Candidate candidate_of(const RegisterOptions& options) {
   const MaterialName asked = parse_material(options.file);
   // A bare name means a file here, not a registered one.
   const std::string path = absolute_path(asked.file);
   refuse_what_is_no_text(path);
-  const MaterialSource source =
-      find_material(asked.table.empty() ? path : path + ":" + asked.table, {}, "", Isolation::worker);
-  refuse_what_is_no_text(source.library);
-  const std::string name = chosen_name(options, source);
-  std::optional<std::string> defect;
+  if (asks_for_source(options.file)) return candidate_of_source(path, asked.table, options.source);
+  refuse_source_options(options.source, options.file);
+  Candidate candidate;
+  candidate.source = find_material(asked.table.empty() ? path : path + ":" + asked.table, {}, "", Isolation::worker);
+  candidate.description = description_of(options.file, candidate.source);
+  candidate.text = lasting_yaml(candidate.description);
+  candidate.warnings = candidate.source.warnings;
+  return candidate;
+}
+
+/// What it says of an undeformed point, where that is no reason to refuse it. Throws InputError where it is one.
+std::optional<std::string> tried(const MaterialSource& source, const Location& where) {
   try {
-    defect = adapters::probe_defect(source.table, source.parameters);
+    std::optional<std::string> defect = adapters::probe_defect(source.table, source.parameters);
     if (source.is_foreign && !names_without_value(source).empty()) defect.reset();
     if (defect && !defect->starts_with(adapters::refuses_rest)) {
       throw InputError(where, "", "material '" + std::string(source.table->name) + "' is refused: " + *defect);
     }
+    return defect;
   } catch (const std::system_error& error) {
     throw SystemError(std::string("the material cannot be probed: ") + error.what());
   }
+}
+
+std::string told(const std::string& name, const Candidate& candidate, bool replaces,
+                 const std::optional<std::string>& defect) {
+  const MaterialSource& source = candidate.source;
+  std::string page = "registered " + name + ": " + source.table->name + " in " +
+                     (source.source.empty() ? source.library : source.source) +
+                     (replaces ? "; replaces what had that name" : "") + "\n" + notes(source, candidate.description);
+  if (defect) page += wrapped("it " + *defect, "  ", "    ");
+  for (const std::string& note : candidate.notes) page += wrapped(note, "  ", "    ");
+  return page;
+}
+
+}  // namespace
+
+int register_material(const RegisterOptions& options) {
+  if (!options.remove.empty()) {
+    refuse_source_options(options.source, "");
+    return remove_name(options.remove);
+  }
+  const Candidate candidate = candidate_of(options);
+  refuse_what_is_no_text(candidate.source.library);
+  const std::string name = chosen_name(options, candidate.source);
+  const std::optional<std::string> defect = tried(candidate.source, {options.file, 0, 0});
   watch_interrupts();
   std::error_code code;
   fs::create_directories(folder(), code);
   if (code) throw SystemError("'" + folder() + "' cannot be made: " + code.message());
   const bool replaces = fs::exists(fs::path(folder()) / (name + ".yaml"), code);
-  const MaterialDescription description = description_of(options.file, source);
-  write_file(fs::path(folder()) / (name + ".yaml"), description_yaml(description));
-  if (options.verbosity != Verbosity::quiet) {
-    std::cout << "registered " << name << ": " << source.table->name << " in " << source.library
-              << (replaces ? "; replaces what had that name" : "") << "\n"
-              << notes(source, description) << (defect ? wrapped("it " + *defect, "  ", "    ") : "");
-  }
+  write_file(fs::path(folder()) / (name + ".yaml"), candidate.text);
+  for (const std::string& warning : candidate.warnings) std::cerr << "warning: " << one_line(warning) << "\n";
+  if (options.verbosity != Verbosity::quiet) std::cout << told(name, candidate, replaces, defect);
   return 0;
 }
 

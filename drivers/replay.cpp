@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "drivers/check_beyond.hpp"
+#include "drivers/check_host.hpp"
 #include "drivers/check_material.hpp"
 #include "drivers/check_vortex.hpp"
 #include "drivers/material/material_choice.hpp"
@@ -136,6 +138,8 @@ std::string test_text(const Replay& replay) {
   std::string text =
       "test: " + yaml_scalar(replay.test) + "\nquick: " + (replay.effort.quick ? "true" : "false") + "\n";
   if (replay.effort.strain != check::Effort{}.strain) text += "strain: " + yaml_number(replay.effort.strain) + "\n";
+  if (replay.effort.strain_is_asked) text += "strain_is_asked: true\n";
+  if (replay.effort.step != check::Effort{}.step) text += "step: " + yaml_number(replay.effort.step) + "\n";
   if (replay.effort.pressure) text += "pressure: " + yaml_number(*replay.effort.pressure) + "\n";
   return text;
 }
@@ -161,8 +165,7 @@ namespace {
 
 std::vector<std::string> tests_of_check() {
   std::vector<std::string> ids = check::test_ids();
-  ids.emplace_back(process_test);
-  ids.emplace_back(vortex_test);
+  for (const char* own : {process_test, vortex_test, beyond_test, host_test}) ids.emplace_back(own);
   return ids;
 }
 
@@ -186,6 +189,10 @@ Replay read_replay(const std::string& file) {
   if (const Tree* test = root.find("test")) replay.test = choice_value(*test, "test", tests_of_check());
   if (const Tree* quick = root.find("quick")) replay.effort.quick = boolean_value(*quick, "quick");
   if (const Tree* strain = root.find("strain")) replay.effort.strain = number_value(*strain, "strain");
+  if (const Tree* asked = root.find("strain_is_asked")) {
+    replay.effort.strain_is_asked = boolean_value(*asked, "strain_is_asked");
+  }
+  if (const Tree* step = root.find("step")) replay.effort.step = number_value(*step, "step");
   if (const Tree* pressure = root.find("pressure")) replay.effort.pressure = number_value(*pressure, "pressure");
   if (replay.test.empty() || root.find("t")) replay.step = step_of(root, material_of(replay).table());
   if (const Tree* reason = root.find("reason")) replay.reason = text_value(*reason, "reason");

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
+#include "drivers/causes_page.hpp"
 #include "drivers/input_error.hpp"
 #include "drivers/output/numbers.hpp"
 
@@ -132,10 +133,23 @@ std::vector<Verb> scene_verbs(CLI::App& app, Arguments& given) {
 
 namespace {
 
+/// What a verb takes beside a Fortran source.
+void add_source_options(CLI::App& verb, SourceOptions& source) {
+  const auto add = [&verb](const char* name, std::string& value, const char* type, const char* doc) {
+    verb.add_option(name, value, doc)->type_name(type)->check(fault_of_empty_name, "");
+  };
+  add("--props", source.props, "NUMBER,...", "PROPS of a Fortran source, or NAME=NUMBER,...");
+  add("--statev", source.statev, "N", "number of its STATEV");
+  add("--deck", source.deck, "FILE.inp", "Abaqus deck with its constants");
+  add("--material", source.material, "NAME", "of the deck, where it has several");
+  add("--symbol", source.symbol, "NAME", "its entry point, where it has several");
+}
+
 Verb check_verb(CLI::App& app, Arguments& given) {
   CLI::App& verb = add_verb(app, "check", "whether a material is frame-indifferent, and more",
-                            "assay check ./libmodel.so --parameters E=1e3,nu=0.3 --junit check.xml");
-  auto* checked = verb.add_option("MATERIAL", given.material, "name, library, description or scene");
+                            "assay check ./libmodel.so --parameters E=1e3,nu=0.3 --junit check.xml\n"
+                            "  assay check umat.f --props 210e3,.3,250 --statev 7");
+  auto* checked = verb.add_option("MATERIAL", given.material, "name, library, description, Fortran source, scene");
   checked->type_name("");
   auto* all = verb.add_flag("--all", given.all, "everything that is registered, in parallel");
   auto* replay = verb.add_option("--replay", given.replay, "a failure again, alone");
@@ -147,21 +161,29 @@ Verb check_verb(CLI::App& app, Arguments& given) {
   add_junit(verb, given, "the same for CI, JUnit's XML");
   auto* markdown = verb.add_option("--markdown", given.markdown_file, "the methods' table (- for standard output)");
   markdown->type_name("FILE");
+  auto* explain = verb.add_option("--explain", given.explain, "what a cause means, and its repair (all: their list)");
+  explain->type_name("CAUSE");
   verb.add_flag("--quick", given.quick, "fewer steps and states");
   verb.add_option("--strain", given.strain, "largest of the histories (0.15)")->type_name("NUMBER");
+  verb.add_option("--step", given.step, "longest usual step [s] (1, or what is taken)")->type_name("NUMBER");
   verb.add_option("--pressure", given.pressure, "at rest [Pa] (what the model needs)")->type_name("NUMBER");
+  add_source_options(verb, given.source);
   add_out(verb, given, "DIR", "folder of failures' replay files (results/check)");
-  return {&verb, [&given, checked, all, replay, methods, parameters, markdown] {
+  return {&verb, [&given, checked, all, replay, methods, parameters, markdown, explain] {
             const auto given_of = [](const CLI::Option* option) { return option->count() > 0 ? 1 : 0; };
-            if (std::max(given_of(checked), given_of(methods)) + given_of(all) + given_of(replay) != 1)
-              throw InputError("assay check: takes one of MATERIAL, --all, --methods [METHOD] and --replay FILE");
+            const int others = given_of(all) + given_of(replay) + given_of(explain);
+            if (std::max(given_of(checked), given_of(methods)) + others != 1)
+              throw InputError(
+                  "assay check: takes one of MATERIAL, --all, --methods [METHOD], --replay FILE and --explain CAUSE");
+            if (given.explain) return explain_cause(*given.explain);
             if (given_of(parameters) && given_of(methods) + given_of(replay) > 0)
               throw InputError("assay check: --methods and --replay take no --parameters");
             if (given_of(markdown) > given_of(methods)) throw InputError("assay check: --markdown goes with --methods");
             return check({given.material, given.parameters, given.json_file, given.junit_file,
                           given.out.empty() ? "results/check" : given.out, given.replay, given.all, given.quick,
                           given.verbosity(), given.methods, number_in("--strain", given.strain, 0.5),
-                          number_in("--pressure", given.pressure, 1e12), given.markdown_file});
+                          number_in("--pressure", given.pressure, 1e12), number_in("--step", given.step, 1e12),
+                          given.markdown_file, given.source});
           }};
 }
 
@@ -186,14 +208,14 @@ std::vector<Verb> material_verbs(CLI::App& app, Arguments& given) {
 
   CLI::App& materials_verb = add_verb(app, "materials", "what is registered, or one material",
                                       "assay materials neo_hookean\n  assay materials ./libmodel.so:name --json");
-  materials_verb.add_option("NAME", given.material, "name, library or description")->type_name("");
+  materials_verb.add_option("NAME", given.material, "name, library, description or source")->type_name("");
   materials_verb.add_flag("--json", given.json, "as JSON");
   verbs.push_back({&materials_verb, [&given] { return materials({given.material, given.json}); }});
 
   CLI::App& register_verb =
       add_verb(app, "register", "give a material library a name, after a probe",
                "assay register ./libmodel.so --as soft_clay\n  assay register --remove soft_clay");
-  auto* file = register_verb.add_option("FILE", given.file, "library (or FILE.so:NAME), or a YAML description");
+  auto* file = register_verb.add_option("FILE", given.file, "library (or FILE.so:NAME), description or source");
   file->type_name("");
   auto* as = register_verb.add_option("--as", given.name, "the name (default: the material's own)");
   as->type_name("NAME");
@@ -201,11 +223,12 @@ std::vector<Verb> material_verbs(CLI::App& app, Arguments& given) {
       ->type_name("NAME")
       ->excludes(file)
       ->excludes(as);
+  add_source_options(register_verb, given.source);
   verbs.push_back({&register_verb, [&given, file] {
                      if (file->count() == 0 && given.remove.empty())
                        throw InputError("assay register: takes FILE or --remove NAME");
                      if (file->count() > 0 && given.file.empty()) throw InputError("assay register: FILE is empty");
-                     return register_material({given.file, given.name, given.remove, given.verbosity()});
+                     return register_material({given.file, given.name, given.remove, given.verbosity(), given.source});
                    }});
 
   verbs.push_back(new_material_verb(app, given));

@@ -18,8 +18,9 @@ namespace assay::drivers {
 struct Arguments {
   std::string scene, out, points, threads, material, file, name, remove, parameters, json_file, junit_file, replay;
   std::string markdown_file, study, after, jobs, shard;
-  std::optional<std::string> error;
-  std::string language, interface = "native", strain, pressure;
+  std::optional<std::string> error, explain;
+  std::string language, interface = "native", strain, pressure, step;
+  SourceOptions source;
   std::vector<std::string> sets, from;
   bool resume = false, merge = false, list = false, of_studies = false;
   bool json = false, quick = false, all = false, methods = false, quiet = false, verbose = false;

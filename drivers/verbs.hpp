@@ -48,8 +48,17 @@ struct ExplainOptions {
   Verbosity verbosity = Verbosity::normal;
 };
 
+/// What is said of a material that is a Fortran source, as it stands on the command line; empty: nothing.
+struct SourceOptions {
+  std::string props;     ///< "1000,.3", "E=1000,nu=.3"
+  std::string statev;    ///< number of STATEV
+  std::string deck;      ///< Abaqus input file
+  std::string material;  ///< of the deck
+  std::string symbol;    ///< entry point
+};
+
 struct CheckOptions {
-  std::string material;    ///< registered name, library, description or scene; with `methods` the name of one, or empty
+  std::string material;    ///< name, library, description, source, deck or scene; with `methods` that of one, or empty
   std::string parameters;  ///< "E=1e3,nu=0.3"
   std::string json;        ///< file; "-": standard output; empty: none
   std::string junit;       ///< the same
@@ -60,7 +69,9 @@ struct CheckOptions {
   Verbosity verbosity = Verbosity::normal;
   bool methods = false;                              ///< the patch tests of the particle method, in place of a material
   std::optional<double> strain = {}, pressure = {};  ///< of the battery's histories [1], at rest [Pa]
+  std::optional<double> step = {};                   ///< the longest usual step [s]
   std::string markdown = {};                         ///< file of the methods' table; "-": standard output
+  SourceOptions source = {};
 };
 
 struct MaterialsOptions {
@@ -69,10 +80,11 @@ struct MaterialsOptions {
 };
 
 struct RegisterOptions {
-  std::string file;    ///< library, `library:name` or description; empty with `remove`
+  std::string file;    ///< library, `library:name`, description, source or deck; empty with `remove`
   std::string name;    ///< empty: the material's own, or the description's file name
   std::string remove;  ///< name to take out of the registry; empty: none
   Verbosity verbosity = Verbosity::normal;
+  SourceOptions source = {};
 };
 
 struct NewMaterialOptions {

@@ -16,16 +16,21 @@ module assay_abi
   integer(c_int32_t), parameter :: assay_scalar = 0, assay_vector = 1, assay_symmetric_tensor = 2, assay_tensor = 3
   integer(c_int32_t), parameter :: assay_role_plain = 0, assay_role_rotates_itself = 1, assay_role_direction = 2
   integer(c_int32_t), parameter :: assay_isotropic = 0, assay_cylindrically_orthotropic = 1, assay_anisotropic = 2
+  ! Class of an anisotropic material, for assay_symmetry.
+  integer(c_int32_t), parameter :: assay_monoclinic = 1, assay_orthotropic = 2, assay_trigonal = 3, &
+                                   assay_tetragonal = 4, assay_hexagonal = 5, assay_transversely_isotropic = 6, &
+                                   assay_cubic = 7
   ! Flags, added together.
   integer(c_int32_t), parameter :: assay_non_smooth = 1, assay_rate_dependent = 2, assay_thread_safe = 4, &
-                                   assay_uses_increment = 8, assay_in_plane = 16
+                                   assay_uses_increment = 8, assay_in_plane = 16, assay_grows = 32
   integer(c_int32_t), parameter :: assay_baseline_simple_shear = 1, assay_baseline_uniaxial_strain = 2
   character(len=*), parameter :: assay_extension_rate = 'assay.rate/1', assay_extension_tangent = 'assay.tangent/1', &
                                  assay_extension_energy = 'assay.energy/1', &
                                  assay_extension_wave_speed = 'assay.wave_speed/1', &
                                  assay_extension_closed_form = 'assay.closed_form/1', &
                                  assay_extension_reason = 'assay.reason/1', &
-                                 assay_extension_example = 'assay.example/1'
+                                 assay_extension_example = 'assay.example/1', &
+                                 assay_extension_symmetry = 'assay.symmetry/1'
 
   type, bind(c) :: assay_parameter
     type(c_ptr) :: name = c_null_ptr, unit = c_null_ptr
@@ -54,7 +59,8 @@ module assay_abi
     type(c_funptr) :: create_of = c_null_funptr, extension_of = c_null_funptr ! since 1.1
   end type assay_material
 
-  ! Extensions: struct_size is that of the type; assay_example holds an address of values, the others a function.
+  ! Extensions: struct_size is that of the type; assay_example holds an address of values, assay_symmetry a class, the
+  ! others a function.
   type, bind(c) :: assay_rate
     integer(c_int32_t) :: struct_size
     type(c_funptr) :: rate
@@ -89,6 +95,11 @@ module assay_abi
     integer(c_int32_t) :: struct_size
     type(c_ptr) :: parameters
   end type assay_example
+
+  type, bind(c) :: assay_symmetry
+    integer(c_int32_t) :: struct_size
+    integer(c_int32_t) :: material_class
+  end type assay_symmetry
 
   abstract interface
     function assay_create(parameters, message) bind(c) result(self)

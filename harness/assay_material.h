@@ -66,7 +66,7 @@ typedef struct assay_state_variable {
   const char *doc;
 } assay_state_variable;
 
-/* Material symmetry. */
+/* Material symmetry; of ASSAY_ANISOTROPIC the extension assay.symmetry/1 can say more. */
 enum { ASSAY_ISOTROPIC = 0, ASSAY_CYLINDRICALLY_ORTHOTROPIC = 1, ASSAY_ANISOTROPIC = 2 };
 
 /* Flags, or-ed together. */
@@ -75,7 +75,8 @@ enum {
   ASSAY_RATE_DEPENDENT = 1u << 1, /* the response depends on dt, not on the path alone */
   ASSAY_THREAD_SAFE = 1u << 2,    /* `update` may run concurrently on one `self` */
   ASSAY_USES_INCREMENT = 1u << 3, /* reads F0 as well as F1; absent: total F (F1) alone */
-  ASSAY_IN_PLANE = 1u << 4        /* takes no deformation with F13, F23, F31 or F32 */
+  ASSAY_IN_PLANE = 1u << 4,       /* takes no deformation with F13, F23, F31 or F32 */
+  ASSAY_GROWS = 1u << 5           /* its own strain changes with time, as of growth: work may come out of it */
 };
 
 /* One step of n points. F0, F1: deformation gradients at t and t + dt, 9 * n each. */
@@ -191,6 +192,23 @@ typedef struct assay_example {
   uint32_t struct_size;
   const double *parameters;
 } assay_example;
+
+/* Class of an anisotropic material: the rotations of the undeformed body after which it answers as before. The axes are
+ * the material's own; the host finds them. */
+#define ASSAY_EXTENSION_SYMMETRY "assay.symmetry/1"
+enum {
+  ASSAY_MONOCLINIC = 1,             /* half turns about one axis */
+  ASSAY_ORTHOTROPIC = 2,            /* half turns about three axes at right angles */
+  ASSAY_TRIGONAL = 3,               /* turns by 120 degrees about one axis, half turns about one across */
+  ASSAY_TETRAGONAL = 4,             /* turns by 90 degrees about one axis, half turns about one across */
+  ASSAY_HEXAGONAL = 5,              /* turns by 60 degrees about one axis, half turns about one across */
+  ASSAY_TRANSVERSELY_ISOTROPIC = 6, /* turns by any angle about one axis, half turns about any across */
+  ASSAY_CUBIC = 7                   /* turns by 90 degrees about three axes at right angles */
+};
+typedef struct assay_symmetry {
+  uint32_t struct_size;
+  int32_t material_class;
+} assay_symmetry;
 
 #ifdef __cplusplus
 }

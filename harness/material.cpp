@@ -145,6 +145,12 @@ double Material::parameter(const std::string& name) const {
   throw ParameterError(name, "material '" + this->name() + "' has no such parameter", known_parameters(*table_));
 }
 
+std::map<std::string, double> Material::named_parameters() const {
+  std::map<std::string, double> named;
+  for (std::uint32_t i = 0; i < table_->parameter_count; ++i) named[table_->parameters[i].name] = parameters_[i];
+  return named;
+}
+
 namespace {
 
 /// Of a material with several directions: the given one; a right angle about E3 further, or E1 where that is along E3;

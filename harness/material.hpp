@@ -42,6 +42,9 @@ inline constexpr const char* overrun_words = "overrun: ";
 /// Likewise where it changed the arithmetic of its thread, which was put right.
 inline constexpr const char* arithmetic_prefix = "arithmetic: ";
 
+/// These words a message holds where the model has called a routine that is not there.
+inline constexpr const char* absent_words = "which nobody provides";
+
 /// What `update` said of a batch.
 struct UpdateReport {
   int worst = ASSAY_GOOD;       ///< of the batch; a stress that is not finite counts as ASSAY_FAILED
@@ -73,6 +76,7 @@ class Material {
   /// In declared order, defaults filled.
   const std::vector<double>& parameters() const { return parameters_; }
   double parameter(const std::string& name) const;
+  std::map<std::string, double> named_parameters() const;
 
   /// Components of the state of one point.
   std::size_t state_size() const { return state_size_; }

@@ -15,6 +15,7 @@
 
 #include "adapters/elf_symbols.hpp"
 #include "adapters/foreign/model_end.hpp"
+#include "harness/material.hpp"
 
 namespace assay::adapters {
 
@@ -35,7 +36,7 @@ std::array<std::string, most_absent> absent_names;  ///< never changed again: a 
 
 [[noreturn]] void end_call(std::size_t which) {
   static thread_local char words[256];
-  std::snprintf(words, sizeof words, "called %s, which nobody provides", absent_names[which].c_str());
+  std::snprintf(words, sizeof words, "called %s, %s", absent_names[which].c_str(), absent_words);
   leave_model(words);
   std::fprintf(stderr, "the model %s\n", words);
   constexpr int as_the_loader = 127;
@@ -118,7 +119,7 @@ std::string missing_words(const std::vector<std::string>& missing) {
     names += (k == 0 ? "" : k + 1 == missing.size() ? " and " : ", ") + missing[k];
   }
   if (missing.size() > most_named) names += " and " + std::to_string(missing.size() - most_named) + " more";
-  return names.empty() ? "" : "calls " + names + ", which nobody provides";
+  return names.empty() ? "" : "calls " + names + ", " + absent_words;
 }
 
 }  // namespace assay::adapters

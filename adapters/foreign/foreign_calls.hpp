@@ -12,6 +12,7 @@
 #include <memory>
 
 #include "adapters/foreign/foreign_point.hpp"
+#include "adapters/foreign/host_values.hpp"
 #include "harness/material.hpp"
 #include "harness/progress_mark.hpp"
 
@@ -59,6 +60,21 @@ class ForeignCalls {
     s.update_any(*step, n, state0, state1, cauchy, status, dt_factor, message);
   }
 
+  /// HostAccess, of bridges that have it.
+  static HostAccess host_access_of() {
+    return {sizeof(HostAccess),
+            [](void* self) { return bridge_of(self).host_values(); },
+            [](void* self, const HostValues& values) { bridge_of(self).hold(values); },
+            [](void* self) { static_cast<ForeignCalls*>(self)->table_.counts_elements = false; },
+            [](void* self) { bridge_of(self).widen(); },
+            [](void* self) { return bridge_of(self).arrays_of_a_point().fence_words(); },
+            [](void* self, std::span<const double> words) {
+              bridge_of(self).surroundings().words.assign(words.begin(), words.end());
+            },
+            [](void* self, std::size_t word) { return bridge_of(self).arrays_of_a_point().place_of(word); },
+            [](void* self) { return bridge_of(self).surroundings().written; }};
+  }
+
   static const char* reason(void* self) { return static_cast<ForeignCalls*>(self)->reason_.c_str(); }
 
   static std::int32_t tangent(void* self, const assay_step* step, std::size_t n, const double* state0,
@@ -82,6 +98,8 @@ class ForeignCalls {
   }
 
  private:
+  static Bridge& bridge_of(void* self) { return static_cast<ForeignCalls*>(self)->bridge_; }
+
   ForeignCalls(const ForeignTable& table, const double* properties) : table_(table), bridge_(table, properties) {
     std::size_t size = 0;
     for (const assay_state_variable& v : table.state_list) size += static_cast<std::size_t>(components_of_kind(v.kind));

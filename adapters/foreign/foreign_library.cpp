@@ -27,7 +27,7 @@ std::string loader_message(const std::string& path) {
 
 bool lacks_a_symbol(const std::string& message) { return message.find("undefined symbol: ") != std::string::npos; }
 
-/// Before a library of that folder.
+/// Before a library of which GETOUTDIR answers that folder.
 void load_utilities(const std::string& folder) {
   static void* const library = [] {
     const std::string path = utilities_library();
@@ -53,13 +53,13 @@ std::string utilities_library() {
   return {};
 }
 
-LoadedLibrary load_foreign_library(const std::string& path) {
+LoadedLibrary load_foreign_library(const std::string& path, const std::string& folder) {
   static std::mutex guard;
   static std::map<std::string, LoadedLibrary> incomplete;  // which the loader takes for whole the next time
   const std::lock_guard lock(guard);
   if (const auto known = incomplete.find(path); known != incomplete.end()) return known->second;
   check_shared_library(path);
-  load_utilities(fs::path(path).parent_path().string());
+  load_utilities(folder.empty() ? fs::path(path).parent_path().string() : folder);
   if (void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) return {handle, {}};
   const std::string message = loader_message(path);
   // many models name routines of their host that they never call

@@ -13,8 +13,8 @@ struct LoadedLibrary {
 };
 
 /// Loads it, RTLD_LOCAL; the host's utility routines first (SINV, ROTSIG, XIT, ...), for libraries that ask for them.
-/// Throws LibraryError.
-LoadedLibrary load_foreign_library(const std::string& path);
+/// folder: what GETOUTDIR answers; empty: that of the library. Throws LibraryError.
+LoadedLibrary load_foreign_library(const std::string& path, const std::string& folder = {});
 
 /// The companion library with the host's utility routines: beside the program, or in ../lib/assay/abaqus of it. Empty
 /// where it is not found.

@@ -44,6 +44,7 @@ struct ForeignVariable {
   Kind kind = Kind::scalar;
   std::string unit = {}, doc = {};
   std::vector<double> initial = {};  ///< one value for all components, or one for each; empty: zero
+  bool kind_is_said = true;          ///< or it stands as a scalar because nobody has said what it is
 };
 
 /// A field of the host, constant: PREDEF, or an external state variable of MFront.
@@ -70,16 +71,22 @@ struct ForeignModel {
   Kinematics kinematics = Kinematics::objective;
   Axes axes = Axes::fixed;
   bool finite_strain = false;      ///< the tangent is that of J sigma (Jaumann), and the model may read F alone
+  bool strain_is_said = true;      ///< or which tangent it is has not been said
   std::vector<int> components{6};  ///< NTENS that the model serves: 6, 4 (plane strain) or both
+  bool components_are_said = true;
   int symmetry = ASSAY_ISOTROPIC;  ///< of the ABI
+  int material_class = 0;          ///< of assay_symmetry, of what is anisotropic; 0: none is declared
   std::uint32_t flags = 0;         ///< of the ABI
   ModelUnits units;
   std::vector<ForeignField> fields;
   int step = 1;                         ///< KSTEP
+  int element = 1, point = 1;           ///< NOEL, NPT
+  bool each_its_element = false;        ///< NOEL counts points, as they begin
   double temperature = 0;               ///< in the model's own scale
   double characteristic_length = 1;     ///< CELENT, charLength, in units of the model
   double density = 1000;                ///< [kg/m^3], for interfaces that hand it on
   std::string material_name = "ASSAY";  ///< CMNAME
+  std::string folder = {};              ///< GETOUTDIR; empty: that of the library
 };
 
 }  // namespace assay::adapters

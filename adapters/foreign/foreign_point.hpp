@@ -2,6 +2,7 @@
 // What the bridges have in common: a table with its model, and one point of a step.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -26,9 +27,12 @@ struct ForeignTable : assay_material {
   std::shared_ptr<const MfrontBehaviour> behaviour;  ///< of MFront's interface
   std::vector<assay_parameter> parameter_list;
   std::vector<assay_state_variable> state_list;
-  std::deque<std::string> words;         ///< that the lists point to
-  mutable std::mutex one_at_a_time;      ///< of models that are not thread-safe
-  mutable std::vector<double> last_set;  ///< parameters that the library keeps for itself
+  std::deque<std::string> words;                    ///< that the lists point to
+  assay_symmetry material_class{};                  ///< of the model, where it declares one
+  mutable std::mutex one_at_a_time;                 ///< of models that are not thread-safe
+  mutable std::vector<double> last_set;             ///< parameters that the library keeps for itself
+  mutable std::atomic<int> elements{0};             ///< numbers given to points that have one of their own
+  mutable std::atomic<bool> counts_elements{true};  ///< or such points have the host's, as long as it is looked at
 };
 
 /// One point of `update`.

@@ -37,13 +37,19 @@ std::int32_t kind_of(Kind kind) {
 }
 
 template <class Bridge>
-const void* extension_of(const char* id) {
+const void* bridge_extension(const assay_material* table, const char* id) {
   using Calls = ForeignCalls<Bridge>;
+  const assay_symmetry& symmetry = static_cast<const ForeignTable*>(table)->material_class;
+  if (std::string(id) == ASSAY_EXTENSION_SYMMETRY) return symmetry.material_class ? &symmetry : nullptr;
   static const assay_reason reason{sizeof(assay_reason), Calls::reason};
   if (std::string(id) == ASSAY_EXTENSION_REASON) return &reason;
   if constexpr (requires { &Bridge::tangent; }) {
     static const assay_tangent tangent{sizeof(assay_tangent), Calls::tangent};
     if (std::string(id) == ASSAY_EXTENSION_TANGENT) return &tangent;
+  }
+  if constexpr (requires { &Bridge::hold; }) {
+    static const HostAccess access = Calls::host_access_of();
+    if (std::string(id) == host_access) return &access;
   }
   return nullptr;
 }
@@ -55,7 +61,7 @@ std::vector<ForeignVariable> bind(ForeignTable& table) {
   table.destroy = Calls::destroy;
   table.initial_state = Calls::initial_state;
   table.update = Calls::update;
-  table.extension = extension_of<Bridge>;
+  table.extension_of = bridge_extension<Bridge>;
   return Bridge::state_of(table.model);
 }
 
@@ -174,7 +180,7 @@ const assay_material* foreign_table(const ForeignModel& model) {
   auto table = std::make_unique<ForeignTable>();
   static_cast<assay_material&>(*table) = assay_material{};
   table->model = model;
-  const LoadedLibrary library = load_foreign_library(model.library);
+  const LoadedLibrary library = load_foreign_library(model.library, model.folder);
   table->library = library.handle;
   table->missing = library.missing;
   const std::vector<ForeignVariable> state = bind_interface(*table);
@@ -188,6 +194,7 @@ const assay_material* foreign_table(const ForeignModel& model) {
   const std::string lacks = missing_words(table->missing);
   table->doc = kept(*table, table->model.doc + (lacks.empty() ? "" : "; " + lacks));
   table->symmetry = table->model.symmetry;
+  table->material_class = {sizeof(assay_symmetry), table->model.material_class};
   table->flags = (table->model.flags | ASSAY_USES_INCREMENT) & ~static_cast<std::uint32_t>(ASSAY_THREAD_SAFE);
   if (!serves_all_components(table->model)) table->flags |= ASSAY_IN_PLANE;
   static std::mutex guard;

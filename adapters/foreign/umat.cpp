@@ -24,7 +24,14 @@ enum Given : std::size_t { dtime, temp, dtemp, celent, given_count };
 constexpr StateLayout umat_layout{standard_order, plain_shear, engineering_shear};
 
 /// Where a point's own state begins.
-enum UmatState : std::size_t { umat_stress = 0, umat_strain = 6, umat_energies = 12, umat_time = 15 };
+enum UmatState : std::size_t {
+  umat_stress = 0,
+  umat_strain = 6,
+  umat_energies = 12,
+  umat_time = 15,
+  umat_element = 16,
+  umat_state_count = 16
+};
 
 /// Fortran's order of a matrix.
 void write_column_major(const Tensor& A, double* out) { Eigen::Map<Tensor>(out, 3, 3) = A; }
@@ -41,6 +48,7 @@ std::vector<ForeignVariable> Umat::state_of(const ForeignModel& model) {
                                    {"SPD", Kind::scalar, "J/m^3", "plastic dissipation", {}},
                                    {"SCD", Kind::scalar, "J/m^3", "creep dissipation", {}},
                                    {"TIME", Kind::scalar, "s", "since the beginning of the point", {}}};
+  if (model.each_its_element) all.push_back({"NOEL", Kind::scalar, "1", "of the point alone", {}});
   all.insert(all.end(), model.state.begin(), model.state.end());
   return all;
 }
@@ -49,23 +57,43 @@ Umat::Umat(const ForeignTable& table, const double* properties)
     : table_(table),
       model_(table.model),
       ntens_(serves_all_components(model_) ? 6 : 4),
-      nstatv_(foreign_state_size(model_.state)) {
+      nstatv_(foreign_state_size(model_.state)),
+      own_state_(umat_state_count + (model_.each_its_element ? 1 : 0)),
+      host_(host_values_of(model_)),
+      properties_(properties, properties + model_.properties.size()) {
+  make_arrays(GuardedArrays::usual_fence);
+}
+
+void Umat::make_arrays(std::size_t fence) {
+  arrays_ = GuardedArrays(fence);
+  inputs_ = InputWatch();
   add_arrays();
-  std::copy_n(properties, model_.properties.size(), arrays_[props_]);
-  for (std::size_t k = 0; k < model_.fields.size(); ++k) arrays_[predef_][k] = model_.fields[k].value;
-  constexpr int static_procedure = 1;
-  integers_ = {.ndi = 3,
-               .nshr = ntens_ - 3,
-               .ntens = ntens_,
-               .nstatv = nstatv_,
-               .nprops = static_cast<int>(model_.properties.size()),
-               .noel = 1,
-               .npt = 1,
-               .layer = 1,
-               .kspt = 1,
-               .jstep = {model_.step, static_procedure, model_.finite_strain ? 1 : 0, 0},
-               .kinc = 1};
+  std::copy(properties_.begin(), properties_.end(), arrays_[props_]);
+  integers_.ndi = 3;
+  integers_.nshr = ntens_ - 3;
+  integers_.ntens = ntens_;
+  integers_.nstatv = nstatv_;
+  integers_.nprops = static_cast<int>(model_.properties.size());
   watch_inputs();
+  hold(host_);
+}
+
+void Umat::widen() { make_arrays(GuardedArrays::widest_fence); }
+
+void Umat::hold(const HostValues& values) {
+  constexpr int static_procedure = 1;
+  host_ = values;
+  integers_.noel = values.element;
+  integers_.npt = values.point;
+  integers_.layer = values.layer;
+  integers_.kspt = values.section;
+  const int jstep[] = {values.step, static_procedure, model_.finite_strain ? 1 : 0, 0};
+  std::copy_n(jstep, 4, integers_.jstep);
+  std::copy_n(values.place.data(), 3, arrays_[coords_]);
+  arrays_.fill(predef_, 0);
+  const std::size_t fields = std::min(values.fields.size(), arrays_.size(predef_));
+  std::copy_n(values.fields.data(), fields, arrays_[predef_]);
+  inputs_.forget();
 }
 
 void Umat::add_arrays() {
@@ -110,20 +138,22 @@ void Umat::watch_inputs() {
 }
 
 void Umat::initial_state(const Tensor& cauchy, double* state) {
-  std::fill_n(state, own_state, 0.0);
+  std::fill_n(state, own_state_, 0.0);
   write_symmetric(cauchy, standard_order, plain_shear, state + umat_stress);
-  write_initial(model_.state, state + own_state);
+  write_initial(model_.state, state + own_state_);
+  if (model_.each_its_element) state[umat_element] = table_.counts_elements ? ++table_.elements : host_.element;
   if (void* sdvini = dlsym(table_.library, "sdvini_")) {
-    to_foreign(umat_layout, model_.state, state + own_state, arrays_[statev_]);
-    int statev = nstatv_, ncrds = 3, one = 1, point = 1, layer = 1, section = 1;
+    to_foreign(umat_layout, model_.state, state + own_state_, arrays_[statev_]);
+    int statev = nstatv_, ncrds = 3, layer = host_.layer, section = host_.section, point = host_.point,
+        element = model_.each_its_element ? static_cast<int>(state[umat_element]) : host_.element;
     const auto ended = ended_in([&] {
-      reinterpret_cast<SdviniEntry>(sdvini)(arrays_[statev_], arrays_[coords_], &statev, &ncrds, &one, &point, &layer,
-                                            &section);
+      reinterpret_cast<SdviniEntry>(sdvini)(arrays_[statev_], arrays_[coords_], &statev, &ncrds, &element, &point,
+                                            &layer, &section);
     });
-    arrays_.fill(coords_, 0);
+    std::copy_n(host_.place.data(), 3, arrays_[coords_]);
     if (ended) throw PointFailure("SDVINI " + *ended);
     if (const auto broken = arrays_.broken_fence()) throw PointFailure(overrun_words + ("SDVINI " + *broken));
-    from_foreign(umat_layout, model_.state, arrays_[statev_], state + own_state);
+    from_foreign(umat_layout, model_.state, arrays_[statev_], state + own_state_);
   }
 }
 
@@ -163,7 +193,7 @@ void Umat::hand_over_tensors(const PointStep& step) {
 
 /// The clock is the point's own: a step of a loaded point is never the first, whatever t is.
 void Umat::hand_over_scalars(const PointStep& step) {
-  to_foreign(umat_layout, model_.state, step.state0 + own_state, arrays_[statev_]);
+  to_foreign(umat_layout, model_.state, step.state0 + own_state_, arrays_[statev_]);
   for (const std::size_t array : {ddsdde_, ddsddt_, drplde_, scalars_}) arrays_.fill(array, 0);
   const double age = step.state0[umat_time];
   arrays_[time_][0] = age / model_.units.time;
@@ -173,10 +203,11 @@ void Umat::hand_over_scalars(const PointStep& step) {
   s[pnewdt] = 1;
   double* given = arrays_[given_];
   given[dtime] = step.dt / model_.units.time;
-  given[temp] = model_.temperature;
-  given[celent] = model_.characteristic_length;
-  integers_.kinc = age > 0 ? 2 : 1;
-  integers_.noel = static_cast<int>(step.number) + 1;
+  given[temp] = host_.temperature;
+  given[dtemp] = host_.temperature_rise;
+  given[celent] = host_.length;
+  integers_.kinc = host_.increment.value_or(age > 0 ? 2 : 1);
+  if (model_.each_its_element) integers_.noel = std::max(1, static_cast<int>(step.state0[umat_element]));
 }
 
 std::optional<std::string> Umat::call_entry() {
@@ -198,7 +229,9 @@ std::optional<std::string> Umat::call_entry() {
 void Umat::call(const PointStep& step) {
   hand_over(step);
   inputs_.keep(arrays_);
+  if (surroundings_.lent()) surroundings_.lend(arrays_);
   const auto ended = call_entry();
+  if (surroundings_.lent()) surroundings_.take_back(arrays_);
   const auto broken = inputs_.broken_fence(arrays_);
   if (ended) throw PointFailure("the UMAT " + *ended);
   if (broken) throw PointFailure(overrun_words + ("the UMAT " + *broken));
@@ -224,7 +257,8 @@ void Umat::update(const PointStep& step, PointEnd& end) {
   write_symmetric(strain_after_, standard_order, plain_shear, end.state1 + umat_strain);
   for (std::size_t k = 0; k < 3; ++k) end.state1[umat_energies + k] = model_.units.stress * arrays_[scalars_][sse + k];
   end.state1[umat_time] = step.state0[umat_time] + step.dt;
-  from_foreign(umat_layout, model_.state, arrays_[statev_], end.state1 + own_state);
+  if (model_.each_its_element) end.state1[umat_element] = step.state0[umat_element];
+  from_foreign(umat_layout, model_.state, arrays_[statev_], end.state1 + own_state_);
 }
 
 }  // namespace assay::adapters

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Abaqus' UMAT as a model of ours. State of a point: stress [Pa] and strain (STRAN; plain components), both carried on
-// by the host, the three energies per volume [J/m^3], the time since the point's beginning [s], then STATEV as
-// declared.
+// by the host, the three energies per volume [J/m^3], the time since the point's beginning [s], NOEL where each point
+// has one of its own, then STATEV as declared.
 #pragma once
 
 #include "adapters/foreign/foreign_point.hpp"
 #include "adapters/foreign/guarded_arrays.hpp"
+#include "adapters/foreign/host_values.hpp"
 #include "adapters/foreign/umat_entry.hpp"
 #include "adapters/foreign/written_inputs.hpp"
 
@@ -13,7 +14,6 @@ namespace assay::adapters {
 
 class Umat {
  public:
-  static constexpr std::size_t own_state = 16;
   static std::vector<ForeignVariable> state_of(const ForeignModel& model);
 
   Umat(const ForeignTable& table, const double* properties);
@@ -26,11 +26,18 @@ class Umat {
   /// d cauchy / d F1 [Pa], 81 values, row by row, from DDSDDE. Throws PointFailure.
   void tangent(const PointStep& step, double* tangent);
 
+  const HostValues& host_values() const { return host_; }
+  void hold(const HostValues& values);
+  void widen();
+  const GuardedArrays& arrays_of_a_point() { return arrays_; }
+  Surroundings& surroundings() { return surroundings_; }
+
  private:
   /// Integers that are handed over by reference.
   struct Integers {
     int ndi, nshr, ntens, nstatv, nprops, noel, npt, layer, kspt, jstep[4], kinc;
   };
+  void make_arrays(std::size_t fence);
   void add_arrays();
   void watch_inputs();
   void hand_over(const PointStep& step);
@@ -47,9 +54,13 @@ class Umat {
   const ForeignTable& table_;
   const ForeignModel& model_;
   int ntens_, nstatv_;
+  std::size_t own_state_;  ///< of a point, before STATEV
   Tensor strain_after_ = Tensor::Zero();
   Tensor frame_ = Tensor::Identity();     ///< axes of the model at the end of the step
   Tensor rotation_ = Tensor::Identity();  ///< DROT
+  HostValues host_;
+  Surroundings surroundings_;
+  std::vector<double> properties_;
   Integers integers_{};
   InputWatch inputs_;
   GuardedArrays arrays_;

@@ -15,9 +15,11 @@ namespace assay::adapters {
 
 namespace {
 
-constexpr std::size_t vumat_name_length = 80, block_numbers = 8;
+constexpr std::size_t vumat_name_length = 80;
 /// Points a call: models dimension arrays of their own for no more than Abaqus hands over, 136.
 constexpr std::size_t most_points = 128;
+/// Of jblock: nblock, points, layers and sections, then the element of each point.
+constexpr std::size_t block_numbers = 4 + most_points;
 constexpr StateLayout vumat_layout{explicit_order, plain_shear, plain_shear};
 
 /// Where a point's own state begins.
@@ -70,9 +72,13 @@ std::vector<ForeignVariable> Vumat::state_of(const ForeignModel& model) {
 }
 
 Vumat::Vumat(const ForeignTable& table, const double* properties)
-    : table_(table), model_(table.model), properties_(properties, properties + table.model.properties.size()) {}
+    : table_(table),
+      model_(table.model),
+      properties_(properties, properties + table.model.properties.size()),
+      host_(host_values_of(model_)) {}
 
-Vumat::Block::Block(std::size_t points, const ForeignModel& model) : n(points), rotation(points) {
+Vumat::Block::Block(std::size_t points, const ForeignModel& model, std::size_t fence)
+    : n(points), arrays(fence), rotation(points) {
   const auto size = static_cast<std::size_t>(foreign_state_size(model.state));
   stress[1] = arrays.add("stressNew", 6 * n);
   state[1] = arrays.add("stateNew", size * n);
@@ -96,10 +102,26 @@ Vumat::Block::Block(std::size_t points, const ForeignModel& model) : n(points), 
   state[0] = arrays.add("stateOld", size * n);
   internal[0] = arrays.add("enerInternOld", n);
   inelastic[0] = arrays.add("enerInelasOld", n);
-  for (std::size_t k = 0; k < model.fields.size(); ++k) {
-    for (const int end : {0, 1}) std::fill_n(arrays[fields[end]] + k * n, n, model.fields[k].value);
-  }
   watch_inputs();
+}
+
+void Vumat::Block::hold(const HostValues& values) {
+  for (const int end : {0, 1}) {
+    arrays.fill(fields[end], 0);
+    const std::size_t count = std::min(values.fields.size(), arrays.size(fields[end]) / n);
+    for (std::size_t k = 0; k < count; ++k) std::fill_n(arrays[fields[end]] + k * n, n, values.fields[k]);
+  }
+  inputs.forget();
+}
+
+void Vumat::hold(const HostValues& values) {
+  host_ = values;
+  for (const auto& block : blocks_) block->hold(host_);
+}
+
+void Vumat::widen() {
+  blocks_.clear();
+  fence_ = GuardedArrays::widest_fence;
 }
 
 void Vumat::Block::watch_inputs() {
@@ -125,7 +147,8 @@ Vumat::Block& Vumat::block_of(std::size_t n) {
   if (found != blocks_.end()) return **found;
   constexpr std::size_t most = 4;
   if (blocks_.size() == most) blocks_.erase(blocks_.begin());
-  blocks_.push_back(std::make_unique<Block>(n, model_));
+  blocks_.push_back(std::make_unique<Block>(n, model_, fence_));
+  blocks_.back()->hold(host_);
   return *blocks_.back();
 }
 
@@ -147,15 +170,15 @@ void Vumat::hand_over(Block& block, const assay_step& step, const Part& part, co
   const std::size_t n = block.n;
   const auto size = static_cast<std::size_t>(foreign_state_size(model_.state));
   std::copy(properties_.begin(), properties_.end(), a[block.props]);
-  a.fill(block.coords, 0);
-  for (const std::size_t array : {block.temperature[0], block.temperature[1]}) a.fill(array, model_.temperature);
-  a.fill(block.lengths, model_.characteristic_length);
+  for (std::size_t k = 0; k < 3; ++k) std::fill_n(a[block.coords] + k * n, n, host_.place[k]);
+  for (const std::size_t array : {block.temperature[0], block.temperature[1]}) a.fill(array, host_.temperature);
+  a.fill(block.lengths, host_.length);
   std::vector<double> ours(own_state + size), theirs(size);
   for (std::size_t p = 0; p < n; ++p) {
     const Tensor F0 = tensor_at(step.F0, part.of, part.begin + p), F1 = tensor_at(step.F1, part.of, part.begin + p);
     const CorotationalStep c = corotational_step(F0, F1, model_.kinematics);
     block.rotation[p] = c.R1;
-    a[block.density][p] = model_.density / F1.determinant() * unit_density(model_.units);
+    a[block.density][p] = host_.density_times * model_.density / F1.determinant() * unit_density(model_.units);
     write_symmetric(c.strain, explicit_order, plain_shear, a[block.strain] + p, n);
     const Vector3 spin = relative_spin(F0, F1, c);
     for (int k = 0; k < 3; ++k) a[block.spin][static_cast<std::size_t>(k) * n + p] = spin(k);
@@ -192,12 +215,16 @@ void Vumat::call(Block& block, double time, double dt) {
   char name[vumat_name_length];
   std::fill_n(name, vumat_name_length, ' ');
   std::copy_n(model_.material_name.data(), std::min(vumat_name_length, model_.material_name.size()), name);
-  int nblock[block_numbers] = {static_cast<int>(block.n), 1, 1, 1, 1};
+  int nblock[block_numbers] = {static_cast<int>(block.n), host_.point, host_.layer, host_.section};
+  std::fill_n(nblock + 4, most_points, host_.element);
   int ndir = 3, nshr = 3, nstatev = foreign_state_size(model_.state), nfieldv = static_cast<int>(model_.fields.size()),
       nprops = static_cast<int>(properties_.size()), lanneal = 0;
-  double step_time = time / model_.units.time, total_time = step_time, length = dt / model_.units.time;
+  double total_time = time / model_.units.time, step_time = host_.step_time_times * total_time,
+         length = dt / model_.units.time;
   GuardedArrays& a = block.arrays;
   block.inputs.keep(a);
+  const bool lent = surroundings_.lent() && block.n == 1;
+  if (lent) surroundings_.lend(a);
   const auto ended = ended_in([&] {
     reinterpret_cast<VumatEntry>(table_.entry)(
         nblock, &ndir, &nshr, &nstatev, &nfieldv, &nprops, &lanneal, &step_time, &total_time, &length, name,
@@ -207,6 +234,7 @@ void Vumat::call(Block& block, double time, double dt) {
         a[block.gradient[1]], a[block.fields[1]], a[block.stress[1]], a[block.state[1]], a[block.internal[1]],
         a[block.inelastic[1]], vumat_name_length);
   });
+  if (lent) surroundings_.take_back(a);
   const auto broken = block.inputs.broken_fence(a, time > 0);
   if (ended) throw PointFailure("the VUMAT " + *ended);
   if (broken) throw PointFailure(overrun_words + ("the VUMAT " + *broken));

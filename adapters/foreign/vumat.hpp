@@ -8,6 +8,7 @@
 
 #include "adapters/foreign/foreign_point.hpp"
 #include "adapters/foreign/guarded_arrays.hpp"
+#include "adapters/foreign/host_values.hpp"
 #include "adapters/foreign/kinematics.hpp"
 #include "adapters/foreign/written_inputs.hpp"
 
@@ -25,10 +26,17 @@ class Vumat {
   /// n points; arrays as in the ABI. Throws PointFailure.
   void update_batch(const assay_step& step, std::size_t n, const double* state0, double* state1, double* cauchy);
 
+  const HostValues& host_values() const { return host_; }
+  void hold(const HostValues& values);
+  void widen();
+  const GuardedArrays& arrays_of_a_point() { return block_of(1).arrays; }
+  Surroundings& surroundings() { return surroundings_; }
+
  private:
   /// Arrays for batches of one size.
   struct Block {
-    explicit Block(std::size_t n, const ForeignModel& model);
+    Block(std::size_t n, const ForeignModel& model, std::size_t fence);
+    void hold(const HostValues& values);
     void watch_inputs();
     std::size_t n;
     GuardedArrays arrays;
@@ -51,6 +59,9 @@ class Vumat {
   const ForeignTable& table_;
   const ForeignModel& model_;
   std::vector<double> properties_;
+  HostValues host_;
+  Surroundings surroundings_;
+  std::size_t fence_ = GuardedArrays::usual_fence;
   std::vector<std::unique_ptr<Block>> blocks_;
 };
 

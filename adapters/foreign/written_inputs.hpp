@@ -59,6 +59,9 @@ class InputWatch {
   /// Integers that are handed over by reference; they live as long as this.
   void add_integers(WrittenInput name, int* integers, std::size_t count);
 
+  /// Those that the host writes to once have been written to again.
+  void forget() { image_.clear(); }
+
   /// Before the call.
   void keep(const GuardedArrays& arrays);
   /// After it: what was written past an array, as GuardedArrays tells it. Inputs that are not as they were are put

@@ -12,7 +12,7 @@ class OrthotropicCylindrical {
   static constexpr const char* name = "orthotropic_cylindrical";
   static constexpr const char* doc =
       "cylindrically orthotropic elasticity S = C : E, axes r (carried by the point), t, z";
-  static constexpr int symmetry = ASSAY_CYLINDRICALLY_ORTHOTROPIC;
+  static constexpr int symmetry = ASSAY_CYLINDRICALLY_ORTHOTROPIC, material_class = ASSAY_ORTHOTROPIC;
   static constexpr std::uint32_t flags = 0;
   static constexpr assay_parameter parameters[] = {
       {"E_r", "Pa", required, tiny, huge, "Young's modulus along r"},

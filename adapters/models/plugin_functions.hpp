@@ -204,6 +204,10 @@ struct Functions {
       static const assay_example example_table{sizeof(assay_example), Model::example};
       if (is(ASSAY_EXTENSION_EXAMPLE)) return &example_table;
     }
+    if constexpr (requires { Model::material_class; }) {
+      static const assay_symmetry symmetry_table{sizeof(assay_symmetry), Model::material_class};
+      if (is(ASSAY_EXTENSION_SYMMETRY)) return &symmetry_table;
+    }
     if constexpr (requires { &Model::closed_form; }) {
       static const assay_closed_form form_table{sizeof(assay_closed_form), closed_form};
       if (is(ASSAY_EXTENSION_CLOSED_FORM)) return &form_table;

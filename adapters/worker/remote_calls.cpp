@@ -218,6 +218,7 @@ const void* extension_remote(const assay_material* table, const char* id) {
                           {ASSAY_EXTENSION_CLOSED_FORM, a.closed_form, &closed_form},
                           {ASSAY_EXTENSION_REASON, true, &reason},
                           {ASSAY_EXTENSION_EXAMPLE, !a.example.empty(), &remote.example},
+                          {ASSAY_EXTENSION_SYMMETRY, a.material_class != 0, &remote.material_class},
                           {histories_elsewhere_id, true, &histories_remote}};
   for (const Offer& offer : offers) {
     if (std::strcmp(offer.id, id) == 0) return offer.there ? offer.functions : nullptr;

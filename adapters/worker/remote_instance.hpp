@@ -32,6 +32,7 @@ struct Slot {
 struct RemoteTable : assay_material {
   UnpackedTable metadata;
   assay_example example{};
+  assay_symmetry material_class{};
   WorkerStart start;
   std::size_t state_size = 0;
   std::mutex guard;

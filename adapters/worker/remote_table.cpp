@@ -44,6 +44,7 @@ const assay_material* remote_table(const WorkerStart& start) {
   describe(*table);
   static_cast<assay_material&>(*table) = table->metadata.table;
   table->example = {sizeof(assay_example), table->metadata.abilities.example.data()};
+  table->material_class = {sizeof(assay_symmetry), table->metadata.abilities.material_class};
   for (const assay_state_variable& v : table->metadata.state) {
     table->state_size += static_cast<std::size_t>(components_of_kind(v.kind));
   }

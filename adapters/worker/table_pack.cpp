@@ -82,6 +82,9 @@ std::string packed(const assay_material& table) {
   const auto* example = static_cast<const assay_example*>(extension_of(&table, ASSAY_EXTENSION_EXAMPLE));
   w.number(example != nullptr);
   for (std::uint32_t i = 0; example && i < table.parameter_count; ++i) w.number(example->parameters[i]);
+  const auto* symmetry = static_cast<const assay_symmetry*>(extension_of(&table, ASSAY_EXTENSION_SYMMETRY));
+  const bool whole = symmetry && symmetry->struct_size >= sizeof(assay_symmetry);
+  w.number(whole ? symmetry->material_class : std::int32_t{0});
   return w.out;
 }
 
@@ -112,6 +115,7 @@ void unpack(const std::string& bytes, UnpackedTable& out) {
   if (r.number<bool>()) {
     for (std::uint32_t i = 0; i < t.parameter_count; ++i) a.example.push_back(r.number<double>());
   }
+  a.material_class = r.number<std::int32_t>();
   t.parameters = out.parameters.data();
   t.state = out.state.data();
 }

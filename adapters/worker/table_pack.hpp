@@ -10,10 +10,11 @@
 
 namespace assay::adapters {
 
-/// Which optional functions a table has, and its example, if it has one.
+/// Which optional functions a table has, its example, if it has one, and its class of symmetry; 0: none.
 struct TableAbilities {
   bool rate = false, tangent = false, energy = false, wave_speed = false, closed_form = false, reason = false;
   std::vector<double> example;
+  std::int32_t material_class = 0;
 };
 
 /// Metadata that owns its words; its functions are null.

@@ -15,6 +15,7 @@
 
 #include "adapters/worker/descendants.hpp"
 #include "adapters/worker/futex.hpp"
+#include "adapters/worker/missing_file.hpp"
 #include "harness/progress_mark.hpp"
 
 namespace assay::adapters {
@@ -175,7 +176,8 @@ std::string WorkerProcess::how_it_ended(const std::string& when) const {
   };
   const int number = c.death_number;
   const std::string said = last_line(output()), words(c.death_words, strnlen(c.death_words, words_size));
-  const std::string heard = when + (said.empty() ? "" : "; the last that it printed: " + said);
+  const std::string heard =
+      when + (said.empty() ? "" : "; the last that it printed: " + said) + missing_file_words(output());
   switch (static_cast<Death>(c.death.load())) {
     case Death::none:
       return "did not answer";

@@ -54,13 +54,14 @@ class Reader {
       model_.step =
           static_cast<int>(number_value(*tree, "step", {.lower = 1, .upper = most_components, .whole = true}));
     }
+    read_elements();
+    model_.strain_is_said = root_.find("strain") != nullptr;
     if (const Tree* tree = root_.find("strain")) {
       model_.finite_strain = choice_value(*tree, "strain", {"small", "finite"}) == "finite";
     }
-    if (const Tree* tree = root_.find("symmetry")) {
-      model_.symmetry = static_cast<std::int32_t>(index_of(choice_value(*tree, "symmetry", symmetries), symmetries));
-    }
+    if (const Tree* tree = root_.find("symmetry")) read_symmetry(*tree);
     if (const Tree* tree = root_.find("flags")) read_flags(*tree);
+    model_.components_are_said = root_.find("components") != nullptr;
     if (const Tree* tree = root_.find("components")) read_components(*tree);
     if (const Tree* tree = root_.find("units")) read_units(*tree);
     if (const Tree* tree = root_.find("temperature")) model_.temperature = number_value(*tree, "temperature");
@@ -130,24 +131,31 @@ class Reader {
   void read_state(const Tree& tree) {
     if (number_in(tree)) {  // so many scalars
       const double count = number_value(tree, "state", {.lower = 0, .upper = most_components, .whole = true});
-      for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) model_.state.push_back({numbered("s", k)});
+      for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) add_unknown(numbered("s", k));
       return;
     }
     if (tree.kind == Tree::Kind::sequence) {
-      for (const Tree& item : tree.items) model_.state.push_back({text_value(item, "state")});
+      for (const Tree& item : tree.items) add_unknown(text_value(item, "state"));
       return;
     }
     require_map(tree, "state", "the state variables of the model, in its order: names and kinds");
     for (const Tree::Entry& entry : tree.entries) read_variable(entry);
   }
 
+  void add_unknown(const std::string& name) {
+    model_.state.push_back({name});
+    model_.state.back().kind_is_said = false;
+  }
+
   void read_variable(const Tree::Entry& entry) {
     const std::string key = "state." + one_line(entry.key, 80);
     where_["state." + entry.key] = entry.value.where;
+    if (number_in(entry.value)) refuse_bare_number(entry.value, key);
     ForeignVariable variable{entry.key};
     std::size_t count = 1;
     if (entry.value.kind == Tree::Kind::map) {
       refuse_unknown_keys(entry.value, key, {"kind", "count", "initial", "unit", "doc"});
+      variable.kind_is_said = entry.value.find("kind") != nullptr;
       if (const Tree* at = entry.value.find("kind")) variable.kind = kind_value(*at, key + ".kind");
       if (const Tree* at = entry.value.find("count")) {
         count = static_cast<std::size_t>(
@@ -156,8 +164,6 @@ class Reader {
       if (const Tree* at = entry.value.find("initial")) variable.initial = initial_value(*at, key, variable.kind);
       if (const Tree* at = entry.value.find("unit")) variable.unit = text_value(*at, key + ".unit");
       if (const Tree* at = entry.value.find("doc")) variable.doc = text_value(*at, key + ".doc");
-    } else if (number_in(entry.value)) {
-      variable.initial = {number_value(entry.value, key)};
     } else {
       variable.kind = kind_value(entry.value, key);
     }
@@ -165,6 +171,14 @@ class Reader {
       model_.state.push_back(variable);
       if (count > 1) model_.state.back().name = entry.key + "[" + std::to_string(k + 1) + "]";
     }
+  }
+
+  /// `state: 14` is a count, and so could this be.
+  static void refuse_bare_number(const Tree& tree, const std::string& key) {
+    const std::string text = one_line(tree.text, 40);
+    throw InputError(
+        tree.where, key,
+        "a number alone may be a count or a first value: write {count: " + text + "} or {initial: " + text + "}");
   }
 
   static Kind kind_value(const Tree& tree, const std::string& key) {
@@ -178,6 +192,34 @@ class Reader {
     const std::size_t size =
         library_knows ? std::max<std::size_t>(tree.items.size(), 1) : sizes[static_cast<std::size_t>(kind)];
     return numbers_value(tree, key + ".initial", 1, size);
+  }
+
+  int counted(const char* key, int otherwise) const {
+    const Tree* tree = root_.find(key);
+    if (!tree) return otherwise;
+    if (model_.interface == ForeignInterface::mfront) {
+      throw InputError(tree->where, key, "is for UMATs and VUMATs alone: MFront's interface knows no elements");
+    }
+    return static_cast<int>(number_value(*tree, key, {.lower = 1, .upper = most_elements, .whole = true}));
+  }
+
+  void read_elements() {
+    model_.element = counted("noel", 1);
+    model_.point = counted("npt", 1);
+    const Tree* tree = root_.find("elements");
+    if (!tree) return;
+    model_.each_its_element = choice_value(*tree, "elements", elements_words) == "each";
+    if (!model_.each_its_element) return;
+    if (model_.interface != ForeignInterface::umat) {
+      throw InputError(tree->where, "elements", "each is for UMATs alone: no other interface counts elements");
+    }
+    if (root_.find("noel")) throw InputError(root_.find("noel")->where, "noel", "contradicts elements: each");
+  }
+
+  void read_symmetry(const Tree& tree) {
+    const int index = static_cast<int>(index_of(choice_value(tree, "symmetry", symmetries), symmetries));
+    model_.symmetry = std::min(index, static_cast<int>(ASSAY_ANISOTROPIC));
+    model_.material_class = index - model_.symmetry;
   }
 
   void read_axes(const Tree& tree) {

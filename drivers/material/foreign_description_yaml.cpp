@@ -51,7 +51,7 @@ std::string property_text(const ForeignProperty& p) {
 
 std::string variable_text(const ForeignVariable& v) {
   FlowMap map;
-  map.add("kind", kinds[static_cast<std::size_t>(v.kind)]);
+  if (v.kind_is_said) map.add("kind", kinds[static_cast<std::size_t>(v.kind)]);
   std::vector<std::string> numbers;
   for (const double value : v.initial) numbers.push_back(yaml_number(value));
   if (numbers.size() == 1) map.add("initial", numbers.front());
@@ -76,9 +76,9 @@ const std::vector<std::string>& interface_names() {
 
 const std::vector<std::string>& foreign_keys() {
   static const std::vector<std::string> keys{
-      "symbol",       "properties", "state", "kinematics",  "axes",   "strain", "symmetry",
-      "flags",        "components", "units", "temperature", "fields", "step",   "characteristic_length",
-      "material_name"};
+      "symbol",        "properties", "state", "kinematics",  "axes",   "strain", "symmetry",
+      "flags",         "components", "units", "temperature", "fields", "step",   "characteristic_length",
+      "material_name", "noel",       "npt",   "elements"};
   return keys;
 }
 
@@ -95,15 +95,18 @@ std::string foreign_yaml(const ForeignModel& model) {
   line("axes", axes_words[static_cast<std::size_t>(model.axes)]);
   if (!model.fields.empty()) line("fields", fields_text(model));
   line("step", std::to_string(model.step));
-  line("strain", model.finite_strain ? "finite" : "small");
-  line("symmetry", symmetries[static_cast<std::size_t>(model.symmetry)]);
+  if (model.element != 1) line("noel", std::to_string(model.element));
+  if (model.point != 1) line("npt", std::to_string(model.point));
+  if (model.each_its_element) line("elements", "each");
+  if (model.strain_is_said) line("strain", model.finite_strain ? "finite" : "small");
+  line("symmetry", symmetries[static_cast<std::size_t>(model.symmetry + model.material_class)]);
   std::vector<std::string> flags, components;
   for (std::size_t k = 0; k < std::size(flag_bits); ++k) {
     if (model.flags & flag_bits[k]) flags.push_back(flag_words[k]);
   }
   line("flags", listed(flags));
   for (const int n : model.components) components.push_back(std::to_string(n));
-  line("components", listed(components));
+  if (model.components_are_said) line("components", listed(components));
   line("units", "{stress: " + word_of(model.units.stress, stress_units) +
                     ", time: " + word_of(model.units.time, time_units) +
                     ", length: " + word_of(model.units.length, length_units) + "}");

@@ -12,10 +12,15 @@ namespace assay::drivers::foreign_words {
 
 inline const std::vector<std::string> kinds{"scalar", "vector", "symmetric_tensor", "strain", "tensor", "mandel"};
 inline const std::vector<std::string> axes_words{"fixed", "corotational"};
-inline const std::vector<std::string> symmetries{"isotropic", "cylindrically_orthotropic", "anisotropic"};
-inline const std::vector<std::string> flag_words{"non_smooth", "rate_dependent", "thread_safe"};
-inline constexpr std::uint32_t flag_bits[] = {ASSAY_NON_SMOOTH, ASSAY_RATE_DEPENDENT, ASSAY_THREAD_SAFE};
+inline const std::vector<std::string> elements_words{"one", "each"};
+/// Those of assay_material, then the classes of assay_symmetry.
+inline const std::vector<std::string> symmetries{
+    "isotropic", "cylindrically_orthotropic", "anisotropic", "monoclinic", "orthotropic", "trigonal", "tetragonal",
+    "hexagonal", "transversely_isotropic",    "cubic"};
+inline const std::vector<std::string> flag_words{"non_smooth", "rate_dependent", "thread_safe", "grows"};
+inline constexpr std::uint32_t flag_bits[] = {ASSAY_NON_SMOOTH, ASSAY_RATE_DEPENDENT, ASSAY_THREAD_SAFE, ASSAY_GROWS};
 inline constexpr std::size_t most_components = 10000;
+inline constexpr int most_elements = 2000000000;    ///< of a Fortran integer
 inline constexpr double room_temperature = 293.15;  ///< [K]
 
 using Units = std::vector<std::pair<std::string, double>>;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "drivers/material/registry.hpp"
+#include "harness/check/material_symmetry.hpp"
 
 namespace assay::drivers {
 
@@ -58,7 +59,8 @@ std::vector<std::string> filled_from_example(const assay_material& table, Exampl
 }  // namespace
 
 ResolvedMaterial resolve_material(const MaterialChoice& given, Example example) {
-  const MaterialSource source = find_material(given.adapter, given.where, "material.adapter", given.isolation);
+  const MaterialSource source =
+      find_material(given.adapter, given.where, "material.adapter", given.isolation, given.parameters);
   MaterialChoice choice = given;
   choice.isolation = source.isolation;
   choice.parameters.insert(source.parameters.begin(), source.parameters.end());  // the scene's own stay
@@ -73,19 +75,19 @@ ResolvedMaterial resolve_material(const MaterialChoice& given, Example example) 
   for (std::uint32_t i = 0; i < source.table->parameter_count; ++i) {
     choice.parameters[source.table->parameters[i].name] = material.parameters()[i];
   }
-  return {std::move(material), std::move(choice), source.library, source.is_foreign ? source.description : "",
-          std::move(of_example)};
+  return {std::move(material),   std::move(choice), source.library, source.is_foreign ? source.description : "",
+          std::move(of_example), source.warnings,   source.files};
 }
 
 ResolvedMaterial resolve_material(const Scene& scene) {
   ResolvedMaterial resolved = resolve_material(scene.material);
-  if (ring_of(scene.motion) && resolved.material.table().symmetry == ASSAY_ANISOTROPIC) {
+  if (ring_of(scene.motion) && !check::serves_ring(resolved.material)) {
     throw InputError(
         scene.material.where, "material.adapter",
         "'" + resolved.material.name() +
             "' is anisotropic in fixed axes, and the response (19) of its motion is the same all around the ring only "
-            "for a material that is isotropic about the ring's axis, or whose axes turn with "
-            "the radius (cylindrically orthotropic)");
+            "for a material that is isotropic about the ring's axis (or transversely isotropic about it, and declared "
+            "so), or whose axes turn with the radius (cylindrically orthotropic)");
   }
   if (scene.method && std::holds_alternative<AxisAligned>(scene.motion) &&
       resolved.material.table().symmetry != ASSAY_ISOTROPIC) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/material/material_description.hpp"
 #include "drivers/scene/scene.hpp"
 #include "harness/material.hpp"
 
@@ -16,6 +17,8 @@ struct ResolvedMaterial {
   std::string library;           ///< absolute path of the shared library; empty: built in
   std::string description = {};  ///< the YAML file of a foreign model
   std::vector<std::string> of_example = {};  ///< names of the parameters that have the values of the model's example
+  std::vector<std::string> warnings = {};    ///< sentences on the source that it was compiled from
+  std::vector<ModelFile> files = {};         ///< for the folder of a process of its own
 };
 
 /// Which parameters that are not given take the value at which the model's author shows it (assay.example/1).

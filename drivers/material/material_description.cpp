@@ -6,6 +6,9 @@
 
 #include "drivers/material/foreign_description.hpp"
 #include "drivers/material/material_path.hpp"
+#include "drivers/material/model_files.hpp"
+#include "drivers/material/source_entry.hpp"
+#include "drivers/material/source_library.hpp"
 #include "drivers/scene/yaml_values.hpp"
 #include "drivers/scene/yaml_writer.hpp"
 
@@ -20,7 +23,8 @@ std::string interface_of(const Tree& root) {
 }
 
 std::vector<std::string> keys_of(const std::string& interface) {
-  std::vector<std::string> known{"library", "name", "interface", "density", "time_limit", "memory_limit"};
+  std::vector<std::string> known{"library", "name", "interface", "density", "time_limit", "memory_limit", "files"};
+  if (interface == "umat" || interface == "vumat") known.insert(known.begin() + 1, "source");
   const std::vector<std::string> native{"parameters"}, &more = interface == "native" ? native : foreign_keys();
   known.insert(known.end(), more.begin(), more.end());
   return known;
@@ -38,6 +42,34 @@ std::string library_file(const std::string& said, const std::filesystem::path& f
   return beside;
 }
 
+/// A library, or a source that becomes one. With both the library is that of the source, as for a worker.
+void read_library(const Tree& root, const std::string& interface, const std::filesystem::path& folder,
+                  MaterialDescription& description) {
+  const Tree *library = root.find("library"), *source = root.find("source");
+  if (!library && !source)
+    throw InputError(root.where, "library", "required and not given", joined(keys_of(interface)));
+  const Tree& named = library ? *library : *source;
+  description.library_where = description.name_where = named.where;
+  if (source) description.source = absolute_path(folder / text_value(*source, "source"));
+  if (library) {
+    description.library = library_file(text_value(*library, "library"), folder);
+    return;
+  }
+  if (!is_fortran_source(description.source)) {
+    throw InputError(
+        source->where, "source",
+        "must be a Fortran source (.f, .for, .f90, ...), found '" + one_line(description.source, 200) + "'");
+  }
+  const FortranSource text = read_fortran_source(description.source, source->where, "source");
+  description.library = library_of_source(text).file;
+  description.library_key = "source";
+  description.warnings = text.warnings;
+  const Tree* symbol = root.find("symbol");
+  for (const std::string& trap : size_traps(text, symbol ? symbol->text : interface + "_")) {
+    description.warnings.push_back(trap);
+  }
+}
+
 /// A file's name as the name of a table: "My-Clay.yaml" is my_clay.
 std::string name_of_file(const std::string& file) {
   std::string name = std::filesystem::path(file).stem().string();
@@ -48,25 +80,7 @@ std::string name_of_file(const std::string& file) {
   return name;
 }
 
-}  // namespace
-
-MaterialDescription read_description(const std::string& file) { return read_description(read_bytes(file), file); }
-
-MaterialDescription read_description(const std::string& text, const std::string& file) {
-  const Tree root = read_yaml(text, file);
-  require_map(root, "", joined(keys_of("native")));
-  const std::string interface = interface_of(root);
-  const std::vector<std::string> known = keys_of(interface);
-  refuse_unknown_keys(root, "", known);
-  MaterialDescription description;
-  const Tree* library = root.find("library");
-  if (!library) throw InputError(root.where, "library", "required and not given", joined(known));
-  description.library = library_file(text_value(*library, "library"), std::filesystem::path(file).parent_path());
-  description.library_where = description.name_where = library->where;
-  if (const Tree* name = root.find("name")) {
-    description.name = text_value(*name, "name");
-    description.name_where = name->where;
-  }
+void read_numbers(const Tree& root, MaterialDescription& description) {
   if (const Tree* parameters = root.find("parameters")) {
     require_map(*parameters, "parameters", "the parameters of the material");
     for (const Tree::Entry& entry : parameters->entries) {
@@ -84,15 +98,46 @@ MaterialDescription read_description(const std::string& text, const std::string&
   if (const Tree* limit = root.find("memory_limit")) {
     description.limits.gigabytes = number_value(*limit, "memory_limit", {.lower = 0, .upper = 1e6, .lower_open = true});
   }
+}
+
+}  // namespace
+
+MaterialDescription read_description(const std::string& file) { return read_description(read_bytes(file), file); }
+
+MaterialDescription read_description(const std::string& text, const std::string& file) {
+  const Tree root = read_yaml(text, file);
+  require_map(root, "", joined(keys_of("native")));
+  const std::string interface = interface_of(root);
+  const std::vector<std::string> known = keys_of(interface);
+  if (const Tree* source = root.find("source"); source && interface != "umat" && interface != "vumat") {
+    throw InputError(source->where, "source", "goes with interface: umat or vumat, found interface: " + interface);
+  }
+  refuse_unknown_keys(root, "", known);
+  MaterialDescription description;
+  read_library(root, interface, std::filesystem::path(file).parent_path(), description);
+  if (const Tree* name = root.find("name")) {
+    description.name = text_value(*name, "name");
+    description.name_where = name->where;
+  }
+  read_numbers(root, description);
+  if (const Tree* files = root.find("files")) {
+    description.files = read_model_files(*files, std::filesystem::path(file).parent_path());
+  }
   if (interface != "native") {
     if (description.name.empty()) description.name = name_of_file(file);
     description.foreign = read_foreign(root, interface, description.library, description.name, description.key_where);
+    if (!description.source.empty()) {
+      description.foreign->folder = std::filesystem::path(description.source).parent_path().string();
+    }
   }
   return description;
 }
 
-std::string description_yaml(const MaterialDescription& description) {
-  std::string text = "library: " + yaml_scalar(description.library) + "\n";
+namespace {
+
+std::string yaml_of(const MaterialDescription& description, bool by_library) {
+  std::string text = by_library ? "library: " + yaml_scalar(description.library) + "\n" : "";
+  if (!description.source.empty()) text += "source: " + yaml_scalar(description.source) + "\n";
   if (!description.name.empty()) text += "name: " + yaml_scalar(description.name) + "\n";
   text += description.foreign ? foreign_yaml(*description.foreign) : "interface: native\n";
   if (!description.parameters.empty()) text += "parameters:\n";
@@ -107,7 +152,19 @@ std::string description_yaml(const MaterialDescription& description) {
     text += "memory_limit: " + yaml_number(description.limits.gigabytes) + "\n";
   }
   if (description.density) text += "density: " + yaml_number(*description.density) + "\n";
+  if (!description.files.empty()) text += "files:\n";
+  for (const ModelFile& file : description.files) {
+    text += "  " + yaml_scalar(file.name) + ": " + yaml_scalar(file.path) + "\n";
+  }
   return text;
+}
+
+}  // namespace
+
+std::string description_yaml(const MaterialDescription& description) { return yaml_of(description, true); }
+
+std::string lasting_yaml(const MaterialDescription& description) {
+  return yaml_of(description, description.source.empty());
 }
 
 }  // namespace assay::drivers

@@ -5,13 +5,17 @@
 #include <cstdlib>
 
 #include "drivers/input_error.hpp"
+#include "drivers/material/abaqus_deck.hpp"
+#include "drivers/material/fortran_form.hpp"
 
 namespace assay::drivers {
 
 namespace {
 
+bool ends_as_source(const std::string& text) { return is_fortran_source(text) || is_deck(text); }
+
 bool ends_as_path(const std::string& text) {
-  return text.ends_with(".so") || text.ends_with(".yaml") || text.ends_with(".yml");
+  return text.ends_with(".so") || text.ends_with(".yaml") || text.ends_with(".yml") || ends_as_source(text);
 }
 
 }  // namespace
@@ -20,6 +24,10 @@ MaterialName parse_material(const std::string& adapter) {
   const std::size_t colon = adapter.rfind(".so:");
   if (colon != adapter.npos && adapter.find('/', colon) == adapter.npos) {
     return {true, adapter.substr(0, colon + 3), adapter.substr(colon + 4)};
+  }
+  const std::size_t last = adapter.rfind(':');
+  if (last != adapter.npos && adapter.find('/', last) == adapter.npos && ends_as_source(adapter.substr(0, last))) {
+    return {true, adapter.substr(0, last), adapter.substr(last + 1)};
   }
   return {adapter.find('/') != adapter.npos || ends_as_path(adapter), adapter, {}};
 }

@@ -10,11 +10,12 @@ namespace assay::drivers {
 
 struct MaterialName {
   bool is_path = false;
-  std::string file;   ///< the path, or the name
-  std::string table;  ///< `name` of `lib.so:name`; empty: the library's only one
+  std::string file;  ///< the path, or the name
+  std::string
+      table;  ///< `name` of `lib.so:name`, of a deck `job.inp:name`, of a source `model.f:name`; empty: the only one
 };
 
-/// A path contains '/' or ends in .so, .so:name, .yaml or .yml.
+/// A path contains '/' or ends in .so, .yaml, .yml, .inp or as a Fortran source does; `:name` may follow.
 MaterialName parse_material(const std::string& adapter);
 
 /// Absolute and normal. Throws SystemError where it is relative and the working directory is gone.

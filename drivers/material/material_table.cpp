@@ -8,6 +8,7 @@
 #include "adapters/worker/remote_table.hpp"
 #include "adapters/worker/worker_process.hpp"
 #include "drivers/interrupt.hpp"
+#include "drivers/material/model_files.hpp"
 #include "drivers/material/raw_library.hpp"
 
 namespace assay::drivers {
@@ -84,7 +85,8 @@ const assay_material* table_in_worker(const MaterialDescription& description, co
 MaterialSource source_of(const MaterialDescription& description, const std::string& file, Isolation isolation) {
   if (!description.foreign && description.library_key == "library") refuse_undeclared_interface(description);
   MaterialSource source;
-  const bool apart = isolation == Isolation::worker || (isolation == Isolation::automatic && description.foreign);
+  const bool own_process = description.foreign || !description.files.empty();
+  const bool apart = isolation == Isolation::worker || (isolation == Isolation::automatic && own_process);
   source.isolation = apart ? Isolation::worker : Isolation::none;
   source.table = apart ? table_in_worker(description, file) : table_here(description);
   source.is_foreign = description.foreign.has_value();
@@ -92,12 +94,17 @@ MaterialSource source_of(const MaterialDescription& description, const std::stri
   source.parameters = description.parameters;
   source.parameter_where = description.parameter_where;
   source.density = description.density;
+  source.source = description.source;
+  source.files = description.files;
+  source.warnings = description.warnings;
   return source;
 }
 
 const assay_material* table_of_task(const std::string& task) {
   const std::size_t line = task.find('\n');
-  return local_table(read_description(task.substr(line + 1), task.substr(0, line)));
+  const MaterialDescription description = read_description(task.substr(line + 1), task.substr(0, line));
+  place_model_files(description.files);
+  return local_table(description);
 }
 
 void serve_material(adapters::WorkerFloor& floor, const std::string& task) {

@@ -17,7 +17,8 @@ MaterialSource source_of(const MaterialDescription& description, const std::stri
 /// What a worker does whose task is a model: answers calls until its host ends.
 void serve_material(adapters::WorkerFloor& floor, const std::string& task);
 
-/// The table that a task of that kind names, in this process. Throws InputError, and what adapters throw.
+/// The table that a task of that kind names, in this process, in whose folder its files are laid. Throws InputError,
+/// and what adapters throw.
 const assay_material* table_of_task(const std::string& task);
 
 /// Tasks of workers begin with one of these words and a line's end.

@@ -7,6 +7,7 @@
 #include "adapters/worker/remote_table.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/wrapped_text.hpp"
+#include "harness/check/symmetry_class.hpp"
 
 namespace assay::drivers {
 
@@ -104,13 +105,17 @@ std::string role_name(std::int32_t role) {
 std::vector<std::string> flag_names(const assay_material& table) {
   const std::uint32_t flags = adapters::own_flags(&table);
   const auto has = [&](std::uint32_t flag) { return (flags & flag) != 0; };
+  const check::SymmetryClass declared = check::declared_class(table);
+  const bool has_class = table.symmetry == ASSAY_ANISOTROPIC && declared != check::SymmetryClass::none;
   const std::string symmetry = table.symmetry == ASSAY_ISOTROPIC                   ? "isotropic"
                                : table.symmetry == ASSAY_CYLINDRICALLY_ORTHOTROPIC ? "cylindrically orthotropic"
+                               : has_class                                         ? check::name_of(declared)
                                                                                    : "anisotropic";
   std::vector<std::string> names{symmetry, has(ASSAY_NON_SMOOTH) ? "non-smooth" : "smooth",
                                  has(ASSAY_RATE_DEPENDENT) ? "rate-dependent" : "rate-independent",
                                  has(ASSAY_THREAD_SAFE) ? "thread-safe" : "not thread-safe",
                                  has(ASSAY_USES_INCREMENT) ? "uses increments of F" : "uses total F"};
+  if (has(ASSAY_GROWS)) names.emplace_back("grows");
   if (has(ASSAY_IN_PLANE)) names.emplace_back("in the plane 12 alone");
   return names;
 }
@@ -122,6 +127,7 @@ std::string material_text(const std::string& name, const MaterialSource& source)
   if (name != table.name) head += " (model " + words(table.name) + ")";
   if (const std::string doc = words(table.doc); !doc.empty()) head += ": " + doc;
   std::string out = wrapped(head, "", "");
+  if (!source.source.empty()) out += "  source   " + source.source + "\n";
   out += "  from     " + (source.library.empty() ? "built-in" : source.library) + "\n";
   if (!source.description.empty()) out += "  through  " + source.description + "\n";
   if (source.density) out += "  density  " + number_text(*source.density) + " kg/m^3\n";

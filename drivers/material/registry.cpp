@@ -7,10 +7,14 @@
 #include <set>
 
 #include "adapters/builtin.hpp"
+#include "drivers/material/fortran_form.hpp"
 #include "drivers/material/material_description.hpp"
 #include "drivers/material/material_path.hpp"
 #include "drivers/material/material_table.hpp"
 #include "drivers/material/raw_library.hpp"
+#include "drivers/material/source_description.hpp"
+#include "drivers/material/source_library.hpp"
+#include "drivers/output/numbers.hpp"
 
 namespace assay::drivers {
 
@@ -32,10 +36,23 @@ MaterialSource from_description(const std::string& file, Isolation isolation) {
 
 bool is_description(const std::string& file) { return file.ends_with(".yaml") || file.ends_with(".yml"); }
 
+/// By a description that is kept beside its library.
+MaterialSource from_source(const std::string& file, const std::string& chosen, const Location& where,
+                           const std::string& key, Isolation isolation, const std::map<std::string, double>& given) {
+  SourceRequest request;
+  (is_fortran_source(file) ? request.symbol : request.material) = chosen;
+  request.least_properties = numbered_parameters(given);
+  const SourceDescription described = describe_source(file, request, where, key);
+  MaterialSource source = from_description(kept_description(described.name, described.text), isolation);
+  source.warnings = described.warnings;
+  return source;
+}
+
 MaterialSource from_file(const std::string& file, const std::string& table, const Location& where,
-                         const std::string& key, Isolation isolation) {
+                         const std::string& key, Isolation isolation, const std::map<std::string, double>& given) {
   std::error_code code;
   if (!fs::exists(file, code)) throw InputError(where, key, "no such file: '" + file + "'");
+  if (is_source_or_deck(file)) return from_source(file, table, where, key, isolation, given);
   if (is_description(file)) return from_description(file, isolation);
   return source_of(description_of_library(file, table, where, key), file, isolation);
 }
@@ -69,6 +86,16 @@ std::vector<RegisteredName> names_in(const std::string& folder, bool description
 
 }  // namespace
 
+std::size_t numbered_parameters(const std::map<std::string, double>& given) {
+  std::size_t largest = 0;
+  for (const auto& [name, value] : given) {
+    const auto number = name.starts_with('p') ? parse_integer(name.substr(1)) : std::nullopt;
+    constexpr std::int64_t most = 100000;
+    if (number && *number > 0 && *number <= most) largest = std::max(largest, static_cast<std::size_t>(*number));
+  }
+  return largest;
+}
+
 std::string registry_folder() {
   std::string home = environment("ASSAY_DATA_HOME");
   if (!home.empty() && !home.starts_with('/')) {
@@ -97,13 +124,13 @@ std::vector<RegisteredName> registered_names() {
 }
 
 MaterialSource find_material(const std::string& adapter, const Location& where, const std::string& key,
-                             Isolation isolation) {
+                             Isolation isolation, const std::map<std::string, double>& given) {
   const MaterialName asked = parse_material(adapter);
-  if (asked.is_path) return from_file(absolute_path(asked.file), asked.table, where, key, isolation);
+  if (asked.is_path) return from_file(absolute_path(asked.file), asked.table, where, key, isolation, given);
   const std::vector<RegisteredName> names = registered_names();
   for (const RegisteredName& registered : names) {
     if (registered.name != adapter) continue;
-    if (!registered.file.empty()) return from_file(registered.file, {}, where, key, isolation);
+    if (!registered.file.empty()) return from_file(registered.file, {}, where, key, isolation, {});
     MaterialSource source;
     source.table = adapters::builtin_table(adapter);
     return source;

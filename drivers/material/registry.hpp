@@ -9,6 +9,7 @@
 
 #include "drivers/input_error.hpp"
 #include "drivers/material/isolation.hpp"
+#include "drivers/material/material_description.hpp"
 #include "harness/assay_material.h"
 
 namespace assay::drivers {
@@ -22,7 +23,10 @@ struct MaterialSource {
   std::map<std::string, Location> parameter_where;
   std::optional<double> density;  ///< the description's rho0 [kg/m^3]
   Isolation isolation = Isolation::none;
-  bool is_foreign = false;  ///< behind an interface that its library alone does not tell
+  bool is_foreign = false;                 ///< behind an interface that its library alone does not tell
+  std::string source = {};                 ///< the Fortran source of its library; empty: none
+  std::vector<ModelFile> files = {};       ///< for the folder of a process of its own
+  std::vector<std::string> warnings = {};  ///< sentences on the source that it was compiled from
 };
 
 /// A name that can be asked for. `file`: the library or description; empty: built in.
@@ -30,10 +34,15 @@ struct RegisteredName {
   std::string name, file;
 };
 
-/// By name (built-in, registry, $ASSAY_MATERIAL_PATH, in that order) or by path (library, `library:name`, description).
-/// Throws InputError at `where`, `key`.
+/// By name (built-in, registry, $ASSAY_MATERIAL_PATH, in that order) or by path (library, `library:name`, description,
+/// Fortran source, Abaqus deck). given: the parameters that somebody has for it; of a source their number counts.
+/// Throws InputError at `where`, `key`; SystemError where a source cannot be compiled here.
 MaterialSource find_material(const std::string& adapter, const Location& where, const std::string& key,
-                             Isolation isolation = Isolation::automatic);
+                             Isolation isolation = Isolation::automatic,
+                             const std::map<std::string, double>& given = {});
+
+/// Of p1, p2, ... among the names of parameters, the largest number.
+std::size_t numbered_parameters(const std::map<std::string, double>& given);
 
 /// All names in the order of the search, each once: as find_material would take it.
 std::vector<RegisteredName> registered_names();

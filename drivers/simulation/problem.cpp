@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "drivers/effects.hpp"
 #include "drivers/material/material_choice.hpp"
@@ -168,6 +169,7 @@ void resolve_wave_speed(Scene& scene) {
 
 std::shared_ptr<const Material> material_of(Scene& scene, std::string& library) {
   ResolvedMaterial resolved = resolve_material(scene);
+  for (const std::string& sentence : resolved.warnings) std::fprintf(stderr, "warning: %s\n", sentence.c_str());
   scene.material = std::move(resolved.choice);
   library = std::move(resolved.library);
   resolve_wave_speed(scene);

@@ -2,13 +2,13 @@
 #include "drivers/simulation/sheet_cache.hpp"
 
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <numbers>
 #include <vector>
 
 #include "adapters/library.hpp"
+#include "drivers/cache_home.hpp"
 #include "drivers/output/whole_file.hpp"
 #include "drivers/program_identity.hpp"
 #include "drivers/scene/sha256.hpp"
@@ -23,16 +23,9 @@ constexpr std::size_t hash_length = 64;
 constexpr std::size_t largest_file = std::size_t{4} << 30;
 constexpr int samples_in_xi = 5, samples_in_t = 33;  ///< of the path, for the hash
 
-std::string variable(const char* name) {
-  const char* value = std::getenv(name);
-  return value ? value : "";
-}
-
-std::string cache_folder() {
-  if (const std::string own = variable("ASSAY_CACHE_HOME"); !own.empty()) return own + "/sheets";
-  if (const std::string xdg = variable("XDG_CACHE_HOME"); !xdg.empty()) return xdg + "/assay/sheets";
-  if (const std::string home = variable("HOME"); !home.empty()) return home + "/.cache/assay/sheets";
-  return {};
+std::string folder_of_sheets() {
+  const std::string home = cache_home();
+  return home.empty() ? home : home + "/sheets";
 }
 
 void append(std::string& bytes, double value) {
@@ -63,7 +56,7 @@ std::string bytes_of(const Path& path, double end) {
 }  // namespace
 
 SheetCache::SheetCache(const Scene& scene, const Material& material, const Path& path, double end) {
-  const std::string folder = cache_folder(), library = adapters::file_of(&material.table());
+  const std::string folder = folder_of_sheets(), library = adapters::file_of(&material.table());
   if (folder.empty() || library.empty()) return;
   try {
     std::string key(signature);

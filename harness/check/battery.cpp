@@ -2,99 +2,20 @@
 #include "harness/check/battery.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <optional>
 
 #include "harness/check/arrays.hpp"
-#include "harness/check/calls.hpp"
 #include "harness/check/constant_rotation.hpp"
-#include "harness/check/continuity.hpp"
-#include "harness/check/derivatives.hpp"
 #include "harness/check/diagnosis.hpp"
-#include "harness/check/dissipation.hpp"
-#include "harness/check/elasticity.hpp"
-#include "harness/check/extensions.hpp"
-#include "harness/check/initial_stress.hpp"
+#include "harness/check/entries.hpp"
 #include "harness/check/loading.hpp"
-#include "harness/check/memory.hpp"
-#include "harness/check/refusals.hpp"
-#include "harness/check/repeated_stretch.hpp"
+#include "harness/check/other_clock.hpp"
 #include "harness/check/rest.hpp"
-#include "harness/check/rotation.hpp"
-#include "harness/check/stability.hpp"
-#include "harness/check/steps.hpp"
-#include "harness/check/threads.hpp"
+#include "harness/check/scope.hpp"
 
 namespace assay::check {
 
 namespace {
-
-/// One test of the list.
-struct Entry {
-  const char* id;
-  const char* cause_of_failure;  ///< where the material refuses a step; null: that it does
-  std::function<TestResult(const Specimen&, Evidence&)> run;
-};
-
-template <class Test>
-std::function<TestResult(const Specimen&, Evidence&)> plain(Test test) {
-  return [test](const Specimen& specimen, Evidence&) { return test(specimen); };
-}
-
-/// A test of rotation whose finding the diagnosis looks at.
-template <class Test>
-std::function<TestResult(const Specimen&, Evidence&)> kept(RotationFinding Evidence::*place, Test test) {
-  return [=](const Specimen& specimen, Evidence& evidence) {
-    evidence.*place = test(specimen);
-    return (evidence.*place).result;
-  };
-}
-
-/// Without these nothing else can be judged.
-std::vector<Entry> first_entries() {
-  return {{"calls.repeated", nullptr,
-           [](const Specimen& specimen, Evidence& evidence) { return repeated_calls(specimen, evidence.first); }},
-          {"clock", nullptr, plain(clock_independence)},
-          {"continuity", nullptr, plain(continuity)}};
-}
-
-std::vector<Entry> entries() {
-  const auto turning = [](When when) { return plain([when](const Specimen& s) { return rotation(s, when); }); };
-  return {
-      {"rest", nullptr, plain(stress_at_rest)},
-      {"symmetry", causes::not_indifferent, plain(symmetry)},
-      {"zero_increment", nullptr, plain(zero_increment)},
-      {"elasticity.components", nullptr, plain(shear_components)},
-      {"elasticity.shear", nullptr, plain(shear_modulus)},
-      {"rotation.constant", causes::not_indifferent, plain(constant_rotation)},
-      {"basis", causes::not_indifferent, plain(change_of_basis)},
-      {"isotropy", causes::not_isotropic, plain(isotropy)},
-      {"rotation.at_rest", causes::not_indifferent, kept(&Evidence::at_rest, rotation_at_rest)},
-      {"rotation.before", causes::not_indifferent, turning(When::before)},
-      {"rotation.during", causes::not_indifferent, turning(When::during)},
-      {"rotation.after", causes::not_indifferent, turning(When::after)},
-      {"rotation.apex", causes::repeated_stretch, plain(rotation_at_apex)},
-      {"rotation.fixed_stretch", causes::not_indifferent, kept(&Evidence::fixed, rotation_at_fixed_stretch)},
-      {"rotation.revolutions", causes::not_indifferent, plain(revolutions)},
-      {"rotation.state", causes::not_indifferent, kept(&Evidence::state, rotation_of_state)},
-      {"stretches.nearly_equal", causes::repeated_stretch, plain(nearly_equal_stretches)},
-      {"stretches.turning", causes::repeated_stretch, plain(rotation_at_equal_stretches)},
-      {"initial_stress", nullptr, plain(initial_stress)},
-      {"step_halving", nullptr, plain(step_halving)},
-      {"jumps", nullptr, plain(jumps)},
-      {"memory", nullptr, plain(memory)},
-      {"tangent", nullptr, plain(tangent)},
-      {"energy", nullptr, plain(energy)},
-      {"rate", nullptr, plain(rate_form)},
-      {"wave_speed", nullptr, plain(wave_speed)},
-      {"closed_form", nullptr, plain(closed_form)},
-      {"dissipation", nullptr, plain(dissipation)},
-      {"ellipticity", nullptr, plain(ellipticity)},
-      {"calls.increment", nullptr, plain(undeclared_increment)},
-      {"calls.refused", nullptr, plain(refusals)},
-      {"calls.threads", nullptr, plain(threads)},
-      {"calls.senseless", nullptr, plain(senseless_deformation)},
-  };
-}
 
 /// At all resolutions of the tests.
 bool stands_unturned(const Specimen& specimen) {
@@ -158,6 +79,7 @@ bool has_state_that_turns(const assay_material& table) {
 std::string cause_of_refusal(const std::string& words, bool not_finite) {
   if (words.starts_with(overrun_words)) return causes::overrun;
   if (words.starts_with(arithmetic_prefix)) return causes::disturbs_process;
+  if (words.find(absent_words) != std::string::npos) return causes::missing_routine;
   return not_finite ? causes::not_finite : causes::refuses;
 }
 
@@ -171,8 +93,45 @@ std::vector<std::string> test_ids() {
 
 namespace {
 
+/// Of what was found out before any test.
+void add_findings_of_loading(const Specimen& specimen, Report& report) {
+  if (auto found = not_reached(specimen)) report.tests.push_back(std::move(*found));
+  if (any_failed(report)) return;
+  if (specimen.modulus == 0) {
+    report.tests.push_back(without_stress());
+  } else if (specimen.elastic_alone()) {
+    report.tests.push_back(not_finite_beyond(*specimen.not_finite));
+  }
+}
+
+/// Whether a test has failed without which nothing else can be judged.
+bool is_decided(const Report& report) {
+  const std::vector<Entry> first = first_entries();
+  return std::any_of(report.tests.begin(), report.tests.end(), [&](const TestResult& test) {
+    if (test.verdict != Verdict::fail) return false;
+    return std::any_of(first.begin(), first.end(), [&](const Entry& e) { return e.decides && test.id == e.id; });
+  });
+}
+
+void take_all(const Specimen& specimen, Evidence& evidence, Report& report) {
+  report.strain = specimen.amplitude;
+  report.pressure = specimen.pressure;
+  report.not_tested = not_tested(specimen);
+  take(first_entries(), specimen, evidence, report);
+  add_findings_of_loading(specimen, report);
+  if (specimen.modulus == 0 || is_decided(report)) return;
+  evidence.turned = turned_step(specimen);
+  evidence.drifting = drifting_of(specimen);
+  evidence.pressed_at_rest = pressed_at_rest(specimen);
+  evidence.grows_at_rest = grows_at_rest(specimen);
+  evidence.growth_declaration = specimen.options.declarations.growth;
+  evidence.right_without_spin = right_without_spin(specimen);
+  take(entries(), specimen, evidence, report);
+}
+
 Report run_once(const Material& material, const Options& options) {
   Report report;
+  report.effort = options.effort;
   Evidence evidence;
   evidence.has_state_that_turns = has_state_that_turns(material.table());
   evidence.has_spin = evidence.has_state_that_turns && material.has(ASSAY_USES_INCREMENT);
@@ -182,20 +141,7 @@ Report run_once(const Material& material, const Options& options) {
   try {
     if (!any_failed(report)) {
       if (options.begins) options.begins("loading");
-      const Specimen specimen = examine(material, options);
-      report.strain = specimen.amplitude;
-      report.pressure = specimen.pressure;
-      take(first_entries(), specimen, evidence, report);
-      if (specimen.modulus == 0 && !any_failed(report)) report.tests.push_back(without_stress());
-      if (specimen.elastic_alone() && !any_failed(report))
-        report.tests.push_back(not_finite_beyond(*specimen.not_finite));
-      if (!any_failed(report)) {
-        evidence.turned = turned_step(specimen);
-        evidence.drifting = drifting_of(specimen);
-        evidence.pressed_at_rest = pressed_at_rest(specimen);
-        evidence.right_without_spin = right_without_spin(specimen);
-        take(entries(), specimen, evidence, report);
-      }
+      take_all(examine(material, options), evidence, report);
     }
   } catch (const std::runtime_error& error) {
     report.tests.push_back(not_loaded(material, error));
@@ -216,12 +162,38 @@ bool any_refused(const Report& report) {
   return std::any_of(report.tests.begin(), report.tests.end(), [](const TestResult& test) { return test.refused; });
 }
 
-}  // namespace
+/// A length [s] in which the strain of a refused step is taken; nothing where it is taken in none.
+std::optional<double> length_taken(const Material& material, const Report& report) {
+  constexpr int decades = 12;
+  for (const TestResult& test : report.tests) {
+    if (!test.refused || !test.step || takes(material, *test.step)) continue;
+    FailedStep shorter = *test.step;
+    for (int k = 0; k < decades; ++k) {
+      shorter.dt *= 0.1;
+      if (takes(material, shorter)) return shorter.dt;
+    }
+  }
+  return std::nullopt;
+}
 
-Report run_battery(const Material& material, const Options& options) {
+/// Refusals of the length of a step are no refusals of its strain.
+void name_lengths(double length, Report& report) {
+  for (TestResult& test : report.tests) {
+    if (!test.refused) continue;
+    test.cause = causes::refuses_length;
+    test.sentence += "; it takes the same strain in " + rounded(length) + " s";
+  }
+  for (Diagnosis& d : report.diagnosis) {
+    if (d.cause != causes::refuses) continue;
+    const auto same = [&](const TestResult& test) { return test.cause == causes::refuses_length; };
+    d = {causes::refuses_length, std::find_if(report.tests.begin(), report.tests.end(), same)->sentence};
+  }
+}
+
+/// Again at smaller strains as long as a step is refused.
+Report at_smaller_strains(const Material& material, const Options& options) {
   constexpr double smaller = 0.125, least = 1e-4;
   Report first = run_once(material, options);
-  first.effort = options.effort;
   Options other = options;
   other.effort.strain = first.strain;
   other.has_refused = true;
@@ -229,9 +201,33 @@ Report run_battery(const Material& material, const Options& options) {
   other.others_elsewhere.clear();
   while (any_refused(first) && (other.effort.strain *= smaller) > least) {
     Report again = run_once(material, other);
-    again.effort = other.effort;
-    if (!any_refused(again)) return again;
+    if (any_refused(again)) continue;
+    again.not_tested.push_back("strains above " + rounded(again.strain));
+    return again;
   }
+  return first;
+}
+
+}  // namespace
+
+Report run_battery(const Material& material, const Options& asked) {
+  const bool usual = asked.effort.step == 1;
+  const std::optional<Material> paced = usual ? std::nullopt : std::optional(at_pace(material, asked.effort.step));
+  const Material& own = usual ? material : *paced;
+  Options options = asked;
+  if (!usual) options.elsewhere.clear(), options.others_elsewhere.clear();  // of the usual times
+  Report first = run_once(own, options);
+  if (!any_refused(first)) return first;
+  const std::optional<double> length = length_taken(own, first);
+  if (!length) return at_smaller_strains(own, options);
+  Options other = options;
+  other.effort.step *= *length;
+  other.elsewhere.clear();
+  other.others_elsewhere.clear();
+  Report again = run_once(at_pace(material, other.effort.step), other);
+  if (any_refused(again)) return at_smaller_strains(own, options);  // it was not the length, or not that alone
+  if (usual) return again;
+  name_lengths(other.effort.step, first);
   return first;
 }
 

@@ -37,14 +37,17 @@ struct Diagnosis {
 struct Effort {
   bool quick = false;                   ///< fewer steps and states: a fraction of a second
   double strain = 0.15;                 ///< at most [1]
+  bool strain_is_asked = false;         ///< for: to be reached, or the material fails
+  double step = 1;                      ///< the longest usual step [s]; all times of the tests go with it
   std::optional<double> pressure = {};  ///< at rest [Pa]; null: what the model needs
 };
 
 struct Report {
   std::vector<TestResult> tests;
-  std::vector<Diagnosis> diagnosis;  ///< the most telling first; empty where every test passes
-  Effort effort = {};                ///< that was made in the end
-  double strain = 0, pressure = 0;   ///< of the histories [1], and at rest [Pa]
+  std::vector<Diagnosis> diagnosis;          ///< the most telling first; empty where every test passes
+  Effort effort = {};                        ///< that was made in the end
+  double strain = 0, pressure = 0;           ///< of the histories [1], and at rest [Pa]
+  std::vector<std::string> not_tested = {};  ///< what a pass says nothing of, as parts of a sentence
   bool passes() const { return diagnosis.empty(); }
 };
 
@@ -52,9 +55,11 @@ struct Report {
 struct Declarations {
   std::string rate_dependence = "ASSAY_RATE_DEPENDENT";
   std::string own_axes = "ASSAY_ROLE_ROTATES_ITSELF";
-  bool guesses_roles = false;    ///< of the state: a foreign interface knows none
-  bool may_drop_stress = false;  ///< an initial one that it cannot carry: it has no way to refuse
-  double tangent_within = 1e-4;  ///< relative: of a foreign implicit law more, as its last iteration leaves it
+  std::string growth = "ASSAY_GROWS";
+  std::string numbered_state = {};  ///< an array whose numbers are the names s1, s2 ... of state variables; or empty
+  bool guesses_roles = false;       ///< of the state: a foreign interface knows none
+  bool may_drop_stress = false;     ///< an initial one that it cannot carry: it has no way to refuse
+  double tangent_within = 1e-4;     ///< relative: of a foreign implicit law more, as its last iteration leaves it
   std::string tangent = "d sigma / d F1 in row-major order";
 };
 
@@ -90,12 +95,17 @@ inline constexpr const char* components_swapped = "components 13 and 23 swapped"
 inline constexpr const char* shear_factor = "shear factor 2";
 inline constexpr const char* small_strain = "small-strain law used at finite strain";
 inline constexpr const char* not_isotropic = "material not isotropic as declared";
+inline constexpr const char* not_of_class = "material not of the declared symmetry";
 inline constexpr const char* repeated_stretch = "unstable at repeated principal stress";
 inline constexpr const char* tangent_convention = "tangent of another convention";
 inline constexpr const char* tangent_wrong = "tangent wrong";
 inline constexpr const char* hidden_state = "hidden state";
+inline constexpr const char* kept_by_element = "state kept by element";
+inline constexpr const char* host_counters = "depends on the host's counters";
 inline constexpr const char* clock = "clock";
 inline constexpr const char* overrun = "overrun";
+inline constexpr const char* state_undeclared = "state not declared";
+inline constexpr const char* properties_missing = "properties missing";
 inline constexpr const char* undeclared_increment = "increment read undeclared";
 inline constexpr const char* not_indifferent = "not frame-indifferent";
 inline constexpr const char* stress_at_rest = "stress at rest";
@@ -112,6 +122,11 @@ inline constexpr const char* dissipation = "negative dissipation";
 inline constexpr const char* not_a_number = "numbers out of nothing";
 inline constexpr const char* no_stress = "no stress";
 inline constexpr const char* refuses = "refuses a step";
+inline constexpr const char* refuses_length = "refuses the length of a step";
+inline constexpr const char* missing_routine = "routine missing";
+inline constexpr const char* not_reached = "strain not reached";
+inline constexpr const char* grows = "strain of its own in time";
+inline constexpr const char* single_precision = "single precision";
 inline constexpr const char* not_finite = "stress or state not finite";
 inline constexpr const char* not_symmetric = "stress not symmetric";
 inline constexpr const char* ends_process = "ends the process";

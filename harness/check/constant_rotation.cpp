@@ -47,22 +47,59 @@ Loading turned_by(const Tensor& Q, const Loading& still) {
   return {[=](double t) { return Tensor(Q * still.F(t)); }, still.phases};
 }
 
-TestResult exact_twin(const Specimen& specimen, const char* id, const Loading& still, const Loading& seen,
-                      const Tensor& Q, const Vector3& direction, const std::string& words) {
+/// A history and its twin, which is to be the same turned by Q.
+struct FrameTwins {
+  const char* id;
+  Loading still, seen;
+  Tensor Q;
+  Vector3 direction;
+  std::string words;
+};
+
+struct TwinError {
+  double relative;  ///< to the largest stress
+  FailedStep last;
+};
+
+TwinError error_of(const Specimen& specimen, const FrameTwins& twins, int steps) {
   const Material& material = *specimen.material;
-  const int steps = specimen.steps();
-  const March a = march(material, still, {.steps = steps, .state = specimen.rest_state()});
-  const March b = march(material, seen, {.steps = steps, .state = specimen.rest_state(direction)});
-  const double scale = std::max(a.largest, specimen.least_stress());
+  const March a = march(material, twins.still, {.steps = steps, .state = specimen.rest_state()});
+  const March b = march(material, twins.seen, {.steps = steps, .state = specimen.rest_state(twins.direction)});
   double error = 0;
   for (std::size_t k = 0; k < a.marks.size(); ++k) {
-    error = std::max(error, distance(rotated(Q.transpose(), b.marks[k].cauchy), a.marks[k].cauchy) / scale);
+    error = std::max(error, distance(rotated(twins.Q.transpose(), b.marks[k].cauchy), a.marks[k].cauchy));
   }
-  TestResult result{.id = id, .measure = error, .threshold = own_precision, .step = b.last};
+  return {error / std::max(a.largest, specimen.least_stress()), b.last};
+}
+
+TestResult exact_twin(const Specimen& specimen, const FrameTwins& twins) {
+  const auto [error, last] = error_of(specimen, twins, specimen.steps());
+  TestResult result{.id = twins.id, .measure = error, .threshold = own_precision, .step = last};
   result.verdict = error <= own_precision ? Verdict::pass : Verdict::fail;
-  result.sentence = words + (error <= exact_error     ? ": exact"
-                             : error <= own_precision ? ": to the model's own precision, " + rounded(error)
-                                                      : ": off by " + rounded(error) + " of the largest stress");
+  result.sentence = twins.words + (error <= exact_error     ? ": exact"
+                                   : error <= own_precision ? ": to the model's own precision, " + rounded(error)
+                                                            : ": off by " + rounded(error) + " of the largest stress");
+  return result;
+}
+
+/// As `exact_twin`. An integrator that chooses its own steps by components of the strain takes others in another frame:
+/// that error falls as steps become shorter than its own, and a defect's does not.
+TestResult twin_or_tolerance(const Specimen& specimen, const FrameTwins& twins) {
+  constexpr double falls = 0.25;
+  TestResult result = exact_twin(specimen, twins);
+  const double first = *result.measure;
+  if (result.verdict == Verdict::pass || !(first <= converging_limit)) return result;
+  for (const int times : {16, 64}) {
+    const int steps = times * specimen.steps();
+    const double error = error_of(specimen, twins, steps).relative;
+    if (!(error <= falls * first)) continue;
+    result.verdict = Verdict::pass;
+    result.sentence = std::string(remark_words) + twins.words + ": off by " + rounded(first) + " at " +
+                      std::to_string(specimen.steps()) + " steps, by " + rounded(error) + " at " +
+                      std::to_string(steps) +
+                      ". It is the tolerance of an integrator whose own steps depend on the frame";
+    return result;
+  }
   return result;
 }
 
@@ -153,8 +190,8 @@ TestResult constant_rotation(const Specimen& specimen) {
   const Tensor Q = specimen.space.turn(angle);
   const Loading still = out_and_back(specimen);
   const auto in_frame = [&](const Tensor& R) { return turned_by(R, still); };
-  TestResult result = exact_twin(specimen, "rotation.constant", still, in_frame(Q), Q, Vector3::UnitX(),
-                                 "the same history in a frame that is turned once for all");
+  TestResult result = twin_or_tolerance(specimen, {"rotation.constant", still, in_frame(Q), Q, Vector3::UnitX(),
+                                                   "the same history in a frame that is turned once for all"});
   if (result.verdict == Verdict::pass) return result;
   if (!specimen.isotropic() && right_after_a_turn(specimen, Q, still)) {
     result.verdict = Verdict::not_applicable;
@@ -162,10 +199,11 @@ TestResult constant_rotation(const Specimen& specimen) {
     return result;
   }
   const auto right = [&](const Tensor& R) {
-    const TestResult twin = exact_twin(specimen, "", still, in_frame(R), R, Vector3::UnitX(), "");
+    const TestResult twin = exact_twin(specimen, {"", still, in_frame(R), R, Vector3::UnitX(), ""});
     return twin.verdict == Verdict::pass || *twin.measure < 1e-3 * *result.measure;
   };
-  const TestResult unturned = exact_twin(specimen, "", still, in_frame(Q), Tensor::Identity(), Vector3::UnitX(), "");
+  const FrameTwins alike{"", still, in_frame(Q), Tensor::Identity(), Vector3::UnitX(), ""};
+  const TestResult unturned = exact_twin(specimen, alike);
   if (unturned.verdict == Verdict::pass) {
     result.cause = causes::rotation_missing;
     result.sentence += ", and the same as if the frame were not: it is the stress of the unturned body";
@@ -187,7 +225,7 @@ bool right_without_spin(const Specimen& specimen) {
   const Tensor Q = specimen.space.turn(angle);
   const Loading still = still_stretch(specimen), seen = turned_by(Q, still);
   try {
-    return exact_twin(specimen, "", still, seen, Q, Vector3::UnitX(), "").verdict == Verdict::pass;
+    return exact_twin(specimen, {"", still, seen, Q, Vector3::UnitX(), ""}).verdict == Verdict::pass;
   } catch (const MaterialFailure&) {
     return false;
   }
@@ -203,7 +241,7 @@ TestResult change_of_basis(const Specimen& specimen) {
   const Tensor Q = directed ? rotation_about_z(angle) : specimen.space.turn(angle);  // the third axis may be fixed
   const Loading still = out_and_back(specimen);
   const Loading seen{[=](double t) { return rotated(Q, still.F(t)); }, still.phases};
-  return exact_twin(specimen, "basis", still, seen, Q, Q * Vector3::UnitX(), "body and frame turned together");
+  return twin_or_tolerance(specimen, {"basis", still, seen, Q, Q * Vector3::UnitX(), "body and frame turned together"});
 }
 
 TestResult isotropy(const Specimen& specimen) {
@@ -214,12 +252,17 @@ TestResult isotropy(const Specimen& specimen) {
   const Loading still = out_and_back(specimen);
   const auto before = [&](const Tensor& Q) {
     const Loading seen{[=](double t) { return Tensor(still.F(t) * Q.transpose()); }, still.phases};
-    return exact_twin(specimen, "isotropy", still, seen, Tensor::Identity(), Vector3::UnitX(),
-                      "the same history of a body that was turned before");
+    return FrameTwins{"isotropy",
+                      still,
+                      seen,
+                      Tensor::Identity(),
+                      Vector3::UnitX(),
+                      "the same history of a body that was turned before"};
   };
-  TestResult result = before(specimen.space.turn(angle));
+  TestResult result = twin_or_tolerance(specimen, before(specimen.space.turn(angle)));
   if (result.verdict == Verdict::pass) return result;
-  if (exchanges_shears(specimen.space, [&](const Tensor& Q) { return before(Q).verdict == Verdict::pass; })) {
+  if (exchanges_shears(specimen.space,
+                       [&](const Tensor& Q) { return exact_twin(specimen, before(Q)).verdict == Verdict::pass; })) {
     result.cause = causes::components_swapped;
     result.sentence += "; right where the turn exchanges the axes 1 and 2: somewhere 13 and 23 change places";
   }

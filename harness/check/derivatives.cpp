@@ -60,39 +60,46 @@ std::optional<Tangent> offered(const Material& material, const assay_tangent& fo
   return within(Space(material), result);
 }
 
-TestResult not_offered(const char* id, const char* what) {
-  return {.id = id, .verdict = Verdict::not_applicable, .sentence = std::string("the model offers no ") + what};
-}
-
-}  // namespace
-
-double stored_energy(const Material& material, const assay_energy& form, const Tensor& F,
-                     const std::vector<double>& state) {
-  double nine[9], value = NAN;
-  for (int c = 0; c < 9; ++c) nine[c] = component(F, c);
-  return form.energy(material.self(), 1, nine, state.data(), &value) == ASSAY_FAILED ? NAN : value;
-}
-
-namespace {
-
-/// d sigma / d F of elasticity with the stiffness at rest: its Jaumann rate, of sigma or of J sigma.
-Tangent elastic_tangent(const Specimen& specimen, const Sample& s, bool of_kirchhoff) {
+/// d sigma / d F of a law whose Jaumann rate of sigma, or of J sigma, is C : d.
+Tangent hypoelastic_tangent(const Specimen& specimen, const Sample& s, const Stiffness& C, bool of_kirchhoff) {
   Tangent A;
   for (int column = 0; column < 9; ++column) {
     Tensor E = Tensor::Zero();
     component(E, column) = 1;
     const Tensor l = E * s.F1.inverse(), w = 0.5 * (l - l.transpose()), &sigma = s.end.cauchy;
-    Tensor d = stress_of(specimen.stiffness, l) + w * sigma - sigma * w;
+    Tensor d = stress_of(C, l) + w * sigma - sigma * w;
     if (of_kirchhoff) d -= l.trace() * sigma;
     for (int row = 0; row < 9; ++row) A(row, column) = component(d, row);
   }
   return within(specimen.space, A);
 }
 
+/// How far a tangent is from that of elasticity with a share of the stiffness at rest: with the whole of it, and with
+/// the share that fits best.
+struct FromElasticity {
+  double whole = INFINITY, fitted = INFINITY, share = 1;
+};
+
+FromElasticity from_elasticity(const Specimen& specimen, const Sample& s, const Tangent& given) {
+  FromElasticity found;
+  for (const bool of_kirchhoff : {false, true}) {
+    const Tangent turned = hypoelastic_tangent(specimen, s, Stiffness::Zero(), of_kirchhoff);
+    const Tangent whole = hypoelastic_tangent(specimen, s, specimen.stiffness, of_kirchhoff);
+    const Tangent elastic = whole - turned;
+    const double share = elastic.cwiseProduct(given - turned).sum() / elastic.squaredNorm();
+    const double miss = apart(given, turned + share * elastic);
+    found.whole = std::min(found.whole, apart(given, whole));
+    if (miss < found.fitted) found.fitted = miss, found.share = share;
+  }
+  return found;
+}
+
 /// The tangents that a model gives along a history, against differences of its stress.
 struct Tangents {
   double worst = 0;                           ///< relative
   double elastic = 0;                         ///< as wrong as if they were those of elasticity
+  double secant = 0;                          ///< of elasticity with a share of the stiffness
+  double least_share = 1, largest_share = 0;  ///< of these
   int given = 0, refused = 0;                 ///< in steps that do not end at a kink
   std::map<std::string, double> conventions;  ///< by its name, as wrong as if it were that one
 };
@@ -111,8 +118,11 @@ Tangents tangents_of(Specimen specimen, double amplitude, const assay_tangent& f
     ++(given ? found.given : found.refused);
     if (!given) continue;
     found.worst = std::max(found.worst, apart(*given, expected));
-    found.elastic = std::max(found.elastic, std::min(apart(*given, elastic_tangent(specimen, s, false)),
-                                                     apart(*given, elastic_tangent(specimen, s, true))));
+    const FromElasticity elasticity = from_elasticity(specimen, s, *given);
+    found.elastic = std::max(found.elastic, elasticity.whole);
+    found.secant = std::max(found.secant, elasticity.fitted);
+    found.least_share = std::min(found.least_share, elasticity.share);
+    found.largest_share = std::max(found.largest_share, std::abs(elasticity.share));
     for (const auto& [name, other] : other_conventions(expected, s.end.cauchy, s.F1)) {
       double& off = found.conventions[name];
       off = std::max(off, apart(*given, within(specimen.space, other)));
@@ -164,12 +174,36 @@ void judge_at_equal_stretches(const Specimen& specimen, const assay_tangent& for
 
 }  // namespace
 
+namespace {
+
+/// Of tangents that are wrong: what they are, where that can be told.
+std::string words_of(const Tangents& found, double worst) {
+  constexpr double within = 0.03;       // of a step's own strain and turn
+  constexpr double least_share = 0.01;  // of a stiffness that is left: less is none
+  const std::string wrong_by = "wrong by " + percent(worst);
+  if (!std::isfinite(found.worst)) return "the tangent is not finite";
+  if (found.refused > 0) {
+    return "the model refuses to give its tangent in " + std::to_string(found.refused) + " of " +
+           std::to_string(found.refused + found.given) + " steps";
+  }
+  if (found.secant <= within && found.largest_share <= least_share) return "no moduli are given: the tangent is zero";
+  if (found.elastic <= within) {
+    return "the tangent is that of elasticity, where the material flows, too: " + wrong_by;
+  }
+  if (found.secant <= within && found.least_share > least_share) {
+    return "the tangent is the secant, down to " + percent(found.least_share) +
+           " of the stiffness at rest: it leaves out how that share changes, and is " + wrong_by;
+  }
+  return "the tangent is " + wrong_by + " of its largest component";
+}
+
+}  // namespace
+
 TestResult tangent(const Specimen& specimen) {
   constexpr double alike = 1e-3;
   const double most = specimen.options.declarations.tangent_within;
-  constexpr double elastic_within = 0.03;  // of a step's own strain and turn
   const auto* form = specimen.material->extension<assay_tangent>(ASSAY_EXTENSION_TANGENT);
-  if (!form) return not_offered("tangent", "tangent");
+  if (!form) return {.id = "tangent", .verdict = Verdict::not_applicable, .sentence = "the model offers no tangent"};
   Tangents found;
   for (const double far : {10.0, 2.0}) {  // beyond the elastic range, in steps that an implicit law is written for
     found = tangents_of(specimen, std::min(specimen.amplitude, far * specimen.onset), *form);
@@ -190,91 +224,12 @@ TestResult tangent(const Specimen& specimen) {
   }
   result.verdict = Verdict::fail;
   result.cause = causes::tangent_wrong;
-  result.sentence = !std::isfinite(found.worst) ? "the tangent is not finite"
-                    : found.refused > 0 ? "the model refuses to give its tangent in " + std::to_string(found.refused) +
-                                              " of " + std::to_string(found.refused + found.given) + " steps"
-                    : found.elastic <= elastic_within
-                        ? "the tangent is that of elasticity, where the material flows, too: wrong by " + percent(worst)
-                        : "the tangent is wrong by " + percent(worst) + " of its largest component";
+  result.sentence = words_of(found, worst);
   const auto least = std::min_element(found.conventions.begin(), found.conventions.end(),
                                       [](const auto& a, const auto& b) { return a.second < b.second; });
   if (least == found.conventions.end() || least->second > alike) return result;
   result.cause = causes::tangent_convention;
   result.sentence = "the tangent is " + least->first + ", not " + specimen.options.declarations.tangent;
-  return result;
-}
-
-namespace {
-
-/// How far P is from the derivative of the energy, over the largest stress.
-struct EnergyError {
-  double worst = 0;
-  bool depends_on_F = false;
-};
-
-/// The derivative at a fixed state or, where the state is one of the current body (a conformation that goes with F), at
-/// that which steps in no time bring.
-EnergyError energy_error(const Specimen& specimen, const assay_energy& form, bool at_fixed_state) {
-  constexpr double brief = 1e-9;  // [s]
-  const Material& material = *specimen.material;
-  double worst = 0, scale = specimen.least_stress();
-  bool depends_on_F = material.state_size() == 0;
-  for (const Sample& s : samples_of(specimen)) {
-    // Held for a step: without a rate of deformation the stress is that of the energy.
-    const Point held = stepped(material, s.t + s.dt, s.dt, s.F1, s.F1, s.end.state);
-    const Tensor expected = first_piola_kirchhoff(held.cauchy, s.F1);
-    Tensor P = expected;
-    for (int c = 0; c < 9; ++c) {
-      if (!specimen.space.has(c)) continue;
-      const auto W = [&](double by) {
-        Tensor F = s.F1;
-        component(F, c) += by;
-        if (at_fixed_state) return stored_energy(material, form, F, held.state);
-        return stored_energy(material, form, F, stepped(material, s.t + s.dt, brief, s.F1, F, held.state).state);
-      };
-      const auto slope = [&](double h) { return (8 * (W(h) - W(-h)) - (W(2 * h) - W(-2 * h))) / (12 * h); };
-      const double fine = slope(1e-4), coarse = slope(1e-2), of_stress = component(expected, c);
-      // an energy in single precision is too rough for small differences
-      component(P, c) = std::abs(fine - of_stress) < std::abs(coarse - of_stress) ? fine : coarse;
-      depends_on_F = depends_on_F || !(W(0.01) == W(0));
-    }
-    scale = std::max(scale, P.cwiseAbs().maxCoeff());
-    const double error = distance(P, expected);
-    worst = std::isfinite(error) ? std::max(worst, error) : INFINITY;
-  }
-  return {worst / scale, depends_on_F};
-}
-
-/// INFINITY where the material does not take steps in no time.
-double energy_error_along_steps(const Specimen& specimen, const assay_energy& form) {
-  try {
-    return energy_error(specimen, form, false).worst;
-  } catch (const MaterialFailure&) {
-    return INFINITY;
-  }
-}
-
-}  // namespace
-
-TestResult energy(const Specimen& specimen) {
-  constexpr double most = 2e-4;
-  const auto* form = specimen.material->extension<assay_energy>(ASSAY_EXTENSION_ENERGY);
-  if (!form) return not_offered("energy", "energy");
-  const EnergyError found = energy_error(specimen, *form, true);
-  if (!found.depends_on_F) {
-    return {.id = "energy",
-            .verdict = Verdict::not_applicable,
-            .sentence = "the energy is one of the state alone: it has no derivative at a fixed state"};
-  }
-  double worst = found.worst;
-  if (worst > most && specimen.material->state_size() > 0) {
-    worst = std::min(worst, energy_error_along_steps(specimen, *form));
-  }
-  TestResult result{.id = "energy", .measure = worst, .threshold = most};
-  result.verdict = worst <= most ? Verdict::pass : Verdict::fail;
-  result.sentence = worst <= most ? "the stress is the derivative of the energy, to " + rounded(worst)
-                                  : "stress and derivative of the energy differ by " + rounded(worst);
-  if (worst > most) result.cause = causes::energy;
   return result;
 }
 

@@ -4,93 +4,101 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/check/rotation_diagnosis.hpp"
+#include "harness/check/diagnosis_rows.hpp"
 
 namespace assay::check {
 
 namespace {
 
-/// Tests that one mistake about rotations, stiffness or spectra fails as a whole.
-constexpr const char* of_frames[] = {
-    "elasticity.components",  "elasticity.shear",     "isotropy",        "rotation.constant", "basis",
-    "rotation.at_rest",       "rotation.before",      "rotation.during", "rotation.after",    "rotation.apex",
-    "rotation.fixed_stretch", "rotation.revolutions", "rotation.state",  "stretches.turning", "initial_stress"};
+/// A test that tells nothing of its own where another one fails.
+struct Consequence {
+  const char *test, *of;
+};
+constexpr Consequence consequences[] = {
+    {"dissipation", "energy"},  // without a right energy there is none to be lost
+    {"dissipation", "calls.increment"},
+    {"energy", "elasticity.major"},  // there is none
+    {"dissipation", "elasticity.major"},
+    {"elasticity.major", "elasticity.class"},  // a stiffness that is mixed up is seldom symmetric
+    {"clock", "calls.repeated"},               // what is kept elsewhere follows no clock
+};
 
 class Diagnostician {
  public:
-  Diagnostician(std::vector<TestResult>& tests, const Evidence& evidence)
-      : verdicts_(tests), tests_(tests), evidence_(evidence) {}
+  Diagnostician(std::vector<TestResult>& tests, const Evidence& evidence) : findings_{Verdicts(tests), evidence, {}} {}
 
   std::vector<Diagnosis> run() {
-    const std::optional<Diagnosis> components = of("elasticity.components"), shear = of("elasticity.shear");
-    const bool once_for_all = failed("rotation.constant") || failed("basis");
-    if (failed("calls.increment")) add(*of("calls.increment"));
-    if (failed("calls.increment") && !evidence_.has_state_that_turns) explained_ = true;  // nor has it a spin
-    if (failed("rest") && !rest_is_of_stretches()) {
-      // A pressure is the same in every frame: what else differs has a cause of its own.
-      if (evidence_.pressed_at_rest && failed("rotation.constant"))
-        add(*of("rest"));
-      else
-        explain(*of("rest"));
-    }
-    if (grows()) explain(*of("dissipation"));
-    if (failed("stretches.nearly_equal") && !once_for_all) explain(*of("stretches.nearly_equal"));
-    if (failed("zero_increment") && !once_for_all) add(*of("zero_increment"));
-    if (components && !explained_) explain(*components);
-    if (shear && (!explained_ || components)) explain(*shear);
-    if (const auto carried = of("initial_stress"); carried && carried->cause == causes::components_swapped) {
-      explain(*carried);
-    }
-    if (!explained_) {
-      if (const auto turning = diagnose_rotation(verdicts_, evidence_)) explain(*turning);
-    }
-    if (failed("symmetry") && !found_.empty() && found_.front().cause == causes::not_indifferent) {
-      found_.front() = *of("symmetry");  // which says more
-    }
-    if (failed("isotropy")) of_isotropy();
-    for (const TestResult& test : tests_) {
-      if (test.verdict != Verdict::fail) continue;
-      if (test.cause.empty() || (explained_ && is_of_frames(test.id))) continue;
-      if (!found_.empty() && test.cause == causes::no_convergence) continue;  // the weakest of all
-      if (test.id == "rest" && rest_is_of_stretches()) continue;
-      if (test.id == "dissipation" && (failed("energy") || failed("calls.increment")))
-        continue;                                                    // it tells nothing then
-      if (test.id == "clock" && failed("calls.repeated")) continue;  // nor of what is kept elsewhere
-      add({test.cause, test.sentence});
-    }
-    for (TestResult& test : tests_) {
-      if (test.verdict == Verdict::fail && (test.cause.empty() || (explained_ && is_of_frames(test.id)))) {
-        test.cause = found_.empty() ? causes::not_indifferent : found_.front().cause;
+    std::vector<const Row*> too_small;
+    for (const auto& rows : {rows_before_rotation(), rows_of_rotation(), rows_after_rotation()}) {
+      for (const Row& row : rows) {
+        if (!take(row, least_share * error_of_frames())) too_small.push_back(&row);
       }
     }
-    if (found_.empty()) {
-      for (const TestResult& test : tests_) {
-        if (test.verdict == Verdict::fail) add({test.cause, test.sentence});
-      }
+    for (const Row* row : too_small) add_beside(*row);
+    for (const TestResult& test : tests()) {
+      if (test.verdict == Verdict::fail && speaks_for_itself(test)) add({test.cause, test.sentence});
+    }
+    name_what_follows();
+    if (!found_.empty()) return found_;
+    for (const TestResult& test : tests()) {
+      if (test.verdict == Verdict::fail) add({test.cause, test.sentence});
     }
     return found_;
   }
 
  private:
-  static bool is_of_frames(const std::string& id) {
-    return std::any_of(std::begin(of_frames), std::end(of_frames), [&](const char* each) { return id == each; });
+  static constexpr double least_share = 0.05;  ///< a cause is of the size of what it explains
+
+  std::vector<TestResult>& tests() const { return findings_.verdicts.tests(); }
+
+  /// The largest error of the tests of frames, over the largest stress; what has none is no matter of size.
+  double error_of_frames() const {
+    double largest = 0;
+    for (const TestResult& test : tests()) {
+      const double measure = test.measure.value_or(0);
+      if (test.verdict == Verdict::fail && is_of(Explains::frames, test.id) && std::isfinite(measure)) {
+        largest = std::max(largest, measure);
+      }
+    }
+    return largest;
   }
 
-  TestResult* find(const std::string& id) const { return verdicts_.find(id); }
-  bool failed(const std::string& id) const { return verdicts_.failed(id); }
-  std::optional<Diagnosis> of(const std::string& id) const { return verdicts_.of(id); }
-
-  /// Whether a step at rest fails as other steps between equal stretches do.
-  bool rest_is_of_stretches() const {
-    const auto rest = of("rest"), equal = of("stretches.nearly_equal");
-    return rest && equal && equal->cause == causes::repeated_stretch &&
-           (rest->cause == causes::refuses || rest->cause == causes::not_finite);
+  static bool is_shut_out(const Row& row, const Findings& findings) {
+    return (row.beside == Beside::no_frames && findings.has_explained(Explains::frames)) ||
+           (row.beside == Beside::no_time && findings.has_explained(Explains::time));
   }
 
-  /// Whether a stress that is held grows without bounds: then no test of rotation means anything.
-  bool grows() const {
-    return failed("dissipation") && failed("rotation.revolutions") && !failed("rotation.constant") &&
-           !std::isfinite(find("rotation.revolutions")->measure.value_or(0));
+  /// False where what the row names would explain the tests of frames, and makes a smaller error than `least`.
+  bool take(const Row& row, double least) {
+    if (is_shut_out(row, findings_)) return true;
+    const std::optional<Suspicion> what = row.evidence(findings_);
+    if (!what) return true;
+    if (row.explains == Explains::frames && what->size < least) return false;
+    add({what->cause, what->sentence});
+    if (row.explains != Explains::its_own_test) findings_.explained.push_back(row.explains);
+    return true;
+  }
+
+  /// What is too small to explain the others, and wrong all the same.
+  void add_beside(const Row& row) {
+    if (const std::optional<Suspicion> what = row.evidence(findings_)) add({what->cause, what->sentence});
+  }
+
+  /// Whether a test that has failed tells a cause that does not follow from another one.
+  bool speaks_for_itself(const TestResult& test) const {
+    if (test.cause.empty() || findings_.is_explained(test.id)) return false;
+    if (!found_.empty() && test.cause == causes::no_convergence) return false;  // the weakest of all
+    if (test.id == "rest" && rest_is_of_stretches(findings_.verdicts)) return false;
+    return std::none_of(std::begin(consequences), std::end(consequences),
+                        [&](const Consequence& each) { return test.id == each.test && findings_.failed(each.of); });
+  }
+
+  /// A failed test that has no cause of its own has that of the first one found.
+  void name_what_follows() {
+    for (TestResult& test : tests()) {
+      if (test.verdict != Verdict::fail || !(test.cause.empty() || findings_.is_explained(test.id))) continue;
+      test.cause = found_.empty() ? causes::not_indifferent : found_.front().cause;
+    }
   }
 
   void add(const Diagnosis& diagnosis) {
@@ -98,24 +106,8 @@ class Diagnostician {
     if (std::none_of(found_.begin(), found_.end(), same)) found_.push_back(diagnosis);
   }
 
-  void explain(const Diagnosis& diagnosis) {
-    explained_ = true;
-    add(diagnosis);
-  }
-
-  void of_isotropy() {
-    if (explained_) return;
-    explained_ = failed("basis");
-    const bool swapped = find("isotropy")->cause == causes::components_swapped;
-    add({swapped ? causes::components_swapped : causes::not_isotropic,
-         "a body that was turned before it is loaded answers otherwise: " + find("isotropy")->sentence});
-  }
-
-  Verdicts verdicts_;
-  std::vector<TestResult>& tests_;
-  const Evidence& evidence_;
+  Findings findings_;
   std::vector<Diagnosis> found_;
-  bool explained_ = false;  ///< what the tests of frames have found
 };
 
 }  // namespace
@@ -130,12 +122,17 @@ const std::vector<std::string>& all_causes() {
                                             causes::state_not_rotated,
                                             causes::wrong_role,
                                             causes::not_isotropic,
+                                            causes::not_of_class,
                                             causes::repeated_stretch,
                                             causes::tangent_convention,
                                             causes::tangent_wrong,
                                             causes::hidden_state,
+                                            causes::kept_by_element,
+                                            causes::host_counters,
                                             causes::clock,
                                             causes::overrun,
+                                            causes::state_undeclared,
+                                            causes::properties_missing,
                                             causes::undeclared_increment,
                                             causes::not_indifferent,
                                             causes::stress_at_rest,
@@ -152,6 +149,11 @@ const std::vector<std::string>& all_causes() {
                                             causes::not_a_number,
                                             causes::no_stress,
                                             causes::refuses,
+                                            causes::refuses_length,
+                                            causes::missing_routine,
+                                            causes::not_reached,
+                                            causes::grows,
+                                            causes::single_precision,
                                             causes::not_finite,
                                             causes::not_symmetric,
                                             causes::ends_process,

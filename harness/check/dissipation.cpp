@@ -8,6 +8,7 @@
 #include "harness/check/derivatives.hpp"
 #include "harness/check/judge.hpp"
 #include "harness/check/potential.hpp"
+#include "harness/check/precision.hpp"
 #include "harness/check/strain_cycle.hpp"
 #include "harness/check/viscosity.hpp"
 #include "harness/check/work.hpp"
@@ -47,13 +48,13 @@ double out_of_rest(const Specimen& specimen, int steps, double time) {
   return std::isfinite(share) ? share : INFINITY;
 }
 
-/// By how much the deviator of a body that is held grows after it has been less, over the largest of it, from 1e-8 to
-/// 1e8 s in so many steps a decade.
-double growth_while_held(const Specimen& specimen, int a_decade) {
+/// By how much the deviator of a body that is held grows after it has been less, over the largest of it, from a time
+/// [s] to 1e8 s in so many steps a decade.
+double growth_while_held(const Specimen& specimen, double from, int a_decade) {
   const Material& material = *specimen.material;
   const double ratio = std::pow(10.0, 1.0 / a_decade);
   const Tensor F = specimen.space.stretch(specimen.amplitude, 0.3);
-  double t = 1e-8, least = INFINITY, largest = 0, growth = 0;
+  double t = from, least = INFINITY, largest = 0, growth = 0;
   Point now = stepped(material, 0, t, Tensor::Identity(), F, specimen.rest_state());
   while (t < 1e8) {
     const double dt = (ratio - 1) * t;
@@ -67,12 +68,12 @@ double growth_while_held(const Specimen& specimen, int a_decade) {
 }
 
 /// A part that relaxes the wrong way may hide among others that lose more, but not while nothing else moves.
-void judge_relaxation(const Specimen& specimen, TestResult& result) {
+void judge_relaxation(const Specimen& specimen, double from, TestResult& result) {
   constexpr double most = 0.01, same = 0.3;
   try {
-    const double coarse = growth_while_held(specimen, 8);
+    const double coarse = growth_while_held(specimen, from, 8);
     if (coarse <= most) return;
-    const double fine = growth_while_held(specimen, 24);
+    const double fine = growth_while_held(specimen, from, 24);
     if (fine <= most || std::abs(fine - coarse) > same * coarse) return;  // of the steps, not of the model
     result = {.id = "dissipation", .verdict = Verdict::fail, .measure = fine, .threshold = most};
     result.cause = causes::dissipation;
@@ -113,9 +114,9 @@ void judge_cycles(const Specimen& specimen, TestResult& result) {
                     " times while their number doubles: flow feeds what drives it";
 }
 
-/// What relaxes bears no more in a long step than in a sudden one.
-void judge_long_steps(const Specimen& specimen, TestResult& result) {
-  constexpr double most = 3, sudden = 1e-9;  // times; [s]
+/// What relaxes bears no more in a long step than in a sudden one [s].
+void judge_long_steps(const Specimen& specimen, double sudden, TestResult& result) {
+  constexpr double most = 3;  // times
   const Tensor F = specimen.space.stretch(specimen.amplitude, 0.3);
   const auto stress = [&](double length) {
     const Tensor found = stepped(*specimen.material, 0, length, Tensor::Identity(), F, specimen.rest_state()).cauchy;
@@ -137,6 +138,25 @@ void judge_long_steps(const Specimen& specimen, TestResult& result) {
     }
   } catch (const MaterialFailure&) {  // of the length of a step
   }
+}
+
+/// Of what depends on the rate. What fails in steps too brief for 24 bits, and not in longer ones, is no matter of
+/// work.
+void judge_rates(const Specimen& specimen, TestResult& result) {
+  constexpr double brief = 1e-9, longer = 1e-4;  // [s]
+  const auto judge = [&](double sudden, TestResult& of) {
+    judge_relaxation(specimen, 10 * sudden, of);
+    if (of.verdict == Verdict::pass) judge_long_steps(specimen, sudden, of);
+  };
+  TestResult in_longer = result;
+  judge(brief, result);
+  if (result.verdict == Verdict::pass || !is_of_single_precision(specimen)) return;
+  judge(longer, in_longer);
+  if (in_longer.verdict != Verdict::pass) return;
+  result.cause = causes::single_precision;
+  result.sentence =
+      "the stress has the 24 bits of single precision, which are too few in brief steps: " + result.sentence +
+      ". From steps of " + rounded(longer) + " s on it is right";
 }
 
 /// Unloading of what has yielded is elastic, or loses work.
@@ -192,8 +212,7 @@ TestResult dissipation(const Specimen& specimen) {
   if (result.verdict == Verdict::pass) result = viscosity(specimen, times).value_or(std::move(result));
   if (result.verdict != Verdict::pass) return result;
   if (specimen.rate_dependent()) {
-    judge_relaxation(specimen, result);
-    if (result.verdict == Verdict::pass) judge_long_steps(specimen, result);
+    judge_rates(specimen, result);
   } else {
     judge_cycles(specimen, result);
   }

@@ -13,11 +13,8 @@ namespace {
 
 constexpr double share = 1e-3;  ///< of the modulus: what central differences of single steps leave is 1e-5
 
-/// A stiffness of a material that declares isotropy: the whole one, or that of a part that relaxes.
-struct Elasticity {
-  Stiffness C;
-  std::string of;  ///< " at rest", or of which steps
-
+/// A stiffness of a material that declares isotropy.
+struct Elasticity : StiffnessOf {
   double modulus() const { return C.cwiseAbs().maxCoeff(); }
   double shear() const { return (C(0, 0) + C(1, 1) + C(2, 2) - C(0, 1) - C(1, 2) - C(2, 0)) / 3; }  ///< 2 mu
 
@@ -62,13 +59,7 @@ std::vector<Elasticity> all_of(const Specimen& specimen, std::string& why) {
     why = "the model does not claim to be isotropic";
     return all;
   }
-  for (const RelaxingPart& part : specimen.parts) {
-    const std::string length = rounded(part.brief) + " s";
-    all.push_back({part.stiffness, std::isinf(part.longer) ? " in steps of " + length
-                                                           : " of what relaxes between steps of " + length + " and " +
-                                                                 rounded(part.longer) + " s"});
-  }
-  if (specimen.linear) all.push_back({specimen.stiffness, " at rest"});
+  for (const StiffnessOf& each : linear_stiffnesses(specimen)) all.push_back({each});
   if (all.empty()) why = "the response to small strains from rest is not linear";
   return all;
 }
@@ -78,6 +69,18 @@ TestResult not_applicable(const char* id, const std::string& why) {
 }
 
 }  // namespace
+
+std::vector<StiffnessOf> linear_stiffnesses(const Specimen& specimen) {
+  std::vector<StiffnessOf> all;
+  for (const RelaxingPart& part : specimen.parts) {
+    const std::string length = rounded(part.brief) + " s";
+    all.push_back({part.stiffness, std::isinf(part.longer) ? " in steps of " + length
+                                                           : " of what relaxes between steps of " + length + " and " +
+                                                                 rounded(part.longer) + " s"});
+  }
+  if (specimen.linear) all.push_back({specimen.stiffness, " at rest"});
+  return all;
+}
 
 TestResult shear_components(const Specimen& specimen) {
   const char* id = "elasticity.components";

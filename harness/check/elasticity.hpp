@@ -2,9 +2,21 @@
 // What the stiffness at rest tells of a material that says it is isotropic.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "harness/check/specimen.hpp"
 
 namespace assay::check {
+
+/// A stiffness at rest: the whole one, or that of a part that relaxes.
+struct StiffnessOf {
+  Stiffness C;
+  std::string of;  ///< " at rest", or of which steps
+};
+
+/// Those of a material whose response to small strains from rest is linear, the whole one last.
+std::vector<StiffnessOf> linear_stiffnesses(const Specimen& specimen);
 
 /// Shears couple to their own stress alone: 13 to 13, 23 to 23. Fails with `components_swapped` where they are
 /// exchanged.

@@ -17,6 +17,15 @@ Point stepped(const Material& material, double t, double dt, const Tensor& F0, c
   return end;
 }
 
+bool takes(const Material& material, const FailedStep& step) {
+  try {
+    stepped(material, step.t, step.dt, step.F0, step.F1, step.state0);
+    return true;
+  } catch (const MaterialFailure&) {
+    return false;
+  }
+}
+
 March march(const Material& material, const Loading& loading, const MarchOptions& options) {
   March result;
   Point now{Tensor::Zero(), options.state};

@@ -42,6 +42,9 @@ struct MarchOptions {
 Point stepped(const Material& material, double t, double dt, const Tensor& F0, const Tensor& F1,
               const std::vector<double>& state0);
 
+/// Whether the material takes that step.
+bool takes(const Material& material, const FailedStep& step);
+
 /// Throws MaterialFailure.
 March march(const Material& material, const Loading& loading, const MarchOptions& options);
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <utility>
 
 #include "harness/check/judge.hpp"
 #include "harness/check/samples.hpp"
@@ -29,22 +31,38 @@ std::vector<Place> variables_of(const Material& material) {
   return all;
 }
 
-/// Whether a step gives anything else where the variable begins with another value.
-bool reads(const Material& material, const Sample& s, const Place& place) {
+/// What steps do with the value with which a variable begins.
+enum class Use { none, passed_on, read };
+
+/// The answer of a step where component c of the state begins with another value.
+Use use_of(const Material& material, const Sample& s, std::size_t c, double value) {
+  std::vector<double> state = s.state0;
+  state[c] = value;
+  try {
+    Point end = stepped(material, s.t, s.dt, s.F0, s.F1, state);
+    const bool same = end.state[c] == s.end.state[c];
+    const bool passed_on = end.state[c] == value && s.end.state[c] == s.state0[c];
+    if (end.cauchy != s.end.cauchy || !(same || passed_on)) return Use::read;
+    end.state[c] = s.end.state[c];
+    return end.state != s.end.state ? Use::read : same ? Use::none : Use::passed_on;
+  } catch (const MaterialFailure&) {
+    return Use::read;
+  }
+}
+
+Use use_of(const Material& material, const std::vector<Sample>& samples, const Place& place) {
   constexpr double change = 0.01;
-  for (std::size_t c = place.first; c < place.first + place.size; ++c) {
-    for (const double sign : {1.0, -1.0}) {  // a largest value so far hides what is below it
-      std::vector<double> state = s.state0;
-      state[c] += sign * change * (state[c] == 0 ? 1 : std::abs(state[c]));
-      try {
-        const Point end = stepped(material, s.t, s.dt, s.F0, s.F1, state);
-        if (end.cauchy != s.end.cauchy || end.state != s.end.state) return true;
-      } catch (const MaterialFailure&) {
-        return true;
+  Use most = Use::none;
+  for (const Sample& s : samples) {
+    for (std::size_t c = place.first; c < place.first + place.size; ++c) {
+      for (const double sign : {1.0, -1.0}) {  // a largest value so far hides what is below it
+        const double value = s.state0[c] + sign * change * (s.state0[c] == 0 ? 1 : std::abs(s.state0[c]));
+        most = std::max(most, use_of(material, s, c, value));
+        if (most == Use::read) return most;
       }
     }
   }
-  return false;
+  return most;
 }
 
 bool changes(const std::vector<Sample>& samples, const Place& place) {
@@ -80,41 +98,102 @@ bool is_of_the_last_step(const Specimen& specimen, std::size_t c) {
   return coarse > least * std::abs(first) && halves(fine, coarse) && halves(finest, fine);
 }
 
+/// Names of variables, each with its place in the table, in order.
+class Names {
+ public:
+  explicit Names(std::string numbered) : numbered_(std::move(numbered)) {}
+
+  void add(std::size_t at, const std::string& name) { all_.push_back({at, name}); }
+  bool empty() const { return all_.empty(); }
+
+  /// "'p', STATEV 3, 8-50": numbers that follow each other as one.
+  std::string text() const {
+    std::string words;
+    bool in_numbers = false;
+    for (std::size_t k = 0; k < all_.size();) {
+      const long number = number_of(all_[k].name);
+      std::size_t last = k;
+      while (number > 0 && last + 1 < all_.size() && follows(last)) ++last;
+      const std::string joint = words.empty() ? "" : ", ";
+      if (number == 0) {
+        words += joint + "'" + all_[k].name + "'";
+      } else {
+        words += joint + (in_numbers ? "" : numbered_ + " ") + std::to_string(number);
+        if (last > k) words += "-" + std::to_string(number_of(all_[last].name));
+      }
+      in_numbers = number > 0;
+      k = last + 1;
+    }
+    return words;
+  }
+
+ private:
+  struct Named {
+    std::size_t at;
+    std::string name;
+  };
+  /// 3 of "s3", where such names are numbers; else 0.
+  long number_of(const std::string& name) const {
+    const bool is_number = !numbered_.empty() && name.size() > 1 && name[0] == 's' &&
+                           name.find_first_not_of("0123456789", 1) == std::string::npos;
+    return is_number ? std::strtol(name.c_str() + 1, nullptr, 10) : 0;
+  }
+  bool follows(std::size_t k) const {
+    return all_[k + 1].at == all_[k].at + 1 && number_of(all_[k + 1].name) == number_of(all_[k].name) + 1;
+  }
+
+  std::string numbered_;
+  std::vector<Named> all_;
+};
+
+/// How steps use the variables of the state: those that matter to no step, and those that no step changes.
+struct Uses {
+  explicit Uses(const std::string& numbered) : unread(numbered), idle(numbered), constant(numbered) {}
+  Names unread, idle, constant;
+
+  std::string sentence() const {
+    std::string text;
+    if (!unread.empty()) text = "no step reads " + unread.text() + " of the state: no more than an output";
+    if (!idle.empty()) text += (text.empty() ? "" : "; ") + ("no step uses " + idle.text() + " of the state");
+    if (text.empty()) text = "steps read every variable of the state";
+    if (!constant.empty()) {
+      text += std::string("; ") + remark_words + "no step changes " + constant.text() + ", which steps read";
+    }
+    return text;
+  }
+};
+
+TestResult forgotten(const std::string& name) {
+  TestResult result{.id = "memory", .verdict = Verdict::fail, .measure = 1, .threshold = 0};
+  result.cause = causes::forgotten;
+  result.sentence = "no step reads '" + name +
+                    "' of the state, which departs from its first value by what the last step adds: nothing "
+                    "accumulates";
+  return result;
+}
+
 }  // namespace
 
 TestResult memory(const Specimen& specimen) {
   const Material& material = *specimen.material;
-  TestResult result{.id = "memory", .measure = 0, .threshold = 0};
   const std::vector<Place> all = variables_of(material);
   if (all.empty()) {
     return {.id = "memory", .verdict = Verdict::not_applicable, .sentence = "the model has no state of its own"};
   }
   const std::vector<Sample> samples = samples_of(specimen);
-  std::string unread, constant;
-  for (const Place& place : all) {
-    if (std::any_of(samples.begin(), samples.end(), [&](const Sample& s) { return reads(material, s, place); })) {
-      if (!changes(samples, place))
-        constant += (constant.empty() ? "'" : ", '") + std::string(place.variable->name) + "'";
-      continue;
-    }
+  Uses uses(specimen.options.declarations.numbered_state);
+  for (std::size_t v = 0; v < all.size(); ++v) {
+    const Place& place = all[v];
     const std::string name = place.variable->name;
-    unread += (unread.empty() ? "'" : ", '") + name + "'";
-    if (place.size != 1 || specimen.rest_state()[place.first] == 0 || !is_of_the_last_step(specimen, place.first)) {
-      continue;
-    }
-    result.measure = 1;
-    result.verdict = Verdict::fail;
-    result.cause = causes::forgotten;
-    result.sentence = "no step reads '" + name +
-                      "' of the state, which departs from its first value by what the last step adds: nothing "
-                      "accumulates";
-    return result;
+    const Use use = use_of(material, samples, place);
+    if (use == Use::passed_on) uses.idle.add(v, name);
+    if (use == Use::read && !changes(samples, place)) uses.constant.add(v, name);
+    if (use != Use::none) continue;
+    uses.unread.add(v, name);
+    const bool departs = place.size == 1 && specimen.rest_state()[place.first] != 0;
+    if (departs && is_of_the_last_step(specimen, place.first)) return forgotten(name);
   }
-  result.sentence = unread.empty() ? "steps read every variable of the state"
-                                   : "no step reads " + unread + " of the state: no more than an output";
-  if (!constant.empty())
-    result.sentence += std::string("; ") + remark_words + "no step changes " + constant + ", which steps read";
-  return result;
+  return {.id = "memory", .measure = 0, .threshold = 0, .sentence = uses.sentence()};
 }
 
 }  // namespace assay::check

@@ -39,6 +39,26 @@ bool pressed_at_rest(const Specimen& specimen) {
   return distance(deviator(stress), Tensor::Zero()) <= own_precision * stress.cwiseAbs().maxCoeff();
 }
 
+bool grows_at_rest(const Specimen& specimen) {
+  constexpr double significant = 1e-6, none = 1e-3, alike = 0.1, brief = 1e-6;  // of the modulus, of it, of it; [s]
+  const Tensor I = Tensor::Identity();
+  const auto stress_after = [&](double time, int steps) {
+    Point now{Tensor::Zero(), specimen.rest_state()};
+    for (int k = 0; k < steps; ++k) {
+      now = stepped(*specimen.material, time * k / steps, time / steps, I, I, now.state);
+    }
+    return Tensor(now.cauchy + specimen.rest_pressure() * I);
+  };
+  try {
+    const Tensor whole = stress_after(1, 1), parts = stress_after(1, 10);
+    const double size = whole.cwiseAbs().maxCoeff();
+    return size > significant * specimen.modulus && stress_after(brief, 1).cwiseAbs().maxCoeff() < none * size &&
+           distance(whole, parts) < alike * size;
+  } catch (const MaterialFailure&) {
+    return false;
+  }
+}
+
 TestResult symmetry(const Specimen& specimen) {
   constexpr double of_deviator = 0.05, significant = 1e-4;  // single precision leaves 1e-7 of the largest component
   const int steps = specimen.steps();

@@ -12,6 +12,10 @@ TestResult stress_at_rest(const Specimen& specimen);
 /// Whether the stress at F = I is a pressure, the same in every frame.
 bool pressed_at_rest(const Specimen& specimen);
 
+/// Whether a stress comes up at F = I that depends on the time alone, not on the number of steps: growth, swelling, a
+/// temperature of its own.
+bool grows_at_rest(const Specimen& specimen);
+
 /// sigma = sigma^T along the loading, which turns.
 TestResult symmetry(const Specimen& specimen);
 

@@ -26,9 +26,13 @@ double share_of(const Tensor& found, const Tensor& mistaken) {
   return found.cwiseProduct(mistaken).sum() / mistaken.squaredNorm();
 }
 
+/// 0 where the stress is of another kind: a body may swell in time.
 double small_strain_share(const Specimen& specimen) {
+  constexpr double alike = 0.2;
   const Tensor mistaken = stress_of(specimen.stiffness, little_turn(specimen.space, 1) - Tensor::Identity());
-  return share_of(stress_after(specimen, little_turn, 1), mistaken);
+  const Tensor found = stress_after(specimen, little_turn, 1);
+  const double share = share_of(found, mistaken);
+  return distance(found, share * mistaken) < alike * found.cwiseAbs().maxCoeff() ? share : 0;
 }
 
 /// The same after ages, when overstresses, which may know no mistake, are gone.

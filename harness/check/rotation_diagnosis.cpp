@@ -1,186 +1,244 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/check/rotation_diagnosis.hpp"
-
 #include <algorithm>
 #include <cmath>
 
+#include "harness/check/diagnosis_rows.hpp"
 #include "harness/check/judge.hpp"
 
 namespace assay::check {
 
 namespace {
 
-class RotationDiagnostician {
- public:
-  RotationDiagnostician(const Verdicts& verdicts, const Evidence& evidence)
-      : verdicts_(verdicts), evidence_(evidence) {}
+using Found = std::optional<Suspicion>;
 
-  std::optional<Diagnosis> run() const {
-    constexpr double small_strain_within = 0.1;
-    if (failed("rotation.at_rest") && std::abs(evidence_.at_rest.small_strain - 1) < small_strain_within) {
-      return Diagnosis{causes::small_strain,
-                       "a body that only turns by Q is stressed as by the strain sym(Q - I): the strain is not one of "
-                       "finite deformation"};
-    }
-    if (failed("rotation.constant") && std::abs(evidence_.at_rest.relaxing_small_strain - 1) < small_strain_within) {
-      return Diagnosis{causes::small_strain,
-                       "a body that only turns by Q has the viscous stress of the strain sym(Q - I): its rate is "
-                       "sym(F1 - F0)/dt, not that of finite deformation"};
-    }
-    TestResult* constant = find("rotation.constant");
-    if (constant && constant->cause == causes::shear_factor && failed("stretches.nearly_equal")) {
-      constant->cause = {};  // principal axes in a wrong order are right at right angles, too
-    }
-    if (failed("rotation.constant") && constant->cause == causes::rotation_missing) {
-      return of("rotation.constant");
-    }
-    std::optional<Diagnosis> of_step = of_turned_step();
-    if (failed("rotation.constant") && !constant->cause.empty() && !(of_step && of_step->cause == constant->cause)) {
-      return of("rotation.constant");
-    }
-    if (of_step) return of_step;
-    if (failed("rotation.constant") && !evidence_.drifting.empty()) {
-      return Diagnosis{causes::drifts, "'" + evidence_.drifting +
-                                           "' of the state changes in steps without deformation, " +
-                                           "and what follows shows it"};
-    }
-    if (failed("rotation.fixed_stretch")) return of_fixed_stretch();
-    if (failed("rotation.constant") && !evidence_.right_without_spin) {
-      return Diagnosis{causes::not_indifferent, find("rotation.constant")->sentence};
-    }
-    if (failed("rotation.after") || failed("rotation.during")) {
-      if (!evidence_.state.left_behind.empty()) {
-        return Diagnosis{causes::state_not_rotated, "the stress turns with the body, but " +
-                                                        evidence_.state.left_behind +
-                                                        " of the state does not, and the loads after that show it"};
-      }
-    }
-    if (failed("rotation.revolutions")) {
-      return Diagnosis{causes::explicit_spin, find("rotation.revolutions")->sentence};
-    }
-    for (const char* id : {"rotation.during", "rotation.after", "rotation.before", "rotation.at_rest"}) {
-      if (!failed(id)) continue;
-      return Diagnosis{find(id)->cause.empty() ? not_turned() : find(id)->cause, find(id)->sentence};
-    }
-    for (const char* id : {"rotation.constant", "basis"}) {
-      if (failed(id) && !(std::string(id) == "basis" && failed("isotropy"))) {
-        return Diagnosis{causes::not_indifferent, find(id)->sentence};
-      }
-    }
+constexpr double small_strain_within = 0.1;  ///< of the stress of sym(Q - I)
+constexpr double unmoved = 0.02;             ///< of the body's angle
+
+/// What a model is said to be of which no more is known; a stress that is not symmetric says more.
+Found unnamed(const Findings& f, const std::string& sentence) {
+  if (Found asymmetry = said_by(f, "symmetry")) return Suspicion{asymmetry->cause, asymmetry->sentence};
+  return Suspicion{causes::not_indifferent, sentence};
+}
+
+/// A law that turns nothing has no spin that could be wrong.
+Found not_turned(const Findings& f, const std::string& sentence) {
+  return f.evidence.has_spin ? Suspicion{causes::wrong_spin, sentence} : unnamed(f, sentence);
+}
+
+Found small_strain_at_rest(const Findings& f) {
+  if (!f.failed("rotation.at_rest") || !(std::abs(f.evidence.at_rest.small_strain - 1) < small_strain_within)) {
     return std::nullopt;
   }
+  return Suspicion{causes::small_strain,
+                   "a body that only turns by Q is stressed as by the strain sym(Q - I): the strain is not one of "
+                   "finite deformation"};
+}
 
- private:
-  TestResult* find(const std::string& id) const { return verdicts_.find(id); }
-  bool failed(const std::string& id) const { return verdicts_.failed(id); }
-  std::optional<Diagnosis> of(const std::string& id) const { return verdicts_.of(id); }
+Found small_strain_of_rates(const Findings& f) {
+  const bool is_small = std::abs(f.evidence.at_rest.relaxing_small_strain - 1) < small_strain_within;
+  if (!f.failed("rotation.constant") || !is_small) return std::nullopt;
+  return Suspicion{causes::small_strain,
+                   "a body that only turns by Q has the viscous stress of the strain sym(Q - I): its rate is "
+                   "sym(F1 - F0)/dt, not that of finite deformation"};
+}
 
-  /// A law that turns nothing has no spin that could be wrong.
-  const char* not_turned() const { return evidence_.has_spin ? causes::wrong_spin : causes::not_indifferent; }
-
-  static Diagnosis of_variable(const TurnedVariable& variable, Turned how) {
-    const std::string name = variable.is_stress ? "the stress" : "'" + variable.name + "' of the state";
-    switch (how) {
-      case Turned::with_13_and_23_exchanged:
-        return {causes::components_swapped, "components 13 and 23 of " + name + " change places when the body turns"};
-      case Turned::with_shear_factor:
-        return {causes::shear_factor, "the shear components of " + name + " are doubled or halved when it is turned"};
-      case Turned::not_at_all:
-        return {variable.is_stress ? causes::rotation_missing : causes::state_not_rotated,
-                name + " stays where it was when the body turns, and what follows takes it for a tensor"};
-      default:
-        return {causes::wrong_spin, name + " turns by " + rounded(variable.times) + " times the angle of the body"};
-    }
+Suspicion of_variable(const TurnedVariable& variable, Turned how) {
+  const std::string name = variable.is_stress ? "the stress" : "'" + variable.name + "' of the state";
+  switch (how) {
+    case Turned::with_13_and_23_exchanged:
+      return {causes::components_swapped, "components 13 and 23 of " + name + " change places when the body turns"};
+    case Turned::with_shear_factor:
+      return {causes::shear_factor, "the shear components of " + name + " are doubled or halved when it is turned"};
+    case Turned::not_at_all:
+      return {variable.is_stress ? causes::rotation_missing : causes::state_not_rotated,
+              name + " stays where it was when the body turns, and what follows takes it for a tensor"};
+    default:
+      return {causes::wrong_spin, name + " turns by " + rounded(variable.times) + " times the angle of the body"};
   }
+}
 
-  /// A single step tells which tensor it is; the stress before all others.
-  std::optional<Diagnosis> of_turned_step() const {
-    const bool turning_fails =
-        std::any_of(verdicts_.tests().begin(), verdicts_.tests().end(), [](const TestResult& test) {
-          const bool of_rotation = test.id.rfind("rotation.", 0) == 0 && test.id != "rotation.state";
-          const bool turns = of_rotation || test.id == "basis" || test.id == "stretches.turning";
-          return test.verdict == Verdict::fail && turns;
-        });
-    if (!turning_fails || !evidence_.turned) return std::nullopt;
-    const TurnedStep& step = *evidence_.turned;
-    if (step.stress != Turned::rightly) return of_variable({"", true, step.stress, 1}, step.stress);
-    std::optional<Diagnosis> found;
-    double farthest = -1;
-    for (const TurnedVariable& variable : step.carried) {
-      const auto same = [&](const TurnedVariable& other) { return other.name == variable.name; };
-      const auto taken = std::find_if(step.taken.begin(), step.taken.end(), same);
-      const Turned declared = variable.is_own ? Turned::not_at_all : Turned::rightly;
-      const Turned as = taken == step.taken.end() ? declared : taken->how;
-      const bool own_frame = as == Turned::not_at_all, misread = as != Turned::rightly && !own_frame;
-      const Turned how = misread ? as : variable.how;
-      const bool of_spin =
-          how == Turned::by_another_angle && (!failed("rotation.constant") || evidence_.right_without_spin);
-      if (how == Turned::by_another_angle && !of_spin) continue;
-      if (how == Turned::rightly || how == Turned::otherwise || (own_frame && how == Turned::not_at_all)) continue;
-      const double far = variable.is_stress ? INFINITY : std::abs(variable.times - 1);
-      if (far <= farthest) continue;
-      farthest = far;
-      found = of_variable(variable, how);
-    }
-    // A state that stays behind does not show in a frame that is turned once for all, nor less in smaller steps.
-    const bool other = failed("rotation.constant") || evidence_.fixed.result.order;
-    return found || other ? found : of_what_is_left(step);
+/// Beside a stress that turns rightly, something that turns in no way that has a name.
+Found what_is_left(const TurnedStep& step) {
+  bool stress_is_right = false;
+  const TurnedVariable* other = nullptr;
+  for (const TurnedVariable& variable : step.carried) {
+    if (variable.is_stress && variable.how == Turned::rightly) stress_is_right = true;
+    if (!variable.is_stress && variable.how == Turned::otherwise) other = &variable;
   }
+  if (!stress_is_right || !other) return std::nullopt;
+  return Suspicion{causes::state_not_rotated,
+                   "the stress turns with the body, but '" + other->name + "' of the state does not"};
+}
 
-  /// Beside a stress that turns rightly, something that turns in no way that has a name.
-  static std::optional<Diagnosis> of_what_is_left(const TurnedStep& step) {
-    bool stress_is_right = false;
-    const TurnedVariable* other = nullptr;
-    for (const TurnedVariable& variable : step.carried) {
-      if (variable.is_stress && variable.how == Turned::rightly) stress_is_right = true;
-      if (!variable.is_stress && variable.how == Turned::otherwise) other = &variable;
-    }
-    if (!stress_is_right || !other) return std::nullopt;
-    return Diagnosis{causes::state_not_rotated,
-                     "the stress turns with the body, but '" + other->name + "' of the state does not"};
+/// How a variable is treated that is wrong; nothing of one that is right, or turns in a way that has no name.
+std::optional<Turned> wrong_way(const Findings& f, const TurnedStep& step, const TurnedVariable& variable) {
+  const auto same = [&](const TurnedVariable& other) { return other.name == variable.name; };
+  const auto taken = std::find_if(step.taken.begin(), step.taken.end(), same);
+  const Turned declared = variable.is_own ? Turned::not_at_all : Turned::rightly;
+  const Turned as = taken == step.taken.end() ? declared : taken->how;
+  const bool own_frame = as == Turned::not_at_all, misread = as != Turned::rightly && !own_frame;
+  const Turned how = misread ? as : variable.how;
+  const bool of_spin = !f.failed("rotation.constant") || f.evidence.right_without_spin;
+  if (how == Turned::by_another_angle && !of_spin) return std::nullopt;
+  if (how == Turned::rightly || how == Turned::otherwise || (own_frame && how == Turned::not_at_all)) {
+    return std::nullopt;
   }
+  return how;
+}
 
-  /// The stress of a stretched body that turns: left where it was, turned by another angle, or by about the right one
-  /// in steps that are not rotations.
-  Diagnosis of_fixed_stretch() const {
-    constexpr double unmoved = 0.02;
-    const RotationFinding& fixed = evidence_.fixed;
-    if (fixed.turned && std::abs(*fixed.turned) <= unmoved) {
-      return Diagnosis{causes::rotation_missing, "the stress of a stretched body that turns stays where it was"};
-    }
-    if (failed("rotation.constant")) {
-      if (!evidence_.right_without_spin || !evidence_.has_spin) {
-        return Diagnosis{causes::not_indifferent, find("rotation.constant")->sentence};
-      }
-      return Diagnosis{causes::wrong_spin,
-                       "a stretch along axes that stand still is right in any frame, one along axes that turn is not: "
-                       "components of the spin are missing or mixed up"};
-    }
-    if (fixed.result.order) {  // falls with the step
-      return Diagnosis{causes::explicit_spin,
-                       "the stress is turned in steps that are no rotations, or a turn is taken for a "
-                       "strain: " +
-                           fixed.result.sentence};
-    }
-    if (fixed.turned && std::abs(*fixed.turned - 1) > unmoved) {
-      return Diagnosis{causes::wrong_spin,
-                       "the stress turns by " + rounded(*fixed.turned) + " times the angle by which the body turns"};
-    }
-    if (!evidence_.state.left_behind.empty()) {
-      return Diagnosis{causes::state_not_rotated, "of the state of a body that turns, " + evidence_.state.left_behind +
-                                                      " does not turn along, and the stress is wrong by that"};
-    }
-    return Diagnosis{not_turned(), fixed.result.sentence};
+bool any_turn_fails(const Findings& f) {
+  const std::vector<TestResult>& tests = f.verdicts.tests();
+  return std::any_of(tests.begin(), tests.end(), [](const TestResult& test) {
+    const bool of_rotation = test.id.starts_with("rotation.") && test.id != "rotation.state";
+    const bool turns = of_rotation || test.id == "basis" || test.id == "stretches.turning";
+    return test.verdict == Verdict::fail && turns;
+  });
+}
+
+/// A single step tells which tensor it is; the stress before all others.
+Found turned_step_of(const Findings& f) {
+  if (!any_turn_fails(f) || !f.evidence.turned) return std::nullopt;
+  const TurnedStep& step = *f.evidence.turned;
+  if (step.stress != Turned::rightly) return of_variable({"", true, step.stress, 1}, step.stress);
+  Found found;
+  double farthest = -1;
+  for (const TurnedVariable& variable : step.carried) {
+    const std::optional<Turned> how = wrong_way(f, step, variable);
+    const double far = variable.is_stress ? INFINITY : std::abs(variable.times - 1);
+    if (!how || far <= farthest) continue;
+    farthest = far;
+    found = of_variable(variable, *how);
   }
+  // A state that stays behind does not show in a frame that is turned once for all, nor less in smaller steps.
+  const bool other = f.failed("rotation.constant") || f.evidence.fixed.result.order;
+  return found || other ? found : what_is_left(step);
+}
 
-  const Verdicts& verdicts_;
-  const Evidence& evidence_;
+/// What the test itself has found out of frames that are turned once for all.
+Found constant_by_itself(const Findings& f) {
+  const Found said = said_by(f, "rotation.constant");
+  if (!said || said->cause.empty()) return std::nullopt;
+  // principal axes in a wrong order are right at right angles, too
+  if (said->cause == causes::shear_factor && f.failed("stretches.nearly_equal")) return std::nullopt;
+  return said;
+}
+
+Found unrotated_once_for_all(const Findings& f) {
+  const Found said = constant_by_itself(f);
+  return said && said->cause == causes::rotation_missing ? said : std::nullopt;
+}
+
+/// Where the turned step says the same, it also says of what.
+Found turned_once_for_all(const Findings& f) {
+  const Found said = constant_by_itself(f), step = turned_step_of(f);
+  return said && !(step && step->cause == said->cause) ? said : std::nullopt;
+}
+
+Found drift(const Findings& f) {
+  if (!f.failed("rotation.constant") || f.evidence.drifting.empty()) return std::nullopt;
+  return Suspicion{causes::drifts, "'" + f.evidence.drifting + "' of the state changes in steps without deformation, " +
+                                       "and what follows shows it"};
+}
+
+Found unmoved_at_fixed_stretch(const Findings& f) {
+  const RotationFinding& fixed = f.evidence.fixed;
+  if (!f.failed("rotation.fixed_stretch") || !fixed.turned || std::abs(*fixed.turned) > unmoved) return std::nullopt;
+  return Suspicion{causes::rotation_missing, "the stress of a stretched body that turns stays where it was"};
+}
+
+Found wrong_frame_at_fixed_stretch(const Findings& f) {
+  if (!f.failed("rotation.fixed_stretch") || !f.failed("rotation.constant")) return std::nullopt;
+  if (!f.evidence.right_without_spin || !f.evidence.has_spin) {
+    return unnamed(f, f.find("rotation.constant")->sentence);
+  }
+  return Suspicion{causes::wrong_spin,
+                   "a stretch along axes that stand still is right in any frame, one along axes that turn is not: "
+                   "components of the spin are missing or mixed up"};
+}
+
+Found no_rotations(const Findings& f) {
+  const RotationFinding& fixed = f.evidence.fixed;
+  if (!f.failed("rotation.fixed_stretch") || !fixed.result.order) return std::nullopt;  // falls with the step
+  return Suspicion{
+      causes::explicit_spin,
+      "the stress is turned in steps that are no rotations, or a turn is taken for a strain: " + fixed.result.sentence};
+}
+
+Found another_angle(const Findings& f) {
+  const RotationFinding& fixed = f.evidence.fixed;
+  if (!f.failed("rotation.fixed_stretch") || !fixed.turned || std::abs(*fixed.turned - 1) <= unmoved) {
+    return std::nullopt;
+  }
+  return Suspicion{causes::wrong_spin,
+                   "the stress turns by " + rounded(*fixed.turned) + " times the angle by which the body turns"};
+}
+
+Found left_behind_at_fixed_stretch(const Findings& f) {
+  if (!f.failed("rotation.fixed_stretch") || f.evidence.state.left_behind.empty()) return std::nullopt;
+  return Suspicion{causes::state_not_rotated, "of the state of a body that turns, " + f.evidence.state.left_behind +
+                                                  " does not turn along, and the stress is wrong by that"};
+}
+
+Found fixed_stretch(const Findings& f) {
+  if (!f.failed("rotation.fixed_stretch")) return std::nullopt;
+  return not_turned(f, f.evidence.fixed.result.sentence);
+}
+
+Found constant_with_a_stretch(const Findings& f) {
+  if (!f.failed("rotation.constant") || f.evidence.right_without_spin) return std::nullopt;
+  return unnamed(f, f.find("rotation.constant")->sentence);
+}
+
+Found left_behind(const Findings& f) {
+  const bool fails = f.failed("rotation.after") || f.failed("rotation.during");
+  if (!fails || f.evidence.state.left_behind.empty()) return std::nullopt;
+  return Suspicion{causes::state_not_rotated, "the stress turns with the body, but " + f.evidence.state.left_behind +
+                                                  " of the state does not, and the loads after that show it"};
+}
+
+Found growth_in_revolutions(const Findings& f) {
+  if (!f.failed("rotation.revolutions")) return std::nullopt;
+  return Suspicion{causes::explicit_spin, f.find("rotation.revolutions")->sentence};
+}
+
+Found any_turn(const Findings& f) {
+  for (const char* id : {"rotation.during", "rotation.after", "rotation.before", "rotation.at_rest"}) {
+    const Found said = said_by(f, id);
+    if (said) return said->cause.empty() ? not_turned(f, said->sentence) : said;
+  }
+  return std::nullopt;
+}
+
+Found any_frame(const Findings& f) {
+  for (const char* id : {"rotation.constant", "basis"}) {
+    const bool of_isotropy = std::string(id) == "basis" && f.failed("isotropy");
+    if (f.failed(id) && !of_isotropy) return unnamed(f, f.find(id)->sentence);
+  }
+  return std::nullopt;
+}
+
+constexpr Row rows[] = {
+    {small_strain_at_rest, Explains::frames, Beside::no_frames},
+    {small_strain_of_rates, Explains::frames, Beside::no_frames},
+    {unrotated_once_for_all, Explains::frames, Beside::no_frames},
+    {turned_once_for_all, Explains::frames, Beside::no_frames},
+    {turned_step_of, Explains::frames, Beside::no_frames},
+    {drift, Explains::frames, Beside::no_frames},
+    {unmoved_at_fixed_stretch, Explains::frames, Beside::no_frames},
+    {wrong_frame_at_fixed_stretch, Explains::frames, Beside::no_frames},
+    {no_rotations, Explains::frames, Beside::no_frames},
+    {another_angle, Explains::frames, Beside::no_frames},
+    {left_behind_at_fixed_stretch, Explains::frames, Beside::no_frames},
+    {fixed_stretch, Explains::frames, Beside::no_frames},
+    {constant_with_a_stretch, Explains::frames, Beside::no_frames},
+    {left_behind, Explains::frames, Beside::no_frames},
+    {growth_in_revolutions, Explains::frames, Beside::no_frames},
+    {any_turn, Explains::frames, Beside::no_frames},
+    {any_frame, Explains::frames, Beside::no_frames},
 };
 
 }  // namespace
 
-std::optional<Diagnosis> diagnose_rotation(const Verdicts& verdicts, const Evidence& evidence) {
-  return RotationDiagnostician(verdicts, evidence).run();
-}
+std::span<const Row> rows_of_rotation() { return rows; }
 
 }  // namespace assay::check

@@ -42,6 +42,7 @@ double amplitude_of(Specimen& specimen) {
       if (specimen.rate_dependent() || specimen.pressure > 0 || stress >= little * specimen.modulus * a) return a;
     } catch (const MaterialFailure& failure) {
       if (failure.not_finite) specimen.not_finite.emplace(failure);
+      if (!failure.not_finite) specimen.refusal.emplace(failure);
       specimen.has_refused |= !failure.not_finite;
       if (a < least_amplitude && stood == 0) throw;
     }
@@ -126,10 +127,12 @@ bool carries(const Material& material, double pressure) {
 
 double pressure_at_rest(const Material& material) {
   std::optional<MaterialFailure> failure;
+  constexpr double rounding = 1e-6;  // of a stress that is only carried along, over the strain of a probe: 1e-11
   const auto modulus = [&](double pressure) {
     if (!carries(material, pressure)) return 0.0;
     try {
-      return probed(material, pressure, 1).stiffness.cwiseAbs().maxCoeff();
+      const double found = probed(material, pressure, 1).stiffness.cwiseAbs().maxCoeff();
+      return found > rounding * pressure ? found : 0.0;
     } catch (const MaterialFailure& refusal) {
       if (pressure == 0) failure = refusal;
       return 0.0;
@@ -165,7 +168,7 @@ Specimen examine(const Material& material, const Options& options) {
   specimen.amplitude = amplitude_of(specimen);
   if (specimen.not_finite && !is_not_finite_beyond(specimen)) specimen.not_finite.reset();
   specimen.onset = specimen.linear ? onset_of(specimen, length) : specimen.amplitude;
-  if (!specimen.rate_dependent()) {  // what flows has no onset
+  if (!specimen.rate_dependent() && !options.effort.strain_is_asked) {  // what flows has no onset
     specimen.amplitude = std::min(specimen.amplitude, std::max(far_beyond * specimen.onset, least_of_most));
   }
   return specimen;

@@ -26,6 +26,8 @@ struct Specimen {
   /// At the least strain beyond `amplitude` that was tried, in short steps, too; nothing where the material flows in
   /// time before that.
   std::optional<MaterialFailure> not_finite = {};
+  /// By the model's own word, at the least strain beyond `amplitude` that was tried.
+  std::optional<MaterialFailure> refusal = {};
   double onset = 0;         ///< strain up to which it is nearly linear; what never is has none
   double pressure = 0;      ///< at rest [Pa]: some soils have no stiffness, or no state, without one
   double own_pressure = 0;  ///< [Pa], of a gas in absolute pressure: of a law that gives it without being asked

@@ -274,7 +274,7 @@ TEST(CheckReport, TextFitsEightyColumnsAndEndsWithTheDiagnosis) {
     std::istringstream page(check_text(broken(), verbosity));
     std::string line, last;
     for (; std::getline(page, line); last = line) EXPECT_LE(line.size(), 80u) << line;
-    EXPECT_EQ(last, "    the stress <stays> & \"waits\"");
+    EXPECT_EQ(last, "    more: assay check --explain \"increment rotation missing\"");
   }
   EXPECT_EQ(check_text(broken(), Verbosity::quiet).find("rest"), std::string::npos);
 }

@@ -75,6 +75,35 @@ TEST(CheckForeign, ATangentOfTheOtherStrainIsSaidInTheWordsOfDescriptions) {
   EXPECT_EQ(ending.said.find("row-major"), std::string::npos) << ending.said;
 }
 
+TEST(CheckForeign, ATangentOfWhichNothingIsSaidIsTakenForEither) {
+  if (!built("umat_neo_hookean")) GTEST_SKIP() << "no Fortran compiler";
+  const ScratchFolder scratch;
+  const std::string finite =
+      described(scratch, "umat_neo_hookean", "interface: umat\nproperties: {E: 1.0e3, nu: 0.3}\ndensity: 1000\n");
+  const Ending ending = assay({"check", finite, "-o", scratch / "check"});
+  EXPECT_EQ(ending.status, 0) << ending.said;
+  EXPECT_NE(ending.said.find("strain: finite"), std::string::npos) << ending.said;
+  EXPECT_NE(ending.said.find("settles it"), std::string::npos) << ending.said;
+  const Ending small = assay({"check", j2_of(scratch, "umat_j2", ""), "--quick", "-o", scratch / "check"});
+  EXPECT_EQ(small.status, 0) << small.said;
+  EXPECT_EQ(small.said.find("settles it"), std::string::npos) << small.said;
+}
+
+/// Energies that a UMAT leaves alone, and numbers of a state that is too long.
+TEST(CheckForeign, WhatNobodyUsesIsNoRemark) {
+  if (!built("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
+  const ScratchFolder scratch;
+  const std::string model = described(scratch, "umat_kinematic",
+                                      "interface: umat\nproperties: {E: 1.0e3, nu: 0.3, yield: 10, C: 50}\n"
+                                      "state: 50\nflags: [non_smooth]\ndensity: 1000\n");
+  const Ending brief = assay({"check", model, "--quick", "-o", scratch / "check"});
+  EXPECT_EQ(brief.status, 0) << brief.said;
+  EXPECT_EQ(brief.said.find("remark"), std::string::npos) << brief.said;
+  EXPECT_EQ(brief.said.find("SPD"), std::string::npos) << brief.said;
+  const Ending whole = assay({"check", model, "--quick", "--verbose", "-o", scratch / "check"});
+  EXPECT_NE(whole.said.find("STATEV 8-50"), std::string::npos) << whole.said;
+}
+
 TEST(CheckForeign, ATangentOfElasticityIsCalledThat) {
   if (!built("umat_j2_elastic_ddsdde")) GTEST_SKIP() << "no Fortran compiler";
   const ScratchFolder scratch;

@@ -90,6 +90,7 @@ contains
     type(assay_closed_form), target :: closed_form
     type(assay_reason), target :: reason
     type(assay_example), target :: example
+    type(assay_symmetry), target :: symmetry
     call add_extension(c_sizeof(rate), c_loc(rate), c_loc(rate%struct_size), c_loc(rate%rate))
     call add_extension(c_sizeof(tangent), c_loc(tangent), c_loc(tangent%struct_size), c_loc(tangent%tangent))
     call add_extension(c_sizeof(energy), c_loc(energy), c_loc(energy%struct_size), c_loc(energy%energy))
@@ -99,6 +100,8 @@ contains
                        c_loc(closed_form%tau))
     call add_extension(c_sizeof(reason), c_loc(reason), c_loc(reason%struct_size), c_loc(reason%reason))
     call add_extension(c_sizeof(example), c_loc(example), c_loc(example%struct_size), c_loc(example%parameters))
+    call add_extension(c_sizeof(symmetry), c_loc(symmetry), c_loc(symmetry%struct_size), &
+                       c_loc(symmetry%material_class))
   end subroutine of_extensions
 
   subroutine add_extension(bytes, begin, struct_size, member)
@@ -117,7 +120,9 @@ contains
       assay_scalar, assay_vector, assay_symmetric_tensor, assay_tensor, &
       assay_role_plain, assay_role_rotates_itself, assay_role_direction, &
       assay_isotropic, assay_cylindrically_orthotropic, assay_anisotropic, &
-      assay_non_smooth, assay_rate_dependent, assay_thread_safe, assay_uses_increment, assay_in_plane, &
+      assay_monoclinic, assay_orthotropic, assay_trigonal, assay_tetragonal, assay_hexagonal, &
+      assay_transversely_isotropic, assay_cubic, &
+      assay_non_smooth, assay_rate_dependent, assay_thread_safe, assay_uses_increment, assay_in_plane, assay_grows, &
       assay_baseline_simple_shear, assay_baseline_uniaxial_strain]
     do i = 1, size(constants)
       call add(int(constants(i), c_int64_t))

@@ -52,7 +52,7 @@ TEST(AbiFortran, ExtensionsHaveTheSameIds) {
     const std::regex line((*it)[1].str() + " = '" + (*it)[2].str() + "'", std::regex::icase);
     EXPECT_TRUE(std::regex_search(fortran, line)) << (*it)[1];
   }
-  EXPECT_EQ(seen, 7);
+  EXPECT_EQ(seen, 8);
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ class Callbacks : public testing::Test {
  protected:
   void make(Deed what) {
     WorkerStart start{"model\ntest.yaml\nlibrary: " + double_library("umat_callbacks") +
-                      "\ninterface: umat\nname: callbacks\nstate: {deed: " + std::to_string(what) +
-                      ", beginnings: scalar, of_sdvini: scalar}\n"};
+                      "\ninterface: umat\nname: callbacks\nstate: {deed: {initial: " + std::to_string(what) +
+                      "}, beginnings: scalar, of_sdvini: scalar}\n"};
     start.limits.seconds = 2;
     material_ = std::make_unique<Material>(remote_table(start), std::map<std::string, double>{});
     state_ = material_->initial_state(1);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace assay::adapters::test_guarded_arrays {
 namespace {
 
@@ -32,13 +34,27 @@ TEST(GuardedArrays, FencesKnownToStandAreNotLookedAt) {
   EXPECT_EQ(arrays.broken_fence(strain), "writes past STRESS, which has 6 components");
 }
 
-TEST(GuardedArrays, AnEmptyArrayHasAPlaceToPointTo) {
+TEST(GuardedArrays, AnEmptyArrayHasNoPlaceToWriteTo) {
   GuardedArrays arrays;
   const std::size_t none = arrays.add("STATEV", 0);
   arrays[none][0] = 1;
-  EXPECT_FALSE(arrays.broken_fence());
-  arrays[none][1] = 1;
   EXPECT_EQ(arrays.broken_fence(), "writes past STATEV, which has 0 components");
+}
+
+TEST(GuardedArrays, LendOtherWordsForALookAtWhatIsReadThere) {
+  GuardedArrays arrays(GuardedArrays::widest_fence);
+  const std::size_t stress = arrays.add("STRESS", 6), state = arrays.add("STATEV", 3);
+  std::vector<double> words(arrays.fence_words());
+  for (std::size_t w = 0; w < words.size(); ++w) words[w] = static_cast<double>(w);
+  arrays.lend(words);
+  const auto behind_state = static_cast<std::size_t>(arrays[state][3]);
+  EXPECT_EQ(arrays.place_of(behind_state).array, "STATEV");
+  EXPECT_EQ(arrays.place_of(behind_state).index, 4);
+  EXPECT_EQ(arrays.place_of(static_cast<std::size_t>(arrays[state][-1])).index, 0) << "before it";
+  EXPECT_EQ(arrays.place_of(static_cast<std::size_t>(arrays[stress][8])).array, "STRESS");
+  arrays[state][5] = -1;
+  EXPECT_EQ(arrays.take_back(words), std::vector<std::size_t>{behind_state + 2});
+  EXPECT_FALSE(arrays.broken_fence()) << "as before";
 }
 
 }  // namespace

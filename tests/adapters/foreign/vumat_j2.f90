@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: BSD-3-Clause
 ! J2 plasticity by radial return, linear isotropic hardening, in the axes of the Green-Naghdi rotation.
 ! PROPS: E, nu, yield stress, hardening modulus. State: equivalent plastic strain. Elastic at total time 0.
+! The words of CMNAME say what its stiffness depends on beside: LENGTH, PLACE, WARMTH, DENSITY, STEP_TIME.
 subroutine vumat(nblock, ndir, nshr, nstatev, nfieldv, nprops, lanneal, steptime, totaltime, dt, cmname, coordmp, &
                  charlength, props, density, straininc, relspininc, tempold, stretchold, defgradold, fieldold, &
                  stressold, stateold, enerinternold, enerinelasold, tempnew, stretchnew, defgradnew, fieldnew, &
@@ -18,13 +19,19 @@ subroutine vumat(nblock, ndir, nshr, nstatev, nfieldv, nprops, lanneal, steptime
                           fieldnew(nblock, nfieldv)
   real(dp), intent(inout) :: stressnew(nblock, ndir + nshr), statenew(nblock, nstatev), enerinternnew(nblock), &
                              enerinelasnew(nblock)
-  real(dp) :: lambda, shear, mean, mises, excess, increment, work, trial(ndir + nshr), deviator(ndir + nshr)
+  real(dp) :: lambda, at_rest, shear, mean, mises, excess, increment, work, trial(ndir + nshr), deviator(ndir + nshr)
   integer :: k, n
 
   n = ndir + nshr
   lambda = props(1) * props(2) / ((1 + props(2)) * (1 - 2 * props(2)))
-  shear = props(1) / (2 * (1 + props(2)))
+  at_rest = props(1) / (2 * (1 + props(2)))
   do k = 1, nblock
+    shear = at_rest
+    if (index(cmname, 'LENGTH') > 0) shear = shear * (1 + 0.1_dp * charlength(k))
+    if (index(cmname, 'PLACE') > 0) shear = shear * (1 + 0.1_dp * coordmp(k, 2))
+    if (index(cmname, 'WARMTH') > 0) shear = shear * (1 + 0.001_dp * tempnew(k))
+    if (index(cmname, 'DENSITY') > 0) shear = shear * (1 + 1e-5_dp * density(k))
+    if (index(cmname, 'STEP_TIME') > 0) shear = shear * (1 + 0.1_dp * steptime / totaltime)
     trial = stressold(k, :) + 2 * shear * straininc(k, :) ! tensor shear
     trial(1:3) = trial(1:3) + lambda * sum(straininc(k, 1:3))
     mean = sum(trial(1:3)) / 3

@@ -130,6 +130,21 @@ TEST_F(RemoteTable, ForwardsWhatANativeModelOffers) {
   EXPECT_GT(found, 0);
 }
 
+TEST_F(RemoteTable, KeepsTheClassOfSymmetry) {
+  const auto class_of = [](const assay_material* table) {
+    const auto* said = static_cast<const assay_symmetry*>(extension_of(table, ASSAY_EXTENSION_SYMMETRY));
+    return said && said->struct_size == sizeof(assay_symmetry) ? said->material_class : 0;
+  };
+  const auto there = [](const std::string& task) { return remote_table(start_with(task + "\n")); };
+  const std::string native = "library: " + built("materials/libneo_hookean.so");
+  const std::string wood = "library: " + built("materials/liborthotropic_cylindrical.so");
+  const std::string crystal = "library: " + double_library("umat_crystal") + "\ninterface: umat\n";
+  EXPECT_EQ(class_of(there(native)), 0);
+  EXPECT_EQ(class_of(there(wood)), ASSAY_ORTHOTROPIC);
+  EXPECT_EQ(class_of(there(crystal + "symmetry: cubic")), ASSAY_CUBIC);
+  EXPECT_EQ(class_of(there(crystal + "symmetry: anisotropic")), 0);
+}
+
 /// A batch of points of which the last but one is sheared too far.
 UpdateReport batch_with_a_bad_point(const std::string& plugin, std::size_t n, std::size_t bad) {
   const std::string library = built("tests/plugins/") + plugin;

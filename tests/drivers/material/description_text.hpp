@@ -32,8 +32,12 @@ class RandomDescription {
     if (interface_ == "umat") maybe("axes", any({"fixed", "corotational"}));
     maybe("fields", any({"{}", "{T: 1}", "{\"a b\": -2.5, \"1\": 0}"}));
     maybe("step", any({"1", "2"}));
+    if (interface_ != "mfront") maybe("npt", any({"1", "8"}));
+    if (interface_ == "umat" && chance()) {
+      text += any({"noel: 1\n", "noel: 100000\n", "elements: one\n", "elements: each\n"});
+    }
     maybe("strain", any({"small", "finite"}));
-    maybe("symmetry", any({"isotropic", "cylindrically_orthotropic", "anisotropic"}));
+    maybe("symmetry", any({"isotropic", "cylindrically_orthotropic", "anisotropic", "orthotropic", "cubic"}));
     maybe("flags", any({"[]", "[non_smooth]", "[thread_safe, rate_dependent]", "[non_smooth, non_smooth]"}));
     maybe("components", any({"4", "[6]", "[4, 6]", "[6, 4]"}));
     maybe("units", any({"{}", "{stress: MPa}", "{length: in, time: h}", "{stress: ksi, time: us, length: mm}"}));
@@ -68,8 +72,8 @@ class RandomDescription {
     std::string map;
     for (std::size_t k = random_() % 5; k > 0; --k) {
       map += (map.empty() ? "" : ", ") + key(k) + ": " +
-             any({"scalar", "vector", "symmetric_tensor", "strain", "tensor", "mandel", number(), "{}",
-                  "{kind: tensor, count: 3}", "{kind: strain, initial: " + number() + "}",
+             any({"scalar", "vector", "symmetric_tensor", "strain", "tensor", "mandel", "{initial: " + number() + "}",
+                  "{}", "{kind: tensor, count: 3}", "{kind: strain, initial: " + number() + "}",
                   "{kind: vector, initial: [1, " + number() + ", 3], unit: " + any(texts_) + "}"});
     }
     return "{" + map + "}";
@@ -106,6 +110,7 @@ inline void expect_same(const adapters::ForeignModel& a, const adapters::Foreign
     EXPECT_EQ(v.name + "|" + v.unit + "|" + v.doc, w.name + "|" + w.unit + "|" + w.doc);
     EXPECT_EQ(v.kind, w.kind);
     EXPECT_EQ(v.initial, w.initial);
+    EXPECT_EQ(v.kind_is_said, w.kind_is_said) << v.name;
   }
   EXPECT_EQ(a.kinematics, b.kinematics);
   EXPECT_EQ(a.axes, b.axes);
@@ -115,9 +120,15 @@ inline void expect_same(const adapters::ForeignModel& a, const adapters::Foreign
     EXPECT_EQ(a.fields[k].name, b.fields[k].name);
     EXPECT_EQ(a.fields[k].value, b.fields[k].value);
   }
+  EXPECT_EQ(a.element, b.element);
+  EXPECT_EQ(a.point, b.point);
+  EXPECT_EQ(a.each_its_element, b.each_its_element);
   EXPECT_EQ(a.finite_strain, b.finite_strain);
+  EXPECT_EQ(a.strain_is_said, b.strain_is_said);
   EXPECT_EQ(a.components, b.components);
+  EXPECT_EQ(a.components_are_said, b.components_are_said);
   EXPECT_EQ(a.symmetry, b.symmetry);
+  EXPECT_EQ(a.material_class, b.material_class);
   EXPECT_EQ(a.flags, b.flags);
   EXPECT_TRUE(a.units.stress == b.units.stress && a.units.time == b.units.time && a.units.length == b.units.length);
   EXPECT_EQ(a.temperature, b.temperature);

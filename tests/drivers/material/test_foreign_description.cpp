@@ -66,7 +66,7 @@ TEST(ForeignDescription, StateKeepsItsOrderInEveryForm) {
   EXPECT_EQ(model("state: 3").state[2].name, "s3");
   EXPECT_EQ(model("state: [b, a]").state[1].name, "a");
   const auto state =
-      model("state: {z: tensor, n: 0.8, a: {kind: strain, count: 2, initial: [1, 2, 3, 4, 5, 6]}}").state;
+      model("state: {z: tensor, n: {initial: 0.8}, a: {kind: strain, count: 2, initial: [1, 2, 3, 4, 5, 6]}}").state;
   ASSERT_EQ(state.size(), 4u);
   EXPECT_EQ(state[0].kind, Kind::tensor);
   EXPECT_EQ(state[1].initial, std::vector<double>{0.8});
@@ -80,6 +80,22 @@ TEST(ForeignDescription, InitialValuesOfMfrontAreAsManyAsTheyAre) {
   const MaterialDescription found = read_description(yaml, file);
   EXPECT_EQ(found.foreign->state[0].initial.size(), 9u);
   expect_same(read_description(description_yaml(found), file), found);
+}
+
+TEST(ForeignDescription, AClassOfSymmetryIsThatOfWhatIsAnisotropic) {
+  const auto of = [](const std::string& word) {
+    const adapters::ForeignModel found = model("symmetry: " + word);
+    return std::pair(found.symmetry, found.material_class);
+  };
+  EXPECT_EQ(of("isotropic"), std::pair(int{ASSAY_ISOTROPIC}, 0));
+  EXPECT_EQ(of("anisotropic"), std::pair(int{ASSAY_ANISOTROPIC}, 0));
+  EXPECT_EQ(of("monoclinic"), std::pair(int{ASSAY_ANISOTROPIC}, int{ASSAY_MONOCLINIC}));
+  EXPECT_EQ(of("orthotropic"), std::pair(int{ASSAY_ANISOTROPIC}, int{ASSAY_ORTHOTROPIC}));
+  EXPECT_EQ(of("trigonal"), std::pair(int{ASSAY_ANISOTROPIC}, int{ASSAY_TRIGONAL}));
+  EXPECT_EQ(of("tetragonal"), std::pair(int{ASSAY_ANISOTROPIC}, int{ASSAY_TETRAGONAL}));
+  EXPECT_EQ(of("hexagonal"), std::pair(int{ASSAY_ANISOTROPIC}, int{ASSAY_HEXAGONAL}));
+  EXPECT_EQ(of("transversely_isotropic"), std::pair(int{ASSAY_ANISOTROPIC}, int{ASSAY_TRANSVERSELY_ISOTROPIC}));
+  EXPECT_EQ(of("cubic"), std::pair(int{ASSAY_ANISOTROPIC}, int{ASSAY_CUBIC}));
 }
 
 TEST(ForeignDescription, OnlyAUmatIsToldItsAxes) {
@@ -109,7 +125,7 @@ TEST_P(BadForeignKey, IsOneLineAtItsPlace) {
 INSTANTIATE_TEST_SUITE_P(
     Keys, BadForeignKey,
     testing::Values(
-        BadKey{"propertys: {E: 1}", "1: propertys: unknown key (nearest: properties); known: library, name, interface"},
+        BadKey{"propertys: {E: 1}", "1: propertys: unknown key (nearest: properties); known: library, source, name, i"},
         BadKey{"parameters: {E: 1}", "1: parameters: unknown key"},
         BadKey{"properties: 3", "13: properties: must be a map of keys, found '3'"},
         BadKey{"properties: {E: {vale: 1}}", "18: properties.E.vale: unknown key (nearest: value); known: value, unit"},
@@ -122,7 +138,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadKey{"state: -1", "8: state: must be from 0 to 10000, found '-1'"},
         BadKey{"state: 1.5", "8: state: must be a whole number"},
         BadKey{"state: {a: vectr}", "12: state.a: unknown value 'vectr' (nearest: vector); known: scalar, vector"},
-        BadKey{"state: {a: .nan}", "12: state.a: must be a finite number"},
+        BadKey{"state: {a: .nan}", "12: state.a: a number alone may be a count or a first value"},
+        BadKey{"state: {a: 14}",
+               "12: state.a: a number alone may be a count or a first value: write {count: 14} or {initial: 14}"},
+        BadKey{"noel: 0", "7: noel: must be from 1 to"}, BadKey{"npt: 1.5", "6: npt: must be a whole number"},
+        BadKey{"elements: all", "11: elements: unknown value 'all'"},
         BadKey{"state: {a: {knd: vector}}", "13: state.a.knd: unknown key (nearest: kind); known: kind, count"},
         BadKey{"state: {a: {count: 0}}", "20: state.a.count: must be from 1 to 10000"},
         BadKey{"state: {a: {kind: vector, initial: [1, 2]}}",

@@ -82,7 +82,7 @@ TEST_F(Registry, RefusesInOneLineThatSaysWhere) {
 TEST_F(Registry, DescriptionsAreStrict) {
   const auto line = [&](const std::string& text) { return refused(write("d.yaml", text)); };
   const std::string file = (folder / "d.yaml").string(), library = "library: " + plugins + "two_models.so\n";
-  const std::string known = "library, name, interface, density, time_limit, memory_limit, parameters";
+  const std::string known = "library, name, interface, density, time_limit, memory_limit, files, parameters";
   EXPECT_EQ(line("name: x\n"), file + ":1:1: library: required and not given; known: " + known);
   EXPECT_EQ(line(library + "nmae: first\n"), file + ":2:1: nmae: unknown key (nearest: name); known: " + known);
   EXPECT_EQ(line(library + "interface: umap\n"),

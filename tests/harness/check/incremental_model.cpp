@@ -119,7 +119,7 @@ Tensor take(Model& m, const Step& step, Tensor& stress, Tensor& back, double& p)
 }  // namespace
 
 void update(void* self, const assay_step* step, std::size_t n, const double* state0, double* state1, double* cauchy,
-            std::int32_t* status, double*, char*) {
+            std::int32_t* status, double*, char* message) {
   auto& m = *static_cast<Model*>(self);
   for (std::size_t q = 0; q < n; ++q) {
     Tensor stress = read(state0, n, q, stress_at), back = read(state0, n, q, back_at);
@@ -134,7 +134,9 @@ void update(void* self, const assay_step* step, std::size_t n, const double* sta
     write(found, cauchy, n, q);
     const bool flows = p > state0[p_at * n + q];
     const bool refuses = m.defect == refuses_by_the_last_digits && flows && std::sin(1e13 * F1(0, 0)) > 0.9;
-    status[q] = refuses ? ASSAY_FAILED : ASSAY_GOOD;
+    const bool is_absent = m.defect == flows_by_an_absent_routine && flows;
+    if (is_absent) std::strcpy(message, "the model called dsyev_, which nobody provides");
+    status[q] = refuses || is_absent || (m.defect == refuses_to_flow && flows) ? ASSAY_FAILED : ASSAY_GOOD;
     // A batch whose points share what should be each one's own.
     if (m.defect == shared_scratch && n > 1) write(read(cauchy, n, 0), cauchy, n, q);
   }

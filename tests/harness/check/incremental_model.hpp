@@ -59,6 +59,8 @@ enum Defect : int {
   back_stress_kept_in_the_reference,
   unloading_undoes_flow,
   refuses_by_the_last_digits,
+  flows_by_an_absent_routine,
+  refuses_to_flow,
   defects
 };
 

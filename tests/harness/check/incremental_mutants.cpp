@@ -92,6 +92,8 @@ std::vector<Subject> subjects() {
                         {"creeps_at_rest", creeps_at_rest, drifts},
                         {"noise_of_its_own", noise_of_its_own, no_convergence},
                         {"swallows_nan", swallows_nan, not_a_number},
+                        {"flows_by_an_absent_routine", flows_by_an_absent_routine, missing_routine},
+                        {"refuses_to_flow", refuses_to_flow, refuses},
                         {"shear_once_in_norm", shear_once_in_norm, shear_factor},
                         {"swapped_flow", swapped_flow, components_swapped},
                         {"drops_initial_stress", drops_initial_stress, initial_stress},

@@ -71,7 +71,7 @@ Margin margin_of(const Subject& subject, const check::Report& report) {
   Margin margin{subject.name, subject.material.table().name, subject.cause, "", 0};
   for (const check::TestResult& test : report.tests) {
     const bool names = test.verdict == check::Verdict::fail && test.cause == subject.cause;
-    if (!good && !names) continue;
+    if ((!good && !names) || test.verdict == check::Verdict::not_applicable) continue;
     if (!good && margin.test.empty()) margin.test = test.id;
     if (!test.measure || !test.threshold || *test.threshold == 0) continue;
     const double share = *test.measure / *test.threshold, figure = std::isnan(share) ? INFINITY : share;

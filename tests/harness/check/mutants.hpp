@@ -66,6 +66,14 @@ namespace melt_mutants {
 std::vector<Subject> subjects();
 }
 
+/// Crystals and Hill's plasticity that declare a class of symmetry; and their mutants.
+namespace crystal_mutants {
+std::vector<Subject> subjects();
+}
+namespace hill_mutants {
+std::vector<Subject> subjects();
+}
+
 /// All of them.
 std::vector<Subject> all_subjects();
 

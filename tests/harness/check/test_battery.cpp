@@ -120,9 +120,11 @@ TEST(BatteryNegativeControl, AMarginThatIsWrongIsSeen) {
 
 TEST(Battery, EveryDiagnosisIsPlantedOnTwoKindsOfModel) {
   for (const std::string& cause : all_causes()) {
-    if (cause == causes::ends_process || cause == causes::disturbs_process || cause == causes::other_stress) {
-      continue;  // of the program, not of the battery
-    }
+    const std::set<std::string> of_the_program{
+        causes::ends_process,  causes::disturbs_process, causes::other_stress,      causes::state_undeclared,
+        causes::host_counters, causes::kept_by_element,  causes::properties_missing};
+    if (of_the_program.count(cause) == 1) continue;
+    if (cause == causes::not_reached || cause == causes::refuses_length) continue;  // of what is asked for: test_scope
     std::set<std::string> kinds;
     for (const auto& subject : all_subjects()) {
       if (subject.cause == cause) kinds.insert(subject.material.table().name);
@@ -143,6 +145,20 @@ TEST(Battery, PassesSinglePrecisionAtAnyModuli) {
     const Report report = run_battery(material, {.effort = {.quick = true}});
     EXPECT_TRUE(report.passes()) << "mu " << mu << ", lambda " << lambda << "\n" << told(report);
   }
+}
+
+/// What is declared to grow is not asked for what growth cannot hold.
+TEST(Battery, PassesWhatIsDeclaredToGrow) {
+  int count = 0;
+  for (const auto& subject : all_subjects()) {
+    if (subject.cause != causes::grows) continue;
+    ++count;
+    assay_material table = subject.material.table();
+    table.flags |= ASSAY_GROWS;
+    const Report report = run_battery(Material(&table, subject.material.named_parameters()));
+    EXPECT_TRUE(report.passes()) << subject.name << "\n" << told(report);
+  }
+  EXPECT_EQ(count, 2);
 }
 
 /// A material that refuses a step leaves the step.

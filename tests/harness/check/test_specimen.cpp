@@ -45,7 +45,7 @@ Material fragile(const std::map<std::string, double>& knobs) {
     assay_material t{};
     t.abi_major = ASSAY_ABI_MAJOR, t.struct_size = sizeof t;
     t.name = "fragile", t.version = "1", t.licence = "BSD-3-Clause", t.doc = "";
-    t.symmetry = ASSAY_ISOTROPIC, t.flags = ASSAY_THREAD_SAFE | ASSAY_NON_SMOOTH;
+    t.symmetry = ASSAY_ISOTROPIC, t.flags = ASSAY_THREAD_SAFE;
     t.parameter_count = 5, t.parameters = parameters, t.state_count = 1, t.state = state;
     t.create = [](const double* p, char*) -> void* { return new Fragile{p[0], p[1], p[2], p[3], p[4]}; };
     t.destroy = [](void* self) { delete static_cast<Fragile*>(self); };

@@ -46,6 +46,8 @@ enum Defect : int {
   refuses_large_stretches,
   moves_its_limit,
   static_scratch,
+  swells,
+  calls_an_absent_routine,
   defects
 };
 
@@ -171,7 +173,7 @@ check::Tangent tangent_of(const Model& m, const Tensor& F) {
 double stiffening(const Model& m, double state) { return m.defect == healing ? 1 + 2 * state : 1; }
 
 void update(void* self, const assay_step* step, std::size_t n, const double* state0, double* state1, double* cauchy,
-            std::int32_t* status, double*, char*) {
+            std::int32_t* status, double*, char* message) {
   auto& m = *static_cast<Model*>(self);
   for (std::size_t p = 0; p < n; ++p) {
     const Tensor F = read(step->F1, n, p);
@@ -179,10 +181,15 @@ void update(void* self, const assay_step* step, std::size_t n, const double* sta
     state1[p] = stretched > state0[p] ? stretched : state0[p];
     Tensor of = m.defect == of_mid_step ? Tensor(0.5 * (read(step->F0, n, p) + F)) : F;
     if (m.defect == static_scratch) of = by_way_of_statics(of);
+    if (m.defect == swells) of /= 1 + 0.1 * (step->t + step->dt);
     const double factor = near_limit(m, stretched);
     const Tensor sigma = factor * stiffening(m, state1[p]) * cauchy_of(m, of);
     for (std::size_t c = 0; c < 9; ++c) cauchy[c * n + p] = component(sigma, static_cast<int>(c));
     status[p] = factor > 0 ? ASSAY_GOOD : ASSAY_FAILED;
+    if (m.defect == calls_an_absent_routine && stretched > 1e-3) {
+      status[p] = ASSAY_FAILED;
+      std::strcpy(message, "the model called dgesv_, which nobody provides");
+    }
     if (m.defect == moves_its_limit && !(factor > 0)) m.limit = 1.05 * stretched;
   }
 }
@@ -289,7 +296,9 @@ std::vector<Subject> subjects() {
       {"stiffer_at_once", stiffer_at_once, jump},
       {"refuses_large_stretches", refuses_large_stretches, ""},
       {"moves_its_limit", moves_its_limit, hidden_state},
-      {"static_scratch", static_scratch, hidden_state}};
+      {"static_scratch", static_scratch, hidden_state},
+      {"swells", swells, grows},
+      {"calls_an_absent_routine", calls_an_absent_routine, missing_routine}};
   std::vector<Subject> subjects;
   for (const auto& [name, defect, cause] : list) {
     const bool has_both = defect == none || (defect >= transposed_tangent && defect <= doubled_energy);

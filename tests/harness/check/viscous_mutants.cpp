@@ -40,6 +40,8 @@ enum Defect : int {
   kept_in_another_order,
   kept_doubled,
   kept_in_the_reference,
+  integral_in_single_precision,
+  swells,
   defects
 };
 
@@ -119,6 +121,12 @@ Tensor kept(int defect, const Tensor& F, const Tensor& q, bool back) {
   }
 }
 
+/// (1 - exp(-x)) / x, the mean of what is left of a rate: to 24 bits, of which a small x keeps none.
+double integral_of_24_bits(double x) {
+  const float f = static_cast<float>(x);
+  return (1.0F - std::exp(-f)) / f;
+}
+
 /// Hencky's law beside two overstresses that relax.
 struct Solid {
   static constexpr std::size_t state_size = 12;
@@ -152,7 +160,9 @@ struct Solid {
     for (std::size_t k = 0; k < 2; ++k) {
       const int here = defect == slow_unturned ? (k == 1 ? unturned : none) : defect;
       const double time_of_step = defect == relaxes_by_the_step ? 0.01 : defect == grows ? -step.dt : step.dt;
-      const double left = std::exp(-time_of_step / time[k]), middle = std::sqrt(left);
+      const double left = std::exp(-time_of_step / time[k]);
+      const double middle =
+          defect == integral_in_single_precision ? integral_of_24_bits(time_of_step / time[k]) : std::sqrt(left);
       const Tensor before = left * kept(defect, step.F0, read_symmetric(state0 + 6 * k), true);
       const Tensor own = strain_of_part(defect, step, R, strain);
       const double sign = defect == wrong_branch && k == 1 ? -1 : 1;
@@ -190,7 +200,11 @@ struct Liquid {
     if (defect == of_last_call) before = statics.of_point.try_emplace(0, before).first->second;
     const double left = std::exp(-step.dt / time);
     const Tensor old = left * deviator(before) + sphere(before);
-    const Tensor added = 2 * mu * std::sqrt(left) * deviator(strain) + bulk * strain.trace() * Tensor::Identity();
+    const double middle =
+        defect == integral_in_single_precision ? integral_of_24_bits(step.dt / time) : std::sqrt(left);
+    const double swollen = defect == swells ? 0.1 * step.dt : 0;
+    const Tensor added =
+        2 * mu * middle * deviator(strain) + bulk * (strain.trace() - 3 * swollen) * Tensor::Identity();
     Tensor sigma = carried(defect, R, old) + R * added * R.transpose();
     if (defect == of_last_call) statics.of_point[0] = sigma;
     if (defect == swapped) sigma = exchanged(sigma);
@@ -298,8 +312,11 @@ std::vector<Subject> subjects() {
        {"explicit_convection", explicit_convection, explicit_spin},
        {"liquid_turned_as_strain", turned_as_strain, shear_factor},
        {"swapped_liquid", swapped, components_swapped},
-       {"stress_of_the_last_call", of_last_call, hidden_state}});
+       {"stress_of_the_last_call", of_last_call, hidden_state},
+       {"liquid_of_24_bits", integral_in_single_precision, single_precision},
+       {"swelling_liquid", swells, check::causes::grows}});
   add(all, &solid, {{"growing_overstress", grows, dissipation}}, {{"share", 4}});
+  add(all, &solid, {{"overstress_of_24_bits", integral_in_single_precision, single_precision}}, {{"share", 20}});
   add(all, &solid, {{"branch_that_relaxes_the_wrong_way", wrong_branch, dissipation}});
   static const assay_material own = table_of<Solid>("own_for_tests", flags, parameters, two_of_their_own);
   add(all, &own, {{"unturned_overstress_that_should_turn_itself", unturned, state_not_rotated}});

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/worker/missing_file.hpp"
+
+#include <algorithm>
+
+#include "adapters/worker/kept_output.hpp"
+
+namespace assay::adapters {
+
+namespace {
+
+/// The text between the quotes behind `at`; empty: none in that line.
+std::string quoted_behind(const std::string& text, std::size_t at) {
+  const std::size_t end = std::min(text.find('\n', at), text.size());
+  const std::size_t open = text.find_first_of("'\"", at);
+  const std::size_t close = open < end ? text.find(text[open], open + 1) : text.npos;
+  return close < end ? text.substr(open + 1, close - open - 1) : "";
+}
+
+std::string advice_for(const std::string& file, const std::string& what) {
+  const std::string shown = last_line(file);
+  const std::string item = shown.substr(shown.rfind('/') + 1);
+  return "; it " + what + " '" + shown + "' in the folder of its process, which is its own: files: [" + item +
+         "] in its description puts a file there";
+}
+
+}  // namespace
+
+std::string missing_file_words(const std::string& printed) {
+  for (const std::string words : {"Cannot open file ", "File '", "cannot open ", "Cannot open "}) {
+    const std::size_t at = printed.rfind(words);
+    if (at == printed.npos) continue;
+    const std::string line = printed.substr(at, printed.find('\n', at) - at);
+    const bool absent = line.find("No such file") != line.npos || line.find("does not exist") != line.npos;
+    const std::string file = quoted_behind(printed, at);
+    if (absent && !file.empty()) return advice_for(file, "looks for");
+  }
+  // An absent file is made when it is opened, and then it is empty.
+  const std::size_t end_of_file = printed.rfind("Fortran runtime error: End of file");
+  const std::size_t unit = end_of_file == printed.npos ? printed.npos : printed.rfind("file = '", end_of_file);
+  if (unit != printed.npos && printed.find('\n', unit) + 1 == end_of_file) {
+    const std::string file = quoted_behind(printed, unit);
+    if (!file.empty()) return advice_for(file, "finds nothing to read in");
+  }
+  const std::size_t other = printed.rfind(": No such file or directory");
+  if (other == printed.npos) return {};
+  const std::size_t begin = printed.find_last_of(" \n", other) + 1;
+  const std::string name = printed.substr(begin, other - begin);
+  if (name.find('.') != name.npos) return advice_for(name, "looks for");
+  return "; a file is looked for in the folder of its process, which is its own: `files` in its description puts files "
+         "there";
+}
+
+}  // namespace assay::adapters

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the program keeps what it can make again.
+#pragma once
+
+#include <string>
+
+namespace assay::drivers {
+
+/// ${ASSAY_CACHE_HOME:-${XDG_CACHE_HOME:-~/.cache}/assay}; empty where there is no home.
+std::string cache_home();
+
+/// Paths of the environment that are relative to the folder in which the program was started, made absolute: models and
+/// workers stand elsewhere. ASSAY_MATERIAL_PATH, ASSAY_CACHE_HOME, TMPDIR.
+void settle_environment();
+
+}  // namespace assay::drivers

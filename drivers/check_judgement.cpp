@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/check_judgement.hpp"
+
+#include <algorithm>
+
+#include "adapters/foreign/host_values.hpp"
+#include "drivers/check_beyond.hpp"
+#include "drivers/check_elements.hpp"
+#include "drivers/check_elsewhere.hpp"
+#include "drivers/check_foreign.hpp"
+#include "drivers/check_host.hpp"
+#include "drivers/check_state_blocks.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+/// In the process of the check points have the element that its tests give them.
+void keep_elements(const ResolvedMaterial& material) {
+  const auto* access = material.material.extension<adapters::HostAccess>(adapters::host_access);
+  if (access) access->keep_elements(material.material.self());
+}
+
+/// Whether the rest can be judged: what is read beyond the arrays spoils every other test.
+bool judge_beyond(const ResolvedMaterial& material, const CheckSettings& settings, const CheckReporter& reporter,
+                  check::Report& report) {
+  const bool asked = (settings.only.empty() || settings.only == beyond_test) && settings.without != beyond_test;
+  if (asked && reporter.begins) reporter.begins(beyond_test);
+  const auto found = asked ? reads_beyond(material, settings.effort) : std::nullopt;
+  if (!found) return true;
+  if (reporter.ends) reporter.ends(found->test);
+  report.effort = settings.effort;
+  report.tests.push_back(found->test);
+  report.diagnosis = found->causes;
+  if (found->causes.empty()) return settings.only != beyond_test;
+  for (const std::string& id : check::test_ids()) {
+    if (id == "loading" || !settings.only.empty()) continue;
+    report.tests.push_back({.id = id,
+                            .verdict = check::Verdict::not_applicable,
+                            .sentence = check::not_judged + (": " + found->test.cause)});
+  }
+  return false;
+}
+
+/// Behind what `before` holds.
+check::Report battery_of(const ResolvedMaterial& material, const CheckSettings& settings, const CheckReporter& reporter,
+                         check::Report before) {
+  const std::string only = settings.only == process_test ? std::string() : settings.only;
+  const bool repeats = only.empty() || only == "calls.repeated";
+  const check::History elsewhere =
+      repeats && reporter.first_calls ? history_elsewhere(material.material, settings.effort) : check::History();
+  const check::History others = repeats ? history_of_others(material, settings.effort) : check::History();
+  check::Report report = check::run_battery(material.material, {.effort = settings.effort,
+                                                                .only = only,
+                                                                .without = settings.without,
+                                                                .declarations = declarations_of(material),
+                                                                .elsewhere = elsewhere,
+                                                                .others_elsewhere = others,
+                                                                .begins = reporter.begins,
+                                                                .ends = reporter.ends});
+  report.tests.insert(report.tests.begin(), before.tests.begin(), before.tests.end());
+  return report;
+}
+
+/// What the model takes from its host, of one that can be loaded.
+void judge_host(const ResolvedMaterial& material, const CheckSettings& settings, const CheckReporter& reporter,
+                CheckedMaterial& checked) {
+  check::Report& report = checked.report;
+  judge_elements(material, report);
+  const bool asked = settings.only.empty() || settings.only == host_test;
+  const bool keeps_state = std::any_of(report.diagnosis.begin(), report.diagnosis.end(), [](const auto& each) {
+    return each.cause == check::causes::hidden_state || each.cause == check::causes::kept_by_element;
+  });
+  if (!asked || keeps_state || report.strain == 0) return;
+  if (reporter.begins) reporter.begins(host_test);
+  const auto found = depends_on_host(material, report.strain, report.pressure);
+  if (!found) return;
+  if (reporter.ends) reporter.ends(found->test);
+  report.tests.push_back(found->test);
+  checked.depends_on = found->depends_on;
+  if (found->test.verdict == check::Verdict::fail)
+    report.diagnosis.push_back({found->test.cause, found->test.sentence});
+}
+
+}  // namespace
+
+void judge(const ResolvedMaterial& material, const CheckSettings& settings, const CheckReporter& reporter,
+           CheckedMaterial& checked) {
+  keep_elements(material);
+  if (!judge_beyond(material, settings, reporter, checked.report)) return;
+  checked.report = battery_of(material, settings, reporter, checked.report);
+  for (std::string& what : foreign_not_tested(material)) checked.report.not_tested.push_back(std::move(what));
+  judge_foreign_tangent(material, checked.report);
+  tell_initial_values(material, checked.report);
+  judge_state_blocks(material, checked.report);
+  judge_host(material, settings, reporter, checked);
+}
+
+}  // namespace assay::drivers

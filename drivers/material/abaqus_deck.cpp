@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/material/abaqus_deck.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <map>
+
+#include "drivers/material/deck_keywords.hpp"
+#include "drivers/output/numbers.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr std::size_t items_a_line = 8;
+
+std::string deck_letters(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+bool is_user_material(const DeckBlock& block) { return block.is("usermaterial", 7); }
+bool is_section(const DeckBlock& block) { return block.is("solidsection", 6) || block.is("shellsection", 6); }
+
+bool tells_of_material(const DeckBlock& block) {
+  return block.is("material", 4) || is_user_material(block) || block.is("depvar", 3) || block.is("density", 3) ||
+         is_section(block) || block.is("initialconditions", 8) || block.is("parameter", 5);
+}
+
+/// "K = 1000." of *Parameter; what is no number is left to whoever uses it.
+using DeckNumbers = std::map<std::string, double>;
+
+DeckNumbers numbers_named_in(const std::vector<DeckBlock>& blocks) {
+  DeckNumbers numbers;
+  for (const DeckBlock& block : blocks) {
+    if (!block.is("parameter", 5)) continue;
+    for (const DeckLine& line : block.data) {
+      const std::string text = line.items.empty() ? "" : line.items[0];
+      const std::size_t equals = text.find('=');
+      std::string name = text.substr(0, equals), value = equals == text.npos ? "" : text.substr(equals + 1);
+      std::erase(name, ' ');
+      std::erase(value, ' ');
+      if (const auto number = deck_number(value)) numbers[deck_letters(name)] = *number;
+    }
+  }
+  return numbers;
+}
+
+double number_at(const DeckLine& line, std::size_t k, const std::string& key, const DeckNumbers& named) {
+  const std::string item = k < line.items.size() ? line.items[k] : "";
+  if (item.empty()) return 0;  // Abaqus' default
+  if (const auto number = deck_number(item)) return *number;
+  const bool is_name = item.size() > 2 && item.front() == '<' && item.back() == '>';
+  const auto found = named.find(is_name ? deck_letters(item.substr(1, item.size() - 2)) : "");
+  if (found != named.end()) return found->second;
+  throw InputError(
+      line.where, key,
+      "must be a number, found '" + one_line(item, 60) + "'" + (is_name ? ", to which no *Parameter gives one" : ""));
+}
+
+int count_in(const std::string& text, const Location& where, const std::string& key) {
+  constexpr std::int64_t most = 100000;
+  const auto count = parse_integer(text);
+  if (count && *count >= 0 && *count <= most) return static_cast<int>(*count);
+  throw InputError(where, key, "must be a whole number of 0 or more, found '" + one_line(text, 60) + "'");
+}
+
+/// CalculiX has a temperature behind the constants.
+bool is_temperature(const DeckBlock& block, std::size_t count) {
+  const std::size_t rows = block.data.size(), whole = count / items_a_line;
+  if (rows == 0 || rows != whole + 1) return false;
+  return block.data.back().items.size() == count % items_a_line + 1;
+}
+
+/// Eight a line; what is left out is zero.
+std::vector<double> constants_of(const DeckBlock& block, const DeckNumbers& named, std::vector<std::string>& notes) {
+  const std::string key = "*User Material", said = block.value("constants", 5);
+  if (said.empty()) throw InputError(block.where, key, "constants= is required and not given");
+  const auto count = static_cast<std::size_t>(count_in(said, block.where, "constants"));
+  const std::size_t rows = (count + items_a_line - 1) / items_a_line;
+  const bool temperature = is_temperature(block, count);
+  if (block.data.size() != rows && !temperature) {
+    throw InputError(block.where, key,
+                     "has " + std::to_string(block.data.size()) + " lines, and constants=" + said + " takes " +
+                         std::to_string(rows) + ", with eight numbers in each but the last");
+  }
+  std::vector<double> constants;
+  for (const DeckLine& line : block.data) {
+    if (line.items.size() > items_a_line) {
+      throw InputError(line.where, key,
+                       "has " + std::to_string(line.items.size()) + " numbers, and Abaqus takes eight a line");
+    }
+    for (std::size_t k = 0; k < items_a_line; ++k) constants.push_back(number_at(line, k, key, named));
+  }
+  constants.resize(count);
+  if (temperature) {
+    notes.push_back(block.where.text() + ": a number more than constants=" + said +
+                    " is taken for the temperature that CalculiX has there, and left out");
+  }
+  return constants;
+}
+
+void read_depvar(const DeckBlock& block, DeckMaterial& material) {
+  if (block.data.empty() || block.data[0].items.empty())
+    throw InputError(block.where, "*Depvar", "the number of variables is required and not given");
+  material.depvar = count_in(block.data[0].items[0], block.data[0].where, "*Depvar");
+  for (std::size_t row = 1; row < block.data.size(); ++row) {
+    const DeckLine& line = block.data[row];
+    if (line.items.size() < 2) continue;
+    const int number = count_in(line.items[0], line.where, "*Depvar");
+    if (number < 1 || number > material.depvar) {
+      throw InputError(line.where, "*Depvar",
+                       "names variable " + line.items[0] + " of " + std::to_string(material.depvar));
+    }
+    std::string doc = line.items.size() > 2 ? line.items[2] : "";
+    std::erase(doc, '"');
+    material.variables.push_back({number, line.items[1], doc});
+  }
+}
+
+/// Every material that has *User Material, with what stands below it.
+std::vector<DeckMaterial> materials_of(const std::vector<DeckBlock>& blocks, std::vector<std::string>& others) {
+  std::vector<DeckMaterial> all;
+  const DeckNumbers named = numbers_named_in(blocks);
+  DeckMaterial current;
+  bool has_constants = false, within = false;
+  const auto finish = [&] {
+    if (within) has_constants ? all.push_back(current) : others.push_back(current.name);
+    current = {};
+    has_constants = within = false;
+  };
+  for (const DeckBlock& block : blocks) {
+    if (block.is("material", 4)) {
+      finish();
+      within = true;
+      current.name = block.value("name");
+    } else if (within && is_user_material(block) && deck_letters(block.value("type")) != "thermal") {
+      current.constants = constants_of(block, named, current.notes);
+      has_constants = true;
+    } else if (within && block.is("depvar", 3)) {
+      read_depvar(block, current);
+    } else if (within && block.is("density", 3) && !block.data.empty()) {
+      current.density = number_at(block.data[0], 0, "*Density", named);
+    }
+  }
+  finish();
+  return all;
+}
+
+std::string names_of_materials(const std::vector<DeckMaterial>& materials) {
+  std::vector<std::string> names;
+  for (const DeckMaterial& material : materials) names.push_back(material.name);
+  return joined(names);
+}
+
+void add_remarks(const std::vector<DeckBlock>& blocks, DeckMaterial& material) {
+  for (const DeckBlock& block : blocks) {
+    const bool of_this = deck_letters(block.value("material")) == deck_letters(material.name);
+    if (is_section(block) && of_this && !block.value("orientation").empty()) {
+      material.notes.push_back(block.where.text() + ": it is used with an *Orientation, under which Abaqus turns the " +
+                               "axes of a UMAT with the body: axes: corotational would do the same");
+      break;
+    }
+  }
+  for (const DeckBlock& block : blocks) {
+    if (!block.is("initialconditions", 8) || deck_letters(block.value("type")) != "solution") continue;
+    material.notes.push_back(block.where.text() +
+                             ": *Initial Conditions give values of STATEV, which are not taken: write them as the " +
+                             "initial values of `state`");
+    break;
+  }
+}
+
+}  // namespace
+
+bool is_deck(const std::string& file) {
+  return deck_letters(std::filesystem::path(file).extension().string()) == ".inp";
+}
+
+std::optional<double> deck_number(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == 'd' || c == 'D'; }, 'e');
+  return text.starts_with(".inf") || text.starts_with(".nan") ? std::nullopt : parse_number(text);
+}
+
+DeckMaterial read_deck(const std::string& file, const std::string& asked, const std::string& key) {
+  std::vector<std::string> notes, others;
+  const std::vector<DeckBlock> blocks = deck_blocks(file, tells_of_material, notes);
+  std::vector<DeckMaterial> all = materials_of(blocks, others);
+  if (all.empty()) {
+    throw InputError({file}, "", "has no material with *User Material" + (notes.empty() ? "" : "; " + notes.front()),
+                     joined(others));
+  }
+  if (asked.empty() && all.size() > 1) {
+    throw InputError({file}, "", "has several materials with *User Material: choose one by " + key,
+                     names_of_materials(all));
+  }
+  const auto found = asked.empty() ? all.begin() : std::find_if(all.begin(), all.end(), [&](const DeckMaterial& each) {
+    return deck_letters(each.name) == deck_letters(asked);
+  });
+  if (found == all.end()) {
+    throw InputError({file}, "", "has no material '" + one_line(asked, 80) + "' with *User Material",
+                     names_of_materials(all));
+  }
+  add_remarks(blocks, *found);
+  found->notes.insert(found->notes.begin(), notes.begin(), notes.end());
+  return std::move(*found);
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/material/deck_keywords.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+namespace assay::drivers {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t longest_deck_line = std::size_t{1} << 16;
+
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r");
+  return begin == text.npos ? "" : text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
+}
+
+/// The parts between commas outside of quotes.
+std::vector<std::string> items_of(const std::string& line) {
+  std::vector<std::string> items;
+  std::string item;
+  bool quoted = false;
+  for (const char c : line) {
+    quoted ^= c == '"';
+    if (c == ',' && !quoted) {
+      items.push_back(trimmed(item));
+      item.clear();
+    } else {
+      item += c;
+    }
+  }
+  if (!trimmed(item).empty()) items.push_back(trimmed(item));
+  return items;
+}
+
+std::string keyword_word(std::string text) {
+  std::erase_if(text, [](unsigned char c) { return std::isspace(c) != 0; });
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+std::string without_quotes(const std::string& text) {
+  const bool quoted = text.size() >= 2 && text.front() == '"' && text.back() == '"';
+  return quoted ? text.substr(1, text.size() - 2) : text;
+}
+
+class DeckReader {
+ public:
+  DeckReader(const std::string& file, bool (*wanted)(const DeckBlock&), std::vector<std::string>& notes)
+      : folder_(fs::path(file).parent_path()), wanted_(wanted), notes_(notes) {
+    read(file, 0);
+  }
+
+  std::vector<DeckBlock> blocks() && { return std::move(blocks_); }
+
+ private:
+  void read(const std::string& file, int depth) {
+    std::ifstream in(file);
+    std::string line;
+    int number = 0;
+    while (std::getline(in, line)) {
+      ++number;
+      if (line.size() > longest_deck_line) continue;
+      line = trimmed(line);
+      if (line.starts_with("**") || line.empty()) continue;
+      if (open_ || line.starts_with('*')) {
+        add_keyword({file, number, 1}, line, depth);
+      } else if (keeps_) {
+        blocks_.back().data.push_back({{file, number, 1}, items_of(line)});
+      }
+    }
+    finish_keyword(depth);
+  }
+
+  /// A line that ends in a comma goes on in the next.
+  void add_keyword(const Location& where, const std::string& line, int depth) {
+    if (!open_) begin_ = where;
+    keyword_ += line;
+    open_ = line.ends_with(',');
+    if (!open_) finish_keyword(depth);
+  }
+
+  void finish_keyword(int depth) {
+    const std::vector<std::string> items = items_of(keyword_);
+    keyword_.clear();
+    open_ = false;
+    if (items.empty()) return;
+    DeckBlock block;
+    block.keyword = keyword_word(items.front().substr(1));
+    block.where = begin_;
+    for (std::size_t k = 1; k < items.size(); ++k) {
+      const std::size_t equals = std::min(items[k].find('='), items[k].size());
+      const std::string value = equals < items[k].size() ? trimmed(items[k].substr(equals + 1)) : "";
+      block.parameters[keyword_word(items[k].substr(0, equals))] = without_quotes(value);
+    }
+    if (block.is("include", 4)) return include(block, depth);
+    keeps_ = wanted_(block);
+    if (keeps_) blocks_.push_back(std::move(block));
+  }
+
+  /// Abaqus looks in the folder of the job.
+  void include(const DeckBlock& block, int depth) {
+    constexpr int deepest = 10;
+    const std::string name = block.value(block.parameters.contains("input") ? "input" : "file");
+    const fs::path file = folder_ / name;
+    std::error_code code;
+    keeps_ = false;
+    if (depth < deepest && fs::is_regular_file(file, code)) return read(file.string(), depth + 1);
+    notes_.push_back(block.where.text() + ": *Include: '" + one_line(name, 200) + "' cannot be read, and is left out");
+  }
+
+  fs::path folder_;
+  bool (*wanted_)(const DeckBlock&);
+  std::vector<std::string>& notes_;
+  std::vector<DeckBlock> blocks_;
+  std::string keyword_;  ///< of the keyword that is being read
+  Location begin_;
+  bool open_ = false, keeps_ = false;
+};
+
+}  // namespace
+
+bool DeckBlock::is(const std::string& whole, std::size_t least) const {
+  return keyword.size() >= least && whole.starts_with(keyword);
+}
+
+std::string DeckBlock::value(const std::string& parameter, std::size_t least) const {
+  const auto found = std::find_if(parameters.begin(), parameters.end(), [&](const auto& each) {
+    return each.first == parameter || (each.first.size() >= least && parameter.starts_with(each.first));
+  });
+  return found == parameters.end() ? "" : found->second;
+}
+
+std::vector<DeckBlock> deck_blocks(const std::string& file, bool (*wanted)(const DeckBlock& block),
+                                   std::vector<std::string>& notes) {
+  std::error_code code;
+  if (!fs::is_regular_file(file, code) || !std::ifstream(file)) {
+    throw InputError({file}, "", fs::exists(file, code) ? "is no file that can be read" : "no such file");
+  }
+  return DeckReader(file, wanted, notes).blocks();
+}
+
+}  // namespace assay::drivers

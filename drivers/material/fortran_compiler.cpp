@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/material/fortran_compiler.hpp"
+
+#include <fcntl.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <sstream>
+
+#include "drivers/material/tool_process.hpp"
+#include "drivers/output/numbers.hpp"
+#include "drivers/output/whole_file.hpp"
+
+namespace assay::drivers {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string first_line_of(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// Asked once by each process.
+std::string version_of_compiler(const std::string& program) {
+  static std::mutex guard;
+  static std::map<std::string, std::string> known;
+  const std::lock_guard lock(guard);
+  if (const auto at = known.find(program); at != known.end()) return at->second;
+  const ToolEnd asked = run_tool({.program = program, .arguments = {"--version"}, .limit_s = 20});
+  const std::string version = one_line(first_line_of(asked.said), 200);
+  if (asked.status != 0 || version.find("Fortran") == std::string::npos) {
+    throw SystemError("'" + program + "' is no gfortran that works: " + version);
+  }
+  return known[program] = version;
+}
+
+/// The word after the last blank of "GNU Fortran (Debian 12.2.0-14) 12.2.0".
+int major_version(const FortranCompiler& compiler) {
+  const std::string word = compiler.version.substr(compiler.version.rfind(' ') + 1);
+  return static_cast<int>(parse_integer(word.substr(0, word.find('.'))).value_or(0));
+}
+
+/// The files that Abaqus has, and those of the source's folder under the names that the source has for them.
+void provide_includes(const FortranSource& source, const fs::path& folder) {
+  for (const IncludedFile& include : source.includes) {
+    const fs::path name = fs::path(include.name).lexically_normal(), place = folder / name;
+    std::error_code code;
+    if (name.empty() || name.is_absolute() || *name.begin() == ".." || fs::exists(place, code)) continue;
+    fs::create_directories(place.parent_path(), code);
+    if (code) fail(place.parent_path(), "cannot be made", code);
+    if (include.path.empty() || !include.adapted.empty()) {
+      write_bytes(place, include.adapted.empty() ? include.bytes : include.adapted, O_CREAT | O_EXCL);
+    } else if (fs::path(include.path).filename() != name.filename()) {
+      fs::create_symlink(include.path, place, code);
+    }
+  }
+}
+
+/// Whether gfortran is given another text than that of the files.
+bool is_adapted(const FortranSource& source) {
+  return !source.adapted.empty() || std::any_of(source.includes.begin(), source.includes.end(),
+                                                [](const IncludedFile& each) { return !each.adapted.empty(); });
+}
+
+/// "./model.f:4:72: Error: Syntax error in argument list at (1)".
+struct CompilerMessage {
+  Location where;
+  std::string text;
+};
+
+std::optional<CompilerMessage> message_of(const std::string& line) {
+  for (const std::string word : {": Error: ", ": Fatal Error: "}) {
+    const std::size_t at = line.find(word);
+    if (at == line.npos) continue;
+    CompilerMessage message{{line.substr(0, at)}, line.substr(at + word.size())};
+    std::string& file = message.where.file;
+    for (int* number : {&message.where.column, &message.where.line}) {
+      const std::size_t colon = file.rfind(':');
+      const auto value = colon == file.npos ? std::nullopt : parse_integer(file.substr(colon + 1));
+      if (!value) break;
+      *number = static_cast<int>(*value);
+      file.resize(colon);
+    }
+    return message;
+  }
+  return std::nullopt;
+}
+
+/// Its own words without the marks of the compiler's drawing.
+std::string plain_message(std::string text) {
+  for (const std::string mark : {" at (1)", " at (2)", " (1)", "(1)"}) {
+    if (text.ends_with(mark)) text.resize(text.size() - mark.size());
+  }
+  return text;
+}
+
+InputError refusal_of_compiler(const FortranSource& source, const FortranCompiler& compiler, const std::string& said) {
+  std::istringstream lines(said);
+  std::string line, text;
+  std::optional<CompilerMessage> first;
+  int errors = 0;
+  while (std::getline(lines, line)) {
+    const auto message = message_of(line);
+    if (!message) continue;
+    if (!first) first = message;
+    if (text.empty()) text = plain_message(message->text);
+    if (!plain_message(message->text).empty()) ++errors;
+  }
+  if (!first) return InputError({source.file}, "", "does not compile: " + one_line(said, 300));
+  if (first->where.file.starts_with("./") || first->where.file.find('/') == std::string::npos) {
+    first->where.file = (fs::path(source.file).parent_path() / first->where.file).lexically_normal().string();
+  }
+  const bool fixed = source.form.form == FortranForm::fixed;
+  std::string more = errors > 1 ? "; " + std::to_string(errors - 1) + " more" : "";
+  if (source.has_cards) {
+    more +=
+        "; columns 73 to 80 hold the numbers of punched cards, which Abaqus reads as code: " + card_remedy(source.file);
+  } else if (source.cut_line > 0) {
+    more += "; what stands beyond column 132, as in line " + std::to_string(source.cut_line) + ", is cut";
+  } else if (!source.form.why.empty()) {
+    more += std::string("; it was taken for ") + (fixed ? "fixed" : "free") + " form " + source.form.why;
+  }
+  return {first->where, "", "does not compile: " + text + more + " (" + compiler.version + ")"};
+}
+
+}  // namespace
+
+FortranCompiler find_fortran_compiler(const std::string& file) {
+  const char* named = std::getenv("FC");
+  const std::string choice = named ? named : "";
+  FortranCompiler compiler;
+  if (fs::path(choice).filename().string().find("gfortran") != std::string::npos) {
+    compiler.program = choice.starts_with('/') ? choice : tool_in_path(choice);
+  }
+  if (compiler.program.empty()) compiler.program = tool_in_path("gfortran");
+  if (compiler.program.empty()) {
+    throw SystemError(file + ": is Fortran source, and there is no gfortran in $PATH to compile it: install one " +
+                      "(Debian: apt install gfortran), or give a library that is built elsewhere");
+  }
+  compiler.version = version_of_compiler(compiler.program);
+  return compiler;
+}
+
+std::vector<std::string> flags_for(const FortranSource& source, const FortranCompiler& compiler) {
+  const bool fixed = source.form.form == FortranForm::fixed;
+  std::vector<std::string> flags{"-shared",     "-fPIC", "-O2", "-ffp-contract=off",
+                                 "-frecursive",  // local variables on the stack, as by Abaqus' -auto
+                                 "-std=legacy", "-fdec", "-w",  "-fno-diagnostics-show-caret"};
+  constexpr int first_strict_version = 10;  // which takes arguments that do not match for errors
+  if (major_version(compiler) >= first_strict_version) {
+    flags.insert(flags.end(), {"-fallow-argument-mismatch", "-fallow-invalid-boz"});
+  }
+  flags.emplace_back(fixed ? "-ffixed-form" : "-ffree-form");
+  flags.push_back(fixed ? "-ffixed-line-length-" + std::to_string(abaqus_columns) : "-ffree-line-length-none");
+  flags.insert(flags.end(), {"-x", source.preprocessed ? "f95-cpp-input" : "f95"});
+  return flags;
+}
+
+void compile_library(const FortranSource& source, const FortranCompiler& compiler, const std::string& folder,
+                     const std::string& library) {
+  const fs::path place(folder), file(source.file);
+  provide_includes(source, place / "include");
+  ToolCall call{.program = compiler.program, .arguments = flags_for(source, compiler)};
+  call.folder = file.parent_path().string();  // where it is called by its name: no path of it gets into the library
+  call.temporary = folder;
+  if (is_adapted(source)) {
+    call.folder = folder;
+    write_bytes(place / file.filename(), source.adapted.empty() ? source.bytes : source.adapted, O_CREAT | O_EXCL);
+  }
+  for (const std::string& word : {"-I" + (place / "include").string(), "-I" + file.parent_path().string(),
+                                  "-J" + folder, "./" + file.filename().string(), std::string("-x"),
+                                  std::string("none"), std::string("-lm"), std::string("-o"), library}) {
+    call.arguments.push_back(word);
+  }
+  const ToolEnd end = run_tool(call);
+  if (end.stopped) {
+    throw SystemError(source.file + ": its compilation takes longer than " + number_text(call.limit_s) + " s");
+  }
+  std::error_code code;
+  if (end.status == 0 && fs::is_regular_file(library, code)) return;
+  if (end.status > 2) {
+    throw SystemError(source.file + ": '" + compiler.program + "' ended with status " + std::to_string(end.status) +
+                      ": " + one_line(end.said, 300));
+  }
+  throw refusal_of_compiler(source, compiler, end.said);
+}
+
+}  // namespace assay::drivers

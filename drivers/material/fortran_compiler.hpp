@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// gfortran, as it compiles a routine that was written for Abaqus.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "drivers/material/fortran_source.hpp"
+
+namespace assay::drivers {
+
+struct FortranCompiler {
+  std::string program;  ///< absolute
+  std::string version;  ///< "GNU Fortran (Debian 12.2.0-14) 12.2.0"
+};
+
+/// The first gfortran of $PATH, or the one that $FC names. Throws SystemError where there is none: `file` is what it
+/// would compile.
+FortranCompiler find_fortran_compiler(const std::string& file);
+
+/// What it is called with beside files: as Abaqus compiles, and so that the results do not depend on the processor.
+std::vector<std::string> flags_for(const FortranSource& source, const FortranCompiler& compiler);
+
+/// Compiles into a shared library. `folder` is empty, and for what is made on the way. Throws InputError with the
+/// compiler's first message, at the source's line, SystemError where the compiler cannot do its work.
+void compile_library(const FortranSource& source, const FortranCompiler& compiler, const std::string& folder,
+                     const std::string& library);
+
+}  // namespace assay::drivers

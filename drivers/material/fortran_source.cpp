@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/material/fortran_source.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "drivers/material/fortran_adapted.hpp"
+#include "drivers/scene/yaml_reader.hpp"
+
+namespace assay::drivers {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t largest_source = std::size_t{32} << 20;
+
+std::string small_name(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+/// In the source's folder, where the name may have letters of the other size; empty: not there.
+std::string file_beside(const fs::path& folder, const std::string& name) {
+  std::error_code code;
+  if (fs::is_regular_file(folder / name, code)) return (folder / name).string();
+  if (name.find('/') != name.npos) return {};
+  std::vector<std::string> alike;
+  for (fs::directory_iterator at(folder, code), end; !code && at != end; at.increment(code)) {
+    std::error_code unknown_kind;
+    const std::string other = at->path().filename().string();
+    if (small_name(other) == small_name(name) && at->is_regular_file(unknown_kind)) alike.push_back(other);
+  }
+  std::sort(alike.begin(), alike.end());
+  return alike.empty() ? "" : (folder / alike.front()).string();
+}
+
+bool begins_with_directive(const std::vector<std::string>& lines) {
+  return std::any_of(lines.begin(), lines.end(), [](const std::string& line) { return line.starts_with('#'); });
+}
+
+std::string text_of_lines(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+/// Of each line. by_name: that of the source, where directives change it on the way.
+std::vector<FortranForm> forms_in(const std::vector<std::string>& lines, const FoundForm& form, FortranForm by_name) {
+  return form.mixed ? forms_of_lines(lines, by_name) : std::vector<FortranForm>(lines.size(), form.form);
+}
+
+/// Lines as gfortran reads them.
+std::vector<std::string> lines_for_compiler(const std::vector<std::string>& lines, const FoundForm& form,
+                                            FortranForm by_name) {
+  const std::vector<FortranForm> forms = forms_in(lines, form, by_name);
+  std::vector<std::string> adapted = adapted_lines(lines, forms);
+  return form.mixed ? in_free_form(adapted, forms) : adapted;
+}
+
+/// Of the part in fixed form.
+ColumnReadings columns_of(const std::vector<std::string>& lines, const FoundForm& form, FortranForm by_name) {
+  const std::vector<FortranForm> forms = forms_in(lines, form, by_name);
+  std::vector<std::string> fixed = adapted_lines(lines, forms);
+  for (std::size_t k = 0; k < fixed.size(); ++k) {
+    if (forms[k] == FortranForm::free) fixed[k].clear();
+  }
+  return readings_of(fixed, FortranForm::fixed);
+}
+
+/// Adds what some lines include, and what that includes.
+void add_includes(const std::vector<std::string>& lines, FortranSource& source) {
+  for (const FortranInclude& include : includes_of(lines, source.form.form)) {
+    const auto known = std::find_if(source.includes.begin(), source.includes.end(),
+                                    [&](const IncludedFile& each) { return each.name == include.name; });
+    if (known != source.includes.end()) continue;
+    const std::string path = file_beside(fs::path(source.file).parent_path(), include.name);
+    const std::string bytes = path.empty() ? abaqus_include(include.name) : read_bytes(path, largest_source);
+    if (bytes.empty() && path.empty()) continue;  // the compiler says what is missing
+    source.includes.push_back({include.name, path, bytes, {}});
+    if (path.empty()) continue;
+    const std::vector<std::string> said = lines_of_source(bytes);
+    const FortranForm by_name = form_by_name(source.file);
+    const std::vector<std::string> more = lines_for_compiler(said, source.form, by_name);
+    if (more != said) source.includes.back().adapted = text_of_lines(more);
+    const std::vector<FortranStatement> found = statements_of(more, source.form.form);
+    source.statements.insert(source.statements.end(), found.begin(), found.end());
+    const auto sentences = column_sentences(columns_of(said, source.form, by_name), path);
+    source.warnings.insert(source.warnings.end(), sentences.begin(), sentences.end());
+    add_includes(more, source);
+  }
+}
+
+}  // namespace
+
+bool FortranSource::includes_parameters(const FortranRoutine& routine) const {
+  for (const FortranInclude& include : includes_of(lines, form.form)) {
+    const std::string name = small_name(fs::path(include.name).filename().string());
+    const bool within = include.line >= routine.line && include.line <= routine.last_line;
+    if (within && (name == "aba_param.inc" || name == "vaba_param.inc")) return true;
+  }
+  return false;
+}
+
+FortranSource read_fortran_source(const std::string& file, const Location& where, const std::string& key) {
+  std::error_code code;
+  if (!fs::exists(file, code)) throw InputError(where, key, "no such file: '" + file + "'");
+  FortranSource source;
+  source.file = file;
+  source.bytes = read_bytes(file, largest_source);
+  if (source.bytes.find('\0') != source.bytes.npos) {
+    throw InputError(where, key, "'" + file + "' is no Fortran source: it holds bytes that are no text");
+  }
+  const std::vector<std::string> said = lines_of_source(source.bytes);
+  source.form = form_of_source(file, said);
+  source.lines = lines_for_compiler(said, source.form, form_by_name(file));
+  if (source.lines != said) source.adapted = text_of_lines(source.lines);
+  const std::string ending = fs::path(file).extension().string();
+  const bool capital = ending.size() > 1 && std::isupper(static_cast<unsigned char>(ending[1]));
+  source.preprocessed = capital || begins_with_directive(source.lines);
+  source.statements = statements_of(source.lines, source.form.form);
+  const ColumnReadings readings = columns_of(said, source.form, form_by_name(file));
+  source.warnings = column_sentences(readings, file);
+  source.has_cards = !readings.cards.empty();
+  if (!readings.cut.empty()) source.cut_line = readings.cut.front().line;
+  add_includes(source.lines, source);
+  return source;
+}
+
+std::string abaqus_include(const std::string& name) {
+  const std::string file = small_name(fs::path(name).filename().string());
+  const std::string reals = "      implicit real*8 (a-h,o-z)\n";  // serves both forms of the source
+  if (file == "aba_param.inc") return reals + "      parameter (nprecd=2)\n";
+  if (file == "vaba_param.inc") {
+    return reals + "      parameter (j_sys_dimension=2, n_vec_length=136)\n      parameter (maxblk=n_vec_length)\n";
+  }
+  if (file.starts_with("smaaspuser") && file.ends_with(".hdr")) return "! what it declares needs no declaration here\n";
+  return {};
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A Fortran source with all that it includes, read and not compiled.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "drivers/input_error.hpp"
+#include "drivers/material/fortran_columns.hpp"
+#include "drivers/material/fortran_form.hpp"
+#include "drivers/material/fortran_routines.hpp"
+
+namespace assay::drivers {
+
+/// A file that a source includes, by the name that it says.
+struct IncludedFile {
+  std::string name;
+  std::string path;  ///< in the source's folder, where letters of the other size count too; empty: this program's own
+  std::string bytes;
+  std::string adapted;  ///< what gfortran is given in its place; empty: itself
+};
+
+struct FortranSource {
+  std::string file;  ///< absolute
+  std::string bytes;
+  FoundForm form;
+  std::vector<std::string> lines;            ///< as gfortran reads them: see fortran_adapted.hpp
+  std::string adapted;                       ///< the same where they are not those of the file; else empty
+  bool preprocessed = false;                 ///< its name ends in capitals, or it has lines that begin with '#'
+  std::vector<IncludedFile> includes;        ///< those that are found
+  std::vector<FortranStatement> statements;  ///< its own, and those of files of its folder
+  std::vector<std::string> warnings;         ///< sentences on columns, of the source and of files of its folder
+
+  std::vector<FortranRoutine> routines() const { return subroutines_of(statements); }
+  bool includes_parameters(const FortranRoutine& routine) const;  ///< ABA_PARAM.INC, VABA_PARAM.INC
+  bool has_cards = false;                                         ///< numbers of punched cards, which are read as code
+  int cut_line = 0;                                               ///< the first with code beyond column 132; 0: none
+};
+
+/// Throws InputError at `where`, `key`: missing, no text, too long.
+FortranSource read_fortran_source(const std::string& file, const Location& where, const std::string& key);
+
+/// The text of a file that Abaqus provides, by its name in any letters: ABA_PARAM.INC, VABA_PARAM.INC,
+/// SMAAspUserSubroutines.hdr and its like; empty for any other name.
+std::string abaqus_include(const std::string& name);
+
+}  // namespace assay::drivers

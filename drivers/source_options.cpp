@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/source_options.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <set>
+
+#include "drivers/material/abaqus_deck.hpp"
+#include "drivers/material/material_path.hpp"
+#include "drivers/output/numbers.hpp"
+#include "drivers/output/whole_file.hpp"
+#include "drivers/output/wrapped_text.hpp"
+#include "drivers/scene/sha256.hpp"
+#include "drivers/scene/yaml_reader.hpp"
+
+namespace assay::drivers {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// "1000,.3" or "E=1000,nu=.3"; blanks may stand around numbers, and part them.
+std::vector<GivenProperty> props_in(const std::string& list) {
+  std::vector<GivenProperty> props;
+  std::set<std::string> names;
+  std::string text = list;
+  for (char& c : text) c = c == ' ' || c == '\t' || c == '\n' ? ',' : c;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string item = text.substr(begin, end - begin);
+    begin = end + 1;
+    if (item.empty()) continue;
+    const std::size_t equals = item.find('=');
+    const auto value = deck_number(equals == item.npos ? item : item.substr(equals + 1));
+    if (!value || equals == 0) {
+      throw InputError({}, "--props",
+                       "must be NUMBER or NAME=NUMBER, separated by commas, found '" + one_line(item, 60) + "'");
+    }
+    props.push_back({equals == item.npos ? "" : item.substr(0, equals), *value});
+    const std::string name = equals == item.npos ? "p" + std::to_string(props.size()) : props.back().name;
+    if (!names.insert(name).second) throw InputError({}, "--props", "'" + one_line(name, 60) + "' is there twice");
+  }
+  return props;
+}
+
+int statev_in(const std::string& text) {
+  constexpr std::int64_t most = 10000;
+  const auto count = parse_integer(text);
+  if (count && *count >= 0 && *count <= most) return static_cast<int>(*count);
+  throw InputError({}, "--statev", "must be a whole number from 0 to 10000, found '" + one_line(text, 60) + "'");
+}
+
+constexpr const char* unedited_mark = "# As it was written: ";  ///< and the hash of what stands above
+
+std::string marked(const std::string& text) { return text + unedited_mark + sha256_hex(text).substr(0, 16) + "\n"; }
+
+/// Whether somebody has changed what we have written.
+bool is_edited(const fs::path& file) {
+  std::error_code code;
+  if (!fs::exists(file, code)) return false;
+  const std::string there = read_bytes(file.string());
+  const std::size_t mark = there.rfind(unedited_mark);
+  return mark == there.npos || there != marked(there.substr(0, mark));
+}
+
+std::string write_description(const SourceDescription& described, const std::string& folder, bool& edited) {
+  std::error_code code;
+  fs::create_directories(folder, code);
+  if (code) fail(folder, "cannot be made", code);
+  fs::path file = fs::path(absolute_path(folder)) / (described.name + ".yaml");
+  edited = is_edited(file);
+  if (edited) file = file.parent_path() / (described.name + ".new.yaml");
+  write_file(file, marked(described.text));
+  return file.string();
+}
+
+}  // namespace
+
+SourceRequest request_of(const SourceOptions& options) {
+  SourceRequest request;
+  request.material_key = "--material NAME";
+  request.symbol_key = "--symbol NAME";
+  if (!options.deck.empty()) request.deck = absolute_path(options.deck);
+  if (!options.props.empty()) request.props = props_in(options.props);
+  if (!options.statev.empty()) request.statev = statev_in(options.statev);
+  request.material = options.material;
+  request.symbol = options.symbol;
+  return request;
+}
+
+void refuse_source_options(const SourceOptions& options, const std::string& material) {
+  const std::pair<const char*, const std::string*> all[] = {{"--props", &options.props},
+                                                            {"--statev", &options.statev},
+                                                            {"--deck", &options.deck},
+                                                            {"--material", &options.material},
+                                                            {"--symbol", &options.symbol}};
+  for (const auto& [option, value] : all) {
+    if (value->empty()) continue;
+    throw InputError({}, option,
+                     "goes with a Fortran source (model.f) or an Abaqus deck (job.inp)" +
+                         (material.empty() ? "" : ", and '" + one_line(material, 80) + "' is neither"));
+  }
+}
+
+bool asks_for_source(const std::string& material) {
+  const MaterialName name = parse_material(material);
+  return name.is_path && is_source_or_deck(name.file);
+}
+
+std::string described_source(const std::string& material, SourceRequest request, const std::string& folder,
+                             Verbosity verbosity) {
+  const MaterialName name = parse_material(material);
+  std::string& chosen = is_deck(name.file) ? request.material : request.symbol;
+  if (chosen.empty()) chosen = name.table;
+  const SourceDescription described = describe_source(absolute_path(name.file), request, {}, "");
+  bool edited = false;
+  std::string file = write_description(described, folder, edited);
+  std::string page;
+  if (verbosity != Verbosity::quiet) {
+    page = name.file + ":\n";
+    for (const std::string& note : described.notes) page += wrapped(note, "  ", "    ");
+    const std::string stays = edited ? "; " + described.name + ".yaml there has been edited, and stays" : "";
+    page += wrapped(
+        "its description, to be edited: " + fs::path(file).lexically_proximate(fs::current_path()).string() + stays,
+        "  ", "    ");
+  }
+  for (const std::string& warning : described.warnings) page += "warning: " + one_line(warning) + "\n";
+  std::fputs(page.c_str(), stderr);
+  return file;
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/check/scope.hpp"
+
+#include "harness/check/judge.hpp"
+#include "harness/check/loading.hpp"
+
+namespace assay::check {
+
+namespace {
+
+constexpr double reached = 0.999;  ///< of a strain that was asked for
+
+bool has_reached(const Specimen& specimen) { return specimen.amplitude >= reached * specimen.options.effort.strain; }
+
+/// Whether the material answers in a straight line as far as the tests go.
+bool stays_linear(const Specimen& specimen) { return specimen.linear && specimen.onset >= 0.5 * specimen.amplitude; }
+
+}  // namespace
+
+std::vector<std::string> not_tested(const Specimen& specimen) {
+  const Material& material = *specimen.material;
+  std::vector<std::string> all;
+  if (material.table().parameter_count > 0 && !material.extension<assay_closed_form>(ASSAY_EXTENSION_CLOSED_FORM)) {
+    all.emplace_back("the values of its parameters (there is no reference)");
+  }
+  const char* why = specimen.refusal ? " (it refuses them)" : "";
+  if (!has_reached(specimen)) all.push_back("strains above " + rounded(specimen.amplitude) + why);
+  if (material.has(ASSAY_NON_SMOOTH) && stays_linear(specimen)) {
+    all.emplace_back("what lies beyond its first straight line (a kink is declared, and none was met)");
+  }
+  if (specimen.space.is_plane()) all.emplace_back("shears out of the plane");
+  if (specimen.options.effort.step != 1) all.push_back("steps above " + rounded(specimen.options.effort.step) + " s");
+  return all;
+}
+
+std::optional<TestResult> not_reached(const Specimen& specimen) {
+  if (specimen.refusal && cause_of_refusal(specimen.refusal->what(), false) == causes::missing_routine) {
+    return refused("loading", nullptr, *specimen.refusal);
+  }
+  const double asked = specimen.options.effort.strain;
+  const bool kink = specimen.refusal && specimen.material->has(ASSAY_NON_SMOOTH) && stays_linear(specimen);
+  if (!kink && (has_reached(specimen) || !specimen.options.effort.strain_is_asked)) return std::nullopt;
+  TestResult result{.id = "loading", .verdict = Verdict::fail};
+  if (specimen.refusal) result = refused("loading", nullptr, *specimen.refusal);
+  result.refused = false;  // at smaller strains it is the same
+  result.cause = kink ? causes::refuses : causes::not_reached;
+  const std::string far = rounded(specimen.amplitude);
+  const std::string words = specimen.refusal ? result.sentence + ". " : "";
+  result.sentence = kink ? words + "It refuses whatever leaves its first straight line, to a strain of " + far +
+                               "; a kink is declared (non_smooth), and none can be tested"
+                         : words + "Strains of " + rounded(asked) + " were asked for, and it stands " + far;
+  return result;
+}
+
+}  // namespace assay::check

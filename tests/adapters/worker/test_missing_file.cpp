@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/worker/missing_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "adapters/worker/kept_output.hpp"
+
+namespace assay::adapters::test_missing_file {
+namespace {
+
+const std::string calls = "\n\nError termination. Backtrace:\n#0  0x7f in ???\n";
+
+TEST(MissingFile, IsNamedFromWhatFortranPrints) {
+  EXPECT_EQ(
+      missing_file_words("At line 5 of file m.f (unit = 15)\nFortran runtime error: Cannot open file 'p.dat': No such "
+                         "file or directory" +
+                         calls),
+      "; it looks for 'p.dat' in the folder of its process, which is its own: files: [p.dat] in its description puts "
+      "a file there");
+  EXPECT_NE(missing_file_words("Fortran runtime error: File 'dir/p.dat' does not exist").find("files: [p.dat]"),
+            std::string::npos);
+  EXPECT_NE(missing_file_words(
+                "At line 6 of file ./c.f (unit = 15, file = 'fort.15')\nFortran runtime error: End of file" + calls)
+                .find("finds nothing to read in 'fort.15'"),
+            std::string::npos);
+}
+
+TEST(MissingFile, IsNamedFromWhatOthersPrint) {
+  EXPECT_NE(missing_file_words("table.csv: No such file or directory\n").find("files: [table.csv]"), std::string::npos);
+  EXPECT_NE(missing_file_words("fopen: No such file or directory\n").find("`files` in its description"),
+            std::string::npos);
+}
+
+TEST(MissingFile, OtherWordsAreNoFiles) {
+  for (const char* words : {"", "converged", "Cannot open the valve", "File 'x' is read", "End of file",
+                            "Fortran runtime error: Index '7' out of bounds"}) {
+    EXPECT_EQ(missing_file_words(words), "") << words;
+  }
+}
+
+TEST(MissingFile, TheReasonIsTheLastLine) {
+  EXPECT_EQ(last_line("Fortran runtime error: End of file" + calls), "Fortran runtime error: End of file");
+}
+
+}  // namespace
+}  // namespace assay::adapters::test_missing_file

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Folders of the environment that are relative to where the user stands: processes of models stand elsewhere.
+#include <gtest/gtest.h>
+
+#include "tests/drivers/process.hpp"
+#include "tests/drivers/registry_fixture.hpp"
+#include "tests/drivers/scene_text.hpp"
+
+namespace assay::drivers::test_relative_paths {
+namespace {
+
+namespace fs = std::filesystem;
+
+class RelativePaths : public RegistryTest {
+ protected:
+  void SetUp() override {
+    RegistryTest::SetUp();
+    fs::create_directories(folder / "build");
+    fs::copy_file(built("tests/foreign/mfront_neo_hookean.so"), folder / "build/law.so");
+    write("law.yaml", "library: law.so\ninterface: mfront\nproperties: {YoungModulus: 1000, PoissonRatio: 0.3}\n");
+    write("build/law_here.yaml",
+          "library: law.so\ninterface: mfront\nproperties: {YoungModulus: 1000, PoissonRatio: 0.3}\ndensity: 1000\n");
+  }
+  Ending run(const std::vector<std::string>& words, const std::function<void()>& before = {}) const {
+    return assay(words, [&] {
+      if (::chdir(folder.c_str()) != 0) ::_exit(126);
+      ::setenv("ASSAY_MATERIAL_PATH", "nowhere:build", 1);
+      if (before) before();
+    });
+  }
+};
+
+TEST_F(RelativePaths, TheSearchPathServesEveryVerb) {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"materials", "law.yaml"},
+                                                {"check", "law.yaml", "--quick"},
+                                                {"check", "law_here", "--quick"},
+                                                {"register", "law.yaml", "--as", "mine"}}) {
+    const Ending ending = run(words);
+    EXPECT_EQ(ending.status, 0) << words[0] << " " << words[1] << "\n" << ending.said;
+  }
+  write("scene.yaml",
+        "motion: {type: vortex, inner: 0.75, outer: 1.25, amplitude: {type: sine, peak: 0.02}}\n"
+        "material: {adapter: law_here}\ntime: {end: 0.01}\n");
+  const Ending tabulated = run({"tabulate", "scene.yaml", "-o", "out"});
+  EXPECT_EQ(tabulated.status, 0) << tabulated.said;
+}
+
+TEST_F(RelativePaths, SoIsTheFolderForTemporaryFiles) {
+  fs::create_directories(folder / "tmp");
+  const Ending ending = run({"check", "law_here"}, [] { ::setenv("TMPDIR", "tmp", 1); });
+  EXPECT_EQ(ending.status, 0) << ending.said;
+  EXPECT_TRUE(fs::is_empty(folder / "tmp"));
+}
+
+// By its contract: the registry would otherwise be another one in each folder.
+TEST_F(RelativePaths, TheRegistryMustBeAbsoluteForEveryVerb) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"materials"}, {"check", "law_here"}, {"register", "law.yaml"}}) {
+    const Ending ending = run(words, [] { ::setenv("ASSAY_DATA_HOME", "data", 1); });
+    EXPECT_EQ(ending.status, 2) << words[0];
+    EXPECT_EQ(ending.said, "ASSAY_DATA_HOME: must be an absolute path, found 'data'\n") << words[0];
+  }
+}
+
+}  // namespace
+}  // namespace assay::drivers::test_relative_paths
