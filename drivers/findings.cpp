@@ -92,6 +92,9 @@ void record_process(const Material& material, Result& result) {
   if (!words.empty()) result.warnings.push_back("the model " + words);
   result.disturbed = (habits & ~adapters::any_written_input) != adapters::no_habit;
   result.printed = adapters::output_of(&material.table());
+  const adapters::HandOvers hand_overs = adapters::hand_overs_of(&material.table());
+  result.hand_overs = hand_overs.count;
+  result.wake_ups = hand_overs.wake_ups;
 }
 
 void leave_replay(const Scene& scene, OutputFolder& folder, Result& result) {

@@ -153,6 +153,7 @@ struct Result {
   Figure step_cpu_s;  ///< processor time of the steps alone: no set-up, no sampling of the error, no snapshots
   std::int64_t peak_rss_bytes = 0;
   std::int64_t particle_steps = 0, material_calls = 0;
+  std::int64_t hand_overs = 0, wake_ups = 0;  ///< to workers and back; 0 of a material in this process
   Figure particle_steps_per_s;
   std::vector<PassFigures> passes;
   std::optional<SheetFigures> sheet;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "harness/path_recipe.hpp"
+
 namespace assay {
 
 namespace {
@@ -46,6 +48,7 @@ Path AxisAligned::section(double s) const {
   Path path;
   path.parameter = {-1, 1};
   path.reversals = [g = amplitude](double end) { return g.reversals(end); };
+  path.recipe = recipe_of(*this, s);
   if (!one_dimensional) {
     path.name = "axis_aligned";
     path.parameter_is_place = true;

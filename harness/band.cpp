@@ -7,6 +7,8 @@
 #include <numbers>
 #include <thread>
 
+#include "harness/history_trail.hpp"
+
 namespace assay {
 
 namespace {
@@ -98,12 +100,11 @@ std::vector<Band> unwatched_bands(const Course& course) {
 }  // namespace
 
 Ray trace(const Course& course, double xi, const HistoryOptions& options, std::int64_t& calls) {
-  History history(course, xi, options);
-  history.advance(course.end);
-  calls += history.calls();
-  if (history.flickers()) throw RegimesFlicker();
+  const HistoryTrail trail = follow(course, xi, options, std::span(&course.end, 1));
+  calls += trail.calls;
+  if (trail.flickers) throw RegimesFlicker();
   Ray ray;
-  for (const Branch& branch : history.branches()) {
+  for (const Branch& branch : trail.branches) {
     const bool reversal = std::find(course.pieces.begin(), course.pieces.end(), branch.begin) != course.pieces.end();
     ray.breaks.push_back(branch.begin);
     ray.branches.push_back(2 * branch.regime + (reversal ? 1 : 0));

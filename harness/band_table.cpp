@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "harness/chebyshev.hpp"
+#include "harness/history_trail.hpp"
 
 namespace assay {
 
@@ -41,6 +42,18 @@ std::vector<double> divided(const std::vector<double>& breaks, int parts) {
   return all;
 }
 
+/// Of every stretch the nodes u in (0, 1), then its end: never descending, for breaks may lie on each other.
+std::vector<double> node_times(const std::vector<double>& breaks, const std::vector<double>& u) {
+  std::vector<double> times;
+  double last = 0;
+  for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+    const double begin = breaks[i], width = breaks[i + 1] - begin;
+    for (const double share : u) times.push_back(last = std::max(begin + share * width, last));
+    times.push_back(last = std::max(breaks[i + 1], last));
+  }
+  return times;
+}
+
 }  // namespace
 
 BandTable::BandTable(const Course& course, const Band& band, BandSize size, const HistoryOptions& options,
@@ -61,7 +74,7 @@ void BandTable::sample(const Course& course, const HistoryOptions& options, cons
     const auto k = static_cast<std::size_t>(index);
     const double xi = band_.map.xi_of(s[k]);
     Ray ray = band_.ray;
-    if (options.watch) ray = trace(course, xi, options, calls[k]);
+    if (options.watch && course.tells()) ray = trace(course, xi, options, calls[k]);
     if (ray.branches != band_.ray.branches) {
       // Next to an edge rounding decides between its two sides: the breaks are those a little further in.
       const double from_lower = xi - band_.map.xi.lower, from_upper = band_.map.xi.upper - xi;
@@ -72,20 +85,18 @@ void BandTable::sample(const Course& course, const HistoryOptions& options, cons
     }
     ray.breaks = divided(ray.breaks, band_.parts);
     for (std::size_t i = 0; i <= stretches; ++i) breaks_[i * n_x() + k] = ray.breaks[i];
-    History history(course, xi, {.tolerance = options.tolerance, .watch = false});
-    for (std::size_t i = 0; i < stretches; ++i) {
-      const double begin = ray.breaks[i], width = ray.breaks[i + 1] - begin;
-      for (std::size_t j = 0; j < n_t(); ++j) {
-        history.advance(std::max(begin + u[j] * width, history.t()));
-        const Tensor tau = history.tau();
-        for (int c = 0; c < 9; ++c) {
-          values_[((i * n_t() + j) * n_x() + k) * 9 + static_cast<std::size_t>(c)] = component(tau, c);
-        }
+    const std::vector<double> times = node_times(ray.breaks, u);
+    const HistoryTrail trail = follow(course, xi, {.tolerance = options.tolerance, .watch = false}, times);
+    for (std::size_t row = 0; row < times.size(); ++row) {
+      if (row % (n_t() + 1) == n_t()) continue;  // a break
+      const std::size_t node = row - row / (n_t() + 1);
+      const Tensor tau = first_piola_kirchhoff(trail.cauchy(row), course.path->deformation_gradient(xi, times[row]));
+      for (int c = 0; c < 9; ++c) {
+        values_[(node * n_x() + k) * 9 + static_cast<std::size_t>(c)] = component(tau, c);
       }
-      history.advance(ray.breaks[i + 1]);
     }
-    calls[k] += history.calls();
-    errors[k] = history.error();
+    calls[k] += trail.calls;
+    errors[k] = trail.error;
   });
   for (const std::int64_t c : calls) calls_ += c;
   noise_ = *std::max_element(errors.begin(), errors.end());

@@ -57,11 +57,8 @@ void BoxStress::lay_out(int modes_wanted, double end) {
   const double tolerance = std::max(least_tolerance, share_a_step * options_.tolerance);
   const bool watch = material_->has(ASSAY_NON_SMOOTH);
   for (const auto& section : sections_) courses_.push_back(std::make_unique<Course>(*material_, *section, end));
-  for (const double xi : xi_) {
-    for (const auto& course : courses_) {
-      histories_.push_back(
-          std::make_unique<History>(*course, xi, HistoryOptions{.tolerance = tolerance, .watch = watch}));
-    }
+  for (const auto& course : courses_) {
+    histories_.emplace_back(*course, xi_, HistoryOptions{.tolerance = tolerance, .watch = watch});
   }
 }
 
@@ -69,10 +66,14 @@ void BoxStress::set_time(double t) {
   if (t == t_) return;
   if (is_history()) {
     if (t < t_) throw std::logic_error("BoxStress: histories do not go back in time");
-    for (std::size_t i = 0; i < histories_.size(); ++i) {
-      histories_[i]->advance(t);
-      const Tensor tau = histories_[i]->tau();
-      for (std::size_t c = 0; c < components; ++c) coefficients_[c][i] = tau(static_cast<int>(c), static_cast<int>(c));
+    for (std::size_t j = 0; j < histories_.size(); ++j) {
+      histories_[j].advance(t);
+      for (std::size_t i = 0; i < xi_.size(); ++i) {
+        const Tensor tau = histories_[j].tau(i);
+        for (std::size_t c = 0; c < components; ++c) {
+          coefficients_[c][i * histories_.size() + j] = tau(static_cast<int>(c), static_cast<int>(c));
+        }
+      }
     }
   } else {
     update_nodes(t);
@@ -152,7 +153,7 @@ BoxStress::Local BoxStress::at(double X, double Y) const {
 
 std::int64_t BoxStress::material_calls() const {
   std::int64_t calls = calls_;
-  for (const auto& history : histories_) calls += history->calls();
+  for (const Troop& troop : histories_) calls += troop.calls();
   return calls;
 }
 

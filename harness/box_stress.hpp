@@ -15,7 +15,7 @@
 
 #include "harness/axis_aligned.hpp"
 #include "harness/chebyshev.hpp"
-#include "harness/history.hpp"
+#include "harness/troop.hpp"
 
 namespace assay {
 
@@ -71,7 +71,7 @@ class BoxStress {
   int modes_ = 0;
   std::vector<std::unique_ptr<Path>> sections_;  ///< of each node in Y
   std::vector<std::unique_ptr<Course>> courses_;
-  std::vector<std::unique_ptr<History>> histories_;  ///< of each node, where the stress is no function of F
+  std::vector<Troop> histories_;  ///< of each course, at the nodes in X, where the stress is no function of F
   std::vector<double> xi_, F0_, F1_, state_, after_, cauchy_;
   std::unique_ptr<chebyshev::GaussTransform> along_X_, along_Y_;
   std::array<std::vector<double>, components> coefficients_;

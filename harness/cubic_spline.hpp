@@ -19,6 +19,7 @@ class CubicSpline {
   };
   /// The first and the last cubic go on beyond the ends.
   Value at(double x) const;
+  std::span<const double> values() const { return y_; }  ///< at the points
 
  private:
   std::vector<double> x_, y_, curvature_;  // second derivatives at the points

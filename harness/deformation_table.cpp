@@ -5,6 +5,8 @@
 #include <array>
 #include <memory>
 
+#include "harness/path_recipe.hpp"
+
 namespace assay {
 
 namespace {
@@ -27,6 +29,15 @@ DeformationTable::DeformationTable(std::string source, std::span<const double> t
     for (const Tensor& row : F) values.push_back(component(row, c));
     components_.emplace_back(times_, values);
   }
+}
+
+std::vector<Tensor> DeformationTable::rows() const {
+  std::vector<Tensor> F(times_.size());
+  for (int c = 0; c < 9; ++c) {
+    const auto values = components_[static_cast<std::size_t>(c)].values();
+    for (std::size_t row = 0; row < F.size(); ++row) component(F[row], c) = values[row];
+  }
+  return F;
 }
 
 Tensor DeformationTable::value(double t, int derivative) const {
@@ -88,6 +99,7 @@ Path DeformationTable::baseline() const {
     std::vector<double> inner(times.begin() + 1, std::lower_bound(times.begin() + 1, times.end() - 1, end));
     return inner;
   };
+  path.recipe = recipe_of(*this);
   return path;
 }
 

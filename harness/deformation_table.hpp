@@ -39,6 +39,8 @@ class DeformationTable {
 
   const std::string& source() const { return source_; }
   double last() const { return times_.back(); }  ///< time of the last row [s]
+  const std::vector<double>& times() const { return times_; }
+  std::vector<Tensor> rows() const;  ///< F at the times, as given
 
  private:
   Tensor value(double t, int derivative) const;

@@ -7,61 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "harness/material.hpp"
+#include "harness/course.hpp"
 #include "harness/material_failure.hpp"
-#include "harness/parallel.hpp"
-#include "harness/path.hpp"
-#include "harness/regime.hpp"
 
 namespace assay {
-
-/// What errors are measured against: the largest Cauchy stress, and for each component of the state the largest value
-/// of its variable, over all histories of a path.
-struct HistoryScales {
-  double cauchy = 1;
-  std::vector<double> state;
-};
-
-/// Which of its two forms a material is integrated in.
-enum class Form {
-  automatic,   ///< the rate form where a smooth material has one, else increments
-  increments,  ///< `update`, sub-stepped and extrapolated
-  rate         ///< extension assay.rate/1, by Boost.Odeint
-};
-
-/// What tells that the regime of a history changes.
-enum class Telling {
-  state,  ///< the material's state (regime.hpp)
-  /// The sign of s : d, s = dev sigma, d = sym(Fdot F^-1). Where it changes s passes near zero, and a flow that goes as
-  /// |s|^(n-1) s, n no odd number, is nearly not smooth.
-  power
-};
-
-/// A material on a path, prepared for any number of histories.
-struct Course {
-  /// Finds the scales by coarse marches along the extreme histories.
-  Course(const Material& material, const Path& path, double end, Form form = Form::automatic,
-         Telling telling = Telling::state);
-
-  const Material* material;
-  const Path* path;
-  double end;            ///< [s]
-  bool by_rate;          ///< the form that was chosen
-  RegimeReader regimes;  ///< of the material
-  Telling telling;
-  std::vector<double> pieces;  ///< 0, reversals of the path, end
-  HistoryScales scales;
-
-  /// No more threads than the material stands.
-  Workers workers(Workers wanted) const;
-
-  /// Whether anything tells changes of regime; whether at the end of a step it tells what lies behind it.
-  bool tells() const { return telling == Telling::power || regimes.tells(); }
-  bool tells_at_once() const { return telling == Telling::power || regimes.named(); }
-
-  /// The piece that contains t; its beginning where t is a reversal.
-  Interval piece_at(double t) const;
-};
 
 /// A stretch of a history in one regime.
 struct Branch {
@@ -90,6 +39,7 @@ class History {
   Tensor cauchy() const;                                             ///< [Pa]
   Tensor tau() const;                                                ///< first Piola-Kirchhoff stress [Pa]
   std::span<const double> state() const;                             ///< components of the material's state
+  std::span<const double> variables() const { return y_; }           ///< 9 components of the Cauchy stress, then these
   const std::vector<Branch>& branches() const { return branches_; }  ///< watched: what began when, ascending
   bool flickers() const { return flickers_; }    ///< watched, and the regime changed too often to be followed further
   double error() const { return error_; }        ///< sum of the estimated errors of all steps, relative

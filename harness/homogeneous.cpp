@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "harness/path_recipe.hpp"
+
 namespace assay {
 
 namespace {
@@ -37,6 +39,7 @@ Path Homogeneous::baseline() const {
   path.parameter = {std::min(0.0, own), std::max(0.0, own)};
   path.reversals = [](double) { return std::vector<double>(); };
   path.amplitude_range = [T = period](double end) { return Interval{0, end / T}; };
+  path.recipe = recipe_of(*this);
   return path;
 }
 

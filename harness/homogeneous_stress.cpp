@@ -15,7 +15,8 @@ HomogeneousStress::HomogeneousStress(std::shared_ptr<const Material> material, c
     return;
   }
   course_.emplace(*material_, path_, end);
-  history_.emplace(*course_, own_, HistoryOptions{.tolerance = tolerance, .watch = material_->has(ASSAY_NON_SMOOTH)});
+  history_.emplace(*course_, std::vector{own_},
+                   HistoryOptions{.tolerance = tolerance, .watch = material_->has(ASSAY_NON_SMOOTH)});
 }
 
 const Tensor& HomogeneousStress::at(double t) {
@@ -38,9 +39,9 @@ Tensor HomogeneousStress::by_update(double t) {
 }
 
 Tensor HomogeneousStress::by_history(double t) {
-  if (t < history_->t()) throw std::logic_error("HomogeneousStress: a history does not go back in time");
+  if (t < t_) throw std::logic_error("HomogeneousStress: a history does not go back in time");
   history_->advance(t);
-  return history_->tau();
+  return history_->tau(0);
 }
 
 }  // namespace assay

@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "harness/history.hpp"
+#include "harness/troop.hpp"
 
 namespace assay {
 
@@ -33,8 +33,8 @@ class HomogeneousStress {
   Path path_;
   double own_;
   std::optional<Course> course_;
-  std::optional<History> history_;
-  std::vector<double> state_;  ///< at rest
+  std::optional<Troop> history_;  ///< of one
+  std::vector<double> state_;     ///< at rest
   std::int64_t calls_ = 0;
   double t_ = -1;  ///< of piola_ [s]
   Tensor piola_ = Tensor::Zero();

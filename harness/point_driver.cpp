@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "harness/history_trail.hpp"
+
 namespace assay {
 
 Histories integrate_histories(const Material& material, const Path& path, std::span<const double> xi,
@@ -19,18 +21,19 @@ Histories integrate_histories(const Material& material, const Path& path, std::s
   std::vector<std::int64_t> calls(n);
   for_each_index(static_cast<int>(n), course.workers(options.workers), [&](int index) {
     const auto p = static_cast<std::size_t>(index);
-    History history(course, xi[p], {.tolerance = options.tolerance, .watch = material.has(ASSAY_NON_SMOOTH)});
+    const HistoryOptions of_history{.tolerance = options.tolerance, .watch = material.has(ASSAY_NON_SMOOTH)};
+    const HistoryTrail trail = follow(course, xi[p], of_history, times);
     for (std::size_t k = 0; k < times.size(); ++k) {
-      history.advance(times[k]);
-      const Tensor sigma = history.cauchy(), tau = history.tau();
+      const Tensor sigma = trail.cauchy(k),
+                   tau = first_piola_kirchhoff(sigma, path.deformation_gradient(xi[p], times[k]));
       for (std::size_t c = 0; c < 9; ++c) {
         h.points[k].cauchy[c * n + p] = component(sigma, static_cast<int>(c));
         h.tau[k][c * n + p] = component(tau, static_cast<int>(c));
       }
-      for (std::size_t c = 0; c < states; ++c) h.points[k].state[c * n + p] = history.state()[c];
+      for (std::size_t c = 0; c < states; ++c) h.points[k].state[c * n + p] = trail.row(k)[9 + c];
     }
-    error[p] = history.error();
-    calls[p] = history.calls();
+    error[p] = trail.error;
+    calls[p] = trail.calls;
   });
   for (const std::int64_t c : calls) h.material_calls += c;
   h.error = *std::max_element(error.begin(), error.end());

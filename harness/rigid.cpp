@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 
+#include "harness/path_recipe.hpp"
+
 namespace assay {
 
 namespace {
@@ -37,6 +39,7 @@ Path Rigid::baseline() const {
     return PathPoint{state.F, state.F_rate};
   };
   path.reversals = [](double) { return std::vector<double>(); };
+  path.recipe = recipe_of(*this);
   return path;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "harness/path_recipe.hpp"
+
 namespace assay {
 
 namespace {
@@ -94,6 +96,7 @@ Path RotatingStretch::baseline() const {
     }
     return times;
   };
+  path.recipe = recipe_of(*this);
   return path;
 }
 

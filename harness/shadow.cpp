@@ -22,26 +22,37 @@ Shadow::Shadow(std::shared_ptr<const Material> material, const Path& path, const
   const Interval range = path_.parameter;
   for (int k = 0; k < options.radii; ++k) {
     xi_.push_back(range.lower + range.width() * k / std::max(1, options.radii - 1));
-    histories_.push_back(std::make_unique<History>(*course_, xi_.back(), history));
+  }
+  // here one by one, in other processes as many together as a thread has
+  const int count = course_->elsewhere ? std::min(workers_.threads, options.radii) : options.radii;
+  for (int n = 0; n < count; ++n) {
+    std::vector<double> xi;
+    for (int i = n; i < options.radii; i += count) xi.push_back(xi_[static_cast<std::size_t>(i)]);
+    troops_.emplace_back(*course_, std::move(xi), history, n);
   }
   tau_.assign(xi_.size(), Tensor::Zero());
 }
 
 void Shadow::advance(double t) {
   if (t <= t_) return;
-  for_each_index(radii(), workers_, [&](int k) {
-    const auto i = static_cast<std::size_t>(k);
-    histories_[i]->advance(std::min(t, course_->end));
-    tau_[i] = histories_[i]->tau();
+  for_each_index(static_cast<int>(troops_.size()), workers_, [&](int n) {
+    const auto first = static_cast<std::size_t>(n);
+    Troop& troop = troops_[first];
+    troop.advance(std::min(t, course_->end));
+    for (std::size_t k = 0; k < troop.size(); ++k) tau_[first + k * troops_.size()] = troop.tau(k);
   });
   t_ = t;
   measure_error();
 }
 
+const std::vector<Branch>& Shadow::branches(std::size_t i) const {
+  return troops_[i % troops_.size()].branches(i / troops_.size());
+}
+
 /// Whether two histories have taken the same branches.
 bool Shadow::alike(std::size_t i, std::size_t j) const {
-  const auto& a = histories_[i]->branches();
-  const auto& b = histories_[j]->branches();
+  const auto& a = branches(i);
+  const auto& b = branches(j);
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const Branch& one, const Branch& other) { return one.regime == other.regime; });
 }
@@ -99,7 +110,7 @@ std::vector<double> Shadow::fronts() const {
 
 std::int64_t Shadow::calls() const {
   std::int64_t sum = 0;
-  for (const auto& history : histories_) sum += history->calls();
+  for (const Troop& troop : troops_) sum += troop.calls();
   return sum;
 }
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "harness/history.hpp"
+#include "harness/troop.hpp"
 
 namespace assay {
 
@@ -43,6 +43,7 @@ class Shadow {
   std::int64_t calls() const;
 
  private:
+  const std::vector<Branch>& branches(std::size_t i) const;
   bool alike(std::size_t i, std::size_t j) const;
   void interpolate(std::size_t first, std::size_t stride, double xi, Tensor& tau, Tensor& slope) const;
   void measure_error();
@@ -53,7 +54,7 @@ class Shadow {
   Workers workers_;
   double t_ = 0;
   std::vector<double> xi_;
-  std::vector<std::unique_ptr<History>> histories_;
+  std::vector<Troop> troops_;  ///< history i is number i / n of troop i % n
   std::vector<Tensor> tau_;
   double difference_ = 0, scale_ = 0;
 };

@@ -215,7 +215,7 @@ BuiltBands build(const Material& material, const Path& path, const SheetOptions&
 /// kinks may have regimes that flicker and cannot be followed; one that does not may be less smooth than it says.
 std::vector<Attempt> attempts(const Material& material) {
   const bool tells = RegimeReader(material.table()).tells();
-  if (material.has(ASSAY_NON_SMOOTH) && tells) return {{.watch = Telling::state}, {.watch = {}}};
+  if (material.has(ASSAY_NON_SMOOTH) && material.state_size() > 0) return {{.watch = Telling::state}, {.watch = {}}};
   if (material.has(ASSAY_RATE_DEPENDENT) && material.state_size() > 0) {
     return {{.watch = {}, .suffices = false, .most = first_sampled}, {.watch = Telling::power}, {.watch = {}}};
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "harness/central_difference.hpp"
+#include "harness/history_trail.hpp"
 #include "harness/sheet_build.hpp"
 
 namespace assay {
@@ -44,14 +45,18 @@ Stencil lay_out(const BandTable& table, double place, double share) {
 /// Along its middle by increments, whatever the form of the table; the neighbours by what is the most exact.
 void integrate(const Course& increments, const Course& neighbours, const HistoryOptions& options, Stencil& stencil) {
   stencil.tau.resize(stencil.times.size() * 9);
+  std::vector<double> times;  // histories do not go back where breaks cross
+  for (const double t : stencil.times) times.push_back(std::max(t, times.empty() ? 0 : times.back()));
   for (int k = -reach; k <= reach; ++k) {
-    History history(k == 0 ? increments : neighbours, stencil.xi + k * stencil.step, options);
-    for (std::size_t row = 0; row < stencil.times.size(); ++row) {
-      history.advance(std::max(history.t(), stencil.times[row]));
-      stencil.tau[row * 9 + static_cast<std::size_t>(k + reach)] = history.tau();
+    const double xi = stencil.xi + k * stencil.step;
+    const Course& course = k == 0 ? increments : neighbours;
+    const HistoryTrail trail = follow(course, xi, options, times);
+    for (std::size_t row = 0; row < times.size(); ++row) {
+      const Tensor F = course.path->deformation_gradient(xi, times[row]);
+      stencil.tau[row * 9 + static_cast<std::size_t>(k + reach)] = first_piola_kirchhoff(trail.cauchy(row), F);
     }
-    stencil.calls += history.calls();
-    stencil.error = std::max(stencil.error, history.error());
+    stencil.calls += trail.calls;
+    stencil.error = std::max(stencil.error, trail.error);
   }
 }
 

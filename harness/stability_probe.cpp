@@ -84,21 +84,53 @@ Tensor StabilityProbe::loading(double xi, double t) const {
 }
 
 AcousticExtreme StabilityProbe::at(double xi, double t, const std::vector<double>& state) const {
-  const Tensor F = path_.deformation_gradient(xi, t), along = loading(xi, t);
-  if (along.isZero(0)) return {scale_, Vector3::Zero()};
-  const double dt = rate_ > 0 ? 1 / rate_ : end_;  // per unit of strain
-  const Tensor start = F + steps_.settle * along;
-  return smallest_acoustic_eigenvalue(modulus_of(material_, t, steps_.base * dt, start, start + steps_.base * along,
-                                                 settled_state(xi, t, state, F, start, dt), steps_.difference));
+  return at(std::span(&xi, 1), t, std::span(&state, 1)).front();
 }
 
-std::vector<double> StabilityProbe::settled_state(double xi, double t, const std::vector<double>& state,
-                                                  const Tensor& F, const Tensor& start, double dt) const {
-  if (state.empty()) return {};
-  double F0[9], F1[9], cauchy[9];
-  for (int c = 0; c < 9; ++c) F0[c] = component(F, c), F1[c] = component(start, c);
-  std::vector<double> settled(state.size());
-  checked_update(material_, xi, t, steps_.settle * dt, 1, F0, F1, state.data(), settled.data(), cauchy);
+std::vector<AcousticExtreme> StabilityProbe::at(std::span<const double> xi, double t,
+                                                std::span<const std::vector<double>> states) const {
+  std::vector<AcousticExtreme> found(xi.size(), {scale_, Vector3::Zero()});
+  std::vector<std::size_t> moving;
+  std::vector<ProbedStep> steps;
+  for (std::size_t k = 0; k < xi.size(); ++k) {
+    const Tensor F = path_.deformation_gradient(xi[k], t), along = loading(xi[k], t);
+    if (along.isZero(0)) continue;
+    moving.push_back(k);
+    steps.push_back({F, F + steps_.settle * along, states[k]});
+  }
+  if (steps.empty()) return found;
+  const double dt = rate_ > 0 ? 1 / rate_ : end_;  // per unit of strain
+  const std::vector<std::vector<double>> settled = settled_states(xi[moving.front()], t, steps, steps_.settle * dt);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const Tensor start = steps[i].F1;
+    steps[i] = {start, start + steps_.base * loading(xi[moving[i]], t), settled[i]};
+  }
+  const auto moduli = probe_tangent_moduli(material_, t, steps_.base * dt, steps, steps_.difference);
+  for (std::size_t i = 0; i < moduli.size(); ++i) {
+    const TangentModulus& A = moduli[i];
+    found[moving[i]] = smallest_acoustic_eigenvalue(material_.has(ASSAY_IN_PLANE) ? of_solid(A) : A);
+  }
+  return found;
+}
+
+/// The states at the ends of the steps.
+std::vector<std::vector<double>> StabilityProbe::settled_states(double xi, double t, std::span<const ProbedStep> steps,
+                                                                double dt) const {
+  const std::size_t n = steps.size(), size = material_.state_size();
+  std::vector<std::vector<double>> settled(n, std::vector<double>(size));
+  if (size == 0) return settled;
+  std::vector<double> F0(9 * n), F1(9 * n), cauchy(9 * n), before(size * n), after(size * n);
+  for (std::size_t p = 0; p < n; ++p) {
+    for (std::size_t c = 0; c < 9; ++c) {
+      F0[c * n + p] = component(steps[p].F0, static_cast<int>(c));
+      F1[c * n + p] = component(steps[p].F1, static_cast<int>(c));
+    }
+    for (std::size_t c = 0; c < size; ++c) before[c * n + p] = steps[p].state0[c];
+  }
+  checked_update(material_, xi, t, dt, n, F0.data(), F1.data(), before.data(), after.data(), cauchy.data());
+  for (std::size_t p = 0; p < n; ++p) {
+    for (std::size_t c = 0; c < size; ++c) settled[p][c] = after[c * n + p];
+  }
   return settled;
 }
 

@@ -2,10 +2,12 @@
 // The smallest acoustic eigenvalue of a material at one place of a path, on the branch on which the path loads.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "harness/acoustic_tensor.hpp"
 #include "harness/path.hpp"
+#include "harness/tangent_modulus.hpp"
 
 namespace assay {
 
@@ -24,6 +26,10 @@ class StabilityProbe {
   /// steps go a little beyond the path: throws MaterialFailure where the material fails in them.
   AcousticExtreme at(double xi, double t, const std::vector<double>& state) const;
 
+  /// The same at many xi of one time, in batches: throws where any of them fails.
+  std::vector<AcousticExtreme> at(std::span<const double> xi, double t,
+                                  std::span<const std::vector<double>> states) const;
+
  private:
   /// Steps of strain. The state is settled first: a history's state is known to a tolerance, and only `update` itself
   /// puts it exactly on a yield surface. Then a step along the path, and differences small against it.
@@ -35,8 +41,8 @@ class StabilityProbe {
 
   void look_at_rest();
   Tensor loading(double xi, double t) const;
-  std::vector<double> settled_state(double xi, double t, const std::vector<double>& state, const Tensor& F,
-                                    const Tensor& start, double dt) const;
+  std::vector<std::vector<double>> settled_states(double xi, double t, std::span<const ProbedStep> steps,
+                                                  double dt) const;
 
   const Material& material_;
   const Path& path_;

@@ -54,22 +54,36 @@ class Screen {
     options.tolerance = screened_tolerance;
     const Histories h = integrate_histories(material_, path_, xi, times, options);
     Scan result{xi, times, {}};
-    std::vector<double> state(material_.state_size());
+    std::vector<std::vector<double>> states(xi.size(), std::vector<double>(material_.state_size()));
     for (std::size_t row = 0; row < times.size(); ++row) {
-      std::vector<AcousticExtreme>& found = result.found.emplace_back();
       for (std::size_t p = 0; p < xi.size(); ++p) {
-        for (std::size_t c = 0; c < state.size(); ++c) state[c] = h.points[row].state[c * xi.size() + p];
-        try {
-          found.push_back(probe_.at(xi[p], times[row], state));
-        } catch (MaterialFailure& failure) {
-          failure.xi = xi[p];
-          if (failure.final || ++result.unjudged == static_cast<int>(xi.size() * times.size()))
-            throw;  // nothing can be judged
-          found.push_back({probe_.scale(), Vector3::Zero()});
-        }
+        for (std::size_t c = 0; c < states[p].size(); ++c) states[p][c] = h.points[row].state[c * xi.size() + p];
+      }
+      try {
+        result.found.push_back(probe_.at(xi, times[row], states));
+      } catch (const MaterialFailure&) {
+        const auto all = static_cast<int>(xi.size() * times.size());
+        result.found.push_back(one_by_one(xi, times[row], states, all, result.unjudged));
       }
     }
     return result;
+  }
+
+  /// Where a batch fails: its places that do not. Throws where `all` places so far are unjudged.
+  std::vector<AcousticExtreme> one_by_one(const std::vector<double>& xi, double t,
+                                          const std::vector<std::vector<double>>& states, int all,
+                                          int& unjudged) const {
+    std::vector<AcousticExtreme> found;
+    for (std::size_t p = 0; p < xi.size(); ++p) {
+      try {
+        found.push_back(probe_.at(xi[p], t, states[p]));
+      } catch (MaterialFailure& failure) {
+        failure.xi = xi[p];
+        if (failure.final || ++unjudged == all) throw;  // nothing can be judged
+        found.push_back({probe_.scale(), Vector3::Zero()});
+      }
+    }
+    return found;
   }
 
   std::vector<double> sampled_times() const {

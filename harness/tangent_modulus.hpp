@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "harness/material.hpp"
@@ -21,5 +22,16 @@ TangentModulus probe_tangent_modulus(const Material& material, double t, double 
 /// branch that the step is on: the loading branch of a material with kinks.
 TangentModulus probe_tangent_modulus(const Material& material, double t, double dt, const Tensor& F0, const Tensor& F1,
                                      const std::vector<double>& state0, double size);
+
+/// Steps of many points from t on, each with its state before.
+struct ProbedStep {
+  Tensor F0, F1;
+  std::vector<double> state0;
+};
+std::vector<TangentModulus> probe_tangent_moduli(const Material& material, double t, double dt,
+                                                 std::span<const ProbedStep> steps, double size);
+
+/// Size of differences that suits most materials [1].
+inline constexpr double difference_of_F = 1e-5;  ///< central: error about 1e-10 relative, round-off about 1e-11
 
 }  // namespace assay

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "harness/path_recipe.hpp"
+
 namespace assay {
 
 AmplitudeValue TwistingRing::widening(double t, double period) {
@@ -51,6 +53,7 @@ Path TwistingRing::baseline() const {
     times.erase(std::unique(times.begin(), times.end(), same), times.end());
     return times;
   };
+  path.recipe = recipe_of(*this);
   return path;
 }
 

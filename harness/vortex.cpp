@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/path_recipe.hpp"
 #include "harness/radii_of_xi.hpp"
 
 namespace assay {
@@ -98,6 +99,7 @@ Path Vortex::baseline() const {
     const auto [lower, upper] = g.range(end);
     return Interval{lower, upper};
   };
+  path.recipe = recipe_of(*this);
   return path;
 }
 

@@ -40,22 +40,43 @@ double own_wave_speed(const Material& material, const assay_wave_speed& extensio
   return fastest;
 }
 
+/// In a batch or, where that fails, one by one until the place is known.
+std::vector<TangentModulus> moduli_of(const Material& material, double t, double dt, std::span<const double> xi,
+                                      std::span<const ProbedStep> steps) {
+  try {
+    return probe_tangent_moduli(material, t, dt, steps, difference_of_F);
+  } catch (const MaterialFailure&) {
+    std::vector<TangentModulus> found;
+    for (std::size_t p = 0; p < steps.size(); ++p) {
+      try {
+        found.push_back(probe_tangent_moduli(material, t, dt, steps.subspan(p, 1), difference_of_F).front());
+      } catch (MaterialFailure& failure) {
+        failure.xi = xi[p];
+        throw;
+      }
+    }
+    return found;
+  }
+}
+
 double probed_wave_speed(const Material& material, double density, double dt, const Histories& h, const Path& path,
                          WaveFrame frame) {
   const std::size_t n = h.xi.size();
-  std::vector<double> state(material.state_size());
+  std::vector<ProbedStep> steps(n);
   double fastest = 0;
   for (std::size_t row = 0; row < h.times.size(); ++row) {
     for (std::size_t p = 0; p < n; ++p) {
-      for (std::size_t c = 0; c < state.size(); ++c) state[c] = h.points[row].state[c * n + p];
-      const Tensor F = path.deformation_gradient(h.xi[p], h.times[row]);
-      try {
-        const TangentModulus A = probe_tangent_modulus(material, h.times[row], dt, F, state);
-        fastest = std::max(fastest, fastest_wave(A, frame == WaveFrame::current ? F : Tensor::Identity(), density));
-      } catch (MaterialFailure& failure) {
-        failure.xi = h.xi[p];
-        throw;
+      steps[p].F0 = steps[p].F1 = path.deformation_gradient(h.xi[p], h.times[row]);
+      steps[p].state0.resize(material.state_size());
+      for (std::size_t c = 0; c < material.state_size(); ++c) {
+        steps[p].state0[c] = h.points[row].state[c * n + p];
       }
+    }
+    const std::vector<TangentModulus> moduli = moduli_of(material, h.times[row], dt, h.xi, steps);
+    for (std::size_t p = 0; p < n; ++p) {
+      const Tensor& F = steps[p].F0;
+      fastest =
+          std::max(fastest, fastest_wave(moduli[p], frame == WaveFrame::current ? F : Tensor::Identity(), density));
     }
   }
   return fastest;

@@ -2,6 +2,7 @@
 // The arrays of one call in memory that host and worker share: both lay them out alike.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <optional>
@@ -23,7 +24,8 @@ enum class Operation : std::uint32_t {
   rate,
   wave_speed,
   closed_form,
-  end,  ///< the task is done
+  history,  ///< a history as a whole, or a coarse march: harness/history_task.hpp
+  end,      ///< the task is done
 };
 
 /// Scalars of a call.
@@ -65,10 +67,9 @@ class CallArrays {
   /// "writes past cauchy"; nothing where all stand.
   std::optional<std::string> broken_fence() const {
     for (std::size_t k = 0; k < fences_.size(); ++k) {
-      for (std::size_t at = fences_[k].begin; at < fences_[k].end; ++at) {
-        if (memory_[at] == post) continue;
-        return k == 0 ? "writes before the first array" : "writes past " + fences_[k].name;
-      }
+      const std::size_t size = fences_[k].end - fences_[k].begin;
+      if (std::memcmp(memory_ + fences_[k].begin, posts.data(), size) == 0) continue;
+      return k == 0 ? "writes before the first array" : "writes past " + fences_[k].name;
     }
     return std::nullopt;
   }
@@ -76,6 +77,11 @@ class CallArrays {
  private:
   static constexpr std::size_t alignment = 64, fence = 256;
   static constexpr char post = 0x5a;
+  static constexpr auto posts = [] {
+    std::array<char, fence + alignment> all{};
+    all.fill(post);
+    return all;
+  }();
   struct Fence {
     std::string name;
     std::size_t begin, end;
@@ -92,5 +98,29 @@ class CallArrays {
   std::vector<std::size_t> ends_;
   std::vector<Fence> fences_;
 };
+
+/// Of `update`.
+struct UpdateArrays {
+  double *F0, *F1, *state0, *state1, *cauchy;
+  std::int32_t* status;
+
+  UpdateArrays(CallArrays& arrays, std::size_t n, std::size_t state_size)
+      : F0(arrays.next<double>(9 * n, "F0")),
+        F1(arrays.next<double>(9 * n, "F1")),
+        state0(arrays.next<double>(state_size * n, "state0")),
+        state1(arrays.next<double>(state_size * n, "state1")),
+        cauchy(arrays.next<double>(9 * n, "cauchy")),
+        status(arrays.next<std::int32_t>(n, "status")) {}
+};
+
+/// Of a history: what is asked, and room for as many numbers as an answer may have. While it is taken, the calls of the
+/// model in it lie in the second half of the memory.
+inline constexpr std::size_t history_numbers = std::size_t{1} << 22;
+struct HistoryArrays {
+  double *task, *answer;
+  HistoryArrays(CallArrays& arrays, std::size_t size)
+      : task(arrays.next<double>(size, "the task")), answer(arrays.next<double>(history_numbers, "the answer")) {}
+};
+inline CallArrays arrays_inside(char* memory, std::size_t size) { return {memory + size / 2, size - size / 2}; }
 
 }  // namespace assay::adapters

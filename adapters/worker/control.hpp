@@ -34,6 +34,8 @@ struct Control {
   std::atomic<std::uint32_t> request, reply;
   std::atomic<std::uint32_t> operation;  ///< Operation, or of a task
   std::atomic<std::uint32_t> spin_us;    ///< how long both sides look before they sleep: calls come fast
+  std::atomic<std::uint32_t> host_sleeps, worker_sleeps;
+  std::atomic<std::uint64_t> wake_ups;  ///< of either side, by the system
   // limits, set by the host before the start
   double time_limit;           ///< of one call [s]
   std::uint64_t memory_limit;  ///< bytes beyond what the worker had at its start

@@ -14,14 +14,25 @@
 namespace assay::adapters {
 
 /// Sleeps while the word has that value; comes back on a wake, a signal, or after `milliseconds` (negative: never).
-inline void wait_while(std::atomic<std::uint32_t>& word, std::uint32_t value, int milliseconds = -1) {
+/// `sleeps` says so meanwhile: who changes the word and then finds 0 there need not ask the system to wake anybody.
+inline void wait_while(std::atomic<std::uint32_t>& word, std::uint32_t value, std::atomic<std::uint32_t>& sleeps,
+                       int milliseconds = -1) {
   const timespec limit{milliseconds / 1000, (milliseconds % 1000) * 1000000L};
+  sleeps.store(1);
   ::syscall(SYS_futex, reinterpret_cast<std::uint32_t*>(&word), FUTEX_WAIT, value, milliseconds < 0 ? nullptr : &limit,
             nullptr, 0);
+  sleeps.store(0);
 }
 
 inline void wake_all(std::atomic<std::uint32_t>& word) {
   ::syscall(SYS_futex, reinterpret_cast<std::uint32_t*>(&word), FUTEX_WAKE, INT_MAX, nullptr, nullptr, 0);
+}
+
+/// Whether anybody had to be woken.
+inline bool wake_sleeper(std::atomic<std::uint32_t>& word, const std::atomic<std::uint32_t>& sleeps) {
+  if (sleeps.load() == 0) return false;
+  wake_all(word);
+  return true;
 }
 
 /// Looks for so long whether the word has changed; true when it has.

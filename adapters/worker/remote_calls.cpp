@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "adapters/worker/remote_histories.hpp"
 #include "adapters/worker/remote_instance.hpp"
 
 namespace assay::adapters {
@@ -163,31 +164,29 @@ std::optional<std::size_t> point_that_ends(void* self, const assay_step& step, s
 void update_remote(void* self, const assay_step* step, std::size_t n, const double* state0, double* state1,
                    double* cauchy, std::int32_t* status, double* dt_factor, char* message) {
   const std::size_t size = of(self).table().state_size * n;
-  double *new_state = nullptr, *stress = nullptr;
-  std::int32_t* statuses = nullptr;
+  std::optional<UpdateArrays> a;
   std::size_t point = 0;
   const auto in = [&](CallArrays& arrays) {
     arrays.head().t = step->t;
     arrays.head().dt = step->dt;
-    put(arrays, step->F0, 9 * n, "F0");
-    put(arrays, step->F1, 9 * n, "F1");
-    put(arrays, state0, size, "state0");
-    new_state = arrays.next<double>(size, "state1");
-    stress = arrays.next<double>(9 * n, "cauchy");
-    statuses = arrays.next<std::int32_t>(n, "status");
-    std::copy_n(state1, size, new_state);
-    std::copy_n(cauchy, 9 * n, stress);
-    std::copy_n(status, n, statuses);
+    a.emplace(arrays, n, of(self).table().state_size);
+    std::copy_n(step->F0, 9 * n, a->F0);
+    std::copy_n(step->F1, 9 * n, a->F1);
+    std::copy_n(state0, size, a->state0);
+    std::copy_n(state1, size, a->state1);
+    std::copy_n(cauchy, 9 * n, a->cauchy);
+    std::copy_n(status, n, a->status);
   };
   const auto out = [&](CallHead& head) {
-    std::copy_n(new_state, size, state1);
-    std::copy_n(stress, 9 * n, cauchy);
-    std::copy_n(statuses, n, status);
+    std::copy_n(a->state1, size, state1);
+    std::copy_n(a->cauchy, 9 * n, cauchy);
+    std::copy_n(a->status, n, status);
     *dt_factor = head.dt_factor;
     std::memcpy(message, head.message, ASSAY_MESSAGE_SIZE);
   };
+  const auto dead = [&](const WorkerProcess& worker) { point = worker.control().point.load(); };
   try {
-    if (of(self).call(Operation::update, n, in, out, &point)) return;
+    if (of(self).call(Operation::update, n, in, out, dead)) return;
   } catch (const std::exception& error) {
     of(self).reason = error.what();
   }
@@ -219,7 +218,8 @@ const void* extension_remote(const assay_material* table, const char* id) {
                           {ASSAY_EXTENSION_CLOSED_FORM, a.closed_form, &closed_form},
                           {ASSAY_EXTENSION_REASON, true, &reason},
                           {ASSAY_EXTENSION_EXAMPLE, !a.example.empty(), &remote.example},
-                          {ASSAY_EXTENSION_SYMMETRY, a.material_class != 0, &remote.material_class}};
+                          {ASSAY_EXTENSION_SYMMETRY, a.material_class != 0, &remote.material_class},
+                          {histories_elsewhere_id, true, &histories_remote}};
   for (const Offer& offer : offers) {
     if (std::strcmp(offer.id, id) == 0) return offer.there ? offer.functions : nullptr;
   }

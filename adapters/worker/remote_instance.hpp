@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <cstring>
 #include <memory>
 #include <mutex>
@@ -25,7 +26,7 @@ struct Slot {
   explicit Slot(const WorkerStart& start) : worker(start) {}
   WorkerProcess worker;
   std::set<std::uint64_t> instances;
-  bool busy = true;
+  bool busy = false;
 };
 
 struct RemoteTable : assay_material {
@@ -35,37 +36,58 @@ struct RemoteTable : assay_material {
   WorkerStart start;
   std::size_t state_size = 0;
   std::mutex guard;
-  std::vector<std::unique_ptr<Slot>> slots;
-  std::string printed;       ///< by workers that have ended
-  std::uint32_t habits = 0;  ///< of such
+  std::condition_variable freed;  ///< a slot is no longer busy
+  std::vector<std::shared_ptr<Slot>> slots;
+  std::string printed;                      ///< by workers that have ended
+  std::uint32_t habits = 0;                 ///< of such
+  std::uint64_t wake_ups = 0;               ///< of such
+  std::atomic<std::int64_t> hand_overs{0};  ///< to any worker
 
   void keep_marks_of(const WorkerProcess& worker) {
     printed += worker.output();
     habits |= worker.control().habits.load();
+    wake_ups += worker.control().wake_ups.load();
+  }
+
+  /// The slot of that number, started where there is none.
+  std::shared_ptr<Slot> slot_number(std::size_t number) {
+    const std::lock_guard lock(guard);
+    while (slots.size() <= number) slots.push_back(std::make_shared<Slot>(start));
+    return slots[number];
   }
 };
 
 /// A worker for one call.
 class Lease {
  public:
+  /// Any that is free, best one that has the instance.
   Lease(RemoteTable& table, std::uint64_t instance) : table_(table) {
     const std::lock_guard lock(table.guard);
     for (const auto& slot : table.slots) {
       if (slot->busy || (slot_ && slot->instances.count(instance) == 0)) continue;
-      slot_ = slot.get();
+      slot_ = slot;
     }
     if (!slot_) {
-      table.slots.push_back(std::make_unique<Slot>(table.start));
-      slot_ = table.slots.back().get();
+      table.slots.push_back(std::make_shared<Slot>(table.start));
+      slot_ = table.slots.back();
     }
+    slot_->busy = true;
+  }
+  /// That one, as soon as it is free.
+  Lease(RemoteTable& table, std::shared_ptr<Slot> slot) : table_(table), slot_(std::move(slot)) {
+    std::unique_lock lock(table.guard);
+    table.freed.wait(lock, [this] { return !slot_->busy; });
     slot_->busy = true;
   }
   ~Lease() {
     const std::lock_guard lock(table_.guard);
     slot_->busy = false;
+    table_.freed.notify_all();
     if (!slot_->worker.dead()) return;
+    const auto gone = std::find(table_.slots.begin(), table_.slots.end(), slot_);
+    if (gone == table_.slots.end()) return;
     table_.keep_marks_of(slot_->worker);
-    std::erase_if(table_.slots, [this](const auto& slot) { return slot.get() == slot_; });
+    table_.slots.erase(gone);
   }
   Lease(const Lease&) = delete;
   Lease& operator=(const Lease&) = delete;
@@ -73,7 +95,7 @@ class Lease {
 
  private:
   RemoteTable& table_;
-  Slot* slot_ = nullptr;
+  std::shared_ptr<Slot> slot_;
 };
 
 inline std::string text_of(const char* words, std::size_t size) { return {words, strnlen(words, size)}; }
@@ -88,15 +110,22 @@ class Instance {
   }
 
   RemoteTable& table() { return table_; }
+  std::uint64_t id() const { return id_; }
   std::string reason;  ///< of the last call that failed
 
   /// Room for a call's arrays, filled by `in`; `out` reads the answer. False with a reason: the worker died, refused to
-  /// make the instance, or wrote where it must not. `point`: that was being worked on, if it died there; or no_point.
-  template <class In, class Out>
-  bool call(Operation operation, std::size_t n, const In& in, const Out& out, std::size_t* point = nullptr) {
-    reason.clear();
+  /// make the instance, or wrote where it must not. `dead(worker)`: what its memory still tells, if it died.
+  template <class In, class Out, class Dead>
+  bool call(Operation operation, std::size_t n, const In& in, const Out& out, const Dead& dead) {
     Lease lease(table_, id_);
-    Slot& slot = lease.slot();
+    return call_in(lease.slot(), operation, n, in, out, dead);
+  }
+
+  /// The same in a worker that is at hand.
+  template <class In, class Out, class Dead>
+  bool call_in(Slot& slot, Operation operation, std::size_t n, const In& in, const Out& out, const Dead& dead) {
+    reason.clear();
+    ++table_.hand_overs;
     if (!known_to(slot)) return false;
     CallArrays arrays(slot.worker.arrays(), slot.worker.arrays_size());
     arrays.head() = {.instance = id_,
@@ -111,8 +140,8 @@ class Instance {
     in(arrays);
     arrays.raise_fences();
     if (!slot.worker.call(static_cast<std::uint32_t>(operation))) {
-      if (point) *point = slot.worker.control().point.load();
       reason = "the model " + slot.worker.how_it_ended();
+      dead(slot.worker);
       return false;
     }
     if (const auto broken = arrays.broken_fence()) {
@@ -131,11 +160,12 @@ class Instance {
   template <class In, class Out>
   std::int32_t status_of(Operation operation, std::size_t n, const In& in, const Out& out) {
     std::int32_t status = ASSAY_FAILED;
-    call(operation, n, in, [&](CallHead& head) {
+    const auto take = [&](CallHead& head) {
       status = head.status;
       if (status == ASSAY_FAILED) reason = text_of(head.message, ASSAY_MESSAGE_SIZE);
       out();
-    });
+    };
+    call(operation, n, in, take, [](const WorkerProcess&) {});
     return status;
   }
 

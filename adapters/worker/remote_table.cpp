@@ -97,10 +97,23 @@ std::uint32_t habits_of(const assay_material* table) {
   return 0;
 }
 
+HandOvers hand_overs_of(const assay_material* table) {
+  const std::lock_guard lock(all_tables().guard);
+  for (const auto& each : all_tables().tables) {
+    if (each.get() != table) continue;
+    std::uint64_t wake_ups = each->wake_ups;
+    for (const auto& slot : each->slots) wake_ups += slot->worker.control().wake_ups.load();
+    return {each->hand_overs.load(), static_cast<std::int64_t>(wake_ups)};
+  }
+  return {};
+}
+
 void keep_marks(const assay_material* table, const WorkerProcess& worker) {
   const std::lock_guard lock(all_tables().guard);
   for (const auto& each : all_tables().tables) {
-    if (each.get() == table) each->keep_marks_of(worker);
+    if (each.get() != table) continue;
+    each->keep_marks_of(worker);
+    each->hand_overs += worker.control().request.load();
   }
 }
 

@@ -2,6 +2,7 @@
 // A table of the ABI whose functions run in worker processes.
 #pragma once
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 
@@ -33,6 +34,12 @@ std::string output_of(const assay_material* table);
 
 /// What the model has done to its workers, or-ed Habit; nothing of any other table.
 std::uint32_t habits_of(const assay_material* table);
+
+/// What was asked of the workers of a remote table, and how often the system had to wake one side for it.
+struct HandOvers {
+  std::int64_t count = 0, wake_ups = 0;
+};
+HandOvers hand_overs_of(const assay_material* table);
 
 /// Adds what a model has printed and done in a worker that its table knows nothing of, and that is about to end.
 void keep_marks(const assay_material* table, const WorkerProcess& worker);

@@ -9,8 +9,10 @@
 #include <ctime>
 #include <map>
 #include <memory>
+#include <stdexcept>
 
 #include "adapters/worker/call_arrays.hpp"
+#include "adapters/worker/fenced_model.hpp"
 #include "adapters/worker/futex.hpp"
 #include "adapters/worker/process_watch.hpp"
 #include "adapters/worker/table_pack.hpp"
@@ -36,6 +38,7 @@ class Servant {
   void serve(Operation operation) {
     CallArrays arrays(floor_.arrays, floor_.arrays_size);
     head_ = &arrays.head();
+    if (operation == Operation::history) return history(arrays);
     const ForeignCall marks(floor_.control);
     switch (operation) {
       case Operation::describe: {
@@ -69,7 +72,23 @@ class Servant {
     const auto* parameters = arrays.next<double>(table_.parameter_count, "the parameters");
     void* made = create_instance(&table_, parameters, head_->message);
     head_->status = made ? ASSAY_GOOD : ASSAY_FAILED;
-    if (made) instances_.insert_or_assign(head_->instance, Self(made, table_.destroy));
+    if (!made) return;
+    histories_.erase(head_->instance);
+    instances_.insert_or_assign(head_->instance, Self(made, table_.destroy));
+    parameters_[head_->instance].assign(parameters, parameters + table_.parameter_count);
+  }
+
+  /// Each call of the model bears its own marks: the whole may take as long as it takes.
+  void history(CallArrays& arrays) {
+    const HistoryArrays numbers(arrays, head_->n);
+    auto& fenced = histories_[head_->instance];
+    if (!fenced) fenced = std::make_unique<FencedModel>(table_, self(), parameters_[head_->instance], floor_);
+    const std::vector<double> answer = fenced->answer({numbers.task, head_->n});
+    if (answer.size() > history_numbers) throw std::length_error("a history's answer has no room");
+    std::copy(answer.begin(), answer.end(), numbers.answer);
+    head_->n = answer.size();
+    head_->status = ASSAY_GOOD;
+    floor_.control.arithmetic.store(arithmetic_kept);
   }
 
   void initial_state(CallArrays& arrays) {
@@ -82,14 +101,9 @@ class Servant {
 
   void update(CallArrays& arrays) {
     const std::size_t n = head_->n;
-    const auto* F0 = arrays.next<double>(9 * n, "F0");
-    const auto* F1 = arrays.next<double>(9 * n, "F1");
-    const auto* state0 = arrays.next<double>(state_ * n, "state0");
-    auto* state1 = arrays.next<double>(state_ * n, "state1");
-    auto* cauchy = arrays.next<double>(9 * n, "cauchy");
-    auto* status = arrays.next<std::int32_t>(n, "status");
-    const assay_step step{head_->t, head_->dt, F0, F1};
-    table_.update(self(), &step, n, state0, state1, cauchy, status, &head_->dt_factor, head_->message);
+    const UpdateArrays a(arrays, n, state_);
+    const assay_step step{head_->t, head_->dt, a.F0, a.F1};
+    table_.update(self(), &step, n, a.state0, a.state1, a.cauchy, a.status, &head_->dt_factor, head_->message);
   }
 
   template <class Extension>
@@ -138,6 +152,8 @@ class Servant {
   std::size_t state_ = 0;
   CallHead* head_ = nullptr;
   std::map<std::uint64_t, Self> instances_;
+  std::map<std::uint64_t, std::vector<double>> parameters_;
+  std::map<std::uint64_t, std::unique_ptr<FencedModel>> histories_;
 };
 
 }  // namespace
@@ -147,10 +163,9 @@ namespace {
 /// Looks at what the model has done to its process: after each of the first calls, then at most once a millisecond.
 class Lookout {
  public:
-  void look(Control& control) {
+  void look(Control& control, std::int64_t now) {
     constexpr int first_calls = 16;
     constexpr std::int64_t pause_ns = 1000000;
-    const std::int64_t now = now_ns();
     if (++calls_ > first_calls && now - last_ns_ < pause_ns) return;
     last_ns_ = now;
     control.habits.fetch_or(process_.habits());
@@ -177,11 +192,22 @@ ForeignCall::ForeignCall(Control& control) : control_(control) {
 }
 
 ForeignCall::~ForeignCall() {
-  control_.busy_ns.store(now_ns() - control_.busy_since.load());
+  const std::int64_t now = now_ns();
+  control_.busy_ns.store(now - control_.busy_since.load());
   control_.busy_since.store(0);
   control_.arithmetic.store(changes_of_arithmetic());
   reset_arithmetic();
-  lookout->look(control_);
+  lookout->look(control_, now);
+}
+
+ModelCall::ModelCall(Control& control) : control_(control), begin_(now_ns()) {
+  control_.point.store(no_point, std::memory_order_relaxed);
+  control_.busy_since.store(begin_, std::memory_order_release);
+}
+
+ModelCall::~ModelCall() {
+  control_.busy_since.store(0, std::memory_order_release);
+  lookout->look(control_, begin_);  // the clock is not read again
 }
 
 void watch_process(Control& control) {
@@ -194,13 +220,13 @@ std::uint32_t next_request(Control& control) {
     const std::uint32_t seen = control.reply.load(), asked = control.request.load();
     if (asked != seen) return control.operation.load();
     if (changes_within(control.request, asked, control.spin_us.load())) continue;
-    wait_while(control.request, asked);
+    wait_while(control.request, asked, control.worker_sleeps);
   }
 }
 
 void answer(Control& control) {
   control.reply.store(control.request.load());
-  wake_all(control.reply);
+  if (wake_sleeper(control.reply, control.host_sleeps)) control.wake_ups.fetch_add(1);
 }
 
 void serve_model(WorkerFloor& floor, const std::function<const assay_material*()>& find) {

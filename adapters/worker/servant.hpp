@@ -36,4 +36,17 @@ class ForeignCall {
   Control& control_;
 };
 
+/// One of many calls of a model within a request: it alone counts for the limit of time.
+class ModelCall {
+ public:
+  explicit ModelCall(Control& control);
+  ~ModelCall();
+  ModelCall(const ModelCall&) = delete;
+  ModelCall& operator=(const ModelCall&) = delete;
+
+ private:
+  Control& control_;
+  std::int64_t begin_;
+};
+
 }  // namespace assay::adapters

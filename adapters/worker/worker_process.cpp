@@ -142,7 +142,7 @@ void WorkerProcess::post(std::uint32_t operation) {
   c.operation.store(operation);
   c.spin_us.store(habit_.look());
   c.request.fetch_add(1);
-  wake_all(c.request);
+  if (wake_sleeper(c.request, c.worker_sleeps)) c.wake_ups.fetch_add(1);
 }
 
 bool WorkerProcess::wait() {
@@ -153,7 +153,7 @@ bool WorkerProcess::wait() {
     const std::uint32_t seen = c.reply.load();
     if (c.death.load()) return false;
     if (seen == wanted) return true;
-    wait_while(c.reply, seen, look_ms);
+    wait_while(c.reply, seen, c.host_sleeps, look_ms);
     std::uint32_t none = 0;
     if (c.reply.load() == seen && warden_is_stuck()) ::kill(warden_, SIGKILL);
     if (c.reply.load() == seen && warden_is_gone()) {

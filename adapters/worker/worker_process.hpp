@@ -41,7 +41,7 @@ class WorkerProcess {
   Control& control() { return *static_cast<Control*>(memory_.data()); }
   const Control& control() const { return *static_cast<const Control*>(memory_.data()); }
   /// Of the arrays of a call, 64-byte aligned.
-  char* arrays() { return static_cast<char*>(memory_.data()) + arrays_offset; }
+  char* arrays() const { return static_cast<char*>(memory_.data()) + arrays_offset; }
   std::size_t arrays_size() const { return memory_.size() - arrays_offset; }
 
   /// Hands over and returns at once; `wait` comes back when it is done. False: the worker is dead.

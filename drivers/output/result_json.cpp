@@ -173,6 +173,8 @@ Json tree(const Result& result) {
   out["peak_rss_bytes"] = result.peak_rss_bytes;
   out["work"] = Json::object({{"particle_steps", result.particle_steps},
                               {"material_calls", result.material_calls},
+                              {"hand_overs", result.hand_overs},
+                              {"wake_ups", result.wake_ups},
                               {"bytes", bytes_of(result)}});
   out["particle_steps_per_s"] = json_figure(result.particle_steps_per_s);
   out["passes"] = passes(result.passes);

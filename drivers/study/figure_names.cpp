@@ -34,6 +34,8 @@ constexpr std::array words{
     Words{"wall_s", "wall time of the step loop", "s"},
     Words{"work.particle_steps", "particle-steps", ""},
     Words{"work.material_calls", "calls of the material", ""},
+    Words{"work.hand_overs", "hand-overs to the workers of a foreign material", ""},
+    Words{"work.wake_ups", "times that one side of a hand-over had to be woken", ""},
     Words{"work.bytes", "bytes read and written in particle columns", "B"},
     Words{"peak_rss_bytes", "peak memory", "B"},
 };

@@ -39,6 +39,8 @@ if(CMAKE_Fortran_COMPILER)
   target_compile_definitions(foreign_umat_j2_unrotated PRIVATE UNROTATED)
   add_foreign_double(umat_j2_elastic_ddsdde ${foreign}/umat_j2.F90)
   target_compile_definitions(foreign_umat_j2_elastic_ddsdde PRIVATE ELASTIC_DDSDDE)
+  add_foreign_double(umat_j2_back_stress_alone ${foreign}/umat_j2.F90)
+  target_compile_definitions(foreign_umat_j2_back_stress_alone PRIVATE BACK_STRESS_ALONE)
   add_foreign_double(umat_kinematic ${foreign}/umat_kinematic.f90)
   add_foreign_double(umat_in_plane ${foreign}/umat_in_plane.f)
   set(crystals "" GREEN WRONG_SIGN STRESS_BOND TURNED_ON GREEN+WRONG_SIGN GREEN+TURNED_ON COROTATIONAL

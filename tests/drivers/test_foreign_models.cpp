@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
 
@@ -75,6 +76,52 @@ TEST_P(ForeignVortex, AgreesWithTheNativeModel) {
 
 INSTANTIATE_TEST_SUITE_P(Interfaces, ForeignVortex, testing::Values("umat", "vumat", "mfront"),
                          [](const auto& instance) { return std::string(instance.param); });
+
+/// What `tabulate` found of the small J2 scene.
+struct Tabulated {
+  std::vector<std::vector<double>> sheet;
+  nlohmann::json result;
+};
+Tabulated tabulated(const ScratchFolder& scratch, const std::string& name, const std::string& material) {
+  std::vector<std::string> words{"tabulate", configs + "j2_umat_small.yaml", "-o",    scratch / name, "--quiet",
+                                 "--set",    "force.tolerance=1e-5",         "--set", "expect={}"};
+  if (!material.empty()) words.insert(words.end(), {"--set", "material=" + material});
+  const Ending ending = assay_with_doubles(words);
+  EXPECT_EQ(ending.status, 0) << ending.said;
+  return {columns_of(scratch / (name + "/sheet.csv")),
+          nlohmann::json::parse(bytes_of(scratch / (name + "/result.json")))};
+}
+
+/// A UMAT with kinks, whether its state counts plastic strain or holds a back stress alone: bounds of counts, which do
+/// not depend on the machine. Its own error of first order costs it several times the calls of the built-in model.
+TEST(ForeignModels, AUmatOfJ2TakesCountedCallsAndFewHandOvers) {
+  if (!built("umat_j2")) GTEST_SKIP() << "no Fortran compiler";
+  constexpr double agreement = 2e-5, more_calls = 8;  // of the largest value; over those of the built-in model
+  constexpr std::int64_t calls_a_hand_over = 500;
+  const ScratchFolder scratch;
+  const Tabulated native = tabulated(
+      scratch, "native",
+      "{adapter: j2_jaumann, density: 1000, parameters: {E: 1.0e3, nu: 0.3, yield_stress: 5, kinematic_modulus: 50}}");
+  EXPECT_EQ(native.result["work"]["hand_overs"], 0);
+  for (const std::string& material : {std::string(), "{adapter: " + descriptions + "umat_j2_back_stress_alone.yaml}"}) {
+    const Tabulated umat = tabulated(scratch, "umat", material);
+    const auto calls = umat.result["work"]["material_calls"].get<std::int64_t>(),
+               native_calls = native.result["work"]["material_calls"].get<std::int64_t>(),
+               hand_overs = umat.result["work"]["hand_overs"].get<std::int64_t>();
+    EXPECT_LT(static_cast<double>(calls), more_calls * static_cast<double>(native_calls)) << material;
+    EXPECT_GT(hand_overs, 0);
+    EXPECT_GT(calls, calls_a_hand_over * hand_overs) << material;
+    EXPECT_LE(umat.result["work"]["wake_ups"].get<std::int64_t>(), 2 * hand_overs + 10) << material;
+    EXPECT_LT(umat.result["sheet"]["error_tau"].get<double>(), 1e-5) << material;
+    ASSERT_EQ(umat.sheet.size(), native.sheet.size());
+    constexpr std::size_t tau12 = 4;
+    double largest = 0;
+    for (const double value : native.sheet[tau12]) largest = std::max(largest, std::abs(value));
+    for (std::size_t row = 0; row < native.sheet[tau12].size(); ++row) {
+      EXPECT_NEAR(umat.sheet[tau12][row], native.sheet[tau12][row], agreement * largest) << material << " " << row;
+    }
+  }
+}
 
 /// Kept as it is: a model with a state, not thread-safe, in two workers.
 TEST(ForeignModels, TwoCoresGiveTheBitsOfOne) {

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 namespace assay::test_regime {
 namespace {
 
@@ -35,6 +38,57 @@ TEST(Regime, IsNamedWhereTheMaterialNamesIt) {
   const double before[2] = {0.1, 0}, flows[2] = {0.1, 1}, rests[2] = {0.2, 0};
   EXPECT_NE(reader.of(before, flows), reader.of(before, rests));
   EXPECT_EQ(reader.of(flows, rests), reader.of(before, rests));
+}
+
+const assay_state_variable of_a_umat[] = {{"back_stress", "Pa", ASSAY_SYMMETRIC_TENSOR, 0, ""},
+                                          {"TIME", "s", ASSAY_SCALAR, 0, ""},
+                                          {"SPD", "J/m^3", ASSAY_SCALAR, 0, ""},
+                                          {"plastic", "1", ASSAY_TENSOR, 0, ""}};
+constexpr std::size_t umat_size = 6 + 1 + 1 + 9;
+
+/// 1: so the variable does.
+StateSigns signs_of(const std::array<char, 4>& changes, const std::array<char, 4>& always) {
+  StateSigns signs;
+  signs.changes.assign(changes.begin(), changes.end());
+  signs.always.assign(always.begin(), always.end());
+  signs.any_start = true;
+  return signs;
+}
+
+TEST(Regime, IsNotToldByAClock) {
+  const assay_material table = table_with(of_a_umat, 4);
+  RegimeReader reader(table);
+  const double before[umat_size] = {1, 2, 3, 4, 5, 6, 0.1, 7};
+  double later[umat_size] = {1, 2, 3, 4, 5, 6, 0.2, 7}, flowed[umat_size] = {1, 2, 3, 4, 5, 6, 0.2, 7.1};
+  EXPECT_NE(reader.of(before, later), 0u);
+  reader.settle(table, signs_of({1, 1, 1, 1}, {0, 1, 0, 0}));
+  EXPECT_EQ(reader.of(before, later), 0u);
+  EXPECT_NE(reader.of(before, flowed), 0u);
+  later[0] = 9;
+  EXPECT_EQ(reader.of(before, later), 0u) << "a scalar tells: a tensor is not asked";
+}
+
+TEST(Regime, IsToldByTheInvariantsOfATensorWhereNoScalarChanges) {
+  const assay_material table = table_with(of_a_umat, 4);
+  RegimeReader reader(table);
+  reader.settle(table, signs_of({1, 1, 0, 0}, {0, 1, 0, 0}));
+  ASSERT_TRUE(reader.tells());
+  const double c = std::cos(0.3), s = std::sin(0.3), a = 3, b = -1;  // diag(a, b, 2) turned about 3
+  const double before[umat_size] = {a, b, 2, 0, 0, 0, 0.1};
+  const double turned[umat_size] = {a * c * c + b * s * s, a * s * s + b * c * c, 2, (a - b) * s * c, 0, 0, 0.2},
+               grown[umat_size] = {a + 1e-11, b, 2, 0, 0, 0, 0.2}, other[umat_size] = {a, b, 2, 0, 0, 0, 0.2, 0, 1};
+  EXPECT_EQ(reader.of(before, turned), 0u);
+  EXPECT_NE(reader.of(before, grown), 0u);
+  EXPECT_EQ(reader.of(before, other), 0u) << "the other tensor has never changed";
+}
+
+TEST(Regime, StaysAsDeclaredWhereNoStepWasTaken) {
+  const assay_material table = table_with(of_a_umat, 4);
+  RegimeReader reader(table);
+  StateSigns signs = signs_of({0, 0, 0, 0}, {1, 1, 1, 1});
+  signs.any_start = false;
+  reader.settle(table, signs);
+  EXPECT_TRUE(reader.tells());
 }
 
 TEST(Regime, IsUnknownWithoutScalars) {

@@ -57,6 +57,7 @@ inline ForeignModel foreign_double(const std::string& name) {
   } else if (name.starts_with("umat_j2")) {
     property("yield", 10), property("isotropic", 20), property("kinematic", 50);
     model.state = {{"back_stress", Kind::symmetric_tensor, "Pa"}, {"p", Kind::scalar, "1"}};
+    if (name == "umat_j2_back_stress_alone") model.state.pop_back();
     model.flags = ASSAY_NON_SMOOTH;
   } else if (name == "vumat_j2") {
     property("yield", 10), property("isotropic", 20);

@@ -38,7 +38,8 @@ enum {
   writes_strain = 25,    /* Fortran: to STRAN, which is the host's */
   asserts_numbers = 26,  /* aborts where the stress is no number */
   leaves_daemon = 27,    /* that has left its parents and their group */
-  kills_its_watcher = 28
+  kills_its_watcher = 28,
+  takes_its_time = 30 /* 10 ms a call */
 };
 
 static const size_t ten_gb = (size_t)10 << 30, page = 4096;
@@ -49,6 +50,8 @@ static double descend(volatile const double* above) {
   frame[0] = *above + 1;
   return frame[0] < 0 ? 0 : descend(frame) + frame[0];
 }
+
+static void take_time(void) { usleep(10000); }
 
 static void touch_10_gb(void) {
   volatile char* block = malloc(ten_gb); /* unchecked, as is usual */
@@ -170,6 +173,7 @@ void misbehave(int which, double* stress, double* statev, int nstatv) {
       [closes_everything] = close_everything,
       [leaves_daemon] = leave_daemon,
       [kills_its_watcher] = kill_its_watcher,
+      [takes_its_time] = take_time,
   };
   const int count = (int)(sizeof deeds / sizeof *deeds);
   static int calls = 0;

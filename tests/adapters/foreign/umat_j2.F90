@@ -3,6 +3,7 @@
 !   sqrt(3/2) |dev sigma - alpha| <= yield + H p,   d alpha = (2/3) C d eps_p
 ! PROPS: E, nu, yield stress, H, C. STATEV: alpha (11, 22, 33, 12, 13, 23), p.
 ! STRESS arrives rotated; alpha is rotated here (UNROTATED: the classic omission). ELASTIC_DDSDDE: another one.
+! BACK_STRESS_ALONE: H is 0, and STATEV is alpha alone.
 subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpldt, stran, dstran, time, dtime, temp, &
                 dtemp, predef, dpred, cmname, ndi, nshr, ntens, nstatv, props, nprops, coords, drot, pnewdt, celent, &
                 dfgrd0, dfgrd1, noel, npt, layer, kspt, jstep, kinc)
@@ -16,7 +17,7 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
   real(dp), intent(out) :: ddsdde(ntens, ntens)
   real(dp), intent(inout) :: rpl, ddsddt(ntens), drplde(ntens), drpldt
   external :: rotsig, sinv
-  real(dp) :: bulk, shear, excess, increment, alpha(6), xi(6), mean, mises
+  real(dp) :: bulk, shear, excess, increment, alpha(6), xi(6), mean, mises, p
   integer :: i
 
   bulk = props(1) / (3 * (1 - 2 * props(2)))
@@ -26,6 +27,11 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
 #else
   call rotsig(statev, drot, alpha, 1, 3, 3)
 #endif
+#ifdef BACK_STRESS_ALONE
+  p = 0
+#else
+  p = statev(7)
+#endif
   call fill_elastic(bulk, shear, ddsdde)
   do i = 1, ntens
     stress = stress + ddsdde(:, i) * dstran(i)
@@ -34,7 +40,7 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
   xi(1:ntens) = xi(1:ntens) + stress
   call sinv(xi, mean, mises, ndi, nshr)
   xi(1:3) = xi(1:3) - mean
-  excess = mises - props(3) - props(4) * statev(7)
+  excess = mises - props(3) - props(4) * p
   if (excess > 0) then
     increment = excess / (3 * shear + props(4) + props(5))
     stress = stress - 3 * shear * increment / mises * xi(1:ntens)
@@ -46,8 +52,10 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
                      * (1 / (3 * shear + props(4) + props(5)) - increment / mises)
     end do
 #endif
-    statev(7) = statev(7) + increment
+#ifndef BACK_STRESS_ALONE
+    statev(7) = p + increment
     spd = spd + (props(3) + props(4) * statev(7)) * increment
+#endif
   end if
   statev(1:6) = alpha
 

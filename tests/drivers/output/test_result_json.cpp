@@ -57,7 +57,8 @@ TEST(ResultJson, has_every_key_before_anything_was_reached) {
     EXPECT_EQ(keys_of(json["error"][field]), (std::set<std::string>{"l2_max", "linf_max"})) << field;
     EXPECT_TRUE(json["error"][field]["l2_max"].is_null());
   }
-  EXPECT_EQ(keys_of(json["work"]), (std::set<std::string>{"particle_steps", "material_calls", "bytes"}));
+  EXPECT_EQ(keys_of(json["work"]),
+            (std::set<std::string>{"particle_steps", "material_calls", "hand_overs", "wake_ups", "bytes"}));
   EXPECT_EQ(keys_of(json["sheet"]),
             (std::set<std::string>{"points", "error_tau", "error_dtau", "error_b", "wall_s", "cached"}));
   EXPECT_EQ(keys_of(json["drift"]), (std::set<std::string>{"mass", "momentum", "angular_momentum", "energy"}));

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/course.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "harness/checked_update.hpp"
+#include "harness/histories_elsewhere.hpp"
+
+namespace assay {
+
+namespace {
+
+constexpr int coarse_steps = 64;  ///< in each piece of the march that finds the scales
+/// Of a piece: steps so short that a material is still in its first regime, or unloading after a reversal.
+constexpr double short_from_rest = 1e-6, short_from_reversal = 1e-4;
+
+std::vector<double> pieces_of(const Path& path, double end) {
+  std::vector<double> pieces{0};
+  for (const double t : path.reversals(end)) pieces.push_back(t);
+  pieces.push_back(end);
+  return pieces;
+}
+
+/// One history, one plain step after the other.
+class Marcher {
+ public:
+  Marcher(const Material& material, const Path& path, double xi, CoarseMarch& seen)
+      : material_(material), path_(path), xi_(xi), seen_(seen) {
+    state0_ = material.initial_state(1, {}, path.material_direction);
+    state1_.resize(state0_.size());
+    F_ = path.deformation_gradient(xi, 0);
+  }
+
+  void march(const std::vector<double>& pieces) {
+    for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
+      const double begin = pieces[k], width = pieces[k + 1] - begin;
+      try_short_step(begin, (k == 0 ? short_from_rest : short_from_reversal) * width);
+      const double dt = width / coarse_steps;
+      for (int j = 0; j < coarse_steps; ++j) {
+        const Tensor next = path_.deformation_gradient(xi_, begin + (j + 1) * dt);
+        if (!step(begin + j * dt, dt, F_, next)) return;  // whether shorter ones go on is for the histories to find
+        note(seen_.signs.changes, [](char& changes, bool here) { changes = changes || here; });
+        for (std::size_t c = 0; c < 9; ++c) grow(seen_.largest[c], cauchy_[c]);
+        for (std::size_t c = 0; c < state1_.size(); ++c) grow(seen_.largest[9 + c], state1_[c]);
+        state0_.swap(state1_);
+        F_ = next;
+      }
+    }
+  }
+
+ private:
+  static void grow(double& largest, double value) { largest = std::max(largest, std::abs(value)); }
+
+  bool step(double t, double dt, const Tensor& begin, const Tensor& end) {
+    double F0[9], F1[9];
+    for (int c = 0; c < 9; ++c) F0[c] = component(begin, c), F1[c] = component(end, c);
+    try {
+      checked_update(material_, xi_, t, dt, 1, F0, F1, state0_.data(), state1_.data(), cauchy_);
+    } catch (const MaterialFailure& failure) {
+      if (failure.final) throw;
+      return false;
+    }
+    return true;
+  }
+
+  void try_short_step(double t, double dt) {
+    if (state0_.empty() || !step(t, dt, F_, path_.deformation_gradient(xi_, t + dt))) return;
+    note(seen_.signs.always, [](char& always, bool here) { always = always && here; });
+    seen_.signs.any_start = true;
+  }
+
+  /// add(sign of a variable, whether the step from state0_ to state1_ has changed it).
+  template <class Add>
+  void note(std::vector<char>& signs, const Add& add) const {
+    const assay_material& table = material_.table();
+    std::size_t offset = 0;
+    for (std::uint32_t k = 0; k < table.state_count; ++k) {
+      const std::int32_t kind = table.state[k].kind;
+      add(signs[k], variable_changes(kind, &state0_[offset], &state1_[offset]));
+      offset += static_cast<std::size_t>(components_of_kind(kind));
+    }
+  }
+
+  const Material& material_;
+  const Path& path_;
+  double xi_;
+  CoarseMarch& seen_;
+  Tensor F_;
+  std::vector<double> state0_, state1_;
+  double cauchy_[9] = {};
+};
+
+/// The largest over a group of components that belong together; 1 where all are zero.
+void share_largest(std::vector<double>& values, std::size_t begin, std::size_t end) {
+  double largest = 0;
+  for (std::size_t c = begin; c < end; ++c) largest = std::max(largest, values[c]);
+  for (std::size_t c = begin; c < end; ++c) values[c] = largest > 0 ? largest : 1;
+}
+
+HistoryScales scales_of(const assay_material& table, std::vector<double> largest) {
+  share_largest(largest, 0, 9);
+  std::size_t offset = 9;
+  for (std::uint32_t k = 0; k < table.state_count; ++k) {
+    const auto size = static_cast<std::size_t>(components_of_kind(table.state[k].kind));
+    share_largest(largest, offset, offset + size);
+    offset += size;
+  }
+  return {largest[0], std::vector<double>(largest.begin() + 9, largest.end())};
+}
+
+const HistoriesElsewhere* elsewhere_of(const Material& material, const Path& path) {
+  return path.recipe.empty() || path.recipe.size() > longest_recipe
+             ? nullptr
+             : material.extension<HistoriesElsewhere>(histories_elsewhere_id);
+}
+
+CourseFacts facts_of(const Material& m, const Path& path, double end, Form form, Telling telling) {
+  const bool has_rate = m.extension<assay_rate>(ASSAY_EXTENSION_RATE) != nullptr;
+  const bool by_rate = has_rate && (form == Form::rate || (form == Form::automatic && !m.has(ASSAY_NON_SMOOTH)));
+  const auto* elsewhere = elsewhere_of(m, path);
+  CoarseMarch seen = elsewhere ? elsewhere->coarse(m.self(), path, end) : march_coarsely(m, path, end);
+  CourseFacts facts{end, by_rate, telling, RegimeReader(m.table()), scales_of(m.table(), std::move(seen.largest))};
+  facts.regimes.settle(m.table(), seen.signs);
+  return facts;
+}
+
+}  // namespace
+
+CoarseMarch march_coarsely(const Material& material, const Path& path, double end) {
+  CoarseMarch seen{std::vector<double>(9 + material.state_size(), 0.0), StateSigns(material.table().state_count)};
+  for (const double xi : {path.parameter.lower, path.parameter.upper}) {
+    Marcher(material, path, xi, seen).march(pieces_of(path, end));
+  }
+  return seen;
+}
+
+Course::Course(const Material& m, const Path& p, double last, Form form, Telling by)
+    : Course(m, p, facts_of(m, p, last, form, by)) {}
+
+Course::Course(const Material& m, const Path& p, CourseFacts facts)
+    : CourseFacts(std::move(facts)), material(&m), path(&p), pieces(pieces_of(p, end)), elsewhere(elsewhere_of(m, p)) {}
+
+Workers Course::workers(Workers wanted) const {
+  if (!material->has(ASSAY_THREAD_SAFE)) wanted.threads = 1;
+  return wanted;
+}
+
+Interval Course::piece_at(double t) const {
+  std::size_t k = 0;
+  while (k + 2 < pieces.size() && t >= pieces[k + 1]) ++k;
+  return {pieces[k], pieces[k + 1]};
+}
+
+}  // namespace assay
