@@ -24,14 +24,27 @@ std::vector<std::string> lines_of(std::string_view text) {
 /// Without the marks of emphasis, code and links that a terminal does not show.
 std::string plain(const std::string& markdown) {
   std::string text;
+  bool is_code = false, is_link = false;
   for (std::size_t k = 0; k < markdown.size(); ++k) {
     const char c = markdown[k];
-    if (c == '`' || (c == '*' && markdown.compare(k, 2, "**") == 0)) {
-      if (c == '*') ++k;
+    if (c == '`') {
+      is_code = !is_code;
       continue;
     }
-    if (c == '[') continue;
-    if (c == ']' && k + 1 < markdown.size() && markdown[k + 1] == '(') {
+    if (is_code) {
+      text += c;
+      continue;
+    }
+    if (c == '*' && markdown.compare(k, 2, "**") == 0) {
+      ++k;
+      continue;
+    }
+    if (c == '[' && markdown.find("](", k) != std::string::npos) {
+      is_link = true;
+      continue;
+    }
+    if (c == ']' && is_link) {
+      is_link = false;
       k = std::min(markdown.find(')', k), markdown.size() - 1);
       continue;
     }

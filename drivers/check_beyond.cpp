@@ -73,6 +73,7 @@ class Look {
   }
 
   std::vector<std::size_t> written() const { return access_.written(material_.self()); }
+  std::vector<std::size_t> left_at_times() const { return access_.left_at_times(material_.self()); }
 
  private:
   void add_steps(double amplitude) {
@@ -140,15 +141,16 @@ class Look {
 
 check::History::value_type row_of_words(const std::vector<std::size_t>& words) { return {words.begin(), words.end()}; }
 
-/// One row where nothing around matters; else what is read, and what is written.
+/// One row where nothing is amiss; else what is read around the arrays, what is written there, and what is left of the
+/// state at times.
 std::optional<check::History> looked(const ResolvedMaterial& material, const HostAccess& access,
                                      const check::Effort& effort, bool closely, double limit_s) {
   return made_elsewhere(
       [&]() -> check::History {
         Look look(material, access, effort);
-        if (!look.depends()) return {{}};
-        if (!closely) return {{}, {}};
-        return {row_of_words(look.read()), row_of_words(look.written())};
+        if (!look.depends() && look.written().empty() && look.left_at_times().empty()) return {{}};
+        if (!closely) return {{}, {}, {}};
+        return {row_of_words(look.read()), row_of_words(look.written()), row_of_words(look.left_at_times())};
       },
       limit_s);
 }
@@ -164,13 +166,13 @@ std::vector<adapters::GuardedArrays::Beyond> places_of(const ResolvedMaterial& m
 
 }  // namespace
 
-std::optional<BeyondFinding> reads_beyond(const ResolvedMaterial& material, const check::Effort& effort) {
+std::optional<BeyondFinding> goes_beyond(const ResolvedMaterial& material, const check::Effort& effort) {
   const auto* access = material.material.extension<HostAccess>(adapters::host_access);
   if (!access || material.description.empty()) return std::nullopt;
   constexpr double brief_s = 20, long_s = 60;
   const double limit_s = std::min(brief_s, read_description(material.description).limits.seconds);
   const auto first = looked(material, *access, effort, false, limit_s);
-  const auto found = first && first->size() == 2 ? looked(material, *access, effort, true, long_s) : first;
+  const auto found = first && first->size() == 3 ? looked(material, *access, effort, true, long_s) : first;
   if (!found) {
     return BeyondFinding{{.id = beyond_test,
                           .verdict = check::Verdict::not_applicable,
@@ -178,8 +180,9 @@ std::optional<BeyondFinding> reads_beyond(const ResolvedMaterial& material, cons
                          {}};
   }
   Beyonds places;
-  if (found->size() == 2) {
-    places = {places_of(material, *access, found->front()), places_of(material, *access, found->back())};
+  if (found->size() == 3) {
+    places = {places_of(material, *access, found->front()), places_of(material, *access, (*found)[1])};
+    places.left_at_times.assign(found->back().begin(), found->back().end());
   }
   return judged_beyond(places);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a UMAT or VUMAT reads beyond the arrays that it is handed: the same steps with other words around them.
+// What a UMAT or VUMAT reads or writes beyond the arrays that it is handed: the same steps with other words around
+// them.
 #pragma once
 
 #include <optional>
@@ -17,6 +18,7 @@ inline constexpr const char* beyond_test = "calls.beyond";
 /// What a look has found: each place once.
 struct Beyonds {
   std::vector<adapters::GuardedArrays::Beyond> read, written;
+  std::vector<std::ptrdiff_t> left_at_times = {};  ///< of stateNew: written in some steps, and not in others
 };
 
 /// For a process that has not called the model yet, which is called in others alone. Nothing for an interface that
@@ -25,7 +27,7 @@ struct BeyondFinding {
   check::TestResult test;
   std::vector<check::Diagnosis> causes;  ///< empty where it passes
 };
-std::optional<BeyondFinding> reads_beyond(const ResolvedMaterial& material, const check::Effort& effort);
+std::optional<BeyondFinding> goes_beyond(const ResolvedMaterial& material, const check::Effort& effort);
 
 /// In the words of descriptions.
 BeyondFinding judged_beyond(const Beyonds& found);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What was read beyond, in the words of descriptions.
+// What was read or written beyond, in the words of descriptions.
 #include <algorithm>
 #include <map>
 
@@ -61,11 +61,19 @@ check::Diagnosis of_properties(const std::string& array, const Place& place) {
                                                  std::to_string(place.indices.back()) + " numbers"};
 }
 
-check::Diagnosis of_others(const std::string& array, const Place& place) {
-  const bool has_name = array.find(' ') == std::string::npos;
-  return {check::causes::overrun, has_name ? "reads " + elements_of(array, place) + " of " + array + ", which has " +
-                                                 std::to_string(place.size) + " components"
-                                           : "reads beyond " + array};
+bool is_of_state(const std::string& array) { return array == "STATEV" || array == "stateOld" || array == "stateNew"; }
+
+check::Diagnosis of_others(const std::string& array, const Place& place, const std::string& does) {
+  if (array.find(' ') != std::string::npos) return {check::causes::overrun, does + " beyond " + array};
+  std::string words = does + " " + elements_of(array, place);
+  if (is_of_state(array) && place.indices.back() > 0) {
+    words += ", " + counted(place.size, "declared") + ": `state` must declare " + std::to_string(place.indices.back()) +
+             " numbers";
+  } else {
+    words +=
+        " of " + array + ", which has " + std::to_string(place.size) + (place.size == 1 ? " component" : " components");
+  }
+  return {check::causes::overrun, words};
 }
 
 }  // namespace
@@ -84,18 +92,27 @@ std::string ranges_of(const std::vector<std::ptrdiff_t>& indices) {
 
 BeyondFinding judged_beyond(const Beyonds& found) {
   BeyondFinding finding{{.id = beyond_test, .measure = 0, .threshold = 0}, {}};
-  finding.test.sentence = "no step depends on what stands beyond the arrays that are handed over";
+  finding.test.sentence = "no step reads or writes what stands beyond the arrays that are handed over";
   const Places read = by_array(found.read), written = by_array(found.written);
   for (const auto& [array, place] : read) {
-    const bool of_the_state = array == "STATEV" || array == "stateOld", behind = place.indices.back() > 0;
+    const bool of_the_state = is_of_state(array), behind = place.indices.back() > 0;
     if (behind && (array == "PROPS" || array == "props")) finding.causes.push_back(of_properties(array, place));
     if (behind && of_the_state) finding.causes.push_back(of_state(array, place, written));
   }
   for (const auto& [array, place] : read) {
-    if (finding.causes.empty()) finding.causes.push_back(of_others(array, place));
+    if (finding.causes.empty()) finding.causes.push_back(of_others(array, place, "reads"));
+  }
+  for (const auto& [array, place] : written) {
+    if (finding.causes.empty()) finding.causes.push_back(of_others(array, place, "writes"));
+  }
+  if (finding.causes.empty() && !found.left_at_times.empty()) {
+    finding.causes.push_back({check::causes::overrun, "leaves stateNew(" + ranges_of(found.left_at_times) +
+                                                          ") unwritten in some steps, and writes it in others: a "
+                                                          "VUMAT must write each component of its state in each step"});
   }
   if (finding.causes.empty()) return finding;
-  finding.test.measure = static_cast<double>(found.read.size());
+  finding.test.measure =
+      static_cast<double>(std::max({found.read.size(), found.written.size(), found.left_at_times.size()}));
   finding.test.verdict = check::Verdict::fail;
   finding.test.cause = finding.causes.front().cause;
   finding.test.sentence = finding.causes.front().sentence;

@@ -117,8 +117,9 @@ CheckedMaterial with_four(const CheckedMaterial& checked, const ForeignModel& si
 std::string words_of(const CheckedMaterial& checked, const CheckedMaterial& four) {
   const std::string key = "; with components: [4] in its description ";
   if (four.passes()) return key + "it passes: it fills the components of plane strain alone";
-  const bool reaches_more =
-      count_of(four.report, check::Verdict::pass) > 2 * count_of(checked.report, check::Verdict::pass);
+  const auto count = [](const CheckedMaterial& of, check::Verdict verdict) { return count_of(of.report, verdict); };
+  const bool reaches_more = count(four, check::Verdict::pass) > 2 * count(checked, check::Verdict::pass) ||
+                            2 * count(four, check::Verdict::fail) < count(checked, check::Verdict::fail);
   if (!reaches_more || four.report.diagnosis.empty()) return "";
   return key + "it can be judged, and fails otherwise: " + four.report.diagnosis.front().cause;
 }
@@ -130,10 +131,11 @@ void judge_components(CheckedMaterial& checked, const check::Effort& effort, con
   if (checked.passes() || checked.report.diagnosis.empty() || !(model = silent_model(checked))) return;
   const Fills fills = filled_by(*model, {checked.parameters.begin(), checked.parameters.end()});
   if (fills == Fills::plane_stress) {
-    checked.error = checked.name +
-                    ": its three components of stress are 11, 22 and 12, those of plane stress: DSTRAN(3) makes "
-                    "STRESS(3), and nothing else does. assay drives plane strain and three dimensions, and cannot "
-                    "judge it";
+    checked.unsuitable = true;
+    checked.error =
+        "its three components of stress are 11, 22 and 12, those of plane stress: DSTRAN(3) makes "
+        "STRESS(3), and nothing else does. assay drives plane strain and three dimensions, and cannot "
+        "judge it";
     return;
   }
   if (fills == Fills::six && !may_overrun(checked.report)) return;

@@ -53,27 +53,31 @@ class Bodies {
   Bodies(const ResolvedMaterial& material, const HostAccess& access, double strain, double pressure)
       : material_(material.material.clone()), access_(access), strain_(strain), pressure_(pressure) {}
 
-  std::vector<double> alone(int element) {
+  /// Both, the first of them before the other.
+  std::vector<double> alone(int element, int of_the_other) {
     std::vector<double> all;
-    Body body(material_, access_, element, strain_, pressure_);
-    for (int k = 0; k < count_; ++k) append(body.step(k, count_), all);
-    return all;
-  }
-
-  /// Of the first of them.
-  std::vector<double> in_turn(int element, int of_the_other) {
-    constexpr double other_way = -0.7;
-    std::vector<double> all;
-    Body body(material_, access_, element, strain_, pressure_),
-        other(material_, access_, of_the_other, other_way * strain_, pressure_);
-    for (int k = 0; k < count_; ++k) {
-      append(body.step(k, count_), all);
-      other.step(k, count_);
+    for (const auto& [at, amplitude] : {std::pair(element, strain_), std::pair(of_the_other, other_way * strain_)}) {
+      Body body(material_, access_, at, amplitude, pressure_);
+      for (int k = 0; k < count_; ++k) append(body.step(k, count_), all);
     }
     return all;
   }
 
+  std::vector<double> in_turn(int element, int of_the_other) {
+    std::vector<double> all, of_other;
+    Body body(material_, access_, element, strain_, pressure_),
+        other(material_, access_, of_the_other, other_way * strain_, pressure_);
+    for (int k = 0; k < count_; ++k) {
+      append(body.step(k, count_), all);
+      append(other.step(k, count_), of_other);
+    }
+    append(of_other, all);
+    return all;
+  }
+
  private:
+  static constexpr double other_way = -0.7;  // so that each body knows which largest strain was its own
+
   static void append(const std::vector<double>& more, std::vector<double>& all) {
     all.insert(all.end(), more.begin(), more.end());
   }
@@ -93,7 +97,7 @@ bool keeps_state_by_element(const ResolvedMaterial& material, double strain, dou
   const auto rows = made_elsewhere(
       [&]() -> check::History {
         Bodies bodies(material, *access, strain, pressure);
-        return {bodies.alone(2), bodies.alone(3), bodies.in_turn(4, 5), bodies.in_turn(6, 6)};
+        return {bodies.alone(2, 3), bodies.alone(7, 8), bodies.in_turn(4, 5), bodies.in_turn(6, 6)};
       },
       limit_s);
   if (!rows || rows->size() != 4) return false;
@@ -110,14 +114,17 @@ void judge_elements(const ResolvedMaterial& material, check::Report& report) {
   const double strain = report.strain > 0 ? report.strain : report.effort.strain;
   if (!model || !keeps_state_by_element(material, strain, report.pressure)) return;
   test->cause = check::causes::kept_by_element;
-  say_instead(report, *test,
-              "the model keeps a state by NOEL outside of STATEV: two bodies in turn are as each alone where each has "
-              "an element of its own, and are not in one element; " +
-                  std::string(model->each_its_element
-                                  ? "elements: each serves runs that take each point once a step, as no implicit "
-                                    "program does"
-                                  : "elements: each in its description gives each point of a run its own") +
-                  ", but a step that is taken again, as the tests take it, has another answer");
+  const bool umat = model->interface == adapters::ForeignInterface::umat;
+  std::string words = std::string("the model keeps a state by ") + (umat ? "NOEL" : "the number of the element") +
+                      " outside of " + (umat ? "STATEV" : "stateNew") +
+                      ": two bodies in turn are as each alone where each has an element of its own, and are not in one "
+                      "element; ";
+  if (umat) {
+    words += model->each_its_element
+                 ? "elements: each serves runs that take each point once a step, as no implicit program does, but "
+                 : "elements: each in its description gives each point of a run its own, but ";
+  }
+  say_instead(report, *test, words + "a step that is taken again, as the tests take it, has another answer");
 }
 
 }  // namespace assay::drivers

@@ -67,6 +67,26 @@ std::string strain_words(const ForeignModel& right) {
                                                           : "small, d STRESS / d DSTRAN");
 }
 
+/// What it is, of a DDSDDE that passes by none of the conventions; empty where that cannot be told.
+std::string other_moduli(ForeignModel model, const ResolvedMaterial& material, const check::Report& before) {
+  using adapters::Moduli;
+  const std::pair<Moduli, const char*> all[] = {
+      {Moduli::truesdell,
+       "the modulus of the Truesdell rate, as by pushing that of S and E forward: to that of the "
+       "Jaumann rate the terms (delta_ik sigma_jl + delta_jl sigma_ik + delta_il sigma_jk + "
+       "delta_jk sigma_il)/2 are missing"},
+      {Moduli::jaumann_of_tau, "J times the modulus that is asked for: that of the Kirchhoff stress"},
+      {Moduli::truesdell_of_tau,
+       "the modulus of the Truesdell rate of the Kirchhoff stress: divide by J, and add the "
+       "terms of the Jaumann rate"}};
+  model.finite_strain = true;
+  for (const auto& [moduli, words] : all) {
+    model.moduli = moduli;
+    if (passed_with(model, material, before)) return words;
+  }
+  return {};
+}
+
 /// The first that is not symmetric; empty where there is none.
 std::string tensor_without_initial_value(const ResolvedMaterial& material) {
   const assay_material& table = material.material.table();
@@ -140,7 +160,13 @@ void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& repo
   }
   model->finite_strain = !model->finite_strain;
   const std::optional<check::TestResult> passed = passed_with(*model, material, report);
-  if (!passed) return;
+  if (!passed) {
+    const std::string words = other_moduli(*model, material, report);
+    if (words.empty()) return;
+    test->cause = check::causes::tangent_convention;
+    say_instead(report, *test, "DDSDDE is " + words);
+    return;
+  }
   if (model->strain_is_said) {
     test->cause = check::causes::tangent_convention;
     say_instead(report, *test, strain_words(*model) + "; it is declared strain: " + strain_word(!model->finite_strain));

@@ -17,6 +17,7 @@ namespace {
 using adapters::HostAccess;
 using adapters::HostValues;
 
+constexpr double from_nothing = 1e6;   ///< of the largest stress, which is none then
 constexpr double same_within = 1e-12;  ///< of the largest stress, as in calls.repeated
 
 /// Numbers of a state that are not the model's own.
@@ -159,10 +160,11 @@ class Trials {
 
 /// "2 % for +10"
 std::string how_much(const HostEffect& effect, const std::string& words) {
-  return !effect.process     ? "ends the process " + words
-         : !effect.taken     ? "another step is refused " + words
-         : effect.stress > 0 ? check::percent(effect.stress) + " " + words
-                             : "its state " + words;
+  return !effect.process                ? "ends the process " + words
+         : !effect.taken                ? "another step is refused " + words
+         : effect.stress > from_nothing ? "a stress where there was none " + words
+         : effect.stress > 0            ? check::percent(effect.stress) + " " + words
+                                        : "its state " + words;
 }
 
 /// The first that tells most: tables end somewhere, and what stands behind them tells nothing.

@@ -22,12 +22,12 @@ void keep_elements(const ResolvedMaterial& material) {
   if (access) access->keep_elements(material.material.self());
 }
 
-/// Whether the rest can be judged: what is read beyond the arrays spoils every other test.
+/// Whether the rest can be judged: what lies beyond the arrays spoils every other test.
 bool judge_beyond(const ResolvedMaterial& material, const CheckSettings& settings, const CheckReporter& reporter,
                   check::Report& report) {
   const bool asked = (settings.only.empty() || settings.only == beyond_test) && settings.without != beyond_test;
   if (asked && reporter.begins) reporter.begins(beyond_test);
-  const auto found = asked ? reads_beyond(material, settings.effort) : std::nullopt;
+  const auto found = asked ? goes_beyond(material, settings.effort) : std::nullopt;
   if (!found) return true;
   if (reporter.ends) reporter.ends(found->test);
   report.effort = settings.effort;

@@ -67,10 +67,10 @@ CheckedMaterial result_of(const Child& child, const CheckTask& task, double limi
   const auto whole = checked_of_json(child.said.substr(at));
   if (whole && child.excess == Child::Excess::none) return *whole;
   const std::string last = adapters::last_line(child.output->text());
+  const std::string missing = adapters::missing_file_words(child.output->text());
   const std::string sentence = "the model " + how_it_ended(child, limit_s) + " in the test " + test +
                                (last.empty() ? "" : "; the last that it printed: " + last) +
-                               adapters::missing_file_words(child.output->text()) +
-                               (gave_up(child) ? "; it may stand a smaller --strain" : "");
+                               (missing.empty() && gave_up(child) ? "; it may stand a smaller --strain" : missing);
   const char* cause =
       test == "calls.arrays" && spoilt_memory(child) ? check::causes::overrun : check::causes::ends_process;
   checked.report.tests.push_back({.id = test, .verdict = check::Verdict::fail, .cause = cause, .sentence = sentence});

@@ -34,7 +34,9 @@ bool passes_as(const ResolvedMaterial& other, const check::Effort& effort) {
 
 bool may_depend_on_rate(const ResolvedMaterial& material, check::Report& report) {
   const auto& model = material.foreign;
-  return model && !model->flags_are_said && failed_test(report, clock_test);
+  const check::TestResult* const clock = failed_test(report, clock_test);
+  const std::string flag = declarations_of(material).rate_dependence;  // named where the length of a step is to blame
+  return model && !model->flags_are_said && clock && clock->sentence.find(flag) != std::string::npos;
 }
 
 ResolvedMaterial as_rate_dependent(const ResolvedMaterial& material) {

@@ -102,7 +102,8 @@ std::string evaluated(const EvalOptions& options) {
   if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
   const bool three = three_dimensional(scene.motion);
   CsvText csv(column_names(three, points.has_normals));
-  const std::vector<ExactPoint> exact = exact_points(scene, material, points.points, end);
+  const std::vector<ExactPoint> exact =
+      exact_points(scene, material, points.points, end, options.verbosity == Verbosity::quiet);
   for (std::size_t i = 0; i < exact.size(); ++i) {
     csv.row(row_of(points.points[i], exact[i].state, exact[i].stress, three, points.has_normals));
   }

@@ -7,6 +7,7 @@
 
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
+#include "drivers/progress.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "harness/axis_aligned_force.hpp"
@@ -51,15 +52,17 @@ std::vector<Tensor> homogeneous_tau(const Scene& scene, const std::shared_ptr<co
 
 /// The stress of points at rest is that of t = 0, where nothing is deformed.
 void add_box_stress(const Scene& scene, const AxisAligned& motion, const Material& material,
-                    const std::vector<ReferencePoint>& points, const std::vector<Vector3>& X,
+                    const std::vector<ReferencePoint>& points, const std::vector<Vector3>& X, Progress& progress,
                     std::vector<ExactPoint>& out) {
   const std::array<double, 3> direction = baseline_path(scene).material_direction;
   std::map<std::array<double, 2>, std::map<double, std::vector<std::size_t>>> by_place;  // then by time
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points[i].t > 0) by_place[{X[i].x(), X[i].y()}][points[i].t].push_back(i);
   }
+  double places = 0;
   for (const auto& [place, by_time] : by_place) {
     stop_if_interrupted();
+    progress.update(places++ / static_cast<double>(by_place.size()), "histories");
     std::vector<double> times;
     for (const auto& [t, which] : by_time) times.push_back(t);
     const auto stress =
@@ -74,24 +77,27 @@ void add_box_stress(const Scene& scene, const AxisAligned& motion, const Materia
 
 /// Of a polar motion, by tau of the response that the scene asks for (20).
 void add_ring_stress(const Scene& scene, const std::shared_ptr<const Material>& material,
-                     const std::vector<ReferencePoint>& points, const std::vector<Vector3>& X, double end,
+                     const std::vector<ReferencePoint>& points, const std::vector<Vector3>& X, double end, bool quiet,
                      std::vector<ExactPoint>& out) {
   const ExactSolution solution(scene.motion, scene.material.density,
-                               response_of(scene, material, baseline_path(scene), end));
+                               response_of(scene, material, baseline_path(scene), end, {.quiet = quiet}));
+  Progress progress("eval", quiet);
   for (std::size_t i = 0; i < points.size(); ++i) {
     stop_if_interrupted();
+    progress.update(static_cast<double>(i) / static_cast<double>(points.size()), "points");
     out[i].stress = solution.stress(X[i], points[i].t);
   }
 }
 
 /// P = tau, b = a where F is the same everywhere.
 void add_stress(const Scene& scene, const std::shared_ptr<const Material>& material,
-                const std::vector<ReferencePoint>& points, const std::vector<Vector3>& X, double end,
+                const std::vector<ReferencePoint>& points, const std::vector<Vector3>& X, double end, bool quiet,
                 std::vector<ExactPoint>& out) {
   if (ring_of(scene.motion)) {
-    add_ring_stress(scene, material, points, X, end, out);
+    add_ring_stress(scene, material, points, X, end, quiet, out);
   } else if (const auto* box = std::get_if<AxisAligned>(&scene.motion)) {
-    add_box_stress(scene, *box, *material, points, X, out);
+    Progress progress("eval", quiet);
+    add_box_stress(scene, *box, *material, points, X, progress, out);
   } else {
     const std::vector<Tensor> tau = homogeneous_tau(scene, material, points, end);
     for (std::size_t i = 0; i < out.size(); ++i) {
@@ -121,7 +127,7 @@ void require_within_motion(const Scene& scene, const std::vector<ReferencePoint>
 }
 
 std::vector<ExactPoint> exact_points(const Scene& scene, const std::shared_ptr<const Material>& material,
-                                     const std::vector<ReferencePoint>& points, double end) {
+                                     const std::vector<ReferencePoint>& points, double end, bool quiet) {
   std::vector<Vector3> X;
   std::vector<ExactPoint> out;
   for (const ReferencePoint& point : points) {
@@ -129,7 +135,7 @@ std::vector<ExactPoint> exact_points(const Scene& scene, const std::shared_ptr<c
     if (scene.frame) X.back() = scene.frame->body_point(X.back());
     out.push_back({state_at(scene.motion, X.back(), point.t), {}});
   }
-  add_stress(scene, material, points, X, end, out);
+  add_stress(scene, material, points, X, end, quiet, out);
   for (std::size_t i = 0; scene.frame && i < out.size(); ++i) out[i] = seen_from(*scene.frame, out[i], points[i].t);
   return out;
 }

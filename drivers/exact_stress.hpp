@@ -24,8 +24,8 @@ void require_within_motion(const Scene& scene, const std::vector<ReferencePoint>
 /// One for each point, in their order. The vortex and the twisting ring take tau from the response that the scene asks
 /// for (20), (31), the axis-aligned motion from histories around each point; a homogeneous motion from one history on
 /// its own path, xi = own_parameter(), unless a closed form is asked for or the response is the curve tau(eps). Throws
-/// InputError, MaterialFailure, Interrupted.
+/// InputError, MaterialFailure, Interrupted. quiet: no terminal shows how far it is.
 std::vector<ExactPoint> exact_points(const Scene& scene, const std::shared_ptr<const Material>& material,
-                                     const std::vector<ReferencePoint>& points, double end);
+                                     const std::vector<ReferencePoint>& points, double end, bool quiet = true);
 
 }  // namespace assay::drivers

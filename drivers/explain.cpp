@@ -203,7 +203,10 @@ int explain(const ExplainOptions& options) {
   try {
     const Problem problem = assemble(read_scene(options.scene, options.sets), 1);
     std::shared_ptr<const ExactSolution> exact;
-    if (problem.compared) exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end);
+    if (problem.compared) {
+      exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end,
+                                {.quiet = options.verbosity == Verbosity::quiet || options.json});
+    }
     const ScreenFigures screen = screen_of(problem.scene, *problem.material, problem.scene.time.end);
     const std::string text = explanation(problem, exact.get(), screen, options.json);
     std::fputs(text.c_str(), stdout);

@@ -53,7 +53,8 @@ std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& opt
   const auto start = Clock::now();
   std::shared_ptr<const ExactSolution> exact;
   if (problem.compared) {
-    exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end, problem.setup.threads);
+    exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end,
+                              {.threads = problem.setup.threads, .quiet = options.verbosity == Verbosity::quiet});
     if (exact->response()) record_response(problem, **exact->response(), seconds_since(start), result);
   }
   const double response_s = seconds_since(start);

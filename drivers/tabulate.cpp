@@ -91,7 +91,8 @@ int tabulate(const TabulateOptions& options) {
   try {
     const auto start = std::chrono::steady_clock::now();
     if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
-    tab.response = response_of(scene, tab.material, tab.path, tab.end);
+    tab.response =
+        response_of(scene, tab.material, tab.path, tab.end, {.quiet = options.verbosity == Verbosity::quiet});
     record_sheet(scene, *tab.response, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
                  result);
     result.t = tab.end;

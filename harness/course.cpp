@@ -69,6 +69,7 @@ class Marcher {
   void try_short_step(double t, double dt) {
     if (state0_.empty() || !step(t, dt, F_, path_.deformation_gradient(xi_, t + dt))) return;
     note(seen_.signs.always, [](char& always, bool here) { always = always && here; });
+    note(seen_.signs.ever, [](char& ever, bool here) { ever = ever || here; });
     seen_.signs.any_start = true;
   }
 
@@ -100,14 +101,24 @@ void share_largest(std::vector<double>& values, std::size_t begin, std::size_t e
   for (std::size_t c = begin; c < end; ++c) values[c] = largest > 0 ? largest : 1;
 }
 
+/// Scalars without a unit may be the components of one tensor, of which some are nothing but rounding: of them all the
+/// largest counts.
 HistoryScales scales_of(const assay_material& table, std::vector<double> largest) {
   share_largest(largest, 0, 9);
   std::size_t offset = 9;
+  double of_nameless = 0;
+  std::vector<std::size_t> nameless;
   for (std::uint32_t k = 0; k < table.state_count; ++k) {
     const auto size = static_cast<std::size_t>(components_of_kind(table.state[k].kind));
-    share_largest(largest, offset, offset + size);
+    if (size == 1 && (!table.state[k].unit || !*table.state[k].unit)) {
+      nameless.push_back(offset);
+      of_nameless = std::max(of_nameless, largest[offset]);
+    } else {
+      share_largest(largest, offset, offset + size);
+    }
     offset += size;
   }
+  for (const std::size_t at : nameless) largest[at] = of_nameless > 0 ? of_nameless : 1;
   return {largest[0], std::vector<double>(largest.begin() + 9, largest.end())};
 }
 
@@ -117,11 +128,15 @@ const HistoriesElsewhere* elsewhere_of(const Material& material, const Path& pat
              : material.extension<HistoriesElsewhere>(histories_elsewhere_id);
 }
 
+CoarseMarch seen_coarsely(const Material& material, const Path& path, double end) {
+  const auto* elsewhere = elsewhere_of(material, path);
+  return elsewhere ? elsewhere->coarse(material.self(), path, end) : march_coarsely(material, path, end);
+}
+
 CourseFacts facts_of(const Material& m, const Path& path, double end, Form form, Telling telling) {
   const bool has_rate = m.extension<assay_rate>(ASSAY_EXTENSION_RATE) != nullptr;
   const bool by_rate = has_rate && (form == Form::rate || (form == Form::automatic && !m.has(ASSAY_NON_SMOOTH)));
-  const auto* elsewhere = elsewhere_of(m, path);
-  CoarseMarch seen = elsewhere ? elsewhere->coarse(m.self(), path, end) : march_coarsely(m, path, end);
+  CoarseMarch seen = seen_coarsely(m, path, end);
   CourseFacts facts{end, by_rate, telling, RegimeReader(m.table()), scales_of(m.table(), std::move(seen.largest))};
   facts.regimes.settle(m.table(), seen.signs);
   return facts;
@@ -135,6 +150,10 @@ CoarseMarch march_coarsely(const Material& material, const Path& path, double en
     Marcher(material, path, xi, seen).march(pieces_of(path, end));
   }
   return seen;
+}
+
+bool has_kinks(const Material& material, const Path& path, double end) {
+  return any_scalar_tells(material.table(), seen_coarsely(material, path, end).signs);
 }
 
 Course::Course(const Material& m, const Path& p, double last, Form form, Telling by)

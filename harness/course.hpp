@@ -51,6 +51,10 @@ struct CoarseMarch {
 };
 CoarseMarch march_coarsely(const Material& material, const Path& path, double end);
 
+/// Whether a scalar of the state shows kinks to such a march: it changes along a path, and not where that begins or
+/// turns back.
+bool has_kinks(const Material& material, const Path& path, double end);
+
 struct Course : CourseFacts {
   /// Finds the scales by coarse marches along the extreme histories.
   Course(const Material& material, const Path& path, double end, Form form = Form::automatic,

@@ -53,7 +53,7 @@ void fields(Archive& archive, HistoryOptions& options) {
 }
 template <class Archive>
 void fields(Archive& archive, StateSigns& signs) {
-  archive(signs.changes, signs.always, signs.any_start);
+  archive(signs.changes, signs.always, signs.ever, signs.any_start);
 }
 template <class Archive>
 void fields(Archive& archive, CoarseMarch& seen) {

@@ -183,7 +183,8 @@ std::vector<double> Material::initial_state(std::size_t n, std::span<const doubl
   if (table_->initial_state(self_.get(), n, stress, state.data()) == ASSAY_FAILED) {
     const auto* reasons = extension<assay_reason>(ASSAY_EXTENSION_REASON);
     const std::string reason = reasons ? one_line_of(reasons->reason(self_.get())) : "";
-    throw std::runtime_error("material '" + name() + "' refuses the initial stress" +
+    throw std::runtime_error("material '" + name() + "' refuses " +
+                             (cauchy.empty() ? "to begin" : "the initial stress") +
                              (reason.empty() ? "" : ": " + reason));
   }
   std::size_t offset = 0;

@@ -59,6 +59,14 @@ bool variable_changes(std::int32_t kind, const double* before, const double* aft
   return kind == ASSAY_SCALAR ? scalar_changes(*before, *after) : invariants_change(kind, before, after);
 }
 
+bool any_scalar_tells(const assay_material& table, const StateSigns& signs) {
+  bool any = false;
+  for_each_variable(table, [&](const assay_state_variable& variable, std::size_t k, std::size_t) {
+    any = any || (signs.any_start && variable.kind == ASSAY_SCALAR && signs.changes[k] && !signs.ever[k]);
+  });
+  return any;
+}
+
 RegimeReader::RegimeReader(const assay_material& table) {
   std::vector<std::size_t> names;
   for_each_variable(table, [&](const assay_state_variable& variable, std::size_t, std::size_t offset) {
@@ -76,9 +84,11 @@ void RegimeReader::settle(const assay_material& table, const StateSigns& signs) 
   std::vector<std::size_t> tensors;
   std::vector<std::int32_t> kinds;
   bool any_changes = false;
+  const bool any_tells = any_scalar_tells(table, signs);
   for_each_variable(table, [&](const assay_state_variable& variable, std::size_t k, std::size_t offset) {
     if (signs.always[k]) return;
     if (variable.kind == ASSAY_SCALAR) {
+      if (any_tells && signs.ever[k]) return;
       scalars_.push_back(offset);
       any_changes = any_changes || signs.changes[k];
     } else if (signs.changes[k]) {

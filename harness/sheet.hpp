@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <variant>
 #include <vector>
@@ -13,11 +14,19 @@
 
 namespace assay {
 
+/// How far the making of a sheet is. A second look for kinks, or a second round, begins again.
+struct SheetProgress {
+  enum class Stage { bands, histories, error };
+  Stage stage = Stage::bands;
+  double done = 0, planned = 0;  ///< histories; planned: as far as is known by now, 0: nothing is
+};
+
 struct SheetOptions {
   double tolerance = 1e-10;  ///< requested relative error of tau and of d tau / d xi
   double end = 1;            ///< times 0 .. end [s]
   int most_nodes = 129;      ///< in xi of a band, and in the time of a stretch
   Workers workers = {};
+  std::function<void(const SheetProgress&)> report = {};  ///< called between histories, by the calling thread
 };
 
 /// What is known of a sheet's errors, from histories off its nodes.

@@ -64,12 +64,16 @@ class Resolver {
   std::vector<BandTable> resolve(const std::vector<Band>& bands, double share) {
     std::vector<BandTable> first, tables;
     for (const Band& band : bands) {
+      later_ = static_cast<double>(first_size.nodes_in_xi) * static_cast<double>(bands.size() - first.size() - 1);
       first.push_back(tabulated(band, first_size));
       tau_scale_ = std::max(tau_scale_, first.back().largest());
       dtau_scale_ = std::max(dtau_scale_, first.back().steepest());
     }
     share_ = share;
+    later_ = 0;
+    for (const BandTable& table : first) later_ += expected(table);
     for (BandTable& table : first) {
+      later_ -= expected(table);
       budget_ = sampled_ + most_ / static_cast<std::int64_t>(first.size());
       refine(std::move(table), tables);
     }
@@ -83,10 +87,22 @@ class Resolver {
 
  private:
   BandTable tabulated(const Band& band, BandSize size) {
-    BandTable table(course_, band, size, history_, course_.workers(options_.workers));
+    const auto count = static_cast<double>(size.nodes_in_xi);
+    BandTable table(course_, band, size, history_,
+                    reporting(course_.workers(options_.workers), options_,
+                              {SheetProgress::Stage::histories, done_, done_ + count + later_}, count));
+    done_ += count;
     calls_ += table.calls();
     sampled_ += values(band, size);
     return table;
+  }
+
+  /// Histories that a table is likely to need once more.
+  double expected(const BandTable& table) {
+    const int nodes = table.size().nodes_in_xi;
+    const double goal_in_xi = goal(table.band(), nodes, table.noise());
+    const bool long_in_xi = std::max(table.tail_in_xi(), table.tail_of_breaks()) > goal_in_xi;
+    return long_in_xi ? needed(table.decay_in_xi(), goal_in_xi) : table.tail_in_t() > goal_in_xi ? nodes : 0;
   }
 
   /// Of tau's last coefficients [Pa]: a derivative multiplies them by up to their number squared.
@@ -149,6 +165,7 @@ class Resolver {
   HistoryOptions history_;
   std::int64_t most_;  ///< values of tau
   double tau_scale_ = 0, dtau_scale_ = 0, share_ = 1;
+  double done_ = 0, later_ = 0;  ///< histories: followed, and expected beyond those that are followed now
   bool meets_noise_ = false;
   std::int64_t calls_ = 0, sampled_ = 0, budget_ = 0;
 };
@@ -172,7 +189,8 @@ ResolvedBands resolved_bands(const Course& course, const SheetOptions& options, 
   while (strays.size() <= most_strays) {
     Resolver resolver(course, options, history, attempt.most);
     try {
-      const auto bands = find_bands(course, history, strays, course.workers(options.workers), calls);
+      const Workers workers = reporting(course.workers(options.workers), options, {}, 0);
+      const auto bands = find_bands(course, history, strays, workers, calls);
       ResolvedBands resolved{resolver.resolve(bands, share), resolver.meets_noise()};
       calls += resolver.calls();
       return resolved;
@@ -212,23 +230,36 @@ BuiltBands build(const Material& material, const Path& path, const SheetOptions&
 }
 
 /// Ways to build a sheet, the likeliest first. A material that declares
-/// kinks may have regimes that flicker and cannot be followed; one that does not may be less smooth than it says.
-std::vector<Attempt> attempts(const Material& material) {
+/// kinks may have regimes that flicker and cannot be followed; one that does not may be less smooth than it says, and
+/// is so where a number of its state stays as it is in some steps and changes in others.
+std::vector<Attempt> attempts(const Material& material, const Path& path, double end) {
   const bool tells = RegimeReader(material.table()).tells();
   if (material.has(ASSAY_NON_SMOOTH) && material.state_size() > 0) return {{.watch = Telling::state}, {.watch = {}}};
   if (material.has(ASSAY_RATE_DEPENDENT) && material.state_size() > 0) {
     return {{.watch = {}, .suffices = false, .most = first_sampled}, {.watch = Telling::power}, {.watch = {}}};
   }
+  if (tells && has_kinks(material, path, end)) return {{.watch = Telling::state}, {.watch = {}}};
   if (tells) return {{.watch = {}, .suffices = false}, {.watch = Telling::state}};
   return {{.watch = {}}};
 }
 
 }  // namespace
 
+Workers reporting(Workers workers, const SheetOptions& options, const SheetProgress& before, double count) {
+  if (!options.report) return workers;
+  workers.poll = [poll = workers.poll, &report = options.report, now = before, before, count,
+                  at_once = workers.threads]() mutable {
+    if (poll) poll();
+    report(now);
+    now.done = std::min(now.done + at_once, before.done + count);
+  };
+  return workers;
+}
+
 BuiltBands build_bands(const Material& material, const Path& path, const SheetOptions& options) {
   BuiltBands best;
   std::int64_t calls = 0;
-  for (const Attempt& attempt : attempts(material)) {
+  for (const Attempt& attempt : attempts(material, path, options.end)) {
     BuiltBands built = build(material, path, options, attempt);
     calls += built.calls;
     const bool better = best.tables.empty() || (!built.tables.empty() && worst(built) < worst(best));

@@ -8,6 +8,10 @@
 
 namespace assay {
 
+/// These workers, which report between `count` histories: behind those that are done, and before those that are
+/// planned.
+Workers reporting(Workers workers, const SheetOptions& options, const SheetProgress& before, double count);
+
 /// A curve refined to the tolerance.
 struct BuiltCurve {
   Curve curve;

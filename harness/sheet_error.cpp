@@ -112,7 +112,10 @@ SheetError error_of(const std::vector<BandTable>& tables, const Material& materi
   for (const BandTable& table : tables) {
     for (const double place : places_in_s) stencils.push_back(lay_out(table, place, share));
   }
-  for_each_index(static_cast<int>(stencils.size()), increments.workers(options.workers),
+  const auto count = static_cast<double>(stencils.size());
+  const SheetProgress begun{SheetProgress::Stage::error, 0, count};
+  for_each_index(static_cast<int>(stencils.size()),
+                 reporting(increments.workers(options.workers), options, begun, count),
                  [&](int k) { integrate(increments, neighbours, history, stencils[static_cast<std::size_t>(k)]); });
   SheetError error;
   double history_error = 0;

@@ -29,14 +29,14 @@ foreach(scene IN LISTS scenes)
     set_tests_properties(scene/${name} PROPERTIES LABELS long)
   endif()
   # Watched, those of each kind of motion and of the paper are enough.
-  if(ASSAY_SANITIZE AND name MATCHES "^(models|methods|foreign|frames|tabulate|motions/[ahrt]|paper/(table|vortex_sq))")
+  if(ASSAY_SANITIZE AND name MATCHES "^(models|methods|foreign|umat|frames|tabulate|motions/[ahrt]|paper/(table|vortex_sq))")
     set_tests_properties(scene/${name} PROPERTIES LABELS long)
   endif()
   # millions of particle-steps, or hundreds of them
   if((ASSAY_SANITIZE AND name MATCHES "^hard/") OR name MATCHES "^hard/(peak_pi|nu_499|nu_4999|stiff_1e6|free_vibration_200|viscous_fast)$")
     set_tests_properties(scene/${name} PROPERTIES LABELS long)
   endif()
-  if(name MATCHES "^(methods/smoothest|foreign/j2_umat_large)$") # half a minute
+  if(name MATCHES "^(methods/smoothest|umat/j2_large)$") # half a minute
     set_tests_properties(scene/${name} PROPERTIES LABELS long)
   endif()
 endforeach()

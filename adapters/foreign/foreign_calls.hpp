@@ -72,7 +72,8 @@ class ForeignCalls {
               bridge_of(self).surroundings().words.assign(words.begin(), words.end());
             },
             [](void* self, std::size_t word) { return bridge_of(self).arrays_of_a_point().place_of(word); },
-            [](void* self) { return bridge_of(self).surroundings().written; }};
+            [](void* self) { return bridge_of(self).surroundings().written; },
+            [](void* self) { return bridge_of(self).surroundings().left_at_times(); }};
   }
 
   static const char* reason(void* self) { return static_cast<ForeignCalls*>(self)->reason_.c_str(); }

@@ -60,6 +60,10 @@ struct ModelUnits {
   double length = 1;  ///< [m]
 };
 
+/// What DDSDDE of a law in F holds: Abaqus asks for the modulus of the Jaumann rate of J sigma, over J. The others are
+/// for those who look for what a wrong one is.
+enum class Moduli { jaumann, truesdell, jaumann_of_tau, truesdell_of_tau };
+
 struct ForeignModel {
   ForeignInterface interface = ForeignInterface::umat;
   std::string library;  ///< absolute path
@@ -70,7 +74,8 @@ struct ForeignModel {
   std::vector<ForeignVariable> state;
   Kinematics kinematics = Kinematics::objective;
   Axes axes = Axes::fixed;
-  bool finite_strain = false;      ///< the tangent is that of J sigma (Jaumann), and the model may read F alone
+  bool finite_strain = false;  ///< the tangent is that of J sigma (Jaumann), and the model may read F alone
+  Moduli moduli = Moduli::jaumann;
   bool strain_is_said = true;      ///< or which tangent it is has not been said
   std::vector<int> components{6};  ///< NTENS that the model serves: 6, 4 (plane strain) or both
   bool components_are_said = true;

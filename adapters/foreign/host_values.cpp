@@ -23,4 +23,12 @@ void Surroundings::take_back(GuardedArrays& arrays) {
   }
 }
 
+std::vector<std::size_t> Surroundings::left_at_times() const {
+  std::vector<std::size_t> components;
+  for (std::size_t k = 0; k < state_left.size(); ++k) {
+    if (state_left[k] && state_written[k]) components.push_back(k + 1);
+  }
+  return components;
+}
+
 }  // namespace assay::adapters

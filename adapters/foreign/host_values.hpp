@@ -49,17 +49,21 @@ struct HostAccess {
   GuardedArrays::Beyond (*place_of)(void* self, std::size_t word);
   /// Words that were written to since they were lent first.
   std::vector<std::size_t> (*written)(void* self);
+  /// Of stateNew, from 1: components that some calls since then have written, and others have not.
+  std::vector<std::size_t> (*left_at_times)(void* self);
 };
 
 /// The words around the arrays of a bridge's calls.
 struct Surroundings {
-  std::vector<double> words;         ///< empty: the fences' own
-  std::vector<std::size_t> written;  ///< in order
+  std::vector<double> words;                              ///< empty: the fences' own
+  std::vector<std::size_t> written;                       ///< in order
+  std::vector<char> state_written = {}, state_left = {};  ///< of each component of the new state: by some call
 
   bool lent() const { return !words.empty(); }
   /// To the arrays of a call; after it.
   void lend(GuardedArrays& arrays) const { arrays.lend(words); }
   void take_back(GuardedArrays& arrays);
+  std::vector<std::size_t> left_at_times() const;
 };
 
 }  // namespace assay::adapters

@@ -30,10 +30,15 @@ Tensor Umat::moduli_on(const Tensor& strain) const {
   return model_.units.stress * frame_ * read_symmetric(s, standard_order, plain_shear) * frame_.transpose();
 }
 
-/// (1/J) (J sigma)^Jaumann = C : D, in any axes.
+/// (1/J) (J sigma)^Jaumann = C : D, in any axes; that of Truesdell has - D sigma - sigma D beside it.
 Tensor Umat::finite_strain_rate(const PointStep& step, const Tensor& E, const Tensor& sigma) const {
   const Tensor l = E * step.F1.inverse(), D = 0.5 * (l + l.transpose()), w = 0.5 * (l - l.transpose());
-  return moduli_on(D) - D.trace() * sigma + w * sigma - sigma * w;
+  const bool of_tau = model_.moduli == Moduli::jaumann_of_tau || model_.moduli == Moduli::truesdell_of_tau;
+  Tensor objective = moduli_on(D) / (of_tau ? step.F1.determinant() : 1);
+  if (model_.moduli == Moduli::truesdell || model_.moduli == Moduli::truesdell_of_tau) {
+    objective += D * sigma + sigma * D;
+  }
+  return objective - D.trace() * sigma + w * sigma - sigma * w;
 }
 
 /// d sigma / d DSTRAN in axes that turn with DROT, or with R.

@@ -55,6 +55,10 @@ class Vumat {
   /// `time`: of the end of the step; 0: the call before the first step, whose inputs a model may well set.
   void call(Block& block, double time, double dt);
   static void require_written(const Block& block);
+  /// Into the new state what nobody writes, and out of it again, of a call of one point: what it has left of the state
+  /// stays as it was, and is noted.
+  static void empty_state(Block& block);
+  void note_state(Block& block);
 
   const ForeignTable& table_;
   const ForeignModel& model_;

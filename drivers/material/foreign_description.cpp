@@ -178,9 +178,11 @@ class Reader {
   /// `state: 14` is a count, and so could this be.
   static void refuse_bare_number(const Tree& tree, const std::string& key) {
     const std::string text = one_line(tree.text, 40);
-    throw InputError(
-        tree.where, key,
-        "a number alone may be a count or a first value: write {count: " + text + "} or {initial: " + text + "}");
+    const bool counts = parse_integer(tree.text).value_or(0) > 0;
+    throw InputError(tree.where, key,
+                     counts ? "a number alone may be a count or a first value: write {count: " + text +
+                                  "} or {initial: " + text + "}"
+                            : "a number alone is no kind: a first value is {initial: " + text + "}");
   }
 
   static Kind kind_value(const Tree& tree, const std::string& key) {

@@ -75,9 +75,9 @@ std::vector<RegisteredName> names_in(const std::string& folder, bool description
     if (std::error_code unknown_kind; !at->is_regular_file(unknown_kind)) continue;  // a pipe would be waited for
     names.push_back({name, at->path().string()});
   }
-  // One name may lead to several files: NAME.so before libNAME.so before NAME.yaml.
+  // One name may lead to several files: NAME.yaml, which says more, before NAME.so before libNAME.so.
   const auto rank = [](const RegisteredName& n) {
-    return is_description(n.file) ? 2 : fs::path(n.file).filename().string() == n.name + ".so" ? 0 : 1;
+    return is_description(n.file) ? 0 : fs::path(n.file).filename().string() == n.name + ".so" ? 1 : 2;
   };
   std::sort(names.begin(), names.end(),
             [&](const auto& a, const auto& b) { return a.name != b.name ? a.name < b.name : rank(a) < rank(b); });

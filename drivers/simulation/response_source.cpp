@@ -6,6 +6,7 @@
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/simulation/sheet_cache.hpp"
+#include "drivers/simulation/sheet_line.hpp"
 #include "mpm/effect.hpp"
 
 namespace assay::drivers {
@@ -28,11 +29,11 @@ std::shared_ptr<const Response> closed_form_of(const Scene& scene, const std::sh
 }  // namespace
 
 std::shared_ptr<const Response> response_of(const Scene& scene, const std::shared_ptr<const Material>& material,
-                                            const Path& path, double end, int threads, bool marching) {
+                                            const Path& path, double end, const ResponseMaking& how) {
   if (scene.force.response == ForceChoice::Response::closed_form) return closed_form_of(scene, material, path);
   if constexpr (mpm::compiled(mpm::Effect::shadow)) {
-    if (marching && scene.force.response == ForceChoice::Response::shadow) {
-      const ShadowOptions options{scene.force.radii, scene.force.tolerance, end, {threads, stop_if_interrupted}};
+    if (how.marching && scene.force.response == ForceChoice::Response::shadow) {
+      const ShadowOptions options{scene.force.radii, scene.force.tolerance, end, {how.threads, stop_if_interrupted}};
       return std::make_shared<const Response>(std::make_shared<Shadow>(material, path, options));
     }
   }
@@ -43,7 +44,9 @@ std::shared_ptr<const Response> response_of(const Scene& scene, const std::share
         "the sheet of a material with history holds at most " + rounded_text(most_periods, 6) + " periods");
   }
   SheetOptions options{.tolerance = scene.force.tolerance, .end = end};
-  options.workers = {threads, stop_if_interrupted};
+  options.workers = {how.threads, stop_if_interrupted};
+  SheetLine line(options.tolerance, how.quiet);
+  options.report = [&line](const SheetProgress& now) { line.update(now); };
   if (curve || !scene.force.cache) return std::make_shared<const Response>(Sheet(*material, path, options));
   const SheetCache cache(scene, *material, path, end);
   if (std::optional<Sheet> kept = cache.load()) return std::make_shared<const Response>(std::move(*kept));
@@ -54,12 +57,14 @@ std::shared_ptr<const Response> response_of(const Scene& scene, const std::share
 
 std::shared_ptr<const ExactSolution> exact_solution_of(const Scene& scene,
                                                        const std::shared_ptr<const Material>& material, double end,
-                                                       int threads) {
+                                                       const ResponseMaking& how) {
   const Path path = baseline_path(scene);
+  ResponseMaking marching = how;
+  marching.marching = true;
   const double density = scene.material.density;
   if (ring_of(scene.motion)) {
     return std::make_shared<const ExactSolution>(scene.motion, density,
-                                                 response_of(scene, material, path, end, threads, true));
+                                                 response_of(scene, material, path, end, marching));
   }
   if (const auto* box = std::get_if<AxisAligned>(&scene.motion)) {
     if (scene.force.response != ForceChoice::Response::sheet) {

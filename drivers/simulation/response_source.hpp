@@ -9,15 +9,21 @@
 
 namespace assay::drivers {
 
-/// The response that the scene asks for, over times 0 .. end, made on that many threads. Shadow points only for whom
-/// asks for times in ascending order (`marching`); for others a sheet stands in. Throws InputError (no closed
-/// form), MaterialFailure, Interrupted.
+/// How a response is made.
+struct ResponseMaking {
+  int threads = 1;
+  bool marching = false;  ///< times are asked for in ascending order
+  bool quiet = true;      ///< nothing is said of how far it is
+};
+
+/// The response that the scene asks for, over times 0 .. end. Shadow points only where times ascend; else a sheet
+/// stands in. Throws InputError (no closed form), MaterialFailure, Interrupted.
 std::shared_ptr<const Response> response_of(const Scene& scene, const std::shared_ptr<const Material>& material,
-                                            const Path& path, double end, int threads = 1, bool marching = false);
+                                            const Path& path, double end, const ResponseMaking& how = {});
 
 /// The scene's motion with the stress of its material, over times 0 .. end; the rest as above.
 std::shared_ptr<const ExactSolution> exact_solution_of(const Scene& scene,
                                                        const std::shared_ptr<const Material>& material, double end,
-                                                       int threads = 1);
+                                                       const ResponseMaking& how = {});
 
 }  // namespace assay::drivers

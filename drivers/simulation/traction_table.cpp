@@ -79,7 +79,7 @@ void run_variant(const Scene& scene, int threads, OutputFolder& folder, bool qui
   try {
     Problem problem = assemble(scene, threads);
     name_form(problem, run);
-    const auto exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end, threads);
+    const auto exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end, {.threads = threads});
     Snapshots nothing(problem, folder);
     Progress progress(run.algorithm + ", " + rounded_text(run.spacing, 3) + " m", quiet);
     simulate(problem, exact, nothing, progress, result);

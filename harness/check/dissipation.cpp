@@ -155,8 +155,10 @@ void judge_rates(const Specimen& specimen, TestResult& result) {
   if (in_longer.verdict != Verdict::pass) return;
   result.cause = causes::single_precision;
   result.sentence =
-      "the stress has the 24 bits of single precision, which are too few in brief steps: " + result.sentence +
-      ". From steps of " + rounded(longer) + " s on it is right";
+      "the stress has the 24 bits of single precision, which are too few in brief steps: it fails in steps "
+      "of " +
+      rounded(brief) + " s, and is right in steps of " + rounded(longer) +
+      " s. One variable or constant of 4 bytes is enough";
 }
 
 /// Unloading of what has yielded is elastic, or loses work.

@@ -118,7 +118,7 @@ TestResult shear_modulus(const Specimen& specimen) {
     const bool factor = std::abs(ratio - 2) < 0.02 || std::abs(ratio - 0.5) < 0.005;
     result.verdict = Verdict::fail;
     result.cause = factor ? causes::shear_factor : causes::not_isotropic;
-    result.sentence = "the shear modulus" + each.of + " is " + rounded(ratio) + " times (C11 - C12)/2" +
+    result.sentence = "the shear modulus" + each.of + " is " + rounded(ratio, 3) + " times (C11 - C12)/2" +
                       (factor ? ": engineering and tensor shear are mixed up" : "");
   }
   if (result.verdict == Verdict::pass) {

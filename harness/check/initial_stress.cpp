@@ -29,7 +29,8 @@ struct Carried {
 Carried carried(const Specimen& specimen, const Tensor& sigma) {
   const Material& material = *specimen.material;
   const Tensor I = Tensor::Identity(), deviation = sigma + specimen.pressure * I;
-  const double length = specimen.rate_dependent() ? 1e-9 : 1, scale = deviation.cwiseAbs().maxCoeff();
+  const bool acts_in_time = specimen.rate_dependent() || material.has(ASSAY_GROWS);
+  const double length = acts_in_time ? 1e-9 : 1, scale = deviation.cwiseAbs().maxCoeff();
   const std::vector<double> state = state_under(material, sigma);
   const Tensor found = stepped(material, 0, length, I, I, state).cauchy;
   Carried result{distance(found, sigma) / scale,

@@ -16,9 +16,9 @@ Limit limit_of(const std::array<double, 3>& e) {
   return {std::abs(e[2] - second * second / (first - second)), std::log2(first / second)};
 }
 
-std::string rounded(double value) {
+std::string rounded(double value, int digits) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.2g", value);
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
   return text;
 }
 

@@ -34,7 +34,7 @@ Limit limit_of(const std::array<double, 3>& errors);
 std::string how(const Limit& limit, const std::array<double, 3>& errors, int steps);
 
 /// Two digits.
-std::string rounded(double value);
+std::string rounded(double value, int digits = 2);
 
 /// "5.1 %", "110 %".
 std::string percent(double share);

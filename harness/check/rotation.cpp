@@ -212,7 +212,7 @@ RotationFinding rotation_of_state(const Specimen& specimen) {
   double worst = 0;
   std::string which;
   std::size_t at = 0;
-  bool any = false;
+  bool any = false, symmetric = false;
   for (std::uint32_t v = 0; v < table.state_count; ++v) {
     const int size = components_of_kind(table.state[v].kind);
     const auto value = [&](const March& m, std::size_t mark) {
@@ -226,7 +226,9 @@ RotationFinding rotation_of_state(const Specimen& specimen) {
     if (still.distance(turned) < same * scale) continue;             // a sphere says nothing
     any = true;
     const double off = seen.distance(turned) / scale;
-    if (table.state[v].role == ASSAY_ROLE_PLAIN && !(off <= worst)) worst = off, which = table.state[v].name;
+    if (table.state[v].role == ASSAY_ROLE_PLAIN && !(off <= worst)) {
+      worst = off, which = table.state[v].name, symmetric = table.state[v].kind == ASSAY_SYMMETRIC_TENSOR;
+    }
     if (table.state[v].role == ASSAY_ROLE_PLAIN && seen.distance(still) < same * scale) {
       finding.left_behind += (finding.left_behind.empty() ? "" : ", ") + std::string(table.state[v].name);
     }
@@ -243,9 +245,12 @@ RotationFinding rotation_of_state(const Specimen& specimen) {
   if (worst <= most) return finding;
   const Declarations& declared = specimen.options.declarations;
   finding.result.sentence =
-      "'" + which + "' of the state does not turn as its role says: " +
-      (declared.guesses_roles ? "no defect where the stress is right" : "a host that turns it spoils it") +
-      ". Components lie as 11 22 33 12 13 23, none of them doubled; of axes of its own declare " + declared.own_axes;
+      "'" + which + "' of the state does not turn with the body" +
+      (declared.guesses_roles ? "" : ", as its role says: a host that turns it spoils it") +
+      ". Where it has axes of its own, declare " + declared.own_axes +
+      (symmetric ? ". The components of a symmetric tensor lie as 11 22 33 12 13 23, none of them "
+                   "doubled"
+                 : "");
   if (declared.guesses_roles) return finding;
   finding.result.verdict = Verdict::fail;
   finding.result.cause = causes::wrong_role;

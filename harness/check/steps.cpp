@@ -169,7 +169,10 @@ TestResult clock_independence(const Specimen& specimen) {
     }
     if (error <= worst && std::isfinite(error)) return;
     worst = std::isfinite(error) ? error : INFINITY;
-    if (worst > most) sentence = words + " changes the stress by " + rounded(worst) + " of itself";
+    if (worst > most) {
+      sentence = words + (std::isfinite(worst) ? " changes the stress by " + rounded(worst) + " of itself"
+                                               : " is refused, or makes a stress that is no number");
+    }
   };
   const Tensor expected = stress_after(specimen, steps, 1, 0, largest);
   compare(1, 1e6, expected, "a clock that begins at 1e6 s");

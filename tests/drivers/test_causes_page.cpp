@@ -42,6 +42,7 @@ TEST(CausesPage, SaysOfEachWhatItMeansAndHowToRepairIt) {
     }
     EXPECT_EQ(text.find("```"), std::string::npos) << cause;
     EXPECT_EQ(text.find("**Where"), std::string::npos) << cause;
+    EXPECT_EQ(std::count(text.begin(), text.end(), '['), std::count(text.begin(), text.end(), ']')) << cause;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << cause << ": " << line;
   }

@@ -104,5 +104,16 @@ TEST(BeyondWords, OfOtherArraysAreAnOverrun) {
   EXPECT_EQ(judged_beyond({}).test.verdict, check::Verdict::pass);
 }
 
+TEST(BeyondWords, OfWhatIsOnlyWrittenAreAnOverrunToo) {
+  const BeyondFinding state = judged_beyond({{}, {{"STATEV", 1, 2}, {"STATEV", 1, 3}}});
+  EXPECT_EQ(state.test.cause, check::causes::overrun);
+  EXPECT_EQ(state.test.sentence, "writes STATEV(2:3), 1 is declared: `state` must declare 3 numbers");
+  EXPECT_EQ(judged_beyond({{}, {}, {2, 3, 4}}).test.cause, check::causes::overrun);
+  EXPECT_EQ(judged_beyond({{}, {}, {2, 3, 4}}).test.sentence.substr(0, 44),
+            "leaves stateNew(2:4) unwritten in some steps");
+  EXPECT_EQ(judged_beyond({{}, {{"STRESS", 6, 7}}}).test.sentence,
+            "writes STRESS(7) of STRESS, which has 6 components");
+}
+
 }  // namespace
 }  // namespace assay::drivers::test_check_beyond

@@ -38,7 +38,7 @@ const Misbehaviour all[] = {
     {8, "changes_folder", disturbs, "changes the folder", "changes the folder"},
     {9, "traps_division", ends, "died of signal 8", "died of signal 8"},
     {10, "rounds_upward", disturbs, "changes the rounding mode", "changes the rounding mode"},
-    {11, "overruns_statev", overrun, "writes past STATEV", "writes past STATEV"},
+    {11, "overruns_statev", overrun, "writes STATEV(2:21), 1 is declared", "writes past STATEV"},
     {13, "asks_for_shorter", refuses, "PNEWDT = 0.25", "PNEWDT = 0.25"},
     {14, "calls_xit", refuses, "called XIT", "called XIT"},
     {15, "returns_nan", "stress or state not finite", "stress that is not finite", "stress that is not finite"},

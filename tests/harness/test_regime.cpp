@@ -51,6 +51,7 @@ StateSigns signs_of(const std::array<char, 4>& changes, const std::array<char, 4
   StateSigns signs;
   signs.changes.assign(changes.begin(), changes.end());
   signs.always.assign(always.begin(), always.end());
+  signs.ever = signs.always;
   signs.any_start = true;
   return signs;
 }
@@ -80,6 +81,24 @@ TEST(Regime, IsToldByTheInvariantsOfATensorWhereNoScalarChanges) {
   EXPECT_EQ(reader.of(before, turned), 0u);
   EXPECT_NE(reader.of(before, grown), 0u);
   EXPECT_EQ(reader.of(before, other), 0u) << "the other tensor has never changed";
+}
+
+/// A back stress whose components are declared as scalars, turned by the model in elastic steps.
+TEST(Regime, IsNotToldByWhatTurnsBesideWhatDoesNot) {
+  const assay_state_variable state[] = {
+      {"s1", "1", ASSAY_SCALAR, 0, ""}, {"s2", "1", ASSAY_SCALAR, 0, ""}, {"s3", "1", ASSAY_SCALAR, 0, ""}};
+  const assay_material table = table_with(state, 3);
+  StateSigns signs;
+  signs.changes = {1, 1, 1}, signs.always = {0, 0, 0}, signs.ever = {1, 1, 0}, signs.any_start = true;
+  RegimeReader reader(table);
+  reader.settle(table, signs);
+  const double before[] = {1, 2, 0.1}, turned[] = {1.1, 1.9, 0.1}, flowed[] = {1, 2, 0.2};
+  EXPECT_EQ(reader.of(before, turned), 0u);
+  EXPECT_NE(reader.of(before, flowed), 0u);
+  signs.ever = {1, 1, 1};
+  RegimeReader unsettled(table);
+  unsettled.settle(table, signs);
+  EXPECT_NE(unsettled.of(before, turned), 0u) << "nothing tells better";
 }
 
 TEST(Regime, StaysAsDeclaredWhereNoStepWasTaken) {

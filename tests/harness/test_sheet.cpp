@@ -47,6 +47,26 @@ TEST(Sheet, StatesItsErrorForAMaterialWithHistory) {
   }
 }
 
+TEST(Sheet, TellsHowFarItIs) {
+  const Path path = Vortex{0.75, 1.25, 2, {Amplitude::Type::sine, 0.3, 1.0}}.baseline();
+  SheetOptions options{.tolerance = 1e-8, .end = 1};
+  std::vector<SheetProgress> seen;
+  int polls = 0;
+  options.workers.poll = [&] { ++polls; };
+  options.report = [&](const SheetProgress& now) { seen.push_back(now); };
+  const Sheet sheet(*jaumann_material(), path, options);
+  ASSERT_FALSE(seen.empty());
+  EXPECT_GE(polls, static_cast<int>(seen.size())) << "one that is interrupted stops";
+  bool measured = false;
+  for (const SheetProgress& now : seen) {
+    EXPECT_LE(now.done, now.planned);
+    measured = measured || now.stage == SheetProgress::Stage::error;
+  }
+  EXPECT_TRUE(measured);
+  EXPECT_EQ(seen.front().stage, SheetProgress::Stage::histories) << "it has no kinks to look for";
+  EXPECT_LT(seen.front().done, seen.front().planned);
+}
+
 TEST(Sheet, OfAPathIndependentMaterialIsACurveThatHoldsForAllTimes) {
   const Path path = Vortex{}.baseline();
   const Sheet sheet(*elastic_material(), path, {.end = 1e9});

@@ -55,6 +55,13 @@ TEST_F(Registry, SearchPathTakesLibrariesWithAndWithoutPrefix) {
   EXPECT_EQ(names, builtin + "hard soft ");
 }
 
+TEST_F(Registry, ADescriptionStandsBeforeItsLibrary) {
+  write("path/soft.yaml", "library: libsoft.so\ninterface: native\ndensity: 7\n");
+  fs::copy_file(plugins + "frozen_1_0.so", folder / "path/libsoft.so");
+  setenv("ASSAY_MATERIAL_PATH", (folder / "path").c_str(), 1);
+  EXPECT_EQ(find("soft").density, 7);
+}
+
 TEST_F(Registry, PathsAreLoadedDirectly) {
   EXPECT_STREQ(find(plugins + "two_models.so:second").table->name, "second");
   EXPECT_STREQ(find(built("materials/libneo_hookean.so")).table->name, "neo_hookean");
