@@ -133,9 +133,8 @@ void judge_components(CheckedMaterial& checked, const check::Effort& effort, con
   if (fills == Fills::plane_stress) {
     checked.unsuitable = true;
     checked.error =
-        "its three components of stress are 11, 22 and 12, those of plane stress: DSTRAN(3) makes "
-        "STRESS(3), and nothing else does. assay drives plane strain and three dimensions, and cannot "
-        "judge it";
+        "it has three components of stress alone, as in plane stress (11, 22 and 12) or in a cohesive layer: DSTRAN(3) "
+        "makes STRESS(3), and nothing else does. assay drives plane strain and three dimensions, and cannot judge it";
     return;
   }
   if (fills == Fills::six && !may_overrun(checked.report)) return;

@@ -213,13 +213,13 @@ void Vumat::require_written(const Block& block) {
 
 void Vumat::empty_state(Block& block) { block.arrays.fill(block.state[1], unwritten()); }
 
-void Vumat::note_state(Block& block) {
+void Vumat::note_state(Block& block, bool counts) {
   const std::size_t size = block.arrays.size(block.state[1]);
   surroundings_.state_written.resize(size), surroundings_.state_left.resize(size);
   for (std::size_t k = 0; k < size; ++k) {
     double& found = block.arrays[block.state[1]][k];
     const bool left = is_unwritten(found);
-    (left ? surroundings_.state_left : surroundings_.state_written)[k] = 1;
+    if (counts) (left ? surroundings_.state_left : surroundings_.state_written)[k] = 1;
     if (left) found = block.arrays[block.state[0]][k];
   }
 }
@@ -247,7 +247,7 @@ void Vumat::call(Block& block, double time, double dt) {
         a[block.gradient[1]], a[block.fields[1]], a[block.stress[1]], a[block.state[1]], a[block.internal[1]],
         a[block.inelastic[1]], vumat_name_length);
   });
-  if (lent) surroundings_.take_back(a), note_state(block);
+  if (lent) surroundings_.take_back(a), note_state(block, !ended && time > 0);
   const auto broken = block.inputs.broken_fence(a, time > 0);
   if (ended) throw PointFailure("the VUMAT " + *ended);
   if (broken) throw PointFailure(overrun_words + ("the VUMAT " + *broken));

@@ -56,9 +56,9 @@ class Vumat {
   void call(Block& block, double time, double dt);
   static void require_written(const Block& block);
   /// Into the new state what nobody writes, and out of it again, of a call of one point: what it has left of the state
-  /// stays as it was, and is noted.
+  /// stays as it was, and is noted where the call counts.
   static void empty_state(Block& block);
-  void note_state(Block& block);
+  void note_state(Block& block, bool counts);
 
   const ForeignTable& table_;
   const ForeignModel& model_;

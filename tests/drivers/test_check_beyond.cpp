@@ -77,6 +77,16 @@ TEST_F(Beyond, AVumatIsLookedAtToo) {
   EXPECT_NE(three.sentence().find("reads props(4), 3 are given"), std::string::npos) << three.sentence();
 }
 
+TEST_F(Beyond, AStateThatIsLeftInSomeStepsIsAnOverrun) {
+  const std::string keys =
+      "interface: vumat\nflags: [non_smooth]\nproperties: {E: 1.0e3, nu: 0.3, yield: 10, H: 20}\nstate: 1\n";
+  const ForeignCheck left("vumat_j2", keys + "material_name: FLOWING\n");
+  EXPECT_EQ(left.status, 1) << left.said;
+  EXPECT_EQ(left.cause(), check::causes::overrun) << left.said;
+  EXPECT_NE(left.sentence().find("leaves stateNew(1) unwritten in some steps"), std::string::npos) << left.sentence();
+  EXPECT_EQ(ForeignCheck("vumat_j2", keys).status, 0);
+}
+
 TEST_F(Beyond, WhatIsDeclaredPassesAndItsReplayTellsTheSameAgain) {
   const ForeignCheck right("umat_kinematic", kinematic("{back_stress: symmetric_tensor, p: scalar}"));
   EXPECT_EQ(right.status, 0) << right.said;

@@ -127,7 +127,7 @@ TEST_F(CheckUndeclared, PlaneStressIsToldAndNotJudged) {
   scratch.write("model.f", fixed_umat(statements));
   const Found found = check("model.f", {"--props", "210e3,.3"});
   EXPECT_EQ(found.status, 2) << found.said;
-  EXPECT_TRUE(found.says("those of plane stress")) << found.said;
+  EXPECT_TRUE(found.says("as in plane stress (11, 22 and 12)")) << found.said;
 }
 
 }  // namespace
