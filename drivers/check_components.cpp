@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "adapters/foreign/foreign_table.hpp"
+#include "drivers/check_beyond.hpp"
 #include "drivers/check_elsewhere.hpp"
 #include "drivers/check_foreign.hpp"
 #include "drivers/check_steps.hpp"
@@ -137,7 +138,7 @@ void judge_components(CheckedMaterial& checked, const check::Effort& effort, con
         "makes STRESS(3), and nothing else does. assay drives plane strain and three dimensions, and cannot judge it";
     return;
   }
-  if (fills == Fills::six && !may_overrun(checked.report)) return;
+  if (fills == Fills::six && (!may_overrun(checked.report) || failed_test(checked.report, beyond_test))) return;
   checked.report.diagnosis.front().sentence += words_of(checked, with_four(checked, *model, effort, how));
 }
 

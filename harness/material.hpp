@@ -39,6 +39,9 @@ const void* extension_of(const assay_material* table, const char* id);
 /// With these words a message begins that tells of writing where a model must not; whoever guards its arrays finds it.
 inline constexpr const char* overrun_words = "overrun: ";
 
+/// So does that of a step whose other outputs are no numbers.
+inline constexpr const char* not_finite_words = "not a number: ";
+
 /// Likewise where it changed the arithmetic of its thread, which was put right.
 inline constexpr const char* arithmetic_prefix = "arithmetic: ";
 

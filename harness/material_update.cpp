@@ -74,6 +74,7 @@ UpdateReport Material::update(double t, double dt, std::size_t n, const double* 
     return report;
   }
   take_statuses(status, n, message, report);
+  report.not_finite = report.worst == ASSAY_FAILED && report.message.starts_with(not_finite_words);
   const auto require_finite = [&](const double* values, std::size_t components, const char* what) {
     if (report.worst == ASSAY_FAILED || all_finite(values, components * n)) return;
     const auto [point, component] = first_not_finite(values, components, n);

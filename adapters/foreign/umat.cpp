@@ -236,7 +236,7 @@ void Umat::call(const PointStep& step) {
   if (ended) throw PointFailure("the UMAT " + *ended);
   if (broken) throw PointFailure(overrun_words + ("the UMAT " + *broken));
   const double factor = arrays_[scalars_][pnewdt];
-  if (std::isnan(factor)) throw PointFailure("the UMAT leaves a PNEWDT that is no number");
+  if (std::isnan(factor)) throw PointFailure(not_finite_words + std::string("PNEWDT, as the UMAT leaves it"));
   if (factor < 1) {
     throw PointFailure("the UMAT asks for a shorter step: PNEWDT = " + shortest_text(factor),
                        std::clamp(factor, 0.01, 0.99));

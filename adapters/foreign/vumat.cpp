@@ -160,9 +160,9 @@ void Vumat::initial_state(const Tensor& cauchy, double* state) {
   // Abaqus asks for an elastic response at time zero before the first step; what it leaves in the state is not kept.
   Block& block = block_of(1);
   hand_over(block, {0, 1, I, I}, {1, 0}, state);
-  constexpr double fictitious = 1e-8;
+  constexpr double fictitious = 1e-8, brief = 1e-7;  // a strain; a step that is none too long for anybody [s]
   block.arrays[block.strain][0] = fictitious;
-  call(block, 0, 1);
+  call(block, 0, brief);
 }
 
 void Vumat::hand_over(Block& block, const assay_step& step, const Part& part, const double* state0) {

@@ -15,6 +15,21 @@ bool has_reached(const Specimen& specimen) { return specimen.amplitude >= reache
 /// Whether the material answers in a straight line as far as the tests go.
 bool stays_linear(const Specimen& specimen) { return specimen.linear && specimen.onset >= 0.5 * specimen.amplitude; }
 
+/// Whether what is refused is the size of an increment of strain, and not the strain.
+bool takes_shorter_increments(const Specimen& specimen) {
+  constexpr int shorter = 16;
+  if (!specimen.refusal) return false;
+  Specimen farther = specimen;
+  farther.amplitude = 2 * specimen.amplitude;
+  try {
+    march(*specimen.material, out_and_back(farther),
+          {.steps = shorter * specimen.steps(), .state = specimen.rest_state()});
+    return true;
+  } catch (const MaterialFailure&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> not_tested(const Specimen& specimen) {
@@ -23,7 +38,9 @@ std::vector<std::string> not_tested(const Specimen& specimen) {
   if (material.table().parameter_count > 0 && !material.extension<assay_closed_form>(ASSAY_EXTENSION_CLOSED_FORM)) {
     all.emplace_back("the values of its parameters (there is no reference)");
   }
-  const char* why = specimen.refusal ? " (it refuses them)" : "";
+  const char* why = takes_shorter_increments(specimen) ? " (it takes them in shorter increments alone)"
+                    : specimen.refusal                 ? " (it refuses them)"
+                                                       : "";
   if (!has_reached(specimen)) all.push_back("strains above " + rounded(specimen.amplitude) + why);
   if (material.has(ASSAY_NON_SMOOTH) && stays_linear(specimen)) {
     all.emplace_back("what lies beyond its first straight line (a kink is declared, and none was met)");
@@ -38,6 +55,7 @@ std::optional<TestResult> not_reached(const Specimen& specimen) {
     return refused("loading", nullptr, *specimen.refusal);
   }
   const double asked = specimen.options.effort.strain;
+  if (!specimen.options.effort.strain_is_asked && takes_shorter_increments(specimen)) return std::nullopt;
   const bool kink = specimen.refusal && specimen.material->has(ASSAY_NON_SMOOTH) && stays_linear(specimen);
   if (!kink && (has_reached(specimen) || !specimen.options.effort.strain_is_asked)) return std::nullopt;
   TestResult result{.id = "loading", .verdict = Verdict::fail};
@@ -48,7 +66,8 @@ std::optional<TestResult> not_reached(const Specimen& specimen) {
   const std::string words = specimen.refusal ? result.sentence + ". " : "";
   result.sentence = kink ? words + "It refuses whatever leaves its first straight line, to a strain of " + far +
                                "; a kink is declared (non_smooth), and none can be tested"
-                         : words + "Strains of " + rounded(asked) + " were asked for, and it stands " + far;
+                         : words + "Strains of " + rounded(asked) + " were asked for, and it stands " + far +
+                               (takes_shorter_increments(specimen) ? ", and more in shorter increments alone" : "");
   return result;
 }
 

@@ -41,6 +41,8 @@ double amplitude_of(Specimen& specimen) {
       if (stood == 0) stood = a;
       if (specimen.rate_dependent() || specimen.pressure > 0 || stress >= little * specimen.modulus * a) return a;
     } catch (const MaterialFailure& failure) {
+      const std::string cause = cause_of_refusal(failure.what(), failure.not_finite);
+      if (cause == causes::overrun || cause == causes::disturbs_process) throw;  // no word of its own
       if (failure.not_finite) specimen.not_finite.emplace(failure);
       if (!failure.not_finite) specimen.refusal.emplace(failure);
       specimen.has_refused |= !failure.not_finite;

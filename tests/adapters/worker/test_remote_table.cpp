@@ -85,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Misbehaviour{3, "did not come back within 1 s"}, Misbehaviour{4, "died of signal 6"},
                     Misbehaviour{5, "the stack overflowed"}, Misbehaviour{9, "died of signal 8"},
                     Misbehaviour{10, "changes the rounding mode"}, Misbehaviour{11, "writes past STATEV"},
-                    Misbehaviour{13, "PNEWDT = 0.25"}, Misbehaviour{29, "PNEWDT that is no number"},
+                    Misbehaviour{13, "PNEWDT = 0.25"}, Misbehaviour{29, "not a number: PNEWDT"},
                     Misbehaviour{14, "called XIT"}, Misbehaviour{15, "stress that is not finite"},
                     Misbehaviour{16, "with status 0, without a result"}, Misbehaviour{19, "died of signal 9"},
                     Misbehaviour{22, "did not come back within 1 s"}),

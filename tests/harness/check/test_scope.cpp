@@ -16,7 +16,7 @@ namespace {
 
 /// An elastic law that refuses whatever is beyond its limits; a parameter says which.
 struct Model {
-  double mu, lambda, largest_strain, longest_step;
+  double mu, lambda, largest_strain, longest_step, largest_increment;
 };
 
 void update(void* self, const assay_step* step, std::size_t n, const double*, double*, double* cauchy,
@@ -28,8 +28,9 @@ void update(void* self, const assay_step* step, std::size_t n, const double*, do
     const Tensor sigma = (m.lambda * std::log(J) * Tensor::Identity() + m.mu * (b - Tensor::Identity())) / J;
     check_tests::write(sigma, cauchy, n, p);
     const bool far = (b - Tensor::Identity()).norm() > 2 * m.largest_strain;
-    status[p] = far || step->dt > m.longest_step ? ASSAY_FAILED : ASSAY_GOOD;
-    if (status[p] == ASSAY_FAILED) std::strcpy(message, far ? "too far" : "too long");
+    const bool large = (F - check_tests::read(step->F0, n, p)).norm() > m.largest_increment;
+    status[p] = far || large || step->dt > m.longest_step ? ASSAY_FAILED : ASSAY_GOOD;
+    if (status[p] == ASSAY_FAILED) std::strcpy(message, far ? "too far" : large ? "too much" : "too long");
   }
 }
 
@@ -37,11 +38,12 @@ const assay_material* table(std::uint32_t flags) {
   static const assay_parameter parameters[] = {{"mu", "Pa", 400, 0, 1e12, "shear modulus"},
                                                {"lambda", "Pa", 600, 0, 1e12, "Lame's first"},
                                                {"strain", "1", 1e3, 0, 1e12, "the largest that it takes"},
-                                               {"step", "s", 1e30, 0, 1e31, "the longest that it takes"}};
+                                               {"step", "s", 1e30, 0, 1e31, "the longest that it takes"},
+                                               {"increment", "1", 1e3, 0, 1e12, "the largest that it takes"}};
   static assay_material made[2];
   assay_material& t = made[flags == 0 ? 0 : 1];
   t = check_tests::named_table("limited_for_tests", flags, parameters, {});
-  t.create = [](const double* p, char*) -> void* { return new Model{p[0], p[1], p[2], p[3]}; };
+  t.create = [](const double* p, char*) -> void* { return new Model{p[0], p[1], p[2], p[3], p[4]}; };
   t.destroy = [](void* self) { delete static_cast<Model*>(self); };
   t.update = update;
   return &t;
@@ -73,6 +75,16 @@ TEST(Scope, StrainsThatAreNotReachedAreSaid) {
   EXPECT_TRUE(report.passes());
   EXPECT_LT(report.strain, 1e-3);
   EXPECT_TRUE(says(report, "strains above"));
+}
+
+/// A limit on increments is none on strains, whether a kink is declared or not.
+TEST(Scope, IncrementsThatAreRefusedAreToldFromStrains) {
+  for (const std::uint32_t flags : {0u, static_cast<std::uint32_t>(ASSAY_NON_SMOOTH)}) {
+    const Report report = run_battery(limited({{"increment", 1e-3}}, flags), {.effort = {.quick = true}});
+    EXPECT_TRUE(report.passes()) << flags;
+    EXPECT_TRUE(says(report, "it takes them in shorter increments alone")) << flags;
+    EXPECT_FALSE(says(report, "it refuses them")) << flags;
+  }
 }
 
 TEST(Scope, StrainsThatWereAskedForAndAreNotReachedFail) {
