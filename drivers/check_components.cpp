@@ -97,8 +97,7 @@ CheckedMaterial with_four(const CheckedMaterial& checked, const ForeignModel& si
     model.components = {4}, model.flags |= flags;
     check::Effort quick = effort;
     quick.quick = true;
-    return check::run_battery(Material(adapters::foreign_table(model), parameters),
-                              {.effort = quick, .begins = reporter.begins});
+    return check::run_battery(made_for_tests(model, parameters), {.effort = quick, .begins = reporter.begins});
   };
   const CheckTask task{checked.name, [&](const CheckReporter& reporter) {
                          CheckedMaterial found;

@@ -7,6 +7,7 @@
 
 #include "adapters/foreign/foreign_state.hpp"
 #include "adapters/foreign/foreign_table.hpp"
+#include "adapters/foreign/host_values.hpp"
 #include "adapters/foreign/mfront_metadata.hpp"
 #include "drivers/material/material_description.hpp"
 
@@ -36,7 +37,7 @@ bool counts_state(const ForeignModel& model) {
 std::optional<check::TestResult> passed_with(const ForeignModel& model, const ResolvedMaterial& material,
                                              const check::Report& before) {
   try {
-    const Material other(adapters::foreign_table(model), material.choice.parameters);
+    const Material other = made_for_tests(model, material.choice.parameters);
     const check::Report report = check::run_battery(
         other, {.effort = before.effort, .only = tangent_test, .declarations = declarations_of(material)});
     const auto test = std::find_if(report.tests.begin(), report.tests.end(), [](const check::TestResult& each) {
@@ -103,6 +104,13 @@ std::string tensor_without_initial_value(const ResolvedMaterial& material) {
 }
 
 }  // namespace
+
+Material made_for_tests(const ForeignModel& model, const std::map<std::string, double>& parameters) {
+  Material made(adapters::foreign_table(model), parameters);
+  const auto* access = made.extension<adapters::HostAccess>(adapters::host_access);
+  if (access) access->keep_elements(made.self());
+  return made;
+}
 
 check::TestResult* failed_test(check::Report& report, const char* id) {
   const auto test = std::find_if(report.tests.begin(), report.tests.end(), [&](const check::TestResult& each) {

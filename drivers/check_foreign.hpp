@@ -17,6 +17,9 @@ void say_instead(check::Report& report, check::TestResult& test, const std::stri
 /// More words behind a sentence, wherever it stands.
 void say_also(check::Report& report, const std::string& sentence, const std::string& more);
 
+/// A model made as the tests need it: its points have the element that its tests give them. Throws what Material does.
+Material made_for_tests(const adapters::ForeignModel& model, const std::map<std::string, double>& parameters);
+
 /// Those of the ABI for a native model.
 check::Declarations declarations_of(const ResolvedMaterial& material);
 

@@ -90,7 +90,6 @@ std::optional<ResolvedMaterial> settle_rate(const ResolvedMaterial& material, co
                                             CheckedMaterial& checked) {
   if (!settings.rate_dependent && !may_depend_on_rate(material, checked.report)) return std::nullopt;
   ResolvedMaterial other = as_rate_dependent(material);
-  keep_elements(other);
   check::Report report = battery_of(other, settings, reporter, before);
   if (!settings.rate_dependent && !settles_rate(report, checked.report)) return std::nullopt;
   const check::TestResult* const clock = failed_test(checked.report, "clock");

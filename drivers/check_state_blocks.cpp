@@ -89,7 +89,7 @@ check::Diagnosis* first_of_turns(check::Report& report) {
 std::optional<check::Diagnosis> named(const ForeignModel& model, const ResolvedMaterial& material,
                                       const check::Report& before) {
   try {
-    const Material other(adapters::foreign_table(model), material.choice.parameters);
+    const Material other = made_for_tests(model, material.choice.parameters);
     check::Effort effort = before.effort;
     effort.quick = true;
     const check::Report report =

@@ -5,6 +5,7 @@
 
 #include "adapters/foreign/foreign_table.hpp"
 #include "drivers/check_foreign.hpp"
+#include "drivers/check_steps.hpp"
 #include "harness/check/judge.hpp"
 
 namespace assay::drivers {
@@ -14,7 +15,7 @@ namespace {
 constexpr const char* clock_test = "clock";
 
 ResolvedMaterial taken_for(const ResolvedMaterial& material, adapters::ForeignModel model) {
-  return {.material = Material(adapters::foreign_table(model), material.choice.parameters),
+  return {.material = made_for_tests(model, material.choice.parameters),
           .choice = material.choice,
           .library = material.library,
           .description = material.description,
@@ -30,13 +31,38 @@ bool passes_as(const ResolvedMaterial& other, const check::Effort& effort) {
   return check::run_battery(other.material, {.effort = quick, .declarations = declarations_of(other)}).passes();
 }
 
+/// Whether steps of a loaded body are others that begin at another time of its life.
+bool reads_time(const ResolvedMaterial& material, double strain, double pressure) {
+  constexpr int count = 12;
+  constexpr double times[] = {0, 1e-7, 1e3};  // [s]
+  const assay_material& table = material.material.table();
+  std::size_t at = 0;
+  std::uint32_t v = 0;
+  for (; v < table.state_count && std::string_view(table.state[v].name) != "TIME"; ++v) {
+    at += static_cast<std::size_t>(components_of_kind(table.state[v].kind));
+  }
+  if (v == table.state_count) return true;  // nobody knows
+  for (const RepeatedStep& step : repeated_steps(material.material, strain, pressure, count)) {
+    if (step.first) continue;
+    const Answer usual = answer_of(material.material, step);
+    for (const double time : times) {
+      RepeatedStep other = step;
+      other.state0[at] = time;
+      const Answer found = answer_of(material.material, other);
+      if (!std::equal(usual.begin(), usual.begin() + state_of_answer, found.begin())) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 bool may_depend_on_rate(const ResolvedMaterial& material, check::Report& report) {
   const auto& model = material.foreign;
   const check::TestResult* const clock = failed_test(report, clock_test);
   const std::string flag = declarations_of(material).rate_dependence;  // named where the length of a step is to blame
-  return model && !model->flags_are_said && clock && clock->sentence.find(flag) != std::string::npos;
+  if (!model || model->flags_are_said || !clock) return false;
+  return clock->sentence.find(flag) != std::string::npos || !reads_time(material, report.strain, report.pressure);
 }
 
 ResolvedMaterial as_rate_dependent(const ResolvedMaterial& material) {

@@ -24,7 +24,8 @@ using check::Verdict;
 constexpr double spacing = 0.05;  // h [m]: 5032 particles
 constexpr double most = 5;        // times the error of the comparison; good models: 1 to 5
 constexpr double enough = 0.5;    // relative error of the displacement; good models: 0.02 to 0.16
-constexpr double patience_s = 5;  // of one run
+constexpr double patience_s = 5;  // of one run, estimated
+constexpr double most_s = 30;     // of the material's run; usual ones take one
 constexpr double usual_steps = 400;
 constexpr double strain_of_a_radian = 3.6;  // largest eps of the paper's vortex
 
@@ -129,7 +130,14 @@ TestResult end_to_end_vortex(const ResolvedMaterial& resolved, std::optional<dou
     return not_applicable("the material cannot be loaded");
   }
   const check::Specimen& specimen = *examined;
-  const std::optional<double> error = error_of(resolved.choice, specimen);
+  std::optional<double> error;
+  try {
+    const Deadline deadline(most_s);
+    error = error_of(resolved.choice, specimen);
+  } catch (const TimeIsUp&) {
+    return not_applicable("the run takes more than " + rounded_text(most_s, 2) +
+                          " s of processor time: histories of the material are too many small steps");
+  }
   const auto twin = comparison(specimen.stiffness);
   const std::optional<double> other = twin ? error_of(*twin, specimen) : std::nullopt;
   if (twin && !other) return not_applicable("the method does not stand the vortex at this resolution and stiffness");

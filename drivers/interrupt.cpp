@@ -79,8 +79,26 @@ bool interrupted() { return first_signal != 0; }
 
 int interrupt_signal() { return first_signal; }
 
+namespace {
+
+/// Of all threads of the process [ns].
+std::int64_t processor_ns() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+}
+
+std::atomic<std::int64_t> deadline_ns{0};  ///< 0: none
+
+}  // namespace
+
+Deadline::Deadline(double seconds) { deadline_ns = processor_ns() + static_cast<std::int64_t>(1e9 * seconds); }
+
+Deadline::~Deadline() { deadline_ns = 0; }
+
 void stop_if_interrupted() {
   if (const int signal = first_signal) throw Interrupted{signal};
+  if (const std::int64_t deadline = deadline_ns; deadline != 0 && processor_ns() > deadline) throw TimeIsUp{};
 }
 
 }  // namespace assay::drivers

@@ -34,7 +34,19 @@ struct Interrupted {
   int signal = 0;
 };
 
-/// Throws Interrupted when a signal came.
+/// Throws Interrupted when a signal came, TimeIsUp when the time of a Deadline is over.
 void stop_if_interrupted();
+
+struct TimeIsUp {};
+
+/// While it lives, loops that poll stop after so many seconds of processor time, which a busy machine does not shorten.
+/// One at a time.
+class Deadline {
+ public:
+  explicit Deadline(double seconds);
+  Deadline(const Deadline&) = delete;
+  Deadline& operator=(const Deadline&) = delete;
+  ~Deadline();
+};
 
 }  // namespace assay::drivers

@@ -184,6 +184,52 @@ std::string few_of(const std::vector<std::string>& names) {
   return joined(first) + (names.size() > shown ? " and " + std::to_string(names.size() - shown) + " others" : "");
 }
 
+/// "name" of "name=...props(...)", where that is a plain variable and its text makes no whole number of it; or empty.
+std::string receiver_of(const std::string& text, const std::string& props) {
+  const std::size_t equals = text.find('=');
+  if (equals == text.npos || text.find(props + "(", equals) == text.npos) return {};
+  for (const char* whole : {"int(", "floor(", "ceiling("}) {  // nint( too
+    if (text.find(whole, equals) != text.npos) return {};
+  }
+  const std::string name = text.substr(0, equals);
+  const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+  return plain ? name : std::string();
+}
+
+/// Sentences on variables that hold less of a property than it has.
+void add_lossy(const FortranSource& source, const SourceEntry& entry, const std::vector<FortranVariable>& variables,
+               const ImplicitTypes& implicit, std::vector<std::string>& all) {
+  const std::string props = names_of_entry(entry).props;
+  std::vector<std::string> whole, single;
+  int line_of_whole = 0, line_of_single = 0;
+  for (const FortranStatement& statement : entry.routine.statements) {
+    const std::string name = receiver_of(statement.text, props);
+    if (name.empty()) continue;
+    const auto same = [&](const FortranVariable& variable) { return variable.name == name; };
+    const auto declared = std::find_if(variables.begin(), variables.end(), same);
+    const bool is_declared = declared != variables.end();
+    const bool by_letter = !is_declared && !implicit.none && name[0] >= 'i' && name[0] <= 'n';
+    if (by_letter && whole.empty()) line_of_whole = statement.line;
+    if (by_letter) whole.push_back(capitals(name));
+    if (!is_declared || declared->type != "real" || declared->bytes != 4) continue;
+    if (single.empty()) line_of_single = statement.line;
+    single.push_back(capitals(name));
+  }
+  const auto at = [&](int line) { return source.file + ":" + std::to_string(line) + ": "; };
+  if (!whole.empty()) {
+    all.push_back(at(line_of_whole) + few_of(whole) +
+                  (whole.size() > 1 ? " are integers by their first letter, and take"
+                                    : " is an integer by its first "
+                                      "letter, and takes") +
+                  " PROPS: what stands behind the decimal point is lost (where that is meant, INT says so)");
+  }
+  if (!single.empty()) {
+    all.push_back(at(line_of_single) + few_of(single) +
+                  (single.size() > 1 ? " are reals of 4 bytes, and take" : " is a real of 4 bytes, and takes") +
+                  " PROPS: seven digits of them are left");
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> size_traps(const FortranSource& source, const SourceEntry& entry) {
@@ -213,6 +259,7 @@ std::vector<std::string> size_traps(const FortranSource& source, const SourceEnt
                   " of 4 bytes, and Abaqus hands over 8: INCLUDE '" + (umat ? "ABA_PARAM.INC" : "VABA_PARAM.INC") +
                   "' or IMPLICIT REAL*8 (A-H,O-Z) is missing, or a declaration says real");
   }
+  add_lossy(source, entry, variables, implicit, all);
   return all;
 }
 

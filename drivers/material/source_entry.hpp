@@ -31,7 +31,8 @@ struct EntryNames {
 
 EntryNames names_of_entry(const SourceEntry& entry);
 
-/// Sentences on arguments whose declared size is not what Abaqus hands over: integers of 8 bytes, reals of 4.
+/// Sentences on arguments whose declared size is not what Abaqus hands over: integers of 8 bytes, reals of 4. And on
+/// variables that take a property and hold less of it: integers by their first letter, reals of 4 bytes.
 std::vector<std::string> size_traps(const FortranSource& source, const SourceEntry& entry);
 
 /// The same of a symbol, which need not be there.

@@ -8,10 +8,10 @@
 namespace assay::drivers::test_check_elements {
 namespace {
 
-std::string keeping_p(const std::string& keys) {
+std::string keeping_p(const std::string& keys, const std::string& words = "KEEPS_P") {
   return "interface: umat\nflags: [non_smooth]\nproperties: {E: 1.0e3, nu: 0.3, yield: 10, C: 50}\n"
-         "state: {back_stress: symmetric_tensor, p: scalar}\nmaterial_name: KEEPS_P\n" +
-         keys;
+         "state: {back_stress: symmetric_tensor, p: scalar}\nmaterial_name: " +
+         words + "\n" + keys;
 }
 
 TEST(CheckElements, AStateThatIsKeptByElementIsCalledThat) {
@@ -23,6 +23,13 @@ TEST(CheckElements, AStateThatIsKeptByElementIsCalledThat) {
   const ForeignCheck each("umat_kinematic", keeping_p("elements: each\n"));
   EXPECT_EQ(each.cause(), check::causes::kept_by_element) << each.said;
   EXPECT_NE(each.sentence().find("serves runs that take each point once a step"), std::string::npos) << each.sentence();
+}
+
+/// Of two bodies in one element the lesser leaves no trace in a largest value.
+TEST(CheckElements, ALargestValueByElementIsCalledThatToo) {
+  if (!has_foreign("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
+  const ForeignCheck check("umat_kinematic", keeping_p("", "KEEPS_PEAK"));
+  EXPECT_EQ(check.cause(), check::causes::kept_by_element) << check.said;
 }
 
 /// Another state outside of STATEV is not one by element.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/drivers/foreign_checks.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/support/built.hpp"
 
@@ -87,6 +88,24 @@ TEST(CheckForeign, ATangentOfWhichNothingIsSaidIsTakenForEither) {
   const Ending small = assay({"check", j2_of(scratch, "umat_j2", ""), "--quick", "-o", scratch / "check"});
   EXPECT_EQ(small.status, 0) << small.said;
   EXPECT_EQ(small.said.find("settles it"), std::string::npos) << small.said;
+}
+
+/// Moduli that are handed over as textbooks have them.
+TEST(CheckForeign, ModuliOfAnotherRateAreNamed) {
+  if (!built("umat_neo_hookean")) GTEST_SKIP() << "no Fortran compiler";
+  const std::pair<const char*, const char*> all[] = {
+      {"TRUESDELL", "DDSDDE is the modulus of the Truesdell rate, as by"},
+      {"OF_TAU", "DDSDDE is J times the modulus that is asked for"},
+      {"TRUESDELL OF_TAU", "the Truesdell rate of the Kirchhoff stress"}};
+  for (const auto& [words, said] : all) {
+    for (const char* strain : {"", "strain: finite\n"}) {
+      const ForeignCheck check("umat_neo_hookean", "interface: umat\nproperties: {E: 1.0e3, nu: 0.3}\nmaterial_name: " +
+                                                       std::string(words) + "\n" + strain);
+      EXPECT_EQ(check.status, 1) << words;
+      EXPECT_EQ(check.cause(), check::causes::tangent_convention) << check.said;
+      EXPECT_NE(check.sentence().find(said), std::string::npos) << check.sentence();
+    }
+  }
 }
 
 /// Energies that a UMAT leaves alone, and numbers of a state that is too long.

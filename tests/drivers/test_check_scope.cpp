@@ -25,7 +25,6 @@ class CheckScope : public SourceTest {
     return ending.said.find(words) != std::string::npos;
   }
 
- private:
   static std::string umat(const std::string& lines) {
     return "      SUBROUTINE UMAT(STRESS,STATEV,DDSDDE,SSE,SPD,SCD,RPL,DDSDDT,\n"
            "     1 DRPLDE,DRPLDT,STRAN,DSTRAN,TIME,DTIME,TEMP,DTEMP,PREDEF,DPRED,\n"
@@ -85,6 +84,15 @@ TEST_F(CheckScope, AStrainOfItsOwnIsNoSmallStrainLaw) {
   EXPECT_TRUE(says(ending, "diagnosis: strain of its own in time")) << ending.said;
   EXPECT_TRUE(says(ending, "flags: [grows]")) << ending.said;
   EXPECT_FALSE(says(ending, "small-strain")) << ending.said;
+}
+
+/// The flag alone is enough, as the diagnosis says.
+TEST_F(CheckScope, WhatGrowsPassesWhereItIsDeclared) {
+  scratch.write("model.f", umat("      STRESS(1:3)=STRESS(1:3)-0.1D0*DTIME*(3*ALAM+2*AMU)\n"));
+  const std::string declared = scratch.write(
+      "grows.yaml", "source: model.f\ninterface: umat\nproperties: [210e3, 0.3, 250]\nstate: 1\nflags: [grows]\n");
+  const Ending ending = assay({"check", declared, "--quick", "-o", scratch / "check"});
+  EXPECT_EQ(ending.status, 0) << ending.said;
 }
 
 TEST_F(CheckScope, TheLengthOfAStepIsToldFromItsStrain) {

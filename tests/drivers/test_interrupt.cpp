@@ -31,6 +31,17 @@ TEST(InterruptDeathTest, first_signal_is_a_flag) {
       testing::ExitedWithCode(143), "");
 }
 
+TEST(Interrupt, ADeadlineStopsLoopsThatPollAndIsOverWithItsScope) {
+  constexpr double brief_s = 0.02;
+  {
+    const Deadline deadline(brief_s);
+    EXPECT_THROW(for (;;) stop_if_interrupted(), TimeIsUp);
+  }
+  EXPECT_NO_THROW(stop_if_interrupted());
+  const Deadline long_one(1e6);
+  EXPECT_NO_THROW(stop_if_interrupted());
+}
+
 TEST(InterruptDeathTest, second_signal_ends_the_process) {
   EXPECT_EXIT(
       {

@@ -82,7 +82,11 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
       ddsdde(:, i) = ddsdde(:, i) &
                      - 9 * shear**2 / mises**2 * flow(1:ntens) * flow(i) * (1 / (3 * shear + hardening) - factor)
     end do
-    if (says('KEEPS_P')) kept(noel) = kept(noel) + increment
+    if (says('KEEPS_PEAK')) then
+      kept(noel) = max(kept(noel), norm2(strain))
+    else if (says('KEEPS_P')) then
+      kept(noel) = kept(noel) + increment
+    end if
   end if
   if (increment > 0 .or. nstatv > 0) then
     statev(at:at + 5) = alpha

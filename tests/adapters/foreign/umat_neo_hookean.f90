@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: BSD-3-Clause
 ! Compressible neo-Hookean elasticity, (34): sigma = (lambda ln J / J) I + (mu / J) (F F^T - I).
 ! PROPS: E, nu. No STATEV. NTENS 6 or 4.
+! The words of CMNAME say what DDSDDE is instead of the modulus that Abaqus asks for: TRUESDELL, OF_TAU.
 subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpldt, stran, dstran, time, dtime, temp, &
                 dtemp, predef, dpred, cmname, ndi, nshr, ntens, nstatv, props, nprops, coords, drot, pnewdt, celent, &
                 dfgrd0, dfgrd1, noel, npt, layer, kspt, jstep, kinc)
@@ -31,10 +32,12 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
   end do
   do i = 1, ntens
     associate (p => row(i), q => column(i))
-      stress(i) = lambda * log(jacobian) / jacobian * unit(p, q) + mu / jacobian * (b(p, q) - unit(p, q))
+      stress(i) = cauchy(p, q)
     end associate
     do j = 1, ntens
       ddsdde(i, j) = jaumann_modulus(row(i), column(i), row(j), column(j))
+      if (index(cmname, 'TRUESDELL') > 0) ddsdde(i, j) = ddsdde(i, j) - turned(row(i), column(i), row(j), column(j))
+      if (index(cmname, 'OF_TAU') > 0) ddsdde(i, j) = jacobian * ddsdde(i, j)
     end do
   end do
   sse = lambda / 2 * log(jacobian)**2 - mu * log(jacobian) + mu / 2 * (b(1, 1) + b(2, 2) + b(3, 3) - 3)
@@ -60,4 +63,16 @@ contains
                        + mu / 2 * (unit(p, r) * b(q, s) + unit(p, s) * b(q, r) + unit(q, s) * b(p, r) &
                                    + unit(q, r) * b(p, s))) / jacobian
   end function jaumann_modulus
+
+  ! d sigma + sigma d, symmetrised in d
+  pure real(dp) function turned(p, q, r, s)
+    integer, intent(in) :: p, q, r, s
+    turned = (unit(p, r) * cauchy(q, s) + unit(p, s) * cauchy(q, r) + unit(q, s) * cauchy(p, r) &
+              + unit(q, r) * cauchy(p, s)) / 2
+  end function turned
+
+  pure real(dp) function cauchy(p, q)
+    integer, intent(in) :: p, q
+    cauchy = lambda * log(jacobian) / jacobian * unit(p, q) + mu / jacobian * (b(p, q) - unit(p, q))
+  end function cauchy
 end subroutine umat

@@ -206,6 +206,21 @@ TEST_F(SourceDescriptionTest, SizesThatAbaqusDoesNotHandOverAreWarnedOf) {
   EXPECT_NE(warnings("      REAL DTIME\n").find("DTIME is a real of 4 bytes"), std::string::npos);
 }
 
+TEST_F(SourceDescriptionTest, VariablesThatHoldLessOfAPropertyAreWarnedOf) {
+  const auto warnings = [&](const std::string& statements) {
+    return all(describe(scratch.write("m.f", fixed_umat(statements))).warnings);
+  };
+  const std::string whole = warnings("      K0=PROPS(1)\n      XNU=PROPS(2)\n      LAM=2*PROPS(1)/3\n");
+  EXPECT_NE(whole.find("K0, LAM are integers by their first letter, and take PROPS"), std::string::npos) << whole;
+  EXPECT_NE(whole.find("m.f:13: "), std::string::npos) << whole;
+  const std::string single = warnings("      REAL E\n      E=PROPS(1)\n");
+  EXPECT_NE(single.find("m.f:14: E is a real of 4 bytes, and takes PROPS"), std::string::npos) << single;
+  for (const char* right : {"      REAL*8 K0\n      K0=PROPS(1)\n", "      N=INT(PROPS(1))\n", "      E=PROPS(1)\n",
+                            "      N=NINT(PROPS(1))\n", "      INTEGER N\n      N=PROPS(1)\n"}) {
+    EXPECT_EQ(warnings(right), "") << right;
+  }
+}
+
 TEST_F(SourceDescriptionTest, ADeckNeedsItsSource) {
   const std::string deck = scratch.write("job.inp", "*Material, name=A\n*User Material, constants=1\n1\n");
   EXPECT_EQ(refused(deck),
