@@ -140,8 +140,8 @@ void judge_state_blocks(const ResolvedMaterial& material, check::Report& report)
   const auto diagnosis = named(other, material, report);
   if (diagnosis) replace(report, *found, *diagnosis);
   say_also(report, first_of_turns(report)->sentence,
-           diagnosis ? "; nothing said that it is one: declare it, " + declared(other)
-                     : "; its state holds tensors: declare them, " + declared(other));
+           diagnosis ? "; to have it tested as a tensor, declare " + declared(other)
+                     : "; its state holds tensors: to have them tested, declare " + declared(other));
 }
 
 }  // namespace assay::drivers

@@ -119,7 +119,8 @@ std::string described_source(const std::string& material, SourceRequest request,
   if (verbosity != Verbosity::quiet) {
     page = name.file + ":\n";
     for (const std::string& note : described.notes) page += wrapped(note, "  ", "    ");
-    const std::string stays = edited ? "; " + described.name + ".yaml there has been edited, and stays" : "";
+    const std::string stays =
+        edited ? "; " + described.name + ".yaml there has been edited: `assay check` of that file takes the edits" : "";
     page += wrapped(
         "its description, to be edited: " + fs::path(file).lexically_proximate(fs::current_path()).string() + stays,
         "  ", "    ");

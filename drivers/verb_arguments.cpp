@@ -152,7 +152,7 @@ Verb check_verb(CLI::App& app, Arguments& given) {
   auto* checked = verb.add_option("MATERIAL", given.material, "name, library, description, Fortran source, scene");
   checked->type_name("");
   auto* all = verb.add_flag("--all", given.all, "everything that is registered, in parallel");
-  auto* replay = verb.add_option("--replay", given.replay, "a failure again, alone");
+  auto* replay = verb.add_option("--replay", given.replay, "one saved failure, run again");
   replay->type_name("FILE");
   auto* methods = verb.add_flag("--methods", given.methods, "patch tests: all particle methods, or the one named");
   auto* parameters = verb.add_option("--parameters", given.parameters, "in place of the defaults");
@@ -165,8 +165,8 @@ Verb check_verb(CLI::App& app, Arguments& given) {
   explain->type_name("CAUSE");
   verb.add_flag("--quick", given.quick, "fewer steps and states");
   verb.add_option("--strain", given.strain, "largest of the histories (0.15)")->type_name("NUMBER");
-  verb.add_option("--step", given.step, "longest usual step [s] (1, or what is taken)")->type_name("NUMBER");
-  verb.add_option("--pressure", given.pressure, "at rest [Pa] (what the model needs)")->type_name("NUMBER");
+  verb.add_option("--step", given.step, "length of a step [s] (1, or the longest it takes)")->type_name("NUMBER");
+  verb.add_option("--pressure", given.pressure, "before any load [Pa] (what the model needs)")->type_name("NUMBER");
   add_source_options(verb, given.source);
   add_out(verb, given, "DIR", "folder of failures' replay files (results/check)");
   return {&verb, [&given, checked, all, replay, methods, parameters, markdown, explain] {

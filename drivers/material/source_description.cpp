@@ -97,8 +97,8 @@ class Describer {
     if (!use.used) return "it uses none";
     const std::string largest = array + "(" + std::to_string(use.largest) + ")";
     if (use.whole) return "it reads " + array + "(1) to " + largest;
-    return use.largest > 0 ? "it reads " + largest + ", and others whose number its text does not tell"
-                           : "how many it reads, its text does not tell";
+    return use.largest > 0 ? "it reads " + largest + ", and others by indices that are computed"
+                           : "it reads it by indices that are computed";
   }
 
   void take_properties() {
@@ -147,10 +147,11 @@ class Describer {
   void refuse_what_is_not_told(const ArrayUse& use, const std::string& array, bool is_named) const {
     if (use.whole || is_named) return;
     throw InputError(where_, key_,
-                     "'" + source_.file + "' does not tell how many " + array + " it has (" + uses_of(use, array) +
-                         "): a description does, which assay check " + fs::path(source_.file).filename().string() +
-                         " --props ... --statev ... writes; or a deck of the same name, " +
-                         fs::path(source_.file).stem().string() + ".inp, in its place");
+                     "'" + source_.file + "' does not tell how many " + array + " it needs (" + uses_of(use, array) +
+                         "). `assay check " + fs::path(source_.file).filename().string() +
+                         " --props ... --statev N` writes a description that does: name that in its place, or an "
+                         "Abaqus deck " +
+                         fs::path(source_.file).stem().string() + ".inp");
   }
 
   void warn_of_too_few(const ArrayUse& use, const std::string& array, std::size_t given,
@@ -188,8 +189,8 @@ class Describer {
   std::string assumptions() const {
     const bool umat = entry_.interface == adapters::ForeignInterface::umat;
     const bool units = yaml_.density && !yaml_.density->stress.empty();
-    return std::string("assumed, since nobody has said: isotropic, smooth, independent of the rate") +
-           (umat ? ", DDSDDE of small strain" : "") + (units ? "" : ", units of SI");
+    return std::string("assumed until its description says otherwise: isotropic, smooth, independent of the rate") +
+           (umat ? ", DDSDDE of small strain" : "") + (units ? "" : ", units of SI (no verdict depends on units)");
   }
 
   std::string source_note() const {

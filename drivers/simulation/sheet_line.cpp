@@ -10,9 +10,9 @@ namespace assay::drivers {
 std::string long_sheet_sentence(double seconds, double tolerance) {
   constexpr double usual = 1e-10, coarser = 1e3;
   const double other = std::max(tolerance, usual) * coarser;
-  return "the sheet tau(xi, t) of this material takes some " + duration_text(seconds) + ": a tolerance of " +
-         rounded_text(other, 2) + " in place of " + rounded_text(tolerance, 2) +
-         " makes it shorter (force.tolerance), and so does a motion of fewer periods (time.end)";
+  return "to tabulate this material's response may take up to " + duration_text(seconds) +
+         "; shorter with force.tolerance: " + rounded_text(other, 2) + " in place of " + rounded_text(tolerance, 2) +
+         ", or with a smaller time.end";
 }
 
 SheetLine::SheetLine(double tolerance, bool quiet) : tolerance_(tolerance), quiet_(quiet), progress_("sheet", quiet) {}
@@ -27,7 +27,7 @@ void SheetLine::update(const SheetProgress& now) {
 }
 
 void SheetLine::foresee(const SheetProgress& now) {
-  constexpr double enough_s = 1, long_s = 30;
+  constexpr double enough_s = 5, long_s = 30;
   if (quiet_ || foreseen_ || now.stage != SheetProgress::Stage::histories) return;
   if (behind_ < 0) begin_ = Clock::now(), behind_ = now.done;
   const double elapsed_s = std::chrono::duration<double>(Clock::now() - begin_).count(), done = now.done - behind_;

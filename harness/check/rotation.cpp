@@ -247,7 +247,7 @@ RotationFinding rotation_of_state(const Specimen& specimen) {
   finding.result.sentence =
       "'" + which + "' of the state does not turn with the body" +
       (declared.guesses_roles ? "" : ", as its role says: a host that turns it spoils it") +
-      ". Where it has axes of its own, declare " + declared.own_axes +
+      ": a defect, unless it has axes of its own, which declares " + declared.own_axes +
       (symmetric ? ". The components of a symmetric tensor lie as 11 22 33 12 13 23, none of them "
                    "doubled"
                  : "");

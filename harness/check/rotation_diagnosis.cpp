@@ -51,7 +51,7 @@ Suspicion of_variable(const TurnedVariable& variable, Turned how) {
       return {causes::shear_factor, "the shear components of " + name + " are doubled or halved when it is turned"};
     case Turned::not_at_all:
       return {variable.is_stress ? causes::rotation_missing : causes::state_not_rotated,
-              name + " stays where it was when the body turns, and what follows takes it for a tensor"};
+              name + " stays where it was when the body turns, though the next step uses it as a tensor"};
     default:
       return {causes::wrong_spin, name + " turns by " + rounded(variable.times) + " times the angle of the body"};
   }

@@ -40,7 +40,7 @@ std::vector<std::string> not_tested(const Specimen& specimen) {
   }
   const char* why = takes_shorter_increments(specimen) ? " (it takes them in shorter increments alone)"
                     : specimen.refusal                 ? " (it refuses them)"
-                                                       : "";
+                                       : " (far beyond its first straight line; --strain asks for more)";
   if (!has_reached(specimen)) all.push_back("strains above " + rounded(specimen.amplitude) + why);
   if (material.has(ASSAY_NON_SMOOTH) && stays_linear(specimen)) {
     all.emplace_back("what lies beyond its first straight line (a kink is declared, and none was met)");

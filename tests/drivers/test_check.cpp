@@ -131,9 +131,7 @@ TEST(Check, AllChecksWhatIsRegisteredAndWhatCannotBeChecked) {
 TEST(Check, AFailureLeavesAReplayThatFailsAgain) {
   const ScratchFolder scratch;
   const std::string json = scratch / "check.json", replays = scratch / "replays";
-  EXPECT_EQ(checked({broken_model, "--quick", "--strain", "0.1", "--step", "0.5", "--json", json,
-                     "-o", replays}),
-            1);
+  EXPECT_EQ(checked({broken_model, "--quick", "--strain", "0.1", "--step", "0.5", "--json", json, "-o", replays}), 1);
   int failures = 0;
   const auto found = nlohmann::json::parse(read_bytes(json));
   for (const auto& test : found["tests"]) {

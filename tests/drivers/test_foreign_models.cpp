@@ -83,8 +83,15 @@ struct Tabulated {
   nlohmann::json result;
 };
 Tabulated tabulated(const ScratchFolder& scratch, const std::string& name, const std::string& material) {
-  std::vector<std::string> words{"tabulate", configs + "../umat/j2_small.yaml", "-o",    scratch / name, "--quiet",
-                                 "--set",    "force.tolerance=1e-5",         "--set", "expect={}"};
+  std::vector<std::string> words{"tabulate",
+                                 configs + "../umat/j2_small.yaml",
+                                 "-o",
+                                 scratch / name,
+                                 "--quiet",
+                                 "--set",
+                                 "force.tolerance=1e-5",
+                                 "--set",
+                                 "expect={}"};
   if (!material.empty()) words.insert(words.end(), {"--set", "material=" + material});
   const Ending ending = assay_with_doubles(words);
   EXPECT_EQ(ending.status, 0) << ending.said;

@@ -123,9 +123,9 @@ TEST_F(SourceDescriptionTest, StateIsTakenWhereTheTextLeavesNoDoubt) {
       fixed_umat(hooke_statements + "      DO 50 I=1,NTENS\n   50 STATEV(I)=STATEV(I)+DSTRAN(I)\n      STATEV(7)=1\n"));
   EXPECT_EQ(
       refused(loop, check),
-      "loop.f: --statev: required and not given: the source uses STATEV; it reads STATEV(7), and others whose number "
-      "its text does not tell");
-  EXPECT_NE(refused(loop).find("f:1:2: k: 'loop.f' does not tell how many STATEV it has"), std::string::npos)
+      "loop.f: --statev: required and not given: the source uses STATEV; it reads STATEV(7), and others by indices "
+      "that are computed");
+  EXPECT_NE(refused(loop).find("f:1:2: k: 'loop.f' does not tell how many STATEV it needs"), std::string::npos)
       << refused(loop);
   check.statev = 7;
   EXPECT_EQ(model(describe(loop, check)).state.size(), 7u);
