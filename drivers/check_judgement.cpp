@@ -7,6 +7,7 @@
 #include "drivers/check_beyond.hpp"
 #include "drivers/check_elements.hpp"
 #include "drivers/check_elsewhere.hpp"
+#include "drivers/check_energies.hpp"
 #include "drivers/check_foreign.hpp"
 #include "drivers/check_host.hpp"
 #include "drivers/check_state_blocks.hpp"
@@ -111,6 +112,7 @@ std::optional<ResolvedMaterial> judge(const ResolvedMaterial& material, const Ch
   const ResolvedMaterial& judged = other ? *other : material;
   for (std::string& what : foreign_not_tested(judged)) checked.report.not_tested.push_back(std::move(what));
   judge_foreign_tangent(judged, checked.report);
+  judge_energies(judged, checked.report);
   tell_initial_values(judged, checked.report);
   judge_state_blocks(judged, checked.report);
   hint_symmetry(judged, checked.report);

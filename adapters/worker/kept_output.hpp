@@ -41,9 +41,10 @@ struct KeptOutput {
 };
 
 /// Of what was printed, for a message: at most 200 bytes; empty where nothing was. The list of calls that gfortran
-/// prints behind its reason says nothing.
+/// prints behind its reason says nothing, nor does what it asks for at a PAUSE.
 inline std::string last_line(std::string text) {
   if (const std::size_t calls = text.rfind("\nError termination. Backtrace:"); calls != text.npos) text.resize(calls);
+  if (const std::size_t asks = text.rfind("\nTo resume execution, type go."); asks != text.npos) text.resize(asks);
   while (!text.empty() && static_cast<unsigned char>(text.back()) <= ' ') text.pop_back();
   constexpr std::size_t longest = 200;
   text = text.substr(text.find_last_of('\n') + 1).substr(0, longest);

@@ -2,7 +2,7 @@
 ! J2 plasticity by radial return, linear isotropic hardening, in the axes of the Green-Naghdi rotation.
 ! PROPS: E, nu, yield stress, hardening modulus. State: equivalent plastic strain. Elastic at total time 0.
 ! The words of CMNAME say what its stiffness depends on beside: LENGTH, PLACE, WARMTH, DENSITY, STEP_TIME.
-! FLOWING: it writes its state in plastic steps alone.
+! FLOWING: it writes its state in plastic steps alone. ONCE: the energy of shears is counted once.
 subroutine vumat(nblock, ndir, nshr, nstatev, nfieldv, nprops, lanneal, steptime, totaltime, dt, cmname, coordmp, &
                  charlength, props, density, straininc, relspininc, tempold, stretchold, defgradold, fieldold, &
                  stressold, stateold, enerinternold, enerinelasold, tempnew, stretchnew, defgradnew, fieldnew, &
@@ -48,7 +48,7 @@ subroutine vumat(nblock, ndir, nshr, nstatev, nfieldv, nprops, lanneal, steptime
     stressnew(k, :) = trial
     if (increment > 0 .or. index(cmname, 'FLOWING') == 0) statenew(k, 1) = stateold(k, 1) + increment
     work = sum((stressold(k, 1:3) + trial(1:3)) / 2 * straininc(k, 1:3)) &
-           + sum((stressold(k, 4:n) + trial(4:n)) * straininc(k, 4:n))
+           + sum((stressold(k, 4:n) + trial(4:n)) * straininc(k, 4:n)) * merge(0.5_dp, 1._dp, index(cmname, 'ONCE') > 0)
     enerinternnew(k) = enerinternold(k) + work / density(k)
     enerinelasnew(k) = enerinelasold(k) + (props(3) + props(4) * (stateold(k, 1) + increment)) * increment / density(k)
   end do

@@ -10,6 +10,7 @@ TEST(LastLine, IsTheLastThatSaysSomething) {
   EXPECT_EQ(last_line(""), "");
   EXPECT_EQ(last_line("\n \n"), "");
   EXPECT_EQ(last_line("first\nsecond"), "second");
+  EXPECT_EQ(last_line("why\nPAUSE\nTo resume execution, type go.  Other input will terminate the job.\n"), "PAUSE");
   EXPECT_EQ(last_line("first\nsecond\r\n\n"), "second");
 }
 

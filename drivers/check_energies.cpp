@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/check_energies.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "harness/check/judge.hpp"
+#include "harness/check/march.hpp"
+#include "harness/material_failure.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr const char* energy_test = "energy";
+
+/// Of the first scalar of that name; the size of the state where there is none.
+std::size_t place_of(const assay_material& table, std::string_view name) {
+  std::size_t at = 0;
+  for (std::uint32_t v = 0; v < table.state_count; ++v) {
+    if (name == table.state[v].name) return at;
+    at += static_cast<std::size_t>(components_of_kind(table.state[v].kind));
+  }
+  return at;
+}
+
+/// What the model has counted along a straight loading from rest, over the work of its stress on the reference volume.
+/// Throws MaterialFailure.
+double counted_over_work(const Material& material, std::size_t energy, const Tensor& slope, double amplitude) {
+  constexpr int steps = 100;
+  double work = 0;
+  Tensor F = Tensor::Identity();
+  check::Point now{Tensor::Zero(), material.initial_state(1)};
+  for (int k = 0; k < steps; ++k) {
+    const Tensor next = Tensor::Identity() + amplitude * (k + 1.0) / steps * slope;
+    const check::Point end = check::stepped(material, static_cast<double>(k) / steps, 1.0 / steps, F, next, now.state);
+    const Tensor middle = 0.5 * (F + next), l = (next - F) * middle.inverse();
+    const Tensor stress = 0.5 * (now.cauchy + end.cauchy);
+    work += middle.determinant() * stress.cwiseProduct(0.5 * (l + l.transpose())).sum();
+    F = next, now = end;
+  }
+  return now.state[energy] / work;
+}
+
+}  // namespace
+
+void judge_energies(const ResolvedMaterial& material, check::Report& report) {
+  const auto test = std::find_if(report.tests.begin(), report.tests.end(),
+                                 [](const check::TestResult& each) { return each.id == energy_test; });
+  const bool is_vumat = material.foreign && material.foreign->interface == adapters::ForeignInterface::vumat;
+  const std::size_t energy = place_of(material.material.table(), "ENERINTERN");
+  if (!is_vumat || test == report.tests.end() || energy >= material.material.state_size() || report.strain == 0) return;
+  Tensor extension = Tensor::Zero(), shear = Tensor::Zero();
+  extension(0, 0) = 1, shear(0, 1) = 1;
+  constexpr double most = 0.1;  // of increments of finite length, and of the density that is taken
+  constexpr double farthest = 0.02;
+  const double amplitude = std::min(farthest, report.strain);
+  try {
+    const double of_extension = counted_over_work(material.material, energy, extension, amplitude);
+    const double of_shear = counted_over_work(material.material, energy, shear, amplitude);
+    if (of_extension == 0 && of_shear == 0) return;
+    const double ratio = of_shear / of_extension;
+    *test = {.id = energy_test, .measure = std::abs(ratio - 1), .threshold = most};
+    test->sentence = "enerInternNew counts the work of shears and of extensions alike";
+    if (std::abs(ratio - 1) <= most) return;
+    test->verdict = check::Verdict::fail;
+    test->cause = check::causes::energy;
+    test->sentence = "enerInternNew counts the work of a shear " + check::rounded(ratio) +
+                     " times as it counts that of an extension: each shear of strainInc, which is the tensor's, stands "
+                     "for two components";
+    report.diagnosis.push_back({test->cause, test->sentence});
+  } catch (const std::runtime_error&) {  // what it does not stand has been told
+  }
+}
+
+}  // namespace assay::drivers
