@@ -2,6 +2,8 @@
 #include "drivers/check_undeclared.hpp"
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
 #include "adapters/foreign/foreign_table.hpp"
 #include "drivers/check_foreign.hpp"
@@ -15,7 +17,8 @@ namespace {
 constexpr const char* clock_test = "clock";
 
 ResolvedMaterial taken_for(const ResolvedMaterial& material, adapters::ForeignModel model) {
-  return {.material = made_for_tests(model, material.choice.parameters),
+  Material made = made_for_tests(model, material.choice.parameters);
+  return {.material = std::move(made),
           .choice = material.choice,
           .library = material.library,
           .description = material.description,

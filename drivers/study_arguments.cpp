@@ -73,7 +73,7 @@ Verb recommend_verb(CLI::App& app, Arguments& given) {
                             "  assay recommend results/methods --error 1e-3\n"
                             "  assay recommend study.yaml --error 1%");
   verb.add_option("STUDY", given.study, "results of a study, or its YAML file")->required()->type_name("");
-  verb.add_option("--error", given.error, "wanted error, or %; without it the most robust method")->type_name("NUMBER");
+  verb.add_option("--error", given.error, "wanted error, or %; else the most robust method")->type_name("NUMBER");
   add_out(verb, given, "DIR", "results of the YAML file (results/STUDY)");
   verb.add_flag("--json", given.json, "as JSON");
   return {&verb, [&given] { return recommend({given.study, given.error, given.out, given.json}); }};

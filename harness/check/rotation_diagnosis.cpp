@@ -116,7 +116,7 @@ Found turned_step_of(const Findings& f) {
 
 /// What the test itself has found out of frames that are turned once for all.
 Found constant_by_itself(const Findings& f) {
-  const Found said = said_by(f, "rotation.constant");
+  Found said = said_by(f, "rotation.constant");
   if (!said || said->cause.empty()) return std::nullopt;
   // principal axes in a wrong order are right at right angles, too
   if (said->cause == causes::shear_factor && f.failed("stretches.nearly_equal")) return std::nullopt;
