@@ -4,8 +4,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
+#include "drivers/check_foreign.hpp"
 #include "harness/check/judge.hpp"
 #include "harness/check/march.hpp"
 #include "harness/material_failure.hpp"
@@ -15,16 +15,6 @@ namespace assay::drivers {
 namespace {
 
 constexpr const char* energy_test = "energy";
-
-/// Of the first scalar of that name; the size of the state where there is none.
-std::size_t place_of(const assay_material& table, std::string_view name) {
-  std::size_t at = 0;
-  for (std::uint32_t v = 0; v < table.state_count; ++v) {
-    if (name == table.state[v].name) return at;
-    at += static_cast<std::size_t>(components_of_kind(table.state[v].kind));
-  }
-  return at;
-}
 
 /// What the model has counted along a straight loading from rest, over the work of its stress on the reference volume.
 /// Throws MaterialFailure.
@@ -50,7 +40,7 @@ void judge_energies(const ResolvedMaterial& material, check::Report& report) {
   const auto test = std::find_if(report.tests.begin(), report.tests.end(),
                                  [](const check::TestResult& each) { return each.id == energy_test; });
   const bool is_vumat = material.foreign && material.foreign->interface == adapters::ForeignInterface::vumat;
-  const std::size_t energy = place_of(material.material.table(), "ENERINTERN");
+  const std::size_t energy = place_in_state(material.material.table(), "ENERINTERN");
   if (!is_vumat || test == report.tests.end() || energy >= material.material.state_size() || report.strain == 0) return;
   Tensor extension = Tensor::Zero(), shear = Tensor::Zero();
   extension(0, 0) = 1, shear(0, 1) = 1;

@@ -105,10 +105,22 @@ std::string tensor_without_initial_value(const ResolvedMaterial& material) {
 
 }  // namespace
 
+void keep_elements(const Material& material) {
+  const auto* access = material.extension<adapters::HostAccess>(adapters::host_access);
+  if (access) access->keep_elements(material.self());
+}
+
+std::size_t place_in_state(const assay_material& table, const std::string& name) {
+  std::size_t at = 0;
+  for (std::uint32_t v = 0; v < table.state_count && name != table.state[v].name; ++v) {
+    at += static_cast<std::size_t>(components_of_kind(table.state[v].kind));
+  }
+  return at;
+}
+
 Material made_for_tests(const ForeignModel& model, const std::map<std::string, double>& parameters) {
   Material made(adapters::foreign_table(model), parameters);
-  const auto* access = made.extension<adapters::HostAccess>(adapters::host_access);
-  if (access) access->keep_elements(made.self());
+  keep_elements(made);
   return made;
 }
 

@@ -17,7 +17,13 @@ void say_instead(check::Report& report, check::TestResult& test, const std::stri
 /// More words behind a sentence, wherever it stands.
 void say_also(check::Report& report, const std::string& sentence, const std::string& more);
 
-/// A model made as the tests need it: its points have the element that its tests give them. Throws what Material does.
+/// In the process of the check points have the element that its tests give them.
+void keep_elements(const Material& material);
+
+/// Where a variable of that name begins in the state; the size of the state where there is none.
+std::size_t place_in_state(const assay_material& table, const std::string& name);
+
+/// A model made as the tests need it: with keep_elements. Throws what Material does.
 Material made_for_tests(const adapters::ForeignModel& model, const std::map<std::string, double>& parameters);
 
 /// Those of the ABI for a native model.

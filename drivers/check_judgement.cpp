@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "adapters/foreign/host_values.hpp"
 #include "drivers/check_beyond.hpp"
 #include "drivers/check_elements.hpp"
 #include "drivers/check_elsewhere.hpp"
@@ -16,12 +15,6 @@
 namespace assay::drivers {
 
 namespace {
-
-/// In the process of the check points have the element that its tests give them.
-void keep_elements(const ResolvedMaterial& material) {
-  const auto* access = material.material.extension<adapters::HostAccess>(adapters::host_access);
-  if (access) access->keep_elements(material.material.self());
-}
 
 /// Whether the rest can be judged: what lies beyond the arrays spoils every other test.
 bool judge_beyond(const ResolvedMaterial& material, const CheckSettings& settings, const CheckReporter& reporter,
@@ -104,7 +97,7 @@ std::optional<ResolvedMaterial> settle_rate(const ResolvedMaterial& material, co
 
 std::optional<ResolvedMaterial> judge(const ResolvedMaterial& material, const CheckSettings& settings,
                                       const CheckReporter& reporter, CheckedMaterial& checked) {
-  keep_elements(material);
+  keep_elements(material.material);
   if (!judge_beyond(material, settings, reporter, checked.report)) return std::nullopt;
   const check::Report before = checked.report;
   checked.report = battery_of(material, settings, reporter, before);

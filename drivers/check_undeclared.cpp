@@ -2,7 +2,6 @@
 #include "drivers/check_undeclared.hpp"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 #include "adapters/foreign/foreign_table.hpp"
@@ -38,13 +37,8 @@ bool passes_as(const ResolvedMaterial& other, const check::Effort& effort) {
 bool reads_time(const ResolvedMaterial& material, double strain, double pressure) {
   constexpr int count = 12;
   constexpr double times[] = {0, 1e-7, 1e3};  // [s]
-  const assay_material& table = material.material.table();
-  std::size_t at = 0;
-  std::uint32_t v = 0;
-  for (; v < table.state_count && std::string_view(table.state[v].name) != "TIME"; ++v) {
-    at += static_cast<std::size_t>(components_of_kind(table.state[v].kind));
-  }
-  if (v == table.state_count) return true;  // nobody knows
+  const std::size_t at = place_in_state(material.material.table(), "TIME");
+  if (at == material.material.state_size()) return true;  // nobody knows
   for (const RepeatedStep& step : repeated_steps(material.material, strain, pressure, count)) {
     if (step.first) continue;
     const Answer usual = answer_of(material.material, step);
