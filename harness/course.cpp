@@ -2,6 +2,7 @@
 #include "harness/course.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -16,6 +17,10 @@ namespace {
 constexpr int coarse_steps = 64;  ///< in each piece of the march that finds the scales
 /// Of a piece: steps so short that a material is still in its first regime, or unloading after a reversal.
 constexpr double short_from_rest = 1e-6, short_from_reversal = 1e-4;
+constexpr double least_norm = 1e-12;  ///< of an increment of F: a model that tells by shorter ones is as good as exact
+constexpr double followed_by = 8;     ///< shortest increments that tell, in a step to a state nearer to a solution
+constexpr int most_steps_nearer = 4;
+constexpr double telling_quantile = 0.75;  ///< of many states: at some, loading is nearly neutral
 
 std::vector<double> pieces_of(const Path& path, double end) {
   std::vector<double> pieces{0};
@@ -51,14 +56,77 @@ class Marcher {
     }
   }
 
+  /// Adds the shortest telling increment for each coarse step that follows one in the same regime.
+  void march_tellingly(const std::vector<double>& pieces, const RegimeReader& reader,
+                       std::vector<ShortestTelling>& all) {
+    for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
+      const double dt = (pieces[k + 1] - pieces[k]) / coarse_steps;
+      std::uint64_t before = 0;
+      for (int j = 0; j < coarse_steps; ++j) {
+        const double t = pieces[k] + j * dt;
+        const Tensor next = path_.deformation_gradient(xi_, t + dt);
+        if (!step(t, dt, F_, next)) return;
+        const std::vector<double> end = state1_;
+        const std::array<double, 9> stress = cauchy_;
+        const std::uint64_t regime = reader.of(state0_.data(), end.data());
+        if (regime != 0 && regime == before) all.push_back(shortest_telling(reader, regime, t, dt));
+        before = regime;
+        state0_ = end;
+        cauchy0_ = stress;
+        F_ = next;
+      }
+    }
+  }
+
  private:
+  double norm(double t, double dt) const {
+    return (path_.deformation_gradient(xi_, t + dt) - path_.deformation_gradient(xi_, t)).norm();
+  }
+
+  /// Whether an increment from state0_ reads as `regime`.
+  bool reads(const RegimeReader& reader, std::uint64_t regime, double t, double dt) {
+    return step(t, dt, path_.deformation_gradient(xi_, t), path_.deformation_gradient(xi_, t + dt)) &&
+           reader.of(state0_.data(), state1_.data()) == regime;
+  }
+
+  /// By halving an increment of dt, which tells. The error of a long step may leave a state off the yield surface, from
+  /// which no short increment reaches it: a short step is taken, and asked again. Leaves another state0_.
+  ShortestTelling shortest_telling(const RegimeReader& reader, std::uint64_t regime, double t, double dt) {
+    ShortestTelling shortest{norm(t, dt)};
+    for (int count = 0; count < most_steps_nearer; ++count) {
+      int low = 0, high = static_cast<int>(std::log2(std::max(norm(t, dt) / least_norm, 1.0)));
+      if (reads(reader, regime, t, std::ldexp(dt, -high))) return {};
+      double change = largest_change();
+      while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        const bool tells = reads(reader, regime, t, std::ldexp(dt, -middle));
+        (tells ? low : high) = middle;
+        if (!tells) change = largest_change();
+      }
+      const double found = std::ldexp(dt, -low), nearer = followed_by * found;
+      if (count > 0 && norm(t, found) >= shortest.norm) break;
+      shortest = {norm(t, found), 2 * change};
+      if (nearer >= dt || !reads(reader, regime, t, nearer)) break;
+      state0_.swap(state1_);
+      cauchy0_ = cauchy_;
+      t += nearer;
+    }
+    return shortest;
+  }
+
+  double largest_change() const {
+    double largest = 0;
+    for (std::size_t c = 0; c < 9; ++c) grow(largest, cauchy_[c] - cauchy0_[c]);
+    return largest;
+  }
+
   static void grow(double& largest, double value) { largest = std::max(largest, std::abs(value)); }
 
   bool step(double t, double dt, const Tensor& begin, const Tensor& end) {
     double F0[9], F1[9];
     for (int c = 0; c < 9; ++c) F0[c] = component(begin, c), F1[c] = component(end, c);
     try {
-      checked_update(material_, xi_, t, dt, 1, F0, F1, state0_.data(), state1_.data(), cauchy_);
+      checked_update(material_, xi_, t, dt, 1, F0, F1, state0_.data(), state1_.data(), cauchy_.data());
     } catch (const MaterialFailure& failure) {
       if (failure.final) throw;
       return false;
@@ -91,8 +159,21 @@ class Marcher {
   CoarseMarch& seen_;
   Tensor F_;
   std::vector<double> state0_, state1_;
-  double cauchy_[9] = {};
+  std::array<double, 9> cauchy0_ = {}, cauchy_ = {};
 };
+
+ShortestTelling shortest_telling(const Material& material, const Path& path, double end, const RegimeReader& reader) {
+  std::vector<ShortestTelling> all;
+  for (const double xi : {path.parameter.lower, path.parameter.upper}) {
+    CoarseMarch seen;
+    Marcher(material, path, xi, seen).march_tellingly(pieces_of(path, end), reader, all);
+  }
+  if (all.empty()) return {};
+  const auto at = all.begin() + static_cast<std::ptrdiff_t>(telling_quantile * static_cast<double>(all.size() - 1));
+  std::nth_element(all.begin(), at, all.end(),
+                   [](const ShortestTelling& a, const ShortestTelling& b) { return a.norm < b.norm; });
+  return *at;
+}
 
 /// The largest over a group of components that belong together; 1 where all are zero.
 void share_largest(std::vector<double>& values, std::size_t begin, std::size_t end) {
@@ -137,7 +218,12 @@ CourseFacts facts_of(const Material& m, const Path& path, double end, Form form,
   const bool has_rate = m.extension<assay_rate>(ASSAY_EXTENSION_RATE) != nullptr;
   const bool by_rate = has_rate && (form == Form::rate || (form == Form::automatic && !m.has(ASSAY_NON_SMOOTH)));
   CoarseMarch seen = seen_coarsely(m, path, end);
-  CourseFacts facts{end, by_rate, telling, RegimeReader(m.table()), scales_of(m.table(), std::move(seen.largest))};
+  CourseFacts facts{end,
+                    by_rate,
+                    telling,
+                    RegimeReader(m.table()),
+                    scales_of(m.table(), std::move(seen.largest)),
+                    telling == Telling::state ? seen.shortest : ShortestTelling{}};
   facts.regimes.settle(m.table(), seen.signs);
   return facts;
 }
@@ -149,6 +235,9 @@ CoarseMarch march_coarsely(const Material& material, const Path& path, double en
   for (const double xi : {path.parameter.lower, path.parameter.upper}) {
     Marcher(material, path, xi, seen).march(pieces_of(path, end));
   }
+  RegimeReader reader(material.table());
+  reader.settle(material.table(), seen.signs);
+  if (reader.tells()) seen.shortest = shortest_telling(material, path, end, reader);
   return seen;
 }
 

@@ -35,6 +35,13 @@ enum class Telling {
   power
 };
 
+/// The shortest increment that tells the regime. A yield test with a tolerance, f > 1e-6 Y, takes shorter ones for
+/// elastic while plastic flow goes on.
+struct ShortestTelling {
+  double norm = 0;    ///< of the change of F [1]; 0: too short to matter
+  double stress = 0;  ///< largest component by which such an increment would change the Cauchy stress elastically [Pa]
+};
+
 /// What a course is but for material and path: another process makes the same of it.
 struct CourseFacts {
   double end = 0;        ///< [s]
@@ -42,12 +49,14 @@ struct CourseFacts {
   Telling telling = Telling::state;
   RegimeReader regimes = {};  ///< of the material
   HistoryScales scales = {};
+  ShortestTelling shortest = {};
 };
 
 /// Seen by coarse marches along a path's extreme histories, as far as their steps go.
 struct CoarseMarch {
   std::vector<double> largest = {};  ///< of the components of the Cauchy stress, then of the state
   StateSigns signs = {};
+  ShortestTelling shortest = {};
 };
 CoarseMarch march_coarsely(const Material& material, const Path& path, double end);
 

@@ -44,8 +44,12 @@ void fields(Archive& archive, HistoryScales& scales) {
   archive(scales.cauchy, scales.state);
 }
 template <class Archive>
+void fields(Archive& archive, ShortestTelling& shortest) {
+  archive(shortest.norm, shortest.stress);
+}
+template <class Archive>
 void fields(Archive& archive, CourseFacts& facts) {
-  archive(facts.end, facts.by_rate, facts.telling, facts.regimes, facts.scales);
+  archive(facts.end, facts.by_rate, facts.telling, facts.regimes, facts.scales, facts.shortest);
 }
 template <class Archive>
 void fields(Archive& archive, HistoryOptions& options) {
@@ -57,7 +61,7 @@ void fields(Archive& archive, StateSigns& signs) {
 }
 template <class Archive>
 void fields(Archive& archive, CoarseMarch& seen) {
-  archive(seen.largest, seen.signs);
+  archive(seen.largest, seen.signs, seen.shortest);
 }
 template <class Archive>
 void fields(Archive& archive, Branch& branch) {

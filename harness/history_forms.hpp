@@ -33,6 +33,14 @@ class History::Increments {
   void bound_by(double step);
   void approach_bound(double to);
   double longest_within(double width);
+  bool tells(const Tensor& change) const;
+  double telling_step(double t, double step) const;
+  // Times that no increment reaches which tells its regime: history_near_times.cpp.
+  bool reach_near_time(double to);
+  int telling_count(double t, double step) const;
+  bool far(double t, double step) const;
+  double error_at_once(double t, double step) const;
+
   std::uint64_t regime_of_increment(const double* before, const double* after) const;
   std::uint64_t regime_between(const std::vector<double>& y, double t, double dt);
   double last_change() const;
@@ -61,6 +69,16 @@ class History::Increments {
   double lag_ = 0;  ///< an increment this long tells whether a regime goes on; 0 where the material tells it itself [s]
   bool regime_known_ = false, regime_new_ = false;
   std::uint64_t regime_ = 0;
+  std::uint64_t changed_to_ = 0;  ///< what told of the last change
+  /// A time from which later ones can be reached; t < 0: none.
+  struct Place {
+    double t = -1;
+    std::vector<double> y = {};
+    std::uint64_t regime = 0;
+  };
+  Place told_;  ///< begin of the last step whose every increment was long enough to tell, and what they told
+  Place near_;  ///< the end of that step, or the begin of a regime or of a piece, before near times
+  std::uint64_t last_told_ = 0;
   Extrapolation extrapolation_;
   std::vector<double> scales_, now_, next_;
   std::vector<std::array<double, 9>> F_;

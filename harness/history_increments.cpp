@@ -31,6 +31,12 @@ constexpr double resting_share = 1e-4;  ///< of the rate of F in the middle of t
 constexpr int most_jumps = 100;         ///< of a history: beyond, the material is no function of its arguments
 constexpr double rounding_margin = 4;   ///< results carry the rounding of many operations
 
+Tensor change_of_F(const std::array<double, 9>& F0, const std::array<double, 9>& F1) {
+  Tensor change;
+  for (int c = 0; c < 9; ++c) component(change, c) = F1[static_cast<std::size_t>(c)] - F0[static_cast<std::size_t>(c)];
+  return change;
+}
+
 /// How much longer the next step may be when this many columns sufficed.
 double growth(int columns) { return columns <= 3 ? 3 : columns == 4 ? 2 : columns == 5 ? 1.3 : 0.8; }
 
@@ -74,6 +80,7 @@ void History::Increments::advance(double to) {
   if (h_->course_->material->state_size() == 0) return evaluate(to);
   const Interval piece = h_->course_->piece_at(h_->t_);
   if (piece.lower != piece_begin_) begin_piece(piece);
+  if (reach_near_time(to)) return;
   while (h_->t_ < to) {
     if (h_->t_ < over_) {
       step_over(std::min(over_, to));
@@ -112,6 +119,7 @@ void History::Increments::begin_piece(const Interval& piece) {
   regime_known_ = false;  // after a reversal any regime may begin
   regime_new_ = true;
   bound_ = over_ = 0;
+  told_ = near_ = {};
   const auto speed = [&](double t) { return h_->course_->path->at(h_->xi_, t).F_rate.norm(); };
   const double before_end = piece.upper - tie_share * piece.width();
   const bool rests = speed(before_end) < resting_share * speed(0.5 * (piece.lower + piece.upper));
@@ -238,12 +246,16 @@ bool History::Increments::substeps(double step, int count) {
     if (j > 0) now_.swap(next_);
     const auto k = static_cast<std::size_t>(j);
     increment(h_->t_ + step * j / count, step / count, F_[k].data(), F_[k + 1].data());
-    if (!options_.watch) continue;
+    if (!options_.watch && course.shortest.norm == 0) continue;
+    if (course.shortest.norm > 0 && !tells(change_of_F(F_[k], F_[k + 1]))) continue;
     const std::uint64_t regime = regime_of_increment(F_[k].data(), F_[k + 1].data());
+    last_told_ = regime;
+    if (!options_.watch) continue;
     if (!regime_known_) {
       regime_known_ = true;
       regime_ = regime;
     } else if (regime != regime_) {
+      changed_to_ = regime;
       return false;
     }
   }
@@ -257,6 +269,7 @@ void History::Increments::increment(double t, double dt, const double* F0, const
 
 void History::Increments::accept(double step) {
   note_branch();
+  if (h_->course_->shortest.norm > 0 && far(h_->t_, step)) told_ = {h_->t_, h_->y_, last_told_}, near_ = {};
   h_->y_ = best_;
   h_->t_ += step;
   h_->error_ += best_error_;

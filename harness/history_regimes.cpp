@@ -14,9 +14,26 @@ constexpr double begin_share = 1e-2;  ///< of a step: an increment that tells th
 /// Increments this short, times the cube root of the resolution, both shares of the end, err by less than that.
 constexpr double single_share = 0.1;
 constexpr double telling = 100;            ///< an increment of F this many times the tolerance tells a regime
+constexpr double telling_margin = 4;       ///< states differ in the shortest increment that tells
 constexpr std::size_t most_branches = 24;  ///< a piece, on average: beyond, the regime flickers
 
 }  // namespace
+
+/// Whether an increment with this change of F is long enough to tell the regime. At rest any is.
+bool History::Increments::tells(const Tensor& change) const {
+  const double norm = h_->course_->shortest.norm;
+  return norm == 0 || (regime_known_ && regime_ == 0) || change.norm() >= telling_margin * norm;
+}
+
+/// A step from t, no shorter than `step`, that is long enough to tell; `step` where the piece ends before.
+double History::Increments::telling_step(double t, double step) const {
+  const Path& path = *h_->course_->path;
+  const Tensor begin = path.deformation_gradient(h_->xi_, t);
+  for (double longer = step; t + longer <= piece_end_; longer *= 2) {
+    if (tells(path.deformation_gradient(h_->xi_, t + longer) - begin)) return longer;
+  }
+  return step;
+}
 
 /// Of the increment from now_ to next_.
 std::uint64_t History::Increments::regime_of_increment(const double* before, const double* after) const {
@@ -49,7 +66,7 @@ std::uint64_t History::Increments::regime_between(const std::vector<double>& y, 
 /// second regime from its beginning, and may be as exact: a regime other than rest is asked for twice. Only then, for
 /// at a reversal the rates vanish, and rounding would decide on the shorter one.
 void History::Increments::begin_regime(double step) {
-  const auto regime_within = [&](double dt) { return regime_between(h_->y_, h_->t_, dt); };
+  const auto regime_within = [&](double dt) { return regime_between(h_->y_, h_->t_, telling_step(h_->t_, dt)); };
   regime_ = regime_within(begin_share * step);
   if (regime_ != 0 && regime_within(begin_share * begin_share * step) == 0) regime_ = 0;
   regime_known_ = true;
@@ -66,9 +83,10 @@ bool History::Increments::stays(const std::vector<double>& y, double t) {
   if (!options_.watch || lag_ == 0 || regime_ == 0 || t + lag_ > piece_end_) return true;
   const Path& path = *h_->course_->path;
   const Tensor change = path.deformation_gradient(h_->xi_, t + lag_) - path.deformation_gradient(h_->xi_, t);
-  if (change.norm() < telling * options_.tolerance) return true;
+  if (change.norm() < telling * options_.tolerance || !tells(change)) return true;
   try {
-    return regime_between(y, t, lag_) == regime_;
+    changed_to_ = regime_between(y, t, lag_);
+    return changed_to_ == regime_;
   } catch (const MaterialFailure& failure) {  // the next step will find it
     if (failure.final) throw;
     return true;
@@ -118,6 +136,7 @@ double History::Increments::longest_within(double width) {
 
 void History::Increments::note_branch() {
   if (!regime_new_ || !options_.watch) return;
+  if (!regime_known_) regime_ = changed_to_, regime_known_ = true;  // nothing since was long enough to tell
   h_->branches_.push_back({h_->t_, regime_});
   regime_new_ = false;
   if (h_->branches_.size() > most_branches * h_->course_->pieces.size()) {
@@ -152,6 +171,7 @@ void History::Increments::cross(double to) {
   step_over(std::min(over_, to));
   regime_known_ = false;
   regime_new_ = true;
+  told_ = near_ = {};
 }
 
 }  // namespace assay

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "harness/sheet.hpp"
 #include "harness/vortex.hpp"
 #include "tests/harness/disguised_material.hpp"
@@ -36,7 +38,7 @@ Found found(const Material& material, double xi) {
 class Disguised : public testing::TestWithParam<Disguise> {};
 
 TEST_P(Disguised, TellsWhereItYieldsAndAsksForLittleMore) {
-  constexpr double known_to = 1e-11, more = 1.3;
+  const double known_to = 1e-11 + GetParam().tolerance, more = 1.3;
   const auto material = disguised_j2(GetParam(), yield_stress);
   for (const double xi : {-3.5, -0.5, 0.2, 1.3}) {
     const Found expected = found(*plain(), xi), seen = found(*material, xi);
@@ -66,11 +68,49 @@ TEST_P(Disguised, HasASheetOfNoMoreCalls) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Disguised,
-                         testing::Values(Disguise{.clock = true, .counts = true}, Disguise{.clock = true}, Disguise{}),
+                         testing::Values(Disguise{.clock = true, .counts = true}, Disguise{.clock = true}, Disguise{},
+                                         Disguise{.counts = true, .tolerance = 1e-6}, Disguise{.tolerance = 1e-6}),
                          [](const auto& instance) {
                            return std::string(instance.param.counts ? "counts" : "back_stress_alone") +
-                                  (instance.param.clock ? "_with_a_clock" : "");
+                                  (instance.param.clock ? "_with_a_clock" : "") +
+                                  (instance.param.tolerance > 0 ? "_within_a_tolerance" : "");
                          });
+
+/// The shear by which the stress of von Mises grows by the tolerance's share of the yield stress; found by halving.
+TEST(Course, FindsTheShortestIncrementThatTells) {
+  constexpr double shear_modulus = 1000 / 2.6, by_halving = 2, of_states = 1.2;
+  for (const double tolerance : {1e-8, 1e-6, 1e-4}) {
+    const double shear = tolerance * yield_stress / (std::sqrt(3.0) * shear_modulus);
+    const ShortestTelling found =
+        march_coarsely(*disguised_j2({.counts = true, .tolerance = tolerance}, yield_stress), path, end).shortest;
+    EXPECT_GT(found.norm, shear / of_states) << tolerance;
+    EXPECT_LT(found.norm, shear * by_halving * of_states) << tolerance;
+    EXPECT_NEAR(found.stress, found.norm * shear_modulus, 0.01 * found.stress) << tolerance;
+  }
+  EXPECT_EQ(march_coarsely(*disguised_j2({.counts = true}, yield_stress), path, end).shortest.norm, 0);
+}
+
+/// A state that a long step leaves within the yield surface, as an explicit update does, is no tolerance.
+TEST(Course, DoesNotTakeTheErrorOfALongStepForATolerance) {
+  static const assay_material table = [] {
+    assay_material t = *assay_builtin_j2_jaumann(ASSAY_ABI_MAJOR, 0);
+    t.update = [](void* self, const assay_step* step, std::size_t n, const double* state0, double* state1,
+                  double* cauchy, std::int32_t* status, double* dt_factor, char* message) {
+      assay_builtin_j2_jaumann(ASSAY_ABI_MAJOR, 0)
+          ->update(self, step, n, state0, state1, cauchy, status, dt_factor, message);
+      for (std::size_t p = 0; p < n; ++p) {
+        double squares = 0;
+        for (int c = 0; c < 9; ++c) squares += std::pow(step->F1[9 * p + c] - step->F0[9 * p + c], 2);
+        if (state1[p] == state0[p]) continue;
+        for (std::size_t c = 1; c < 7; ++c) state1[c * n + p] *= 1 - squares;
+      }
+    };
+    return t;
+  }();
+  const Material material(&table,
+                          {{"E", 1000}, {"nu", 0.3}, {"yield_stress", yield_stress}, {"kinematic_modulus", 50}});
+  EXPECT_LT(march_coarsely(material, path, end).shortest.norm, 1e-10);
+}
 
 TEST(Course, SeesWhatChangesInEveryStep) {
   const auto material = disguised_j2({.clock = true, .counts = true}, yield_stress);
