@@ -30,7 +30,7 @@ _assay() {
       compopt -o filenames
       return
       ;;
-    --set | --as | --remove | --parameters | --error | --shard | --props | --statev | --material | --symbol) return ;;
+    --set | --as | --remove | --parameters | --error | --shard | --props | --statev | --material | --symbol | --link) return ;;
     --threads | --jobs)
       mapfile -t COMPREPLY < <(compgen -W "1 2 4 8 16" -- "$cur")
       return
@@ -54,10 +54,10 @@ _assay() {
     recommend) options+=' --error -o --json' ;;
     compare) options+=' --json --markdown' ;;
     check) options+=' --parameters --json --junit --quick --strain --pressure --step --methods --markdown --all --replay --explain'
-      options+=' --props --statev --deck --material --symbol -o'
+      options+=' --props --statev --deck --material --symbol --link -o'
       ;;
     materials) options+=' --json' ;;
-    register) options+=' --as --remove --props --statev --deck --material --symbol' ;;
+    register) options+=' --as --remove --props --statev --deck --material --symbol --link' ;;
     new-material) options+=' --language --interface -o' ;;
     schema) options+=' --study' ;;
   esac

@@ -45,6 +45,7 @@ complete -c assay -n "__fish_seen_subcommand_from check register" -l statev -x -
 complete -c assay -n "__fish_seen_subcommand_from check register" -l deck -r -F -d 'Abaqus deck with the constants'
 complete -c assay -n "__fish_seen_subcommand_from check register" -l material -x -d 'Material of the deck'
 complete -c assay -n "__fish_seen_subcommand_from check register" -l symbol -x -d 'Entry point of a source'
+complete -c assay -n "__fish_seen_subcommand_from check register" -l link -x -d 'Libraries that a source needs'
 complete -c assay -n "__fish_seen_subcommand_from check" -s o -r -F -d 'Folder of replay files'
 complete -c assay -n "__fish_seen_subcommand_from register" -l as -x -d 'Name'
 complete -c assay -n "__fish_seen_subcommand_from register" -l remove -x -d 'Take a name out'

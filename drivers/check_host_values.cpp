@@ -14,7 +14,7 @@ using adapters::ForeignModel;
 using adapters::HostValues;
 using Value = HostVariation::Value;
 
-/// 1 is what set-up code asks for, and rightly.
+/// In later steps than a point's first: 1 is what set-up code asks for, and rightly.
 HostVariation counter(const std::string& name, const std::vector<int>& values,
                       const std::function<void(HostValues&, int)>& set, bool counts = true) {
   HostVariation variation{name, counts, {}};
@@ -22,6 +22,11 @@ HostVariation counter(const std::string& name, const std::vector<int>& values,
     variation.values.push_back({"at " + std::to_string(value), [=](HostValues& host) { set(host, value); }});
   }
   return variation;
+}
+
+/// Where another step of the analysis begins, KINC is 1 again: a set-up that asks for KINC alone begins anew.
+HostVariation::Value second_step() {
+  return {"where a second step begins (KSTEP 2, KINC 1)", [](HostValues& host) { host.step = 2, host.increment = 1; }};
 }
 
 HostVariation multiples(const std::string& name, double HostValues::*place) {
@@ -79,6 +84,7 @@ std::vector<HostVariation> host_variations(const ForeignModel& model) {
   if (umat) {
     all.push_back(counter("KINC", {3, 10, 100, 1000, 100000}, [](HostValues& h, int v) { h.increment = v; }));
     all.push_back(counter("KSTEP", {2, 3, 10, 100}, [](HostValues& h, int v) { h.step = v; }));
+    all.back().values.push_back(second_step());
   } else if (!(model.flags & ASSAY_RATE_DEPENDENT)) {
     all.push_back(multiples("stepTime", &HostValues::step_time_times));
     all.back().counts = true;

@@ -109,7 +109,7 @@ std::string check_text(const CheckedMaterial& checked, Verbosity verbosity) {
       const std::string words = whole ? test.sentence : remark_of(test.sentence);
       if (!words.empty()) page += wrapped(words, "    ", "    ");
     }
-    if (left > 0) page += row("(" + std::to_string(left) + " others)", "n/a", "-", "-", "-");
+    if (left > 0) page += row("(" + std::to_string(left) + (left == 1 ? " other)" : " others)"), "n/a", "-", "-", "-");
     page += "\n";
   }
   page += wrapped(summary(checked), "", "    ");

@@ -12,6 +12,7 @@
 #include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
 #include "drivers/interrupt.hpp"
+#include "drivers/material/abaqus_deck.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/verb_arguments.hpp"
 #include "drivers/worker.hpp"
@@ -64,6 +65,24 @@ void flush_output() {
     throw SystemError("standard output cannot be written");
 }
 
+/// The command line, last word first, as CLI11 takes it. Numbers behind --props, "--props 210e3 .3", are one list.
+std::vector<std::string> words_of(int argc, const char* const* argv) {
+  std::vector<std::string> words;
+  bool in_list = false;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const bool number = deck_number(word.substr(0, word.find(','))).has_value();
+    if (in_list && number && words.back() != "--props") {
+      words.back() += "," + word;
+    } else {
+      in_list = word == "--props" || (in_list && words.back() == "--props");
+      words.push_back(word);
+    }
+  }
+  std::reverse(words.begin(), words.end());
+  return words;
+}
+
 int act(int argc, const char* const* argv) {
   settle_environment();
   CLI::App app{"Verification of material models and of the material point method.", "assay"};
@@ -87,8 +106,9 @@ int act(int argc, const char* const* argv) {
     if (!option) refuse_unknown_verb(argv[i], verbs);
     break;
   }
+  std::vector<std::string> words = words_of(argc, argv);
   try {
-    app.parse(argc, argv);
+    app.parse(words);
   } catch (const CLI::Success& success) {  // --help, --version
     app.exit(success, std::cout, std::cerr);
     return 0;

@@ -4,8 +4,10 @@
 #include <cstdio>
 #include <filesystem>
 #include <set>
+#include <sstream>
 
 #include "drivers/material/abaqus_deck.hpp"
+#include "drivers/material/linked.hpp"
 #include "drivers/material/material_path.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/whole_file.hpp"
@@ -41,6 +43,16 @@ std::vector<GivenProperty> props_in(const std::string& list) {
     if (!names.insert(name).second) throw InputError({}, "--props", "'" + one_line(name, 60) + "' is there twice");
   }
   return props;
+}
+
+/// "lapack,./mine.a": files relative to the working folder.
+std::vector<std::string> link_in(const std::string& list) {
+  std::vector<std::string> words;
+  std::istringstream items(list);
+  for (std::string item; std::getline(items, item, ',');) {
+    if (!item.empty()) words.push_back(linked_word(item, fs::current_path().string(), {}, "--link"));
+  }
+  return words;
 }
 
 int statev_in(const std::string& text) {
@@ -85,15 +97,14 @@ SourceRequest request_of(const SourceOptions& options) {
   if (!options.statev.empty()) request.statev = statev_in(options.statev);
   request.material = options.material;
   request.symbol = options.symbol;
+  if (!options.link.empty()) request.link = link_in(options.link);
   return request;
 }
 
 void refuse_source_options(const SourceOptions& options, const std::string& material) {
-  const std::pair<const char*, const std::string*> all[] = {{"--props", &options.props},
-                                                            {"--statev", &options.statev},
-                                                            {"--deck", &options.deck},
-                                                            {"--material", &options.material},
-                                                            {"--symbol", &options.symbol}};
+  const std::pair<const char*, const std::string*> all[] = {
+      {"--props", &options.props},       {"--statev", &options.statev}, {"--deck", &options.deck},
+      {"--material", &options.material}, {"--symbol", &options.symbol}, {"--link", &options.link}};
   for (const auto& [option, value] : all) {
     if (value->empty()) continue;
     throw InputError({}, option,

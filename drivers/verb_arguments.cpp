@@ -143,6 +143,7 @@ void add_source_options(CLI::App& verb, SourceOptions& source) {
   add("--deck", source.deck, "FILE.inp", "Abaqus deck with its constants");
   add("--material", source.material, "NAME", "of the deck, where it has several");
   add("--symbol", source.symbol, "NAME", "its entry point, where it has several");
+  add("--link", source.link, "NAME,...", "libraries or objects that it needs");
 }
 
 Verb check_verb(CLI::App& app, Arguments& given) {

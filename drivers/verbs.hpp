@@ -55,6 +55,7 @@ struct SourceOptions {
   std::string deck;      ///< Abaqus input file
   std::string material;  ///< of the deck
   std::string symbol;    ///< entry point
+  std::string link;      ///< "lapack,./mine.a"
 };
 
 struct CheckOptions {

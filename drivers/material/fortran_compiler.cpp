@@ -11,6 +11,7 @@
 #include <optional>
 #include <sstream>
 
+#include "drivers/material/linked.hpp"
 #include "drivers/material/tool_process.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/whole_file.hpp"
@@ -97,6 +98,15 @@ std::string plain_message(std::string text) {
   return text;
 }
 
+/// "foo" of the linker's "cannot find -lfoo: No such file or directory"; or empty.
+std::string library_not_found(const std::string& said) {
+  const std::string words = "cannot find -l";
+  const std::size_t at = said.find(words);
+  if (at == said.npos) return {};
+  const std::size_t begin = at + words.size();
+  return said.substr(begin, said.find_first_of(": \n", begin) - begin);
+}
+
 InputError refusal_of_compiler(const FortranSource& source, const FortranCompiler& compiler, const std::string& said) {
   std::istringstream lines(said);
   std::string line, text;
@@ -108,6 +118,11 @@ InputError refusal_of_compiler(const FortranSource& source, const FortranCompile
     if (!first) first = message;
     if (text.empty()) text = plain_message(message->text);
     if (!plain_message(message->text).empty()) ++errors;
+  }
+  if (const std::string absent = library_not_found(said); !absent.empty()) {
+    return InputError({source.file}, "link",
+                      "the linker finds no library '" + one_line(absent, 80) + "': its lib" + one_line(absent, 80) +
+                          ".so or .a must be in a folder of the linker, or give the file");
   }
   if (!first) return InputError({source.file}, "", "does not compile: " + one_line(said, 300));
   if (first->where.file.starts_with("./") || first->where.file.find('/') == std::string::npos) {
@@ -170,11 +185,15 @@ void compile_library(const FortranSource& source, const FortranCompiler& compile
     call.folder = folder;
     write_bytes(place / file.filename(), source.adapted.empty() ? source.bytes : source.adapted, O_CREAT | O_EXCL);
   }
-  for (const std::string& word : {"-I" + (place / "include").string(), "-I" + file.parent_path().string(),
-                                  "-J" + folder, "./" + file.filename().string(), std::string("-x"),
-                                  std::string("none"), std::string("-lm"), std::string("-o"), library}) {
+  for (const std::string& word :
+       {"-I" + (place / "include").string(), "-I" + file.parent_path().string(), "-J" + folder,
+        "./" + file.filename().string(), std::string("-x"), std::string("none"), std::string("-o"), library}) {
     call.arguments.push_back(word);
   }
+  for (const std::string& word : source.link) {
+    for (const std::string& argument : link_arguments(word)) call.arguments.push_back(argument);
+  }
+  call.arguments.emplace_back("-lm");
   const ToolEnd end = run_tool(call);
   if (end.stopped) {
     throw SystemError(source.file + ": its compilation takes longer than " + number_text(call.limit_s) + " s");

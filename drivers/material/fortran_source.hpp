@@ -35,6 +35,7 @@ struct FortranSource {
   bool includes_parameters(const FortranRoutine& routine) const;  ///< ABA_PARAM.INC, VABA_PARAM.INC
   bool has_cards = false;                                         ///< numbers of punched cards, which are read as code
   int cut_line = 0;                                               ///< the first with code beyond column 132; 0: none
+  std::vector<std::string> link;                                  ///< what it is linked with: see linked.hpp
 };
 
 /// Throws InputError at `where`, `key`: missing, no text, too long.

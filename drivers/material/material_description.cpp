@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "drivers/material/foreign_description.hpp"
+#include "drivers/material/linked.hpp"
 #include "drivers/material/material_path.hpp"
 #include "drivers/material/model_files.hpp"
 #include "drivers/material/source_entry.hpp"
@@ -24,7 +25,7 @@ std::string interface_of(const Tree& root) {
 
 std::vector<std::string> keys_of(const std::string& interface) {
   std::vector<std::string> known{"library", "name", "interface", "density", "time_limit", "memory_limit", "files"};
-  if (interface == "umat" || interface == "vumat") known.insert(known.begin() + 1, "source");
+  if (interface == "umat" || interface == "vumat") known.insert(known.begin() + 1, {"source", "link"});
   const std::vector<std::string> native{"parameters"}, &more = interface == "native" ? native : foreign_keys();
   known.insert(known.end(), more.begin(), more.end());
   return known;
@@ -42,6 +43,14 @@ std::string library_file(const std::string& said, const std::filesystem::path& f
   return beside;
 }
 
+std::vector<std::string> read_link(const Tree& tree, const std::filesystem::path& folder) {
+  std::vector<std::string> words;
+  if (tree.kind != Tree::Kind::sequence) return {linked_word(text_value(tree, "link"), folder, tree.where, "link")};
+  for (const Tree& item : tree.items)
+    words.push_back(linked_word(text_value(item, "link"), folder, item.where, "link"));
+  return words;
+}
+
 /// A library, or a source that becomes one. With both the library is that of the source, as for a worker.
 void read_library(const Tree& root, const std::string& interface, const std::filesystem::path& folder,
                   MaterialDescription& description) {
@@ -51,6 +60,9 @@ void read_library(const Tree& root, const std::string& interface, const std::fil
   const Tree& named = library ? *library : *source;
   description.library_where = description.name_where = named.where;
   if (source) description.source = absolute_path(folder / text_value(*source, "source"));
+  const Tree* link = root.find("link");
+  if (link && !source) throw InputError(link->where, "link", "goes with a source: a library is linked already");
+  if (link) description.link = read_link(*link, folder);
   if (library) {
     description.library = library_file(text_value(*library, "library"), folder);
     return;
@@ -60,7 +72,8 @@ void read_library(const Tree& root, const std::string& interface, const std::fil
         source->where, "source",
         "must be a Fortran source (.f, .for, .f90, ...), found '" + one_line(description.source, 200) + "'");
   }
-  const FortranSource text = read_fortran_source(description.source, source->where, "source");
+  FortranSource text = read_fortran_source(description.source, source->where, "source");
+  text.link = description.link;
   description.library = library_of_source(text).file;
   description.library_key = "source";
   description.warnings = text.warnings;
@@ -138,6 +151,7 @@ namespace {
 std::string yaml_of(const MaterialDescription& description, bool by_library) {
   std::string text = by_library ? "library: " + yaml_scalar(description.library) + "\n" : "";
   if (!description.source.empty()) text += "source: " + yaml_scalar(description.source) + "\n";
+  if (!description.link.empty()) text += "link: " + yaml_list(description.link) + "\n";
   if (!description.name.empty()) text += "name: " + yaml_scalar(description.name) + "\n";
   text += description.foreign ? foreign_yaml(*description.foreign) : "interface: native\n";
   if (!description.parameters.empty()) text += "parameters:\n";

@@ -66,6 +66,7 @@ class Describer {
     const std::string source = by_deck ? source_beside(file, where, key) : file;
     const std::string deck = by_deck ? file : request.deck;
     source_ = read_fortran_source(source, where, key);
+    source_.link = request.link;
     if (!deck.empty()) deck_ = read_deck(deck, request.material, request.material_key);
     library_ = library_of_source(source_);
     entry_ = entry_of_source(source_, adapters::exported_symbols(library_.file), request.symbol, request.symbol_key);
@@ -79,6 +80,7 @@ class Describer {
     yaml_.name = result.name = model_name(source_.file);
     yaml_.entry = entry_;
     yaml_.facts = facts_;
+    yaml_.link = request_.link;
     yaml_.material_name = deck_ ? deck_->name : request_.material;
     take_properties();
     take_state();

@@ -11,6 +11,7 @@
 #include "adapters/library.hpp"
 #include "drivers/cache_home.hpp"
 #include "drivers/material/fortran_compiler.hpp"
+#include "drivers/material/linked.hpp"
 #include "drivers/output/whole_file.hpp"
 #include "drivers/scene/sha256.hpp"
 
@@ -60,6 +61,7 @@ std::string key_of(const FortranSource& source, const FortranCompiler& compiler)
   std::string key = library_signature + counted(compiler.version);
   for (const std::string& flag : flags_for(source, compiler)) key += counted(flag);
   for (const IncludedFile& include : source.includes) key += counted(include.name) + counted(include.bytes);
+  for (const std::string& word : source.link) key += counted(link_content(word));
   return sha256_hex(key + source.bytes).substr(0, digits_of_hash);
 }
 

@@ -76,6 +76,7 @@ std::string source_yaml(const SourceYaml& yaml) {
   text += comment("assay check, run, register and the other verbs take this file.");
   for (const std::string& sentence : yaml.facts.sentences) text += comment("Not assumed: " + sentence);
   text += with_comment("source: " + yaml_scalar(yaml.source), "compiled when it has changed");
+  if (!yaml.link.empty()) text += with_comment("link: " + yaml_list(yaml.link), "of --link");
   text += "name: " + yaml_scalar(yaml.name) + "\n";
   text += with_comment(std::string("interface: ") + (umat ? "umat" : "vumat"), "by its entry");
   text += "symbol: " + yaml_scalar(yaml.entry.symbol) + "\n";

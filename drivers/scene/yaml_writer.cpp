@@ -79,4 +79,10 @@ std::string yaml_scalar(const std::string& text) {
   return quoted + "\"";
 }
 
+std::string yaml_list(const std::vector<std::string>& texts) {
+  std::string list;
+  for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + yaml_scalar(text);
+  return "[" + list + "]";
+}
+
 }  // namespace assay::drivers

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace assay::drivers {
 
@@ -12,5 +13,8 @@ std::string yaml_number(double value);
 
 /// `text` as a YAML scalar that reads back to it: plain where every reader takes it for text, else double-quoted.
 std::string yaml_scalar(const std::string& text);
+
+/// "[a, b]".
+std::string yaml_list(const std::vector<std::string>& texts);
 
 }  // namespace assay::drivers

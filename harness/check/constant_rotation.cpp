@@ -103,14 +103,16 @@ TestResult twin_or_tolerance(const Specimen& specimen, const FrameTwins& twins) 
   return result;
 }
 
-/// The same where the body is turned to the frame by a first step: a state at rest that holds axes follows that alone.
-bool right_after_a_turn(const Specimen& specimen, const Tensor& Q, const Loading& still) {
+/// The same where the body is turned to the frame by a step, from a state at rest: one that holds axes follows that
+/// alone.
+bool right_after_a_turn(const Specimen& specimen, const Tensor& Q, const Loading& still,
+                        const std::vector<double>& rest) {
   const Material& material = *specimen.material;
   const Tensor I = Tensor::Identity();
   try {
-    const Point turned = stepped(material, 0, 1, I, Q, specimen.rest_state());
+    const Point turned = stepped(material, 0, 1, I, Q, rest);
     const Loading seen = turned_by(Q, still);
-    const MarchOptions from_rest{.steps = specimen.steps(), .state = specimen.rest_state()};
+    const MarchOptions from_rest{.steps = specimen.steps(), .state = rest};
     MarchOptions from_turned = from_rest;
     from_turned.state = turned.state;
     const March a = march(material, still, from_rest), b = march(material, seen, from_turned);
@@ -124,6 +126,13 @@ bool right_after_a_turn(const Specimen& specimen, const Tensor& Q, const Loading
   } catch (const MaterialFailure&) {
     return false;
   }
+}
+
+/// The same where a step at rest comes before: what that sets up turns along from then on.
+bool right_after_rest_and_turn(const Specimen& specimen, const Tensor& Q, const Loading& still) {
+  const Tensor I = Tensor::Identity();
+  const Point rested = stepped(*specimen.material, 0, 1, I, I, specimen.rest_state());
+  return right_after_a_turn(specimen, Q, still, rested.state);
 }
 
 /// The multiple of the frame's angle by which the stress of a stretch along axes that stand still turns; nothing where
@@ -193,7 +202,7 @@ TestResult constant_rotation(const Specimen& specimen) {
   TestResult result = twin_or_tolerance(specimen, {"rotation.constant", still, in_frame(Q), Q, Vector3::UnitX(),
                                                    "the same history in a frame that is turned once for all"});
   if (result.verdict == Verdict::pass) return result;
-  if (!specimen.isotropic() && right_after_a_turn(specimen, Q, still)) {
+  if (!specimen.isotropic() && right_after_a_turn(specimen, Q, still, specimen.rest_state())) {
     result.verdict = Verdict::not_applicable;
     result.sentence = "the state at rest holds axes of the material: right where the body is turned before";
     return result;
@@ -207,6 +216,11 @@ TestResult constant_rotation(const Specimen& specimen) {
   if (unturned.verdict == Verdict::pass) {
     result.cause = causes::rotation_missing;
     result.sentence += ", and the same as if the frame were not: it is the stress of the unturned body";
+  } else if (!specimen.isotropic() && where_taken([&] { return right_after_rest_and_turn(specimen, Q, still); })) {
+    result.cause = causes::state_not_rotated;
+    result.sentence +=
+        "; right where a body rests in its first step and turns in its second: what the first call sets up is not "
+        "turned by the rotation of that step";
   } else if (where_taken([&] { return turns_by_another_angle(specimen, result); })) {
     return result;
   } else if (exchanges_shears(specimen.space, right)) {

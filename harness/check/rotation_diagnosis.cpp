@@ -79,7 +79,7 @@ std::optional<Turned> wrong_way(const Findings& f, const TurnedStep& step, const
   const bool own_frame = as == Turned::not_at_all, misread = as != Turned::rightly && !own_frame;
   const Turned how = misread ? as : variable.how;
   const bool of_spin = !f.failed("rotation.constant") || f.evidence.right_without_spin;
-  if (how == Turned::by_another_angle && !of_spin) return std::nullopt;
+  if (how == Turned::by_another_angle && !of_spin && !variable.exactly) return std::nullopt;
   if (how == Turned::rightly || how == Turned::otherwise || (own_frame && how == Turned::not_at_all)) {
     return std::nullopt;
   }
@@ -99,7 +99,7 @@ bool any_turn_fails(const Findings& f) {
 Found turned_step_of(const Findings& f) {
   if (!any_turn_fails(f) || !f.evidence.turned) return std::nullopt;
   const TurnedStep& step = *f.evidence.turned;
-  if (step.stress != Turned::rightly) return of_variable({"", true, step.stress, 1}, step.stress);
+  if (step.stress != Turned::rightly) return of_variable({.is_stress = true}, step.stress);
   Found found;
   double farthest = -1;
   for (const TurnedVariable& variable : step.carried) {

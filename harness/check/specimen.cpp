@@ -29,13 +29,21 @@ double stress_in_the_end(Specimen specimen, double amplitude) {
   return least;
 }
 
+/// The next smaller one to try, of the same row whatever was asked for, so that a limit is the same number.
+double next_below(double amplitude) {
+  double next = Effort{}.strain;
+  while (next >= amplitude) next *= 0.5;
+  return next;
+}
+
 /// The largest amplitude, halved from the first, that the material stands without losing all stress, as what breaks
 /// does. Throws MaterialFailure where it stands none.
 double amplitude_of(Specimen& specimen) {
   constexpr double little = 0.04;  // of the stress of elasticity
   const double first = specimen.options.effort.strain;
   double stood = 0;
-  for (double a = specimen.pressure > 0 ? std::min(first, largest_under_pressure) : first;; a *= 0.5) {
+  const bool pressed = specimen.pressure > 0;
+  for (double a = pressed ? std::min(first, largest_under_pressure) : first;; a = pressed ? 0.5 * a : next_below(a)) {
     try {
       const double stress = stress_in_the_end(specimen, a);
       if (stood == 0) stood = a;

@@ -16,6 +16,7 @@ constexpr double large_turn = turning_angle, small_turn = 0.02;  ///< [rad]
 constexpr double alike = 0.2 * small_turn;  ///< of the largest component: a step may be second order in the turn
 constexpr double explained = 1e-3;          ///< of an error that an assumption leaves
 constexpr double trifle = 1e-10;
+constexpr double rounding = 1e-9;  ///< of the largest component
 
 /// A tensor or vector of the state that has to turn, or a tensor that is declared to turn by itself.
 struct StatePlace {
@@ -83,10 +84,15 @@ std::vector<Fate> fates_of(const Space& space, const Variable& before) {
 
 /// How `found` has come out of `before` in a turn of the body, and by how much that misses it, relative.
 std::pair<TurnedVariable, double> carried(const Space& space, const Variable& before, const Variable& found) {
-  std::pair<TurnedVariable, double> best{{{}, false, Turned::otherwise, 1}, alike};
+  std::pair<TurnedVariable, double> best{{}, alike};
+  best.first.how = Turned::otherwise;
   for (const Fate& fate : fates_of(space, before)) {
     const double miss = found.distance(fate.expected) / before.largest();
-    if (miss < 0.5 * best.second) best = {{{}, false, fate.how, fate.times}, miss};  // the first are the likelier ones
+    if (!(miss < 0.5 * best.second)) continue;  // the first are the likelier ones
+    best.first.how = fate.how;
+    best.first.times = fate.times;
+    best.first.exactly = miss < rounding;
+    best.second = miss;
   }
   return best;
 }
@@ -138,7 +144,7 @@ std::vector<TurnedVariable> carried_variables(const Specimen& specimen, const Lo
   std::vector<double> misses;
   std::vector<bool> seen_at_all(places.size(), false);
   for (const StatePlace& place : places) {
-    all.push_back({place.name, false, Turned::otherwise, 1, place.is_own});
+    all.push_back({.name = place.name, .how = Turned::otherwise, .is_own = place.is_own});
     misses.push_back(INFINITY);
   }
   for (const double back : {0.0, 2e-3, 1e-2, 3e-2}) {
@@ -155,6 +161,7 @@ std::vector<TurnedVariable> carried_variables(const Specimen& specimen, const Lo
       misses[v] = miss;
       all[v].how = found.how;
       all[v].times = found.times;
+      all[v].exactly = found.exactly;
       all[v].is_stress = before.is_tensor() && proportional(whole.value(), held.cauchy);
     }
   }
@@ -270,7 +277,7 @@ void explain(const Assumptions& assumptions, TurnedStep& found) {
       found.stress = defect_of(output);
       found.taken.clear();
       for (std::size_t v = 0; v < count; ++v) {
-        found.taken.push_back({assumptions.places()[v].name, false, defect_of(variables[v]), 1});
+        found.taken.push_back({.name = assumptions.places()[v].name, .how = defect_of(variables[v])});
       }
     }
   }
@@ -288,7 +295,7 @@ std::optional<TurnedStep> turned_step(const Specimen& specimen) {
     const std::vector<As> declared = assumptions.declared();
     found.error = assumptions.error(declared, As::tensor);
     for (std::size_t v = 0; v < declared.size(); ++v) {
-      found.taken.push_back({assumptions.places()[v].name, false, defect_of(declared[v]), 1});
+      found.taken.push_back({.name = assumptions.places()[v].name, .how = defect_of(declared[v])});
     }
     if (found.error > own_precision) explain(assumptions, found);
     return found;

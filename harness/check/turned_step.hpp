@@ -19,11 +19,12 @@ enum class Turned {
 };
 
 struct TurnedVariable {
-  std::string name;
+  std::string name = {};
   bool is_stress = false;  ///< proportional to the Cauchy stress
   Turned how = Turned::rightly;
-  double times = 1;     ///< by_another_angle: of the body's
-  bool is_own = false;  ///< declared to turn by itself
+  double times = 1;      ///< by_another_angle: of the body's
+  bool exactly = false;  ///< so, to rounding
+  bool is_own = false;   ///< declared to turn by itself
 };
 
 struct TurnedStep {

@@ -69,6 +69,14 @@ TEST_F(Host, SetUpCodeMayAskForTheFirstIncrement) {
   EXPECT_FALSE(check.found.contains("depends_on")) << check.said;
 }
 
+/// KINC is 1 again where another step of the analysis begins.
+TEST_F(Host, SetUpCodeThatAsksForTheIncrementAloneIsFound) {
+  const ForeignCheck check("umat_kinematic", kinematic("SETS_UP_AGAIN"));
+  EXPECT_EQ(check.status, 1) << check.said;
+  EXPECT_EQ(check.cause(), check::causes::host_counters) << check.said;
+  EXPECT_NE(check.sentence().find("where a second step begins (KSTEP 2, KINC 1)"), std::string::npos) << check.said;
+}
+
 TEST_F(Host, ACounterThatTheStateKeepsIsARemark) {
   const ForeignCheck check("umat_kinematic", kinematic("KEEPS_KINC"));
   EXPECT_EQ(check.status, 0) << check.said;

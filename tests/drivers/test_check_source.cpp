@@ -79,6 +79,46 @@ TEST_F(CheckSource, WhatIsMissingIsOneLine) {
   EXPECT_NE(line({"check", "bad.f", "--props", "1"}).find("bad.f:13:16: does not compile: "), std::string::npos);
 }
 
+TEST_F(CheckSource, PropsMayStandBetweenBlanks) {
+  scratch.write("model.f", hooke_umat);
+  const Ending ending = run({"check", "--props", "210e3", ".3", "model.f", "--quick"});
+  EXPECT_EQ(ending.status, 0) << ending.said;
+  EXPECT_TRUE(says(ending, "2 PROPS of --props")) << ending.said;
+  EXPECT_EQ(run({"check", "model.f", "--quick", "--props", "1.d3,", ".3"}).status, 0);
+  EXPECT_TRUE(says(run({"check", "model.f", "3", "--props", "1e3"}), "unknown argument '3'"));
+}
+
+TEST_F(CheckSource, IsLinkedWithWhatItNeeds) {
+  scratch.write("doubled.f90", "real(8) function doubled(e)\n real(8) :: e\n doubled = 2*e\nend function\n");
+  ASSERT_EQ(std::system(("cd '" + (scratch / "") + "' && gfortran -fPIC -c doubled.f90 -o doubled.o").c_str()), 0);
+  std::string text = hooke_umat;
+  const std::string line = "      EMOD=PROPS(1)";
+  text.insert(text.find(line) + line.size(), "\n      EMOD=DOUBLED(EMOD)");
+  scratch.write("model.f", text);
+  const std::vector<std::string> words{"check", "model.f", "--props", "1e3,.3", "--quick"};
+  const auto linked_with = [&](const std::string& what) {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), {"--link", what});
+    return run(all);
+  };
+  const Ending absent = run(words);
+  EXPECT_EQ(absent.status, 1) << absent.said;
+  EXPECT_TRUE(says(absent, "diagnosis: routine missing")) << absent.said;
+  EXPECT_TRUE(says(linked_with("./no.o"), "--link: '" + (scratch / "no.o") + "': no such file"));
+  EXPECT_TRUE(says(linked_with("model.f"), "--link: '" + (scratch / "model.f") + "' is no library and no object"));
+  EXPECT_TRUE(says(linked_with("-rm"), "--link: must be the name of a library (lapack) or a file"));
+  EXPECT_TRUE(says(linked_with("nothing_of_that_name"), "link: the linker finds no library 'nothing_of_that_name'"));
+  const Ending linked = linked_with("doubled.o,m");
+  EXPECT_EQ(linked.status, 0) << linked.said;
+  const Ending again = run({"check", "results/check/model.yaml", "--quick"});
+  EXPECT_EQ(again.status, 0) << again.said;
+  EXPECT_NE(bytes_of(scratch / "results/check/model.yaml").find("link: ["), std::string::npos);
+  EXPECT_EQ(run({"register", "results/check/model.yaml"}).status, 0);
+  EXPECT_EQ(run({"check", "model", "--quick"}).status, 0) << "what is registered is compiled again";
+  scratch.write("lib.yaml", "library: model.so\ninterface: umat\nlink: [m]\n");
+  EXPECT_TRUE(says(run({"check", "lib.yaml"}), "lib.yaml:3:7: link: goes with a source"));
+}
+
 TEST_F(CheckSource, WithoutACompilerTheSystemIsToBlame) {
   scratch.write("model.f", hooke_umat);
   const Ending ending = run({"check", "model.f", "--props", "1,.3"}, [] {

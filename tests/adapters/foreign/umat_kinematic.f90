@@ -38,6 +38,7 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
   if (says('MORE_PROPS')) yield = yield * props(5)
   hardening = props(4)
 
+  if (says('SETS_UP_AGAIN') .and. kinc == 1) statev(at:at + 6) = 0
   if (says('UNTURNED')) then
     alpha = statev(at:at + 5)
   else

@@ -68,7 +68,11 @@ struct RelaxingCrystal {
   void misbehave(std::size_t, double*, double*) const {}
 };
 
+/// How the axes of the state turn: with the body, against it, or as they are set up in the first step, not by that.
+enum class Axes { right, backwards, from_the_second_step };
+
 /// Increments of the logarithmic strain; state: stress, and the axes of the crystal, which turn.
+template <Axes turn>
 struct TurningCrystal {
   static constexpr std::size_t state_size = 15;
   Matrix6 C;
@@ -83,7 +87,9 @@ struct TurningCrystal {
   std::optional<Tensor> take(const PointStep& step, const double* state0, double* state1) const {
     const Tensor f = step.F1 * step.F0.inverse(), Q = polar(f);
     if (!(step.F1.determinant() > 0)) return std::nullopt;
-    const Tensor R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(state0 + 6) * Q.transpose();
+    const Tensor before = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(state0 + 6);
+    const bool first = before.isZero(0);
+    const Tensor R = first ? axes : Tensor(before * (turn == Axes::backwards ? Q : Q.transpose()));
     const Tensor strain = logarithm(f * Q.transpose());
     const Tensor increment = tensor_of_stress(turned_stiffness(C, R, defect) * voigt_strain(strain));
     const Tensor sigma = Q * read_symmetric(state0) * Q.transpose() + increment;
@@ -93,7 +99,8 @@ struct TurningCrystal {
   }
   bool rest(const Tensor& cauchy, double* state) const {
     write_symmetric(cauchy, state);
-    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(state + 6) = axes;
+    const bool later = turn == Axes::from_the_second_step;
+    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(state + 6) = later ? Tensor(Tensor::Zero()) : axes;
     return true;
   }
   void misbehave(std::size_t, double*, double*) const {}
@@ -166,9 +173,10 @@ const assay_material* relaxing() {
   return declaring<RelaxingCrystal, material_class>("relaxing_crystal_for_tests", ASSAY_RATE_DEPENDENT, relaxing_state);
 }
 
-template <std::int32_t material_class>
+template <std::int32_t material_class, Axes turn = Axes::right>
 const assay_material* turning() {
-  return declaring<TurningCrystal, material_class>("turning_crystal_for_tests", ASSAY_USES_INCREMENT, turning_state);
+  return declaring<TurningCrystal<turn>, material_class>("turning_crystal_for_tests", ASSAY_USES_INCREMENT,
+                                                         turning_state);
 }
 
 const CrystalModuli cube = cubic_moduli(1000, 600, 500);
@@ -222,6 +230,10 @@ void add_with_a_state(std::vector<Subject>& all) {
        {"turning_cube_of_wrong_sign", bond_wrong_sign, not_of_class},
        {"turning_cube_of_strain_as_stress", bond_of_stress, shear_factor}},
       values_of(cube));
+  add(all, turning<ASSAY_CUBIC, Axes::backwards>(), {{"cube_turning_backwards", bond_right, wrong_spin}},
+      values_of(cube));
+  add(all, turning<ASSAY_CUBIC, Axes::from_the_second_step>(),
+      {{"cube_turning_from_the_second_step", bond_right, state_not_rotated}}, values_of(cube));
   add(all, turning<ASSAY_TRANSVERSELY_ISOTROPIC>(), {{"turning_bundle", bond_right, ""}}, values_of(fibres));
   add(all, turning<ASSAY_TRANSVERSELY_ISOTROPIC>(), {{"turning_bundle_of_wrong_shear", bond_right, not_of_class}},
       values_of(fibres_sheared(0.85)));
