@@ -66,6 +66,15 @@ TEST(Specimen, TakesTheUsualStrainsWhereNothingForbidsThem) {
   EXPECT_EQ(examine(fragile({}), {.effort = {.strain = 0.02}}).amplitude, 0.02);
 }
 
+TEST(Specimen, SaysTheSameLimitWhateverStrainIsAskedFor) {
+  const Material material = fragile({{"refuses_at", 0.01}});
+  const double usual = examine(material, {}).amplitude;
+  EXPECT_LT(usual, 0.01);
+  for (const double strain : {0.02, 0.05, 0.3}) {
+    EXPECT_EQ(examine(material, {.effort = {.strain = strain, .strain_is_asked = true}}).amplitude, usual) << strain;
+  }
+}
+
 TEST(Specimen, KeepsBelowWhatBreaks) {
   const Material material = fragile({{"breaks_at", 1e-3}});
   const Specimen specimen = examine(material, {});
