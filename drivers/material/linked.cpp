@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "drivers/material/material_path.hpp"
-#include "drivers/output/whole_file.hpp"
+#include "drivers/scene/yaml_reader.hpp"
 
 namespace assay::drivers {
 
