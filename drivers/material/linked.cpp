@@ -30,7 +30,7 @@ std::string linked_word(const std::string& said, const std::string& folder, cons
   const std::string extension = fs::path(said).extension().string();
   const bool object = extension == ".a" || extension == ".o" || extension == ".so";
   std::error_code code;
-  const std::string file = absolute_path(fs::path(folder) / said);
+  std::string file = absolute_path(fs::path(folder) / said);
   if (!is_file(said) && !object && !fs::exists(file, code)) {
     if (is_plain_name(said)) return said;
     throw InputError(

@@ -125,7 +125,7 @@ TEST_P(BadForeignKey, IsOneLineAtItsPlace) {
 INSTANTIATE_TEST_SUITE_P(
     Keys, BadForeignKey,
     testing::Values(
-        BadKey{"propertys: {E: 1}", "1: propertys: unknown key (nearest: properties); known: library, source, name, i"},
+        BadKey{"propertys: {E: 1}", "1: propertys: unknown key (nearest: properties); known: library, source, link, n"},
         BadKey{"parameters: {E: 1}", "1: parameters: unknown key"},
         BadKey{"properties: 3", "13: properties: must be a map of keys, found '3'"},
         BadKey{"properties: {E: {vale: 1}}", "18: properties.E.vale: unknown key (nearest: value); known: value, unit"},
