@@ -128,7 +128,7 @@ std::string words_of(const CheckedMaterial& checked, const CheckedMaterial& four
 
 void judge_components(CheckedMaterial& checked, const check::Effort& effort, const CheckProcesses& how) {
   std::optional<ForeignModel> model;
-  if (checked.passes() || checked.report.diagnosis.empty() || !(model = silent_model(checked))) return;
+  if (checked.hangs || checked.passes() || checked.report.diagnosis.empty() || !(model = silent_model(checked))) return;
   const Fills fills = filled_by(*model, {checked.parameters.begin(), checked.parameters.end()});
   if (fills == Fills::plane_stress) {
     checked.unsuitable = true;

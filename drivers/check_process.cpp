@@ -73,6 +73,7 @@ CheckedMaterial result_of(const Child& child, const CheckTask& task, double limi
                                (missing.empty() && gave_up(child) ? "; it may stand a smaller --strain" : missing);
   const char* cause =
       test == "calls.arrays" && spoilt_memory(child) ? check::causes::overrun : check::causes::ends_process;
+  checked.hangs = child.excess != Child::Excess::none || child.lost;
   checked.report.tests.push_back({.id = test, .verdict = check::Verdict::fail, .cause = cause, .sentence = sentence});
   checked.report.diagnosis.push_back({cause, sentence});
   return checked;

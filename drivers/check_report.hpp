@@ -28,6 +28,7 @@ struct CheckedMaterial {
   std::string model = {};                           ///< the name of its table
   std::string error = {};                           ///< why it was not checked; empty: it was
   bool unsuitable = false;                          ///< `error`: it is of a kind that is not served
+  bool hangs = false;                               ///< it did not come back, or ended what watches it
   std::map<std::string, std::string> replays = {};  ///< of a failed test's id: the file that takes it again
 
   std::string description = {};  ///< of a foreign model: the YAML file that leads to it

@@ -37,7 +37,8 @@ set(left_out_of_test_drivers # whole runs of full size; studies, which start the
   Files/TornCases* StudyResume.C* StudyResume.F* StudyResume.K* StudyResume.M* Plan.* StudyJson.Host*
   Cases/EvalReferences*ring* *BoxRun.ConvergesAt* PlantedInTheBox* Interfaces/ForeignVortex* */closes_everything*
   CheckForeign.AModelOfPlaneStrainAloneRuns* CheckMethods.RunsEvery* CheckMethods.WritesJson* Check.JUnit*
-  Check.AllChecks* Cached.ADamaged* Cached.EverythingThat* Cached.ASheetOfABuiltIn* ForeignModels.TwoCores*
+  Check.AllChecks* Cached.ADamaged* Cached.EverythingThat* Cached.ASheetOfABuiltIn* ForeignModels.TwoCores* ForeignModels.AUmat*
+  CheckSource.IsTaken*
   Frames.TheMethodErrs* Frames.BodiesOf* Frames.AMaterialWith* RimOfARun.CoarseGrids* Run.EveryLattice*
   Run.ACylindrically* Run.Repeats* Run.AnExpect* Run.AnUnst* Run.EveryField* Run.Square* Run.ItsFig*
   Replay.OfAH* Replay.OfAR* Screening.E* Screening.I* Screening.C* Screening.W* Tabulate.AnswersPoints* Tabulate.W* Tabulate.C* TractionTable.Holds* TractionTable.AnEntry*

@@ -55,7 +55,8 @@ foreach(name IN ITEMS quick traction)
 endforeach()
 set_tests_properties(study/quick PROPERTIES LABELS long) # half a minute with a clock of its own
 if(ASSAY_SANITIZE)
-  set_tests_properties(study/traction study/hard_is_valid study/models_is_valid study/offsets_is_valid PROPERTIES LABELS long)
+  set_tests_properties(study/traction study/hard_is_valid study/models_is_valid study/offsets_is_valid
+    study/remedies_is_valid PROPERTIES LABELS long)
 endif()
 get_property(scene_tests DIRECTORY PROPERTY TESTS)
 list(FILTER scene_tests INCLUDE REGEX "^(scene|study)/")
