@@ -100,7 +100,7 @@ TEST(Course, DoesNotTakeTheErrorOfALongStepForATolerance) {
           ->update(self, step, n, state0, state1, cauchy, status, dt_factor, message);
       for (std::size_t p = 0; p < n; ++p) {
         double squares = 0;
-        for (int c = 0; c < 9; ++c) squares += std::pow(step->F1[9 * p + c] - step->F0[9 * p + c], 2);
+        for (std::size_t c = 0; c < 9; ++c) squares += std::pow(step->F1[c * n + p] - step->F0[c * n + p], 2);
         if (state1[p] == state0[p]) continue;
         for (std::size_t c = 1; c < 7; ++c) state1[c * n + p] *= 1 - squares;
       }
