@@ -140,7 +140,11 @@ const std::array<Vector3, directions>& spiral() {
 
 }  // namespace
 
-AcousticExtreme smallest_acoustic_eigenvalue(const TangentModulus& modulus) {
+AcousticExtreme smallest_acoustic_eigenvalue(const TangentModulus& given) {
+  const double largest = given.cwiseAbs().maxCoeff();
+  if (largest == 0) return {0, Vector3::UnitX()};
+  const double unit = std::isfinite(largest) ? std::ldexp(1.0, std::ilogb(largest)) : 1;  // for powers of eigenvalues
+  const TangentModulus modulus = given / unit;
   const Acoustic acoustic(modulus);
   std::vector<std::pair<double, int>> tried;
   for (int k = 0; k < directions; ++k) {
@@ -156,6 +160,7 @@ AcousticExtreme smallest_acoustic_eigenvalue(const TangentModulus& modulus) {
     const AcousticExtreme found = refined(acoustic, spiral()[static_cast<std::size_t>(tried[s].second)], scale);
     if (found.value < best.value) best = found;
   }
+  best.value *= unit;
   return best;
 }
 

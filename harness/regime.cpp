@@ -30,7 +30,11 @@ std::array<double, 3> invariants_of(std::int32_t kind, const Tensor& A) {
 }
 
 bool invariants_change(std::int32_t kind, const double* before, const double* after) {
-  const Tensor A = tensor_of(kind, before), B = tensor_of(kind, after);
+  Tensor A = tensor_of(kind, before), B = tensor_of(kind, after);
+  const double largest = std::max(A.cwiseAbs().maxCoeff(), B.cwiseAbs().maxCoeff());
+  if (!(largest > 0 && std::isfinite(largest))) return false;
+  const double unit_of_both = std::ldexp(1.0, std::ilogb(largest));  // squares and cubes neither overflow nor vanish
+  A /= unit_of_both, B /= unit_of_both;
   const auto a = invariants_of(kind, A), b = invariants_of(kind, B);
   const double size = std::max(A.norm(), B.norm());
   double unit = rounding_of_invariants;

@@ -138,7 +138,7 @@ class DruckerPrager {
       const Tensor towards = shape_rate + pull * shape;
       return return_to_surface(towards, root_J2(towards), excess_rate + pull * (tension - k));
     }
-    const double loading = 2 * elastic_.mu * elastic_.mu * contraction(shape, shape_rate) / shear + excess_rate;
+    const double loading = 2 * elastic_.mu * (elastic_.mu / shear * contraction(shape, shape_rate)) + excess_rate;
     FlowIncrement<double, 2> flow;
     if (!(loading > 0)) return flow;
     const double Lam = (loading + pull * f) / cone_slope_;

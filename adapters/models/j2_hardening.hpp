@@ -36,13 +36,19 @@ S weight_of_start(const S& trial, const S& radius) {
   return value_of(trial) > 2 * value_of(radius) ? S(2 * radius / trial) : S(1);
 }
 
+/// A power of two near Young's modulus [Pa], in which the J2 models count stress: its squares then neither overflow nor
+/// vanish, and no bit of the result is another.
+inline double unit_of_stress(double E) { return std::ldexp(1.0, std::ilogb(E)); }
+
+/// In the unit of stress, as all stresses here.
 struct J2Hardening {
   double yield, linear, saturation, rate, kinematic;
 
-  /// From five parameters in the order above.
-  explicit J2Hardening(const double* p) : yield(p[0]), linear(p[1]), saturation(p[2]), rate(p[3]), kinematic(p[4]) {}
+  /// From five parameters in the order above [Pa], [1].
+  J2Hardening(const double* p, double unit)
+      : yield(p[0] / unit), linear(p[1] / unit), saturation(p[2] / unit), rate(p[3]), kinematic(p[4] / unit) {}
 
-  /// Radius of the yield surface [Pa] at the equivalent plastic strain p.
+  /// Radius of the yield surface at the equivalent plastic strain p.
   template <class S>
   S radius(const S& p) const {
     using std::exp;
@@ -50,14 +56,14 @@ struct J2Hardening {
     return root_two_thirds * (yield + linear * p + saturation * (1 - fallen));
   }
 
-  /// Beyond the yield surface by less than this [Pa] is on it: a step that rests on the surface, or rotates there,
+  /// Beyond the yield surface by less than this is on it: a step that rests on the surface, or rotates there,
   /// stays elastic and leaves the plastic strain alone bit for bit. The second term is rounding of strains, in stress.
   double tolerance(double p, double mu) const { return 1e-12 * radius(p) + 2e-14 * mu; }
 
-  /// d radius / d Lam = (2/3) d(yield stress)/dp [Pa].
+  /// d radius / d Lam = (2/3) d(yield stress)/dp.
   double slope(double p) const { return 2.0 / 3 * (linear + saturation * rate * std::exp(-rate * p)); }
 
-  /// Growth of the back stress with Lam [Pa].
+  /// Growth of the back stress with Lam.
   double back() const { return 2.0 / 3 * kinematic; }
 
   /// A model of this kind starts inside its yield surface: Failure where the stress `cauchy` lies beyond.

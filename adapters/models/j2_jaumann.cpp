@@ -22,10 +22,11 @@ class J2Jaumann {
       {"stress", "Pa", ASSAY_SYMMETRIC_TENSOR, ASSAY_ROLE_PLAIN, "Cauchy stress at the beginning of the step"},
       {"back_stress", "Pa", ASSAY_SYMMETRIC_TENSOR, ASSAY_ROLE_PLAIN, "centre of the yield surface"}};
 
-  explicit J2Jaumann(const double* p) : elastic_(p[0], p[1]), hardening_(p + 2) {}
+  explicit J2Jaumann(const double* p)
+      : unit_(unit_of_stress(p[0])), elastic_(p[0] / unit_, p[1]), hardening_(p + 2, unit_) {}
 
   void initial_state(const Tensor& cauchy, double* now) const {
-    hardening_.require_below_yield(cauchy, elastic_.mu);
+    hardening_.require_below_yield(Tensor(cauchy / unit_), elastic_.mu);
     put_symmetric(cauchy, now + 1);
   }
 
@@ -37,7 +38,7 @@ class J2Jaumann {
     const TensorOf<S> f = step.F1 * inverse(step.F0).template cast<S>();
     const TensorOf<S> r = rotation_of(f);
     const TensorOf<S> strain = logarithm(symmetric(TensorOf<S>(r.transpose() * f)));
-    const Tensor stress0 = symmetric_from(state0 + 1), back0 = symmetric_from(state0 + 7);
+    const Tensor stress0 = symmetric_from(state0 + 1) / unit_, back0 = symmetric_from(state0 + 7) / unit_;
     const Tensor from = deviator(stress0) - back0;
     TensorOf<S> stress = stress0.template cast<S>() + elastic_.hooke(strain), back = back0.template cast<S>();
     const TensorOf<S> change = S(2 * elastic_.mu) * deviator(strain), trial = from.template cast<S>() + change;
@@ -51,16 +52,17 @@ class J2Jaumann {
       back += S(hardening_.back()) * amount * n;
       state1[0] = S(state0[0]) + S(root_two_thirds) * amount;
     }
-    stress = push_forward(r, stress);
-    back = push_forward(r, back);
+    stress = S(unit_) * push_forward(r, stress);
+    back = S(unit_) * push_forward(r, back);
     put_symmetric(stress, state1 + 1);
     put_symmetric(back, state1 + 7);
     return stress;
   }
 
-  void rate(double, const Tensor&, const Tensor& l, const Tensor& cauchy, const double* now, Tensor& cauchy_rate,
+  void rate(double, const Tensor&, const Tensor& l, const Tensor& stress, const double* now, Tensor& cauchy_rate,
             double* now_rate) const {
-    const Tensor d = symmetric(l), w = l - d, back = symmetric_from(now + 7), from = deviator(cauchy) - back;
+    const Tensor d = symmetric(l), w = l - d, cauchy = stress / unit_, back = symmetric_from(now + 7) / unit_;
+    const Tensor from = deviator(cauchy) - back;
     const double radius = hardening_.radius(now[0]), two_mu = 2 * elastic_.mu;
     cauchy_rate = w * cauchy - cauchy * w + elastic_.hooke(d);
     Tensor back_rate = w * back - back * w;
@@ -71,8 +73,9 @@ class J2Jaumann {
       back_rate += hardening_.back() * amount * n;
       now_rate[0] = root_two_thirds * amount;
     }
+    cauchy_rate *= unit_;
     put_symmetric(cauchy_rate, now_rate + 1);
-    put_symmetric(back_rate, now_rate + 7);
+    put_symmetric(Tensor(unit_ * back_rate), now_rate + 7);
   }
 
  private:
@@ -111,6 +114,7 @@ class J2Jaumann {
     return S(amount) - (size - S(hardening_.radius(p + root_two_thirds * amount))) / S(slope);
   }
 
+  double unit_;  ///< of the stresses below [Pa]
   ElasticConstants elastic_;
   J2Hardening hardening_;
 };

@@ -25,10 +25,15 @@ class J2Multiplicative {
       {"inverse_plastic_metric", "1", ASSAY_SYMMETRIC_TENSOR, ASSAY_ROLE_ROTATES_ITSELF, "Cp^-1 = (Fp^T Fp)^-1"},
       {"unrotated_back_stress", "Pa", ASSAY_SYMMETRIC_TENSOR, ASSAY_ROLE_ROTATES_ITSELF, "A = R^T beta R, F = R U"}};
 
-  explicit J2Multiplicative(const double* p) : elastic_(p[0], p[1]), hardening_(p + 2), flow_(elastic_, hardening_) {}
+  explicit J2Multiplicative(const double* p)
+      : unit_(unit_of_stress(p[0])),
+        elastic_(p[0] / unit_, p[1]),
+        hardening_(p + 2, unit_),
+        flow_(elastic_, hardening_) {}
 
   /// An initial stress is carried by an elastic strain, Cp^-1 = exp(2 e) at F = I; tr e then stands for ln J.
-  void initial_state(const Tensor& cauchy, double* now) const {
+  void initial_state(const Tensor& stress, double* now) const {
+    const Tensor cauchy = stress / unit_;
     hardening_.require_below_yield(cauchy, elastic_.mu);
     Tensor twice_strain = deviator(cauchy) / elastic_.mu;
     for (int i = 0; i < 3; ++i) twice_strain(i, i) += 2 * trace(cauchy) / (9 * elastic_.kappa);
@@ -43,7 +48,7 @@ class J2Multiplicative {
     const TensorOf<S> R = backed ? rotation_of(step.F1) : TensorOf<S>(TensorOf<S>::Identity());
     MultiplicativeStep<S> unrotated{right_cauchy_green(step.F0).template cast<S>(), step.F1,
                                     symmetric_from(state0 + 1).template cast<S>(),
-                                    symmetric_from(state0 + 7).template cast<S>(), S(state0[0])};
+                                    Tensor(symmetric_from(state0 + 7) / unit_).template cast<S>(), S(state0[0])};
     if (backed) unrotated.G1 = symmetric(TensorOf<S>(R.transpose() * step.F1));
     TensorOf<S> e = logarithmic_strain(unrotated.G1, unrotated.Cp_inverse);
     if (value_of(flow_.excess_of(unrotated, e)) > flow_.tolerance(state0[0])) {
@@ -51,9 +56,9 @@ class J2Multiplicative {
       e = end.e;
       state1[0] = end.p;
       put_symmetric(end.Cp_inverse, state1 + 1);
-      put_symmetric(end.back, state1 + 7);
+      put_symmetric(TensorOf<S>(S(unit_) * end.back), state1 + 7);
     }
-    const TensorOf<S> sigma = elastic_.hooke(e) * (S(1) / determinant(step.F1));
+    const TensorOf<S> sigma = S(unit_) * elastic_.hooke(e) * (S(1) / determinant(step.F1));
     return backed ? push_forward(R, sigma) : sigma;
   }
 
@@ -61,7 +66,7 @@ class J2Multiplicative {
   void rate(double, const Tensor& F, const Tensor& l, const Tensor& cauchy, const double* now, Tensor& cauchy_rate,
             double* now_rate) const {
     const PolarRates polar = polar_rates(F, l);
-    const Tensor Cp_inverse = symmetric_from(now + 1), back = symmetric_from(now + 7);
+    const Tensor Cp_inverse = symmetric_from(now + 1), back = symmetric_from(now + 7) / unit_;
     const Tensor b = polar.U * Cp_inverse * polar.U, pushed = polar.U_rate * Cp_inverse * polar.U;
     const Tensor e = 0.5 * logarithm(b), from = flow_.relative(e, back);
     const auto half_logarithm = [](const auto& A) { return std::decay_t<decltype(A)>(logarithm(A) * 0.5); };
@@ -76,19 +81,20 @@ class J2Multiplicative {
       e_rate -= amount * e_flow;
       now_rate[0] = root_two_thirds * amount;
       put_symmetric(Tensor(-amount * inverse_U * flow * inverse_U), now_rate + 1);
-      put_symmetric(Tensor(hardening_.back() * amount * n), now_rate + 7);
+      put_symmetric(Tensor(unit_ * hardening_.back() * amount * n), now_rate + 7);
     }
     cauchy_rate = polar.spin * cauchy - cauchy * polar.spin - trace(l) * cauchy +
-                  polar.R * elastic_.hooke(e_rate) * polar.R.transpose() / determinant(F);
+                  unit_ * polar.R * elastic_.hooke(e_rate) * polar.R.transpose() / determinant(F);
   }
 
   /// Elastic energy kappa/2 (ln J)^2 + mu |dev e|^2.
   double energy(const Tensor& F, const double* now) const {
     const Tensor e = logarithmic_strain(F, symmetric_from(now + 1)), shear = deviator(e);
-    return 0.5 * elastic_.kappa * trace(e) * trace(e) + elastic_.mu * contraction(shear, shear);
+    return unit_ * (0.5 * elastic_.kappa * trace(e) * trace(e) + elastic_.mu * contraction(shear, shear));
   }
 
  private:
+  double unit_;  ///< of the stresses below [Pa]
   ElasticConstants elastic_;
   J2Hardening hardening_;
   MultiplicativeFlow flow_;

@@ -2,6 +2,7 @@
 #include "harness/check/battery.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "harness/check/arrays.hpp"
@@ -38,6 +39,15 @@ std::string drifting_of(const Specimen& specimen) {
   }
 }
 
+/// What a model gives is looked at where it gives it. A measure that is no number is therefore of the test's own
+/// making, and says nothing of the model.
+TestResult without_own_nan(TestResult test) {
+  if (test.verdict != Verdict::fail || !test.measure || !std::isnan(*test.measure)) return test;
+  return {.id = test.id,
+          .verdict = Verdict::not_applicable,
+          .sentence = "stresses of this size are beyond the arithmetic of the test"};
+}
+
 /// The tests of a list, as far as `report` allows.
 void take(const std::vector<Entry>& list, const Specimen& specimen, Evidence& evidence, Report& report) {
   const Options& options = specimen.options;
@@ -45,7 +55,7 @@ void take(const std::vector<Entry>& list, const Specimen& specimen, Evidence& ev
     if ((!options.only.empty() && options.only != entry.id) || options.without == entry.id) continue;
     if (options.begins) options.begins(entry.id);
     try {
-      report.tests.push_back(entry.run(specimen, evidence));
+      report.tests.push_back(without_own_nan(entry.run(specimen, evidence)));
     } catch (const MaterialFailure& failure) {
       const bool twin = entry.cause_of_failure && stands_unturned(specimen);
       report.tests.push_back(refused(entry.id, twin ? entry.cause_of_failure : nullptr, failure));

@@ -8,6 +8,7 @@
 
 #include "harness/check/judge.hpp"
 #include "harness/check/samples.hpp"
+#include "harness/check/share_along.hpp"
 #include "harness/check/tangent_conventions.hpp"
 
 namespace assay::check {
@@ -86,7 +87,7 @@ FromElasticity from_elasticity(const Specimen& specimen, const Sample& s, const 
     const Tangent turned = hypoelastic_tangent(specimen, s, Stiffness::Zero(), of_kirchhoff);
     const Tangent whole = hypoelastic_tangent(specimen, s, specimen.stiffness, of_kirchhoff);
     const Tangent elastic = whole - turned;
-    const double share = elastic.cwiseProduct(given - turned).sum() / elastic.squaredNorm();
+    const double share = share_along(given - turned, elastic);
     const double miss = apart(given, turned + share * elastic);
     found.whole = std::min(found.whole, apart(given, whole));
     if (miss < found.fitted) found.fitted = miss, found.share = share;
@@ -145,7 +146,7 @@ double error_at_equal_stretches(Specimen specimen, double amplitude, const assay
     if (!given->allFinite()) return INFINITY;
     // Flow has no direction without a deviator: an implicit law may leave out what it would bring.
     const bool aimless =
-        specimen.rate_dependent() && deviator(s.end.cauchy).norm() <= own_precision * s.end.cauchy.norm();
+        specimen.rate_dependent() && deviator(s.end.cauchy).stableNorm() <= own_precision * s.end.cauchy.stableNorm();
     if (material.has(ASSAY_NON_SMOOTH) || aimless) continue;
     const auto stress = [&](const Tensor& F) { return stepped(material, s.t, s.dt, s.F0, F, s.state0).cauchy; };
     try {

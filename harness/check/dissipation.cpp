@@ -60,7 +60,7 @@ double growth_while_held(const Specimen& specimen, double from, int a_decade) {
     const double dt = (ratio - 1) * t;
     now = stepped(material, t, dt, F, F, now.state);
     t += dt;
-    const double size = deviator(now.cauchy).norm();
+    const double size = deviator(now.cauchy).stableNorm();
     least = std::min(least, size), largest = std::max(largest, size);
     growth = std::max(growth, size - least);
   }
@@ -122,7 +122,9 @@ void judge_long_steps(const Specimen& specimen, double sudden, TestResult& resul
     const Tensor found = stepped(*specimen.material, 0, length, Tensor::Identity(), F, specimen.rest_state()).cauchy;
     return Tensor(found + specimen.rest_pressure() * Tensor::Identity());
   };
-  const auto size = [](const Tensor& found) { return std::pair(deviator(found).norm(), std::abs(found.trace())); };
+  const auto size = [](const Tensor& found) {
+    return std::pair(deviator(found).stableNorm(), std::abs(found.trace()));
+  };
   try {
     const auto [shear, pressure] = size(stress(sudden));
     const double least = std::max(1e-3 * (shear + pressure), specimen.least_stress());

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "harness/check/rigid_turn.hpp"
+#include "harness/check/share_along.hpp"
 #include "harness/check/state_variable.hpp"
 
 namespace assay::check {
@@ -58,7 +59,7 @@ bool carries(const Specimen& specimen, const Variable& stored, std::size_t at, c
     stored.with(stored.value() + unit * stress).write(&state[at]);
     try {
       const Tensor found = stepped(*specimen.material, 0, length, I, I, state).cauchy + pressure;
-      const double share = found.cwiseProduct(stress).sum() / stress.squaredNorm();
+      const double share = share_along(found, stress);
       if (share > 0 && distance(found, share * stress) < own_precision * found.cwiseAbs().maxCoeff()) return true;
     } catch (const MaterialFailure&) {  // it is not the stress
     }

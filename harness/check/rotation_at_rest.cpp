@@ -3,6 +3,7 @@
 
 #include "harness/check/march.hpp"
 #include "harness/check/rotation.hpp"
+#include "harness/check/share_along.hpp"
 
 namespace assay::check {
 
@@ -21,17 +22,13 @@ Tensor stress_after(const Specimen& specimen, Tensor (*F)(const Space&, double),
   return march(*specimen.material, loading, options).marks[0].cauchy + specimen.rest_pressure() * Tensor::Identity();
 }
 
-/// The stress of a turn Q, as a multiple of that of the strain sym(Q - I).
-double share_of(const Tensor& found, const Tensor& mistaken) {
-  return found.cwiseProduct(mistaken).sum() / mistaken.squaredNorm();
-}
-
-/// 0 where the stress is of another kind: a body may swell in time.
+/// The stress of a turn Q, as a multiple of that of the strain sym(Q - I). 0 where the stress is of another kind: a
+/// body may swell in time.
 double small_strain_share(const Specimen& specimen) {
   constexpr double alike = 0.2;
   const Tensor mistaken = stress_of(specimen.stiffness, little_turn(specimen.space, 1) - Tensor::Identity());
   const Tensor found = stress_after(specimen, little_turn, 1);
-  const double share = share_of(found, mistaken);
+  const double share = share_along(found, mistaken);
   return distance(found, share * mistaken) < alike * found.cwiseAbs().maxCoeff() ? share : 0;
 }
 
@@ -39,7 +36,7 @@ double small_strain_share(const Specimen& specimen) {
 double relaxed_small_strain_share(const Specimen& specimen) {
   constexpr double ages = 1e6;  // [s]
   try {
-    return share_of(stress_after(specimen, little_turn, ages), stress_after(specimen, strain_of_little_turn, ages));
+    return share_along(stress_after(specimen, little_turn, ages), stress_after(specimen, strain_of_little_turn, ages));
   } catch (const MaterialFailure&) {
     return INFINITY;
   }
@@ -56,7 +53,7 @@ double relaxing_small_strain_share(const Specimen& specimen) {
     if (std::isinf(part.longer)) continue;
     const Tensor found = stress(part.brief) - stress(part.longer);
     const Tensor mistaken = stress_of(part.stiffness, Q - Tensor::Identity());
-    const double share = share_of(found, mistaken);
+    const double share = share_along(found, mistaken);
     const bool alike = distance(found, mistaken) < 0.1 * mistaken.cwiseAbs().maxCoeff();
     if (alike && std::abs(share - 1) < std::abs(nearest - 1)) nearest = share;
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "harness/check/judge.hpp"
+#include "harness/check/share_along.hpp"
 #include "harness/check/state_variable.hpp"
 
 namespace assay::check {
@@ -98,7 +99,7 @@ std::pair<TurnedVariable, double> carried(const Space& space, const Variable& be
 }
 
 bool proportional(const Tensor& a, const Tensor& b) {
-  const double share = a.cwiseProduct(b).sum() / b.squaredNorm();
+  const double share = share_along(a, b);
   return std::isfinite(share) && distance(a, share * b) < 1e-3 * a.cwiseAbs().maxCoeff();
 }
 

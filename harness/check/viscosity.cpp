@@ -28,8 +28,9 @@ double least_power_of_motion(const Specimen& specimen, double time) {
         const Tensor moved = stepped(material, 0, dt, F0, F1, specimen.rest_state()).cauchy;
         const Tensor held = stepped(material, 0, dt, F1, F1, specimen.rest_state()).cauchy;
         const Tensor more = moved - held;
-        if (more.norm() < noticed * (moved.norm() + held.norm()) || more.norm() < specimen.least_stress()) continue;
-        least = std::min(least, more.cwiseProduct(d).sum() / (more.norm() * d.norm()));
+        const double size = more.stableNorm();
+        if (size < noticed * (moved.stableNorm() + held.stableNorm()) || size < specimen.least_stress()) continue;
+        least = std::min(least, (more / size).cwiseProduct(d).sum() / d.norm());
       }
     }
   }

@@ -92,5 +92,18 @@ TEST(AcousticTensor, ItsDirectionBelongsToItsValue) {
   EXPECT_NEAR(380 + 1080 * steep.squaredNorm(), found.value, 1e-6 * found.value);
 }
 
+TEST(AcousticTensor, EigenvaluesGoWithTheUnitOfStress) {
+  Tensor F;
+  F << 1.2, 0.3, 0, -0.1, 0.9, 0.2, 0, 0.1, 1.1;
+  const TangentModulus A = neo_hookean(F, 600, 400);
+  const AcousticExtreme least = smallest_acoustic_eigenvalue(A), most = largest_acoustic_eigenvalue(A);
+  for (const double unit : {1e-290, 1e-150, 1e120, 1e200, 1e290}) {
+    const TangentModulus scaled = unit * A;
+    EXPECT_NEAR(smallest_acoustic_eigenvalue(scaled).value / unit, least.value, 1e-9 * most.value) << unit;
+    EXPECT_NEAR(largest_acoustic_eigenvalue(scaled).value / unit, most.value, 1e-9 * most.value) << unit;
+  }
+  EXPECT_EQ(smallest_acoustic_eigenvalue(TangentModulus::Zero()).value, 0);
+}
+
 }  // namespace
 }  // namespace assay::test_acoustic_tensor

@@ -116,5 +116,17 @@ TEST(Regime, IsUnknownWithoutScalars) {
   EXPECT_FALSE(RegimeReader(table_with(nullptr, 0)).tells());
 }
 
+TEST(Regime, OfATensorIsToldInAnyUnit) {
+  for (const double unit : {1e-300, 1e-160, 1.0, 1e160, 1e300}) {
+    const double before[6] = {unit, 2 * unit, -unit, 0.5 * unit, 0, 0};
+    const double turned[6] = {2 * unit, unit, -unit, -0.5 * unit, 0, 0};  // by a right angle about the third axis
+    const double grown[6] = {1.1 * unit, 2 * unit, -unit, 0.5 * unit, 0, 0};
+    EXPECT_FALSE(variable_changes(ASSAY_SYMMETRIC_TENSOR, before, turned)) << unit;
+    EXPECT_TRUE(variable_changes(ASSAY_SYMMETRIC_TENSOR, before, grown)) << unit;
+  }
+  const double nothing[6] = {};
+  EXPECT_FALSE(variable_changes(ASSAY_SYMMETRIC_TENSOR, nothing, nothing));
+}
+
 }  // namespace
 }  // namespace assay::test_regime
