@@ -143,11 +143,7 @@ std::vector<std::string> warnings_of(const Plan& plan, const StudyFindings& find
     warnings.push_back(cases_text(untimed) + " completed and not timed: without a cost in " + findings.cost_key +
                        " only particle-steps are compared");
   }
-  const auto disturbed = count_of([](const StudyCase& one) { return one.clock.alone && is_disturbed(one.clock); });
-  if (disturbed > 0) {
-    warnings.push_back(cases_text(disturbed) + " timed while other programs kept more than " + disturbing_text() +
-                       " busy");
-  }
+  if (std::string load = load_sentence(findings); !load.empty()) warnings.push_back(std::move(load));
   if (plan.study.budget && findings.budget.empty()) warnings.emplace_back("budget: no case is among those of 'of'");
   for (const BudgetLine& line : findings.budget) {
     if (line.share && *line.share == 0)

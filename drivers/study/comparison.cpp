@@ -165,6 +165,11 @@ void warn_of_clocks(const std::vector<Pair>& pairs, Comparison& found) {
           found, [](const Pair& p) { return !p.a.cost_spread || !p.b.cost_spread; });
 }
 
+void warn_of_load(const std::string& name, const StudyFindings& findings, Comparison& found) {
+  const std::string load = load_sentence(findings);
+  if (!load.empty()) found.warnings.push_back(name + ": " + load);
+}
+
 void compare_expectations(const StudyFindings& A, const StudyFindings& B, Comparison& found) {
   using Identity = std::array<std::string, 3>;
   const auto identity = [](const StudyExpectationOutcome& line) {
@@ -224,6 +229,8 @@ Comparison compared(const StudyFindings& A, const StudyFindings& B) {
     throw InputError("no case is in both studies: their axes, or the values on these, differ");
   }
   if (is_measured(A)) warn_of_clocks(timed_pairs(found, A, B), found);
+  warn_of_load("A", A, found);
+  warn_of_load("B", B, found);
   compare_figures(A, B, found);
   warn_of_untimed(found);
   compare_fronts(A, B, found);

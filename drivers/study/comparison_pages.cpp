@@ -5,6 +5,7 @@
 #include "drivers/output/json_figure.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/study/comparison_text.hpp"
+#include "drivers/study/study_json.hpp"
 
 namespace assay::drivers {
 
@@ -132,6 +133,7 @@ std::string comparison_json(const StoredStudy& A, const StoredStudy& B, const Co
                                                 {"holds", one.mended}}));
   }
   out["warnings"] = found.warnings;
+  out["load"] = Json::object({{"a", load_json(A.findings)}, {"b", load_json(B.findings)}});
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -20,8 +20,8 @@ std::string comparison_text(const StoredStudy& A, const StoredStudy& B, const Co
 /// The verdict, tables of all cases and of the cheapest, warnings.
 std::string comparison_markdown(const StoredStudy& A, const StoredStudy& B, const Comparison& found);
 
-/// {worse, verdict, a, b, cases, digits, front, expectations, warnings}; every key is always present, figures that are
-/// not there are null.
+/// {worse, verdict, a, b, cases, digits, front, expectations, warnings, load}; every key is always present, figures
+/// that are not there are null.
 std::string comparison_json(const StoredStudy& A, const StoredStudy& B, const Comparison& found);
 
 /// "NEW FAILURE", "unstable"; "slower", "less accurate"; "same": what is said of a case, a line each.

@@ -6,7 +6,9 @@
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/wrapped_text.hpp"
+#include "drivers/study/clock.hpp"
 #include "drivers/study/recommendation.hpp"
+#include "drivers/study/study_json.hpp"
 #include "drivers/study/study_words.hpp"
 
 namespace assay::drivers {
@@ -124,7 +126,9 @@ std::string recommendation_text(const StoredStudy& study, const Recommendation& 
   } else {
     text += "by another method: none meets it\n";
   }
-  return text + next_text(study, found.next) + wrapped(findings.cost_name, "cost: ", "  ");
+  const std::string load = load_sentence(findings);
+  return text + next_text(study, found.next) + wrapped(findings.cost_name, "cost: ", "  ") +
+         (load.empty() ? "" : wrapped(load, "warning: ", "  "));
 }
 
 std::string recommendation_json(const StoredStudy& study, const Recommendation& found) {
@@ -143,6 +147,7 @@ std::string recommendation_json(const StoredStudy& study, const Recommendation& 
                                       {"interpolated", json_figure(next->interpolated)},
                                       {"factor", json_figure(next->factor)}});
   }
+  out["load"] = load_json(study.findings);
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

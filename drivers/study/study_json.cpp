@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/output/json_figure.hpp"
+#include "drivers/study/clock.hpp"
 
 namespace assay::drivers {
 
@@ -148,6 +149,14 @@ Json quantity_json(const std::string& key, const std::string& name, const std::s
 
 }  // namespace
 
+nlohmann::ordered_json load_json(const StudyFindings& findings) {
+  const MeasuredLoad load = load_of(findings);
+  return Json::object({{"share", load.timed > 0 ? json_figure(load.share) : Json(nullptr)},
+                       {"timed", load.timed},
+                       {"disturbed", load.disturbed},
+                       {"noticeable", load.noticeable()}});
+}
+
 std::string study_json(const StudyFindings& findings) {
   Json out;
   out["format"] = study_format;
@@ -168,6 +177,7 @@ std::string study_json(const StudyFindings& findings) {
   out["expect"] = list_json(findings.expect, expectation_json);
   out["warnings"] = findings.warnings;
   out["machines"] = findings.machines;
+  out["load"] = load_json(findings);
   out["provenance"] = origin_json(findings.provenance);
   out["study"] = findings.study_yaml;
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -2,6 +2,7 @@
 // study.json: what a study found, for machines and for `recommend` and `compare`.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "drivers/study/findings.hpp"
@@ -15,6 +16,9 @@ inline constexpr int study_version = 1;
 /// The whole of study.json, indented, with a newline at the end. Every key is always present; figures that were not
 /// reached or are not finite are null.
 std::string study_json(const StudyFindings& findings);
+
+/// {share, timed, disturbed, noticeable} of load_of(); share is null where no case was timed.
+nlohmann::ordered_json load_json(const StudyFindings& findings);
 
 /// Reads it back: every finite number is the same, bit for bit; null where a number must be is NaN. `file` stands for
 /// the text in errors. Throws InputError where the text is torn, no study.json, or of another version or shape: missing

@@ -4,6 +4,7 @@
 
 #include "drivers/output/html.hpp"
 #include "drivers/picture/drawing.hpp"
+#include "drivers/study/clock.hpp"
 #include "drivers/study/study_report_sections.hpp"
 #include "drivers/study/study_words.hpp"
 #include "drivers/study/work_precision_plot.hpp"
@@ -131,7 +132,9 @@ std::string verdict(const StudyFindings& findings) {
     tally += (first ? "" : ", ") + std::to_string(count) + " " + word;
     first = false;
   }
-  return "<div class=\"verdict " + kind + "\">" + element("strong", sentence) + element("p", tally + ".") + "</div>\n";
+  const std::string load = load_sentence(findings);
+  return "<div class=\"verdict " + kind + "\">" + element("strong", sentence) + element("p", tally + ".") +
+         (load.empty() ? "" : element("p", escaped(load))) + "</div>\n";
 }
 
 std::string work_precision(const StudyFindings& findings) {

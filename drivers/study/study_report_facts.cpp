@@ -119,8 +119,8 @@ std::string clock(const StudyFindings& findings) {
   return html::section("The clock",
                        html::table({"case", "repeats", "median", "spread", "others [cores]", "memory", ""}, rows) +
                            "<p class=\"tally\"><small>Cases on the front, and those beside which other "
-                           "programs kept more than a quarter of a core busy.</small></p>\n" +
-                           data_link("timing.csv"));
+                           "programs kept more than " +
+                           disturbing_text() + " busy.</small></p>\n" + data_link("timing.csv"));
 }
 
 std::string provenance(const StudyFindings& findings) {

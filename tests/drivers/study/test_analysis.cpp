@@ -306,7 +306,10 @@ TEST(Analysis, WarnsOfWhatMakesCostsDoubtful) {
   ASSERT_EQ(found.warnings.size(), 4u);
   EXPECT_EQ(found.warnings[0],
             "1 case was completed and not timed: without a cost in step_cpu_s only particle-steps are compared");
-  EXPECT_EQ(found.warnings[1], "1 case was timed while other programs kept more than 15 % of the machine busy");
+  EXPECT_EQ(
+      found.warnings[1],
+      "times were measured while other programs used 7.8 % of the processors, and more than 15 % beside 1 of 2 cases: "
+      "compare them with care");
   EXPECT_EQ(found.warnings[2], "the cases were run on different machines: costs do not compare");
   EXPECT_TRUE(found.warnings[3].starts_with("1 ")) << found.warnings[3];
   EXPECT_EQ(found.machines, (std::vector<std::string>{"a machine, 2 cores", "another, 8 cores"}));
