@@ -14,6 +14,8 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/screening.hpp"
 #include "drivers/simulation/problem.hpp"
+#include "drivers/simulation/runnable.hpp"
+#include "drivers/simulation/warnings.hpp"
 #include "drivers/verbs.hpp"
 
 namespace assay::drivers {
@@ -92,6 +94,9 @@ void refuse_input_as_output(const std::string& input, const std::string& out) {
 
 std::string evaluated(const EvalOptions& options) {
   Scene scene = read_scene(options.scene, options.sets);
+  require_acceleration(scene);
+  const std::string swing = swing_sentence(scene);
+  if (!swing.empty()) std::fprintf(stderr, "warning: %s\n", swing.c_str());
   const ReferencePoints points = read_reference_points(options.points);
   require_within_motion(scene, points.points, options.points);
   watch_interrupts();
@@ -113,9 +118,10 @@ std::string evaluated(const EvalOptions& options) {
   return csv.text();
 }
 
-/// To which a tabulation must go to meet the same failure.
-double failure_end(const EvalOptions& options) {
-  return last_time(read_reference_points(options.points), read_scene(options.scene, options.sets).time.end);
+/// How the same failure is met by a tabulation.
+std::string hint_of(const EvalOptions& options) {
+  const Scene scene = read_scene(options.scene, options.sets);
+  return replay_hint(scene, options.sets, last_time(read_reference_points(options.points), scene.time.end));
 }
 
 }  // namespace
@@ -133,7 +139,7 @@ int eval(const EvalOptions& options) {
   } catch (const MaterialFailure& failure) {
     Result result;
     record_failure(failure, result);
-    const std::string hint = failure.step ? "; " + replay_hint(options.scene, options.sets, failure_end(options)) : "";
+    const std::string hint = failure.step ? "; " + hint_of(options) : "";
     std::fprintf(stderr, "%s%s\n", result.reason.c_str(), hint.c_str());
     return 1;
   }

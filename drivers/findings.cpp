@@ -14,6 +14,7 @@
 #include "drivers/scene/resolved.hpp"
 #include "drivers/scene/sha256.hpp"
 #include "drivers/scene/yaml_reader.hpp"
+#include "drivers/simulation/simulate.hpp"
 #include "harness/force_error.hpp"
 
 namespace assay::drivers {
@@ -126,6 +127,16 @@ void leave_replay_scene(const Scene& given, OutputFolder& folder, Result& result
   const std::string name = "replay_scene.yaml";
   folder.write(name, resolved_yaml(scene));
   if (result.replay.empty()) result.replay = name;
+}
+
+double Stopwatch::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+void close_accounts(const Stopwatch& life, Result& result) {
+  if (result.wall_s == 0) result.setup_s = life.seconds();
+  result.finish_s = std::max(0.0, life.seconds() - result.setup_s - result.wall_s);
+  result.cpu_s = cpu_seconds();
 }
 
 int exit_status(const Result& result) {

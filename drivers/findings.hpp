@@ -2,6 +2,8 @@
 // What is found on the way enters the result; the result becomes an exit status.
 #pragma once
 
+#include <chrono>
+
 #include "drivers/output/output_folder.hpp"
 #include "drivers/result.hpp"
 #include "drivers/scene/scene.hpp"
@@ -47,6 +49,18 @@ void leave_replay(const Scene& scene, OutputFolder& folder, Result& result);
 
 /// Leaves replay_scene.yaml of a run that did not reach its end: the same steps, with a snapshot of each of the last.
 void leave_replay_scene(const Scene& scene, OutputFolder& folder, Result& result);
+
+/// From when it is made.
+class Stopwatch {
+ public:
+  double seconds() const;
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// finish_s and cpu_s: what a verb has taken since `life` began and is not named yet. Set-up where it came to no work.
+void close_accounts(const Stopwatch& life, Result& result);
 
 /// 0: all that was expected holds; 1: it does not, or the run did not complete and nobody expected that.
 int exit_status(const Result& result);

@@ -220,8 +220,11 @@ UpdateReport take_again(const Material& material, const FailedStep& step) {
   return material.update(step.t, step.dt, 1, F0, F1, step.state0.data(), state1.data(), cauchy);
 }
 
-std::string replay_hint(const std::string& scene, const std::vector<std::string>& sets, double end) {
-  std::string command = "assay tabulate " + scene;
+std::string replay_hint(const Scene& scene, const std::vector<std::string>& sets, double end) {
+  std::string command = "assay tabulate " + scene.file;
+  // tabulate takes another function between the rows unless it is told
+  const bool table = std::holds_alternative<DeformationTable>(scene.motion);
+  if (table && !scene.places.contains("motion.interpolation")) command += " --set motion.interpolation=monotone";
   for (const std::string& set : sets) command += " --set '" + set + "'";
   return "`" + command + " --set time.end=" + yaml_number(end) + "` leaves the step in a replay.yaml";
 }

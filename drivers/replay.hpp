@@ -52,7 +52,7 @@ Material material_of(const Replay& replay);
 /// Takes the step again.
 UpdateReport take_again(const Material& material, const FailedStep& step);
 
-/// The command that leaves the step in a replay.yaml, for verbs that write no folder.
-std::string replay_hint(const std::string& scene, const std::vector<std::string>& sets, double end);
+/// The command that leaves the step of a scene, as it was read, in a replay.yaml, for verbs that write no folder.
+std::string replay_hint(const Scene& scene, const std::vector<std::string>& sets, double end);
 
 }  // namespace assay::drivers

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay run`: from a scene to a verdict.
-#include <chrono>
 #include <cstdio>
 
 #include "drivers/build_information.hpp"
@@ -28,10 +27,6 @@ namespace assay::drivers {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
 /// The plastic rim, with a warning where the grid is too coarse for it.
 void record_rim(const Problem& problem, const Response& response, Result& result) {
   const auto* vortex = std::get_if<Vortex>(&problem.scene.motion);
@@ -47,27 +42,26 @@ void record_response(const Problem& problem, const Response& response, double se
   record_rim(problem, response, result);
 }
 
-/// Builds the exact solution, steps, and leaves snapshots and pictures in the folder.
-std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& options, OutputFolder& folder,
-                                         Result& result) {
-  const auto start = Clock::now();
+/// Builds the exact solution, steps, and leaves snapshots and pictures in the folder. life: of the run.
+std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& options, const Stopwatch& life,
+                                         OutputFolder& folder, Result& result) {
+  const Stopwatch of_response;
   std::shared_ptr<const ExactSolution> exact;
   if (problem.compared) {
     exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end,
                               {.threads = problem.setup.threads, .quiet = options.verbosity == Verbosity::quiet});
-    if (exact->response()) record_response(problem, **exact->response(), seconds_since(start), result);
+    if (exact->response()) record_response(problem, **exact->response(), of_response.seconds(), result);
   }
-  const double response_s = seconds_since(start);
-  result.setup_s += response_s;
+  const double response_s = of_response.seconds();
   Snapshots snapshots(problem, folder);
   Progress progress(problem.scene.title, options.verbosity == Verbosity::quiet);
+  result.setup_s = life.seconds();
   simulate(problem, exact, snapshots, progress, result);
   if (result.outcome != "completed") result.last_good = snapshots.leave_last_good();
   if (result.outcome == "unstable") result.advice = advice_after_death(problem);
   if (exact && exact->response()) record_shadow(problem.scene, **exact->response(), result);
   if (exact && exact->box()) record_box(problem.scene, **exact->box(), response_s, result);
   if (exact && exact->homogeneous()) record_history(problem.scene, **exact->homogeneous(), result);
-  result.cpu_s = cpu_seconds();
   result.peak_rss_bytes = peak_memory();  // before pictures are drawn
   if (mpm::compiled(mpm::Effect::traction_table) && problem.scene.output.tractions) {
     result.tractions = traction_table(problem, result, folder, options.verbosity == Verbosity::quiet);
@@ -90,15 +84,19 @@ bool admitted(const Problem& problem, Result& result) {
   return false;
 }
 
-/// The files beside the snapshots. Returns the text of result.json.
-std::string write_results(const Scene& scene, const Result& result, std::vector<ReportPicture> pictures,
-                          OutputFolder& folder) {
-  const std::string resolved = resolved_yaml(scene);
+/// The files beside the snapshots that need no verdict.
+void write_history(const Scene& scene, const Result& result, OutputFolder& folder) {
   folder.write("errors.csv", errors_csv(result.history));
-  folder.write("resolved.yaml", resolved);
   if (scene.output.pictures && !result.history.empty()) {
     folder.write("error_history.png", png(error_history_plot(result.history)));
   }
+}
+
+/// Report and verdict. Returns the text of result.json.
+std::string write_verdict(const Scene& scene, const Result& result, std::vector<ReportPicture> pictures,
+                          OutputFolder& folder) {
+  const std::string resolved = resolved_yaml(scene);
+  folder.write("resolved.yaml", resolved);
   if (mpm::compiled(mpm::Effect::report) && scene.output.report) {
     folder.write("report.html", report_html(result, {period_of(scene.motion), std::move(pictures), resolved}));
   }
@@ -144,29 +142,30 @@ void tell_findings(const RunOptions& options, const Result& result, const std::s
 }  // namespace
 
 int run(const RunOptions& options) {
-  const auto start = Clock::now();
+  const Stopwatch life;
   Scene scene = read_scene(options.scene, options.sets);
   refuse_junit_in_the_way(options);
   watch_interrupts();
   Result result;
   std::optional<Problem> problem;
   const bool runs = pose(scene, options.threads, problem, result);
-  result.setup_s = seconds_since(start);
   OutputFolder folder(options.out);
   std::vector<ReportPicture> pictures;
   try {
-    if (runs) pictures = simulate_into(*problem, options, folder, result);
+    if (runs) pictures = simulate_into(*problem, options, life, folder, result);
   } catch (const MaterialFailure& failure) {
     record_failure(failure, result);
   }
   if (problem) record_process(*problem->material, result);
   leave_replay(scene, folder, result);
   leave_replay_scene(scene, folder, result);
+  write_history(scene, result, folder);
+  close_accounts(life, result);
   result.expect = judge(scene.expect, result);
-  const std::string json = write_results(scene, result, std::move(pictures), folder);
+  const std::string json = write_verdict(scene, result, std::move(pictures), folder);
   stop_if_interrupted();
   folder.commit();
-  tell_findings(options, result, json, seconds_since(start));
+  tell_findings(options, result, json, life.seconds());
   return exit_status(result);
 }
 

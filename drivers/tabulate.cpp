@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay tabulate`: the point driver's sheet tau(xi, t), its slope, and the curve tau(eps).
 #include <fmt/core.h>
-#include <chrono>
 #include <cstdio>
 
 #include "drivers/build_information.hpp"
@@ -20,6 +19,7 @@
 #include "drivers/simulation/problem.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/simulate.hpp"
+#include "drivers/simulation/warnings.hpp"
 #include "drivers/tabulation.hpp"
 #include "drivers/verbs.hpp"
 #include "drivers/verdict.hpp"
@@ -47,6 +47,7 @@ std::string summary(const Tabulation& tab, const Result& result, const std::stri
   if (result.sheet) {
     text += sheet_text(*result.sheet);
     text += references_text(result.reference, tab.path.name);
+    text += times_text(result, "response");
   }
   return text + expectations_text(result) + "results in " + folder + "\n";
 }
@@ -68,7 +69,8 @@ void write_tables(const Tabulation& tab, const std::vector<SheetPoint>& points, 
 }  // namespace
 
 int tabulate(const TabulateOptions& options) {
-  Scene scene = read_scene(options.scene, options.sets);
+  const Stopwatch life;
+  Scene scene = read_scene(options.scene, options.sets, to_tabulate);
   std::vector<SheetPoint> points;
   if (!options.points.empty()) points = read_sheet_points(options.points);
   watch_interrupts();
@@ -87,24 +89,26 @@ int tabulate(const TabulateOptions& options) {
   result.provenance = build_information();
   result.provenance.scene_sha256 = scene.sha256;
   result.provenance.material = material_provenance(*tab.material, library);
+  if (std::string swing = swing_sentence(scene); !swing.empty()) result.warnings.push_back(std::move(swing));
   warn_of_instability(scene, *tab.material, tab.end);
+  result.setup_s = life.seconds();
   try {
-    const auto start = std::chrono::steady_clock::now();
     if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
     tab.response =
         response_of(scene, tab.material, tab.path, tab.end, {.quiet = options.verbosity == Verbosity::quiet});
-    record_sheet(scene, *tab.response, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
-                 result);
+    record_sheet(scene, *tab.response, life.seconds() - result.setup_s, result);
     result.t = tab.end;
     result.reference = references_of(tab.material, tab.path, *tab.response, tab.end);
+    result.wall_s = life.seconds() - result.setup_s;
     write_tables(tab, points, folder);
   } catch (const MaterialFailure& failure) {
+    if (result.wall_s == 0) result.wall_s = life.seconds() - result.setup_s;
     record_failure(failure, result);
   }
   record_process(*tab.material, result);
   leave_replay(scene, folder, result);
-  result.cpu_s = cpu_seconds();
   result.peak_rss_bytes = peak_memory();
+  close_accounts(life, result);
   result.expect = judge(expected_here(scene), result);
   folder.write("resolved.yaml", resolved_yaml(scene));
   const std::string json = result_json(result);

@@ -35,11 +35,10 @@ std::string error_lines(const ErrorFigures& e) {
 }
 
 std::string work_line(const Result& r) {
-  return fmt::format(
-      "  {} steps of {} s, {} particles stepped\n  {} s after {} s of set-up; {} million particle-steps/s\n",
-      r.steps ? grouped_text(*r.steps) : "-", figure(r.dt),
-      r.moving_particles ? grouped_text(*r.moving_particles) : "-", rounded_text(r.wall_s, 3),
-      rounded_text(r.setup_s, 3), r.particle_steps_per_s ? rounded_text(*r.particle_steps_per_s * 1e-6, 3) : "-");
+  return fmt::format("  {} steps of {} s, {} particles stepped\n{}  {} million particle-steps/s\n",
+                     r.steps ? grouped_text(*r.steps) : "-", figure(r.dt),
+                     r.moving_particles ? grouped_text(*r.moving_particles) : "-", times_text(r, "stepping"),
+                     r.particle_steps_per_s ? rounded_text(*r.particle_steps_per_s * 1e-6, 3) : "-");
 }
 
 std::string profile_lines(const Result& r) {
@@ -58,6 +57,12 @@ std::string summary_of(const Result& result) {
 }
 
 }  // namespace
+
+std::string times_text(const Result& result, const std::string& work) {
+  return fmt::format("  {} s: {} s of set-up, {} s of {}, {} s of pictures and files\n",
+                     rounded_text(result.setup_s + result.wall_s + result.finish_s, 3), rounded_text(result.setup_s, 3),
+                     rounded_text(result.wall_s, 3), work, rounded_text(result.finish_s, 3));
+}
 
 std::string process_lines(const Result& result) {
   std::string text;

@@ -14,6 +14,9 @@ std::string verdict_text(const Result& result, const std::string& folder, bool w
 /// Warnings, and the files beside the result that tell more of the material.
 std::string process_lines(const Result& result);
 
+/// How long it has taken: set-up, the work, and what came behind it.
+std::string times_text(const Result& result, const std::string& work);
+
 /// Size, time and errors of the response, and what was asked where that is missed.
 std::string sheet_text(const SheetFigures& sheet);
 

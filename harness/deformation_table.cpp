@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 
 #include "harness/path_recipe.hpp"
@@ -15,20 +16,26 @@ constexpr int looks = 32;             ///< between two rows
 constexpr double least_share = 0.25;  ///< of its own path's smallest det F that the family may reach
 constexpr int fractions = 16;         ///< of xi between the family's ends at which that is looked at
 constexpr int halvings = 40;
+constexpr double rounding = 1e-12;  ///< of a component's largest value
 
 }  // namespace
 
 DeformationTable::DeformationTable(std::string source)
     : DeformationTable(std::move(source), std::array{0.0, 1.0},
-                       std::array<Tensor, 2>{Tensor::Identity(), Tensor::Identity()}) {}
+                       std::array<Tensor, 2>{Tensor::Identity(), Tensor::Identity()}, Interpolation::monotone) {}
 
-DeformationTable::DeformationTable(std::string source, std::span<const double> times, std::span<const Tensor> F)
-    : source_(std::move(source)), times_(times.begin(), times.end()) {
+DeformationTable::DeformationTable(std::string source, std::span<const double> times, std::span<const Tensor> F,
+                                   Interpolation interpolation)
+    : source_(std::move(source)), times_(times.begin(), times.end()), interpolation_(interpolation) {
   for (int c = 0; c < 9; ++c) {
     std::vector<double> values;
     for (const Tensor& row : F) values.push_back(component(row, c));
-    components_.emplace_back(times_, values);
+    components_.emplace_back(times_, values, interpolation_);
   }
+}
+
+DeformationTable DeformationTable::interpolated(Interpolation interpolation) const {
+  return {source_, times_, rows(), interpolation};
 }
 
 std::vector<Tensor> DeformationTable::rows() const {
@@ -43,7 +50,7 @@ std::vector<Tensor> DeformationTable::rows() const {
 Tensor DeformationTable::value(double t, int derivative) const {
   Tensor tensor;
   for (int c = 0; c < 9; ++c) {
-    const CubicSpline::Value at = components_[static_cast<std::size_t>(c)].at(t);
+    const Interpolant::Value at = components_[static_cast<std::size_t>(c)].at(t);
     component(tensor, c) = derivative == 0 ? at.value : derivative == 1 ? at.slope : at.curvature;
   }
   return tensor;
@@ -52,6 +59,18 @@ Tensor DeformationTable::value(double t, int derivative) const {
 ExactState DeformationTable::at(const Vector3& X, double t) const {
   const Tensor F = value(t, 0), rate = value(t, 1);
   return {F * X, rate * X, value(t, 2) * X, F, rate};
+}
+
+std::optional<DeformationTable::Departure> DeformationTable::farthest_departure() const {
+  std::optional<Departure> farthest;
+  for (int c = 0; c < 9; ++c) {
+    const Interpolant& of_time = components_[static_cast<std::size_t>(c)];
+    double largest = 0;
+    for (const double value : of_time.values()) largest = std::max(largest, std::abs(value));
+    const Interpolant::Departure found = of_time.farthest_departure();
+    if (found.by > rounding * largest && !(farthest && farthest->by >= found.by)) farthest = Departure{found, c};
+  }
+  return farthest;
 }
 
 DeformationTable::Determinant DeformationTable::smallest_determinant() const {
@@ -94,7 +113,7 @@ Path DeformationTable::baseline() const {
   path.curved = [table = std::make_shared<const DeformationTable>(*this)](double xi, double t) {
     return PathPoint{Tensor::Identity() + xi * (table->value(t, 0) - Tensor::Identity()), xi * table->value(t, 1)};
   };
-  // F''' jumps at every row: between two rows all is smooth
+  // F', F'' or F''' jumps at every row: between two rows all is smooth
   path.reversals = [times = times_](double end) {
     std::vector<double> inner(times.begin() + 1, std::lower_bound(times.begin() + 1, times.end() - 1, end));
     return inner;

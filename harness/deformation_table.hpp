@@ -2,25 +2,32 @@
 // Homogeneous deformation by a table: F(t) through given values, x = F X.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "harness/cubic_spline.hpp"
 #include "harness/exact_state.hpp"
+#include "harness/interpolant.hpp"
 #include "harness/path.hpp"
 
 namespace assay {
 
-/// F(t) through the rows of a table, C2 in time, so that b = F'' X is continuous.
+/// F(t) through the rows of a table, each component by itself. b = F'' X is continuous where it is a spline, jumps at
+/// the rows where it is monotone, and has no meaning at the rows where it is linear.
 class DeformationTable {
  public:
   /// F = I at all times until 1 s: what stands for a table that was not read yet.
   explicit DeformationTable(std::string source);
   /// Two rows at least; times ascending from 0 [s], the first F is the identity. `source` names the table.
-  DeformationTable(std::string source, std::span<const double> times, std::span<const Tensor> F);
+  DeformationTable(std::string source, std::span<const double> times, std::span<const Tensor> F,
+                   Interpolation interpolation);
 
-  /// x = F X, v = F' X, a = F'' X.
+  /// The same rows with another function between them.
+  DeformationTable interpolated(Interpolation interpolation) const;
+  Interpolation interpolation() const { return interpolation_; }
+
+  /// x = F X, v = F' X, a = F'' X; at a row F' and F'' are those behind it.
   ExactState at(const Vector3& X, double t) const;
 
   /// The scene's own path is xi = 1. F = I + xi (F(t) - I) for xi in [lower, 1], where lower is the smallest of
@@ -33,6 +40,12 @@ class DeformationTable {
     std::size_t row = 0;  ///< the interval begins with it
   };
   Determinant smallest_determinant() const;
+
+  /// Where a component of F goes the farthest beyond the two rows around it, if that is more than rounding.
+  struct Departure : Interpolant::Departure {
+    int component = 0;  ///< 0 .. 8, row-major
+  };
+  std::optional<Departure> farthest_departure() const;
 
   /// Whether components 13, 23, 31, 32 are 0 and 33 is 1 at all times.
   bool plane() const;
@@ -47,7 +60,8 @@ class DeformationTable {
   double lowest_parameter() const;
   std::string source_;
   std::vector<double> times_;
-  std::vector<CubicSpline> components_;  // nine, row-major
+  Interpolation interpolation_;
+  std::vector<Interpolant> components_;  // nine, row-major
 };
 
 }  // namespace assay

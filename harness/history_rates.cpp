@@ -3,6 +3,7 @@
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
+#include <limits>
 
 #include "harness/history_forms.hpp"
 #include "harness/stiff_integrator.hpp"
@@ -62,7 +63,8 @@ History::Rates::Rates(History& history, const HistoryOptions& options) : h_(&his
 /// Rate of the scaled variables; the material gets l = F' F^-1. Nine more variables are F itself, F' = l F.
 void History::Rates::slope(const Vector& x, double t, Vector& x_rate) {
   const Material& material = *h_->course_->material;
-  const double margin = inside * piece_.width();
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() * piece_.upper;  // of times in a short piece
+  const double margin = std::min(std::max(inside * piece_.width(), rounding), 0.5 * piece_.width());
   const Tensor F = h_->course_->path->deformation_gradient(h_->xi_, t);
   const Tensor l =
       h_->course_->path->at(h_->xi_, std::clamp(t, piece_.lower + margin, piece_.upper - margin)).F_rate * F.inverse();

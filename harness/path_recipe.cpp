@@ -43,9 +43,9 @@ namespace {
 enum class RecipeKind { vortex, homogeneous, rotating_stretch, table, twisting_ring, axis_aligned, rigid };
 
 struct TableRecipe {
-  std::string source;
   std::vector<double> times;
   std::vector<Tensor> F;
+  Interpolation interpolation = Interpolation::monotone;
 };
 
 struct SectionRecipe {
@@ -55,7 +55,7 @@ struct SectionRecipe {
 
 template <class Archive>
 void fields(Archive& archive, TableRecipe& m) {
-  archive(m.source, m.times, m.F);
+  archive(m.times, m.F, m.interpolation);
 }
 template <class Archive>
 void fields(Archive& archive, SectionRecipe& m) {
@@ -79,8 +79,11 @@ Parts read(NumberReader& reader) {
 Path path_of(const SectionRecipe& recipe) { return recipe.motion.section(recipe.cosine_of_Y); }
 
 Path path_of(const TableRecipe& recipe) {
-  if (recipe.times.size() < 2 || recipe.F.size() != recipe.times.size()) throw std::runtime_error("no table");
-  return DeformationTable(recipe.source, recipe.times, recipe.F).baseline();
+  if (recipe.times.size() < 2 || recipe.F.size() != recipe.times.size() ||
+      recipe.interpolation > Interpolation::spline) {
+    throw std::runtime_error("no table");
+  }
+  return DeformationTable("", recipe.times, recipe.F, recipe.interpolation).baseline();
 }
 
 }  // namespace
@@ -89,7 +92,7 @@ std::vector<double> recipe_of(const Vortex& motion) { return written(RecipeKind:
 std::vector<double> recipe_of(const Homogeneous& motion) { return written(RecipeKind::homogeneous, motion); }
 std::vector<double> recipe_of(const RotatingStretch& motion) { return written(RecipeKind::rotating_stretch, motion); }
 std::vector<double> recipe_of(const DeformationTable& motion) {
-  return written(RecipeKind::table, TableRecipe{motion.source(), motion.times(), motion.rows()});
+  return written(RecipeKind::table, TableRecipe{motion.times(), motion.rows(), motion.interpolation()});
 }
 std::vector<double> recipe_of(const TwistingRing& motion) { return written(RecipeKind::twisting_ring, motion); }
 std::vector<double> recipe_of(const AxisAligned& motion, double cosine_of_Y) {

@@ -56,7 +56,7 @@ std::string key_figures(const Result& result) {
               result.moving_particles ? count(result.moving_particles) + " of them stepped" : "");
   out += tile("Steps", count(result.steps), result.dt ? "\u0394t = " + with_unit(figure(result.dt), "s") : "");
   out += tile("Reached", result.t ? "t = " + with_unit(figure(result.t), "s") : none);
-  out += tile("Wall time", rounded_text(result.wall_s, 3) + "\u202fs",
+  out += tile("Time of the steps", rounded_text(result.wall_s, 3) + "\u202fs",
               result.particle_steps_per_s
                   ? rounded_text(*result.particle_steps_per_s / 1e6, 3) + " million particle-steps a second"
                   : "");

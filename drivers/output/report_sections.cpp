@@ -76,7 +76,8 @@ std::string provenance_section(const Result& result) {
                     fact("Flags", escaped(from.flags)) + fact("Libraries", libraries) +
                     fact("SHA-256 of the scene", escaped(from.scene_sha256));
   out += fact("Time", rounded_text(result.setup_s, 3) + "\u202fs set-up, " + rounded_text(result.wall_s, 3) +
-                          "\u202fs wall, " + rounded_text(result.cpu_s, 3) + "\u202fs processor");
+                          "\u202fs steps, " + rounded_text(result.finish_s, 3) + "\u202fs pictures and files; " +
+                          rounded_text(result.cpu_s, 3) + "\u202fs processor");
   const double mebibytes = static_cast<double>(result.peak_rss_bytes) / (1024.0 * 1024.0);
   out += fact("Memory", result.peak_rss_bytes > 0 ? rounded_text(mebibytes, 4) + "\u202fMiB at most" : none);
   return section("Where it comes from", out + "</dl>\n");

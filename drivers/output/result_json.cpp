@@ -168,6 +168,7 @@ Json tree(const Result& result) {
   out["error"] = errors(result.error);
   out["setup_s"] = json_figure(result.setup_s);
   out["wall_s"] = json_figure(result.wall_s);
+  out["finish_s"] = json_figure(result.finish_s);
   out["cpu_s"] = json_figure(result.cpu_s);
   out["step_cpu_s"] = json_figure(result.step_cpu_s);
   out["peak_rss_bytes"] = result.peak_rss_bytes;

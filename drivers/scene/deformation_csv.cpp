@@ -11,7 +11,7 @@ namespace assay::drivers {
 namespace {
 
 constexpr double rounding = 1e-12;          ///< of the F = I that another program wrote
-constexpr std::size_t most_rows = 100'000;  ///< a spline holds them nine times
+constexpr std::size_t most_rows = 100'000;  ///< an interpolant holds them nine times
 
 const char* const names[] = {"F11", "F12", "F13", "F21", "F22", "F23", "F31", "F32", "F33"};
 
@@ -49,14 +49,14 @@ void check_rows(const CsvTable& table, const std::vector<double>& t, const std::
 
 }  // namespace
 
-DeformationTable read_deformation_table(const std::string& file) {
+DeformationTable read_deformation_table(const std::string& file, Interpolation interpolation) {
   const CsvTable table =
       read_csv(read_input_file(file), file, {"t", "F11", "F12", "F21", "F22"}, {"F13", "F23", "F31", "F32", "F33"});
   const std::vector<double>& t = *table.column("t");
   std::vector<Tensor> F = gradients(table);
   check_rows(table, t, F);
   F[0].setIdentity();
-  DeformationTable path(file, t, F);
+  DeformationTable path(file, t, F, interpolation);
   const DeformationTable::Determinant worst = path.smallest_determinant();
   if (!(worst.value > 0)) {
     const bool at_row = worst.t == t[worst.row + 1];

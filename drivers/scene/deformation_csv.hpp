@@ -11,6 +11,6 @@ namespace assay::drivers {
 /// Columns t [s], F11, F12, F21, F22, perhaps F33, and F13, F23, F31, F32, which only come together (0, and 1 for F33,
 /// where not given). Throws InputError as read_csv does, and unless the first row is t = 0 with F = I, times ascend,
 /// and det F > 0 at all rows and at 32 times between two.
-DeformationTable read_deformation_table(const std::string& file);
+DeformationTable read_deformation_table(const std::string& file, Interpolation interpolation);
 
 }  // namespace assay::drivers

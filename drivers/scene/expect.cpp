@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/result_json.hpp"
@@ -77,6 +78,25 @@ std::string expected_text(const Expectation& line) {
   return name + " " + number_text(line.number);
 }
 
+/// An error of the response beyond both says that its figures say nothing.
+constexpr double largest_response_error = 0.05, times_asked = 100;
+
+void judge_response(const SheetFigures& response, std::vector<ExpectationOutcome>& outcomes) {
+  const std::pair<const char*, Figure> errors[] = {{"sheet.error_tau", response.error_tau},
+                                                   {"sheet.error_dtau", response.error_dtau}};
+  for (const auto& [key, error] : errors) {
+    const auto same = [&key = key](const ExpectationOutcome& e) { return e.key == key; };
+    if (!error || std::any_of(outcomes.begin(), outcomes.end(), same)) continue;
+    Expectation line;
+    line.key = key;
+    line.op = Operator::below;
+    line.number = std::max(largest_response_error, times_asked * response.asked);
+    ExpectationOutcome outcome = judged(line, *error);
+    outcome.expected += ", as of any response";
+    if (!outcome.holds) outcomes.push_back(std::move(outcome));
+  }
+}
+
 }  // namespace
 
 bool is_text_figure(const std::string& key) {
@@ -135,6 +155,7 @@ std::vector<ExpectationOutcome> judge(const std::vector<Expectation>& expectatio
     const auto found = figures.find(line.key);
     outcomes.push_back(judged(line, found == figures.end() ? FlatValue{} : found->second));
   }
+  if (result.sheet) judge_response(*result.sheet, outcomes);
   return outcomes;
 }
 

@@ -12,6 +12,7 @@ namespace {
 const std::vector<std::string> motion_types{
     "vortex", "homogeneous", "rotating_stretch", "twisting_ring", "axis_aligned", "bar_1d", "rigid"};
 const std::vector<std::string> amplitude_types{"sine", "one_minus_cosine", "ramp"};
+const std::vector<std::string> interpolations{"linear", "monotone", "spline"};
 const std::vector<std::string> rotate_types{"none", "simultaneous", "after"};
 constexpr double box_peak = 0.1;  ///< A of the motions in the unit box unless the scene says otherwise
 
@@ -56,6 +57,17 @@ void set_path(Scene& s, const Value& v) { s.motion = DeformationTable(std::get<s
 Value path_of(const Scene& s) {
   const auto* table = std::get_if<DeformationTable>(&s.motion);
   return table ? Value(table->source()) : Value();
+}
+
+/// Without a table scene_check refuses the key.
+void set_interpolation(Scene& s, const Value& v) {
+  if (auto* table = std::get_if<DeformationTable>(&s.motion)) {
+    s.motion = table->interpolated(picked<Interpolation>(interpolations, v));
+  }
+}
+Value interpolation_of(const Scene& s) {
+  const auto* table = std::get_if<DeformationTable>(&s.motion);
+  return table ? name_of(interpolations, table->interpolation()) : Value();
 }
 
 void set_period(Scene& s, const Value& v) {
@@ -171,6 +183,10 @@ std::vector<Key> motion_keys() {
        {}, false, {}, polar},
       {"motion.path", text, "CSV file of F(t) in place of final: columns t, F11, F12, F21, F22 and perhaps the others",
        path_of, set_path, {}, {}, false, "none: F goes straight to final", of_homogeneous},
+      {"motion.interpolation", choice,
+       "of a path between its rows: straight lines; PCHIP, which stays between two rows; a cubic spline, which may not",
+       interpolation_of, set_interpolation, {}, interpolations, false,
+       "linear for tabulate, monotone for what needs a body force", of_homogeneous},
       {"motion.final", matrix, "deformation gradient at t = period, det > 0 [1]", final_gradient, set_final_gradient,
        {}, {}, false, "none: required unless path is given", of_homogeneous},
       {"motion.period", number, "T [s]; of a path the time of its last row", GET(period_of(s.motion)), set_period,

@@ -32,6 +32,9 @@ void check_motion(const Vortex& vortex, const Scene&, const Where& where) {
 
 /// det F > 0 all along the straight path: checked at many times, to the scene's end.
 void check_motion(const Homogeneous& motion, const Scene& scene, const Where& where) {
+  if (scene.places.contains("motion.interpolation")) {
+    refuse(where, "motion.interpolation", "says what a table of F does between its rows: it comes with motion.path");
+  }
   if (!scene.places.contains("motion.final")) refuse(where, "motion.final", "required and not given");
   const double last = std::max(1.0, scene.time.end / motion.period);
   for (int i = 0; i <= 1000; ++i) {

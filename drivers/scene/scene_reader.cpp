@@ -112,15 +112,17 @@ void read_material(const Tree& root, Scene& scene) {
 }
 
 /// The table behind motion.path; a period beside it must be the table's own.
-void read_motion_path(const Tree& root, Scene& scene) {
+void read_motion_path(const Tree& root, Interpolation otherwise, Scene& scene) {
   const Tree* given = value_at(root, "motion.path");
   if (!given) return;
-  const std::string table = absolute_path(folder_of(given->where) / std::get<DeformationTable>(scene.motion).source());
+  const auto& named = std::get<DeformationTable>(scene.motion);
+  const Interpolation interpolation = value_at(root, "motion.interpolation") ? named.interpolation() : otherwise;
+  const std::string table = absolute_path(folder_of(given->where) / named.source());
   std::error_code code;
   if (!std::filesystem::is_regular_file(table, code)) {
     throw InputError(given->where, "motion.path", "no such file: '" + one_line(table, 200) + "'");
   }
-  scene.motion = read_deformation_table(table);
+  scene.motion = read_deformation_table(table, interpolation);
   const Tree* period = value_at(root, "motion.period");
   const double last = period_of(scene.motion);
   if (period && number_value(*period, "motion.period") != last) {
@@ -153,7 +155,7 @@ void derive(const Tree& root, Scene& scene) {
 
 }  // namespace
 
-Scene scene_of(const Tree& root, const std::string& file, const std::string& sha256) {
+Scene scene_of(const Tree& root, const std::string& file, const std::string& sha256, Interpolation otherwise) {
   check_names(root);
   Scene scene;
   scene.file = file;
@@ -164,7 +166,7 @@ Scene scene_of(const Tree& root, const std::string& file, const std::string& sha
     if (key.path == "motion.type") begin_body(scene);
   }
   read_material(root, scene);
-  read_motion_path(root, scene);
+  read_motion_path(root, otherwise, scene);
   derive(root, scene);
   if (const Tree* expect = value_at(root, "expect")) scene.expect = read_expectations(*expect);
   check_scene(scene, [&](const std::string& path) {
@@ -182,14 +184,15 @@ Tree scene_tree(std::string_view text, const std::string& file) {
   return root;
 }
 
-Scene scene_from_text(std::string_view text, const std::string& file, const std::vector<std::string>& sets) {
+Scene scene_from_text(std::string_view text, const std::string& file, const std::vector<std::string>& sets,
+                      Interpolation otherwise) {
   Tree root = scene_tree(text, file);
   for (const std::string& setting : sets) apply_setting(root, parse_setting(setting));
-  return scene_of(root, file, sha256_hex(text));
+  return scene_of(root, file, sha256_hex(text), otherwise);
 }
 
-Scene read_scene(const std::string& file, const std::vector<std::string>& sets) {
-  return scene_from_text(read_bytes(file), file, sets);
+Scene read_scene(const std::string& file, const std::vector<std::string>& sets, Interpolation otherwise) {
+  return scene_from_text(read_bytes(file), file, sets, otherwise);
 }
 
 }  // namespace assay::drivers

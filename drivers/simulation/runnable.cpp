@@ -16,7 +16,18 @@ constexpr double most_snapshots = 1e5;  ///< of every step
 
 }  // namespace
 
+void require_acceleration(const Scene& scene) {
+  const auto* table = std::get_if<DeformationTable>(&scene.motion);
+  if (!table || table->interpolation() != Interpolation::linear) return;
+  throw InputError(
+      scene.place("motion.interpolation"), "motion.interpolation",
+      "linear makes the velocity jump at the rows, and the body force is made of F'', the second derivative "
+      "of F: only tabulate takes it",
+      "monotone, spline");
+}
+
 void require_runnable(const Scene& scene) {
+  require_acceleration(scene);
   const auto* vortex = std::get_if<Vortex>(&scene.motion);
   if (!is_plane(scene.motion)) {
     throw InputError(scene.place("motion"), "motion",

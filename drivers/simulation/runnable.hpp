@@ -9,6 +9,9 @@ namespace assay::drivers {
 /// Cells around the body: room to go wrong in before the grid's edge.
 inline constexpr int grid_margin = 4;
 
+/// Throws InputError where the motion has no acceleration at some times.
+void require_acceleration(const Scene& scene);
+
 /// Throws InputError where the motion, the method or the body cannot be run.
 void require_runnable(const Scene& scene);
 

@@ -34,7 +34,8 @@ void append(std::string& bytes, double value) {
   bytes.append(raw, sizeof value);
 }
 
-/// F of the family at some places and at every time at which it turns (of a table: at every row).
+/// F of the family at some places and at every time at which it turns (of a table: at every row); of a curved one all
+/// that makes it, for between those times it may be anything.
 std::string bytes_of(const Path& path, double end) {
   std::string bytes = path.name;
   std::vector<double> times = path.reversals(end);
@@ -50,6 +51,9 @@ std::string bytes_of(const Path& path, double end) {
   }
   for (const double t : times) append(bytes, t);
   for (const double d : path.material_direction) append(bytes, d);
+  if (!path.straight()) {
+    for (const double number : path.recipe) append(bytes, number);
+  }
   return bytes;
 }
 

@@ -227,8 +227,16 @@ Observations observations_of(const Problem& problem) {
 
 void simulate(Problem& problem, std::shared_ptr<const ExactSolution> exact, Snapshots& snapshots, Progress& progress,
               Result& result) {
+  auto start = Clock::now();
   Run run(problem, std::move(exact), snapshots, result);
-  run.loop(progress);
+  result.setup_s += seconds_since(start);
+  start = Clock::now();
+  try {
+    run.loop(progress);
+  } catch (const MaterialFailure&) {  // of what is taken along
+    result.wall_s = seconds_since(start);
+    throw;
+  }
 }
 
 double cpu_seconds() {

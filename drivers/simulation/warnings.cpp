@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/simulation/warnings.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "drivers/output/number_format.hpp"
@@ -35,10 +36,52 @@ std::string stress_at_rest_sentence(const Problem& problem) {
          " Pa at rest, and free faces no traction: the body will not follow the motion there";
 }
 
+/// The largest of |F''| behind a row less that before it [1/s^2].
+double largest_jump(const DeformationTable& table, double end) {
+  constexpr double before = 1e-7;  // of the interval between two rows
+  double largest = 0;
+  const std::vector<double>& times = table.times();
+  for (std::size_t i = 1; i + 1 < times.size() && times[i] < end; ++i) {
+    const double left = times[i] - before * (times[i] - times[i - 1]);
+    for (const Vector3& X : {Vector3(1, 0, 0), Vector3(0, 1, 0)}) {
+      largest = std::max(largest, (table.at(X, times[i]).a - table.at(X, left).a).norm());
+    }
+  }
+  return largest;
+}
+
+/// A step in which F'' jumps takes one of its two values for the whole of it: half a step of the jump stays in the
+/// velocity on average, and grows in the displacement.
+std::string jump_sentence(const Problem& problem) {
+  constexpr double noticeable = 0.05;
+  const auto* table = std::get_if<DeformationTable>(&problem.scene.motion);
+  if (!table || !problem.compared) return "";
+  const double end = problem.scene.time.end, jump = largest_jump(*table, end);
+  double largest = 0;
+  for (const Tensor& F : table->rows()) largest = std::max(largest, (F - Tensor::Identity()).norm());
+  const double share = 0.5 * problem.dt * jump * end / largest;
+  if (!(share > noticeable)) return "";
+  return "the body force jumps at the rows of motion.path, by up to " + rounded_text(jump, 3) +
+         " /s^2 in F'': steps of " + rounded_text(problem.dt, 3) + " s may turn that into an error of " +
+         rounded_text(100 * share, 2) + " % of the motion; take a shorter time.step, or motion.interpolation: spline";
+}
+
 }  // namespace
 
+std::string swing_sentence(const Scene& scene) {
+  const auto* table = std::get_if<DeformationTable>(&scene.motion);
+  if (!table || table->interpolation() != Interpolation::spline) return "";
+  const auto far = table->farthest_departure();
+  if (!far) return "";
+  const std::string name = "F" + std::to_string(far->component / 3 + 1) + std::to_string(far->component % 3 + 1);
+  return "motion.interpolation: the spline takes " + name + " to " + rounded_text(far->value, 6) +
+         " at t = " + rounded_text(far->x, 6) + " s, " + rounded_text(far->by, 3) + " beyond the rows there, " +
+         rounded_text(far->lower, 6) + " and " + rounded_text(far->upper, 6) + ": monotone stays between them";
+}
+
 std::vector<std::string> warnings_of(const Problem& problem) {
-  std::vector<std::string> all{long_step_sentence(problem), stress_at_rest_sentence(problem)};
+  std::vector<std::string> all{long_step_sentence(problem), stress_at_rest_sentence(problem),
+                               swing_sentence(problem.scene), jump_sentence(problem)};
   std::erase(all, "");
   return all;
 }

@@ -9,7 +9,11 @@
 
 namespace assay::drivers {
 
-/// One sentence each: a time.step beyond a Courant number of 1; stress at rest, which free faces do not bear.
+/// Of a table of F whose spline goes beyond two neighbouring rows: where it does so the farthest. Empty: nowhere.
+std::string swing_sentence(const Scene& scene);
+
+/// One sentence each: a time.step beyond a Courant number of 1; stress at rest, which free faces do not bear; a spline
+/// that goes beyond its rows; a body force that jumps at rows by more than steps of this length resolve.
 std::vector<std::string> warnings_of(const Problem& problem);
 
 }  // namespace assay::drivers

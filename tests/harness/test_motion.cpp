@@ -37,7 +37,7 @@ std::vector<std::pair<const char*, Motion>> motions() {
   return {{"vortex", sample_vortex()},
           {"homogeneous", homogeneous},
           {"rotating_stretch", stretch},
-          {"table", DeformationTable("rows", times, rows)},
+          {"table", DeformationTable("rows", times, rows, Interpolation::spline)},
           {"twisting_ring", ring},
           {"axis_aligned", box},
           {"bar_1d", bar},

@@ -66,9 +66,11 @@ TEST(PathRecipe, MakesTheSamePathOfATable) {
     row(2, 2) = 1 + 0.1 * times.back();
     F.push_back(row);
   }
-  const DeformationTable table("rows.csv", times, F);
-  EXPECT_EQ(table.rows(), F);
-  expect_same(table.baseline());
+  for (const Interpolation kind : {Interpolation::linear, Interpolation::monotone, Interpolation::spline}) {
+    const DeformationTable table("rows.csv", times, F, kind);
+    EXPECT_EQ(table.rows(), F);
+    expect_same(table.baseline());
+  }
 }
 
 TEST(PathRecipe, RefusesWhatIsNone) {

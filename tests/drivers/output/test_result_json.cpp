@@ -33,6 +33,7 @@ TEST(ResultJson, has_every_key_before_anything_was_reached) {
                                                   "error",
                                                   "setup_s",
                                                   "wall_s",
+                                                  "finish_s",
                                                   "cpu_s",
                                                   "step_cpu_s",
                                                   "peak_rss_bytes",

@@ -13,13 +13,14 @@ namespace {
 
 TEST(DeformationCsv, ReadsPlaneAndFullGradients) {
   const ScratchFolder scratch;
-  const DeformationTable plane =
-      read_deformation_table(scratch.write("p.csv", "F22,t,F11,F12,F21\n1,0,1,0,0\n.9,2,1.1,.2,0\n"));
+  const DeformationTable plane = read_deformation_table(
+      scratch.write("p.csv", "F22,t,F11,F12,F21\n1,0,1,0,0\n.9,2,1.1,.2,0\n"), Interpolation::linear);
   EXPECT_TRUE(plane.plane());
   EXPECT_EQ(plane.last(), 2);
   EXPECT_NEAR(plane.at({}, 1).F(0, 1), 0.1, 1e-15);
   const DeformationTable full = read_deformation_table(
-      scratch.write("f.csv", "t,F11,F12,F13,F21,F22,F23,F31,F32,F33\n0,1,0,0,0,1,0,0,0,1\n1,1,0,.3,0,1,0,0,.1,1.2\n"));
+      scratch.write("f.csv", "t,F11,F12,F13,F21,F22,F23,F31,F32,F33\n0,1,0,0,0,1,0,0,0,1\n1,1,0,.3,0,1,0,0,.1,1.2\n"),
+      Interpolation::linear);
   EXPECT_FALSE(full.plane());
   EXPECT_NEAR(full.at({}, 1).F(0, 2), 0.3, 1e-15);
 }
@@ -29,7 +30,7 @@ TEST(DeformationCsv, RefusesWhatIsNoPath) {
   const std::string header = "t,F11,F12,F21,F22\n", rest = "0,1,0,0,1\n";
   const auto line = [&](const std::string& text) {
     const std::string file = scratch.write("p.csv", text);
-    return refusal_of([&] { read_deformation_table(file); }).substr(file.size());
+    return refusal_of([&] { read_deformation_table(file, Interpolation::spline); }).substr(file.size());
   };
   EXPECT_EQ(line(header + "0.1,1,0,0,1\n1,1,0,0,1\n"), ":2:1: t: the first row must be at t = 0, found 0.1");
   EXPECT_EQ(line(header + "0,1,0.1,0,1\n1,1,0,0,1\n"), ":2:1: the first row must be the undeformed state, F = I");
@@ -67,6 +68,41 @@ TEST(DeformationCsv, ServesASceneAndItsResolvedForm) {
   EXPECT_NE(
       line("motion={type: rotating_stretch, stretch: 0.1, axis: [0, 0, 0]}").find("motion.axis: must not be zero"),
       std::string::npos);
+}
+
+TEST(DeformationCsv, IsInterpolatedAsTheSceneOrTheVerbSays) {
+  const ScratchFolder scratch;
+  scratch.write("p.csv", "t,F11,F12,F21,F22\n0,1,0,0,1\n.5,1.1,0,0,1\n1,1.1,0,0,1\n");
+  const std::string text =
+      "motion: {type: homogeneous, path: p.csv}\nmaterial: {adapter: neo_hookean, parameters: {E: 1e3}, density: 1}\n";
+  const auto of = [&](const std::vector<std::string>& sets, Interpolation otherwise) {
+    const Scene scene = scene_from_text(text, scratch / "scene.yaml", sets, otherwise);
+    return std::get<DeformationTable>(scene.motion).interpolation();
+  };
+  EXPECT_EQ(of({}, to_run), Interpolation::monotone);
+  EXPECT_EQ(of({}, to_tabulate), Interpolation::linear);
+  EXPECT_EQ(of({"motion.interpolation=spline"}, to_run), Interpolation::spline);
+  EXPECT_EQ(of({"motion.interpolation=spline"}, to_tabulate), Interpolation::spline);
+  const Scene tabulated = scene_from_text(text, scratch / "scene.yaml", {}, to_tabulate);
+  EXPECT_NE(resolved_yaml(tabulated).find("  interpolation: linear\n"), std::string::npos);
+  const auto line = [&](const std::vector<std::string>& sets) { return refusal_of([&] { of(sets, to_run); }); };
+  EXPECT_EQ(line({"motion.interpolation=cubic"}),
+            "--set motion.interpolation: unknown value 'cubic'; known: linear, monotone, spline");
+  EXPECT_EQ(line({"motion={type: homogeneous, interpolation: linear, final: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}"}),
+            "--set motion.interpolation: says what a table of F does between its rows: it comes with motion.path");
+  EXPECT_NE(line({"motion={type: vortex, interpolation: linear}"}).find("does not belong to motion.type vortex"),
+            std::string::npos);
+}
+
+/// Between the rows det F is positive or not by what is between them.
+TEST(DeformationCsv, LooksForDetFBetweenTheRowsAsTheyAreInterpolated) {
+  const ScratchFolder scratch;
+  const std::string file =
+      scratch.write("p.csv", "t,F11,F12,F21,F22\n0,1,0,0,1\n1,.05,0,0,1\n2,.05,0,0,1\n3,1,0,0,1\n");
+  EXPECT_FALSE(refusal_of([&] { read_deformation_table(file, Interpolation::spline); }).empty());
+  for (const Interpolation kind : {Interpolation::linear, Interpolation::monotone}) {
+    EXPECT_NEAR(read_deformation_table(file, kind).smallest_determinant().value, 0.05, 1e-15);
+  }
 }
 
 }  // namespace

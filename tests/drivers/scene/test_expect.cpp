@@ -91,5 +91,38 @@ TEST(Expect, UnknownKeysAreBadInput) {
       refusal_of([] { lines("{error: {l2_max: {below: 1}}}"); }).starts_with("f:1:2: expect.error: unknown key"));
 }
 
+Result with_response(double error_tau, Figure error_dtau, double asked = 1e-5) {
+  Result result = sample();
+  result.sheet = SheetFigures{};
+  result.sheet->error_tau = error_tau, result.sheet->error_dtau = error_dtau, result.sheet->asked = asked;
+  return result;
+}
+
+/// "FAILED KEY, EXPECTED", one a line.
+std::string failed(const std::vector<ExpectationOutcome>& all) {
+  std::string text;
+  for (const ExpectationOutcome& one : all)
+    text += one.holds ? "" : one.key + " " + one.expected + ", " + one.found + "\n";
+  return text;
+}
+
+TEST(Expect, AResponseThatMissesByOrdersOfMagnitudeFails) {
+  EXPECT_EQ(failed(judge({}, with_response(1e-4, 0.049))), "") << "missed, and stated";
+  EXPECT_EQ(failed(judge({}, with_response(1e-6, 1.2))), "sheet.error_dtau below 0.05, as of any response, 1.2\n");
+  EXPECT_EQ(failed(judge({}, with_response(0.06, std::nullopt))),
+            "sheet.error_tau below 0.05, as of any response, 0.06\n");
+  EXPECT_EQ(failed(judge({}, with_response(NAN, 0.01))).substr(0, 15), "sheet.error_tau");
+  EXPECT_EQ(failed(judge({}, with_response(0.9, 0.9, 0.01))), "") << "a hundred times what was asked";
+  EXPECT_EQ(failed(judge({}, sample())), "") << "no response";
+}
+
+TEST(Expect, ALineOfTheSceneTakesThePlaceOfThatOfAnyResponse) {
+  const auto judged = judge(lines("{sheet.error_dtau: {below: 2}}"), with_response(1e-6, 1.2));
+  ASSERT_EQ(judged.size(), 1u);
+  EXPECT_TRUE(judged[0].holds);
+  EXPECT_EQ(failed(judge(lines("{sheet.error_dtau: {below: 1}}"), with_response(0.3, 1.2))),
+            "sheet.error_dtau below 1, 1.2\nsheet.error_tau below 0.05, as of any response, 0.3\n");
+}
+
 }  // namespace
 }  // namespace assay::drivers::test_expect

@@ -292,7 +292,7 @@ TEST(SceneReader, RefusesWhatDoesNotFitTogether) {
   EXPECT_TRUE(has(refused_set("motion.final=[[1,0,0],[0,1,0],[0,0,1]]"), "does not belong to motion.type vortex"));
   EXPECT_TRUE(has(refused(homogeneous_text(), {"motion.inner=1"}),
                   "does not belong to motion.type homogeneous; known: type, "
-                  "path, final, period, allow_unstable"));
+                  "path, interpolation, final, period, allow_unstable"));
   EXPECT_TRUE(has(refused(homogeneous_text("body: {domain: ring}")),
                   "a ring takes its radii from the motion, and homogeneous has none"));
   EXPECT_TRUE(has(refused_set("body={domain: ring, outside: held}"), "--set body.outside: a ring alone"));

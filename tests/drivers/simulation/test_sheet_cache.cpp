@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/problem.hpp"
@@ -56,6 +57,21 @@ TEST_F(Cached, ASheetIsMadeOnceAndIsTheSameFromDisk) {
     EXPECT_EQ(tau[0], tau[1]);
     EXPECT_EQ(slope[0], slope[1]);
   }
+}
+
+/// They agree at every row, and where a component is held.
+TEST_F(Cached, TheInterpolationOfATableIsInTheName) {
+  std::vector<double> times;
+  std::vector<Tensor> F(3, Tensor::Identity());
+  for (int k = 0; k < 3; ++k) times.push_back(0.5 * k);
+  F[1](0, 1) = F[2](0, 1) = 0.1;
+  std::set<std::string> files;
+  for (const Interpolation kind : {Interpolation::linear, Interpolation::monotone, Interpolation::spline}) {
+    path_ = DeformationTable("rows.csv", times, F, kind).baseline();
+    EXPECT_TRUE(files.insert(file()).second) << static_cast<int>(kind);
+  }
+  path_ = DeformationTable("elsewhere.csv", times, F, Interpolation::linear).baseline();
+  EXPECT_TRUE(files.contains(file())) << "the same rows of another file";
 }
 
 TEST_F(Cached, EverythingThatMattersIsInTheName) {
