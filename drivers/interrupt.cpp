@@ -11,6 +11,7 @@
 #include "adapters/worker/worker_process.hpp"
 #include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
+#include "harness/own_process.hpp"
 
 namespace assay::drivers {
 
@@ -100,6 +101,7 @@ Deadline::Deadline(double seconds) { deadline_ns = processor_ns() + static_cast<
 Deadline::~Deadline() { deadline_ns = 0; }
 
 void stop_if_interrupted() {
+  end_a_copy();
   if (const int signal = first_signal) throw Interrupted{signal};
   if (const std::string words = adapters::shortage(); !words.empty()) throw SystemError(words);
   if (const std::int64_t deadline = deadline_ns; deadline != 0 && processor_ns() > deadline) throw TimeIsUp{};

@@ -172,7 +172,10 @@ void keep(void (*destroy)(void*), void* self) {
 
 void release_instances() {
   takes_instances_over = nullptr;
-  for (const KeptInstance& each : std::exchange(kept().all, {})) each.destroy(each.self);
+  for (const KeptInstance& each : std::exchange(kept().all, {})) {
+    each.destroy(each.self);
+    end_a_copy();
+  }
 }
 
 void allow_supervision() {

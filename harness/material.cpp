@@ -98,6 +98,7 @@ void destroy_instance(void* self) {
   if (const auto take_over = takes_instances_over.load()) return take_over(destroy, self);
   const CallMark mark;
   destroy(self);
+  end_a_copy();
 }
 
 }  // namespace
@@ -171,6 +172,7 @@ Material::Material(const assay_material* table, InDeclaredOrder parameters)
     if (made) instances().add(made, table->destroy);
     self_.reset(made);
   }
+  end_a_copy();
   message[ASSAY_MESSAGE_SIZE - 1] = '\0';
   if (!self_) {
     throw std::runtime_error("material '" + name() + "' could not be created" +

@@ -122,11 +122,10 @@ TEST(EndOfProcess, ACopyOfTheProcessDoesNotAnswer) {
 
 TEST(EndOfProcess, WhoCalledItCanStopIt) {
   const Misdeeds the;
-  std::vector<std::string> words = the.run_words(the.library);
-  words.insert(words.end(), {"--set", "time.end=100", "--set", "limits.particle_steps=1000000000"});
-  for (const int signal : {SIGTERM, SIGINT, SIGKILL}) {
-    const pid_t child = start_assay(words, the.scratch / "said", [&] { the.arm(""); });
-    ::usleep(700'000);
+  const std::vector<std::string> words = the.run_words(the.library);
+  for (const int signal : {SIGTERM, SIGKILL}) {
+    const pid_t child = start_assay(words, the.scratch / "said", [&] { the.arm("each nap"); });
+    ::usleep(500'000);
     ::kill(child, signal);
     int status = 0;
     ::waitpid(child, &status, 0);

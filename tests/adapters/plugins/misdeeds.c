@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Does to its process what $ASSAY_TEST_DEED says, "WHEN DEED": when it is loaded, created, first updated, destroyed,
- * unloaded, or when the process exits. An honest model otherwise. */
+/* Does to its process what $ASSAY_TEST_DEED says, "WHEN DEED": when it is loaded, created, first or each time
+ * updated, destroyed, unloaded, or when the process exits. An honest model otherwise. */
 #define _GNU_SOURCE
 #include <fcntl.h>
 #include <pthread.h>
@@ -86,6 +86,7 @@ static void close_all(void) {
 static void leak_files(void) {
   while (open("/dev/null", O_RDONLY) >= 0) continue;
 }
+static void nap(void) { usleep(1000); }
 static void write_late(void) {
   FILE* file = fopen(getenv("ASSAY_TEST_FILE"), "w");
   if (file) fputs("late", file); /* flushed when the process exits */
@@ -122,6 +123,7 @@ static void act(const char* when) {
                {"close", close_streams},
                {"close_all", close_all},
                {"leak", leak_files},
+               {"nap", nap},
                {"write", write_late},
                {"truncate", truncate_library}};
   const char* asked = getenv("ASSAY_TEST_DEED");
@@ -153,6 +155,7 @@ static void update_and_act(void* self, const assay_step* step, size_t n, const d
                            double* cauchy, int32_t* status, double* dt_factor, char* message) {
   static int calls = 0;
   if (calls++ == 0) act("update");
+  act("each");
   update(self, step, n, state0, state1, cauchy, status, dt_factor, message);
 }
 
