@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A function in a copy of this process, for code that may crash, end the process or hang.
+// A function in a copy of this process, for code that may crash, end the process, hang, or start others.
 #pragma once
 
 #include <functional>
@@ -8,12 +8,22 @@
 namespace assay::adapters {
 
 struct Forked {
-  enum class End { done, signal, quit, hangs } end = End::done;
-  int signal = 0;    ///< that it died of
-  std::string text;  ///< what the function returned, or what() of what it threw
+  enum class End {
+    done,
+    signal,
+    quit,
+    hangs,
+    lost,  ///< it ended, or stopped, the process that watches it
+  } end = End::done;
+  int signal = 0;         ///< that it died of
+  bool returned = false;  ///< the function had come back; where not done, it is what followed that ended the copy
+  bool leaves = false;    ///< processes, which were ended
+  std::string text;       ///< what the function returned, or what() of what it threw
 };
 
-/// Waits for it, 20 s at most. Throws std::system_error where no process can be made.
-Forked in_a_child(const std::function<std::string()>& body);
+/// Waits for it, `patience_ms` at most. The copy runs `body`, then `after`; another process watches it, and ends what
+/// it has started. Throws std::system_error where no process can be made.
+Forked in_a_child(const std::function<std::string()>& body, const std::function<void()>& after = {},
+                  int patience_ms = 20000);
 
 }  // namespace assay::adapters

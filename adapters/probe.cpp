@@ -71,6 +71,8 @@ std::optional<std::string> probe_defect(const assay_material* table, const std::
       return std::string("crashes on an undeformed point: ") + strsignal(found.signal);
     case Forked::End::quit:
       return "ends the process on an undeformed point";
+    case Forked::End::lost:
+      return "ends or stops the process that watches it, on an undeformed point";
     case Forked::End::done:
       break;
   }

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <new>
 
@@ -17,6 +18,7 @@
 #include "adapters/worker/process_watch.hpp"
 #include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
+#include "harness/own_process.hpp"
 #include "harness/progress_mark.hpp"
 
 namespace assay::drivers {
@@ -55,6 +57,7 @@ void settle(const std::string& folder, const Ends& ends) {
   ::dup2(ends.output, STDOUT_FILENO);
   ::dup2(ends.output, STDERR_FILENO);
   ::close(ends.output);
+  own_this_process();
 }
 
 CheckReporter reporter_to(int records, int folder_before, const adapters::ProcessWatch& watch) {
@@ -180,6 +183,7 @@ void release(Child& child) {
   read_output(child);
   ::close(child.heard);
   child.claim = static_cast<adapters::Death>(child.control->claim.load());
+  child.words.assign(child.control->death_words, strnlen(child.control->death_words, adapters::words_size));
   ::munmap(child.control, sizeof *child.control);
   std::error_code ignored;
   if (const std::string& folder = child.keeper.folder; !folder.empty()) std::filesystem::remove_all(folder, ignored);

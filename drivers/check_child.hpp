@@ -30,6 +30,7 @@ struct Child {
   std::uint64_t begin_bytes = 0;         ///< of memory
   enum class Excess { none, time, call, memory } excess = Excess::none;  ///< for which it was ended
   adapters::Death claim = adapters::Death::none;                         ///< how it saw its end come
+  std::string words;                                                     ///< by which a model ended itself
   bool over = false;                                                     ///< the process has ended, with `status`
   bool lost = false;                                                     ///< and took its keeper with it
   int status = 0;

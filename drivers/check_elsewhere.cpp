@@ -20,6 +20,7 @@
 #include "adapters/worker/descendants.hpp"
 #include "drivers/exit_guard.hpp"
 #include "harness/check/calls.hpp"
+#include "harness/own_process.hpp"
 #include "harness/progress_mark.hpp"
 
 namespace assay::drivers {
@@ -43,6 +44,7 @@ void send_all(const std::vector<double>& all, int out) {
 /// The process itself, then row by row, each after its length.
 [[noreturn]] void send(const Maker& make, int out) {
   call_mark = nullptr;
+  own_this_process();
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   ::dup2(nowhere, STDOUT_FILENO);
   ::dup2(nowhere, STDERR_FILENO);

@@ -29,6 +29,7 @@ std::string how_it_ended(const Child& child, double limit_s) {
   }
   if (child.lost) return "ended the process that watches it, too,";
   if (!child.over) return "closed the files of the process";
+  if (child.claim == adapters::Death::ended) return child.words;
   if (WIFSIGNALED(child.status)) {
     return "died of signal " + std::to_string(WTERMSIG(child.status)) +
            (child.claim == adapters::Death::stack  ? ": the stack overflowed"

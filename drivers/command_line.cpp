@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "adapters/worker/shortage.hpp"
 #include "drivers/build_information.hpp"
 #include "drivers/cache_home.hpp"
 #include "drivers/exit_guard.hpp"
@@ -123,6 +124,7 @@ int act(int argc, const char* const* argv) {
 
 int complain(int status, const std::string& line) {
   if (interrupted()) return 128 + interrupt_signal();  // what failed is the call that the signal broke off
+  if (const std::string words = adapters::shortage(); !words.empty() && status == 2) return complain(3, words);
   std::cout.flush();
   std::cerr << one_line(line) << std::endl;
   return status;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/exit_guard.hpp"
 
+#include <sys/mman.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -9,6 +11,10 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <new>
+#include <string>
+
+#include "adapters/worker/crash_marks.hpp"
 
 namespace assay::drivers {
 
@@ -25,15 +31,33 @@ std::array<bool, crashes.size()> installed{};
 alignas(16) char handler_stack[1 << 16];  // a stack that overflowed cannot serve
 bool own_stack = false;
 
+Parting* parting = nullptr;
+std::atomic<int> whole{-1};  ///< the status that stands, whatever comes
+
+std::string loaded_library;
+struct stat as_loaded = {};
+
 bool is_guarded() { return guarded != 0 && guarded == ::getpid(); }
+
+void say(const char* text) { [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, text, std::strlen(text)); }
 
 /// The first to come says it; other threads that crash meanwhile wait for the end.
 [[noreturn]] void say_and_leave(const char* line) {
   if (said.exchange(true)) {
     for (;;) ::pause();
   }
-  [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, line, std::strlen(line));
-  leave_process(3);
+  const int stands = whole;
+  if (stands >= 0) say("warning: after all was written, ");
+  say(line);
+  leave_process(stands >= 0 ? stands : 3);
+}
+
+/// Written over where it lies, which takes the pages away from under who uses it.
+bool library_was_changed() {
+  struct stat found = {};
+  return !loaded_library.empty() && ::stat(loaded_library.c_str(), &found) == 0 && found.st_ino == as_loaded.st_ino &&
+         (found.st_size != as_loaded.st_size || found.st_mtim.tv_sec != as_loaded.st_mtim.tv_sec ||
+          found.st_mtim.tv_nsec != as_loaded.st_mtim.tv_nsec);
 }
 
 [[noreturn]] void say_ended() {
@@ -49,6 +73,9 @@ void on_crash(int signal) {
     std::signal(signal, SIG_DFL);
     ::raise(signal);
     return;
+  }
+  if (library_was_changed()) {
+    say_and_leave("assay: crashed: the material's library was changed while it was in use\n");
   }
   char line[] = "assay: crashed (signal ##), most likely in the material's library\n";
   char* digits = std::strchr(line, '#');
@@ -104,13 +131,50 @@ ExitGuard::~ExitGuard() {
   remove_stack();
 }
 
+const Parting* ExitGuard::share_last_word() {
+  void* page = ::mmap(nullptr, sizeof(Parting), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (page == MAP_FAILED) return nullptr;
+  return parting = new (page) Parting{};
+}
+
+void ExitGuard::move_to_this_process(const char* library) {
+  loaded_library = library;
+  if (::stat(library, &as_loaded) != 0) loaded_library.clear();
+  if (parting) parting->process = ::getpid();
+  if (guarded != 0) guarded = ::getpid();
+}
+
+namespace {
+
+/// A watcher that was stopped goes on.
+void tell_parting(int status) noexcept {
+  if (!parting || parting->process != ::getpid()) return;
+  parting->status = status;
+  parting->is_told = true;
+  ::kill(::getppid(), SIGCONT);
+}
+
+}  // namespace
+
+void results_are_whole(int status) noexcept {
+  whole = status;
+  tell_parting(status);
+}
+
 void leave_process(int status) noexcept {
+  tell_parting(status);
   for (;;) ::syscall(SYS_exit_group, status);
 }
 
 void leave_process_guarded(int status) noexcept {
   if (is_guarded()) say_ended();
   leave_process(status);
+}
+
+void leave_thread_guarded() noexcept {
+  if (::gettid() != ::getpid()) return;
+  if (is_guarded()) say_and_leave("assay: the model ended its thread (pthread_exit), which ends the process\n");
+  if (adapters::crashes_are_marked()) adapters::end_by_word("ended its thread by pthread_exit()");
 }
 
 }  // namespace assay::drivers

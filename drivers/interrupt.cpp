@@ -5,9 +5,13 @@
 #include <csignal>
 #include <cstdint>
 #include <ctime>
+#include <string>
 
+#include "adapters/worker/shortage.hpp"
 #include "adapters/worker/worker_process.hpp"
 #include "drivers/exit_guard.hpp"
+#include "drivers/input_error.hpp"
+#include "harness/own_process.hpp"
 
 namespace assay::drivers {
 
@@ -97,7 +101,9 @@ Deadline::Deadline(double seconds) { deadline_ns = processor_ns() + static_cast<
 Deadline::~Deadline() { deadline_ns = 0; }
 
 void stop_if_interrupted() {
+  end_a_copy();
   if (const int signal = first_signal) throw Interrupted{signal};
+  if (const std::string words = adapters::shortage(); !words.empty()) throw SystemError(words);
   if (const std::int64_t deadline = deadline_ns; deadline != 0 && processor_ns() > deadline) throw TimeIsUp{};
 }
 

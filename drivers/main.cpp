@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <dlfcn.h>
 #include <fcntl.h>
+#include <pthread.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -7,12 +9,21 @@
 
 #include "drivers/command_line.hpp"
 #include "drivers/exit_guard.hpp"
+#include "drivers/supervisor.hpp"
 
 // These stand before libc's for every library that is loaded: _exit() runs no handler, and a model that calls it must
 // not end a run as if it had succeeded.
 extern "C" [[gnu::visibility("default")]] void _exit(int status) { assay::drivers::leave_process_guarded(status); }
 extern "C" [[gnu::visibility("default")]] void _Exit(int status) noexcept {
   assay::drivers::leave_process_guarded(status);
+}
+
+// A model that ends the thread which calls it would be taken for an exception of nobody's.
+extern "C" [[gnu::visibility("default")]] void pthread_exit(void* value) {
+  assay::drivers::leave_thread_guarded();
+  using Exit = void (*)(void*);
+  reinterpret_cast<Exit>(::dlsym(RTLD_NEXT, "pthread_exit"))(value);
+  ::abort();  // it does not come back
 }
 
 namespace {
@@ -28,5 +39,9 @@ void keep_standard_streams() {
 
 int main(int argc, char** argv) {
   keep_standard_streams();
-  return assay::drivers::command_line(argc, argv);
+  assay::drivers::allow_supervision();
+  const int status = assay::drivers::command_line(argc, argv);
+  assay::drivers::results_are_whole(status);
+  assay::drivers::release_instances();
+  return status;  // by exit(): run-time libraries of Fortran, MPI and OpenMP close what they have open
 }

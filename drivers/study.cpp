@@ -12,6 +12,7 @@
 #include "drivers/study/study_files.hpp"
 #include "drivers/study/study_json.hpp"
 #include "drivers/study/study_reader.hpp"
+#include "drivers/study/study_session.hpp"
 #include "drivers/study/study_text.hpp"
 #include "drivers/verbs.hpp"
 
@@ -169,12 +170,19 @@ int study(const StudyOptions& options) {
     gather(plan, store, options);
     return conclude(plan, store, options);
   }
-  warn_of_earlier(plan, store, options);
-  if (options.resume) warn_of_strangers(plan, {store}, options);
+  const StudySession session(options.out, options.resume, options.shard.count > 1);
+  if (session.begun_by().empty()) {
+    warn_of_earlier(plan, store, options);
+  } else if (options.verbosity != Verbosity::quiet) {
+    std::fprintf(stderr, "another study runs in this folder (%s began): they share its cases\n",
+                 session.begun_by().c_str());
+  }
+  if (session.resumes()) warn_of_strangers(plan, {store}, options);
   Teller teller(plan, store, options);
   RunnerOptions how;
   if (!options.program.empty()) how.program = options.program;
-  how.jobs = options.jobs, how.resume = options.resume, how.shard = options.shard;
+  how.jobs = options.jobs, how.resume = session.resumes(), how.shard = options.shard;
+  how.session = &session;
   const RunnerSummary summary = run_cases(plan, store, how, [&](const RunnerReport& report) { teller(report); });
   say_what_was_kept(summary, options);
   if (options.shard.count == 1) return conclude(plan, store, options);

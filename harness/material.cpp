@@ -5,8 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <mutex>
 
 #include "harness/foreign_message.hpp"
+#include "harness/instances.hpp"
+#include "harness/own_process.hpp"
+#include "harness/progress_mark.hpp"
 
 namespace assay {
 
@@ -63,6 +68,37 @@ std::vector<double> in_declared_order(const assay_material& table, const std::ma
     values.push_back(value);
   }
   return values;
+}
+
+/// Of all materials, with what destroys each; one may come up twice, where a model keeps but one.
+class Instances {
+ public:
+  void add(void* self, void (*destroy)(void*)) {
+    const std::lock_guard lock(guard_);
+    all_.emplace(self, destroy);
+  }
+  void (*taken_out(void* self))(void*) {
+    const std::lock_guard lock(guard_);
+    return all_.extract(all_.find(self)).mapped();
+  }
+
+ private:
+  std::mutex guard_;
+  std::multimap<void*, void (*)(void*)> all_;
+};
+
+/// Never destroyed: a material may go after all that is static here.
+Instances& instances() {
+  static auto* const all = new Instances;
+  return *all;
+}
+
+void destroy_instance(void* self) {
+  const auto destroy = instances().taken_out(self);
+  if (const auto take_over = takes_instances_over.load()) return take_over(destroy, self);
+  const CallMark mark;
+  destroy(self);
+  end_a_copy();
 }
 
 }  // namespace
@@ -125,12 +161,18 @@ Material::Material(const assay_material* table, const std::map<std::string, doub
     : Material(table, InDeclaredOrder{in_declared_order(*table, parameters)}) {}
 
 Material::Material(const assay_material* table, InDeclaredOrder parameters)
-    : table_(table), parameters_(std::move(parameters.values)), self_(nullptr, table->destroy) {
+    : table_(table), parameters_(std::move(parameters.values)), self_(nullptr, destroy_instance) {
   for (std::uint32_t i = 0; i < table->state_count; ++i) {
     state_size_ += static_cast<std::size_t>(components_of_kind(table->state[i].kind));
   }
   char message[ASSAY_MESSAGE_SIZE] = "";
-  self_.reset(create_instance(table, parameters_.data(), message));
+  {
+    const CallMark mark;
+    void* made = create_instance(table, parameters_.data(), message);
+    if (made) instances().add(made, table->destroy);
+    self_.reset(made);
+  }
+  end_a_copy();
   message[ASSAY_MESSAGE_SIZE - 1] = '\0';
   if (!self_) {
     throw std::runtime_error("material '" + name() + "' could not be created" +

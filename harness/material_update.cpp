@@ -6,6 +6,7 @@
 #include "harness/arithmetic.hpp"
 #include "harness/foreign_message.hpp"
 #include "harness/material.hpp"
+#include "harness/own_process.hpp"
 #include "harness/progress_mark.hpp"
 
 namespace assay {
@@ -66,6 +67,7 @@ UpdateReport Material::update(double t, double dt, std::size_t n, const double* 
     const CallMark mark;
     table_->update(self_.get(), &step, n, state0, state1, cauchy, status, &report.dt_factor, message);
   }
+  end_a_copy();
   const std::uint32_t changes = changes_of_arithmetic();
   if (changes != arithmetic_kept) reset_arithmetic();
   if (const std::string words = arithmetic_words(changes); !words.empty()) {

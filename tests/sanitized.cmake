@@ -33,12 +33,13 @@ endforeach()
 
 set(shards_of_test_drivers 16)
 set(left_out_of_test_drivers # whole runs of full size; studies, which start the program many times; timing; a browser
-  CutBodies* StudyShards.M* StudyShards.T* StudyFailures.AF* StudyFailures.AM* Clusters* CaseKey.Changes*
+  CutBodies* StudyShards.M* StudyShards.O* StudyShards.T* StudyFailures.AF* StudyFailures.AM* Clusters* CaseKey.Changes*
   Files/TornCases* StudyResume.C* StudyResume.F* StudyResume.K* StudyResume.M* Plan.* StudyJson.Host*
   Cases/EvalReferences*ring* *BoxRun.ConvergesAt* PlantedInTheBox* Interfaces/ForeignVortex* */closes_everything*
   CheckForeign.AModelOfPlaneStrainAloneRuns* CheckMethods.RunsEvery* CheckMethods.WritesJson* Check.JUnit*
   Check.AllChecks* Cached.ADamaged* Cached.EverythingThat* Cached.ASheetOfABuiltIn* ForeignModels.TwoCores* ForeignModels.AUmat*
-  CheckSource.IsTaken*
+  CheckSource.IsTaken* EndOfProcess.A* */exit_pause */destroy_deaf
+  */exit_null */destroy_null # which the sanitizer would tell in its own words
   Frames.TheMethodErrs* Frames.BodiesOf* Frames.AMaterialWith* RimOfARun.CoarseGrids* Run.EveryLattice*
   Run.ACylindrically* Run.Repeats* Run.AnExpect* Run.AnUnst* Run.EveryField* Run.Square* Run.ItsFig*
   Replay.OfAH* Replay.OfAR* Screening.E* Screening.I* Screening.C* Screening.W* Tabulate.AnswersPoints* Tabulate.W* Tabulate.C* TractionTable.Holds* TractionTable.AnEntry*

@@ -23,6 +23,7 @@ enum class Death : std::uint32_t {
   ended,       ///< by the model's own word, as XIT; words say which
   given_up,    ///< the host was interrupted while it waited
   lost,        ///< the warden itself is gone
+  shortage,    ///< the system did not give what a worker needs; words say what
 };
 
 inline constexpr std::size_t words_size = 512;

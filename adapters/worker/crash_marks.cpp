@@ -56,6 +56,8 @@ void mark_crashes(Control& control) {
   for (const int signal : {SIGFPE, SIGILL, SIGABRT}) std::signal(signal, SIG_DFL);  // sanitizers have their own
 }
 
+bool crashes_are_marked() { return marked != nullptr; }
+
 void end_by_word(const char* words) {
   if (marked) {
     std::strncpy(marked->death_words, words, words_size - 1);

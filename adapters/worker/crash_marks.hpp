@@ -12,6 +12,9 @@ namespace assay::adapters {
 /// and routines by which a model ends the analysis (XIT) are told by name.
 void mark_crashes(Control& control);
 
+/// Whether that was called in this process, or in the one that it is a copy of.
+bool crashes_are_marked();
+
 /// The model ends the process by its own word.
 [[noreturn]] void end_by_word(const char* words);
 

@@ -18,6 +18,7 @@
 #include "adapters/worker/table_pack.hpp"
 #include "harness/arithmetic.hpp"
 #include "harness/material.hpp"
+#include "harness/own_process.hpp"
 #include "harness/progress_mark.hpp"
 
 namespace assay::adapters {
@@ -192,6 +193,7 @@ ForeignCall::ForeignCall(Control& control) : control_(control) {
 }
 
 ForeignCall::~ForeignCall() {
+  end_a_copy();
   const std::int64_t now = now_ns();
   control_.busy_ns.store(now - control_.busy_since.load());
   control_.busy_since.store(0);
@@ -206,6 +208,7 @@ ModelCall::ModelCall(Control& control) : control_(control), begin_(now_ns()) {
 }
 
 ModelCall::~ModelCall() {
+  end_a_copy();
   control_.busy_since.store(0, std::memory_order_release);
   lookout->look(control_, begin_);  // the clock is not read again
 }

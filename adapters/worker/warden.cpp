@@ -24,6 +24,7 @@
 #include "adapters/worker/futex.hpp"
 #include "adapters/worker/process_watch.hpp"
 #include "adapters/worker/worker_process.hpp"
+#include "harness/own_process.hpp"
 #include "harness/progress_mark.hpp"
 
 namespace assay::adapters {
@@ -131,8 +132,14 @@ class Warden {
   std::uint64_t begin_bytes_ = 0;
 };
 
+/// Of the call that has just failed.
+void claim_shortage(Control& control, const char* call) {
+  std::snprintf(control.death_words, sizeof control.death_words, "%s: %s", call, std::strerror(errno));
+  control.claim.store(static_cast<std::uint32_t>(Death::shortage));
+}
+
 /// In the worker, before any foreign code.
-void settle(const std::string& folder, int heard, pid_t warden) {
+void settle(Control& control, const std::string& folder, int heard, pid_t warden) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != warden) ::_exit(0);
@@ -144,7 +151,9 @@ void settle(const std::string& folder, int heard, pid_t warden) {
   ::dup2(heard, STDERR_FILENO);
   ::close(heard);
   ::close(lifeline_file);
-  if (!folder.empty() && ::chdir(folder.c_str()) != 0) ::_exit(1);
+  if (folder.empty() || ::chdir(folder.c_str()) == 0) return;
+  claim_shortage(control, folder.c_str());
+  ::_exit(1);
 }
 
 void enlarge_stack() {
@@ -158,19 +167,16 @@ void enlarge_stack() {
 
 /// A pipe whose files have none of the numbers of WorkerFile.
 bool high_pipe(int ends[2]) {
-  constexpr int first_free_file = 64;
   int low[2] = {-1, -1};
-  ends[0] = ends[1] = -1;
   if (::pipe2(low, O_CLOEXEC) != 0) return false;
-  for (const int k : {0, 1}) {
-    ends[k] = ::fcntl(low[k], F_DUPFD_CLOEXEC, first_free_file);
-    ::close(low[k]);
-  }
+  for (const int k : {0, 1}) ends[k] = high_copy(low[k]);
+  for (const int k : {0, 1}) ::close(low[k]);
   return ends[0] >= 0 && ends[1] >= 0;
 }
 
 [[noreturn]] void run_worker(const std::function<void(WorkerFloor&)>& work, WorkerFloor& floor) {
   int status = 0;
+  own_this_process();
   try {
     work(floor);
   } catch (const std::exception& error) {
@@ -179,6 +185,13 @@ bool high_pipe(int ends[2]) {
   }
   std::fflush(nullptr);
   ::_exit(status);
+}
+
+int give_up(Control& control, const char* call) {
+  claim_shortage(control, call);
+  control.death.store(control.claim.load());
+  wake_all(control.reply);
+  return 1;
 }
 
 }  // namespace
@@ -192,13 +205,13 @@ int run_warden(const std::function<void(WorkerFloor&)>& work) {
   std::snprintf(floor.control.folder, sizeof floor.control.folder, "%s", folder.path().c_str());
   enlarge_stack();
   adopt_orphans();
-  int heard[2];
-  if (!high_pipe(heard)) return 1;
+  int heard[2] = {-1, -1};
+  if (!high_pipe(heard)) return give_up(floor.control, "pipe");
   const pid_t warden = ::getpid(), worker = ::fork();
-  if (worker < 0) return 1;
+  if (worker < 0) return give_up(floor.control, "fork");
   if (worker == 0) {
     ::close(heard[0]);
-    settle(folder.path(), heard[1], warden);
+    settle(floor.control, folder.path(), heard[1], warden);
     mark_crashes(floor.control);
     run_worker(work, floor);
   }

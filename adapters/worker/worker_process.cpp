@@ -16,6 +16,7 @@
 #include "adapters/worker/descendants.hpp"
 #include "adapters/worker/futex.hpp"
 #include "adapters/worker/missing_file.hpp"
+#include "adapters/worker/shortage.hpp"
 #include "harness/progress_mark.hpp"
 
 namespace assay::adapters {
@@ -23,10 +24,6 @@ namespace assay::adapters {
 namespace {
 
 constexpr int look_ms = 200;  ///< how often a host looks whether anybody is there
-constexpr int first_free_file = 64;
-
-/// A copy of a file whose number no other of the worker's files has.
-int high_copy(int file) { return file < 0 ? -1 : ::fcntl(file, F_DUPFD_CLOEXEC, first_free_file); }
 
 class Spawn {
  public:
@@ -50,8 +47,9 @@ class Spawn {
   Spawn& operator=(const Spawn&) = delete;
 
   void hand(int file, int as) {
+    if (file < 0) return;
     const int copy = high_copy(file);
-    if (copy < 0) return;
+    if (copy < 0) throw std::system_error(errno, std::generic_category(), "fcntl");
     files_.push_back(copy);
     ::posix_spawn_file_actions_adddup2(&actions_, copy, as);
   }
@@ -72,6 +70,12 @@ class Spawn {
 };
 
 }  // namespace
+
+int high_copy(int file) {
+  constexpr int out_of_reach = 64;
+  const int copy = ::fcntl(file, F_DUPFD_CLOEXEC, out_of_reach);
+  return copy >= 0 ? copy : ::fcntl(file, F_DUPFD_CLOEXEC, columns_file + 1);
+}
 
 std::string worker_program() {
   namespace fs = std::filesystem;
@@ -145,13 +149,24 @@ void WorkerProcess::post(std::uint32_t operation) {
   if (wake_sleeper(c.request, c.worker_sleeps)) c.wake_ups.fetch_add(1);
 }
 
+/// Where the system was short of something, that is noted.
+bool WorkerProcess::is_dead() {
+  const auto death = static_cast<Death>(control().death.load());
+  if (death == Death::shortage) note_shortage("a worker could not be started: " + death_words());
+  const bool unexplained =
+      death == Death::signal || death == Death::exit || death == Death::stack || death == Death::null;
+  const std::string tight = unexplained ? tight_limits() : "";
+  if (!tight.empty()) note_shortage("a worker " + how_it_ended() + ", and " + tight + ": that may be why");
+  return death != Death::none;
+}
+
 bool WorkerProcess::wait() {
   Control& c = control();
   const std::uint32_t wanted = c.request.load(), look = c.spin_us.load();
   if (look > 0) habit_.note(changes_within(c.reply, wanted - 1, look));
   for (;;) {
     const std::uint32_t seen = c.reply.load();
-    if (c.death.load()) return false;
+    if (is_dead()) return false;
     if (seen == wanted) return true;
     wait_while(c.reply, seen, c.host_sleeps, look_ms);
     std::uint32_t none = 0;
@@ -165,6 +180,10 @@ bool WorkerProcess::wait() {
   }
 }
 
+std::string WorkerProcess::death_words() const {
+  return {control().death_words, strnlen(control().death_words, words_size)};
+}
+
 std::string WorkerProcess::output() const { return control().output.text(); }
 
 std::string WorkerProcess::how_it_ended(const std::string& when) const {
@@ -175,7 +194,7 @@ std::string WorkerProcess::how_it_ended(const std::string& when) const {
     return std::string(text);
   };
   const int number = c.death_number;
-  const std::string said = last_line(output()), words(c.death_words, strnlen(c.death_words, words_size));
+  const std::string said = last_line(output()), words = death_words();
   const std::string heard =
       when + (said.empty() ? "" : "; the last that it printed: " + said) + missing_file_words(output());
   switch (static_cast<Death>(c.death.load())) {
@@ -199,6 +218,8 @@ std::string WorkerProcess::how_it_ended(const std::string& when) const {
       return "was not waited for";
     case Death::lost:
       return "was lost with the process that watched it";
+    case Death::shortage:
+      return "could not be started: " + words;
   }
   return "ended";
 }

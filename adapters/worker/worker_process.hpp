@@ -25,6 +25,10 @@ struct WorkerStart {
 /// Where the worker finds what its host has opened for it.
 enum WorkerFile : int { memory_file = 3, lifeline_file = 4, records_file = 5, columns_file = 6 };
 
+/// A copy of a file whose number is none of these, and high where the system lets it be: what closes all that it can
+/// think of does not find it. -1: none can be had.
+int high_copy(int file);
+
 /// The page's layout: Control, the task, and the arrays of a call.
 inline constexpr std::size_t task_offset = 16384, task_size = 1 << 20, arrays_offset = task_offset + task_size;
 inline constexpr std::size_t shared_size = std::size_t{1} << 28;
@@ -56,6 +60,8 @@ class WorkerProcess {
   std::string output() const;
 
  private:
+  bool is_dead();
+  std::string death_words() const;
   bool warden_is_gone() const;
   bool warden_is_stuck() const;
   void remove_folder() const;

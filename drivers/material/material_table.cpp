@@ -10,6 +10,7 @@
 #include "drivers/interrupt.hpp"
 #include "drivers/material/model_files.hpp"
 #include "drivers/material/raw_library.hpp"
+#include "drivers/supervisor.hpp"
 
 namespace assay::drivers {
 
@@ -49,6 +50,7 @@ adapters::ModelRefused refusal_of(const MaterialDescription& description, const 
 const assay_material* table_here(const MaterialDescription& description) {
   try {
     if (!description.foreign) adapters::try_library(description.library);
+    supervise(description.library);
     return local_table(description);
   } catch (const std::system_error& error) {
     throw SystemError(std::string("a library cannot be tried: ") + error.what());

@@ -39,7 +39,7 @@ std::string record_text(const Json& record) {
 }
 
 /// The record without its own hash; nothing where it is not what was written.
-std::optional<Json> record_of(const fs::path& folder, const std::string& key) {
+std::optional<Json> read_record(const fs::path& folder, const std::string& key) {
   const auto text = bytes_of(folder / record_file);
   if (!text || is_nested_deeply(*text)) return std::nullopt;
   Json record = Json::parse(*text, nullptr, false);
@@ -132,11 +132,13 @@ void read_result(const fs::path& folder, StudyCase& found) {
 
 }  // namespace
 
+fs::path CaseStore::record_of(const std::string& key) const { return folder_of(key) / record_file; }
+
 CaseState CaseStore::state_of(const std::string& key) const {
   const fs::path folder = folder_of(key);
   std::error_code error;
   if (key.empty() || !fs::exists(folder / record_file, error)) return CaseState::missing;
-  const auto record = record_of(folder, key);
+  const auto record = read_record(folder, key);
   if (!record) return CaseState::torn;
   bool has_result = false;
   for (const auto& file : record->at("files").items()) {
@@ -150,12 +152,12 @@ CaseState CaseStore::state_of(const std::string& key) const {
 }
 
 bool CaseStore::is_timed(const std::string& key) const {
-  const auto record = record_of(folder_of(key), key);
+  const auto record = read_record(folder_of(key), key);
   return record && clock_of(record->at("clock")).alone;
 }
 
 double CaseStore::limit_of(const std::string& key) const {
-  const auto record = record_of(folder_of(key), key);
+  const auto record = read_record(folder_of(key), key);
   const Json limit = record ? record->value("limit", Json()) : Json();
   return limit.is_number() ? limit.get<double>() : 0;
 }
@@ -204,7 +206,7 @@ StudyCase CaseStore::read(const PlannedCase& one) const {
   const CaseState state = state_of(one.key);
   if (state == CaseState::missing || state == CaseState::torn) return found;
   const fs::path folder = folder_of(one.key);
-  const auto record = record_of(folder, one.key);
+  const auto record = read_record(folder, one.key);
   if (!record) return found;
   found.clock = clock_of(record->at("clock"));
   found.figures["threads"] = static_cast<double>(one.threads);

@@ -36,6 +36,9 @@ class CaseStore {
 
   std::filesystem::path folder_of(const std::string& key) const { return folder_ / "cases" / key; }
 
+  /// The file that says how a case has ended.
+  std::filesystem::path record_of(const std::string& key) const;
+
   CaseState state_of(const std::string& key) const;
 
   /// Whether a case that is not torn was timed alone.

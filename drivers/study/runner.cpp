@@ -92,9 +92,13 @@ class Runner {
     return lock;
   }
 
-  /// Whether another study has finished it since this one began.
+  /// Whether another study has finished it since this one began, or since the session did; and with what.
   bool kept(const PlannedCase& one) {
-    if (!options_.resume || !need_not_run(one, store_.state_of(one.key))) return false;
+    const CaseState state = store_.state_of(one.key);
+    const bool ended =
+        state != CaseState::missing && state != CaseState::torn && (!one.timed || store_.is_timed(one.key));
+    const bool here = ended && options_.session && options_.session->has_seen(store_.record_of(one.key));
+    if (!here && !(options_.resume && need_not_run(one, state))) return false;
     keep(one);
     return true;
   }
@@ -112,7 +116,8 @@ class Runner {
       const auto lock = store_.lock(one);
       if (lock) {
         report_.waits = false;
-        return need_not_run(one, store_.state_of(one.key)) ? keep(one) : run_alone(one);
+        if (!kept(one)) run_alone(one);
+        return;
       }
       tell(nullptr, &one);
       stop_if_interrupted();

@@ -10,6 +10,7 @@
 #include "drivers/study/case_store.hpp"
 #include "drivers/study/plan.hpp"
 #include "drivers/study/shard.hpp"
+#include "drivers/study/study_session.hpp"
 
 namespace assay::drivers {
 
@@ -17,6 +18,7 @@ struct RunnerOptions {
   std::string program = "/proc/self/exe";  ///< that runs a case
   int jobs = 1;                            ///< threads of cases that run side by side
   bool resume = false;                     ///< finished cases stay as they are
+  const StudySession* session = nullptr;   ///< cases that were finished in it stay, too; null: none
   Shard shard = {};
 };
 

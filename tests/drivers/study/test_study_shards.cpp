@@ -54,6 +54,42 @@ TEST(StudyShards, MergedFromTwoFoldersTheyAreTheWhole) {
   EXPECT_EQ(same_in_every_run(small.scratch / "out"), same_in_every_run(small.scratch / "whole"));
 }
 
+std::size_t lines_with(const std::string& text, const std::string& words) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(words); at != text.npos; at = text.find(words, at + 1)) ++count;
+  return count;
+}
+
+/// On an empty folder, on one that is finished, and where one of the two goes on: none loses a case to the other.
+TEST(StudyShards, TwoStudiesInOneFolderShareItsCases) {
+  const SmallStudy small;
+  const std::vector<int> good{0, 0};
+  const std::vector<std::vector<std::string>> second{{}, {}, {"--resume"}};
+  for (std::size_t round = 0; round < second.size(); ++round) {
+    const auto before = marks_of_cases(small.scratch / "out");
+    EXPECT_EQ(at_once(small, {small.words("out"), small.words("out", second[round])}), good) << round;
+    const std::string said = bytes_of(small.scratch / "said0") + bytes_of(small.scratch / "said1");
+    EXPECT_EQ(said.find("missing"), std::string::npos) << said;
+    EXPECT_EQ(lines_with(said, "another study runs in this folder (process "), 1u) << said;
+    EXPECT_EQ(lines_with(said, "): they share its cases\n"), 1u) << said;
+    const auto after = marks_of_cases(small.scratch / "out");
+    EXPECT_EQ(after.size(), 4u);
+    if (round == 1) {
+      for (const auto& [folder, mark] : before) EXPECT_NE(after.at(folder), mark) << "not run again";
+    }
+  }
+}
+
+TEST(StudyShards, OneThatComesWhenTheOtherHasGoneIsAlone) {
+  const SmallStudy small;
+  ASSERT_EQ(small.run("out").status, 0);
+  const auto before = marks_of_cases(small.scratch / "out");
+  const Ending again = small.run("out");
+  EXPECT_EQ(again.status, 0);
+  EXPECT_EQ(again.said.find("another study"), std::string::npos) << again.said;
+  for (const auto& [folder, mark] : marks_of_cases(small.scratch / "out")) EXPECT_NE(before.at(folder), mark);
+}
+
 TEST(StudyShards, NothingToMergeIsSaid) {
   const SmallStudy small;
   const Ending nothing = small.run("out", {"--merge"});

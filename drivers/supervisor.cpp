@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/supervisor.hpp"
+
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <iostream>
+#include <mutex>
+#include <optional>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "adapters/worker/descendants.hpp"
+#include "adapters/worker/process_watch.hpp"
+#include "drivers/exit_guard.hpp"
+#include "drivers/input_error.hpp"
+#include "harness/instances.hpp"
+#include "harness/own_process.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+pid_t allowed = 0;  ///< the process that may wait
+std::optional<adapters::ProcessWatch> since;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool watched_by_sanitizer = true;
+#elif defined(__has_feature)
+constexpr bool watched_by_sanitizer = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+constexpr bool watched_by_sanitizer = false;
+#endif
+
+/// For what libraries do when a process exits; a sanitizer looks for leaks then.
+constexpr std::chrono::seconds patience{watched_by_sanitizer ? 30 : 2};
+constexpr int passed_on[] = {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2, SIGALRM};
+
+sigset_t awaited_signals() {
+  sigset_t set;
+  ::sigemptyset(&set);
+  ::sigaddset(&set, SIGCHLD);
+  for (const int signal : passed_on) ::sigaddset(&set, signal);
+  return set;
+}
+
+/// How the child came to its end.
+struct Ended {
+  int status = 0;         ///< as of waitpid()
+  int passed = 0;         ///< the last signal that was passed on to it
+  bool late = false;      ///< it did not end by itself
+  bool replaced = false;  ///< it became another program
+};
+
+bool is_another_program(pid_t process) {
+  std::error_code code;
+  const fs::path own = fs::read_symlink("/proc/self/exe", code);
+  const fs::path other = fs::read_symlink("/proc/" + std::to_string(process) + "/exe", code);
+  return !code && own != other;
+}
+
+/// Waits for a signal for as long as a look may be late. A terminal sends its signals to both.
+void pass_signal_on(pid_t child, const sigset_t& awaited, Ended& ended) {
+  const timespec pause{0, 50'000'000};
+  siginfo_t sent = {};
+  const int signal = ::sigtimedwait(&awaited, &sent, &pause);
+  if (signal <= 0 || signal == SIGCHLD) return;
+  ended.passed = signal;
+  if (sent.si_code <= 0) ::kill(child, signal);
+}
+
+Ended end_of(pid_t child, const Parting& word) {
+  const sigset_t awaited = awaited_signals();
+  Ended ended;
+  std::optional<Clock::time_point> told;
+  for (auto looked = Clock::now(); ::waitpid(child, &ended.status, WNOHANG) == 0;) {
+    pass_signal_on(child, awaited, ended);
+    const auto now = Clock::now();
+    if (!told && word.is_told) told = now;
+    ended.late = told && now - *told > patience;
+    if (now - looked > std::chrono::milliseconds(500)) {
+      looked = now;
+      ended.replaced = ended.replaced || is_another_program(child);
+    }
+    if (ended.late || (ended.replaced && !told)) ::kill(child, SIGKILL);
+  }
+  return ended;
+}
+
+std::string signal_words(int signal) { return "signal " + std::to_string(signal) + ", " + strsignal(signal); }
+
+std::string how(const Ended& ended) {
+  if (ended.replaced) return "became another program";
+  if (ended.late) return "did not end";
+  if (WIFSIGNALED(ended.status)) return "died (" + signal_words(WTERMSIG(ended.status)) + ")";
+  return "ended with status " + std::to_string(WEXITSTATUS(ended.status));
+}
+
+/// Of one that has left no word.
+std::string line_of(const Ended& ended) {
+  constexpr const char* by_library = ", most likely by the material's library";
+  if (ended.replaced) return std::string("the process became another program") + by_library;
+  if (!WIFSIGNALED(ended.status)) return std::string("the process was ended from inside") + by_library;
+  if (WTERMSIG(ended.status) == SIGKILL)
+    return "the process was killed (signal 9): from outside, as the system does where memory is short, or by the "
+           "material's library";
+  return "the process died (" + signal_words(WTERMSIG(ended.status)) + ")" + by_library;
+}
+
+[[noreturn]] void die_of(int signal) {
+  std::signal(signal, SIG_DFL);
+  ::raise(signal);
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  leave_process(128 + signal);
+}
+
+[[noreturn]] void watch(pid_t child, const Parting& word) {
+  const Ended ended = end_of(child, word);
+  if (adapters::end_descendants()) {
+    std::fputs("warning: the model leaves processes behind, which were ended\n", stderr);
+  }
+  if (word.is_told) {
+    const bool as_told = WIFEXITED(ended.status) && WEXITSTATUS(ended.status) == word.status;
+    if (!as_told || ended.late) {
+      std::fprintf(stderr, "warning: the process %s when it was to exit, after all was written: %s\n",
+                   how(ended).c_str(), "most likely by the material's library");
+    }
+    leave_process(word.status);
+  }
+  if (WIFSIGNALED(ended.status) && WTERMSIG(ended.status) == ended.passed) die_of(ended.passed);
+  std::fprintf(stderr, "assay: %s\n", line_of(ended).c_str());
+  leave_process(3);
+}
+
+struct KeptInstance {
+  void (*destroy)(void*);
+  void* self;
+};
+
+struct KeptInstances {
+  std::mutex guard;
+  std::vector<KeptInstance> all;
+};
+
+/// Never destroyed: a material may go after all that is static here.
+KeptInstances& kept() {
+  static auto* const instances = new KeptInstances;
+  return *instances;
+}
+
+void keep(void (*destroy)(void*), void* self) {
+  const std::lock_guard lock(kept().guard);
+  kept().all.push_back({destroy, self});
+}
+
+}  // namespace
+
+void release_instances() {
+  takes_instances_over = nullptr;
+  for (const KeptInstance& each : std::exchange(kept().all, {})) {
+    each.destroy(each.self);
+    end_a_copy();
+  }
+}
+
+void allow_supervision() {
+  std::signal(SIGCHLD, SIG_DFL);  // a caller may have ignored it: then no child could be waited for
+  allowed = ::getpid();
+}
+
+void supervise(const std::string& library) {
+  if (allowed == 0 || allowed != ::getpid()) return;
+  const Parting* word = ExitGuard::share_last_word();
+  if (!word) throw_system_error("mmap");
+  std::cout.flush();
+  std::fflush(nullptr);  // or the child would write it a second time
+  adapters::adopt_orphans();
+  const sigset_t awaited = awaited_signals();
+  sigset_t before;
+  ::sigprocmask(SIG_BLOCK, &awaited, &before);
+  const pid_t child = ::fork();
+  const int reason = errno;
+  if (child > 0) watch(child, *word);
+  ::sigprocmask(SIG_SETMASK, &before, nullptr);
+  if (child < 0) throw SystemError("a library cannot be loaded: fork: " + std::generic_category().message(reason));
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != allowed) leave_process(3);
+  ExitGuard::move_to_this_process(library.c_str());
+  own_this_process();
+  takes_instances_over = keep;
+  since.emplace();
+}
+
+std::uint32_t supervised_habits() { return since ? since->habits() & adapters::processes_left : adapters::no_habit; }
+
+}  // namespace assay::drivers

@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Does to its process what $ASSAY_TEST_DEED says, "WHEN DEED": when it is loaded, created, first or each time
+ * updated, destroyed, unloaded, or when the process exits. An honest model otherwise. */
+#define _GNU_SOURCE
+#include <fcntl.h>
+#include <pthread.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "common.h"
+
+static void sleep_for_long(void) {
+  for (unsigned left = 300; left > 0;) left = sleep(left);
+}
+
+static void follow_null(void) {
+  static double* volatile nowhere;
+  *nowhere = 1;
+}
+
+static void leave_daemon(void) {
+  if (fork() != 0) return;
+  setsid();
+  sleep_for_long();
+  _exit(0);
+}
+
+static void leave_far_daemon(void) {
+  const pid_t first = fork();
+  if (first != 0) {
+    waitpid(first, NULL, 0);
+    return;
+  }
+  setsid();
+  if (fork() == 0) {
+    for (int file = 0; file < 1024; ++file) close(file);
+    sleep_for_long();
+  }
+  _exit(0);
+}
+
+static void leave_child(void) {
+  if (fork() != 0) return;
+  sleep_for_long();
+  _exit(0);
+}
+
+static void leave_buried(void) {
+  if (fork() == 0) _exit(0);
+  wait(NULL);
+}
+
+static void leave_quietly(void) { _exit(0); }
+static void leave_by_exit(void) { exit(7); }
+static void leave_quickly(void) { quick_exit(0); }
+static void become_another(void) { execl("/bin/true", "true", (char*)NULL); }
+static void wait_for_ever(void) {
+  for (;;) pause();
+}
+static void wait_deaf(void) {
+  sigset_t all;
+  sigfillset(&all);
+  sigprocmask(SIG_BLOCK, &all, NULL);
+  wait_for_ever();
+}
+static void kill_itself(void) { raise(SIGKILL); }
+static void stop_itself(void) { raise(SIGSTOP); }
+static void end_by_alarm(void) {
+  alarm(1);
+  pause();
+}
+static void stop_its_parent(void) { kill(getppid(), SIGSTOP); }
+static void double_itself(void) { fork(); }
+static void end_its_thread(void) { pthread_exit(NULL); }
+static void forbid_files(void) { umask(0777); }
+static void close_streams(void) {
+  for (int file = 0; file < 3; ++file) close(file);
+}
+static void close_all(void) {
+  for (int file = 0; file < 1024; ++file) close(file);
+}
+static void leak_files(void) {
+  while (open("/dev/null", O_RDONLY) >= 0) continue;
+}
+static void nap(void) { usleep(1000); }
+static void write_late(void) {
+  FILE* file = fopen(getenv("ASSAY_TEST_FILE"), "w");
+  if (file) fputs("late", file); /* flushed when the process exits */
+}
+
+/* Where that file is this library, the code that comes next is gone. */
+static void truncate_library(void) {
+  if (truncate(getenv("ASSAY_TEST_FILE"), 0) != 0) abort();
+}
+
+static void act(const char* when) {
+  static const struct {
+    const char* name;
+    void (*act)(void);
+  } deeds[] = {{"abort", abort},
+               {"null", follow_null},
+               {"pause", wait_for_ever},
+               {"deaf", wait_deaf},
+               {"_exit", leave_quietly},
+               {"exit", leave_by_exit},
+               {"quick_exit", leave_quickly},
+               {"exec", become_another},
+               {"kill", kill_itself},
+               {"stop", stop_itself},
+               {"alarm", end_by_alarm},
+               {"stop_parent", stop_its_parent},
+               {"fork", double_itself},
+               {"daemon", leave_daemon},
+               {"far_daemon", leave_far_daemon},
+               {"child", leave_child},
+               {"buried", leave_buried},
+               {"thread_exit", end_its_thread},
+               {"umask", forbid_files},
+               {"close", close_streams},
+               {"close_all", close_all},
+               {"leak", leak_files},
+               {"nap", nap},
+               {"write", write_late},
+               {"truncate", truncate_library}};
+  const char* asked = getenv("ASSAY_TEST_DEED");
+  const size_t length = strlen(when);
+  if (!asked || strncmp(asked, when, length) != 0 || asked[length] != ' ') return;
+  for (size_t k = 0; k < sizeof deeds / sizeof *deeds; ++k) {
+    if (strcmp(deeds[k].name, asked + length + 1) == 0) deeds[k].act();
+  }
+}
+
+static void at_exit(void) { act("exit"); }
+
+__attribute__((constructor)) static void load(void) { act("load"); }
+__attribute__((destructor)) static void unload(void) { act("unload"); }
+
+static void* create_and_act(const double* p, char* message) {
+  static int registered = 0;
+  if (!registered) registered = atexit(at_exit) == 0;
+  act("create");
+  return create(p, message);
+}
+
+static void destroy_and_act(void* self) {
+  act("destroy");
+  destroy(self);
+}
+
+static void update_and_act(void* self, const assay_step* step, size_t n, const double* state0, double* state1,
+                           double* cauchy, int32_t* status, double* dt_factor, char* message) {
+  static int calls = 0;
+  if (calls++ == 0) act("update");
+  act("each");
+  update(self, step, n, state0, state1, cauchy, status, dt_factor, message);
+}
+
+const assay_material* assay_material_entry(uint32_t host_major, uint32_t index) {
+  static assay_material table = TEST_TABLE("misdeeds");
+  table.create = create_and_act;
+  table.destroy = destroy_and_act;
+  table.update = update_and_act;
+  return host_major == ASSAY_ABI_MAJOR && index == 0 ? &table : NULL;
+}
