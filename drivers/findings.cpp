@@ -8,12 +8,12 @@
 #include "adapters/worker/remote_table.hpp"
 #include "drivers/check_material.hpp"
 #include "drivers/input_error.hpp"
+#include "drivers/input_file.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/replay.hpp"
 #include "drivers/scene/resolved.hpp"
 #include "drivers/scene/sha256.hpp"
-#include "drivers/scene/yaml_reader.hpp"
 #include "harness/force_error.hpp"
 
 namespace assay::drivers {

@@ -2,14 +2,16 @@
 // `assay tabulate`: the point driver's sheet tau(xi, t), its slope, and the curve tau(eps).
 #include <fmt/core.h>
 #include <chrono>
-#include <cstdio>
 
 #include "drivers/build_information.hpp"
 #include "drivers/findings.hpp"
+#include "drivers/input_error.hpp"
+#include "drivers/input_file.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/output_folder.hpp"
 #include "drivers/output/result_json.hpp"
+#include "drivers/output/terminal.hpp"
 #include "drivers/output/wrapped_text.hpp"
 #include "drivers/references.hpp"
 #include "drivers/scene/expect.hpp"
@@ -48,7 +50,7 @@ std::string summary(const Tabulation& tab, const Result& result, const std::stri
     text += sheet_text(*result.sheet);
     text += references_text(result.reference, tab.path.name);
   }
-  return text + expectations_text(result) + "results in " + folder + "\n";
+  return text + expectations_text(result) + "results in " + one_line(folder) + "\n";
 }
 
 void write_tables(const Tabulation& tab, const std::vector<SheetPoint>& points, OutputFolder& folder) {
@@ -68,6 +70,8 @@ void write_tables(const Tabulation& tab, const std::vector<SheetPoint>& points, 
 }  // namespace
 
 int tabulate(const TabulateOptions& options) {
+  if (is_same_stream(options.scene, options.points))
+    throw InputError({}, "--points", "is the scene's stream, which can be read once");
   Scene scene = read_scene(options.scene, options.sets);
   std::vector<SheetPoint> points;
   if (!options.points.empty()) points = read_sheet_points(options.points);
@@ -111,9 +115,9 @@ int tabulate(const TabulateOptions& options) {
   folder.write("result.json", json);
   folder.commit();
   if (options.json)
-    std::fputs(json.c_str(), stdout);
+    print_json(json);
   else if (options.verbosity != Verbosity::quiet)
-    std::fputs(summary(tab, result, options.out).c_str(), stdout);
+    print(summary(tab, result, options.out));
   return exit_status(result);
 }
 
