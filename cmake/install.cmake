@@ -39,9 +39,26 @@ configure_package_config_file(cmake/assay-config.cmake.in ${PROJECT_BINARY_DIR}/
   INSTALL_DESTINATION ${package_dir} PATH_VARS materials_dir fortran_module)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/assay-config-version.cmake
   COMPATIBILITY SameMinorVersion)
+set(package_files assay_add_material.cmake assay_add_foreign_material.cmake assay_add_material_test.cmake
+  check_columns.cmake check_exported.cmake exported_symbols.map)
+list(TRANSFORM package_files PREPEND cmake/ OUTPUT_VARIABLE package_sources)
 install(FILES ${PROJECT_BINARY_DIR}/package/assay-config.cmake ${PROJECT_BINARY_DIR}/package/assay-config-version.cmake
-  cmake/assay_add_material.cmake cmake/assay_add_foreign_material.cmake cmake/assay_add_material_test.cmake
-  cmake/check_columns.cmake cmake/check_exported.cmake cmake/exported_symbols.map DESTINATION ${package_dir})
+  ${package_sources} DESTINATION ${package_dir})
+
+# The same of the build folder itself, for whoever has that on PATH: CMake looks for PREFIX/cmake, too.
+set(built_package ${PROJECT_BINARY_DIR}/cmake)
+foreach(file IN LISTS package_files)
+  configure_file(cmake/${file} ${built_package}/${file} COPYONLY)
+endforeach()
+configure_file(${PROJECT_BINARY_DIR}/package/assay-config-version.cmake ${built_package}/assay-config-version.cmake COPYONLY)
+export(EXPORT assay_targets NAMESPACE assay:: FILE ${built_package}/assay-targets.cmake)
+block()
+  set(materials_dir ${PROJECT_BINARY_DIR}/materials)
+  file(MAKE_DIRECTORY ${materials_dir})
+  set(fortran_module ${PROJECT_SOURCE_DIR}/harness/assay_material.f90)
+  configure_package_config_file(cmake/assay-config.cmake.in ${built_package}/assay-config.cmake
+    INSTALL_PREFIX ${PROJECT_BINARY_DIR} INSTALL_DESTINATION cmake PATH_VARS materials_dir fortran_module)
+endblock()
 
 # For those who build without CMake. Nothing in it depends on the machine, and it finds its prefix from where it lies.
 set(pc_dir ${CMAKE_INSTALL_DATADIR}/pkgconfig)

@@ -2,10 +2,10 @@
 #include "drivers/causes_page.hpp"
 
 #include <algorithm>
-#include <iostream>
 #include <sstream>
 
 #include "drivers/input_error.hpp"
+#include "drivers/output/terminal.hpp"
 #include "drivers/output/wrapped_text.hpp"
 
 namespace assay::drivers {
@@ -125,14 +125,14 @@ std::string explained_cause(const std::string& cause) {
 int explain_cause(const std::string& cause) {
   const std::vector<std::string> known = explained_causes();
   if (cause == "all") {
-    for (const std::string& each : known) std::cout << each << "\n";
+    for (const std::string& each : known) print(each + "\n");
     return 0;
   }
   const std::string text = explained_cause(cause);
   if (text.empty()) {
     throw InputError({}, "--explain", unknown("cause", one_line(cause, 60), known), joined(known));
   }
-  std::cout << text;
+  print(text);
   return 0;
 }
 

@@ -2,7 +2,6 @@
 // `assay check`: the battery of model tests, for people, for scripts and for CI.
 #include <algorithm>
 #include <chrono>
-#include <iostream>
 #include <thread>
 
 #include "adapters/worker/remote_table.hpp"
@@ -10,10 +9,12 @@
 #include "drivers/check_material.hpp"
 #include "drivers/check_output.hpp"
 #include "drivers/check_replay.hpp"
+#include "drivers/input_file.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/material/material_path.hpp"
 #include "drivers/material/registry.hpp"
 #include "drivers/output/numbers.hpp"
+#include "drivers/output/terminal.hpp"
 #include "drivers/progress.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/scene/yaml_reader.hpp"
@@ -47,6 +48,7 @@ std::map<std::string, double> parameters_in(const std::string& list) {
 
 /// A scene is a YAML file that has a motion; a description of a material has none.
 bool is_scene(const std::string& material) {
+  if (is_stream(material)) return read_yaml(read_bytes(material), material).find("motion") != nullptr;
   const MaterialName name = parse_material(material);
   if (!name.is_path || !name.table.empty() || !(name.file.ends_with(".yaml") || name.file.ends_with(".yml"))) {
     return false;
@@ -66,13 +68,19 @@ ResolvedMaterial material_to_check(const CheckOptions& options) {
   } else {
     choice.adapter = absolute_material(options.material, {});  // the process that tests it stands elsewhere
   }
+  choice.parameters_option = "--parameters";
+  if (choice.where.file.empty()) choice.adapter_key = {}, choice.parameters_key = "parameters";
   if (!asks_for_source(options.material)) refuse_source_options(options.source, options.material);
-  for (const auto& [name, value] : parameters_in(options.parameters)) choice.parameters[name] = value;
+  for (const auto& [name, value] : parameters_in(options.parameters)) {
+    choice.parameters[name] = value;
+    choice.parameter_where[name] = {choice.parameters_option, 0, 0};
+    choice.parameter_key_where.erase(name);
+  }
   if (!(choice.density > 0)) choice.density = 1;  // no test needs one
   choice.isolation = Isolation::worker;           // nobody's code runs in this process
   ResolvedMaterial resolved = resolve_material(choice, Example::where_required);
   if (!asks_for_source(options.material)) {
-    for (const std::string& warning : resolved.warnings) std::cerr << "warning: " << warning << "\n";
+    for (const std::string& warning : resolved.warnings) warn(warning);
   }
   return resolved;
 }

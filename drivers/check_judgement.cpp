@@ -11,6 +11,7 @@
 #include "drivers/check_host.hpp"
 #include "drivers/check_state_blocks.hpp"
 #include "drivers/check_undeclared.hpp"
+#include "harness/stopwatch.hpp"
 
 namespace assay::drivers {
 
@@ -21,8 +22,10 @@ bool judge_beyond(const ResolvedMaterial& material, const CheckSettings& setting
                   check::Report& report) {
   const bool asked = (settings.only.empty() || settings.only == beyond_test) && settings.without != beyond_test;
   if (asked && reporter.begins) reporter.begins(beyond_test);
-  const auto found = asked ? goes_beyond(material, settings.effort) : std::nullopt;
+  const Stopwatch watch;
+  auto found = asked ? goes_beyond(material, settings.effort) : std::nullopt;
   if (!found) return true;
+  found->test.wall_s = watch.seconds();
   if (reporter.ends) reporter.ends(found->test);
   report.effort = settings.effort;
   report.tests.push_back(found->test);
@@ -68,8 +71,10 @@ void judge_host(const ResolvedMaterial& material, const CheckSettings& settings,
   });
   if (!asked || keeps_state || report.strain == 0) return;
   if (reporter.begins) reporter.begins(host_test);
-  const auto found = depends_on_host(material, report.strain, report.pressure);
+  const Stopwatch watch;
+  auto found = depends_on_host(material, report.strain, report.pressure);
   if (!found) return;
+  found->test.wall_s = watch.seconds();
   if (reporter.ends) reporter.ends(found->test);
   report.tests.push_back(found->test);
   checked.depends_on.insert(checked.depends_on.end(), found->depends_on.begin(), found->depends_on.end());

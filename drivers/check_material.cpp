@@ -19,6 +19,7 @@
 #include "drivers/material/model_files.hpp"
 #include "drivers/output/whole_file.hpp"
 #include "drivers/replay.hpp"
+#include "harness/stopwatch.hpp"
 
 namespace assay::drivers {
 
@@ -81,8 +82,10 @@ void add_vortex(const ResolvedMaterial& material, check::Report& report, const C
   reporter.begins(vortex_test);
   const auto found = std::find_if(report.tests.begin(), report.tests.end(),
                                   [](const check::TestResult& test) { return test.id == "ellipticity"; });
+  const Stopwatch watch;
   report.tests.push_back(end_to_end_vortex(material, found == report.tests.end() ? std::nullopt : found->measure));
-  const check::TestResult& test = report.tests.back();
+  check::TestResult& test = report.tests.back();
+  test.wall_s = watch.seconds();
   if (test.verdict == check::Verdict::fail) report.diagnosis.push_back({test.cause, test.sentence});
 }
 

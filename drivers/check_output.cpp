@@ -2,8 +2,8 @@
 #include "drivers/check_output.hpp"
 
 #include <array>
-#include <iostream>
 
+#include "drivers/output/terminal.hpp"
 #include "drivers/output/whole_file.hpp"
 
 namespace assay::drivers {
@@ -18,7 +18,7 @@ void tell(const CheckOptions& options, const std::string& text, const std::strin
   for (const Page& page : pages) {
     if (page.file == "-") shown = &page.text;
   }
-  std::cout << *shown << std::flush;
+  shown == &json ? print_json(*shown) : print(*shown);
   for (const Page& page : pages) {
     if (!page.file.empty() && page.file != "-") write_file(page.file, page.text);
   }

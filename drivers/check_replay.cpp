@@ -2,13 +2,13 @@
 #include "drivers/check_replay.hpp"
 
 #include <cmath>
-#include <iostream>
 
 #include "adapters/worker/remote_table.hpp"
 #include "drivers/check_material.hpp"
 #include "drivers/check_output.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
+#include "drivers/output/terminal.hpp"
 #include "drivers/output/wrapped_text.hpp"
 #include "drivers/replay.hpp"
 #include "harness/checked_update.hpp"
@@ -66,7 +66,7 @@ int check_replay(const CheckOptions& options) {
   const bool known = !replay.library_sha256.empty();
   if (known && replay_of(resolved, {}, "").library_sha256 != replay.library_sha256 &&
       options.verbosity != Verbosity::quiet) {
-    std::cerr << "warning: " << resolved.library << " is not the library of the failure: it has changed\n";
+    warn(resolved.library + " is not the library of the failure: it has changed");
   }
   watch_interrupts();
   const CheckTask task{

@@ -49,6 +49,7 @@ Json json_of(const CheckedMaterial& checked) {
     const auto replay = checked.replays.find(test.id);
     out["tests"].push_back({{"id", test.id},
                             {"verdict", verdict_name(test.verdict)},
+                            {"wall_s", json_figure(test.wall_s)},
                             {"measure", json_figure(test.measure)},
                             {"threshold", json_figure(test.threshold)},
                             {"order", json_figure(test.order)},
@@ -79,7 +80,8 @@ TestResult test_in(const Json& test) {
           .threshold = number_in(test.at("threshold")),
           .order = number_in(test.at("order")),
           .cause = text_in(test.at("cause")),
-          .sentence = test.at("sentence")};
+          .sentence = test.at("sentence"),
+          .wall_s = test.at("wall_s")};
 }
 
 }  // namespace
@@ -150,7 +152,7 @@ std::string class_of(const CheckedMaterial& checked) {
 }
 
 JunitCase test_case(const CheckedMaterial& checked, const TestResult& test) {
-  JunitCase out{class_of(checked), test.id};
+  JunitCase out{class_of(checked), test.id, test.wall_s};
   if (test.verdict == Verdict::pass) return out;
   if (test.verdict == Verdict::not_applicable) {
     out.kind = JunitCase::Kind::skipped;

@@ -52,8 +52,8 @@ std::string check_text(const CheckedMaterial& checked, Verbosity verbosity);
 std::string check_text(const std::vector<CheckedMaterial>& all, double wall_s);
 
 /// {material, library, parameters, verdict, wall_s, error, strain, pressure, step, not_tested, depends_on: [{on, how}],
-/// diagnosis: [{cause, sentence}], tests: [{id, verdict, measure, threshold, order, cause, sentence, replay}]}; figures
-/// that were not found, or are infinite, are null.
+/// diagnosis: [{cause, sentence}], tests: [{id, verdict, wall_s, measure, threshold, order, cause, sentence, replay}]};
+/// figures that were not found, or are infinite, are null.
 std::string check_json(const CheckedMaterial& checked);
 
 /// {verdict, materials: [as above]}.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "drivers/check_report.hpp"
+#include "drivers/input_error.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/table_text.hpp"
 #include "drivers/output/wrapped_text.hpp"
@@ -124,7 +125,7 @@ std::string check_text(const CheckedMaterial& checked, Verbosity verbosity) {
     page += wrapped(d.sentence, "    ", "    ");
     page += "    more: assay check --explain \"" + d.cause + "\"\n";
   }
-  for (const auto& [test, file] : checked.replays) page += "replay: " + file + "\n";
+  for (const auto& [test, file] : checked.replays) page += "replay: " + one_line(file) + "\n";
   if (verbosity == Verbosity::verbose && !checked.printed.empty()) page += "the model printed:\n" + checked.printed;
   return page;
 }
@@ -141,7 +142,7 @@ std::string check_text(const std::vector<CheckedMaterial>& all, double wall_s) {
     if (!checked.error.empty()) page += wrapped(checked.error, "    ", "    ");
     for (const check::Diagnosis& d : report.diagnosis) page += wrapped(d.cause + ": " + d.sentence, "    ", "      ");
     if (!checked.depends_on.empty()) page += wrapped(dependences(checked), "    ", "      ");
-    for (const auto& [test, file] : checked.replays) page += "    replay: " + file + "\n";
+    for (const auto& [test, file] : checked.replays) page += "    replay: " + one_line(file) + "\n";
   }
   return page + "\n" + std::to_string(passed) + " of " + std::to_string(all.size()) + " materials pass, in " +
          rounded_text(wall_s, 2) + " s\n";

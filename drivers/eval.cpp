@@ -6,9 +6,12 @@
 
 #include "drivers/exact_stress.hpp"
 #include "drivers/findings.hpp"
+#include "drivers/input_error.hpp"
+#include "drivers/input_file.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/output/csv.hpp"
 #include "drivers/output/points_csv.hpp"
+#include "drivers/output/terminal.hpp"
 #include "drivers/output/whole_file.hpp"
 #include "drivers/replay.hpp"
 #include "drivers/scene/scene_reader.hpp"
@@ -87,7 +90,8 @@ double last_time(const ReferencePoints& points, double otherwise) {
 
 void refuse_input_as_output(const std::string& input, const std::string& out) {
   std::error_code code;
-  if (std::filesystem::is_regular_file(out, code) && std::filesystem::equivalent(input, out, code)) {
+  if (out != standard_stream && std::filesystem::equivalent(input, out, code) &&
+      std::filesystem::is_regular_file(out, code)) {
     throw InputError({}, "-o", "'" + out + "' would replace the input '" + input + "'");
   }
 }
@@ -114,7 +118,7 @@ std::string evaluated(const EvalOptions& options) {
   }
   Result process;
   record_process(*material, process);
-  for (const std::string& warning : process.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  for (const std::string& warning : process.warnings) warn(warning);
   return csv.text();
 }
 
@@ -127,12 +131,14 @@ std::string hint_of(const EvalOptions& options) {
 }  // namespace
 
 int eval(const EvalOptions& options) {
+  if (is_same_stream(options.scene, options.points))
+    throw InputError({}, "--points", "is the scene's stream, which can be read once");
   try {
     for (const std::string& input : {options.scene, options.points}) refuse_input_as_output(input, options.out);
     const std::string text = evaluated(options);
     stop_if_interrupted();
-    if (options.out.empty())
-      std::fputs(text.c_str(), stdout);
+    if (options.out.empty() || options.out == standard_stream)
+      print(text);
     else
       write_file(options.out, text);
     return 0;
@@ -140,7 +146,7 @@ int eval(const EvalOptions& options) {
     Result result;
     record_failure(failure, result);
     const std::string hint = failure.step ? "; " + hint_of(options) : "";
-    std::fprintf(stderr, "%s%s\n", result.reason.c_str(), hint.c_str());
+    std::fprintf(stderr, "%s%s\n", one_line(result.reason).c_str(), one_line(hint).c_str());
     return 1;
   }
 }

@@ -7,7 +7,9 @@
 #include "drivers/composition.hpp"
 #include "drivers/explanation.hpp"
 #include "drivers/findings.hpp"
+#include "drivers/input_error.hpp"
 #include "drivers/output/number_format.hpp"
+#include "drivers/output/terminal.hpp"
 #include "drivers/output/wrapped_text.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/screening.hpp"
@@ -209,12 +211,12 @@ int explain(const ExplainOptions& options) {
     }
     const ScreenFigures screen = screen_of(problem.scene, *problem.material, problem.scene.time.end);
     const std::string text = explanation(problem, exact.get(), screen, options.json);
-    std::fputs(text.c_str(), stdout);
+    options.json ? print_json(text) : print(text);
     return 0;
   } catch (const MaterialFailure& failure) {
     Result result;
     record_failure(failure, result);
-    std::fprintf(stderr, "%s\n", result.reason.c_str());
+    std::fprintf(stderr, "%s\n", one_line(result.reason).c_str());
     return 1;
   }
 }

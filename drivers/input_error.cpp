@@ -2,13 +2,20 @@
 #include "drivers/input_error.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
-#include <cstdint>
 #include <cstring>
+#include <map>
+#include <utility>
+
+#include "drivers/input_file.hpp"
+#include "drivers/unseen.hpp"
 
 namespace assay::drivers {
 
 namespace {
+
+constexpr std::size_t longest_line = 4096;  // [bytes]
 
 std::string line_of(const Location& where, const std::string& key, const std::string& what, const std::string& known) {
   std::string line = where.text();
@@ -16,8 +23,47 @@ std::string line_of(const Location& where, const std::string& key, const std::st
   line += key;
   if (!line.empty()) line += ": ";
   line += what;
+  const std::string note = unseen_note(with_unseen_written(key + " " + what));
+  if (!note.empty()) line += "; " + note;
   if (!known.empty()) line += "; known: " + known;
-  return one_line(line);
+  return with_unseen_written(cut(line, longest_line));
+}
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// What other codes call by this name, in the words of a scene; empty where that is not known.
+std::string name_elsewhere(const std::string& word) {
+  static const std::map<std::string, std::string> names{{"rho", "density"},
+                                                        {"rho0", "density"},
+                                                        {"properties", "parameters"},
+                                                        {"model", "adapter"},
+                                                        {"name", "adapter"},
+                                                        {"h", "spacing"},
+                                                        {"dx", "spacing"},
+                                                        {"cell_size", "spacing"},
+                                                        {"resolution", "spacing"},
+                                                        {"cfl", "courant"},
+                                                        {"timestep_multiplier", "courant"},
+                                                        {"dt", "step"},
+                                                        {"end_time", "end"},
+                                                        {"t_end", "end"},
+                                                        {"maxtime", "end"},
+                                                        {"shape_function", "basis"},
+                                                        {"interpolator", "basis"},
+                                                        {"ppc", "per_cell"},
+                                                        {"particles_per_cell", "per_cell"},
+                                                        {"kind", "type"},
+                                                        {"ri", "inner"},
+                                                        {"ro", "outer"},
+
+                                                        {"youngs_modulus", "e"},
+                                                        {"poisson", "nu"},
+                                                        {"poissons_ratio", "nu"}};
+  const auto found = names.find(word);
+  return found == names.end() ? std::string() : found->second;
 }
 
 /// Optimal string alignment: insertions, deletions, substitutions and swaps of neighbours cost one each.
@@ -36,51 +82,10 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return last[b.size()];
 }
 
-/// Length of the UTF-8 character at `at` and its code point; 0 where there is none.
-std::size_t decode(std::string_view text, std::size_t at, std::uint32_t& code) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(at);
-  const std::size_t length = first < 0x80                    ? 1
-                             : first >= 0xC2 && first < 0xE0 ? 2
-                             : (first & 0xF0u) == 0xE0       ? 3
-                             : first >= 0xF0 && first < 0xF5 ? 4
-                                                             : 0;
-  if (length == 0 || at + length > text.size()) return 0;
-  code = length == 1 ? first : first & (0xFFu >> (length + 1));
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(at + i) & 0xC0u) != 0x80u) return 0;
-    code = code << 6 | (byte(at + i) & 0x3Fu);
-  }
-  return length;
-}
-
-/// Control characters, and those that turn the direction of writing or break lines.
-bool hidden(std::uint32_t code) {
-  return code < 0x20 || (code >= 0x7F && code < 0xA0) || (code >= 0x200E && code <= 0x200F) ||
-         (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
-}
-
-/// Hidden characters become blanks, what is no UTF-8 becomes a question mark.
-std::string printable(std::string_view text) {
-  std::string line;
-  for (std::size_t at = 0; at < text.size();) {
-    std::uint32_t code = 0;
-    const std::size_t length = decode(text, at, code);
-    if (length == 0)
-      line += '?';
-    else if (hidden(code))
-      line += ' ';
-    else
-      line += text.substr(at, length);
-    at += std::max<std::size_t>(length, 1);
-  }
-  return line;
-}
-
 }  // namespace
 
 std::string Location::text() const {
-  std::string text = file;
+  std::string text = file == standard_stream ? "standard input" : file;
   if (line > 0) text += ":" + std::to_string(line);
   if (line > 0 && column > 0) text += ":" + std::to_string(column);
   return text;
@@ -88,20 +93,12 @@ std::string Location::text() const {
 
 void throw_system_error(const char* call) { throw SystemError(std::string(call) + ": " + std::strerror(errno)); }
 
-InputError::InputError(const std::string& what) : std::runtime_error(one_line(what)) {}
+InputError::InputError(const std::string& what) : std::runtime_error(line_of({}, {}, what, {})) {}
 
 InputError::InputError(const Location& where, const std::string& key, const std::string& what, const std::string& known)
     : std::runtime_error(line_of(where, key, what, known)) {}
 
-std::string one_line(std::string_view text, std::size_t limit) {
-  std::string line(text.substr(0, limit));
-  if (text.size() > limit) {
-    while (!line.empty() && (static_cast<unsigned char>(line.back()) & 0xC0u) == 0x80u) line.pop_back();
-    if (!line.empty() && (static_cast<unsigned char>(line.back()) & 0x80u) != 0) line.pop_back();  // no half character
-    line += "...";
-  }
-  return printable(line);
-}
+std::string one_line(std::string_view text, std::size_t limit) { return printable(cut(text, limit)); }
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
@@ -109,22 +106,49 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-std::string nearest(const std::string& word, const std::vector<std::string>& known) {
+std::string nearest(const std::string& mistyped, const std::vector<std::string>& known) {
+  const std::string word = without_unseen(mistyped);
   if (word.empty() || word.size() > 200) return {};
+  const std::string small = lower(word);
+  for (const std::string& name : {small, name_elsewhere(small)}) {
+    for (const std::string& candidate : known) {
+      if (lower(candidate) == name) return candidate;
+    }
+  }
   std::string best;
-  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+  const std::size_t most = word.size() == 1 ? 0 : word.size() < 4 ? 1 : std::max<std::size_t>(2, word.size() / 3);
+  std::size_t least = most + 1;
   for (const std::string& candidate : known) {
-    const std::size_t distance = edit_distance(word, candidate);
+    const std::size_t distance = std::min(edit_distance(word, candidate), edit_distance(small, lower(candidate)));
     if (distance < least) least = distance, best = candidate;
   }
   if (!best.empty()) return best;
-  const auto begins = std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.starts_with(word); });
-  return begins == known.end() ? std::string() : *begins;
+  constexpr std::size_t stem = 4;  // of an abbreviation, "params"
+  for (const std::string& beginning : {word, word.size() > stem ? word.substr(0, stem) : word}) {
+    const auto begins =
+        std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.starts_with(beginning); });
+    if (begins != known.end()) return *begins;
+  }
+  return {};
+}
+
+std::string known_words(const std::string& word, const std::vector<std::string>& known, const std::string& source) {
+  constexpr std::size_t most = 40, few = 6;
+  if (known.size() <= most) return joined(known);
+  std::vector<std::pair<std::size_t, std::string>> ranked;
+  for (const std::string& each : known)
+    ranked.emplace_back(word.size() > 200 ? 0 : each.starts_with(word) ? 0 : edit_distance(word, each), each);
+  std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<std::string> nearest_ones;
+  for (std::size_t i = 0; i < few; ++i) nearest_ones.push_back(ranked[i].second);
+  return joined(nearest_ones) + " and " + std::to_string(known.size() - few) + " more, which " + source + " lists";
 }
 
 std::string unknown(const std::string& kind, const std::string& word, const std::vector<std::string>& known) {
   const std::string near = nearest(word, known);
-  return "unknown " + kind + (near.empty() ? std::string() : " (nearest: " + near + ")");
+  const std::string other = lookalike(word);
+  return "unknown " + kind + (near.empty() ? std::string() : " (nearest: " + near + ")") +
+         (other.empty() ? "" : ", " + other);
 }
 
 }  // namespace assay::drivers

@@ -14,14 +14,14 @@ struct Location {
   std::string file;
   int line = 0;
   int column = 0;
-  /// "file:line:column", as much of it as is known.
+  /// "file:line:column", as much of it as is known; "standard input:line:column".
   std::string text() const;
 };
 
 /// Location::file of what came from `--set`; the line then reads `--set key.path: what`.
 inline constexpr const char* set_option = "--set";
 
-/// what(): one line `file:line:column: key.path: what; known: ...`.
+/// what(): one line `file:line:column: key.path: what; known: ...`. What cannot be seen in it is written out and named.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(const std::string& what);
@@ -43,15 +43,18 @@ class FolderBusy : public SystemError {
   using SystemError::SystemError;
 };
 
-/// The text on one line: control characters become blanks (those that turn the direction of writing too), what is no
-/// UTF-8 becomes a question mark, what exceeds `limit` bytes is cut and marked by "...".
+/// The text on one line, as printable() has it; what exceeds `limit` bytes is cut and marked by "...".
 std::string one_line(std::string_view text, std::size_t limit = 4096);
 
 /// "a, b, c".
 std::string joined(const std::vector<std::string>& words);
 
-/// The known word nearest to a mistyped one by edit distance; empty where none is near.
-std::string nearest(const std::string& word, const std::vector<std::string>& known);
+/// The known word nearest to a mistyped one by edit distance, whatever cannot be seen in it; empty where none is near.
+std::string nearest(const std::string& mistyped, const std::vector<std::string>& known);
+
+/// "a, b, c"; of more than 40 words the nearest to `word`, and that `source` lists the others.
+std::string known_words(const std::string& word, const std::vector<std::string>& known,
+                        const std::string& source = "`assay schema`");
 
 /// "unknown key" or "unknown key (nearest: inner)".
 std::string unknown(const std::string& kind, const std::string& word, const std::vector<std::string>& known);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay materials`: what is registered, for people (80 columns) and for machines.
-#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "drivers/material/material_path.hpp"
 #include "drivers/material/material_text.hpp"
 #include "drivers/material/registry.hpp"
 #include "drivers/output/json_figure.hpp"
+#include "drivers/output/terminal.hpp"
 #include "drivers/verbs.hpp"
 
 namespace assay::drivers {
@@ -73,7 +73,7 @@ int materials(const MaterialsOptions& options) {
   };
   if (!options.name.empty()) {
     const MaterialSource source = find_material(options.name, command, "", Isolation::worker);
-    for (const std::string& warning : source.warnings) std::cerr << "warning: " << warning << "\n";
+    for (const std::string& warning : source.warnings) warn(warning);
     add(parse_material(options.name).is_path ? source.table->name : options.name, source);
   }
   for (const RegisteredName& registered : options.name.empty() ? registered_names() : std::vector<RegisteredName>{}) {
@@ -90,9 +90,9 @@ int materials(const MaterialsOptions& options) {
     }
   }
   if (options.json) {
-    std::cout << (options.name.empty() ? list : list[0]).dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+    print_json((options.name.empty() ? list : list[0]).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   } else {
-    std::cout << page;
+    print(page);
   }
   return 0;
 }

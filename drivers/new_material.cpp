@@ -2,16 +2,16 @@
 // `assay new-material`: a small project of a material that builds, passes `check` and runs the vortex.
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
-#include <iostream>
 #include <map>
 
 #include "adapters/builtin.hpp"
 #include "drivers/build_information.hpp"
 #include "drivers/input_error.hpp"
 #include "drivers/interrupt.hpp"
+#include "drivers/next_steps.hpp"
 #include "drivers/output/output_folder.hpp"
+#include "drivers/output/terminal.hpp"
 #include "drivers/output/wrapped_text.hpp"
 #include "drivers/project_templates.hpp"
 #include "drivers/verbs.hpp"
@@ -116,12 +116,6 @@ void write_project(const fs::path& folder, const std::map<std::string, std::stri
   out.commit();
 }
 
-/// As a word of the shell.
-std::string shell_word(const std::string& word) {
-  const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.' || c == '/' || c == '+'; };
-  return std::all_of(word.begin(), word.end(), plain) ? word : "'" + replaced(word, "'", "'\\''") + "'";
-}
-
 }  // namespace
 
 int new_material(const NewMaterialOptions& options) {
@@ -133,11 +127,8 @@ int new_material(const NewMaterialOptions& options) {
   if (options.verbosity == Verbosity::quiet) return 0;
   std::string names;
   for (const auto& [name, text] : files) names += name + " ";
-  std::cout << wrapped(options.name + ": " + flavour.what + ", to be made yours", "", "  ")
-            << wrapped(names, "  ", "  ") << "next:\n  cd " << shell_word(folder.string())
-            << "\n  cmake -B build          # or with -D CMAKE_PREFIX_PATH=(where assay is)\n"
-               "  cmake --build build\n  ctest --test-dir build  # assay check\n  "
-            << flavour.run << "\n";
+  print(wrapped(options.name + ": " + flavour.what + ", to be made yours", "", "  ") + wrapped(names, "  ", "  ") +
+        "next:\n" + next_steps(folder.string(), flavour.run));
   return 0;
 }
 

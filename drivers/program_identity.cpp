@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "drivers/input_file.hpp"
 #include "drivers/scene/sha256.hpp"
-#include "drivers/scene/yaml_reader.hpp"
 
 namespace assay::drivers {
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "drivers/input_error.hpp"
+
 namespace assay::drivers {
 
 namespace {
@@ -57,7 +59,7 @@ void Progress::update(double fraction, std::string_view detail) {
 void Progress::update_at(double elapsed_s, double fraction, std::string_view detail) {
   if (!active_ || elapsed_s < next_s_) return;
   next_s_ = elapsed_s + 0.2;
-  std::fprintf(stream_, "\r\033[K%s", progress_line(what_, fraction, detail, elapsed_s).c_str());
+  std::fprintf(stream_, "\r\033[K%s", one_line(progress_line(what_, fraction, detail, elapsed_s)).c_str());
   std::fflush(stream_);
   shown_ = true;
 }

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 #include <optional>
 #include <system_error>
 
 #include "adapters/builtin.hpp"
 #include "adapters/foreign/foreign_state.hpp"
 #include "adapters/probe.hpp"
+#include "drivers/input_error.hpp"
+#include "drivers/input_file.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/material/abaqus_deck.hpp"
 #include "drivers/material/foreign_description.hpp"
@@ -19,6 +20,7 @@
 #include "drivers/material/raw_library.hpp"
 #include "drivers/material/registry.hpp"
 #include "drivers/material/source_library.hpp"
+#include "drivers/output/terminal.hpp"
 #include "drivers/output/whole_file.hpp"
 #include "drivers/output/wrapped_text.hpp"
 #include "drivers/scene/text_check.hpp"
@@ -114,7 +116,8 @@ std::string notes(const MaterialSource& source, const MaterialDescription& descr
 
 std::string chosen_name(const RegisterOptions& options, const MaterialSource& source) {
   std::string name = options.name;
-  if (name.empty()) name = source.description.empty() ? source.table->name : fs::path(options.file).stem().string();
+  const bool has_file = !source.description.empty() && !is_stream(options.file);
+  if (name.empty()) name = !has_file ? source.table->name : fs::path(options.file).stem().string();
   const std::string key = options.name.empty() ? options.file : "--as";
   if (!is_material_name(name)) {
     throw InputError({}, key,
@@ -161,7 +164,7 @@ Candidate candidate_of_source(const std::string& path, const std::string& chosen
 Candidate candidate_of(const RegisterOptions& options) {
   const MaterialName asked = parse_material(options.file);
   // A bare name means a file here, not a registered one.
-  const std::string path = absolute_path(asked.file);
+  const std::string path = is_stream(asked.file) ? asked.file : absolute_path(asked.file);
   refuse_what_is_no_text(path);
   if (asks_for_source(options.file)) return candidate_of_source(path, asked.table, options.source);
   refuse_source_options(options.source, options.file);
@@ -191,7 +194,7 @@ std::string told(const std::string& name, const Candidate& candidate, bool repla
                  const std::optional<std::string>& defect) {
   const MaterialSource& source = candidate.source;
   std::string page = "registered " + name + ": " + source.table->name + " in " +
-                     (source.source.empty() ? source.library : source.source) +
+                     one_line(source.source.empty() ? source.library : source.source) +
                      (replaces ? "; replaces what had that name" : "") + "\n" + notes(source, candidate.description);
   if (defect) page += wrapped("it " + *defect, "  ", "    ");
   for (const std::string& note : candidate.notes) page += wrapped(note, "  ", "    ");
@@ -215,8 +218,8 @@ int register_material(const RegisterOptions& options) {
   if (code) throw SystemError("'" + folder() + "' cannot be made: " + code.message());
   const bool replaces = fs::exists(fs::path(folder()) / (name + ".yaml"), code);
   write_file(fs::path(folder()) / (name + ".yaml"), candidate.text);
-  for (const std::string& warning : candidate.warnings) std::cerr << "warning: " << one_line(warning) << "\n";
-  if (options.verbosity != Verbosity::quiet) std::cout << told(name, candidate, replaces, defect);
+  for (const std::string& warning : candidate.warnings) warn(warning);
+  if (options.verbosity != Verbosity::quiet) print(told(name, candidate, replaces, defect));
   return 0;
 }
 

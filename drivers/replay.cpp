@@ -7,9 +7,11 @@
 #include "drivers/check_host.hpp"
 #include "drivers/check_material.hpp"
 #include "drivers/check_vortex.hpp"
+#include "drivers/input_file.hpp"
 #include "drivers/material/material_choice.hpp"
 #include "drivers/material/registry.hpp"
 #include "drivers/output/numbers.hpp"
+#include "drivers/scene/file_kind.hpp"
 #include "drivers/scene/sha256.hpp"
 #include "drivers/scene/yaml_reader.hpp"
 #include "drivers/scene/yaml_values.hpp"
@@ -147,10 +149,31 @@ std::string test_text(const Replay& replay) {
 
 }  // namespace
 
+namespace {
+
+/// Of the numbers in a replay: those of the user's parameters, unless the description says what these are.
+std::string units_words(const ResolvedMaterial& resolved) {
+  if (resolved.foreign) {
+    const adapters::ModelUnits& units = resolved.foreign->units;
+    const bool said = units.stress != 1 || units.time != 1 || units.length != 1;
+    return said ? "Times in s, stresses in Pa, STATEV in the model's own units."
+                : "Times and stresses in the units that the parameters imply.";
+  }
+  const assay_material& table = resolved.material.table();
+  for (std::uint32_t i = 0; i < table.parameter_count; ++i) {
+    const std::string unit = table.parameters[i].unit ? table.parameters[i].unit : "";
+    if (unit.ends_with("Pa")) return "Times in s, stresses in " + one_line(unit, 20) + ", as the parameters.";
+  }
+  return "Times in s, stresses in the unit of the parameters.";
+}
+
+}  // namespace
+
 std::string replay_yaml(const Replay& replay) {
-  const Material material = material_of(replay);
-  std::string text =
-      "# What a material failed: F0 and state0 at t, F1 at t + dt; SI units. Again: assay check --replay\n";
+  const ResolvedMaterial resolved = resolved_of(replay);
+  const Material& material = resolved.material;
+  std::string text = "# What a material failed: F0 and state0 at t, F1 at t + dt. Again: assay check --replay\n# " +
+                     units_words(resolved) + "\n";
   text += "material: " + yaml_scalar(replay.material) + "\nparameters:";
   if (replay.parameters.empty()) text += " {}";
   text += "\n";
@@ -179,9 +202,11 @@ Replay read_replay(const std::string& file) {
       "state0",          "reason",        "test",           "quick", "strain", "step", "pressure",
       "strain_is_asked", "rate_dependent"};
   require_map(root, "", joined(known));
+  refuse_other_kind(root, FileKind::replay);
   refuse_unknown_keys(root, "", known);
   Replay replay;
   replay.material = text_value(required(root, "", "material"), "material");
+  replay.where = required(root, "", "material").where;
   const Tree& parameters = required(root, "", "parameters");
   require_map(parameters, "parameters", "the parameters of the material");
   for (const Tree::Entry& entry : parameters.entries) {
@@ -210,6 +235,8 @@ ResolvedMaterial resolved_of(const Replay& replay) {
   choice.adapter = replay.material;
   choice.parameters = replay.parameters;
   choice.density = 1;  // a replay needs none
+  choice.where = replay.where;
+  choice.adapter_key = "material", choice.parameters_key = "parameters";
   return resolve_material(choice);
 }
 

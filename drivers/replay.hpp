@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "drivers/input_error.hpp"
 #include "drivers/material/material_choice.hpp"
 #include "drivers/result.hpp"
 #include "drivers/scene/scene.hpp"
@@ -25,6 +26,7 @@ struct Replay {
   std::string test = {};                     ///< id of the test of `check` that failed; empty: none
   check::Effort effort = {};                 ///< of that test
   bool rate_dependent = false;               ///< was taken for it, where nobody had declared anything
+  Location where = {};                       ///< of `material` in a file that was read
 };
 
 /// SHA-256 of a file in hexadecimal digits. Throws InputError, SystemError.

@@ -8,6 +8,7 @@
 #include "drivers/output/errors_csv.hpp"
 #include "drivers/output/report.hpp"
 #include "drivers/output/result_json.hpp"
+#include "drivers/output/terminal.hpp"
 #include "drivers/output/whole_file.hpp"
 #include "drivers/run_junit.hpp"
 #include "drivers/scene/expect.hpp"
@@ -33,7 +34,7 @@ void record_rim(const Problem& problem, const Response& response, Result& result
   if (!vortex) return;
   result.rim = rim_of(response, *vortex, problem.scene.grid->spacing, problem.scene.time.end);
   const std::string sentence = result.rim ? narrow_rim_sentence(*result.rim) : "";
-  if (!sentence.empty()) std::fprintf(stderr, "warning: %s\n", sentence.c_str());
+  if (!sentence.empty()) warn(sentence);
 }
 
 void record_response(const Problem& problem, const Response& response, double seconds, Result& result) {
@@ -57,7 +58,7 @@ std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& opt
   Progress progress(problem.scene.title, options.verbosity == Verbosity::quiet);
   result.setup_s = life.seconds();
   simulate(problem, exact, snapshots, progress, result);
-  if (result.outcome != "completed") result.last_good = snapshots.leave_last_good();
+  if (result.outcome != "completed") result.last_good = snapshots.leave_last_good(exact);
   if (result.outcome == "unstable") result.advice = advice_after_death(problem);
   if (exact && exact->response()) record_shadow(problem.scene, **exact->response(), result);
   if (exact && exact->box()) record_box(problem.scene, **exact->box(), response_s, result);
@@ -76,7 +77,7 @@ bool admitted(const Problem& problem, Result& result) {
   const Scene& scene = problem.scene;
   if (!problem.compared) return true;  // then the body does not move as the motion says
   result.screen = screen_of(scene, *problem.material, scene.time.end);
-  if (result.screen->unjudged > 0) std::fprintf(stderr, "warning: %s\n", screen_sentence(*result.screen).c_str());
+  if (result.screen->unjudged > 0) warn(screen_sentence(*result.screen));
   const std::string sentence = instability_sentence(*result.screen, problem.material->name());
   if (sentence.empty() || scene.allow_unstable) return true;
   result.outcome = "refused";
@@ -134,8 +135,7 @@ void tell_findings(const RunOptions& options, const Result& result, const std::s
   }
   if (options.json) said = json;
   if (options.junit == "-") said = junit;
-  std::fputs(said.c_str(), stdout);
-  std::fflush(stdout);
+  options.json&& options.junit != "-" ? print_json(said) : print(said);
   if (!options.junit.empty() && options.junit != "-") write_file(options.junit, junit);
 }
 

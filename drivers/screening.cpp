@@ -8,6 +8,7 @@
 
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
+#include "drivers/output/terminal.hpp"
 #include "harness/material_failure.hpp"
 #include "harness/stability_screen.hpp"
 
@@ -102,7 +103,7 @@ void warn_of_instability(const Scene& scene, const Material& material, double en
   try {
     const std::string sentence = instability_sentence(screen_of(scene, material, end), material.name());
     stop_if_interrupted();
-    if (!sentence.empty()) std::fprintf(stderr, "warning: %s\n", sentence.c_str());
+    if (!sentence.empty()) warn(sentence);
   } catch (const MaterialFailure&) {
   }
 }

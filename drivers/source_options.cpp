@@ -6,14 +6,16 @@
 #include <set>
 #include <sstream>
 
+#include "drivers/input_file.hpp"
 #include "drivers/material/abaqus_deck.hpp"
 #include "drivers/material/linked.hpp"
 #include "drivers/material/material_path.hpp"
 #include "drivers/output/numbers.hpp"
+#include "drivers/output/terminal.hpp"
 #include "drivers/output/whole_file.hpp"
 #include "drivers/output/wrapped_text.hpp"
 #include "drivers/scene/sha256.hpp"
-#include "drivers/scene/yaml_reader.hpp"
+#include "drivers/unseen.hpp"
 
 namespace assay::drivers {
 
@@ -137,7 +139,7 @@ std::string described_source(const std::string& material, SourceRequest request,
         "  ", "    ");
   }
   for (const std::string& warning : described.warnings) page += "warning: " + one_line(warning) + "\n";
-  std::fputs(page.c_str(), stderr);
+  std::fputs(without_commands(page, "<U+", ">").c_str(), stderr);
   return file;
 }
 

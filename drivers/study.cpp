@@ -4,7 +4,9 @@
 #include <cstdio>
 #include <set>
 
+#include "drivers/input_error.hpp"
 #include "drivers/interrupt.hpp"
+#include "drivers/output/terminal.hpp"
 #include "drivers/progress.hpp"
 #include "drivers/study/analysis.hpp"
 #include "drivers/study/case_list.hpp"
@@ -39,8 +41,7 @@ class Teller {
     if (report.finished && speaks_) {
       const StudyFindings words = analysed_alone(*report.finished);
       progress_.finish();
-      std::fputs(case_line(words, words.cases.front(), report.done, report.total).c_str(), stdout);
-      std::fflush(stdout);
+      print(case_line(words, words.cases.front(), report.done, report.total));
     }
     progress_.update(report.fraction, std::to_string(report.done) + " of " + std::to_string(report.total) +
                                           (report.running ? ": " + report.running->label : "") +
@@ -150,9 +151,9 @@ int conclude(const Plan& plan, const CaseStore& store, const StudyOptions& optio
   stop_if_interrupted();
   write_study(findings, store, options.out);
   if (options.json) {
-    std::fputs(study_json(findings).c_str(), stdout);
+    print_json(study_json(findings));
   } else if (options.verbosity != Verbosity::quiet) {
-    std::fputs(study_text(findings, options.out).c_str(), stdout);
+    print(study_text(findings, options.out));
   }
   return findings.holds() ? 0 : 1;
 }
@@ -163,7 +164,7 @@ int study(const StudyOptions& options) {
   const Plan plan = planned(options);
   const CaseStore store(options.out);
   if (options.list) {
-    std::fputs(options.json ? list_json(plan, store).c_str() : list_text(plan, store).c_str(), stdout);
+    options.json ? print_json(list_json(plan, store)) : print(list_text(plan, store));
     return 0;
   }
   if (options.merge) {
@@ -187,9 +188,9 @@ int study(const StudyOptions& options) {
   say_what_was_kept(summary, options);
   if (options.shard.count == 1) return conclude(plan, store, options);
   if (options.verbosity != Verbosity::quiet) {
-    std::printf("shard %zu/%zu: %zu cases; when all shards are done: assay study %s -o %s --merge\n",
-                options.shard.index, options.shard.count, summary.run + summary.kept, options.study.c_str(),
-                options.out.c_str());
+    print("shard " + std::to_string(options.shard.index) + "/" + std::to_string(options.shard.count) + ": " +
+          std::to_string(summary.run + summary.kept) + " cases; when all shards are done: assay study " +
+          one_line(options.study) + " -o " + one_line(options.out) + " --merge\n");
   }
   return 0;
 }

@@ -5,10 +5,13 @@
 
 #include "drivers/build_information.hpp"
 #include "drivers/findings.hpp"
+#include "drivers/input_error.hpp"
+#include "drivers/input_file.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/output_folder.hpp"
 #include "drivers/output/result_json.hpp"
+#include "drivers/output/terminal.hpp"
 #include "drivers/output/wrapped_text.hpp"
 #include "drivers/references.hpp"
 #include "drivers/scene/expect.hpp"
@@ -49,7 +52,7 @@ std::string summary(const Tabulation& tab, const Result& result, const std::stri
     text += references_text(result.reference, tab.path.name);
     text += times_text(result, "response");
   }
-  return text + expectations_text(result) + "results in " + folder + "\n";
+  return text + expectations_text(result) + "results in " + one_line(folder) + "\n";
 }
 
 void write_tables(const Tabulation& tab, const std::vector<SheetPoint>& points, OutputFolder& folder) {
@@ -70,6 +73,8 @@ void write_tables(const Tabulation& tab, const std::vector<SheetPoint>& points, 
 
 int tabulate(const TabulateOptions& options) {
   const Stopwatch life;
+  if (is_same_stream(options.scene, options.points))
+    throw InputError({}, "--points", "is the scene's stream, which can be read once");
   Scene scene = read_scene(options.scene, options.sets, to_tabulate);
   std::vector<SheetPoint> points;
   if (!options.points.empty()) points = read_sheet_points(options.points);
@@ -115,9 +120,9 @@ int tabulate(const TabulateOptions& options) {
   folder.write("result.json", json);
   folder.commit();
   if (options.json)
-    std::fputs(json.c_str(), stdout);
+    print_json(json);
   else if (options.verbosity != Verbosity::quiet)
-    std::fputs(summary(tab, result, options.out).c_str(), stdout);
+    print(summary(tab, result, options.out));
   return exit_status(result);
 }
 

@@ -2,10 +2,10 @@
 #include "drivers/verb_arguments.hpp"
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 
 #include "drivers/causes_page.hpp"
 #include "drivers/input_error.hpp"
+#include "drivers/input_file.hpp"
 #include "drivers/output/numbers.hpp"
 
 namespace assay::drivers {
@@ -56,7 +56,7 @@ std::optional<double> number_in(const std::string& option, const std::string& te
 namespace {
 
 std::string folder_of(const std::string& out, const std::string& input) {
-  return out.empty() ? "results/" + std::filesystem::path(input).stem().string() : out;
+  return out.empty() ? "results/" + stem_of_input(input) : out;
 }
 
 }  // namespace
@@ -80,7 +80,12 @@ CLI::App& add_verb(CLI::App& app, const std::string& name, const std::string& do
 }
 
 void add_out(CLI::App& verb, Arguments& given, const std::string& type, const std::string& doc) {
-  verb.add_option("-o", given.out, doc)->type_name(type)->check(fault_of_empty_name, "");
+  const bool is_folder = type == "DIR";
+  const auto fault = [is_folder](const std::string& name) {
+    const bool stream = is_folder && name == standard_stream;
+    return stream ? "is standard output, and a folder is written" : fault_of_empty_name(name);
+  };
+  verb.add_option("-o", given.out, doc)->type_name(type)->check(fault, "");
 }
 
 void add_verbosity(CLI::App& app, Arguments& given) {

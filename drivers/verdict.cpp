@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "drivers/findings.hpp"
+#include "drivers/input_error.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/wrapped_text.hpp"
 #include "drivers/simulation/rim.hpp"
@@ -120,7 +121,7 @@ std::string verdict_text(const Result& result, const std::string& folder, bool w
   }
   if (with_profile) text += profile_lines(result);
   text += expectations_text(result);
-  text += fmt::format("{}; results in {}\n", summary_of(result), folder);
+  text += fmt::format("{}; results in {}\n", summary_of(result), one_line(folder));
   return text;
 }
 

@@ -126,6 +126,15 @@ int components_of_kind(std::int32_t kind) {
   return 0;
 }
 
+namespace {
+
+bool is_table_name(const std::string& name) {
+  return std::all_of(name.begin(), name.end(),
+                     [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
+}
+
+}  // namespace
+
 std::optional<std::string> defect_of(const assay_material* table) {
   if (!table) return "the entry returned no table";
   if (table->abi_major != ASSAY_ABI_MAJOR) {
@@ -137,6 +146,10 @@ std::optional<std::string> defect_of(const assay_material* table) {
            std::to_string(smallest_table);
   }
   if (!table->name || !*table->name) return "its table has no name";
+  if (!is_table_name(table->name)) {
+    return "the name of its table, '" + std::string(table->name).substr(0, 80) +
+           "', holds other than small letters, digits and '_'";
+  }
   if ((!table->create && !has_create_of(*table)) || !table->destroy || !table->update)
     return "its table lacks create, destroy or update";
   if (table->parameter_count && !table->parameters) return "it declares parameters but gives none";

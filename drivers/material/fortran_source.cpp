@@ -5,8 +5,8 @@
 #include <cctype>
 #include <filesystem>
 
+#include "drivers/input_file.hpp"
 #include "drivers/material/fortran_adapted.hpp"
-#include "drivers/scene/yaml_reader.hpp"
 
 namespace assay::drivers {
 

@@ -5,8 +5,8 @@
 #include <cctype>
 #include <filesystem>
 
+#include "drivers/input_file.hpp"
 #include "drivers/material/material_path.hpp"
-#include "drivers/scene/yaml_reader.hpp"
 
 namespace assay::drivers {
 

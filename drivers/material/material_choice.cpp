@@ -33,13 +33,19 @@ Material created(const MaterialChoice& choice, const MaterialSource& source) {
   try {
     return Material(source.table, choice.parameters);
   } catch (const ParameterError& error) {
-    const Location where = place_of(error.key(), choice, source);
-    const std::string key = error.key().empty() ? "material.parameters" : "material.parameters." + error.key();
+    Location where = place_of(error.key(), choice, source);
+    const auto name = choice.parameter_key_where.find(error.key());
+    if (undeclared(source, error.key()) && name != choice.parameter_key_where.end()) where = name->second;
+    if (where.file.empty()) where.file = choice.parameters_option;
+    const bool of_option = where.file == choice.parameters_option && !where.file.empty();
+    const std::string key = of_option             ? error.key()
+                            : error.key().empty() ? choice.parameters_key
+                                                  : choice.parameters_key + "." + error.key();
     const std::string near = undeclared(source, error.key()) ? nearest(error.key(), parameter_names(source)) : "";
     throw InputError(where, one_line(key, 100), error.what() + (near.empty() ? "" : " (nearest: " + near + ")"),
                      error.known());
   } catch (const std::runtime_error& error) {
-    throw InputError(choice.where, "material.parameters", error.what());
+    throw InputError(choice.where, choice.parameters_key, error.what());
   }
 }
 
@@ -60,12 +66,14 @@ std::vector<std::string> filled_from_example(const assay_material& table, Exampl
 
 ResolvedMaterial resolve_material(const MaterialChoice& given, Example example) {
   const MaterialSource source =
-      find_material(given.adapter, given.where, "material.adapter", given.isolation, given.parameters);
+      find_material(given.adapter, given.where, given.adapter_key, given.isolation, given.parameters);
   MaterialChoice choice = given;
   choice.isolation = source.isolation;
   choice.parameters.insert(source.parameters.begin(), source.parameters.end());  // the scene's own stay
   if (!(choice.density > 0)) {
     if (!source.density) {
+      if (const auto at = given.parameter_key_where.find("density"); at != given.parameter_key_where.end())
+        throw InputError(at->second, "material.parameters.density", "belongs to material, beside parameters");
       throw InputError(given.where, "material.density", "required: neither the scene nor the material gives one");
     }
     choice.density = *source.density;

@@ -4,14 +4,17 @@
 #include <cctype>
 #include <filesystem>
 
+#include "drivers/input_file.hpp"
 #include "drivers/material/foreign_description.hpp"
 #include "drivers/material/linked.hpp"
 #include "drivers/material/material_path.hpp"
 #include "drivers/material/model_files.hpp"
 #include "drivers/material/source_entry.hpp"
 #include "drivers/material/source_library.hpp"
+#include "drivers/scene/file_kind.hpp"
 #include "drivers/scene/yaml_values.hpp"
 #include "drivers/scene/yaml_writer.hpp"
+#include "drivers/unseen.hpp"
 
 namespace assay::drivers {
 
@@ -85,7 +88,7 @@ void read_library(const Tree& root, const std::string& interface, const std::fil
 
 /// A file's name as the name of a table: "My-Clay.yaml" is my_clay.
 std::string name_of_file(const std::string& file) {
-  std::string name = std::filesystem::path(file).stem().string();
+  std::string name = stem_of_input(file);
   for (char& c : name) {
     const auto u = static_cast<unsigned char>(c);
     c = std::isalnum(u) ? static_cast<char>(std::tolower(u)) : '_';
@@ -120,6 +123,7 @@ MaterialDescription read_description(const std::string& file) { return read_desc
 MaterialDescription read_description(const std::string& text, const std::string& file) {
   const Tree root = read_yaml(text, file);
   require_map(root, "", joined(keys_of("native")));
+  refuse_other_kind(root, FileKind::description);
   const std::string interface = interface_of(root);
   const std::vector<std::string> known = keys_of(interface);
   if (const Tree* source = root.find("source"); source && interface != "umat" && interface != "vumat") {
@@ -131,6 +135,9 @@ MaterialDescription read_description(const std::string& text, const std::string&
   if (const Tree* name = root.find("name")) {
     description.name = text_value(*name, "name");
     description.name_where = name->where;
+    if (description.name.find('/') != std::string::npos || printable(description.name) != description.name) {
+      throw InputError(name->where, "name", "'" + shown(description.name, 80) + "' is a path or cannot be printed");
+    }
   }
   read_numbers(root, description);
   if (const Tree* files = root.find("files")) {

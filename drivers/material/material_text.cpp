@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "adapters/worker/remote_table.hpp"
+#include "drivers/input_error.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/wrapped_text.hpp"
 #include "harness/check/symmetry_class.hpp"
@@ -127,9 +128,9 @@ std::string material_text(const std::string& name, const MaterialSource& source)
   if (name != table.name) head += " (model " + words(table.name) + ")";
   if (const std::string doc = words(table.doc); !doc.empty()) head += ": " + doc;
   std::string out = wrapped(head, "", "");
-  if (!source.source.empty()) out += "  source   " + source.source + "\n";
-  out += "  from     " + (source.library.empty() ? "built-in" : source.library) + "\n";
-  if (!source.description.empty()) out += "  through  " + source.description + "\n";
+  if (!source.source.empty()) out += "  source   " + one_line(source.source) + "\n";
+  out += "  from     " + (source.library.empty() ? "built-in" : one_line(source.library)) + "\n";
+  if (!source.description.empty()) out += "  through  " + one_line(source.description) + "\n";
   if (source.density) out += "  density  " + number_text(*source.density) + " kg/m^3\n";
   if (!licence.empty()) out += "  licence  " + licence + "\n";
   out += wrapped(joined(flag_names(table)), "  ", "  ");
@@ -137,7 +138,7 @@ std::string material_text(const std::string& name, const MaterialSource& source)
 }
 
 std::string broken_text(const std::string& name, const std::string& reason) {
-  return name + ": broken\n" + wrapped(reason, "  ", "  ");
+  return one_line(name) + ": broken\n" + wrapped(reason, "  ", "  ");
 }
 
 }  // namespace assay::drivers

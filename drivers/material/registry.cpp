@@ -7,6 +7,8 @@
 #include <set>
 
 #include "adapters/builtin.hpp"
+#include "drivers/input_error.hpp"
+#include "drivers/input_file.hpp"
 #include "drivers/material/fortran_form.hpp"
 #include "drivers/material/material_description.hpp"
 #include "drivers/material/material_path.hpp"
@@ -50,8 +52,7 @@ MaterialSource from_source(const std::string& file, const std::string& chosen, c
 
 MaterialSource from_file(const std::string& file, const std::string& table, const Location& where,
                          const std::string& key, Isolation isolation, const std::map<std::string, double>& given) {
-  std::error_code code;
-  if (!fs::exists(file, code)) throw InputError(where, key, "no such file: '" + file + "'");
+  if (const std::string fault = fault_of_file(file); !fault.empty()) throw InputError(where, key, fault);
   if (is_source_or_deck(file)) return from_source(file, table, where, key, isolation, given);
   if (is_description(file)) return from_description(file, isolation);
   return source_of(description_of_library(file, table, where, key), file, isolation);
@@ -125,6 +126,12 @@ std::vector<RegisteredName> registered_names() {
 
 MaterialSource find_material(const std::string& adapter, const Location& where, const std::string& key,
                              Isolation isolation, const std::map<std::string, double>& given) {
+  if (is_stream(adapter)) {
+    const MaterialDescription description = read_description(adapter);
+    MaterialSource source = source_of(description, adapter, isolation);
+    source.description = kept_description("stdin", lasting_yaml(description));
+    return source;
+  }
   const MaterialName asked = parse_material(adapter);
   if (asked.is_path) return from_file(absolute_path(asked.file), asked.table, where, key, isolation, given);
   const std::vector<RegisteredName> names = registered_names();

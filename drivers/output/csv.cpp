@@ -6,39 +6,17 @@
 #include <cmath>
 
 #include "drivers/input_error.hpp"
+#include "drivers/input_file.hpp"
+#include "drivers/output/csv_lines.hpp"
 #include "drivers/output/numbers.hpp"
-#include "drivers/scene/yaml_reader.hpp"
+#include "drivers/unseen.hpp"
 
 namespace assay::drivers {
 
 namespace {
 
-struct Field {
-  std::string_view text;
-  int column = 1;  ///< of its first character
-};
-
-bool blank(char c) { return c == ' ' || c == '\t'; }
-
-std::vector<Field> split(std::string_view line) {
-  std::vector<Field> fields;
-  for (std::size_t begin = 0;;) {
-    const std::size_t comma = std::min(line.find(',', begin), line.size());
-    std::size_t first = begin, last = comma;
-    while (first < last && blank(line[first])) ++first;
-    while (last > first && blank(line[last - 1])) --last;
-    fields.push_back({line.substr(first, last - first), static_cast<int>(first) + 1});
-    if (comma == line.size()) return fields;
-    begin = comma + 1;
-  }
-}
-
-/// For a message: control characters and overlong text do not reach the terminal.
-std::string quoted(std::string_view text) {
-  std::string out = "'";
-  for (const char c : text.substr(0, 40)) out += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
-  return out + (text.size() > 40 ? "...'" : "'");
-}
+/// For a message: what cannot be seen is written out, overlong text does not reach the terminal.
+std::string quoted(std::string_view text) { return "'" + shown(text, 40) + "'"; }
 
 bool contains(const std::vector<std::string>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -46,72 +24,95 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
 
 class Reader {
  public:
-  Reader(const std::string& file, const std::vector<std::string>& required, const std::vector<std::string>& optional)
-      : required_(required), known_(required) {
+  Reader(std::string_view text, const std::string& file, const std::vector<std::string>& required,
+         const std::vector<std::string>& optional)
+      : lines_(text, file), required_(required), known_(required) {
     table_.file = file;
     known_.insert(known_.end(), optional.begin(), optional.end());
   }
 
-  CsvTable read(std::string_view text) {
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-    while (!text.empty()) {
-      ++line_;
-      const std::size_t end = std::min(text.find('\n'), text.size());
-      std::string_view line = text.substr(0, end);
-      text.remove_prefix(std::min(end + 1, text.size()));
-      if (line.ends_with('\r')) line.remove_suffix(1);
-      const std::size_t first = line.find_first_not_of(" \t");
-      if (first == std::string_view::npos || line[first] == '#') continue;
+  CsvTable read() {
+    while (const auto fields = lines_.next()) {
       if (table_.names.empty()) {
-        header(split(line));
+        header(*fields);
       } else {
-        row(split(line));
+        row(*fields);
       }
     }
-    if (table_.names.empty()) fail(line_, 0, "the file holds no header line with the columns " + joined(required_));
-    if (table_.rows() == 0) fail(line_, 0, "the file holds no row of numbers");
+    if (table_.names.empty()) fail(0, "the file holds no header line with the columns " + joined(required_));
+    if (table_.rows() == 0) fail(0, "the file holds no row of numbers");
     return std::move(table_);
   }
 
  private:
-  [[noreturn]] void fail(int line, int column, const std::string& what, const std::string& known = {}) const {
-    throw InputError(Location{table_.file, line, column}, {}, what, known);
+  [[noreturn]] void fail(int column, const std::string& what, const std::string& known = {}) const {
+    throw InputError(Location{table_.file, lines_.line(), column}, {}, what, known);
   }
 
-  void header(const std::vector<Field>& fields) {
-    table_.header_line = line_;
-    for (const Field& field : fields) {
-      if (!contains(known_, field.text))
-        fail(line_, field.column, "unknown column " + quoted(field.text), joined(known_));
-      if (contains(table_.names, field.text)) fail(line_, field.column, "column " + quoted(field.text) + " twice");
+  /// ", separated by a semicolon".
+  std::string separated() const { return ", separated by " + lines_.separator_name(); }
+
+  void header(const std::vector<CsvField>& fields) {
+    table_.header_line = lines_.line();
+    for (const CsvField& field : fields) {
+      if (!contains(known_, field.text)) refuse_column(field);
+      if (contains(table_.names, field.text)) fail(field.column, "column " + quoted(field.text) + " twice");
       table_.names.emplace_back(field.text);
     }
     for (const std::string& name : required_) {
-      if (!contains(table_.names, name)) fail(line_, 1, "column '" + name + "' is missing", joined(known_));
+      if (!contains(table_.names, name)) fail(1, "column '" + name + "' is missing" + separated(), joined(known_));
     }
     table_.columns.resize(table_.names.size());
   }
 
-  void row(const std::vector<Field>& fields) {
-    if (fields.size() != table_.names.size()) {
-      fail(line_, fields.back().column,
-           std::to_string(fields.size()) + " fields where the header names " + std::to_string(table_.names.size()));
+  [[noreturn]] void refuse_column(const CsvField& field) const {
+    if (csv_value(field.text, true)) {
+      fail(field.column, "a number where names of columns belong, found " + quoted(field.text), joined(known_));
     }
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      const auto value = parse_number(fields[i].text);
-      if (!value || !std::isfinite(*value)) {
-        fail(line_, fields[i].column, table_.names[i] + ": " + quoted(fields[i].text) + " is no finite number");
-      }
-      table_.columns[i].push_back(*value);
-    }
-    table_.lines.push_back(line_);
+    const bool blanks = field.text.find_first_of(" \t|") != std::string::npos;
+    fail(field.column,
+         unknown("column " + quoted(field.text), field.text, known_) +
+             (blanks ? ": columns are separated by a comma, a semicolon or a tab" : ""),
+         joined(known_));
   }
 
+  void row(const std::vector<CsvField>& fields) {
+    if (fields.size() != table_.names.size()) {
+      const std::string found = std::to_string(fields.size()) + (fields.size() == 1 ? " field" : " fields");
+      const bool commas = lines_.separator() == ',' && fields.size() == 2 * table_.names.size();
+      fail(fields.back().column, found + separated() + ", where the header names " +
+                                     std::to_string(table_.names.size()) +
+                                     (commas ? ": with decimal commas, separate by semicolons" : ""));
+    }
+    for (std::size_t i = 0; i < fields.size(); ++i) table_.columns[i].push_back(number(fields[i], table_.names[i]));
+    table_.lines.push_back(lines_.line());
+  }
+
+  /// With a decimal point or a comma, in all of the file the same.
+  double number(const CsvField& field, const std::string& name) {
+    const bool comma = field.text.find(',') != std::string::npos, point = field.text.find('.') != std::string::npos;
+    if ((comma && seen_point_) || (point && seen_comma_) || (comma && point))
+      fail(field.column, name + ": " + quoted(field.text) + ": a decimal comma and a decimal point in one file");
+    const auto value = csv_value(field.text, true);
+    if (!value || !std::isfinite(*value))
+      fail(field.column, name + ": " + quoted(field.text) + " is no finite number" +
+                             (field.text.find_first_of(",;\t|") == std::string::npos ? "" : separated()));
+    seen_comma_ = seen_comma_ || comma;
+    seen_point_ = seen_point_ || point;
+    return *value;
+  }
+
+  CsvLines lines_;
   const std::vector<std::string>& required_;
   std::vector<std::string> known_;
   CsvTable table_;
-  int line_ = 0;
+  bool seen_comma_ = false, seen_point_ = false;
 };
+
+std::string guarded(const std::string& field) {
+  const bool formula = !field.empty() && formula_marks.find(field[0]) != formula_marks.npos;
+  return formula && !parse_number(field) ? "'" + field : field;
+}
 
 }  // namespace
 
@@ -132,12 +133,13 @@ void CsvText::row(std::span<const double> values) {
 void CsvFields::row(const std::vector<std::string>& fields) {
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (i > 0) text_ += ',';
-    if (fields[i].find_first_of(",\"\r\n") == std::string::npos) {
-      text_ += fields[i];
+    const std::string field = guarded(fields[i]);
+    if (field.find_first_of(",;\"\t\r\n") == std::string::npos) {
+      text_ += field;
       continue;
     }
     text_ += '"';
-    for (const char c : fields[i]) text_ += c == '"' ? std::string(2, c) : std::string(1, c);
+    for (const char c : field) text_ += c == '"' ? std::string(2, c) : std::string(1, c);
     text_ += '"';
   }
   text_ += '\n';
@@ -154,7 +156,7 @@ const std::vector<double>* CsvTable::column(std::string_view name) const {
 
 CsvTable read_csv(std::string_view text, const std::string& file, const std::vector<std::string>& required,
                   const std::vector<std::string>& optional) {
-  return Reader(file, required, optional).read(text);
+  return Reader(text, file, required, optional).read();
 }
 
 std::string read_input_file(const std::string& file) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Comma-separated values under a header line: numbers are written and strictly read, texts are written.
+// Separated values under a header line: numbers are written and strictly read, texts are written.
 #pragma once
 
 #include <optional>
@@ -23,7 +23,8 @@ class CsvText {
   std::string text_;
 };
 
-/// The same of texts: fields with a comma, a quote or a line break stand in quotes (RFC 4180).
+/// The same of texts: fields with a separator, a quote or a line break stand in quotes (RFC 4180). A text that a
+/// spreadsheet would take for a formula, because it begins with = + - or @ and is no number, gets an apostrophe.
 class CsvFields {
  public:
   explicit CsvFields(const std::vector<std::string>& names) { row(names); }
@@ -48,10 +49,10 @@ struct CsvTable {
   const std::vector<double>* column(std::string_view name) const;
 };
 
-/// Reads text (`file` is its name in messages): the first line that is neither empty nor a comment (#) names the
-/// columns in any order, each later one holds one finite number a column. LF and CRLF. Throws InputError with line and
-/// column for a missing, unknown or repeated name, a wrong number of fields, what is no finite number, and a file
-/// without rows.
+/// Reads text (`file` is its name in messages), split as CsvLines has it: the first line names the columns in any
+/// order, each later one holds one finite number a column, with a decimal point or, in all of the file, a decimal comma
+/// (in quotes where commas separate). Throws InputError with line and column for a missing, unknown or repeated name, a
+/// wrong number of fields, what is no finite number, and a file without rows.
 CsvTable read_csv(std::string_view text, const std::string& file, const std::vector<std::string>& required,
                   const std::vector<std::string>& optional = {});
 

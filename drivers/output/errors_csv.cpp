@@ -4,7 +4,7 @@
 #include <array>
 
 #include "drivers/output/csv.hpp"
-#include "drivers/output/numbers.hpp"
+#include "drivers/output/csv_lines.hpp"
 
 namespace assay::drivers {
 
@@ -22,12 +22,17 @@ std::string errors_csv(const std::vector<ErrorSample>& history) {
 std::vector<std::array<double, 2>> displacement_history(std::string_view text) {
   std::vector<std::array<double, 2>> history;
   if (!text.starts_with("t,l2,")) return history;
-  for (std::size_t begin = text.find('\n'); begin != text.npos; begin = text.find('\n', begin + 1)) {
-    const std::string_view row = text.substr(begin + 1, text.find('\n', begin + 1) - begin - 1);
-    const std::size_t first = row.find(','), second = row.find(',', first + 1);
-    if (first == row.npos || second == row.npos) continue;
-    const auto t = parse_number(row.substr(0, first)), l2 = parse_number(row.substr(first + 1, second - first - 1));
-    if (t && l2) history.push_back({*t, *l2});
+  const std::string file = "errors.csv";
+  try {
+    CsvLines lines(text, file);
+    lines.next();
+    while (const auto fields = lines.next()) {
+      if (fields->size() < 3) continue;  // a torn row
+      const auto t = csv_value((*fields)[0].text), l2 = csv_value((*fields)[1].text);
+      if (t && l2) history.push_back({*t, *l2});
+    }
+  } catch (const InputError&) {
+    history.clear();
   }
   return history;
 }

@@ -18,7 +18,7 @@ std::string attribute(const char* name, const std::string& value) {
 /// [s], as a decimal: schemas know no exponents.
 std::string decimal(double seconds) {
   char text[64];
-  std::snprintf(text, sizeof text, "%.3f", seconds);
+  std::snprintf(text, sizeof text, seconds == 0 || seconds >= 0.1 ? "%.3f" : "%.6f", seconds);
   return text;
 }
 

@@ -50,6 +50,9 @@ Expectation read_line(const Tree::Entry& entry, const ExpectationWords& words) {
     line.text = entry.key == "outcome" ? choice_value(*value, path, words.outcomes) : text_value(*value, path);
   } else if (entry.value.kind == Tree::Kind::map) {
     read_comparison(entry.value, path, line);
+  } else if (entry.value.kind == Tree::Kind::sequence) {
+    throw InputError(entry.value.where, path, "must be a number or a map with one operator, found a list",
+                     joined(expectation_operators()));
   } else {
     line.number = number_value(entry.value, path);
   }

@@ -24,8 +24,12 @@ struct MaterialChoice {
   /// Of a model that has one: components along e_R, e_Theta, e_Z of the vortex, along the axes of any other motion.
   std::optional<std::array<double, 3>> direction;
   Isolation isolation = Isolation::automatic;
-  Location where;  ///< of `material.adapter`
-  std::map<std::string, Location> parameter_where;
+  Location where;                                       ///< of `material.adapter`
+  std::map<std::string, Location> parameter_where;      ///< of the values
+  std::map<std::string, Location> parameter_key_where;  ///< of their names
+  /// As whoever made the choice calls them in messages.
+  std::string adapter_key = "material.adapter", parameters_key = "material.parameters";
+  std::string parameters_option = {};  ///< of the command line, which gives them without a place
 };
 
 /// Of a body that is left to itself: v = velocity + L X, L of a spin and a stretching.

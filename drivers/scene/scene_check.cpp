@@ -9,6 +9,7 @@
 #include "drivers/output/numbers.hpp"
 #include "drivers/scene/body_box.hpp"
 #include "drivers/scene/scene_keys.hpp"
+#include "drivers/unseen.hpp"
 #include "mpm/patch/methods.hpp"
 
 namespace assay::drivers {
@@ -231,9 +232,12 @@ void check_grid(const Scene& scene, const Where& where) {
   check_corners(*grid.lower, *grid.upper, "grid", where);
   const Box body = swept_box(scene);
   for (std::size_t i = 0; i < 2; ++i) {
-    if ((*grid.lower)[i] <= body.lower[i] && (*grid.upper)[i] >= body.upper[i]) continue;
+    const bool below = (*grid.lower)[i] > body.lower[i];
+    if (!below && (*grid.upper)[i] >= body.upper[i]) continue;
     const std::string way = scene.frame && scene.frame->moves() ? " on all of its way" : "";
-    refuse(where, "grid.lower", "the grid must contain the body" + way + ": particles would lie outside");
+    refuse(where, below ? "grid.lower" : "grid.upper",
+           "the grid must contain the body" + way + ", which reaches " + text(below ? body.lower : body.upper) +
+               ": particles would lie outside");
   }
 }
 
@@ -269,7 +273,7 @@ void check_inertia(const Scene& scene, const Where& where) {
 
 void check_scene(const Scene& scene, const std::function<Location(const std::string&)>& where) {
   if (one_line(scene.title, scene.title.size()) != scene.title) {
-    refuse(where, "title", "holds characters that cannot be printed");
+    refuse(where, "title", "must be one line of text, found '" + shown(scene.title, 200) + "'");
   }
   std::visit([&](const auto& motion) { check_motion(motion, scene, where); }, scene.motion);
   const auto& direction = scene.material.direction;

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/scene/scene_reader.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
+#include "drivers/input_file.hpp"
 #include "drivers/material/material_path.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/scene/deformation_csv.hpp"
 #include "drivers/scene/expect.hpp"
+#include "drivers/scene/file_kind.hpp"
+#include "drivers/scene/number_slips.hpp"
 #include "drivers/scene/scene_check.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/scene/settings.hpp"
 #include "drivers/scene/sha256.hpp"
+#include "drivers/unseen.hpp"
 
 namespace assay::drivers {
 
@@ -34,6 +39,10 @@ Value read_value(const Key& key, const Tree& tree) {
       return number_value(tree, key.path, key.range);
     case KeyType::automatic:
       if (tree.kind == Tree::Kind::scalar && tree.text == "auto") return {};
+      if (tree.kind == Tree::Kind::scalar && !parse_number(tree.text)) {
+        throw InputError(tree.where, key.path,
+                         "must be a number or auto, found " + described(tree) + number_remedy(tree));
+      }
       return number_value(tree, key.path, key.range);
     case KeyType::boolean:
       return boolean_value(tree, key.path);
@@ -51,15 +60,54 @@ Value read_value(const Key& key, const Tree& tree) {
   return {};
 }
 
+/// Where the key itself stands; of the whole its beginning.
+Location key_place(const Tree& root, const std::string& path) {
+  const Tree* map = path.find('.') == path.npos ? &root : value_at(root, parent_of(path));
+  const std::string name = path.substr(path.rfind('.') + 1);
+  for (const Tree::Entry& entry : map ? map->entries : std::vector<Tree::Entry>{}) {
+    if (entry.key == name) return entry.key_where;
+  }
+  return root.where;
+}
+
+/// Where a key belongs that this section has not; empty where nothing is known.
+std::string place_of(const Tree::Entry& entry, const std::string& section, const std::vector<std::string>& here) {
+  const std::vector<std::string> top = names_under("");
+  if (!section.empty() && std::find(top.begin(), top.end(), entry.key) != top.end())
+    return "unknown key here: it belongs to the scene itself, beside " + section.substr(0, section.find('.'));
+  for (const Key& key : scene_keys()) {
+    const bool common = entry.key == "type" || entry.key == "final" || entry.key == "path";
+    if (common || key.path.substr(key.path.rfind('.') + 1) != entry.key) continue;
+    return "unknown key here: it belongs to " + parent_of(key.path);
+  }
+  const bool number = entry.value.kind == Tree::Kind::scalar && parse_number(entry.value.text);
+  const bool parameter = section == "material" && number && nearest(entry.key, here).empty();
+  return parameter ? "unknown key: parameters of the model belong to material.parameters" : "";
+}
+
+/// A key that stands in the wrong section.
+void refuse_misplaced_keys(const Tree& map, const std::string& section) {
+  const std::vector<std::string> here = names_under(section);
+  for (const Tree::Entry& entry : map.entries) {
+    if (std::find(here.begin(), here.end(), entry.key) != here.end()) continue;
+    const std::string what = place_of(entry, section, here);
+    if (what.empty()) continue;
+    throw InputError(entry.key_where, key_path(section, shown(entry.key, 80)), what, joined(here));
+  }
+}
+
 /// Every section is a map, and every key is one that some scene may have.
 void check_names(const Tree& root) {
   require_map(root, "", joined(names_under("")));
+  refuse_misplaced_keys(root, "");
   refuse_unknown_keys(root, "", names_under(""));
   for (const Section& section : scene_sections()) {
     const Tree* map = value_at(root, section.path);
     if (!map) continue;
     require_map(*map, section.path, joined(names_under(section.path)));
-    if (!section.free_keys) refuse_unknown_keys(*map, section.path, names_under(section.path));
+    if (section.free_keys) continue;
+    refuse_misplaced_keys(*map, section.path);
+    refuse_unknown_keys(*map, section.path, names_under(section.path));
   }
 }
 
@@ -69,7 +117,8 @@ void read_key(const Key& key, const Tree& root, Scene& scene) {
   if (tree && !applies(key, scene)) {
     const std::string why =
         of_motion(key, scene) ? "body.domain " + domain_name(scene.body.domain) : "motion.type " + motion_type(scene);
-    throw InputError(tree->where, key.path, "does not belong to " + why, joined(names_under(parent, &scene)));
+    throw InputError(key_place(root, key.path), key.path, "does not belong to " + why,
+                     joined(names_under(parent, &scene)));
   }
   if (tree) {
     const Value value = read_value(key, *tree);
@@ -108,6 +157,7 @@ void read_material(const Tree& root, Scene& scene) {
   for (const Tree::Entry& entry : parameters->entries) {
     material.parameters[entry.key] = number_value(entry.value, "material.parameters." + one_line(entry.key, 80));
     material.parameter_where[entry.key] = entry.value.where;
+    material.parameter_key_where[entry.key] = entry.key_where;
   }
 }
 
@@ -118,9 +168,8 @@ void read_motion_path(const Tree& root, Interpolation otherwise, Scene& scene) {
   const auto& named = std::get<DeformationTable>(scene.motion);
   const Interpolation interpolation = value_at(root, "motion.interpolation") ? named.interpolation() : otherwise;
   const std::string table = absolute_path(folder_of(given->where) / named.source());
-  std::error_code code;
-  if (!std::filesystem::is_regular_file(table, code)) {
-    throw InputError(given->where, "motion.path", "no such file: '" + one_line(table, 200) + "'");
+  if (const std::string fault = fault_of_file(table); !fault.empty()) {
+    throw InputError(given->where, "motion.path", fault);
   }
   scene.motion = read_deformation_table(table, interpolation);
   const Tree* period = value_at(root, "motion.period");
@@ -181,6 +230,7 @@ Tree scene_tree(std::string_view text, const std::string& file) {
   Tree root = read_yaml(text, file);
   if (root.kind == Tree::Kind::null) throw InputError({file, 0, 0}, "", "empty");
   require_map(root, "", joined(names_under("")));
+  refuse_other_kind(root, FileKind::scene);
   return root;
 }
 

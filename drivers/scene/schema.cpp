@@ -108,7 +108,7 @@ Json key_schema(const Key& key) {
 }
 
 Json free_section(const Section& section) {
-  Json out{{"type", "object"}, {"description", section.doc}};
+  Json out{{"type", "object"}, {"description", section.doc}, {"patternProperties", {{merge_pattern, Json::object()}}}};
   if (section.path == "expect") {
     out["additionalProperties"] = false;
     for (const std::string& key : flat_keys()) out["properties"][key] = expectation_json(key, known_outcomes());
@@ -146,7 +146,10 @@ Json object_schema(const std::string& path, const Scene& scene) {
     properties[name] = section_schema(section, scene);
     if (section.required) required.push_back(name);
   }
-  Json out{{"type", "object"}, {"additionalProperties", false}, {"properties", properties}};
+  Json patterns{{merge_pattern, Json::object()}};
+  if (path.empty()) patterns[anchors_pattern] = Json::object();
+  Json out{
+      {"type", "object"}, {"additionalProperties", false}, {"properties", properties}, {"patternProperties", patterns}};
   if (!required.empty()) out["required"] = required;
   return out;
 }

@@ -9,6 +9,11 @@
 
 namespace assay::drivers {
 
+/// Of keys that every map may have: those that are merged into it, as YAML has it.
+inline constexpr const char *merge_name = "<<", *merge_pattern = "^<<$";
+/// Of keys of the whole that hold anchors.
+inline constexpr const char* anchors_pattern = "^x-";
+
 /// What names a schema to an editor, "urn:assay:schema:scene:1.0.0": the same on every machine.
 std::string schema_id(const std::string& what);
 

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/scene/text_check.hpp"
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
-#include <memory>
-
 #include "drivers/scene/yaml_reader.hpp"
+#include "drivers/unseen.hpp"
 
 namespace assay::drivers {
 
@@ -43,9 +38,12 @@ void check_text(std::string_view text, const std::string& name, std::size_t limi
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t size = character(text.substr(i));
     const auto byte = static_cast<unsigned char>(text[i]);
-    if (size == 0) throw InputError(where, "", "not UTF-8 text");
+    if (size == 0) {
+      const bool wide = i == 0 && (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"));
+      throw InputError(where, "", wide ? "UTF-16 text: save it as UTF-8" : "not UTF-8 text");
+    }
     if ((byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r') || byte == 0x7f) {
-      throw InputError(where, "", "a control character; not a text file?");
+      throw InputError(where, "", "a control character, " + shown(text.substr(i, 1), 1) + "; not a text file?");
     }
     if (indenting && byte == '\t') {
       const std::size_t word = text.find_first_not_of(" \t\r", i);
@@ -61,23 +59,6 @@ void check_text(std::string_view text, const std::string& name, std::size_t limi
     }
     i += size;
   }
-}
-
-std::string read_bytes(const std::string& file, std::size_t limit) {
-  const Location where{file, 0, 0};
-  if (file.find('\0') != file.npos || file.empty()) throw InputError(where, "", "not a file name");
-  std::error_code code;
-  if (std::filesystem::is_directory(file, code)) throw InputError(where, "", "is a folder, not a file");
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rbe"), std::fclose);
-  if (!stream) throw InputError(where, "", std::string("cannot be read: ") + std::strerror(errno));
-  std::string bytes;
-  char buffer[1 << 16];
-  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, stream.get())) {
-    bytes.append(buffer, n);
-    if (bytes.size() > limit) throw InputError(where, "", "longer than " + std::to_string(limit) + " bytes");
-  }
-  if (std::ferror(stream.get())) throw InputError(where, "", std::string("cannot be read: ") + std::strerror(errno));
-  return bytes;
 }
 
 }  // namespace assay::drivers

@@ -11,10 +11,14 @@
 #include <sstream>
 
 #include "drivers/scene/text_check.hpp"
+#include "drivers/scene/yaml_slips.hpp"
+#include "drivers/unseen.hpp"
 
 namespace assay::drivers {
 
 namespace {
+
+constexpr const char* merge_key = "<<";
 
 std::size_t size_of(const Tree& tree) {
   std::size_t size = 1;
@@ -27,8 +31,8 @@ std::size_t size_of(const Tree& tree) {
 /// at a start event ends the parse before yaml-cpp recurses deeper.
 class Builder : public YAML::EventHandler {
  public:
-  Builder(const std::string& name, const YamlLimits& limits, bool marked)
-      : name_(name), limits_(limits), marked_(marked) {}
+  Builder(std::string_view text, const std::string& name, const YamlLimits& limits, bool marked)
+      : text_(text), name_(name), limits_(limits), marked_(marked) {}
 
   bool found() const { return documents_ > 0; }
   Tree take() { return std::move(root_); }
@@ -39,9 +43,17 @@ class Builder : public YAML::EventHandler {
 
   void OnDocumentStart(const YAML::Mark& mark) override {
     if (documents_++ == 0) return;
-    throw InputError(where(mark), "",
-                     marked_ ? "a second document; one file holds one" : "not valid YAML: more after the end");
+    if (marked_) throw InputError(where(mark), "", "a second document; one file holds one");
+    throw syntax_error(mark, "more after the end");
   }
+  /// With the slip behind the complaint, where one is known.
+  InputError syntax_error(const YAML::Mark& mark, const std::string& complaint) const {
+    const auto slip = mark.is_null() ? std::nullopt : yaml_slip(text_, mark.line + 1, mark.column + 1);
+    Location at = where(mark);
+    if (slip && at.line > 0) at.line = slip->line, at.column = slip->column;
+    return {at, "", "not valid YAML: " + (slip ? slip->what : complaint)};
+  }
+
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     Tree tree;
@@ -56,6 +68,9 @@ class Builder : public YAML::EventHandler {
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
     check_tag(mark, tag);
+    if (tag == "!" && !is_quote_closed(text_, mark.line + 1, mark.column + 1)) {
+      throw InputError(where(mark), "", "not valid YAML: a quote that is not closed");
+    }
     Tree tree;
     tree.where = where(mark);
     tree.quoted = tag == "!";
@@ -82,7 +97,9 @@ class Builder : public YAML::EventHandler {
     bool has_key = false;
     std::string key;
     Location key_where;
+    bool merges = false;  ///< the key is `<<`
     std::set<std::string> seen;
+    std::vector<Tree> merged;  ///< the maps that `<<` names
   };
   struct Anchored {
     Tree tree;
@@ -110,6 +127,7 @@ class Builder : public YAML::EventHandler {
   void end() {
     Frame frame = std::move(stack_.back());
     stack_.pop_back();
+    add_merged(frame);
     const std::size_t size = frame.anchor == YAML::NullAnchor ? 1 : size_of(frame.tree);
     if (size > 1) values_ -= size - 1;  // its members are counted already
     complete(std::move(frame.tree), frame.anchor, size);
@@ -131,21 +149,53 @@ class Builder : public YAML::EventHandler {
   }
 
   void add_to_map(Frame& map, Tree tree) {
+    if (map.has_key && map.merges) {
+      take_merged(map, std::move(tree));
+      map.has_key = false;
+      return;
+    }
     if (map.has_key) {
       if (tree.kind == Tree::Kind::null) tree.where = map.key_where;  // yaml-cpp names the next token's place
       map.tree.entries.push_back({map.key, map.key_where, std::move(tree)});
       map.has_key = false;
       return;
     }
-    if (tree.kind != Tree::Kind::scalar) throw InputError(tree.where, "", "a key must be a word");
-    if (!map.seen.insert(tree.text).second) {
-      throw InputError(tree.where, one_line(tree.text, 80), "duplicate key");
+    if (tree.kind != Tree::Kind::scalar) {
+      const bool braces = tree.kind == Tree::Kind::map;
+      throw InputError(tree.where, "",
+                       braces ? "a key must be a word: a text with braces belongs in quotes" : "a key must be a word");
     }
+    if (!map.seen.insert(tree.text).second) {
+      throw InputError(tree.where, shown(tree.text, 80), "duplicate key");
+    }
+    map.merges = tree.text == merge_key && !tree.quoted;
     map.key = tree.text;
     map.key_where = tree.where;
     map.has_key = true;
   }
 
+  /// The value of `<<`: a map, or a list of maps.
+  void take_merged(Frame& map, Tree tree) {
+    if (tree.kind == Tree::Kind::null) tree.where = map.key_where;
+    std::vector<Tree> maps = tree.kind == Tree::Kind::sequence ? std::move(tree.items) : std::vector<Tree>{tree};
+    for (Tree& each : maps) {
+      if (each.kind != Tree::Kind::map)
+        throw InputError(each.where, merge_key, "takes a map, as *name of one with &name, or a list of maps");
+      map.merged.push_back(std::move(each));
+    }
+  }
+
+  /// Own keys stay, whatever stands in a merged map; of several of these the first one counts.
+  static void add_merged(Frame& map) {
+    map.seen.erase(merge_key);
+    for (Tree& each : map.merged) {
+      for (Tree::Entry& entry : each.entries) {
+        if (map.seen.insert(entry.key).second) map.tree.entries.push_back(std::move(entry));
+      }
+    }
+  }
+
+  std::string_view text_;
   std::string name_;
   YamlLimits limits_;
   bool marked_;  ///< the text has a marker between documents, "---" or "..."
@@ -169,16 +219,18 @@ Tree read_yaml(std::string_view text, const std::string& name, const YamlLimits&
   check_text(text, name, limits.bytes);
   std::istringstream stream{std::string(text)};
   const bool marked = text.find("\n---") != text.npos || text.find("\n...") != text.npos;
-  Builder builder(name, limits, marked);
+  Builder builder(text, name, limits, marked);
   try {
     YAML::Parser parser(stream);
     while (parser.HandleNextDocument(builder)) {
     }
   } catch (const YAML::Exception& error) {
-    throw InputError(builder.where(error.mark), "", "not valid YAML: " + one_line(error.msg, 200));
+    throw builder.syntax_error(error.mark, one_line(error.msg, 200));
   }
   if (!builder.found()) throw InputError({name, 0, 0}, "", "empty");
-  return builder.take();
+  Tree root = builder.take();
+  if (name != set_option) std::erase_if(root.entries, [](const Tree::Entry& e) { return e.key.starts_with("x-"); });
+  return root;
 }
 
 }  // namespace assay::drivers

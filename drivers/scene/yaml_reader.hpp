@@ -11,7 +11,8 @@
 
 namespace assay::drivers {
 
-/// One YAML value. Aliases are expanded; keys of a map are unique and in the order of the file.
+/// One YAML value. Aliases are expanded; keys of a map are unique and in the order of the file, those that `<<` merges
+/// from other maps after its own.
 struct Tree {
   enum class Kind { null, scalar, sequence, map };
   struct Entry;
@@ -38,12 +39,10 @@ struct YamlLimits {
   std::size_t depth = 64, values = 100000, bytes = std::size_t{1} << 20;
 };
 
-/// The one document in `text`; `name` stands for the file in messages. Throws InputError: syntax, a second document,
+/// The one document in `text`; `name` stands for the file in messages. Keys `x-...` of the whole hold anchors, and are
+/// left out. Throws InputError: syntax, a second document,
 /// no document, duplicate keys, keys that are not scalars, tags, bad UTF-8, control characters, tabs that indent,
 /// self-reference, and what exceeds the limits.
 Tree read_yaml(std::string_view text, const std::string& name, const YamlLimits& limits = {});
-
-/// All bytes of a file. Throws InputError where it is missing, a folder, unreadable or longer than `limit`.
-std::string read_bytes(const std::string& file, std::size_t limit = YamlLimits{}.bytes);
 
 }  // namespace assay::drivers

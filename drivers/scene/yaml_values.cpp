@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "drivers/output/numbers.hpp"
+#include "drivers/scene/number_slips.hpp"
+#include "drivers/scene/yaml_slips.hpp"
+#include "drivers/unseen.hpp"
 
 namespace assay::drivers {
 
@@ -42,7 +45,7 @@ std::string described(const Tree& tree) {
     case Tree::Kind::scalar:
       break;
   }
-  return "'" + one_line(tree.text, 60) + "'";
+  return "'" + shown(tree.text, 60) + "'";
 }
 
 std::string parent_of(const std::string& path) {
@@ -58,7 +61,9 @@ double number_value(const Tree& tree, const std::string& key, const Range& range
   const bool plain = tree.kind == Tree::Kind::scalar && !tree.quoted;
   const std::string found = ", found " + described(tree);
   const std::optional<double> read = plain ? parse_number(tree.text) : std::nullopt;
-  if (!read) refuse(tree, key, std::string("must be a ") + (range.whole ? "whole number" : "number") + found);
+  if (!read)
+    refuse(tree, key,
+           std::string("must be a ") + (range.whole ? "whole number" : "number") + found + number_remedy(tree));
   const double value = read.value_or(0);
   if (!std::isfinite(value)) refuse(tree, key, "must be a finite number" + found);
   if (range.whole && (value != std::floor(value) || std::abs(value) > 9007199254740992.0)) {
@@ -72,18 +77,18 @@ bool boolean_value(const Tree& tree, const std::string& key) {
   const bool plain = tree.kind == Tree::Kind::scalar && !tree.quoted;
   if (plain && (tree.text == "true" || tree.text == "True" || tree.text == "TRUE")) return true;
   if (plain && (tree.text == "false" || tree.text == "False" || tree.text == "FALSE")) return false;
-  refuse(tree, key, "must be true or false, found " + described(tree));
+  refuse(tree, key, "must be true or false, found " + described(tree) + boolean_remedy(tree));
 }
 
 std::string text_value(const Tree& tree, const std::string& key) {
   if (tree.kind != Tree::Kind::scalar) refuse(tree, key, "must be text, found " + described(tree));
-  return tree.text;
+  return tree.text.substr(0, tree.text.find_last_not_of('\n') + 1);  // that of a block, as after `title: >`
 }
 
 std::string choice_value(const Tree& tree, const std::string& key, const std::vector<std::string>& known) {
   if (tree.kind != Tree::Kind::scalar) refuse(tree, key, "must be a word, found " + described(tree), joined(known));
   if (std::find(known.begin(), known.end(), tree.text) == known.end()) {
-    refuse(tree, key, unknown("value " + described(tree), tree.text, known), joined(known));
+    refuse(tree, key, unknown("value " + described(tree), tree.text, known), known_words(tree.text, known));
   }
   return tree.text;
 }
@@ -93,9 +98,13 @@ std::vector<double> numbers_value(const Tree& tree, const std::string& key, std:
   const std::size_t expected = rows == 1 ? columns : rows;
   const std::string shape = rows == 1 ? std::to_string(columns) + (range.whole ? " whole numbers" : " numbers")
                                       : std::to_string(rows) + " rows of " + std::to_string(columns) + " numbers";
-  if (tree.kind != Tree::Kind::sequence) refuse(tree, key, "must be a list of " + shape + ", found " + described(tree));
+  const std::string remedy = rows == 1 ? list_remedy(tree, columns) : "";
+  if (tree.kind != Tree::Kind::sequence) {
+    refuse(tree, key, "must be a list of " + shape + ", found " + described(tree) + remedy);
+  }
   if (tree.items.size() != expected) {
-    refuse(tree, key, "must be a list of " + shape + ", found " + std::to_string(tree.items.size()));
+    refuse(tree, key,
+           "must be a list of " + shape + ", found " + std::to_string(tree.items.size()) + " in it" + remedy);
   }
   std::vector<double> values;
   for (std::size_t i = 0; i < expected; ++i) {
@@ -111,14 +120,21 @@ std::vector<double> numbers_value(const Tree& tree, const std::string& key, std:
 }
 
 void require_map(const Tree& tree, const std::string& key, const std::string& known) {
-  if (tree.kind != Tree::Kind::map) refuse(tree, key, "must be a map of keys, found " + described(tree), known);
+  if (tree.kind == Tree::Kind::map) return;
+  const std::string remedy = tree.kind == Tree::Kind::scalar     ? key_remedy(tree.text)
+                             : tree.kind == Tree::Kind::sequence ? ": its keys stand without '-' and brackets"
+                                                                 : "";
+  refuse(tree, key, "must be a map of keys, found " + described(tree) + remedy, known);
 }
 
 void refuse_unknown_keys(const Tree& map, const std::string& prefix, const std::vector<std::string>& known) {
   for (const Tree::Entry& entry : map.entries) {
     if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
-    throw InputError(entry.key_where, key_path(prefix, one_line(entry.key, 80)), unknown("key", entry.key, known),
-                     joined(known));
+    throw InputError(entry.key_where, key_path(prefix, shown(entry.key, 80)),
+                     unknown("key", entry.key, known) +
+                         (parse_number(entry.key) ? ": numbers have a decimal point, and a comma ends a value" : "") +
+                         key_remedy(entry.key),
+                     known_words(entry.key, known));
   }
 }
 

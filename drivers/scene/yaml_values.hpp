@@ -26,7 +26,7 @@ inline constexpr Range positive{.lower = 0, .lower_open = true};
 /// Finite, in range.
 double number_value(const Tree& tree, const std::string& key, const Range& range = {});
 bool boolean_value(const Tree& tree, const std::string& key);
-/// Any scalar as it stands.
+/// Any scalar as it stands, without line breaks at its end.
 std::string text_value(const Tree& tree, const std::string& key);
 
 std::string choice_value(const Tree& tree, const std::string& key, const std::vector<std::string>& known);

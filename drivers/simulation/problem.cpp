@@ -8,6 +8,7 @@
 #include "drivers/effects.hpp"
 #include "drivers/material/material_choice.hpp"
 #include "drivers/output/number_format.hpp"
+#include "drivers/output/terminal.hpp"
 #include "drivers/scene/body_box.hpp"
 #include "drivers/scene/initial_velocity.hpp"
 #include "drivers/scene/motion_keys.hpp"
@@ -169,7 +170,7 @@ void resolve_wave_speed(Scene& scene) {
 
 std::shared_ptr<const Material> material_of(Scene& scene, std::string& library) {
   ResolvedMaterial resolved = resolve_material(scene);
-  for (const std::string& sentence : resolved.warnings) std::fprintf(stderr, "warning: %s\n", sentence.c_str());
+  for (const std::string& sentence : resolved.warnings) warn(sentence);
   scene.material = std::move(resolved.choice);
   library = std::move(resolved.library);
   resolve_wave_speed(scene);

@@ -9,10 +9,10 @@
 
 #include "adapters/library.hpp"
 #include "drivers/cache_home.hpp"
+#include "drivers/input_file.hpp"
 #include "drivers/output/whole_file.hpp"
 #include "drivers/program_identity.hpp"
 #include "drivers/scene/sha256.hpp"
-#include "drivers/scene/yaml_reader.hpp"
 
 namespace assay::drivers {
 

@@ -2,12 +2,14 @@
 #include "drivers/simulation/snapshots.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
 
 #include "drivers/output/number_format.hpp"
 #include "drivers/scene/body_box.hpp"
+#include "harness/exact_field.hpp"
 #include "mpm/gauss_lattice.hpp"
 
 namespace assay::drivers {
@@ -59,6 +61,14 @@ std::string particles_vtu(const ColumnView& of, std::size_t particles, const std
   return vtu_text(position, arrays, t);
 }
 
+/// What a comparison with the exact motion adds.
+std::vector<VtuArray> compared_arrays(const Problem& problem, const std::vector<double>& error,
+                                      const std::vector<double>& measure) {
+  const bool vortex = std::holds_alternative<Vortex>(problem.scene.motion);
+  return {{"displacement_error", 1, std::span<const double>(error)},
+          {vortex ? "shear" : "jacobian", 1, std::span<const double>(measure)}};
+}
+
 /// What a snapshot shows.
 struct Shown {
   Column column;
@@ -82,31 +92,41 @@ void LastGood::keep(const mpm::State<2>& s, double t) {
   }
 }
 
-std::string LastGood::vtu() const {
-  const auto of = [&](Column which, int component) {
-    std::size_t before = 0;
-    for (const Shown& part : shown) {
-      if (part.column == which) break;
-      before += static_cast<std::size_t>(part.components);
-    }
-    return values_.data() + (before + static_cast<std::size_t>(component)) * particles_;
-  };
-  return particles_vtu(of, particles_, {}, t_);
+const double* LastGood::column(Column which, int component) const {
+  std::size_t before = 0;
+  for (const Shown& part : shown) {
+    if (part.column == which) break;
+    before += static_cast<std::size_t>(part.components);
+  }
+  return values_.data() + (before + static_cast<std::size_t>(component)) * particles_;
 }
 
-std::string Snapshots::leave_last_good() const {
+std::string LastGood::vtu(const Problem& problem, const std::shared_ptr<const ExactSolution>& exact) const {
+  const auto of = [this](Column which, int component) { return column(which, component); };
+  if (!exact || particles_ == 0) return particles_vtu(of, particles_, {}, t_);
+  const auto X = [&](int d) { return std::span(of(Column::reference_position, d), particles_); };
+  ExactField field(exact, problem.scene.frame.value_or(Frame{}), X(0), X(1));
+  field.set_time(t_, t_);
+  std::vector<double> error(particles_), measure(particles_);
+  for (std::size_t p = 0; p < particles_; ++p) {
+    const std::array<double, 2> x = field.at(p).x;
+    error[p] = std::hypot(of(Column::position, 0)[p] - x[0], of(Column::position, 1)[p] - x[1]);
+    std::array<double, 4> F{};
+    for (int c = 0; c < 4; ++c) F[static_cast<std::size_t>(c)] = of(Column::deformation_gradient, c)[p];
+    measure[p] = field.measure(p, F);
+  }
+  return particles_vtu(of, particles_, compared_arrays(problem, error, measure), t_);
+}
+
+std::string Snapshots::leave_last_good(const std::shared_ptr<const ExactSolution>& exact) const {
   std::string name = "last_good.vtu";
-  folder_->write(name, last_good_.vtu());
+  folder_->write(name, last_good_.vtu(*problem_, exact));
   return name;
 }
 
 void Snapshots::write_vtu(const mpm::State<2>& s, const ErrorSampler* sampler, double t) {
   std::vector<VtuArray> more;
-  if (sampler) {
-    more.push_back({"displacement_error", 1, std::span<const double>(sampler->displacement_error())});
-    const char* measure = std::holds_alternative<Vortex>(problem_->scene.motion) ? "shear" : "jacobian";
-    more.push_back({measure, 1, std::span<const double>(sampler->measure())});
-  }
+  if (sampler) more = compared_arrays(*problem_, sampler->displacement_error(), sampler->measure());
   const auto of = [&s](Column which, int component) { return s.column(which, component); };
   const std::string name = particles_name(static_cast<int>(entries_.size()));
   folder_->write(name, particles_vtu(of, s.particles, more, t));

@@ -2,6 +2,7 @@
 // Snapshots of a run: VTU files for ParaView, frames for the pictures.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "drivers/output/vtu.hpp"
 #include "drivers/picture/particle_picture.hpp"
 #include "drivers/simulation/error_sampler.hpp"
+#include "harness/exact_solution.hpp"
 
 namespace assay::drivers {
 
@@ -18,10 +20,12 @@ class LastGood {
   void keep(const mpm::State<2>& state, double t);
   bool empty() const { return particles_ == 0; }
   double t() const { return t_; }
-  /// As a VTU file.
-  std::string vtu() const;
+  /// As a VTU file, with the error where there is an exact solution; may be null.
+  std::string vtu(const Problem& problem, const std::shared_ptr<const ExactSolution>& exact) const;
 
  private:
+  const double* column(mpm::Column which, int component) const;
+
   double t_ = 0;
   std::size_t particles_ = 0;
   std::vector<double> values_;  ///< of the columns that a snapshot shows, one after the other
@@ -37,8 +41,8 @@ class Snapshots {
 
   /// Keeps what a snapshot shows of a state that is well, in place of the one before.
   void keep_good(const mpm::State<2>& state, double t) { last_good_.keep(state, t); }
-  /// Writes it. Returns the name of the file.
-  std::string leave_last_good() const;
+  /// Writes it, with what `add` writes of it. Returns the name of the file.
+  std::string leave_last_good(const std::shared_ptr<const ExactSolution>& exact) const;
 
   /// particles.pvd, and the pictures of the frames kept: name and caption of each written PNG.
   struct Written {

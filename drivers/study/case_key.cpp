@@ -3,10 +3,10 @@
 
 #include <map>
 
+#include "drivers/input_file.hpp"
 #include "drivers/material/material_choice.hpp"
 #include "drivers/program_identity.hpp"
 #include "drivers/scene/sha256.hpp"
-#include "drivers/scene/yaml_reader.hpp"
 
 namespace assay::drivers {
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "drivers/input_file.hpp"
 #include "drivers/output/errors_csv.hpp"
 #include "drivers/output/json_depth.hpp"
 #include "drivers/output/whole_file.hpp"
 #include "drivers/scene/sha256.hpp"
-#include "drivers/scene/yaml_reader.hpp"
 
 namespace assay::drivers {
 

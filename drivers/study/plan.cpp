@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "drivers/input_file.hpp"
 #include "drivers/program_identity.hpp"
 #include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_keys.hpp"

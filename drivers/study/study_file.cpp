@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "drivers/input_error.hpp"
-#include "drivers/scene/yaml_reader.hpp"
+#include "drivers/input_file.hpp"
 #include "drivers/study/study_json.hpp"
 
 namespace assay::drivers {
@@ -29,14 +29,15 @@ StoredStudy stored_study(const std::string& given, const std::string& out) {
   const bool is_folder = fs::is_directory(given, ignored);
   const bool is_yaml = !is_folder && is_study_yaml(given);
   if (!out.empty() && !is_yaml) throw InputError({given, 0, 0}, "", "-o goes with the YAML file of a study");
-  if (!is_folder && !fs::exists(given, ignored)) throw InputError({given, 0, 0}, "", "is not there");
+  if (!is_folder && !is_stream(given) && !fs::exists(given, ignored))
+    throw InputError({given, 0, 0}, "", "is not there");
   StoredStudy stored;
   stored.folder = is_folder     ? given
                   : !is_yaml    ? fs::path(given).parent_path().string()
                   : out.empty() ? (fs::path("results") / fs::path(given).stem()).string()
                                 : out;
   stored.file = is_folder || is_yaml ? (fs::path(stored.folder) / "study.json").string() : given;
-  if (!fs::exists(stored.file, ignored)) {
+  if (!is_stream(stored.file) && !fs::exists(stored.file, ignored)) {
     throw InputError(
         {stored.file, 0, 0}, "",
         is_yaml ? "is not there: assay study " + given + " makes it" : "is not there: no result of a study");

@@ -6,10 +6,10 @@
 #include <memory>
 
 #include "drivers/input_error.hpp"
+#include "drivers/input_file.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/output/output_folder.hpp"
 #include "drivers/output/report.hpp"
-#include "drivers/scene/yaml_reader.hpp"
 #include "drivers/study/stability_map.hpp"
 #include "drivers/study/study_json.hpp"
 #include "drivers/study/study_junit.hpp"

@@ -6,7 +6,9 @@
 #include <limits>
 #include <set>
 
+#include "drivers/input_file.hpp"
 #include "drivers/scene/expect.hpp"
+#include "drivers/scene/file_kind.hpp"
 #include "drivers/scene/sha256.hpp"
 #include "drivers/scene/yaml_values.hpp"
 #include "drivers/study/axes_reader.hpp"
@@ -202,9 +204,7 @@ const std::vector<std::string>& study_outcomes() {
 std::string scene_file(const Tree& name) {
   const auto folder = std::filesystem::path(name.where.file).parent_path();
   std::string file = (folder / text_value(name, scene_key)).lexically_normal().string();
-  std::error_code code;
-  if (!std::filesystem::is_regular_file(file, code))
-    throw InputError(name.where, scene_key, "no such file: '" + one_line(file, 200) + "'");
+  if (const std::string fault = fault_of_file(file); !fault.empty()) throw InputError(name.where, scene_key, fault);
   return file;
 }
 
@@ -212,6 +212,7 @@ Study study_from_text(const std::string& text, const std::string& file) {
   const Tree root = read_yaml(text, file);
   if (root.kind == Tree::Kind::null) throw InputError({file, 0, 0}, "", "empty");
   require_map(root, "", joined(study_keys()));
+  refuse_other_kind(root, FileKind::study);
   refuse_unknown_keys(root, "", study_keys());
   Study study;
   study.file = file, study.text = text, study.sha256 = sha256_hex(text);

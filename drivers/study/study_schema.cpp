@@ -28,13 +28,17 @@ Json described(Json schema, const std::string& doc) {
   return schema;
 }
 
-Json object(const Json& properties, const std::vector<std::string>& required = {}) {
+Json object(Json properties, const std::vector<std::string>& required = {}) {
+  properties[merge_name] = Json::object();
   Json out{{"type", "object"}, {"additionalProperties", false}, {"properties", properties}};
   if (!required.empty()) out["required"] = required;
   return out;
 }
 
-Json map_of(const Json& values) { return {{"type", "object"}, {"additionalProperties", values}}; }
+/// No pattern: names may be numbers.
+Json map_of(const Json& values) {
+  return {{"type", "object"}, {"additionalProperties", values}, {"properties", {{merge_name, Json::object()}}}};
+}
 
 /// Dotted keys of a scene with their values; of a key that several motions know, each of their values.
 Json settings() {
@@ -45,7 +49,7 @@ Json settings() {
     if (known.is_null()) known = Json{{"description", key.doc}, {"anyOf", Json::array()}};
     known["anyOf"].push_back(std::move(one));
   }
-  Json patterns = Json::object();
+  Json patterns{{merge_pattern, Json::object()}};
   for (const Section& section : scene_sections()) {
     if (section.path.empty()) continue;
     properties[section.path] = {{"description", section.doc}, {"type", "object"}};
@@ -91,7 +95,7 @@ Json timing() {
 
 Json budget() {
   Json out = map_of(settings());
-  out["properties"] = {{"of", selection()}};
+  out["properties"]["of"] = selection();
   return out;
 }
 
@@ -144,6 +148,8 @@ std::string study_schema_json() {
             {"$id", schema_id("study")},
             {"title", "assay study"}};
   head.update(object(properties, {scene_key}));
+  head["properties"].erase(merge_name);
+  for (const char* pattern : {merge_pattern, anchors_pattern}) head["patternProperties"][pattern] = Json::object();
   return head.dump(2) + "\n";
 }
 

@@ -13,6 +13,7 @@
 #include "harness/check/other_clock.hpp"
 #include "harness/check/rest.hpp"
 #include "harness/check/scope.hpp"
+#include "harness/stopwatch.hpp"
 
 namespace assay::check {
 
@@ -54,12 +55,14 @@ void take(const std::vector<Entry>& list, const Specimen& specimen, Evidence& ev
   for (const Entry& entry : list) {
     if ((!options.only.empty() && options.only != entry.id) || options.without == entry.id) continue;
     if (options.begins) options.begins(entry.id);
+    const Stopwatch watch;
     try {
       report.tests.push_back(without_own_nan(entry.run(specimen, evidence)));
     } catch (const MaterialFailure& failure) {
       const bool twin = entry.cause_of_failure && stands_unturned(specimen);
       report.tests.push_back(refused(entry.id, twin ? entry.cause_of_failure : nullptr, failure));
     }
+    report.tests.back().wall_s = watch.seconds();
     if (options.ends) options.ends(report.tests.back());
   }
 }
@@ -146,7 +149,9 @@ Report run_once(const Material& material, const Options& options) {
   evidence.has_state_that_turns = has_state_that_turns(material.table());
   evidence.has_spin = evidence.has_state_that_turns && material.has(ASSAY_USES_INCREMENT);
   if (options.begins) options.begins("calls.arrays");
+  const Stopwatch watch;
   report.tests.push_back(guarded_arrays(material, options, evidence.first));
+  report.tests.back().wall_s = watch.seconds();
   if (options.ends) options.ends(report.tests.back());
   try {
     if (!any_failed(report)) {

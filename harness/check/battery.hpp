@@ -26,6 +26,7 @@ struct TestResult {
   std::string sentence = {};         ///< one plain sentence
   std::optional<FailedStep> step = {};  ///< where a call of `update` failed, or its result was wrong
   bool refused = false;                 ///< by the model's own word: it may stand a smaller strain
+  double wall_s = 0;                    ///< that the test took
 };
 
 /// What is wrong with the model, from all tests together.

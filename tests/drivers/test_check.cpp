@@ -10,7 +10,7 @@
 
 #include "drivers/check_material.hpp"
 #include "drivers/check_report.hpp"
-#include "drivers/scene/yaml_reader.hpp"
+#include "drivers/input_file.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/scratch_folder.hpp"

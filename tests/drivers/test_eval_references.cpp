@@ -9,9 +9,9 @@
 #include <filesystem>
 #include <map>
 
+#include "drivers/input_file.hpp"
 #include "drivers/output/csv.hpp"
 #include "drivers/output/numbers.hpp"
-#include "drivers/scene/yaml_reader.hpp"
 #include "drivers/verbs.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 

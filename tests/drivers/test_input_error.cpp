@@ -17,7 +17,8 @@ TEST(InputError, SaysWhereWhatAndWhatIsKnown) {
 }
 
 TEST(InputError, IsAlwaysOneLine) {
-  EXPECT_STREQ(InputError({"a\nb", 1, 1}, "k\r", "x\ty\x7f").what(), "a b:1:1: k : x y ");
+  EXPECT_STREQ(InputError({"a\nb", 1, 1}, "k\r", "x\ty\x7f").what(),
+               "a b:1:1: k : x y<U+007F>; holds U+007F, control character, which cannot be seen: delete it");
   EXPECT_STREQ(InputError("one\ntwo").what(), "one two");
   EXPECT_LE(std::string(InputError({"a", 1, 1}, "k", std::string(100000, 'x')).what()).size(), 4200u);
 }
@@ -31,7 +32,7 @@ TEST(InputError, CutsBetweenCharacters) {
                      "b\xE2\x80\xAE"
                      "c\xE2\x80\xA8"
                      "d\x1B[e"),
-            "a b c d [e");  // C1, bidi, line separator, ESC
+            "a<U+009B>b<U+202E>c<U+2028>d<U+001B>[e");  // C1, bidi, line separator, ESC
   EXPECT_EQ(one_line("\xFF"
                      "a\xC3"),
             "?a?");
@@ -44,6 +45,10 @@ TEST(InputError, SuggestsTheNearestWord) {
   EXPECT_EQ(nearest("innre", known), "inner");
   EXPECT_EQ(nearest("profile_pwoer", known), "profile_power");
   EXPECT_EQ(nearest("profile", known), "profile_power") << "the beginning of a word";
+  EXPECT_EQ(nearest("INNER", known), "inner");
+  EXPECT_EQ(nearest("OUTTER", known), "outer");
+  EXPECT_EQ(nearest("x", {"y", "X"}), "X");
+  EXPECT_EQ(nearest("x", {"y"}), "") << "all letters are one apart";
   EXPECT_EQ(nearest("temperature", known), "");
   EXPECT_EQ(nearest("", known), "");
   EXPECT_EQ(nearest("inner", {}), "");

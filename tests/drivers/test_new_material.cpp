@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdlib>
+#include <fstream>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -75,7 +76,10 @@ TEST_P(NewMaterialFlavours, TellsTheNextCommands) {
       });
   ASSERT_EQ(ending.status, 0) << ending.said;
   std::istringstream lines(ending.said);
-  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;
+  for (std::string line; std::getline(lines, line);) {
+    const bool has_path = line.starts_with("  cmake -B build -D ") || line.find("run vortex.yaml") != line.npos;
+    EXPECT_TRUE(line.size() <= 80u || has_path) << line;
+  }
   for (const char* word :
        {"CMakeLists.txt", "README.md", "vortex.yaml", GetParam().source, "cd clay\n", "cmake -B build",
         "cmake --build build", "ctest --test-dir build", "assay run vortex.yaml\n"})
@@ -90,12 +94,48 @@ TEST_P(NewMaterialFlavours, TakesTheLongestName) {
   testing::internal::CaptureStdout();
   new_material({name, GetParam().language, GetParam().interface, (folder / "again").string(), Verbosity::normal});
   std::istringstream said(testing::internal::GetCapturedStdout());
-  for (std::string line; std::getline(said, line);) EXPECT_TRUE(line.size() <= 80 || line.starts_with("  cd ")) << line;
+  for (std::string line; std::getline(said, line);) {
+    const bool has_path =
+        line.starts_with("  cd ") || line.starts_with("  cmake -B build") || line.find(" run ") != line.npos;
+    EXPECT_TRUE(line.size() <= 80 || has_path) << line;
+  }
   for (const std::string& file : files()) {
     if (!file.ends_with(".f90")) continue;
     std::istringstream lines(read(file));
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 132u) << line;
   }
+}
+
+/// A prefix of programs, with the package that CMake looks for in `holds`; empty: none.
+std::string steps_with(const fs::path& prefix, const std::string& holds, bool on_path) {
+  fs::create_directories(prefix / "bin");
+  fs::copy_file(built("assay"), prefix / "bin/assay");
+  if (!holds.empty()) {
+    fs::create_directories(prefix / holds);
+    std::ofstream(prefix / holds / "assay-config.cmake") << "";
+  }
+  const std::string here = prefix.string(), program = (prefix / "bin/assay").string();
+  const std::string path = (on_path ? (prefix / "bin").string() + ":" : "") + "/usr/bin:/bin";
+  const std::string command = "cd '" + here + "' && PATH='" + path + "' '" + program +
+                              "' new-material clay --language c > said 2>&1 < /dev/null";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  return bytes_of((prefix / "said").string());
+}
+
+TEST_F(NewMaterial, TheNextStepsSayWhereTheProgramIs) {
+  for (const char* holds : {"lib/cmake/assay", "lib/x86_64-linux-gnu/cmake/assay", "share/cmake/assay", "cmake"}) {
+    const fs::path prefix = folder / fs::path(holds).parent_path().parent_path().filename() / "with blank";
+    const std::string here = prefix.string();
+    const std::string found = steps_with(prefix, holds, true);
+    EXPECT_NE(found.find("\n  cmake -B build\n"), found.npos) << holds << found;
+    EXPECT_NE(found.find("\n  assay run vortex.yaml\n"), found.npos) << found;
+    fs::remove_all(prefix);
+    const std::string apart = steps_with(prefix, holds, false);
+    EXPECT_NE(apart.find("\n  cmake -B build -D CMAKE_PREFIX_PATH='" + here + "'\n"), apart.npos) << apart;
+    EXPECT_NE(apart.find("\n  '" + here + "/bin/assay' run vortex.yaml\n"), apart.npos) << apart;
+  }
+  const std::string alone = steps_with(folder / "alone", "", true);
+  EXPECT_NE(alone.find("# with -D CMAKE_PREFIX_PATH=(where assay is installed)"), alone.npos) << alone;
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, NewMaterialFlavours, testing::ValuesIn(flavours), name_of);
@@ -187,6 +227,20 @@ TEST_P(LongNewMaterial, BuildsPassesCheckAndRunsTheVortex) {
   EXPECT_EQ(said.find("arning"), std::string::npos) << said;
   EXPECT_TRUE(fs::exists(folder / "clay/results/vortex/report.html"));
   EXPECT_TRUE(fs::exists(folder / "clay/build/clay.check.xml"));
+}
+
+/// What `new-material` prints, as it stands, where it was called.
+TEST_P(LongNewMaterial, ThePrintedStepsRunWithABuildFolderOnThePathAndWithAnInstalledCopyElsewhere) {
+  if (!ASSAY_CAN_INSTALL) GTEST_SKIP() << "this build has no install rules";
+  if (GetParam().language == std::string("fortran") && !ASSAY_HAS_FORTRAN) GTEST_SKIP() << "no Fortran compiler";
+  const std::string words = std::string(" new-material clay --language ") + GetParam().language + " --interface " +
+                            GetParam().interface + " | sed '1,/^next:/d' > steps; sh -e ./steps; rm -r clay\n";
+  const std::string said = shell("cmake --install '" + built() + "' --prefix 'elsewhere' >installed\n(PATH='" +
+                                 built() + "':\"$PATH\"; assay" + words + ")\n'elsewhere/bin/assay'" + words);
+  EXPECT_TRUE(said.ends_with("status 0")) << said;
+  std::size_t runs = 0;
+  for (std::size_t at = 0; (at = said.find("AS EXPECTED; results in results/vortex", at)) != said.npos; ++at) ++runs;
+  EXPECT_EQ(runs, 2u) << said;
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, LongNewMaterial, testing::ValuesIn(flavours), name_of);

@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 
+#include "drivers/input_file.hpp"
 #include "drivers/scene/scene_reader.hpp"
 
 namespace assay::fuzz {

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "drivers/input_error.hpp"
+#include "drivers/input_file.hpp"
 #include "drivers/output/csv.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "tests/support/vtu_reader.hpp"

@@ -43,6 +43,7 @@ def core_schema():
         ("int", r"^(?:[-+]?[0-9]+|0o[0-7]+|0x[0-9a-fA-F]+)$", list("-+0123456789")),
         ("float", r"^(?:[-+]?(?:\.[0-9]+|[0-9]+(?:\.[0-9]*)?)(?:[eE][-+]?[0-9]+)?"
                   r"|[-+]?\.(?:inf|Inf|INF)|\.(?:nan|NaN|NAN))$", list("-+.0123456789")),
+        ("merge", r"^<<$", ["<"]),  # of no schema of 1.2, and read by nearly everybody
     ):
         Reader12.add_implicit_resolver("tag:yaml.org,2002:" + tag, re.compile(pattern), first)
 
@@ -230,12 +231,16 @@ def faults(assay, source):
         ("scene", scene, "title: ", "title: no #", "title: False to YAML 1.1, 'no' to YAML 1.2"),
         ("scene", scene, "title: ", "title: 2001-12-14 #", "to YAML 1.1, '2001-12-14' to YAML 1.2"),
         ("scene", scene, "title: ", "title: = #", "could not determine a constructor"),
-        ("scene", scene, "\ngrid:", "\ngird:", "'gird' was unexpected"),
-        ("scene", scene, "spacing: ", "spacings: ", "was unexpected"),
+        ("scene", scene, "\ngrid:", "\ngird:", "'gird' does not match"),
+        ("scene", scene, "spacing: ", "spacings: ", "'spacings' does not match"),
+        ("scene", scene, "\ngrid:", "\nx-soft: &soft {E: 1}\ngrid:", None),
+        ("scene", "x-soft: &soft {E: 1.0e+3}\n" + scene, "{E: 1.0e+3, nu", "{<<: *soft, nu", None),
+        ("scene", "x-soft: &soft {E: soft}\n" + scene, "{E: 1.0e+3, nu", "{<<: *soft, nu", "'soft' is not of type"),
+        ("scene", scene, "spacing: ", "x-spacing: ", "'x-spacing' does not match"),
         ("scene", scene, "basis: cpdi", "basis: cpdi9", "'cpdi9' is not one of"),
         ("scene", scene, "title: ", "titles: {", "while parsing"),
         ("study", study, "", "", None),
-        ("study", study, "\naxes:", "\naxis:", "'axis' was unexpected"),
+        ("study", study, "\naxes:", "\naxis:", "'axis' does not match"),
         ("study", study, "\nscene:", "\n#", "'scene' is a required property"),
         ("description", material, "", "", None),
         ("description", material, "E: 1.0e+3", "E: 1.0e3", "'1.0e3' to YAML 1.1"),

@@ -129,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadKey{"parameters: {E: 1}", "1: parameters: unknown key"},
         BadKey{"properties: 3", "13: properties: must be a map of keys, found '3'"},
         BadKey{"properties: {E: {vale: 1}}", "18: properties.E.vale: unknown key (nearest: value); known: value, unit"},
-        BadKey{"properties: {E: [1]}", "17: properties.E: must be a number, found a list"},
+        BadKey{"properties: {E: [1]}", "17: properties.E: must be a number, found a list: write 1 without brackets"},
         BadKey{"properties: {E: .nan}", "17: properties.E: must be a finite number"},
         BadKey{"properties: {E: '1'}", "17: properties.E: must be a number, found '1'"},
         BadKey{"properties: [1, .inf]", "17: properties.p2: must be a finite number, found '.inf'"},

@@ -50,7 +50,7 @@ TEST_F(MaterialChoices, RefusesWithThePlaceOfTheParameter) {
       "1e+300 [Pa]");
   EXPECT_EQ(
       refused("{adapter: neo_hookean, parameters: {E: 1, mu: 2}, density: 1}"),
-      "f.yaml:2:57: material.parameters.mu: material 'neo_hookean' has no such parameter (nearest: nu); known: E, nu");
+      "f.yaml:2:53: material.parameters.mu: material 'neo_hookean' has no such parameter (nearest: nu); known: E, nu");
   EXPECT_TRUE(refused("{adapter: neo_hookean, parameters: {shear_modulus: 2}, density: 1}")
                   .ends_with("material 'neo_hookean' has no such parameter; known: E, nu"));
   EXPECT_TRUE(refused("{adapter: neo_hookean, parameters: {E: -1}, density: 1}")

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "drivers/input_file.hpp"
 #include "drivers/scene/sha256.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/scene_text.hpp"
@@ -120,21 +121,24 @@ TEST(SceneReader, RefusesUnknownKeysWithTheNearest) {
 
 TEST(SceneReader, RefusesWrongTypes) {
   EXPECT_EQ(refused_extra("grid: {spacing: abc}\n"), "f.yaml:3:17: grid.spacing: must be a number, found 'abc'");
-  EXPECT_EQ(refused_extra("grid: {spacing: '0.1'}\n"), "f.yaml:3:17: grid.spacing: must be a number, found '0.1'");
+  EXPECT_EQ(refused_extra("grid: {spacing: '0.1'}\n"),
+            "f.yaml:3:17: grid.spacing: must be a number, found '0.1' in quotes, which make it a text: write 0.1");
   EXPECT_EQ(refused_extra("grid: 5\n"),
             "f.yaml:3:7: grid: must be a map of keys, found '5'; known: spacing, offset, lower, upper");
   EXPECT_EQ(refused_extra("grid:\n"),
             "f.yaml:3:1: grid: must be a map of keys, found nothing; known: spacing, offset, lower, upper");
   EXPECT_EQ(refused_extra("title: [a]\n"), "f.yaml:3:8: title: must be text, found a list");
   EXPECT_EQ(refused_extra("output: {pictures: yes}\n"),
-            "f.yaml:3:20: output.pictures: must be true or false, found 'yes'");
+            "f.yaml:3:20: output.pictures: must be true or false, found 'yes': write true");
   EXPECT_TRUE(has(refused_set("method.basis=[1]"), "--set method.basis: must be a word, found a list; known: linear"));
   EXPECT_TRUE(has(refused_set("body.per_cell=2"), "must be a list of 2 whole numbers, found '2'"));
-  EXPECT_TRUE(has(refused_set("body.per_cell=[2]"), "must be a list of 2 whole numbers, found 1"));
+  EXPECT_TRUE(has(refused_set("body.per_cell=[2]"), "must be a list of 2 whole numbers, found 1 in it"));
   EXPECT_TRUE(has(refused_set("body.per_cell=[2, 1.5]"), "body.per_cell[1]: must be a whole number, found '1.5'"));
   EXPECT_TRUE(has(refused_set("material.parameters=3"), "must be a map of keys"));
   EXPECT_TRUE(has(refused_set("material.parameters.E=soft"), "must be a number, found 'soft'"));
-  EXPECT_TRUE(has(refused("[1, 2]\n"), "f.yaml:1:1: must be a map of keys, found a list; known: title, motion"));
+  EXPECT_TRUE(
+      has(refused("[1, 2]\n"),
+          "f.yaml:1:1: must be a map of keys, found a list: its keys stand without '-' and brackets; known: title"));
   EXPECT_TRUE(has(refused_extra("expect: {outcome: {below: 3}}"), "unknown key; known: equals"));
   EXPECT_TRUE(
       has(refused_extra("expect: {outcome: finished}"), "known: completed, unstable, material_failed, refused"));
@@ -288,7 +292,7 @@ TEST(SceneReader, RefusesWhatIsMissing) {
 }
 
 TEST(SceneReader, RefusesWhatDoesNotFitTogether) {
-  EXPECT_TRUE(has(refused_extra("body: {lower: [0, 0]}"), "3:15: body.lower: does not belong to body.domain ring"));
+  EXPECT_TRUE(has(refused_extra("body: {lower: [0, 0]}"), "3:8: body.lower: does not belong to body.domain ring"));
   EXPECT_TRUE(has(refused_set("motion.final=[[1,0,0],[0,1,0],[0,0,1]]"), "does not belong to motion.type vortex"));
   EXPECT_TRUE(has(refused(homogeneous_text(), {"motion.inner=1"}),
                   "does not belong to motion.type homogeneous; known: type, "
@@ -317,7 +321,7 @@ TEST(SceneReader, ReadsAFrameAndRefusesOneThatCannotBe) {
   EXPECT_FALSE(scene_from_text(scene_text(), "f.yaml").frame);
   EXPECT_FALSE(scene_from_text(scene_text("frame: {}\n"), "f.yaml").frame->moves());
   EXPECT_EQ(refused(homogeneous_text("frame: {angle: 1}\n")),
-            "f.yaml:3:16: frame.angle: does not belong to motion.type homogeneous");
+            "f.yaml:3:9: frame.angle: does not belong to motion.type homogeneous");
   EXPECT_EQ(refused(homogeneous_text("frame: {}\n")),
             "f.yaml:3:8: frame: serves the vortex, and motion.type is homogeneous");
   const std::string held = "body: {domain: square}\n";

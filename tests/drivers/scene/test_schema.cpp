@@ -7,6 +7,7 @@
 #include <set>
 
 #include "drivers/build_information.hpp"
+#include "drivers/input_file.hpp"
 #include "drivers/output/result_json.hpp"
 #include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_keys.hpp"

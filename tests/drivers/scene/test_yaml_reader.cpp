@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "drivers/input_file.hpp"
 #include "tests/drivers/refusal.hpp"
 
 namespace assay::drivers::test_yaml_reader {
@@ -43,6 +44,7 @@ TEST(YamlReader, TakesExactlyOneDocument) {
 
 TEST(YamlReader, RefusesWhatIsAmbiguous) {
   EXPECT_EQ(refused("? [a]\n: 1\n"), "f:1:3: a key must be a word");
+  EXPECT_EQ(refused("a: {{ b }}\n"), "f:1:5: a key must be a word: a text with braces belongs in quotes");
   EXPECT_EQ(refused("~: 1\n"), "f:1:1: a key must be a word");
   EXPECT_EQ(refused("a: !!str 1\n"), "f:1:4: a tag ('tag:yaml.org,2002:str'); tags have no meaning here");
   EXPECT_EQ(refused("a: !x {b: 1}\n"), "f:1:4: a tag ('!x'); tags have no meaning here");
@@ -56,8 +58,15 @@ TEST(YamlReader, RefusesBadText) {
        {"\xff", "\xc3", "\xc0\x80", "\xe0\x80\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xf8", "\x80"}) {
     EXPECT_EQ(refused("a: 1\nb: " + std::string(bytes) + "\n"), "f:2:4: not UTF-8 text");
   }
-  EXPECT_EQ(refused(std::string("a: \0", 4)), "f:1:4: a control character; not a text file?");
-  EXPECT_EQ(refused("a: \x1b[31m\n"), "f:1:4: a control character; not a text file?");
+  EXPECT_EQ(refused(std::string("a: \0", 4)),
+            "f:1:4: a control character, <U+0000>; not a text file?; holds U+0000, control character, which cannot be "
+            "seen: delete it");
+  EXPECT_NE(
+      refused("a: \x1b[31m\n").find("f:1:4: a control character, <U+001B>; not a text file?; holds U+001B, escape"),
+      std::string::npos);
+  EXPECT_EQ(refused("\xff\xfe"
+                    "a"),
+            "f:1:1: UTF-16 text: save it as UTF-8");
   EXPECT_EQ(read_yaml("\xef\xbb\xbf"
                       "a: \xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80\r\n",
                       "f")
@@ -109,6 +118,37 @@ TEST(YamlReader, AliasesAreExpandedWithinLimits) {
   EXPECT_NE(refused(bomb).find("more than 100000 values"), std::string::npos) << refused(bomb);
 }
 
+TEST(YamlReader, MergeKeysBringWhatAMapLacks) {
+  const Tree root = read_yaml(
+      "x-steel: &steel {E: 1, nu: 2}\nx-soft: &soft {E: 3, rho: 4}\n"
+      "a: {<<: *steel, nu: 5}\nb: {<<: [*soft, *steel]}\nc:\n  <<: {k: 6}\n  <: 7\n",
+      "f");
+  EXPECT_EQ(root.find("x-steel"), nullptr) << "it holds anchors";
+  const auto text = [&](const char* map, const char* key) { return root.find(map)->find(key)->text; };
+  EXPECT_EQ(text("a", "E") + text("a", "nu"), "15") << "its own key stays";
+  EXPECT_EQ(text("b", "E") + text("b", "nu") + text("b", "rho"), "324") << "the first one counts";
+  EXPECT_EQ(text("c", "k") + text("c", "<"), "67");
+  EXPECT_EQ(root.find("a")->find("E")->where.text(), "f:1:21") << "where it is written";
+  EXPECT_EQ(root.find("a")->entries.size(), 2u);
+  EXPECT_EQ(refused("a: {<<: 1}\n"), "f:1:9: <<: takes a map, as *name of one with &name, or a list of maps");
+  EXPECT_EQ(refused("a: {<<: [{b: 1}, c]}\n"),
+            "f:1:18: <<: takes a map, as *name of one with &name, or a list of maps");
+  EXPECT_EQ(refused("a: {<<: {b: 1}, <<: {c: 1}}\n"), "f:1:17: <<: duplicate key");
+  EXPECT_EQ(read_yaml("a: {'<<': 1}\n", "f").find("a")->entries[0].key, "<<") << "in quotes it is a key as any";
+  EXPECT_EQ(read_yaml("x-a: 1\n", set_option).entries.size(), 1u) << "of a whole file alone";
+}
+
+TEST(YamlReader, MergedMapsCountTowardsTheLimits) {
+  std::string bomb = "a0: &a0 {x: [1, 2, 3, 4, 5, 6, 7, 8, 9]}\n";
+  for (int i = 1; i < 12; ++i) {
+    const std::string last = "*a" + std::to_string(i - 1);
+    bomb += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " {";
+    for (int k = 0; k < 9; ++k) bomb += "k" + std::to_string(k) + ": {<<: " + last + "}, ";
+    bomb += "l: 1}\n";
+  }
+  EXPECT_NE(refused(bomb).find("more than 100000 values"), std::string::npos) << refused(bomb);
+}
+
 TEST(YamlReader, CountsEveryValueOnce) {
   // map, key, anchored list of 3, key, alias of 4: 1 + 1 + 4 + 1 + 4
   const std::string text = "a: &x [1, 2, 3]\nb: *x\n";
@@ -123,8 +163,8 @@ TEST(YamlReader, FilesThatCannotBeRead) {
   EXPECT_EQ(refusal_of([&] { read_bytes(folder + "absent.yaml"); }),
             folder + "absent.yaml: cannot be read: No such file or directory");
   EXPECT_EQ(refusal_of([&] { read_bytes(""); }), "not a file name");
-  EXPECT_EQ(refusal_of([&] { read_bytes("/dev/zero", 1000); }), "/dev/zero: longer than 1000 bytes");
   std::ofstream(folder + "bytes.yaml") << "a: 1\n";
+  EXPECT_EQ(refusal_of([&] { read_bytes(folder + "bytes.yaml", 4); }), folder + "bytes.yaml: longer than 4 bytes");
   EXPECT_EQ(read_bytes(folder + "bytes.yaml"), "a: 1\n");
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "drivers/build_information.hpp"
+#include "drivers/input_file.hpp"
 #include "drivers/scene/yaml_values.hpp"
 #include "drivers/study/study_reader.hpp"
 #include "tests/drivers/json_schema.hpp"

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The files that a user names, as bytes: the one place where they are opened.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace assay::drivers {
+
+/// The name that stands for standard input, and as an output for standard output.
+inline constexpr const char* standard_stream = "-";
+
+/// Largest text that is read as YAML [bytes].
+inline constexpr std::size_t largest_text = std::size_t{1} << 20;
+
+/// All bytes of a regular file, or of a stream that the caller has opened: "-", /dev/stdin, /dev/fd/N. What is read of
+/// a stream stays, so that a second look finds the same. Throws InputError where it is missing, a folder, a named pipe,
+/// a device, unreadable or longer than `limit`.
+std::string read_bytes(const std::string& file, std::size_t limit = largest_text);
+
+/// "no such file: 'NAME'", "'NAME' is a folder, not a file"; empty for what read_bytes takes.
+std::string fault_of_file(const std::string& file);
+
+/// Whether the name stands for a stream that the caller has opened.
+bool is_stream(const std::string& file);
+
+/// Whether both names stand for one stream: it can be read once.
+bool is_same_stream(const std::string& one, const std::string& other);
+
+/// Name of the folder of results that belongs to an input: its file's without extension, "stdin" of standard input.
+std::string stem_of_input(const std::string& file);
+
+}  // namespace assay::drivers

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The one place where text goes to standard output and warnings to standard error: nothing that a name, a label or a
+// model's words hold reaches the terminal as a command.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace assay::drivers {
+
+/// Lines for a reader, on standard output and flushed: what steers a terminal is written as "<U+001B>".
+void print(std::string_view lines);
+
+/// JSON: the same characters as \u001b, which leaves the data as they are.
+void print_json(std::string_view json);
+
+/// "warning: SENTENCE" on standard error, one line.
+void warn(std::string_view sentence);
+
+}  // namespace assay::drivers

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a user may have meant by a text that stands where a number, or true or false, belongs.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "drivers/scene/yaml_reader.hpp"
+
+namespace assay::drivers {
+
+/// To follow "found '0,1'": what makes it no number, and what to write instead, as ": numbers have a decimal point,
+/// write 0.1"; empty where that is not known.
+std::string number_remedy(const Tree& found);
+
+/// The same where true or false belongs.
+std::string boolean_remedy(const Tree& found);
+
+/// The same where a list of `count` numbers belongs: ": write [2, 2]".
+std::string list_remedy(const Tree& found, std::size_t count);
+
+}  // namespace assay::drivers

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/scene/yaml_slips.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+#include <vector>
+
+#include "drivers/output/numbers.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr const char* no_colon = "a key is followed by ':' and a blank, and here is none";
+constexpr const char* no_blank = "a blank belongs after ':'";
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::string_view line = text.substr(begin, end - begin);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    lines.push_back(line);
+    begin = end + 1;
+  }
+  return lines;
+}
+
+std::size_t indent_of(std::string_view line) { return std::min(line.find_first_not_of(' '), line.size()); }
+
+/// A line as its characters outside of quotes and remarks; what is inside is blanked. `open`: the quote that the line
+/// leaves open, npos without one.
+struct Bare {
+  std::string text;
+  std::size_t open = std::string::npos;
+};
+
+Bare bare(std::string_view line) {
+  Bare out{std::string(line), std::string::npos};
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    const bool begins = i == 0 || std::string_view(" \t[{,").find(line[i - 1]) != std::string_view::npos;
+    if (c == '#' && begins) {
+      out.text.erase(i);
+      return out;
+    }
+    if ((c != '"' && c != '\'') || !begins) continue;
+    std::size_t end = i + 1;
+    while (end < line.size() && line[end] != c) end += c == '"' && line[end] == '\\' ? 2 : 1;
+    if (end >= line.size()) {
+      out.open = i;
+      return out;
+    }
+    for (std::size_t k = i + 1; k < end; ++k) out.text[k] = '_';
+    i = end;
+  }
+  return out;
+}
+
+std::string_view stripped(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+  return first == text.npos ? std::string_view() : text.substr(first, last - first + 1);
+}
+
+/// Where a colon ends a key: before a blank, a bracket that closes or the end.
+std::size_t key_colon(std::string_view text, std::size_t from = 0) {
+  for (std::size_t at = text.find(':', from); at != text.npos; at = text.find(':', at + 1)) {
+    if (at + 1 == text.size() || text[at + 1] == ' ' || text[at + 1] == '\t') return at;
+  }
+  return text.npos;
+}
+
+bool has_key(std::string_view line) { return key_colon(line) != line.npos; }
+
+/// The lines up to the complaint.
+class Diagnosis {
+ public:
+  Diagnosis(std::string_view text, int line, int column) : lines_(lines_of(text)) {
+    at_ = std::min(static_cast<std::size_t>(std::max(line, 1)), lines_.size()) - 1;
+    column_ = static_cast<std::size_t>(std::max(column, 1)) - 1;
+    for (std::size_t i = 0; i < lines_.size(); ++i) bare_.push_back(bare(lines_[i]));
+    while (at_ > 0 && stripped(bare_[at_].text).empty()) --at_;
+  }
+
+  std::optional<YamlSlip> find() const {
+    for (const auto check : {&Diagnosis::quote, &Diagnosis::bracket, &Diagnosis::reserved, &Diagnosis::key_before,
+                             &Diagnosis::indentation, &Diagnosis::second_colon, &Diagnosis::behind}) {
+      if (auto found = (this->*check)()) return found;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static YamlSlip slip(std::size_t line, std::size_t column, std::string what) {
+    return {static_cast<int>(line) + 1, static_cast<int>(column) + 1, std::move(what)};
+  }
+  const std::string& here() const { return bare_[at_].text; }
+
+  /// The line before that says something; npos without one.
+  std::size_t before(std::size_t line) const {
+    while (line-- > 0) {
+      if (!stripped(bare_[line].text).empty()) return line;
+    }
+    return std::string::npos;
+  }
+
+  std::optional<YamlSlip> quote() const {
+    for (std::size_t i = 0; i <= at_; ++i) {
+      if (bare_[i].open != std::string::npos) return slip(i, bare_[i].open, "a quote that is not closed in its line");
+    }
+    return std::nullopt;
+  }
+
+  /// Brackets up to the complaint, and what stands in the innermost that is open.
+  std::optional<YamlSlip> bracket() const {
+    struct Open {
+      char kind;
+      std::size_t line, column;
+    };
+    std::vector<Open> open;
+    std::size_t part_line = 0, part = 0;  // where the last item began
+    for (std::size_t i = 0; i <= at_; ++i) {
+      const std::string& line = bare_[i].text;
+      if (open.empty() && i > 0 && has_key(line)) part_line = i, part = 0;
+      for (std::size_t k = 0; k < line.size(); ++k) {
+        const char c = line[k];
+        if (c == '{' || c == '[') {
+          open.push_back({c, i, k}), part_line = i, part = k + 1;
+        } else if ((c == '}' || c == ']') && !open.empty()) {
+          const char wanted = open.back().kind == '{' ? '}' : ']';
+          if (c != wanted) return mixed(open.back().kind, open.back().line, open.back().column, i, k);
+          open.pop_back();
+        } else if ((c == '}' || c == ']') && i == at_ && key_colon(line) < k) {
+          return slip(i, k, std::string("a bracket '") + c + "' that nothing opens");
+        } else if (c == ',' && !open.empty()) {
+          part_line = i, part = k + 1;
+        } else if (c == ':' && !open.empty() && open.back().kind == '{' && is_second(part_line, part, i, k)) {
+          const bool outside = i > open.back().line && indent_of(line) <= indent_of(bare_[open.back().line].text);
+          return outside ? unclosed(open.back().kind, open.back().line, open.back().column) : no_comma(i, k);
+        }
+      }
+    }
+    if (open.empty()) return std::nullopt;
+    return unclosed(open.back().kind, open.back().line, open.back().column);
+  }
+
+  static YamlSlip unclosed(char kind, std::size_t line, std::size_t column) {
+    return slip(line, column, std::string("a bracket '") + kind + "' that is not closed");
+  }
+
+  static YamlSlip mixed(char kind, std::size_t line, std::size_t column, std::size_t i, std::size_t k) {
+    const std::string ends = kind == '{' ? "'}'" : "']'";
+    return slip(i, k,
+                std::string("a bracket '") + kind + "' in line " + std::to_string(line + 1) + ", column " +
+                    std::to_string(column + 1) + " is closed by " + ends + " alone");
+  }
+
+  /// Whether a colon in a flow map is the second one of its item.
+  bool is_second(std::size_t part_line, std::size_t part, std::size_t line, std::size_t colon) const {
+    if (colon + 1 < bare_[line].text.size() && bare_[line].text[colon + 1] != ' ') return false;
+    const std::string& first = bare_[part_line].text;
+    const std::size_t one = key_colon(first, part);
+    return one != std::string::npos && (part_line < line || one < colon);
+  }
+
+  /// Before the key that ends at the colon.
+  YamlSlip no_comma(std::size_t line, std::size_t colon) const {
+    std::size_t key = colon;
+    while (key > 0 && bare_[line].text[key - 1] == ' ') --key;
+    while (key > 0 && std::string_view(" {[,").find(bare_[line].text[key - 1]) == std::string_view::npos) --key;
+    return slip(line, key, "a comma belongs before '" + std::string(lines_[line].substr(key, colon - key)) + "'");
+  }
+
+  /// A value that begins with a character that YAML keeps for itself.
+  std::optional<YamlSlip> reserved() const {
+    if (column_ < here().size() && here()[column_] == '*')
+      return slip(at_, column_,
+                  "no anchor of that name stands above, and a text that begins with '*' belongs in quotes");
+    if (column_ >= here().size() || std::string_view("@`%").find(here()[column_]) == std::string_view::npos) return {};
+    return slip(at_, column_, std::string("a value that begins with '") + here()[column_] + "' belongs in quotes");
+  }
+
+  /// A line that should be a key and is none: here, or the one before.
+  std::optional<YamlSlip> key_before() const {
+    for (const std::size_t i : {before(at_), at_}) {
+      if (i == std::string::npos) continue;
+      const std::string& line = bare_[i].text;
+      const std::size_t first = indent_of(line), brace = line.find_first_of("{[", first);
+      const std::size_t glued = line.substr(0, brace).find(':', first);
+      if (brace != line.npos && brace > first && line[brace - 1] == ':')
+        return slip(i, brace - 1, std::string(no_blank));
+      const bool is_item = line.compare(first, 2, "- ") == 0;
+      const bool is_key = key_colon(line.substr(0, brace)) != std::string::npos;
+      if (is_key || is_item || first >= line.size() || line[first] == '"' || line[first] == '\'') continue;
+      if (i != at_ && !continues(i)) continue;
+      return slip(i, first, glued != line.npos ? no_blank : no_colon);
+    }
+    return std::nullopt;
+  }
+
+  /// Whether the line is not the continuation of a text above it.
+  bool continues(std::size_t i) const {
+    const std::size_t above = before(i);
+    return above == std::string::npos || indent_of(bare_[i].text) <= indent_of(bare_[above].text) ||
+           stripped(bare_[above].text).ends_with(':');
+  }
+
+  std::optional<YamlSlip> indentation() const {
+    const std::size_t first = indent_of(here()), above = before(at_);
+    if (above == std::string::npos || !has_key(here()) || first >= here().size()) return std::nullopt;
+    const std::string_view other = stripped(bare_[above].text);
+    const std::size_t column = indent_of(bare_[above].text);
+    if (first > column && !other.ends_with(':')) {
+      return slip(at_, first,
+                  "indented deeper than line " + std::to_string(above + 1) +
+                      ", which has a value already: keys of one map begin in one column, here " +
+                      std::to_string(column + 1));
+    }
+    std::size_t block = column, top = above;  // of the maps around it, from the innermost
+    for (std::size_t i = above; block > first && i != std::string::npos; i = before(i)) {
+      block = std::min(block, indent_of(bare_[i].text));
+      top = i;
+    }
+    if (block == first || first > column) return std::nullopt;
+    if (block > first) {
+      return slip(top, 0,
+                  "a line that is indented, and line " + std::to_string(at_ + 1) +
+                      " is not: keys of one map begin in one column");
+    }
+    return slip(at_, first, "indented as no line above: keys of one map begin in one column");
+  }
+
+  std::optional<YamlSlip> second_colon() const {
+    const std::size_t one = key_colon(here());
+    if (one == std::string::npos) return std::nullopt;
+    const std::size_t two = key_colon(here(), one + 1);
+    if (two == std::string::npos) return std::nullopt;
+    return slip(at_, two, "a second ': ' in one line: a text with it belongs in quotes, keys in braces");
+  }
+
+  /// Text behind a closing quote or bracket.
+  std::optional<YamlSlip> behind() const {
+    const std::string& line = here();
+    const std::size_t one = key_colon(line);
+    const std::size_t value = one == line.npos ? line.npos : line.find_first_not_of(' ', one + 1);
+    if (value == line.npos || std::string_view("\"'[{").find(line[value]) == std::string_view::npos) return {};
+    if (column_ <= value) return {};
+    return slip(at_, std::min(column_, line.size()),
+                "text behind a closing quote or bracket: all of the value belongs in quotes");
+  }
+
+  std::vector<std::string_view> lines_;
+  std::vector<Bare> bare_;
+  std::size_t at_ = 0, column_ = 0;  ///< of the complaint, from 0
+};
+
+}  // namespace
+
+std::optional<YamlSlip> yaml_slip(std::string_view text, int line, int column) {
+  return Diagnosis(text, line, column).find();
+}
+
+bool is_quote_closed(std::string_view text, int line, int column) {
+  std::size_t at = 0;
+  for (int i = 1; i < line && at < text.size(); ++i) at = std::min(text.find('\n', at), text.size() - 1) + 1;
+  at += static_cast<std::size_t>(std::max(column, 1)) - 1;
+  if (at >= text.size() || (text[at] != '"' && text[at] != '\'')) return true;
+  const char quote = text[at];
+  for (std::size_t i = at + 1; i < text.size(); ++i) {
+    if (quote == '"' && text[i] == '\\') {
+      ++i;
+    } else if (text[i] == quote) {
+      if (quote == '"' || i + 1 >= text.size() || text[i + 1] != quote) return true;
+      ++i;
+    }
+  }
+  return false;
+}
+
+std::string key_remedy(const std::string& text) {
+  const std::size_t colon = text.find(':'), equals = text.find('='), blank = text.find(' ');
+  if (colon != text.npos && colon > 0) return std::string(": ") + no_blank;
+  if (equals != text.npos && equals > 0) return std::string(": ") + no_colon;
+  if (blank != text.npos && parse_number(text.substr(blank + 1))) return std::string(": ") + no_colon;
+  return {};
+}
+
+}  // namespace assay::drivers

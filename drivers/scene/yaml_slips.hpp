@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a user may have done where a text is no YAML, or YAML of another meaning than was meant.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace assay::drivers {
+
+struct YamlSlip {
+  int line = 0, column = 0;  ///< from 1
+  std::string what;          ///< the cause, and what to write instead
+};
+
+/// The slip behind a parser's complaint at a line and a column, from 1; nothing where none is known.
+std::optional<YamlSlip> yaml_slip(std::string_view text, int line, int column);
+
+/// Whether the quote at a line and a column is closed anywhere; true where no quote stands there.
+bool is_quote_closed(std::string_view text, int line, int column);
+
+/// To follow what is said of a text that stands where a key, or a map of keys, belongs: ": a blank belongs after ':'";
+/// empty for a text without such a slip.
+std::string key_remedy(const std::string& text);
+
+}  // namespace assay::drivers

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Characters that a reader cannot see, or takes for others: written out, and named.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace assay::drivers {
+
+/// The text with blanks for tabs and line breaks. What steers a terminal (control characters, marks that turn the
+/// direction of writing) is written as "<U+001B>"; what is no UTF-8 becomes a question mark.
+std::string printable(std::string_view text);
+
+/// The same, with everything written out that cannot be seen: blanks of other kinds and what has no width, too.
+std::string with_unseen_written(std::string_view text);
+
+/// Lines as they are, but for what steers a terminal: its four hexadecimal digits between `open` and `close`.
+std::string without_commands(std::string_view lines, const std::string& open, const std::string& close);
+
+/// A user's word as it is quoted in an error: at most `limit` bytes, tabs and line breaks written out as well.
+std::string shown(std::string_view text, std::size_t limit);
+
+/// "holds U+200B, zero width space, which cannot be seen: delete it" for what is written out in the text; else empty.
+std::string unseen_note(std::string_view written);
+
+/// The text without what cannot be seen.
+std::string without_unseen(std::string_view text);
+
+/// "U+2212 stands where '-' belongs": the first character that is easily taken for another one; empty without any.
+std::string lookalike(std::string_view text);
+
+/// The text up to `limit` bytes, cut between characters and marked by "...".
+std::string cut(std::string_view text, std::size_t limit);
+
+}  // namespace assay::drivers

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/scene/file_kind.hpp"
+
+#include <gtest/gtest.h>
+
+#include "drivers/material/material_description.hpp"
+#include "drivers/replay.hpp"
+#include "drivers/scene/scene_reader.hpp"
+#include "drivers/study/study_reader.hpp"
+#include "tests/drivers/refusal.hpp"
+#include "tests/drivers/scene_text.hpp"
+#include "tests/drivers/scratch_folder.hpp"
+
+namespace assay::drivers::test_file_kind {
+namespace {
+
+const std::string study = "scene: s.yaml\naxes: {grid.spacing: [0.1]}\n", description = "library: m.so\n",
+                  replay = "material: m\nF0: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n";
+
+TEST(FileKind, AnotherThanIsWantedIsNamedWithItsVerb) {
+  const ScratchFolder scratch;
+  const auto as_scene = [](const std::string& text) { return refusal_of([&] { scene_from_text(text, "f.yaml"); }); };
+  EXPECT_EQ(as_scene(study), "f.yaml:1:1: this is a study, not a scene: use `assay study`");
+  EXPECT_EQ(as_scene(description), "f.yaml:1:1: this is the description of a material, not a scene: use `assay check`");
+  EXPECT_EQ(as_scene(replay), "f.yaml:1:1: this is a replay file, not a scene: use `assay check --replay`");
+  EXPECT_EQ(refusal_of([] { study_from_text(scene_text(), "f.yaml"); }),
+            "f.yaml:1:1: this is a scene, not a study: use `assay run`");
+  EXPECT_EQ(refusal_of([] { study_from_text(description, "f.yaml"); }),
+            "f.yaml:1:1: this is the description of a material, not a study: use `assay check`");
+  EXPECT_EQ(refusal_of([] { read_description(scene_text(), "f.yaml"); }),
+            "f.yaml:1:1: this is a scene, not the description of a material: use `assay run`");
+  EXPECT_EQ(refusal_of([&] { read_replay(scratch.write("s.yaml", scene_text())); }),
+            scratch / "s.yaml" + ":1:1: this is a scene, not a replay file: use `assay run`");
+}
+
+TEST(FileKind, AKeyOfTheWantedKindIsEnough) {
+  const auto key = [](const std::string& text) {
+    const std::string line = refusal_of([&] { scene_from_text(text, "f.yaml"); });
+    return line.find("this is") == line.npos;
+  };
+  EXPECT_TRUE(key(scene_text("scene: x\n")));
+  EXPECT_TRUE(key("grid: {}\nlibrary: x\n"));
+  EXPECT_TRUE(key("title: of neither\n"));
+}
+
+}  // namespace
+}  // namespace assay::drivers::test_file_kind
