@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "harness/arithmetic.hpp"
 #include "harness/foreign_message.hpp"
 
 namespace assay {
@@ -130,7 +131,9 @@ Material::Material(const assay_material* table, InDeclaredOrder parameters)
     state_size_ += static_cast<std::size_t>(components_of_kind(table->state[i].kind));
   }
   char message[ASSAY_MESSAGE_SIZE] = "";
+  reset_arithmetic();  // a library that was linked with -ffast-math changes it when it is loaded
   self_.reset(create_instance(table, parameters_.data(), message));
+  put_arithmetic_right();
   message[ASSAY_MESSAGE_SIZE - 1] = '\0';
   if (!self_) {
     throw std::runtime_error("material '" + name() + "' could not be created" +
