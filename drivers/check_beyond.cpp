@@ -94,6 +94,16 @@ class Look {
     return answer_of(material_, step);
   }
 
+  /// Whether the answer is the same each time: what changes by chance reads nothing.
+  bool is_steady(const RepeatedStep& step, const Words& words) {
+    constexpr int times = 24;
+    const Answer first = answer(step, words);
+    for (int k = 0; k < times; ++k) {
+      if (!same_answer(answer(step, words), first)) return false;
+    }
+    return true;
+  }
+
   /// Zeros, then other numbers, then zeros again, by which what is kept outside the state is told from what is read.
   bool tells(const RepeatedStep& step) {
     const Answer usual = answer(step, words_);
@@ -102,7 +112,7 @@ class Look {
     }
     bool differs = false;
     for (const Fill fill : other_fills) differs = differs || !same_answer(answer(step, filled(fill)), usual);
-    return differs && same_answer(answer(step, words_), usual);
+    return differs && same_answer(answer(step, words_), usual) && is_steady(step, words_);
   }
 
   Words filled(Fill fill, std::size_t begin = 0, std::size_t end = static_cast<std::size_t>(-1)) const {

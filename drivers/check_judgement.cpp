@@ -51,6 +51,7 @@ check::Report battery_of(const ResolvedMaterial& material, const CheckSettings& 
   check::Report report = check::run_battery(material.material, {.effort = settings.effort,
                                                                 .only = only,
                                                                 .without = settings.without,
+                                                                .well_aligned = settings.well_aligned,
                                                                 .declarations = declarations_of(material),
                                                                 .elsewhere = elsewhere,
                                                                 .others_elsewhere = others,

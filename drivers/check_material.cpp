@@ -90,8 +90,8 @@ void add_vortex(const ResolvedMaterial& material, check::Report& report, const C
 }
 
 /// After all else that the model has done.
-void add_process(std::uint32_t habits, check::Report& report) {
-  const std::uint32_t harmful = habits & ~adapters::any_written_input;  // inputs were put right
+void add_process(adapters::Habits habits, check::Report& report) {
+  const adapters::Habits harmful = habits & ~adapters::any_written_input;  // inputs were put right
   check::TestResult test{.id = process_test, .measure = std::popcount(harmful), .threshold = 0};
   test.sentence = "the model leaves the process that runs it as it was";
   const std::string words = "the model " + adapters::habit_words(habits);
@@ -173,7 +173,7 @@ void leave_replay_of_the_end(CheckedMaterial& checked, const CheckSettings& sett
   const auto test = std::find_if(checked.report.tests.begin(), checked.report.tests.end(), [](const auto& each) {
     return each.verdict == check::Verdict::fail &&
            (each.cause == check::causes::ends_process || each.cause == check::causes::overrun ||
-            each.cause == check::causes::disturbs_process);
+            each.cause == check::causes::of_alignment || each.cause == check::causes::disturbs_process);
   });
   if (test == checked.report.tests.end() || !checked.unwritten.empty()) return;
   Replay replay;

@@ -15,6 +15,7 @@ struct CheckSettings {
   std::string only = {};        ///< id of the one test that is wanted; empty: all
   std::string folder = {};      ///< of the replay files, one for each failure; empty: none is written
   std::string without = {};     ///< id of a test that is left out
+  bool well_aligned = false;    ///< of calls.arrays: as check::Options has it
   bool rate_dependent = false;  ///< what its description leaves open is settled: it depends on the rate
 };
 

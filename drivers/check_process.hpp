@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "adapters/foreign/written_inputs.hpp"
 #include "adapters/worker/worker_limits.hpp"
 #include "drivers/check_report.hpp"
 
@@ -17,9 +18,9 @@ struct CheckReporter {
   std::function<void(const CheckedMaterial&)> material;
   std::function<void(const std::string& id)> begins;
   std::function<void(const check::TestResult& result)> ends;
-  std::function<std::uint32_t()> habits;  ///< or-ed adapters::Habit: what the model has done to its process so far
-  bool first_calls = false;               ///< the process is the check's own, and nothing has called the model in it
-  std::function<void()> over;             ///< the model has run: files may be written where the user stands
+  std::function<adapters::Habits()> habits;  ///< or-ed adapters::Habit: what the model has done to its process so far
+  bool first_calls = false;                  ///< the process is the check's own, and nothing has called the model in it
+  std::function<void()> over;                ///< the model has run: files may be written where the user stands
 };
 
 struct CheckTask {

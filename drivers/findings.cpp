@@ -89,7 +89,7 @@ void record_failure(const MaterialFailure& failure, Result& result) {
 }
 
 void record_process(const Material& material, Result& result) {
-  const std::uint32_t habits = adapters::habits_of(&material.table()) | supervised_habits();
+  const adapters::Habits habits = adapters::habits_of(&material.table()) | supervised_habits();
   const std::string words = adapters::habit_words(habits);
   if (!words.empty()) result.warnings.push_back("the model " + words);
   result.disturbed = (habits & ~adapters::any_written_input) != adapters::no_habit;

@@ -206,6 +206,6 @@ void supervise(const std::string& library) {
   since.emplace();
 }
 
-std::uint32_t supervised_habits() { return since ? since->habits() & adapters::processes_left : adapters::no_habit; }
+adapters::Habits supervised_habits() { return since ? since->habits() & adapters::processes_left : adapters::no_habit; }
 
 }  // namespace assay::drivers

@@ -3,8 +3,9 @@
 // nobody can catch. So who was called waits, and a process of its own works on.
 #pragma once
 
-#include <cstdint>
 #include <string>
+
+#include "adapters/foreign/written_inputs.hpp"
 
 namespace assay::drivers {
 
@@ -21,6 +22,6 @@ void supervise(const std::string& library);
 void release_instances();
 
 /// What was done to the child's process since then, or-ed adapters::Habit.
-std::uint32_t supervised_habits();
+adapters::Habits supervised_habits();
 
 }  // namespace assay::drivers

@@ -8,6 +8,7 @@
 #include <map>
 #include <mutex>
 
+#include "harness/arithmetic.hpp"
 #include "harness/foreign_message.hpp"
 #include "harness/instances.hpp"
 #include "harness/own_process.hpp"
@@ -179,6 +180,7 @@ Material::Material(const assay_material* table, InDeclaredOrder parameters)
     state_size_ += static_cast<std::size_t>(components_of_kind(table->state[i].kind));
   }
   char message[ASSAY_MESSAGE_SIZE] = "";
+  reset_arithmetic();  // a library that was linked with -ffast-math changes it when it is loaded
   {
     const CallMark mark;
     void* made = create_instance(table, parameters_.data(), message);
@@ -186,6 +188,7 @@ Material::Material(const assay_material* table, InDeclaredOrder parameters)
     self_.reset(made);
   }
   end_a_copy();
+  put_arithmetic_right();
   message[ASSAY_MESSAGE_SIZE - 1] = '\0';
   if (!self_) {
     throw std::runtime_error("material '" + name() + "' could not be created" +

@@ -68,9 +68,7 @@ UpdateReport Material::update(double t, double dt, std::size_t n, const double* 
     table_->update(self_.get(), &step, n, state0, state1, cauchy, status, &report.dt_factor, message);
   }
   end_a_copy();
-  const std::uint32_t changes = changes_of_arithmetic();
-  if (changes != arithmetic_kept) reset_arithmetic();
-  if (const std::string words = arithmetic_words(changes); !words.empty()) {
+  if (const std::string words = arithmetic_words(put_arithmetic_right()); !words.empty()) {
     report.worst = ASSAY_FAILED;
     report.message = arithmetic_prefix + ("the material " + words);
     return report;

@@ -11,7 +11,8 @@
 
 namespace assay::adapters {
 
-/// Or-ed; the lowest byte is left to what else a process is watched for.
+/// Or-ed, with what else a process is watched for (Habit): the lowest byte and the upper half are left to that.
+using Habits = std::uint64_t;
 enum WrittenInput : std::uint32_t {
   written_stran = 1u << 8,
   written_dstran = 1u << 9,
@@ -38,7 +39,7 @@ enum WrittenInput : std::uint32_t {
   written_temperatures = 1u << 30,
   written_energies = 1u << 31,
 };
-inline constexpr std::uint32_t any_written_input = ~std::uint32_t{0xff};
+inline constexpr Habits any_written_input = 0xffffff00;
 
 /// "STRAN, DTIME"; empty where none is written.
 std::string written_input_names(std::uint32_t written);

@@ -45,7 +45,7 @@ struct Control {
   std::atomic<std::size_t> point;         ///< of the batch, that is being worked on; or no_point
   std::atomic<std::uint32_t> arithmetic;  ///< or-ed Arithmetic of the last call
   std::atomic<std::int64_t> busy_ns;      ///< spent in the last request
-  std::atomic<std::uint32_t> habits;      ///< or-ed Habit so far
+  std::atomic<std::uint64_t> habits;      ///< or-ed Habit so far
   std::atomic<std::uint32_t> claim;       ///< Death, as the worker itself saw it come
   // the end, written by the warden
   std::atomic<std::uint32_t> death;  ///< Death

@@ -47,8 +47,8 @@ struct FencedModel::Table : assay_material {
   /// What the last call did that it must not, which no shorter step would avoid.
   void note(const CallArrays& arrays) {
     misdeed.clear();
-    const std::string arithmetic = arithmetic_words(changes_of_arithmetic());
-    if (!arithmetic.empty()) misdeed = arithmetic_prefix + ("the model " + arithmetic), reset_arithmetic();
+    const std::string arithmetic = arithmetic_words(put_arithmetic_right());
+    if (!arithmetic.empty()) misdeed = arithmetic_prefix + ("the model " + arithmetic);
     if (const auto broken = arrays.broken_fence()) misdeed = overrun_words + ("the model " + *broken);
   }
 

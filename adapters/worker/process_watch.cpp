@@ -5,11 +5,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <clocale>
 #include <cstdio>
 
-#include "adapters/foreign/written_inputs.hpp"
 #include "adapters/worker/descendants.hpp"
+#include "harness/arithmetic.hpp"
 #include "harness/progress_mark.hpp"
 
 namespace assay::adapters {
@@ -18,9 +19,11 @@ ProcessWatch::ProcessWatch()
     : folder_(folder()),
       output_(open_file(STDOUT_FILENO)),
       errors_(open_file(STDERR_FILENO)),
-      handlers_(handlers()),
+      dispositions_(dispositions()),
+      blocked_(blocked()),
       decimal_point_(*std::localeconv()->decimal_point),
-      written_(written_inputs()) {}
+      written_(written_inputs()),
+      arithmetic_(noted_arithmetic()) {}
 
 ProcessWatch::File ProcessWatch::folder() {
   struct stat found = {};
@@ -32,12 +35,29 @@ ProcessWatch::File ProcessWatch::open_file(int number) {
   return ::fstat(number, &found) == 0 ? File{found.st_dev, found.st_ino} : File{};
 }
 
-std::array<void (*)(int), ProcessWatch::signals.size()> ProcessWatch::handlers() {
-  std::array<void (*)(int), signals.size()> found = {};
-  for (std::size_t k = 0; k < signals.size(); ++k) {
-    struct sigaction action = {};
-    sigaction(signals[k], nullptr, &action);
-    found[k] = action.sa_handler;
+ProcessWatch::Disposition ProcessWatch::disposition(int signal) {
+  struct sigaction action = {};
+  sigaction(signal, nullptr, &action);
+  return {action.sa_handler, action.sa_flags};
+}
+
+ProcessWatch::Dispositions ProcessWatch::dispositions() {
+  Dispositions found;
+  for (int signal = 1; signal < signal_count; ++signal) found[static_cast<std::size_t>(signal)] = disposition(signal);
+  return found;
+}
+
+bool ProcessWatch::takes(int signal) const {
+  return disposition(signal) != dispositions_[static_cast<std::size_t>(signal)];
+}
+
+ProcessWatch::Blocked ProcessWatch::blocked() {
+  sigset_t mask;
+  sigemptyset(&mask);
+  ::pthread_sigmask(SIG_SETMASK, nullptr, &mask);
+  Blocked found{};
+  for (int signal = 1; signal < signal_count; ++signal) {
+    found[static_cast<std::size_t>(signal)] = sigismember(&mask, signal) == 1;
   }
   return found;
 }
@@ -59,18 +79,36 @@ bool ProcessWatch::watcher_has_others() {
   return others;
 }
 
-std::uint32_t ProcessWatch::habits() const {
-  std::uint32_t found = no_habit;
+Habits ProcessWatch::habits_but_signals() const {
+  Habits found = no_habit;
   if (folder() != folder_) found |= folder_changed;
   if (open_file(STDOUT_FILENO) != output_ || open_file(STDERR_FILENO) != errors_) found |= output_closed;
   siginfo_t child = {};
   if (::waitid(P_ALL, 0, &child, WEXITED | WNOHANG | WNOWAIT) == 0 || watcher_has_others()) found |= processes_left;
   if (*std::localeconv()->decimal_point != decimal_point_) found |= locale_changed;
-  if (handlers() != handlers_) found |= signals_taken;
+  if (blocked() != blocked_) found |= signals_blocked;
+  const std::uint32_t arithmetic = noted_arithmetic() & ~arithmetic_;
+  if (arithmetic & denormals_flushed) found |= denormals_left_flushed;
+  if (arithmetic & precision_changed) found |= precision_left;
+  if (x87_in_use()) found |= x87_left;
   return found | (written_inputs() & ~written_);
 }
 
-std::string habit_words(std::uint32_t habits) {
+Habits ProcessWatch::habits() const {
+  return habits_but_signals() | (dispositions() != dispositions_ ? signals_taken : no_habit);
+}
+
+Habits ProcessWatch::habits_so_far() {
+  constexpr int at_once = 4;
+  bool taken = std::any_of(deadly.begin(), deadly.end(), [this](int signal) { return takes(signal); });
+  for (int k = 0; k < at_once; ++k) {
+    taken = taken || takes(next_signal_);
+    next_signal_ = next_signal_ + 1 < signal_count ? next_signal_ + 1 : 1;
+  }
+  return habits_but_signals() | (taken ? signals_taken : no_habit);
+}
+
+std::string habit_words(Habits habits) {
   struct Words {
     Habit habit;
     const char* words;
@@ -79,12 +117,16 @@ std::string habit_words(std::uint32_t habits) {
                            {output_closed, "closes or redirects standard output"},
                            {processes_left, "leaves processes behind"},
                            {locale_changed, "changes the decimal point of the process"},
-                           {signals_taken, "takes over signals of the process"}};
+                           {signals_taken, "takes over signals of the process"},
+                           {signals_blocked, "leaves signals blocked"},
+                           {denormals_left_flushed, "leaves denormal numbers flushed to zero"},
+                           {precision_left, "changes the precision of long double"},
+                           {x87_left, "leaves numbers in the registers of the x87 unit, as MMX does without EMMS"}};
   std::string text;
   for (const Words& each : all) {
     if (habits & each.habit) text += (text.empty() ? "" : ", ") + std::string(each.words);
   }
-  const std::string inputs = written_input_names(habits);
+  const std::string inputs = written_input_names(static_cast<std::uint32_t>(habits));
   if (!inputs.empty()) text += (text.empty() ? "" : ", ") + ("writes to its inputs (" + inputs + ")");
   return text;
 }

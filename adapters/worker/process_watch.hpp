@@ -9,26 +9,35 @@
 #include <cstdint>
 #include <string>
 
+#include "adapters/foreign/written_inputs.hpp"
+
 namespace assay::adapters {
 
 /// Or-ed, with the inputs that foreign models wrote to (WrittenInput).
-enum Habit : std::uint32_t {
+enum Habit : Habits {
   no_habit = 0,
   folder_changed = 1,
   output_closed = 2,
   processes_left = 4,
   locale_changed = 8,
   signals_taken = 16,
+  signals_blocked = 32,
+  denormals_left_flushed = Habits{1} << 32,
+  precision_left = Habits{1} << 33,
+  x87_left = Habits{1} << 34,
 };
 
 /// "changes the folder of the process, closes or redirects its standard output"; empty where it does nothing.
-std::string habit_words(std::uint32_t habits);
+std::string habit_words(Habits habits);
 
 /// How a process was before foreign code ran in it.
 class ProcessWatch {
  public:
   ProcessWatch();
-  std::uint32_t habits() const;  ///< since then, of those that can still be seen
+  /// Since then, of those that can still be seen.
+  Habits habits() const;
+  /// The same for a process that looks again and again: at a few signals at a time, since each costs a system call.
+  Habits habits_so_far();
 
  private:
   struct File {
@@ -36,16 +45,31 @@ class ProcessWatch {
     ino_t node = 0;
     friend bool operator==(const File&, const File&) = default;
   };
-  static constexpr std::array signals{SIGINT, SIGTERM, SIGFPE, SIGSEGV, SIGABRT, SIGILL};
+  static constexpr std::array deadly{SIGINT, SIGTERM, SIGFPE, SIGSEGV, SIGABRT, SIGILL};
+  static constexpr int signal_count = 65;  ///< signals begin at 1
+  /// What a process does about a signal.
+  struct Disposition {
+    void (*handler)(int) = nullptr;
+    int flags = 0;
+    friend bool operator==(const Disposition&, const Disposition&) = default;
+  };
+  using Dispositions = std::array<Disposition, signal_count>;
+  using Blocked = std::array<bool, signal_count>;
   static File folder();
   static bool watcher_has_others();
   static File open_file(int number);
-  static std::array<void (*)(int), signals.size()> handlers();
+  static Disposition disposition(int signal);
+  static Dispositions dispositions();
+  static Blocked blocked();
+  bool takes(int signal) const;
+  Habits habits_but_signals() const;
 
   File folder_, output_, errors_;
-  std::array<void (*)(int), signals.size()> handlers_;
+  Dispositions dispositions_;
+  Blocked blocked_;      ///< in the thread that made this
+  int next_signal_ = 1;  ///< to be looked at
   char decimal_point_;
-  std::uint32_t written_;  ///< WrittenInput of models before
+  std::uint32_t written_, arithmetic_;  ///< WrittenInput and Arithmetic of models before
 };
 
 /// Private pages of a process that could be written to, in bytes: what it has asked for, touched or not. 0: unknown.

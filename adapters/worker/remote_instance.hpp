@@ -39,7 +39,7 @@ struct RemoteTable : assay_material {
   std::condition_variable freed;  ///< a slot is no longer busy
   std::vector<std::shared_ptr<Slot>> slots;
   std::string printed;                      ///< by workers that have ended
-  std::uint32_t habits = 0;                 ///< of such
+  Habits habits = 0;                        ///< of such
   std::uint64_t wake_ups = 0;               ///< of such
   std::atomic<std::int64_t> hand_overs{0};  ///< to any worker
 

@@ -86,11 +86,11 @@ std::string output_of(const assay_material* table) {
   return {};
 }
 
-std::uint32_t habits_of(const assay_material* table) {
+Habits habits_of(const assay_material* table) {
   const std::lock_guard lock(all_tables().guard);
   for (const auto& each : all_tables().tables) {
     if (each.get() != table) continue;
-    std::uint32_t habits = each->habits;
+    Habits habits = each->habits;
     for (const auto& slot : each->slots) habits |= slot->worker.control().habits.load();
     return habits;
   }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "adapters/foreign/written_inputs.hpp"
 #include "adapters/worker/servant.hpp"
 #include "adapters/worker/worker_process.hpp"
 
@@ -33,7 +34,7 @@ std::uint32_t own_flags(const assay_material* table);
 std::string output_of(const assay_material* table);
 
 /// What the model has done to its workers, or-ed Habit; nothing of any other table.
-std::uint32_t habits_of(const assay_material* table);
+Habits habits_of(const assay_material* table);
 
 /// What was asked of the workers of a remote table, and how often the system had to wake one side for it.
 struct HandOvers {

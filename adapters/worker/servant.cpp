@@ -169,7 +169,7 @@ class Lookout {
     constexpr std::int64_t pause_ns = 1000000;
     if (++calls_ > first_calls && now - last_ns_ < pause_ns) return;
     last_ns_ = now;
-    control.habits.fetch_or(process_.habits());
+    control.habits.fetch_or(process_.habits_so_far());
     if (data_bytes(::getpid()) <= begin_bytes_ + control.memory_limit) return;
     control.claim.store(static_cast<std::uint32_t>(Death::memory));
     ::_exit(1);
@@ -197,8 +197,7 @@ ForeignCall::~ForeignCall() {
   const std::int64_t now = now_ns();
   control_.busy_ns.store(now - control_.busy_since.load());
   control_.busy_since.store(0);
-  control_.arithmetic.store(changes_of_arithmetic());
-  reset_arithmetic();
+  control_.arithmetic.store(put_arithmetic_right());
   lookout->look(control_, now);
 }
 
@@ -239,7 +238,9 @@ void serve_model(WorkerFloor& floor, const std::function<const assay_material*()
   const auto load = [&] {
     const ForeignCall marks(floor.control);
     try {
-      servant = std::make_unique<Servant>(floor, find());
+      const assay_material* table = find();
+      reset_arithmetic();  // a library that was linked with -ffast-math changes it when it is loaded
+      servant = std::make_unique<Servant>(floor, table);
     } catch (const ModelRefused& why) {
       refused = why;
     } catch (const std::exception& error) {

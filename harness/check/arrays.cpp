@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "harness/arithmetic.hpp"
+#include "harness/check/call_steps.hpp"
 #include "harness/check/specimen.hpp"
 
 namespace assay::check {
@@ -17,14 +18,18 @@ constexpr double no_value = -7.25e77;
 constexpr double length = 0.05;  ///< of a step [s]
 constexpr int usual_steps = 20;
 
-constexpr std::size_t promised = 8;  ///< alignment [bytes]: arrays of the tests stand there and at no multiple of 16
+/// Alignment that is promised [bytes]: arrays of the tests begin so far beyond a multiple of 64, and the same each
+/// time.
+constexpr std::size_t promised = 8;
 
 /// An array with guard words around it, all of one value: as many as twenty components of n points.
 template <class T>
 class Guarded {
  public:
-  Guarded(std::size_t used, std::size_t n, T mark)
-      : guard_(20 * n + 256 + promised / sizeof(T)), all_(used + 2 * guard_, mark), mark_(mark) {}
+  Guarded(std::size_t used, std::size_t n, T mark, std::size_t bytes)
+      : guard_(20 * n + 256), used_(used), all_(used + 2 * guard_ + Placed::line / sizeof(T), mark), mark_(mark) {
+    guard_ += bytes_to_place(all_.data() + guard_, bytes) / sizeof(T);
+  }
 
   T* data() { return all_.data() + guard_; }
   std::vector<T> values() const { return {first(), last()}; }
@@ -37,24 +42,11 @@ class Guarded {
  private:
   using Place = typename std::vector<T>::const_iterator;
   Place first() const { return all_.begin() + static_cast<std::ptrdiff_t>(guard_); }
-  Place last() const { return all_.end() - static_cast<std::ptrdiff_t>(guard_); }
+  Place last() const { return first() + static_cast<std::ptrdiff_t>(used_); }
 
-  std::size_t guard_;
+  std::size_t guard_, used_;
   std::vector<T> all_;
   T mark_;
-};
-
-/// Values where no more than the promised alignment is.
-class Misplaced {
- public:
-  explicit Misplaced(const std::vector<double>& values) : all_(values.size() + 1) {
-    std::copy(values.begin(), values.end(), all_.begin() + 1);
-  }
-  const double* data() const { return all_.data() + 1; }
-  std::vector<double> values() const { return {all_.begin() + 1, all_.end()}; }
-
- private:
-  std::vector<double> all_;
 };
 
 /// n points that are loaded alike, component-major.
@@ -77,6 +69,23 @@ bool same(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0);
 }
 
+/// A deformation of the course s = 0 .. 1.
+using Course = Tensor (*)(const Space& space, double amplitude, double s);
+
+Tensor turning_stretch(const Space& space, double amplitude, double s) {
+  return space.turn(s) * space.stretch(amplitude, s);
+}
+Tensor expansion(const Space&, double amplitude, double s) { return (1 + amplitude * s) * Tensor::Identity(); }
+
+/// So many points along a course, from arrays that begin so many bytes beyond a multiple of 64.
+struct Walk {
+  std::size_t n;
+  Course course;
+  double amplitude;
+  int steps;
+  std::size_t bytes = promised;
+};
+
 /// What a material does wrong to its arrays, or empty; and where it has come to.
 struct Deed {
   std::string wrong;
@@ -98,37 +107,37 @@ bool leaves_unwritten(const Material& material, const std::vector<double>& state
   return false;
 }
 
-Deed begin(const Material& material, std::size_t n) {
+Deed begin(const Material& material, std::size_t n, std::size_t bytes) {
   if (material.state_size() == 0) return {};
   for (const double pressure : {0.0, 1e5, 1e3, 1.0}) {  // [Pa]; soils cannot be at rest without one
-    Guarded<double> state(material.state_size() * n, n, no_value);
+    Guarded<double> state(material.state_size() * n, n, no_value, bytes);
     const std::vector<double> given = repeated(-pressure * Tensor::Identity(), n);
-    std::vector<double> cauchy = given;
+    Placed cauchy(given, bytes);
     if (material.table().initial_state(material.self(), n, cauchy.data(), state.data()) == ASSAY_FAILED) continue;
     if (state.broken()) return ends("initial_state writes beyond the state that the model declares");
-    if (cauchy != given) return ends("initial_state writes into what it is given");
+    if (cauchy.values() != given) return ends("initial_state writes into what it is given");
     if (leaves_unwritten(material, state.values(), n)) {
       return ends("initial_state leaves components of the state unwritten");
     }
-    return {{}, material.initial_state(n, cauchy, repeated_vector(Vector3::UnitX(), n)), {}, true};
+    return {{}, material.initial_state(n, given, repeated_vector(Vector3::UnitX(), n)), {}, true};
   }
   return ends("");
 }
 
 /// One step from F0 to F1.
-Deed step(const Material& material, std::size_t n, double t, const Tensor& before, const Tensor& after,
+Deed step(const Material& material, const Walk& walk, double t, const Tensor& before, const Tensor& after,
           const std::vector<double>& state0) {
+  const std::size_t n = walk.n, bytes = walk.bytes;
   const std::vector<double> given[] = {repeated(before, n), repeated(after, n), state0};
-  const Misplaced F0(given[0]), F1(given[1]), state(state0);
-  Guarded<double> cauchy(9 * n, n, no_value), state1(material.state_size() * n, n, no_value), factor(1, n, 1.0);
-  Guarded<std::int32_t> status(n, n, -77);
-  Guarded<char> message(ASSAY_MESSAGE_SIZE, 1, 0);
+  Placed F0(given[0], bytes), F1(given[1], bytes), state(state0, bytes);
+  Guarded<double> cauchy(9 * n, n, no_value, bytes), state1(material.state_size() * n, n, no_value, bytes),
+      factor(1, n, 1.0, bytes);
+  Guarded<std::int32_t> status(n, n, -77, bytes);
+  Guarded<char> message(ASSAY_MESSAGE_SIZE, 1, 0, bytes);
   const assay_step step{t, length, F0.data(), F1.data()};
   material.table().update(material.self(), &step, n, state.data(), state1.data(), cauchy.data(), status.data(),
                           factor.data(), message.data());
-  const std::uint32_t changes = changes_of_arithmetic();
-  if (changes != arithmetic_kept) reset_arithmetic();
-  if (const std::string words = arithmetic_words(changes); !words.empty()) {
+  if (const std::string words = arithmetic_words(put_arithmetic_right()); !words.empty()) {
     return {arithmetic_prefix + ("it " + words), {}, {}, false};
   }
   const std::vector<std::int32_t> found = status.values();
@@ -146,22 +155,13 @@ Deed step(const Material& material, std::size_t n, double t, const Tensor& befor
   return {{}, state1.values(), cauchy.values(), true};
 }
 
-/// A deformation of the course s = 0 .. 1.
-using Course = Tensor (*)(const Space& space, double amplitude, double s);
-
-Tensor turning_stretch(const Space& space, double amplitude, double s) {
-  return space.turn(s) * space.stretch(amplitude, s);
-}
-Tensor expansion(const Space&, double amplitude, double s) { return (1 + amplitude * s) * Tensor::Identity(); }
-
 /// Until the material does not stand it. The results go to `history`.
-std::string misdeed(const Material& material, std::size_t n, Course course, double amplitude, int steps,
-                    History* history = nullptr) {
+std::string misdeed(const Material& material, const Walk& walk, History* history = nullptr) {
   const Space space(material);
-  Deed deed = begin(material, n);
-  for (int k = 0; k < steps && deed.goes_on; ++k) {
-    const double s0 = static_cast<double>(k) / steps, s1 = (k + 1.0) / steps;
-    deed = step(material, n, length * k, course(space, amplitude, s0), course(space, amplitude, s1), deed.state);
+  Deed deed = begin(material, walk.n, walk.bytes);
+  const auto F = [&](int k) { return walk.course(space, walk.amplitude, static_cast<double>(k) / walk.steps); };
+  for (int k = 0; k < walk.steps && deed.goes_on; ++k) {
+    deed = step(material, walk, length * k, F(k), F(k + 1), deed.state);
     if (!history || !deed.goes_on) continue;
     history->push_back(deed.cauchy);
     history->back().insert(history->back().end(), deed.state.begin(), deed.state.end());
@@ -169,8 +169,40 @@ std::string misdeed(const Material& material, std::size_t n, Course course, doub
   return deed.wrong;
 }
 
+/// The stress of points that are loaded alike, against that of one alone.
+void compare_alike(const Material& material, const Walk& walk, const History& found, BatchFinding& finding) {
+  Walk single = walk;
+  single.n = 1;
+  History alone;
+  misdeed(material, single, &alone);
+  double scale = 1e-300;
+  for (const auto& row : alone) {
+    for (std::size_t c = 0; c < 9; ++c) scale = std::max(scale, std::abs(row[c]));
+  }
+  finding.largest = std::max(finding.largest, walk.n);
+  std::vector<double> worst(walk.n, found.size() == alone.size() ? 0 : INFINITY);
+  for (std::size_t k = 0; k < std::min(found.size(), alone.size()); ++k) {
+    for (std::size_t c = 0; c < 9; ++c) {
+      for (std::size_t p = 0; p < walk.n; ++p) {
+        const double of_batch = found[k][c * walk.n + p], own = alone[k][c];
+        if (!std::isfinite(of_batch) && !std::isfinite(own)) continue;
+        const double difference = std::abs(of_batch - own) / scale;
+        if (!(difference <= worst[p])) worst[p] = std::isfinite(difference) ? difference : INFINITY;
+      }
+    }
+  }
+  const auto is_wrong = [](double difference) { return !(difference <= same_in_batch); };
+  finding.worst = std::max(finding.worst, *std::max_element(worst.begin(), worst.end()));
+  const auto first = std::find_if(worst.begin(), worst.end(), is_wrong);
+  if (first == worst.end() || finding.wrong > 0) return;
+  finding.n = walk.n;
+  finding.point = static_cast<std::size_t>(first - worst.begin()) + 1;
+  finding.wrong = static_cast<std::size_t>(std::count_if(worst.begin(), worst.end(), is_wrong));
+}
+
 /// In one batch after another, and what it is.
-std::string misdeed_in_batches(const Material& material, const Effort& effort) {
+std::string misdeed_in_batches(const Material& material, const Effort& effort, std::size_t bytes,
+                               BatchFinding& finding) {
   using Clock = std::chrono::steady_clock;
   constexpr auto slow = std::chrono::milliseconds(300);  // a model that takes so long for a few points is not asked for
   const Clock::time_point start = Clock::now();
@@ -181,8 +213,12 @@ std::string misdeed_in_batches(const Material& material, const Effort& effort) {
       for (const double amplitude : {1e-2, 0.15}) {
         const bool large = amplitude > 0.1;  // steps that a law may divide into many
         if (n == ASSAY_BATCH_MAX && (course != turning_stretch || large == effort.quick)) continue;
-        const std::string what = misdeed(material, n, course, std::min(amplitude, effort.strain), steps);
+        const Walk walk{n, course, std::min(amplitude, effort.strain), steps, bytes};
+        History found;
+        const bool compared = n >= 64 && course == turning_stretch;
+        const std::string what = misdeed(material, walk, compared ? &found : nullptr);
         if (!what.empty()) return what + " in a step of " + std::to_string(n) + (n == 1 ? " point" : " points");
+        if (compared) compare_alike(material, walk, found, finding);
       }
     }
   }
@@ -197,15 +233,16 @@ std::array<double, 4> amplitudes_of_first(const Effort& effort) {
   return all;
 }
 
-TestResult guarded_arrays(const Material& material, const Options& options, std::vector<History>& first) {
+TestResult guarded_arrays(const Material& material, const Options& options, FirstCalls& first) {
   TestResult result{.id = "calls.arrays", .measure = 0, .threshold = 0};
   result.sentence = "nothing is written beyond the arrays, and all that is asked for is";
+  const std::size_t bytes = options.well_aligned ? 0 : promised;
   std::string what;
   for (const double amplitude : amplitudes_of_first(options.effort)) {
-    first.emplace_back();
-    if (what.empty()) what = misdeed(material, 1, turning_stretch, amplitude, usual_steps, &first.back());
+    History& found = first.histories.emplace_back();
+    if (what.empty()) what = misdeed(material, {1, turning_stretch, amplitude, usual_steps, bytes}, &found);
   }
-  if (what.empty()) what = misdeed_in_batches(material, options.effort);
+  if (what.empty()) what = misdeed_in_batches(material, options.effort, bytes, first.batches);
   if (what.empty()) return result;
   result.measure = 1;
   result.verdict = Verdict::fail;
@@ -218,7 +255,7 @@ TestResult guarded_arrays(const Material& material, const Options& options, std:
 
 History history(const Material& material, double amplitude) {
   History found;
-  misdeed(material, 1, turning_stretch, amplitude, usual_steps, &found);
+  misdeed(material, {1, turning_stretch, amplitude, usual_steps}, &found);
   return found;
 }
 

@@ -66,8 +66,9 @@ struct Declarations {
 
 struct Options {
   Effort effort = {};
-  std::string only = {};     ///< id of the one test that is wanted, besides those that it stands on; empty: all
-  std::string without = {};  ///< id of a test that is left out
+  std::string only = {};      ///< id of the one test that is wanted, besides those that it stands on; empty: all
+  std::string without = {};   ///< id of a test that is left out
+  bool well_aligned = false;  ///< of calls.arrays: where each array begins at a multiple of 64 bytes
   Declarations declarations = {};
   /// The last of the first histories (arrays.hpp) as a process gives it that begins with it; empty: not known.
   std::vector<std::vector<double>> elsewhere = {};
@@ -101,6 +102,9 @@ inline constexpr const char* repeated_stretch = "unstable at repeated principal 
 inline constexpr const char* tangent_convention = "tangent of another convention";
 inline constexpr const char* tangent_wrong = "tangent wrong";
 inline constexpr const char* hidden_state = "hidden state";
+inline constexpr const char* not_reproducible = "not reproducible";
+inline constexpr const char* of_batch = "depends on its batch";
+inline constexpr const char* of_alignment = "depends on alignment";
 inline constexpr const char* kept_by_element = "state kept by element";
 inline constexpr const char* host_counters = "depends on the host's counters";
 inline constexpr const char* clock = "clock";

@@ -6,13 +6,14 @@
 #include <string>
 
 #include "harness/check/arrays.hpp"
+#include "harness/check/call_steps.hpp"
 #include "harness/check/specimen.hpp"
 
 namespace assay::check {
 
-/// The same step again, after others, in a batch, in another order, and of another instance, gives the same; so do the
-/// histories that were the first of the process.
-TestResult repeated_calls(const Specimen& specimen, const std::vector<History>& first);
+/// The same step again, after others, in another order, and of another instance, gives the same; so do the histories
+/// that were the first of the process. `found`: the largest difference, however small.
+TestResult repeated_calls(const Specimen& specimen, const std::vector<History>& first, Difference& found);
 
 /// Each parameter a little larger, where its bounds allow that.
 std::map<std::string, double> other_parameters(const Material& material);

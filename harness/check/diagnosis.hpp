@@ -3,6 +3,7 @@
 #pragma once
 
 #include "harness/check/arrays.hpp"
+#include "harness/check/call_steps.hpp"
 #include "harness/check/material_symmetry.hpp"
 #include "harness/check/rotation.hpp"
 #include "harness/check/turned_step.hpp"
@@ -15,7 +16,8 @@ struct Evidence {
   ClassFinding symmetry;
   std::optional<TurnedStep> turned;
   bool right_without_spin = false;  ///< rotation.constant of a stretch along axes that stand still
-  std::vector<History> first;       ///< of the process
+  FirstCalls first;                 ///< of the process
+  Difference repeated;              ///< of steps that were taken again
   bool has_spin = false;            ///< steps turn something of the state
   bool has_state_that_turns = false;
   bool pressed_at_rest = false;    ///< what stress there is at rest is a pressure

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "harness/check/arrays.hpp"
+#include "harness/check/batches.hpp"
 #include "harness/check/calls.hpp"
 #include "harness/check/constant_rotation.hpp"
 #include "harness/check/continuity.hpp"
@@ -12,6 +12,7 @@
 #include "harness/check/elasticity.hpp"
 #include "harness/check/extensions.hpp"
 #include "harness/check/initial_stress.hpp"
+#include "harness/check/last_digits.hpp"
 #include "harness/check/material_symmetry.hpp"
 #include "harness/check/memory.hpp"
 #include "harness/check/refusals.hpp"
@@ -64,7 +65,13 @@ TestResult loading_class(const Specimen& specimen, Evidence& evidence) {
 
 std::vector<Entry> first_entries() {
   return {{"calls.repeated", nullptr,
-           [](const Specimen& specimen, Evidence& evidence) { return repeated_calls(specimen, evidence.first); }, true},
+           [](const Specimen& specimen, Evidence& evidence) {
+             return repeated_calls(specimen, evidence.first.histories, evidence.repeated);
+           },
+           true},
+          {"calls.batch", nullptr,
+           [](const Specimen& specimen, Evidence& evidence) { return batches(specimen, evidence.first.batches); }},
+          {"calls.alignment", nullptr, plain(alignment), true},
           {"clock", nullptr, unless_it_grows("clock", plain(clock_independence))},
           {"continuity", nullptr, plain(continuity), true}};
 }
@@ -108,6 +115,10 @@ std::vector<Entry> entries() {
       {"calls.increment", nullptr, plain(undeclared_increment)},
       {"calls.refused", nullptr, plain(refusals)},
       {"calls.threads", nullptr, plain(threads)},
+      {"calls.bits", nullptr,
+       [](const Specimen& specimen, Evidence& evidence) {
+         return last_digits(specimen, evidence.first.histories, evidence.repeated);
+       }},
       {"calls.senseless", nullptr, plain(senseless_deformation)},
   };
 }

@@ -9,14 +9,14 @@ namespace assay::check {
 namespace {
 
 constexpr double change = 4e-8;  ///< relative: less than 2^-24, whose steps then show, and 1e8 times those of 53 bits
-constexpr int places = 33;
+constexpr int neighbours = 33;
 
 /// How far the stress is from a smooth course along neighbouring steps, over the stress. What a kink does happens once;
 /// of the steps of rounding there are many.
 template <class StressOf>
 double roughness(const Specimen& specimen, const StressOf& stress_of_place) {
   std::vector<Tensor> stress;
-  for (int k = 0; k < places; ++k) stress.push_back(stress_of_place(1 + k * change));
+  for (int k = 0; k < neighbours; ++k) stress.push_back(stress_of_place(1 + k * change));
   const double scale = std::max(stress.front().cwiseAbs().maxCoeff(), specimen.least_stress());
   std::vector<double> departures;
   for (std::size_t k = 1; k + 1 < stress.size(); ++k) {

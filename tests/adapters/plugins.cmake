@@ -19,8 +19,10 @@ foreach(source IN LISTS plugin_sources)
   add_test_plugin(${name} ${source})
   target_include_directories(test_plugin_${name} PRIVATE ${PROJECT_SOURCE_DIR})
 endforeach()
-target_sources(test_plugin_prints PRIVATE
-  ${PROJECT_SOURCE_DIR}/adapters/models/neo_hookean.c ${PROJECT_SOURCE_DIR}/adapters/models/neo_hookean_extensions.c)
+foreach(plugin IN ITEMS prints flushes_when_loaded)
+  target_sources(test_plugin_${plugin} PRIVATE
+    ${PROJECT_SOURCE_DIR}/adapters/models/neo_hookean.c ${PROJECT_SOURCE_DIR}/adapters/models/neo_hookean_extensions.c)
+endforeach()
 add_test_plugin(unturned ${PROJECT_SOURCE_DIR}/tests/downstream/unturned.c)
 target_include_directories(test_plugin_unturned PRIVATE ${PROJECT_SOURCE_DIR})
 add_test_plugin(frozen_1_0 ${CMAKE_CURRENT_LIST_DIR}/frozen_1_0/plugin.c) # sees its own header alone

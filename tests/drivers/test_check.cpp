@@ -165,6 +165,45 @@ TEST(Check, AModelThatEndsTheProcessIsAFinding) {
   }
 }
 
+#if defined(__x86_64__)
+TEST(Check, AModelThatDiesOfArraysThatAreNotAlignedIsToldSo) {
+  const ScratchFolder scratch;
+  for (const char* model : {"loads", "stores"}) {
+    const std::string json = scratch / (std::string(model) + ".json");
+    EXPECT_EQ(checked({plugins + "aligned.so:" + model, "--quick", "--json", json, "-o", scratch / "r"}), 1) << model;
+    const auto found = nlohmann::json::parse(read_bytes(json));
+    ASSERT_EQ(found["diagnosis"].size(), 1u);
+    EXPECT_EQ(found["diagnosis"][0]["cause"], "depends on alignment");
+    EXPECT_NE(found["diagnosis"][0]["sentence"].dump().find("multiples of 8 are all"), std::string::npos);
+    EXPECT_EQ(checked({"--replay", found["tests"][0]["replay"]}), 1) << model;
+  }
+}
+
+/// What dies wherever its arrays are has the old cause.
+TEST(Check, AModelThatDiesWhereverItsArraysAreIsNotToldOfAlignment) {
+  const ScratchFolder scratch;
+  const std::string json = scratch / "check.json";
+  EXPECT_EQ(checked({plugins + "crashes.so", "--quick", "--json", json, "-o", scratch / "r"}), 1);
+  EXPECT_NE(nlohmann::json::parse(read_bytes(json))["diagnosis"][0]["cause"], "depends on alignment");
+}
+#endif
+
+#if defined(__x86_64__)
+/// What -ffast-math does when a library is loaded is put right; what a call does is the model's own.
+TEST(Check, FlushToZeroIsADefectOfCallsAndNotOfLoading) {
+  const ScratchFolder scratch;
+  const std::string json = scratch / "check.json", parameters = "E=1e3,nu=0.3",
+                    library = plugins + "flushes_when_loaded.so";
+  EXPECT_EQ(checked({library + ":neo_hookean", "--parameters", parameters, "--quick", "-o", scratch / "r"}), 0);
+  EXPECT_EQ(checked({library + ":flushes", "--parameters", parameters, "--quick", "--json", json, "-o", scratch / "r"}),
+            1);
+  const auto found = nlohmann::json::parse(read_bytes(json));
+  ASSERT_EQ(found["diagnosis"].size(), 1u);
+  EXPECT_EQ(found["diagnosis"][0]["cause"], "disturbs its process");
+  EXPECT_EQ(found["diagnosis"][0]["sentence"], "the model leaves denormal numbers flushed to zero");
+}
+#endif
+
 /// The verdict is told first, whatever becomes of the files.
 TEST(Check, ANativeModelThatPrintsDisturbsItsProcess) {
   const ScratchFolder scratch;

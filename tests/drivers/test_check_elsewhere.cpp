@@ -13,8 +13,9 @@
 namespace assay::drivers::test_check_elsewhere {
 namespace {
 
-enum Habit : int { none, keeps_the_first, crashes_first, never_comes_back };
+enum Habit : int { none, keeps_the_first, crashes_first, never_comes_back, digit_of_the_process };
 
+const ::pid_t tester = ::getpid();
 bool called = false;
 double kept = 0;
 
@@ -31,15 +32,17 @@ struct Spring {
     if (first) kept = J;
     if (first && habit == crashes_first) ::kill(::getpid(), SIGKILL);
     while (habit == never_comes_back) ::pause();
+    const double digit = habit == digit_of_the_process && ::getpid() != tester ? 1 + 2.3e-16 : 1;
     const Tensor b = step.F1 * step.F1.transpose();
-    return ((habit == keeps_the_first ? kept : 1) * (b - Tensor::Identity()) + std::log(J) * Tensor::Identity()) / J;
+    return ((habit == keeps_the_first ? kept : 1) * (b - Tensor::Identity()) + std::log(J) * Tensor::Identity()) / J *
+           digit;
   }
   bool rest(const Tensor&, double*) const { return true; }
   void misbehave(std::size_t, double*, double*) const {}
 };
 
 Material spring(Habit habit) {
-  static const assay_parameter parameters[] = {{"habit", "1", 0, 0, 3, "which"}};
+  static const assay_parameter parameters[] = {{"habit", "1", 0, 0, 4, "which"}};
   static const assay_material table = check_tests::table_of<Spring>("spring_for_tests", 0, parameters, {});
   called = false;
   return {&table, {{"habit", habit}}};
@@ -58,6 +61,13 @@ TEST(CheckElsewhere, NamesWhatIsKeptOfTheFirstCall) {
   EXPECT_TRUE(right.passes()) << right.diagnosis.front().sentence;
   ASSERT_FALSE(wrong.passes());
   EXPECT_EQ(wrong.diagnosis.front().cause, check::causes::hidden_state);
+  EXPECT_NE(wrong.diagnosis.front().sentence.find("another process"), std::string::npos);
+}
+
+TEST(CheckElsewhere, NamesWhatDiffersInTheLastDigitsOfAnotherProcess) {
+  const check::Report wrong = battery_with_elsewhere(digit_of_the_process);
+  ASSERT_FALSE(wrong.passes());
+  EXPECT_EQ(wrong.diagnosis.front().cause, check::causes::not_reproducible);
   EXPECT_NE(wrong.diagnosis.front().sentence.find("another process"), std::string::npos);
 }
 

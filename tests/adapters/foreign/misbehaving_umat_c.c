@@ -7,7 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
+
+#if defined(__x86_64__)
+#include <xmmintrin.h>
+#endif
 
 enum {
   nothing = 0, /* Fortran */
@@ -39,7 +44,14 @@ enum {
   asserts_numbers = 26,  /* aborts where the stress is no number */
   leaves_daemon = 27,    /* that has left its parents and their group */
   kills_its_watcher = 28,
-  takes_its_time = 30 /* 10 ms a call */
+  takes_its_time = 30, /* 10 ms a call */
+  blocks_termination = 31,
+  ignores_hangup = 32,
+  flushes_to_zero = 33,
+  rounds_doubles_to_zero = 34, /* by the SSE unit alone */
+  shortens_long_doubles = 35,
+  random_digit = 36,
+  digit_of_the_clock = 37
 };
 
 static const size_t ten_gb = (size_t)10 << 30, page = 4096;
@@ -49,6 +61,12 @@ static double descend(volatile const double* above) {
   volatile double frame[512];
   frame[0] = *above + 1;
   return frame[0] < 0 ? 0 : descend(frame) + frame[0];
+}
+
+static long clock_of_ns(void) {
+  struct timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_nsec >> 7;
 }
 
 static void take_time(void) { usleep(10000); }
@@ -137,6 +155,24 @@ static void change_folder(void) {
   if (chdir("/") != 0) abort();
 }
 
+static void block_termination(void) {
+  sigset_t one;
+  sigemptyset(&one);
+  sigaddset(&one, SIGTERM);
+  sigprocmask(SIG_BLOCK, &one, NULL);
+}
+
+static void ignore_hangup(void) { signal(SIGHUP, SIG_IGN); }
+
+#if defined(__x86_64__)
+static void flush_to_zero(void) { _mm_setcsr(_mm_getcsr() | 0x8040); }
+static void round_doubles_to_zero(void) { _mm_setcsr(_mm_getcsr() | 0x6000); }
+static void shorten_long_doubles(void) {
+  const unsigned short word = 0x027f;
+  __asm__ volatile("fldcw %0" : : "m"(word));
+}
+#endif
+
 static void round_upward(void) { fesetround(FE_UPWARD); }
 static void leave_quietly(void) { _exit(0); }
 static void kill_itself(void) { raise(SIGKILL); }
@@ -155,25 +191,32 @@ __attribute__((visibility("hidden"))) void misbehave(int which, double* stress, 
 
 void misbehave(int which, double* stress, double* statev, int nstatv) {
   static void (*const deeds[])(void) = {
-      [segmentation_fault] = write_to_null,
-      [endless_loop] = loop,
-      [abort_itself] = abort,
-      [stack_overflow] = overflow_stack,
-      [touches_10_gb] = touch_10_gb,
-      [closes_output] = close_output,
-      [changes_folder] = change_folder,
-      [traps_division] = divide_by_zero,
-      [rounds_upward] = round_upward,
-      [floods_output] = flood_output,
-      [exits_with_status_0] = leave_quietly,
-      [leaves_grandchild] = leave_grandchild,
-      [kills_itself] = kill_itself,
-      [keeps_10_gb] = keep_10_gb,
-      [ignores_signals] = ignore_signals_and_sleep,
-      [closes_everything] = close_everything,
-      [leaves_daemon] = leave_daemon,
-      [kills_its_watcher] = kill_its_watcher,
-      [takes_its_time] = take_time,
+    [segmentation_fault] = write_to_null,
+    [endless_loop] = loop,
+    [abort_itself] = abort,
+    [stack_overflow] = overflow_stack,
+    [touches_10_gb] = touch_10_gb,
+    [closes_output] = close_output,
+    [changes_folder] = change_folder,
+    [traps_division] = divide_by_zero,
+    [rounds_upward] = round_upward,
+    [floods_output] = flood_output,
+    [exits_with_status_0] = leave_quietly,
+    [leaves_grandchild] = leave_grandchild,
+    [kills_itself] = kill_itself,
+    [keeps_10_gb] = keep_10_gb,
+    [ignores_signals] = ignore_signals_and_sleep,
+    [closes_everything] = close_everything,
+    [leaves_daemon] = leave_daemon,
+    [kills_its_watcher] = kill_its_watcher,
+    [takes_its_time] = take_time,
+    [blocks_termination] = block_termination,
+    [ignores_hangup] = ignore_hangup,
+#if defined(__x86_64__)
+    [flushes_to_zero] = flush_to_zero,
+    [rounds_doubles_to_zero] = round_doubles_to_zero,
+    [shortens_long_doubles] = shorten_long_doubles,
+#endif
   };
   const int count = (int)(sizeof deeds / sizeof *deeds);
   static int calls = 0;
@@ -181,6 +224,10 @@ void misbehave(int which, double* stress, double* statev, int nstatv) {
     for (int i = 0; i < 20; ++i) statev[nstatv + i] = litter;
   } else if (which == underruns_stress) {
     for (int i = 1; i <= 4000; ++i) ((volatile double*)stress)[-i] = litter;
+  } else if (which == random_digit) {
+    stress[0] *= 1 + 1e-15 * (rand() % 4);
+  } else if (which == digit_of_the_clock) {
+    stress[0] *= 1 + 1e-15 * (double)(clock_of_ns() % 2);
   } else if (which == asserts_numbers) {
     if (stress[0] != stress[0]) abort();
   } else if (which > 0 && which < count && deeds[which] && !(once_is_enough(which) && calls++ > 0)) {

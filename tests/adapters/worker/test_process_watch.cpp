@@ -9,10 +9,17 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <string>
 
+#if defined(__x86_64__)
+#include <xmmintrin.h>
+#endif
+
 #include "adapters/worker/kept_output.hpp"
+#include "harness/arithmetic.hpp"
 
 namespace assay::adapters::test_process_watch {
 namespace {
@@ -20,7 +27,7 @@ namespace {
 struct Deed {
   const char* name;
   void (*done)();
-  std::uint32_t habit;
+  Habits habit;
 };
 
 void nothing() {}
@@ -30,6 +37,49 @@ void redirect_errors() { ::dup2(::open("/dev/full", O_WRONLY), STDERR_FILENO); }
 void take_signal() {
   std::signal(SIGFPE, [](int) {});
 }
+void ignore_hangup() { std::signal(SIGHUP, SIG_IGN); }
+void take_user_signal() {
+  std::signal(SIGUSR1, [](int) {});
+}
+void change_flags_alone() {
+  struct sigaction action = {};
+  ::sigaction(SIGUSR2, nullptr, &action);
+  action.sa_flags |= SA_RESTART;
+  ::sigaction(SIGUSR2, &action, nullptr);
+}
+void block(std::initializer_list<int> signals) {
+  sigset_t set;
+  sigemptyset(&set);
+  for (const int signal : signals) sigaddset(&set, signal);
+  ::pthread_sigmask(SIG_BLOCK, &set, nullptr);
+}
+void block_termination() { block({SIGTERM}); }
+void block_several() { block({SIGINT, SIGALRM, SIGCHLD}); }
+void block_and_unblock() {
+  block({SIGTERM});
+  sigset_t none;
+  sigemptyset(&none);
+  ::pthread_sigmask(SIG_SETMASK, &none, nullptr);
+}
+#if defined(__x86_64__)
+void flush() {
+  _mm_setcsr(_mm_getcsr() | 0x8000);
+  put_arithmetic_right();
+}
+void take_denormals_for_zero() {
+  _mm_setcsr(_mm_getcsr() | 0x0040);
+  put_arithmetic_right();
+}
+void compute_long_doubles_as_doubles() {
+  const std::uint16_t word = 0x027f;
+  __asm__ volatile("fldcw %0" : : "m"(word));
+  put_arithmetic_right();
+}
+void leave_a_long_double() { __asm__ volatile("fld1"); }
+void use_mmx() { __asm__ volatile("movd %%eax, %%mm0" : : : "mm0"); }
+void use_mmx_and_empty() { __asm__ volatile("movd %%eax, %%mm0\n\temms" : : : "mm0"); }
+#endif
+void ignore_a_signal_of_real_time() { std::signal(SIGRTMIN + 3, SIG_IGN); }
 void fork_one() {
   if (::fork() == 0) ::_exit(0);
 }
@@ -44,6 +94,21 @@ const Deed deeds[] = {{"nothing", nothing, no_habit},
                       {"closes_output", close_output, output_closed},
                       {"redirects_errors", redirect_errors, output_closed},
                       {"takes_a_signal", take_signal, signals_taken},
+                      {"ignores_hangup", ignore_hangup, signals_taken},
+                      {"takes_a_user_s_signal", take_user_signal, signals_taken},
+                      {"changes_the_flags_of_a_signal", change_flags_alone, signals_taken},
+                      {"ignores_a_signal_of_real_time", ignore_a_signal_of_real_time, signals_taken},
+                      {"blocks_termination", block_termination, signals_blocked},
+                      {"blocks_several", block_several, signals_blocked},
+                      {"unblocks_again", block_and_unblock, no_habit},
+#if defined(__x86_64__)
+                      {"flushes_to_zero", flush, denormals_left_flushed},
+                      {"takes_denormals_for_zero", take_denormals_for_zero, denormals_left_flushed},
+                      {"changes_the_precision", compute_long_doubles_as_doubles, precision_left},
+                      {"leaves_a_long_double", leave_a_long_double, x87_left},
+                      {"uses_mmx_without_emms", use_mmx, x87_left},
+                      {"uses_mmx_and_emms", use_mmx_and_empty, no_habit},
+#endif
                       {"leaves_a_process", fork_one, processes_left}};
 
 class ProcessWatchDeed : public testing::TestWithParam<Deed> {};
@@ -54,21 +119,35 @@ TEST_P(ProcessWatchDeed, IsSeenAndNoOther) {
   if (child == 0) {
     const ProcessWatch watch;
     GetParam().done();
-    ::_exit(static_cast<int>(watch.habits()));
+    ::_exit(watch.habits() == GetParam().habit ? 0 : 1);
   }
   int status = 0;
   ASSERT_EQ(::waitpid(child, &status, 0), child);
   ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(static_cast<std::uint32_t>(WEXITSTATUS(status)), GetParam().habit);
+  EXPECT_EQ(WEXITSTATUS(status), 0) << habit_words(GetParam().habit);
   EXPECT_EQ(habit_words(GetParam().habit).empty(), GetParam().habit == no_habit);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ProcessWatchDeed, testing::ValuesIn(deeds),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
+TEST(ProcessWatch, SeesEverySignalInAFewLooks) {
+  constexpr int looks = 16;
+  for (const int signal : {SIGHUP, SIGPIPE, SIGUSR2, SIGRTMIN + 30}) {
+    ProcessWatch watch;
+    struct sigaction before = {};
+    ::sigaction(signal, nullptr, &before);
+    std::signal(signal, SIG_IGN);
+    Habits found = no_habit;
+    for (int k = 0; k < looks; ++k) found |= watch.habits_so_far();
+    ::sigaction(signal, &before, nullptr);
+    EXPECT_EQ(found, signals_taken) << signal;
+  }
+}
+
 TEST(ProcessWatch, WordsOfSeveralHabitsAreAList) {
   EXPECT_EQ(habit_words(folder_changed | processes_left), "changes the folder of the process, leaves processes behind");
-  EXPECT_EQ(habit_words(std::uint32_t{signals_taken} | written_stran | written_props),
+  EXPECT_EQ(habit_words(Habits{signals_taken} | written_stran | written_props),
             "takes over signals of the process, writes to its inputs (STRAN, PROPS)");
 }
 

@@ -75,7 +75,7 @@ std::vector<Subject> subjects() {
                         {"stiffer_axis", stiffer_axis, not_isotropic},
                         {"hidden_stress", hidden_stress, hidden_state},
                         {"hidden_counter", hidden_counter, hidden_state},
-                        {"shared_scratch", shared_scratch, hidden_state},
+                        {"shared_scratch", shared_scratch, of_batch},
                         {"first_call", first_call, hidden_state},
                         {"saved_by_point", saved_by_point, hidden_state},
                         {"reset_below_a_microsecond", reset_below_a_microsecond, clock},

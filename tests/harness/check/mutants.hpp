@@ -74,6 +74,11 @@ namespace hill_mutants {
 std::vector<Subject> subjects();
 }
 
+/// What goes wrong around the equations of a model: in batches, by addresses, by chance, in the last digits.
+namespace call_mutants {
+std::vector<Subject> subjects();
+}
+
 /// All of them.
 std::vector<Subject> all_subjects();
 

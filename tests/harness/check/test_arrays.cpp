@@ -34,7 +34,7 @@ TEST(GuardedArrays, StandWhereNoMoreThanThePromisedAlignmentIs) {
   inner = &subjects.front().material.table();
   assay_material table = *inner;
   table.update = update;
-  std::vector<History> first;
+  FirstCalls first;
   const TestResult result = guarded_arrays(Material(&table, {}), {}, first);
   EXPECT_EQ(result.verdict, Verdict::pass) << result.sentence;
   EXPECT_GT(calls, 100);
