@@ -76,9 +76,12 @@ std::optional<double> error_of(const MaterialChoice& choice, const check::Specim
 std::optional<MaterialChoice> comparison(const check::Stiffness& C) {
   const double G = (C(0, 0) - C(0, 1)) / 2, K = (C(0, 0) + 2 * C(0, 1)) / 3;
   if (!(G > 1e-3 * K) || !(K > 0)) return std::nullopt;
+  constexpr double least = 1e-300, largest = 1e300;  // that the parameter may be [Pa]
+  const double E = 9 * K * (G / (3 * K + G));
+  if (!(E >= least && E <= largest)) return std::nullopt;
   MaterialChoice choice;
   choice.adapter = "neo_hookean";
-  choice.parameters = {{"E", 9 * K * G / (3 * K + G)}, {"nu", (3 * K - 2 * G) / (2 * (3 * K + G))}};
+  choice.parameters = {{"E", E}, {"nu", (3 * K - 2 * G) / (2 * (3 * K + G))}};
   return choice;
 }
 

@@ -29,7 +29,12 @@ class DruckerPrager {
       {"apex_strain", "1", ASSAY_SCALAR, ASSAY_ROLE_PLAIN, "plastic volume strain of the apex"}};
 
   explicit DruckerPrager(const double* p)
-      : elastic_(p[0], p[1]), cohesion_(p[2]), friction_(p[3]), dilatancy_(p[4]), hardening_(p[5]) {
+      : unit_(unit_of_stress(p[0])),
+        elastic_(p[0] / unit_, p[1]),
+        cohesion_(p[2] / unit_),
+        friction_(p[3]),
+        dilatancy_(p[4]),
+        hardening_(p[5] / unit_) {
     if (dilatancy_ > friction_) throw Failure{"dilatancy must not exceed friction: plastic work would be negative"};
     if (hardening_ > 0 && friction_ > 0 && !(dilatancy_ > 0)) {
       throw Failure{"hardening_modulus > 0 needs dilatancy > 0, by which the apex hardens"};
@@ -40,7 +45,7 @@ class DruckerPrager {
 
   /// Elastic strain of the initial stress, J = 1: Cp^-1 = exp(2 e).
   void initial_state(const Tensor& cauchy, double* out) const {
-    const Tensor stress = symmetric(cauchy);
+    const Tensor stress = symmetric(cauchy) / unit_;
     Tensor e = deviator(stress) / (2 * elastic_.mu);
     e.diagonal().array() += trace(stress) / (9 * elastic_.kappa);
     const std::array<double, 2> fresh{};
@@ -52,7 +57,7 @@ class DruckerPrager {
   TensorOf<S> update(const IncrementOf<S>& step, const double* state0, S* state1) const {
     const TensorOf<S> e = flow_step<2, true>(step, state0, state1, *this).e;
     const S J = determinant(step.F1);
-    return (S(1) / J) * kirchhoff(e);
+    return (S(unit_) / J) * kirchhoff(e);
   }
 
   template <class S>
@@ -78,7 +83,8 @@ class DruckerPrager {
     const Tensor A = symmetric_from(at);
     const StrainAndRate trial = trial_strain(F, l, A);
     const FlowIncrement<double, 2> flow = flow_rate(trial.e, trial.rate, symmetric(l).norm(), at + 6);
-    cauchy_rate = (kirchhoff(Tensor(trial.rate - flow.strain)) - trace(l) * kirchhoff(trial.e)) / determinant(F);
+    cauchy_rate =
+        unit_ * (kirchhoff(Tensor(trial.rate - flow.strain)) - trace(l) * kirchhoff(trial.e)) / determinant(F);
     put_symmetric(flow_rate_of_state(F, A, flow.strain), state_rate);
     for (std::size_t i = 0; i < 2; ++i) state_rate[6 + i] = flow.scalars[i];
   }
@@ -86,7 +92,7 @@ class DruckerPrager {
   /// W = kappa/2 tr(e)^2 + mu dev e : dev e [J/m^3].
   double energy(const Tensor& F, const double* at) const {
     const Tensor e = logarithmic_strain(F, symmetric_from(at)), shape = deviator(e);
-    return 0.5 * elastic_.kappa * trace(e) * trace(e) + elastic_.mu * contraction(shape, shape);
+    return unit_ * (0.5 * elastic_.kappa * trace(e) * trace(e) + elastic_.mu * contraction(shape, shape));
   }
 
  private:
@@ -138,7 +144,7 @@ class DruckerPrager {
       const Tensor towards = shape_rate + pull * shape;
       return return_to_surface(towards, root_J2(towards), excess_rate + pull * (tension - k));
     }
-    const double loading = 2 * elastic_.mu * (elastic_.mu / shear * contraction(shape, shape_rate)) + excess_rate;
+    const double loading = 2 * elastic_.mu * elastic_.mu * contraction(shape, shape_rate) / shear + excess_rate;
     FlowIncrement<double, 2> flow;
     if (!(loading > 0)) return flow;
     const double Lam = (loading + pull * f) / cone_slope_;
@@ -149,6 +155,7 @@ class DruckerPrager {
     return flow;
   }
 
+  double unit_;  ///< of the stresses below [Pa]
   ElasticConstants elastic_;
   double cohesion_, friction_, dilatancy_, hardening_, apex_hardening_ = 0, cone_slope_;
 };

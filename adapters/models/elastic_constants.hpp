@@ -2,6 +2,7 @@
 // Isotropic elastic constants, and the two parameters that most models of this folder share.
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 #include "adapters/models/tensor_functions.hpp"
@@ -14,6 +15,10 @@ inline constexpr double tiny = 1e-300, huge = 1e300;  ///< bounds of what must b
 
 inline constexpr assay_parameter youngs_modulus{"E", "Pa", required, tiny, huge, "Young's modulus"};
 inline constexpr assay_parameter poissons_ratio{"nu", "1", 0.3, -0.999999, 0.499999999, "Poisson's ratio"};
+
+/// A power of two near Young's modulus [Pa], in which models count stress where they square it: the squares then
+/// neither overflow nor vanish, and no bit of the result is another.
+inline double unit_of_stress(double E) { return std::ldexp(1.0, std::ilogb(E)); }
 
 struct ElasticConstants {
   double lambda, mu, kappa;  ///< Lame's constants and the bulk modulus kappa = lambda + 2 mu / 3 [Pa]

@@ -36,10 +36,6 @@ S weight_of_start(const S& trial, const S& radius) {
   return value_of(trial) > 2 * value_of(radius) ? S(2 * radius / trial) : S(1);
 }
 
-/// A power of two near Young's modulus [Pa], in which the J2 models count stress: its squares then neither overflow nor
-/// vanish, and no bit of the result is another.
-inline double unit_of_stress(double E) { return std::ldexp(1.0, std::ilogb(E)); }
-
 /// In the unit of stress, as all stresses here.
 struct J2Hardening {
   double yield, linear, saturation, rate, kinematic;

@@ -17,7 +17,10 @@ class Norton : public PowerLawFlow<false> {
   static constexpr double example[] = {1e3, 0.3, 0.5, 30, 3};
   static constexpr assay_state_variable state[] = {inverse_plastic_metric, viscoplastic_strain};
 
-  explicit Norton(const double* p) : PowerLawFlow{{p[0], p[1]}, p[2], p[3], p[4]} {}
+  explicit Norton(const double* p) : Norton(p, unit_of_stress(p[0])) {}
+
+ private:
+  Norton(const double* p, double u) : PowerLawFlow{{p[0] / u, p[1]}, p[2], p[3] / u, p[4], 0, 0, u} {}
 };
 
 }  // namespace assay::models

@@ -43,7 +43,8 @@ class OrthotropicCylindrical {
           "not positive definite: nu_rt^2 E_t/E_r + nu_rz^2 E_z/E_r + nu_tz^2 E_z/E_t + 2 nu_rt nu_rz nu_tz E_z/E_r "
           "must be below 1"};
     }
-    normal_ = symmetric(inverse(compliance));
+    const double unit = unit_of_stress(p[0]);
+    normal_ = unit * symmetric(inverse(Tensor(unit * compliance)));
   }
 
   void initial_state(const Tensor& cauchy, double* direction) const {

@@ -23,7 +23,10 @@ class Perzyna : public PowerLawFlow<true> {
   static constexpr double example[] = {1e3, 0.3, 20, 30, 0.5, 30, 3};
   static constexpr assay_state_variable state[] = {inverse_plastic_metric, viscoplastic_strain, flow_regime};
 
-  explicit Perzyna(const double* p) : PowerLawFlow{{p[0], p[1]}, p[4], p[5], p[6], p[2], p[3]} {}
+  explicit Perzyna(const double* p) : Perzyna(p, unit_of_stress(p[0])) {}
+
+ private:
+  Perzyna(const double* p, double u) : PowerLawFlow{{p[0] / u, p[1]}, p[4], p[5] / u, p[6], p[2] / u, p[3] / u, u} {}
 };
 
 }  // namespace assay::models

@@ -31,8 +31,9 @@ template <bool has_threshold>
 class PowerLawFlow {
  public:
   ElasticConstants elastic;
-  double rate_scale, stress_scale, exponent;  ///< [1/s], [Pa], [1]
-  double yield_stress = 0, hardening = 0;     ///< [Pa], zero where there is no threshold
+  double rate_scale, stress_scale, exponent;  ///< [1/s], [unit], [1]
+  double yield_stress = 0, hardening = 0;     ///< [unit], zero where there is no threshold
+  double unit = 1;                            ///< of all stresses here [Pa]
 
   static void initial_state(const Tensor& cauchy, double* state) {
     if (!cauchy.isZero(0)) throw Failure{"this model starts free of stress"};
@@ -44,7 +45,7 @@ class PowerLawFlow {
   TensorOf<S> update(const IncrementOf<S>& step, const double* state0, S* state1) const {
     const FlowStep<S> end = flow_step<1, has_threshold>(step, state0, state1, *this);
     if constexpr (has_threshold) state1[7] = S(end.flows ? 1 : state0[7] == 1 && ceases(step, state0) ? 2 : 0);
-    return cauchy(determinant(step.F1), end.e);
+    return S(unit) * cauchy(determinant(step.F1), end.e);
   }
 
   void rate(double, const Tensor& F, const Tensor& l, const Tensor&, const double* state, Tensor& cauchy_rate,
@@ -59,6 +60,7 @@ class PowerLawFlow {
     const Tensor e_rate = trial.rate - D, kirchhoff_shape = 2 * elastic.mu * shape;
     cauchy_rate = (2 * elastic.mu * deviator(e_rate) - expansion * kirchhoff_shape) / J;
     cauchy_rate.diagonal().array() += elastic.kappa * expansion * (1 - std::log(J)) / J;
+    cauchy_rate *= unit;
     put_symmetric(flow_rate_of_state(F, A, D), state_rate);
     state_rate[6] = p_rate;
   }
@@ -67,7 +69,7 @@ class PowerLawFlow {
   double energy(const Tensor& F, const double* state) const {
     const double ln_J = std::log(determinant(F));
     const Tensor shape = deviator(logarithmic_strain(F, symmetric_from(state)));
-    return 0.5 * elastic.kappa * ln_J * ln_J + elastic.mu * contraction(shape, shape);
+    return unit * (0.5 * elastic.kappa * ln_J * ln_J + elastic.mu * contraction(shape, shape));
   }
 
   template <class S>
@@ -118,13 +120,13 @@ class PowerLawFlow {
     return sigma;
   }
 
-  /// sqrt(3/2) |2 mu dev e| [Pa].
+  /// sqrt(3/2) |2 mu dev e| [unit].
   template <class S>
   S equivalent_stress(const TensorOf<S>& shape) const {
     return S(2.4494897427831780982 * elastic.mu) * norm(shape);
   }
 
-  /// f_trial - f [Pa]. The starting point bounds f from above by at most a factor of two, and the equation is convex:
+  /// f_trial - f [unit]. The starting point bounds f from above by at most a factor of two, and the equation is convex:
   /// Newton's iteration descends to the root from there, however stiff the step.
   template <class S>
   S relaxation(const S& f_trial, double c) const {

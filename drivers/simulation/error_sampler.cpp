@@ -35,7 +35,16 @@ std::array<double, N> components(const mpm::State<2>& s, Column which, std::size
   return values;
 }
 
-FieldError of(const NormAccumulator& norm) { return {norm.l2(), norm.linf()}; }
+FieldError of(const NormAccumulator& norm, double unit = 1) { return {norm.l2() * unit, norm.linf() * unit}; }
+
+/// 1 where it has no size.
+double power_of_two_near(double value) { return std::isnormal(value) ? std::ldexp(1.0, std::ilogb(value)) : 1; }
+
+template <std::size_t N>
+std::array<double, N> over(std::array<double, N> values, double unit) {
+  for (double& value : values) value /= unit;
+  return values;
+}
 
 }  // namespace
 
@@ -45,6 +54,7 @@ ErrorSampler::ErrorSampler(const Problem& problem, std::shared_ptr<const ExactSo
       field_(std::move(solution), frame_, std::span(state.column(Column::reference_position, 0), state.particles),
              std::span(state.column(Column::reference_position, 1), state.particles)),
       held_(problem.setup.seeds.held.size()),
+      stress_unit_(power_of_two_near(problem.setup.density * problem.wave_speed * problem.wave_speed)),
       displacement_error_(state.particles),
       measure_(state.particles) {}
 
@@ -69,10 +79,10 @@ ErrorSample ErrorSampler::sample(const mpm::State<2>& s, double t, double veloci
     v.add(volume, distance2(components<2>(s, Column::velocity, p), e.v));  // (28)
     F.add(volume, distance2(F_p, e.F));
     J.add(volume, square(determinant(F_p) - determinant(e.F)));
-    stress.add(volume, distance2(components<5>(s, Column::stress, p), e.sigma));
+    stress.add(volume, distance2(over(components<5>(s, Column::stress, p), stress_unit_), over(e.sigma, stress_unit_)));
   }
   exact_displacement_ = exact.l2();
-  ErrorSample result{t, of(u), 0, of(v), of(F), of(J), of(stress)};
+  ErrorSample result{t, of(u), 0, of(v), of(F), of(J), of(stress, stress_unit_)};
   const auto stepped = static_cast<double>(s.particles);
   result.rms36 = all.l2() * std::sqrt(stepped / (stepped + static_cast<double>(held_)));  // (36): held ones err by 0
   return result;

@@ -28,6 +28,7 @@ class ErrorSampler {
   Frame frame_;
   ExactField field_;
   std::size_t held_;
+  double stress_unit_;  ///< a power of two near rho c^2 [Pa]: squares of errors neither overflow nor vanish
   std::vector<double> displacement_error_, measure_;
   double exact_displacement_ = 0;
 };

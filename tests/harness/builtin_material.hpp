@@ -10,11 +10,13 @@
 
 extern "C" {
 const assay_material* assay_builtin_compressible_fluid(std::uint32_t host_major, std::uint32_t index);
+const assay_material* assay_builtin_drucker_prager(std::uint32_t host_major, std::uint32_t index);
 const assay_material* assay_builtin_hypoelastic_green_naghdi(std::uint32_t host_major, std::uint32_t index);
 const assay_material* assay_builtin_hypoelastic_jaumann(std::uint32_t host_major, std::uint32_t index);
 const assay_material* assay_builtin_j2_jaumann(std::uint32_t host_major, std::uint32_t index);
 const assay_material* assay_builtin_j2_multiplicative(std::uint32_t host_major, std::uint32_t index);
 const assay_material* assay_builtin_orthotropic_cylindrical(std::uint32_t host_major, std::uint32_t index);
+const assay_material* assay_builtin_perzyna(std::uint32_t host_major, std::uint32_t index);
 const assay_material* assay_builtin_zener(std::uint32_t host_major, std::uint32_t index);
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "tests/drivers/quiet_run.hpp"
 
 namespace assay::drivers::test_simulate {
@@ -28,6 +30,19 @@ TEST(StepClock, DoesNotSeeTheSamplingOfTheError) {
     sampling += pass["name"] == "error_sampling" ? pass["seconds"].get<double>() : 0;
   ASSERT_GT(sampling, 0.2 * few["step_cpu_s"].get<double>());
   EXPECT_LT(many["step_cpu_s"].get<double>(), few["step_cpu_s"].get<double>() + 0.5 * sampling + clock_grain);
+}
+
+/// With the density as large as the modulus the motion is the same, and stresses are as many times larger.
+TEST(ErrorOfStress, IsRelativeToTheModulusWhateverItsSize) {
+  const auto stress = [](const std::string& size) {
+    const auto result = result_of_run(
+        "paper/vortex_cpdi", {"grid.spacing=0.125", "time.end=0.05", "output.particles=0", "output.pictures=false",
+                              "material.parameters.E=" + size, "material.density=" + size});
+    return result["error"]["stress"]["l2_max"].get<double>() / std::stod(size);
+  };
+  const double usual = stress("1e3");
+  EXPECT_GT(usual, 0);
+  for (const char* size : {"1e-290", "1e-160", "1e160", "1e290"}) EXPECT_NEAR(stress(size) / usual, 1, 1e-9) << size;
 }
 
 TEST(PeakMemory, GrowsWithWhatIsTouched) {

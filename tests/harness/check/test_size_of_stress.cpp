@@ -15,7 +15,9 @@ namespace {
 
 using check::Verdict;
 
-const std::vector<double> moduli{1e-300, 1e-160, 1e160, 1e203, 1e290};  // of Young [Pa]
+/// Young's moduli [Pa]; of models with smaller parameters beside it, which must not be below 1e-300 Pa either, the
+/// second.
+const std::vector<double> moduli{1e-300, 1e-160, 1e160, 1e203, 1e290}, with_others{1e-290, 1e290};
 
 check::Report report_of(const Material& material) { return check::run_battery(material, {.effort = {.quick = true}}); }
 
@@ -42,26 +44,53 @@ std::shared_ptr<const Material> j2(assay_material_entry_function entry, double E
 }
 
 template <class Make>
-void expect_same(const Make& make, const std::vector<double>& all = moduli) {
+void expect_same(const Make& make, const std::vector<double>& all = with_others) {
   const std::string usual = verdicts_of(report_of(*make(1e3)));
   for (const double E : all) EXPECT_EQ(verdicts_of(report_of(*make(E))), usual) << E;
 }
 
 TEST(SizeOfStress, ElasticModelsAreJudgedAlike) {
-  expect_same([](double E) { return elastic_material(E); });
+  expect_same([](double E) {
+    return builtin_material(assay_builtin_orthotropic_cylindrical, {{"E_r", E},
+                                                                    {"E_t", 2 * E},
+                                                                    {"E_z", 1.5 * E},
+                                                                    {"nu_rt", 0.2},
+                                                                    {"nu_rz", 0.2},
+                                                                    {"nu_tz", 0.2},
+                                                                    {"G_rt", 0.4 * E},
+                                                                    {"G_rz", 0.4 * E},
+                                                                    {"G_tz", 0.4 * E}});
+  });
+  expect_same([](double E) { return elastic_material(E); }, moduli);
   expect_same([](double E) { return builtin_material(assay_builtin_hypoelastic_jaumann, {{"E", E}, {"nu", 0.3}}); });
 }
 
 TEST(SizeOfStress, PlasticModelsAreJudgedAlike) {
-  const std::vector<double> some{1e-290, 1e160, 1e290};  // a yield stress below 1e-300 Pa is refused
-  expect_same([](double E) { return j2(assay_builtin_j2_jaumann, E); }, some);
-  expect_same([](double E) { return j2(assay_builtin_j2_multiplicative, E); }, some);
+  expect_same([](double E) { return j2(assay_builtin_j2_jaumann, E); });
+  expect_same([](double E) { return j2(assay_builtin_j2_multiplicative, E); });
+  expect_same([](double E) {
+    return builtin_material(assay_builtin_drucker_prager, {{"E", E},
+                                                           {"nu", 0.3},
+                                                           {"cohesion", 0.015 * E},
+                                                           {"friction", 0.2},
+                                                           {"dilatancy", 0.1},
+                                                           {"hardening_modulus", 0.02 * E}});
+  });
 }
 
 TEST(SizeOfStress, ViscousModelsAreJudgedAlike) {
   expect_same([](double E) {
     return builtin_material(assay_builtin_zener,
                             {{"E", E}, {"nu", 0.3}, {"viscous_ratio", 0.5}, {"relaxation_time", 0.2}});
+  });
+  expect_same([](double E) {
+    return builtin_material(assay_builtin_perzyna, {{"E", E},
+                                                    {"nu", 0.3},
+                                                    {"yield_stress", 0.02 * E},
+                                                    {"hardening_modulus", 0.03 * E},
+                                                    {"reference_rate", 0.5},
+                                                    {"reference_stress", 0.03 * E},
+                                                    {"exponent", 3}});
   });
 }
 
