@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "harness/vector_clones.h"
+#include "mpm/crew.hpp"
 
 namespace assay::bench {
 
@@ -18,11 +19,10 @@ ASSAY_VECTOR_CLONES void triad_of(double* __restrict a, const double* __restrict
 
 void triad(double* a, const double* b, const double* c, std::size_t n, int threads) {
   const auto pieces = static_cast<std::size_t>(threads);
-#pragma omp parallel for schedule(static, 1) num_threads(threads)
-  for (std::size_t k = 0; k < pieces; ++k) {
+  mpm::share_out(threads, pieces, [&](std::size_t k) {
     const std::size_t begin = k * n / pieces, end = (k + 1) * n / pieces;
     triad_of(a + begin, b + begin, c + begin, end - begin);
-  }
+  });
 }
 
 namespace {

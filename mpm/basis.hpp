@@ -54,6 +54,9 @@ ASSAY_INLINE Mat<Dim> inverse_transpose(const Mat<Dim>& F, double det) {
   }
 }
 
+/// Cells between a particle and a line that are none but rounding, in a grid of up to 1e4 cells.
+inline constexpr double on_line = 1e-11;
+
 /// The least and the largest of many numbers from 0 on, Lanes at once.
 template <std::size_t Lanes>
 struct Extremes {

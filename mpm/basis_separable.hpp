@@ -142,6 +142,25 @@ class SeparableBasis : public OneParticle<Derived, Dim> {
     }
   }
 
+  /// Whether one of particles lies on a line between cells.
+  ASSAY_INLINE bool has_on_line(std::size_t begin, std::size_t end) const {
+    for (std::size_t d = 0; d < Dim; ++d) {
+      constexpr std::size_t lanes = 8;
+      Extremes<lanes> found(1);
+      const auto include = [&](std::size_t l, double along) {
+        const double off = along - static_cast<std::int32_t>(along + 0.5);
+        found.include(l, off < 0 ? -off : off);
+      };
+      std::size_t p = begin;
+      for (; p + lanes <= end; p += lanes) {
+        for (std::size_t l = 0; l < lanes; ++l) include(l, derived().along(p + l, d));
+      }
+      for (; p < end; ++p) include(0, derived().along(p, d));
+      if (found.lowest() < on_line) return true;
+    }
+    return false;
+  }
+
  protected:
   explicit SeparableBasis(const GridGeometry<Dim>& grid) : locator_(grid), count_(grid.count) {}
 

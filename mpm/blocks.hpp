@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstdint>
+#include <cstddef>
 #include <optional>
 
 #include "harness/assay_material.h"
+#include "mpm/crew.hpp"
 
 namespace assay::mpm {
 
@@ -49,17 +50,10 @@ inline std::size_t blocks_of(std::size_t particles) { return (particles + block_
 /// body(begin, end) for all blocks of n particles, on so many threads.
 template <class Body>
 void for_blocks(std::size_t n, int threads, const Body& body) {
-  const auto blocks = static_cast<std::int64_t>(blocks_of(n));
-  const auto run = [&](std::int64_t b) {
-    const std::size_t begin = static_cast<std::size_t>(b) * block_size;
+  share_out(threads, blocks_of(n), [&](std::size_t b) {
+    const std::size_t begin = b * block_size;
     body(begin, std::min(n, begin + block_size));
-  };
-  if (threads <= 1) {
-    for (std::int64_t b = 0; b < blocks; ++b) run(b);
-    return;
-  }
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (std::int64_t b = 0; b < blocks; ++b) run(b);
+  });
 }
 
 }  // namespace assay::mpm

@@ -13,6 +13,7 @@
 #include "mpm/passes_images.hpp"
 #include "mpm/passes_inertia.hpp"
 #include "mpm/passes_mass.hpp"
+#include "mpm/passes_massless.hpp"
 #include "mpm/passes_particle.hpp"
 #include "mpm/passes_remedies.hpp"
 #include "mpm/passes_to_grid.hpp"
@@ -63,6 +64,13 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
       if (setup.has_images()) add(unfold_images_pass<Dim>(reaction, accounts));
     }
   };
+  const bool massless = has_massless_nodes(setup);
+  const auto add_fold_massless = [&](Folded what) {
+    if (massless) add(fold_massless_pass<Dim>(what));
+  };
+  const auto add_unfold_massless = [&] {
+    if (massless) add(unfold_massless_pass<Dim>());
+  };
   const bool body_force = Dim == 2 && setup.body_force;  // lives in the plane
   const Remedies& remedies = setup.remedies;
   const auto add_stress = [&] {
@@ -84,6 +92,7 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
   };
   const auto add_gradient_and_stress = [&] {
     add_fold(Folded::inertia);
+    add_fold_massless(Folded::inertia);
     const bool again = method.update == Update::musl;
     const auto add_of_update = [&](Pass<Dim> pass) {
       pass.effects = {again ? Effect::remapped_velocity : Effect::stress_first};
@@ -91,6 +100,7 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
     };
     add_of_update(grid_velocity_pass<Dim>());
     add_held({});
+    add_unfold_massless();
     add_unfold({}, false);
     add_of_update(velocity_gradient_pass<Dim>());
   };
@@ -140,7 +150,9 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
   if constexpr (loads) {
     if (surface) add(traction_pass(method, *setup.traction, setup.accounts));
   }
-  add_fold(method.update == Update::usf ? Folded::forces : Folded::both);
+  const Folded of_step = method.update == Update::usf ? Folded::forces : Folded::both;
+  add_fold(of_step);
+  add_fold_massless(of_step);
   if constexpr (compiled(Effect::small_mass)) {
     if (remedies.small_mass > 0) add(small_mass_pass<Dim>());
   }
@@ -150,6 +162,7 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
   } else if constexpr (compiled(Effect::mass_matrix)) {
     add(method.has_stages() ? kick_pass<Dim>(method) : mass_matrix_pass<Dim>(method));
   }
+  add_unfold_massless();
   add_unfold(reaction_of(method), setup.accounts);
   if constexpr (loads && compiled(Effect::energy_account)) {
     if (surface && setup.accounts) add(traction_work_pass(setup.traction->algorithm));

@@ -23,6 +23,7 @@ struct KernelState {
   GridField<2 * Dim> motion{};               ///< velocity, acceleration
   std::shared_ptr<void> basis{};             ///< the weights of all particles; its type is known to the kernels
   std::vector<NodeBox<Dim>> reach{};         ///< of the particles of each block
+  std::vector<unsigned char> on_lines{};     ///< whether a particle of each block is; empty where it does not matter
   Column stress_of_forces = Column::stress;  ///< what internal forces are made of
   std::vector<double> block_power{};         ///< of the body force, by block; empty where accounts are not kept [W]
 

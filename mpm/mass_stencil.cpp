@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "mpm/crew.hpp"
 #include "mpm/dimension.hpp"
 
 namespace assay::mpm {
@@ -181,17 +182,15 @@ void MassStencil<Dim>::multiply_piece(const Piece& piece, const GridField<Dim>& 
 
 template <int Dim>
 void MassStencil<Dim>::for_nodes(int threads, const OnNodes& body) const {
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-  for (std::size_t p = 0; p < pieces_.size(); ++p) body(pieces_[p].begin, pieces_[p].end);
+  share_out(threads, pieces_.size(), [&](std::size_t p) { body(pieces_[p].begin, pieces_[p].end); });
 }
 
 template <int Dim>
 void MassStencil<Dim>::multiply(const GridField<Dim>& x, GridField<Dim>& y, int threads, const OnNodes& after) const {
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-  for (std::size_t p = 0; p < pieces_.size(); ++p) {
+  share_out(threads, pieces_.size(), [&](std::size_t p) {
     multiply_piece(pieces_[p], x, y);
     after(pieces_[p].begin, pieces_[p].end);
-  }
+  });
 }
 
 template <int Dim>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/material_batch.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "harness/material_failure.hpp"
+#include "mpm/blocks.hpp"
+#include "mpm/crew.hpp"
 #include "mpm/dimension.hpp"
 
 namespace assay::mpm {
@@ -82,7 +82,7 @@ std::vector<double> MaterialBatches<Dim>::directions(std::size_t begin, std::siz
 
 template <int Dim>
 std::size_t MaterialBatches<Dim>::update(std::size_t begin, std::size_t end, const Instant& now) {
-  const auto thread = static_cast<std::size_t>(omp_get_thread_num());
+  const auto thread = static_cast<std::size_t>(crew_member());
   const Material& material = instances_[instances_.size() == 1 ? 0 : thread];
   BlockOutcome outcome = update_block(columns_, material, begin, end, now, scratch_[thread]);
   const std::size_t bad = FirstOutcome::place(outcome);
@@ -95,12 +95,11 @@ BlockOutcome MaterialBatches<Dim>::update_elsewhere(const Instant& now) {
   const Setup<Dim>& setup = state_->setup;
   const std::size_t blocks = blocks_of(state_->particles);
   const auto threads = static_cast<std::size_t>(setup.threads);
-#pragma omp parallel for schedule(static, 1) num_threads(setup.threads)
-  for (std::size_t k = 0; k < threads; ++k) {
+  share_out(setup.threads, threads, [&](std::size_t k) {
     const std::size_t begin = k * blocks / threads * block_size;
     const std::size_t end = std::min(state_->particles, (k + 1) * blocks / threads * block_size);
     if (begin < end) first_.note(setup.offload->update(k, begin, end, now));
-  }
+  });
   return first_.take();
 }
 

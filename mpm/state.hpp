@@ -3,7 +3,9 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "harness/failed_step.hpp"
 #include "mpm/images.hpp"
@@ -50,6 +52,34 @@ struct UnfoldedSums {
   std::array<double, 3> momentum{}, force{};  ///< [N s], [N]
 };
 
+/// Nodes without mass where particles lie on lines between cells, and those with mass that they go with.
+struct MasslessNodes {
+  struct Share {
+    std::size_t node = 0;
+    double of_mass = 0;  ///< of all those of one node
+  };
+  struct Node {
+    std::size_t node = 0, end = 0;  ///< of its shares, which begin where those of the node before end
+  };
+  std::vector<Node> nodes;
+  std::vector<Share> shares;
+
+  void clear() {
+    nodes.clear();
+    shares.clear();
+  }
+
+  /// body(node, shares)
+  template <class Body>
+  void each(const Body& body) const {
+    std::size_t begin = 0;
+    for (const Node& one : nodes) {
+      body(one.node, std::span(shares).subspan(begin, one.end - begin));
+      begin = one.end;
+    }
+  }
+};
+
 template <int Dim>
 struct State : KernelState<Dim> {
   explicit State(Setup<Dim> s) : KernelState<Dim>{s.method, s.seeds.size()}, setup(std::move(s)) {}
@@ -63,6 +93,7 @@ struct State : KernelState<Dim> {
   std::vector<std::uint32_t> held_nodes;
   Images<Dim> images;                   ///< of symmetry planes and periodic ends; empty without
   UnfoldedSums unfolded;                ///< for the accounts of these
+  MasslessNodes massless;               ///< of this step
   std::shared_ptr<SurfaceLoads> loads;  ///< of tractions; null without
   std::array<ColumnData, 2> history;    ///< material state by block, [c * n + p]: begin and end of the step
   std::vector<TileCopy<Dim>> tile_copies;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/sweep.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
+#include <mutex>
 
+#include "mpm/crew.hpp"
 #include "mpm/dimension.hpp"
 
 namespace assay::mpm {
@@ -72,11 +73,12 @@ Block block_at(std::size_t b, std::size_t particles, double* inertia, double* fo
 
 template <int Dim>
 void run_blocks(State<Dim>& s, Group& group, bool scatters, std::array<double, most_kernels>& seconds) {
+  std::mutex adding;
   if (scatters) {
     for_tiles(s, s.inertia.data(), s.force.data(), [&](std::size_t first, std::size_t end, double* m, double* f) {
       std::array<double, most_kernels> mine{};
       for (std::size_t b = first; b < end; ++b) group.run_block(block_at(b, s.particles, m, f), mine);
-#pragma omp critical(assay_seconds)
+      const std::lock_guard lock(adding);
       for (std::size_t k = 0; k < most_kernels; ++k) seconds[k] += mine[k];
     });
     return;
@@ -85,7 +87,7 @@ void run_blocks(State<Dim>& s, Group& group, bool scatters, std::array<double, m
     std::array<double, most_kernels> mine{};
     group.run_block({begin, end, nullptr, nullptr}, mine);
     if (begin / block_size % timed_block != 0) return;
-#pragma omp critical(assay_seconds)
+    const std::lock_guard lock(adding);
     for (std::size_t k = 0; k < most_kernels; ++k) seconds[k] += mine[k];
   });
 }
@@ -131,18 +133,21 @@ void for_tiles(State<Dim>& s, double* inertia, double* force, const TileBody& bo
     if (inertia) move_nodes<Dim>(inertia, copy.inertia.data(), nodes, s.setup.grid, GridField<Dim + 1>::stride);
     if (force) move_nodes<Dim>(force, copy.force.data(), nodes, s.setup.grid, GridField<Dim>::stride);
   };
-  const int team = static_cast<int>(s.tile_copies.size());
-#pragma omp parallel for ordered schedule(static, 1) num_threads(team) if (team > 1)
-  for (std::size_t k = 0; k < tiles; ++k) {
-    TileCopy<Dim>& copy = s.tile_copies[static_cast<std::size_t>(omp_get_thread_num())];
-    if (k == 0) {
-      run_tile(0, inertia, force);
-    } else {
-      run_tile(k, copy.inertia.data(), copy.force.data());
+  std::atomic<std::uint32_t> next{0}, added{0};  // tiles
+  with_crew(static_cast<int>(s.tile_copies.size()), [&](int member) {
+    TileCopy<Dim>& copy = s.tile_copies[static_cast<std::size_t>(member)];
+    for (std::uint32_t k = next++; k < tiles; k = next++) {
+      if (k == 0) {
+        run_tile(0, inertia, force);
+      } else {
+        run_tile(k, copy.inertia.data(), copy.force.data());
+      }
+      await(added, k);  // in their order
+      if (k > 0) add_up(k, copy);
+      added.store(k + 1, std::memory_order_release);
+      added.notify_all();
     }
-#pragma omp ordered
-    if (k > 0) add_up(k, copy);
-  }
+  });
 }
 
 template <int Dim>

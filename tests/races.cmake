@@ -4,11 +4,12 @@
 if(NOT ASSAY_SANITIZE MATCHES "thread")
   return()
 endif()
-add_executable(test_races harness/test_parallel.cpp harness/test_point_driver.cpp mpm/test_blocks.cpp
+add_executable(test_races harness/test_parallel.cpp harness/test_point_driver.cpp mpm/test_blocks.cpp mpm/test_crew.cpp
   mpm/test_material_batch.cpp mpm/test_stress_blocks.cpp mpm/test_sweep.cpp)
 target_link_libraries(test_races PRIVATE assay_mpm_3d assay_mpm assay_adapters assay_options GTest::gtest_main)
 target_compile_definitions(test_races PRIVATE ASSAY_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-string(JOIN ":" threaded "Parallel.*" "Blocks.*" "Offload.*" "*NumberOfThreads" "*NumberOfThreads/linear_*"
+string(JOIN ":" threaded "Parallel.*" "Blocks.*" "Crew.TakesEach*" "Crew.Members*" "Crew.Helpers*"
+  "Offload.*" "*NumberOfThreads" "*NumberOfThreads/linear_*"
   "*NumberOfThreads/cpdi_*" "*NumberOfThreads/bspline3_*" "Sweep.T*" "MaterialBatches.GiveBit*"
   "MaterialBatches.AnInstance*" "MaterialBatches.ARefused*")
 gtest_discover_tests(test_races DISCOVERY_TIMEOUT 60 TEST_PREFIX Races/ TEST_FILTER "${threaded}")

@@ -46,7 +46,11 @@ std::size_t place(KernelState<Dim>& s, const Block& block, const Instant&) {
   for (std::size_t p = block.begin; p < block.end; ++p) {
     if (!place_particle<B>(s, basis, p, total, own_domain) && bad == none_bad) bad = p;
   }
-  basis.reach(block.begin, block.end, s.reach[block.begin / block_size]);
+  const std::size_t b = block.begin / block_size;
+  basis.reach(block.begin, block.end, s.reach[b]);
+  if constexpr (requires { basis.has_on_line(block.begin, block.end); }) {
+    if (!s.on_lines.empty()) s.on_lines[b] = basis.has_on_line(block.begin, block.end) ? 1 : 0;
+  }
   return bad;
 }
 

@@ -23,7 +23,8 @@ namespace {
 using mpm::Column;
 using mpm::Effect;
 
-const std::set<std::string> spine_passes{"weights", "particles_to_grid", "grid_update", "grid_to_particles", "stress"};
+const std::set<std::string> spine_passes{"weights",         "particles_to_grid", "fold_massless", "grid_update",
+                                         "unfold_massless", "grid_to_particles", "stress"};
 const std::set<std::string> spine_columns{
     "reference_position", "position", "velocity", "mass", "volume", "deformation_gradient", "stress", "weights",
     "velocity_gradient"};

@@ -115,10 +115,11 @@ TEST(DyingRun, IsToldWhatLivesThroughMore) {
   const std::string recommended =
       "method={basis: bspline2, formulation: total, transfer: aflip, mass: series, terms: 4, integrator: leapfrog, ";
   EXPECT_NE(advice({}).find(recommended.substr(8, 60)), std::string::npos) << advice({});
-  EXPECT_TRUE(advice({recommended + "courant: 0.8}"}).starts_with("method.courant 0.4"));
+  const auto holds = [](const std::string& text, const std::string& part) { return text.find(part) != text.npos; };
+  EXPECT_TRUE(holds(advice({recommended + "courant: 0.8}"}), "(method.courant: 0.4)"));
   EXPECT_EQ(advice({recommended + "courant: 0.4}"}), "");
   EXPECT_TRUE(
-      advice({recommended + "courant: 0.4}", "remedies.anti_locking=cell"}).starts_with("remedies.anti_locking: none"));
+      holds(advice({recommended + "courant: 0.4}", "remedies.anti_locking=cell"}), "(remedies.anti_locking: none)"));
 }
 
 TEST(DyingRun, LeavesTheLastGoodParticlesAndASceneOfTheEnd) {
