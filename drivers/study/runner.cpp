@@ -116,6 +116,7 @@ class Runner {
       const auto lock = store_.lock(one);
       if (lock) {
         report_.waits = false;
+        if (need_not_run(one, store_.state_of(one.key))) return keep(one);
         if (!kept(one)) run_alone(one);
         return;
       }

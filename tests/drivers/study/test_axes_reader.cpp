@@ -88,8 +88,8 @@ TEST(AxesReader, BadSpansAreRefused) {
       {"{from: -1, to: 1, log: true}", "22: axes.grid.spacing: a logarithmic span begins above 0"},
       {"{from: a, to: 1}", "29: axes.grid.spacing.from: must be a number, found 'a'"},
       {"{from: 1, to: .inf}", "36: axes.grid.spacing.to: must be a finite number, found '.inf'"},
-      {"{from: 1, to: 2, log: 1}", "44: axes.grid.spacing.log: must be true or false, found '1'"},
-      {"{from: 1, to: 2, whole: yes}", "46: axes.grid.spacing.whole: must be true or false, found 'yes'"},
+      {"{from: 1, to: 2, log: 1}", "44: axes.grid.spacing.log: must be true or false, found '1': write true"},
+      {"{from: 1, to: 2, whole: yes}", "46: axes.grid.spacing.whole: must be true or false, found 'yes': write true"},
       {"{from: 1, to: 2, step: 1}", "39: axes.grid.spacing.step: unknown key; known: from, to, log, whole"},
       {"{from: 1.5, to: 2, whole: true}", "29: axes.grid.spacing.from: must be a whole number, found '1.5'"},
       {"{from: 1, to: 2.5, whole: true}", "36: axes.grid.spacing.to: must be a whole number, found '2.5'"},
@@ -106,7 +106,7 @@ TEST(AxesReader, BadSpansAreRefused) {
 
 TEST(AxesReader, BadAxesAreRefused) {
   const std::pair<const char*, const char*> axes[] = {
-      {"[grid.spacing]", "7: axes: must be a map of keys, found a list; known: names of axes"},
+      {"[grid.spacing]", "7: axes: must be a map of keys, found a list: its keys stand without '-' and brackets; known: names of axes"},
       {"{grid.spacing: []}", "22: axes.grid.spacing: has no values"},
       {"{method: {}}", "16: axes.method: has no values"},
       {"{grid.spacing: 0.5}",

@@ -87,8 +87,8 @@ TEST(Plan, ASeriesWithoutOtherAxesIsAll) {
 
 TEST(Plan, ALabelIsOneLine) {
   const Plan plan = planned_of(StudyFolder(), "axes: {method: {\"a\\nb\\tc\\e[31m\": {}}}\n");
-  EXPECT_EQ(plan.cases[0].label, "a b c [31m");
-  EXPECT_EQ(plan.cases[0].series, "a b c [31m");
+  EXPECT_EQ(plan.cases[0].label, "a b c<U+001B>[31m");
+  EXPECT_EQ(plan.cases[0].series, "a b c<U+001B>[31m");
 }
 
 TEST(Plan, ThreadsAreAnAxisOrSetOfAll) {
@@ -156,7 +156,7 @@ TEST(Plan, FaultsOfTheSceneAreToldThere) {
   EXPECT_EQ(plan_refusal(folder, "axes: {grid.spacing: [0.75]}\n"),
             "s.yaml:8:13: time.end: must be a number, found 'never' (case: grid.spacing=0.75)");
   folder.scratch().write("s.yaml", "motion: [\n");
-  EXPECT_TRUE(plan_refusal(folder, "axes: {grid.spacing: [0.75]}\n").starts_with("s.yaml:2:1: "));
+  EXPECT_TRUE(plan_refusal(folder, "axes: {grid.spacing: [0.75]}\n").starts_with("s.yaml:1:9: "));
   folder.scratch().write("s.yaml",
                          "motion: {type: vortex}\nmaterial: {adapter: neo_hookean, parameters: {E: 1}, "
                          "density: 1}\n");

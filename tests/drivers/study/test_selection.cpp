@@ -66,7 +66,7 @@ TEST(Selection, ACaseWithoutAValueOnTheAxisFulfilsNoneOfAlone) {
 
 TEST(Selection, WhatIsNoConditionIsRefused) {
   const std::pair<const char*, const char*> maps[] = {
-      {"[a]", "f:1:1: where: must be a map of keys, found a list; known: axes of the study"},
+      {"[a]", "f:1:1: where: must be a map of keys, found a list: its keys stand without '-' and brackets; known: axes of the study"},
       {"{a: {}}", "f:1:5: where.a: must hold exactly one operator; known: below, above, between, not"},
       {"{a: {below: 1, above: 0}}",
        "f:1:5: where.a: must hold exactly one operator; known: below, above, between, not"},
@@ -74,8 +74,8 @@ TEST(Selection, WhatIsNoConditionIsRefused) {
       {"{a: {beloww: 1}}", "f:1:6: where.a.beloww: unknown key (nearest: below); known: below, above, between, not"},
       {"{a: {below: b}}", "f:1:13: where.a.below: must be a number, found 'b'"},
       {"{a: {above: .nan}}", "f:1:13: where.a.above: must be a finite number, found '.nan'"},
-      {"{a: {between: 1}}", "f:1:15: where.a.between: must be a list of 2 numbers, found '1'"},
-      {"{a: {between: [1]}}", "f:1:15: where.a.between: must be a list of 2 numbers, found 1"},
+      {"{a: {between: 1}}", "f:1:15: where.a.between: must be a list of 2 numbers, found '1': write [1, 1]"},
+      {"{a: {between: [1]}}", "f:1:15: where.a.between: must be a list of 2 numbers, found 1 in it"},
       {"{a: {between: [1, b]}}", "f:1:19: where.a.between[1]: must be a number, found 'b'"},
       {"{a: {between: [2, 1]}}", "f:1:15: where.a.between: the first must not exceed the second"},
       {"{a: []}", "f:1:5: where.a: names no value"},
