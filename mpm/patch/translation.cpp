@@ -100,7 +100,7 @@ std::vector<std::pair<std::string, Course>> courses_on_lines(const Bench& bench,
   const double still = time_step(bench, across, slow);
   // so fast that the waves hardly move in a step
   const double speed = 8 * bench.wave_speed, dt = quarter / (across * speed);
-  constexpr int steps = 19;  // through nearly five cells
+  constexpr int steps = 11;  // through nearly three cells
   return {{"from lines", {{slow, -slow}, {quarter, 0}, still, 1}},
           {"from lines along the other axis", {{slow, -slow}, {0, -quarter}, still, 1}},
           {"from crossings", {{slow, slow}, {quarter, quarter}, still, 1}},
