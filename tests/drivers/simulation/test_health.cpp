@@ -124,7 +124,9 @@ TEST(DyingRun, IsToldWhatLivesThroughMore) {
 
 TEST(DyingRun, LeavesTheLastGoodParticlesAndASceneOfTheEnd) {
   const ScratchFolder scratch;
-  EXPECT_EQ(run(quiet_run("paper/vortex_cpdi", scratch / "dead", dying)), 1);
+  std::vector<std::string> shown = dying;
+  shown.emplace_back("output.particles=1");
+  EXPECT_EQ(run(quiet_run("paper/vortex_cpdi", scratch / "dead", shown)), 1);
   const auto dead = result_in(scratch / "dead");
   ASSERT_EQ(dead["outcome"], "unstable");
   EXPECT_EQ(dead["last_good"], "last_good.vtu");

@@ -106,7 +106,8 @@ TEST(AxesReader, BadSpansAreRefused) {
 
 TEST(AxesReader, BadAxesAreRefused) {
   const std::pair<const char*, const char*> axes[] = {
-      {"[grid.spacing]", "7: axes: must be a map of keys, found a list: its keys stand without '-' and brackets; known: names of axes"},
+      {"[grid.spacing]",
+       "7: axes: must be a map of keys, found a list: its keys stand without '-' and brackets; known: names of axes"},
       {"{grid.spacing: []}", "22: axes.grid.spacing: has no values"},
       {"{method: {}}", "16: axes.method: has no values"},
       {"{grid.spacing: 0.5}",

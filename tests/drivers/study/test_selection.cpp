@@ -66,7 +66,9 @@ TEST(Selection, ACaseWithoutAValueOnTheAxisFulfilsNoneOfAlone) {
 
 TEST(Selection, WhatIsNoConditionIsRefused) {
   const std::pair<const char*, const char*> maps[] = {
-      {"[a]", "f:1:1: where: must be a map of keys, found a list: its keys stand without '-' and brackets; known: axes of the study"},
+      {"[a]",
+       "f:1:1: where: must be a map of keys, found a list: its keys stand without '-' and brackets; known: axes of the "
+       "study"},
       {"{a: {}}", "f:1:5: where.a: must hold exactly one operator; known: below, above, between, not"},
       {"{a: {below: 1, above: 0}}",
        "f:1:5: where.a: must hold exactly one operator; known: below, above, between, not"},

@@ -127,10 +127,9 @@ TEST(StudyReader, TheShippedStudiesAreRead) {
 TEST(StudyReader, WhatIsNoMapIsRefused) {
   EXPECT_EQ(refusal_of([] { study_from_text("", "f"); }), "f: empty");
   EXPECT_EQ(refusal_of([] { study_from_text("# nothing\n", "f"); }), "f: empty");
-  EXPECT_TRUE(
-      refusal_of([] {
-        study_from_text("[1]\n", "f");
-      }).starts_with("f:1:1: must be a map of keys, found a list: its keys stand without '-' and brackets; known: title, question, "));
+  EXPECT_TRUE(refusal_of([] { study_from_text("[1]\n", "f"); })
+                  .starts_with("f:1:1: must be a map of keys, found a list: its keys stand without '-' and brackets; "
+                               "known: title, question, "));
   EXPECT_TRUE(refusal_of([] { study_from_text("a: [\n", "f"); }).starts_with("f:1:4: ")) << "of the YAML reader";
   EXPECT_TRUE(refusal_of([] { study_from_text("title: a\ntitle: b\n", "f"); }).starts_with("f:2:1: title: "))
       << "duplicate keys";
@@ -274,7 +273,8 @@ TEST(StudyReader, SamplingIsOneOfThree) {
   EXPECT_EQ(refused_after_axes("sampling: random\n"),
             "study.yaml:3:11: sampling: unknown value 'random'; known: product, list");
   EXPECT_EQ(refused_after_axes("sampling: [list]\n"),
-            "study.yaml:3:11: sampling: must be a map of keys, found a list: its keys stand without '-' and brackets; known: product, list, or a map of "
+            "study.yaml:3:11: sampling: must be a map of keys, found a list: its keys stand without '-' and brackets; "
+            "known: product, list, or a map of "
             "latin_hypercube and seed");
   EXPECT_EQ(refused_after_axes("sampling: {seed: 3}\n"),
             "study.yaml:3:11: sampling.latin_hypercube: required and not given");
