@@ -36,6 +36,10 @@ void try_library(const std::string& path);
 /// The table of that name; an empty name stands for the only one. Throws LibraryError.
 const assay_material* table_of_library(const std::string& path, const std::string& name);
 
+/// Of the libraries behind this program the first function of that name, for one of ours that stands before it; null:
+/// none.
+void* next_function(const char* name);
+
 /// What file_of() says of a model that is built into this program.
 inline constexpr const char* own_file = "/proc/self/exe";
 

@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "drivers/input_error.hpp"
+#include "drivers/interrupt.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/unseen.hpp"
 
@@ -60,7 +61,10 @@ std::string bytes_of(int descriptor, const Location& where, std::size_t limit) {
   char buffer[1 << 16];
   for (;;) {
     const ssize_t n = ::read(descriptor, buffer, sizeof buffer);
-    if (n < 0 && errno == EINTR) continue;
+    if (n < 0 && errno == EINTR) {
+      stop_if_interrupted();
+      continue;
+    }
     if (n < 0) throw InputError(where, "", because());
     if (n == 0) return bytes;
     bytes.append(buffer, static_cast<std::size_t>(n));

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <pthread.h>
 #include <unistd.h>
@@ -7,6 +6,7 @@
 #include <cstdlib>
 #include <initializer_list>
 
+#include "adapters/library.hpp"
 #include "drivers/command_line.hpp"
 #include "drivers/exit_guard.hpp"
 #include "drivers/supervisor.hpp"
@@ -22,7 +22,7 @@ extern "C" [[gnu::visibility("default")]] void _Exit(int status) noexcept {
 extern "C" [[gnu::visibility("default")]] void pthread_exit(void* value) {
   assay::drivers::leave_thread_guarded();
   using Exit = void (*)(void*);
-  reinterpret_cast<Exit>(::dlsym(RTLD_NEXT, "pthread_exit"))(value);
+  reinterpret_cast<Exit>(assay::adapters::next_function("pthread_exit"))(value);
   ::abort();  // it does not come back
 }
 

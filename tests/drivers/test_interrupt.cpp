@@ -83,11 +83,13 @@ bool sleeps(pid_t process) {
   return line.find("(assay) S ") != line.npos;
 }
 
-// A pipe without a writer: as the scene, as the points, as the description of the material.
+// A stream into which nobody writes: as the scene, as the points, as the description of the material.
 TEST(Interrupt, ends_a_read_that_waits_for_ever) {
   const ScratchFolder scratch;
-  const std::string pipe = scratch / "pipe.yaml", scene = ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml";
-  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  const std::string pipe = "/dev/fd/" + std::to_string(ends[0]);
+  const std::string scene = ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml";
   const std::vector<std::vector<std::string>> calls{
       {"run", pipe, "-o", scratch / "out"},
       {"tabulate", pipe, "-o", scratch / "out"},
@@ -109,6 +111,7 @@ TEST(Interrupt, ends_a_read_that_waits_for_ever) {
     EXPECT_EQ(bytes_of(scratch / "said"), "") << words[0];
     EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
   }
+  ::close(ends[0]), ::close(ends[1]);
 }
 
 TEST(InterruptDeathTest, ignored_signals_stay_ignored) {
