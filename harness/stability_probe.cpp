@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "harness/checked_update.hpp"
+#include "harness/stable_norm.hpp"
 
 namespace assay {
 
@@ -61,13 +62,13 @@ void StabilityProbe::look_at_rest() {
   const double dt = share_of_end * end_;
   const auto probed = [&](double step, double size) { return modulus_of(material_, 0, step, I, I, state, size); };
   const TangentModulus one = probed(dt, fine.difference), other = probed(dt, 3 * fine.difference);
-  const double noise = (one - other).stableNorm() / one.stableNorm();
+  const double noise = stable_norm(one - other) / stable_norm(one);
   if (!(noise < coarse_noise)) steps_ = coarse;
   const double size = std::max(rest_difference, steps_.difference);
   TangentModulus A = probed(dt, size);
   noise_floor_ = neutral_threshold * largest_acoustic_eigenvalue(A).value;
   if (steps_.difference == coarse.difference) {
-    noise_floor_ = std::max(noise_floor_, 10 * (A - probed(dt, 3 * size)).stableNorm());
+    noise_floor_ = std::max(noise_floor_, 10 * stable_norm(A - probed(dt, 3 * size)));
   }
   // A viscous stress adds A_v / dt: it carries no wave, and two steps tell it from an elastic one
   if (material_.has(ASSAY_RATE_DEPENDENT)) A = 2 * probed(2 * dt, size) - A;

@@ -10,6 +10,7 @@
 #include "harness/check/samples.hpp"
 #include "harness/check/share_along.hpp"
 #include "harness/check/tangent_conventions.hpp"
+#include "harness/stable_norm.hpp"
 
 namespace assay::check {
 
@@ -146,7 +147,7 @@ double error_at_equal_stretches(Specimen specimen, double amplitude, const assay
     if (!given->allFinite()) return INFINITY;
     // Flow has no direction without a deviator: an implicit law may leave out what it would bring.
     const bool aimless =
-        specimen.rate_dependent() && deviator(s.end.cauchy).stableNorm() <= own_precision * s.end.cauchy.stableNorm();
+        specimen.rate_dependent() && stable_norm(deviator(s.end.cauchy)) <= own_precision * stable_norm(s.end.cauchy);
     if (material.has(ASSAY_NON_SMOOTH) || aimless) continue;
     const auto stress = [&](const Tensor& F) { return stepped(material, s.t, s.dt, s.F0, F, s.state0).cauchy; };
     try {

@@ -12,6 +12,7 @@
 #include "harness/check/strain_cycle.hpp"
 #include "harness/check/viscosity.hpp"
 #include "harness/check/work.hpp"
+#include "harness/stable_norm.hpp"
 
 namespace assay::check {
 
@@ -60,7 +61,7 @@ double growth_while_held(const Specimen& specimen, double from, int a_decade) {
     const double dt = (ratio - 1) * t;
     now = stepped(material, t, dt, F, F, now.state);
     t += dt;
-    const double size = deviator(now.cauchy).stableNorm();
+    const double size = stable_norm(deviator(now.cauchy));
     least = std::min(least, size), largest = std::max(largest, size);
     growth = std::max(growth, size - least);
   }
@@ -123,7 +124,7 @@ void judge_long_steps(const Specimen& specimen, double sudden, TestResult& resul
     return Tensor(found + specimen.rest_pressure() * Tensor::Identity());
   };
   const auto size = [](const Tensor& found) {
-    return std::pair(deviator(found).stableNorm(), std::abs(found.trace()));
+    return std::pair(stable_norm(deviator(found)), std::abs(found.trace()));
   };
   try {
     const auto [shear, pressure] = size(stress(sudden));

@@ -8,6 +8,7 @@
 #include "harness/check/loading.hpp"
 #include "harness/check/rigid_turn.hpp"
 #include "harness/check/state_variable.hpp"
+#include "harness/stable_norm.hpp"
 
 namespace assay::check {
 
@@ -190,7 +191,7 @@ TestResult revolutions(const Specimen& specimen) {
                         1 + turns};
   const AngleOf angle_at = [](double t) { return 2 * std::numbers::pi * std::max(0.0, t - 1); };
   const Twins twins = march_twins(specimen, loading, angle_at, steps);
-  const double still = twins.still.marks.back().cauchy.stableNorm(), seen = twins.seen.marks.back().cauchy.stableNorm();
+  const double still = stable_norm(twins.still.marks.back().cauchy), seen = stable_norm(twins.seen.marks.back().cauchy);
   const double growth = std::abs(seen - still) / std::max({still, 1e-6 * twins.still.largest, specimen.least_stress()});
   constexpr double most = 1e-3;  // 800 steps in single precision
   TestResult result{.id = "rotation.revolutions", .measure = growth, .threshold = most, .step = twins.seen.last};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/check/stiffness_axes.hpp"
 
+#include "harness/stable_norm.hpp"
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
@@ -133,7 +135,7 @@ Tensor minimum_from(const Tensor& axes, const OfAxes& numbers, int most_steps) {
 std::vector<Tensor> best_axes(const Stiffness& M, const Projector& off) {
   constexpr int places = 48, most_steps = 60;
   static const std::array<Stiffness, 3> spins{spin_in_mandel(0), spin_in_mandel(1), spin_in_mandel(2)};
-  const double size = M.stableNorm();
+  const double size = stable_norm(M);
   const auto seen_from = [&](const Tensor& axes) {
     const Stiffness K = rotation_in_mandel(axes);
     return Stiffness(K.transpose() * M * K / size);

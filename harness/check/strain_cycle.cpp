@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "harness/check/work.hpp"
+#include "harness/stable_norm.hpp"
 
 namespace assay::check {
 
@@ -31,7 +32,7 @@ std::optional<double> yield_strain(const Specimen& specimen, const Tensor& D1) {
   const auto share = [&](double strain) {  // of the deviator that the stiffness at rest makes
     const Tensor F = Tensor::Identity() + strain * D1;
     const Tensor sigma = stepped(*specimen.material, 0, 1, Tensor::Identity(), F, specimen.rest_state()).cauchy;
-    return deviator(sigma).stableNorm() / deviator(stress_of(specimen.stiffness, strain * D1)).stableNorm();
+    return stable_norm(deviator(sigma)) / stable_norm(deviator(stress_of(specimen.stiffness, strain * D1)));
   };
   double lower = little * specimen.onset, upper = specimen.amplitude;
   if (share(upper) > 1 - left || share(lower) < 1 - left) return std::nullopt;
@@ -53,9 +54,9 @@ double out_of_a_cycle(const Specimen& specimen, const Plane& plane, double yield
   };
   for (int k = 1; k <= steps; ++k) to(beyond * k / steps, 0);
   const double before = work.done();
-  const double shear = deviator(work.stress()).stableNorm();
+  const double shear = stable_norm(deviator(work.stress()));
   constexpr double least_shear = 1e-6;  // of the stress: what has only a pressure, as a gas, does not yield
-  if (!(shear > least_shear * work.stress().stableNorm())) return 0;
+  if (!(shear > least_shear * stable_norm(work.stress()))) return 0;
   const double once_more = shear * yield;
   for (int k = 1; k <= steps; ++k) {
     const double angle = std::numbers::pi * k / steps;

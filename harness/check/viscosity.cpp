@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "harness/check/judge.hpp"
+#include "harness/stable_norm.hpp"
 
 namespace assay::check {
 
@@ -28,8 +29,8 @@ double least_power_of_motion(const Specimen& specimen, double time) {
         const Tensor moved = stepped(material, 0, dt, F0, F1, specimen.rest_state()).cauchy;
         const Tensor held = stepped(material, 0, dt, F1, F1, specimen.rest_state()).cauchy;
         const Tensor more = moved - held;
-        const double size = more.stableNorm();
-        if (size < noticed * (moved.stableNorm() + held.stableNorm()) || size < specimen.least_stress()) continue;
+        const double size = stable_norm(more);
+        if (size < noticed * (stable_norm(moved) + stable_norm(held)) || size < specimen.least_stress()) continue;
         least = std::min(least, (more / size).cwiseProduct(d).sum() / d.norm());
       }
     }
