@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <deque>
 
 #include "harness/check/battery.hpp"
 #include "tests/harness/check/model_table.hpp"
@@ -168,7 +169,8 @@ const Subject& named(const std::vector<Subject>& all, const std::string& name) {
 
 /// Tables live as long as the process.
 Subject disturbed(const Subject& good, const char* name, Deed deed, const std::string& cause) {
-  auto* table = new Disturbed{};
+  static auto* const tables = new std::deque<Disturbed>;
+  Disturbed* table = &tables->emplace_back();
   const assay_material& inner = good.material.table();
   static_cast<assay_material&>(*table) = inner;
   table->inner = &inner;
