@@ -8,6 +8,7 @@
 #include "adapters/worker/call_arrays.hpp"
 #include "adapters/worker/servant.hpp"
 #include "harness/history_task.hpp"
+#include "harness/progress_mark.hpp"
 #include "harness/vortex.hpp"
 
 namespace assay::adapters::test_fenced_model {
@@ -63,6 +64,9 @@ struct Ground {
     control.memory_limit = std::uint64_t{1} << 40;
     watch_process(control);
   }
+  Ground(const Ground&) = delete;
+  Ground& operator=(const Ground&) = delete;
+  ~Ground() { point_mark = nullptr; }
   HistoryTrail history() {
     const Material material(&table, {});
     const Course course(material, path, 0.3);
