@@ -40,7 +40,7 @@ fs::path folder_on_path() {
   const std::string path = value ? value : "";
   for (std::size_t begin = 0; begin < path.size();) {
     const std::size_t colon = std::min(path.find(':', begin), path.size());
-    const fs::path folder = path.substr(begin, colon - begin);
+    fs::path folder = path.substr(begin, colon - begin);
     std::error_code ignored;
     if (folder.is_absolute() && fs::is_regular_file(folder / program_name, ignored)) return folder;
     begin = colon + 1;

@@ -148,7 +148,8 @@ class SeparableBasis : public OneParticle<Derived, Dim> {
       constexpr std::size_t lanes = 8;
       Extremes<lanes> found(1);
       const auto include = [&](std::size_t l, double along) {
-        const double off = along - static_cast<std::int32_t>(along + 0.5);
+        const double beyond = along + 0.5;
+        const double off = along - static_cast<std::int32_t>(beyond);
         found.include(l, off < 0 ? -off : off);
       };
       std::size_t p = begin;

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <deque>
 #include <memory>
+#include <new>
 #include <system_error>
 #include <thread>
 
@@ -87,7 +88,7 @@ class Crew {
 
   ~Crew() {
     if (in_part || !is_of_this_process()) {  // threads that cannot be joined are left
-      static_cast<void>(new std::vector<std::thread>(std::move(helpers_)));
+      static_cast<void>(new (std::nothrow) std::vector<std::thread>(std::move(helpers_)));
       return;
     }
     work_->over = true;
