@@ -102,7 +102,7 @@ std::size_t decode(std::string_view text, std::size_t at, std::uint32_t& code) {
   return length;
 }
 
-/// Calls take(code, bytes) for each character, with code 0xFFFFFFFF for a byte that is none.
+/// Calls take(code, bytes) for each character. A byte that belongs to no character has the code 0xFFFFFFFF.
 template <class Take>
 void for_each_character(std::string_view text, const Take& take) {
   for (std::size_t at = 0; at < text.size();) {

@@ -2,12 +2,12 @@
 #include "drivers/scene/scene_check.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/scene/body_box.hpp"
+#include "drivers/scene/motion_check.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/unseen.hpp"
 #include "mpm/patch/methods.hpp"
@@ -16,99 +16,14 @@ namespace assay::drivers {
 
 namespace {
 
-using Where = std::function<Location(const std::string&)>;
-
-[[noreturn]] void refuse(const Where& where, const std::string& key, const std::string& what) {
-  throw InputError(where(key), key, what);
-}
-
 std::string text(const std::array<double, 2>& p) { return "[" + number_text(p[0]) + ", " + number_text(p[1]) + "]"; }
 
-void check_motion(const Vortex& vortex, const Scene&, const Where& where) {
-  if (!(vortex.inner < vortex.outer)) {
-    refuse(where, "motion.inner",
-           "must be less than motion.outer, found " + number_text(vortex.inner) + " and " + number_text(vortex.outer));
-  }
-}
-
-/// det F > 0 all along the straight path: checked at many times, to the scene's end.
-void check_motion(const Homogeneous& motion, const Scene& scene, const Where& where) {
-  if (scene.places.contains("motion.interpolation")) {
-    refuse(where, "motion.interpolation", "says what a table of F does between its rows: it comes with motion.path");
-  }
-  if (!scene.places.contains("motion.final")) refuse(where, "motion.final", "required and not given");
-  const double last = std::max(1.0, scene.time.end / motion.period);
-  for (int i = 0; i <= 1000; ++i) {
-    const double s = last * i / 1000;
-    const Tensor F = Tensor::Identity() * (1 - s) + motion.final * s;
-    if (!(F.determinant() > 0)) {
-      refuse(where, "motion.final", "det F <= 0 on the way, at t = " + number_text(s * motion.period));
-    }
-  }
-  const Tensor& F = motion.final;
-  const bool plane = F(0, 2) == 0 && F(1, 2) == 0 && F(2, 0) == 0 && F(2, 1) == 0 && F(2, 2) == 1;
-  if (scene.method && !plane) {
-    refuse(where, "motion.final", "the method is plane strain: components 13, 23, 31, 32 must be 0 and 33 must be 1");
-  }
-}
-
-void check_motion(const TwistingRing& motion, const Scene&, const Where& where) {
-  const double ri = motion.inner(), ro = motion.outer();
-  if (!(ri < ro)) {
-    refuse(where, "motion.inner",
-           "must be less than motion.outer, found " + number_text(ri) + " and " + number_text(ro));
-  }
-  if (std::abs(ro - 3 * ri) <= 1e-9 * ro) {
-    refuse(where, "motion.outer", "must not be 3 times motion.inner: no cubic U then moves the outer face");
-  }
-  constexpr int looks = 200;
-  for (int k = 0; k <= looks; ++k) {  // det F = rho' rho/R
-    const double R = ri + (ro - ri) * k / looks;
-    const TwistingRing::Radial u = motion.radial(R);
-    const double most = std::abs(motion.expansion) * std::max(std::abs(u.slope), std::abs(u.U) / R);
-    if (most < 1) continue;
-    refuse(where, "motion.expansion",
-           "det F <= 0 on the way, at R = " + number_text(R) + ": must be less in size than " +
-               rounded_text(std::abs(motion.expansion) / most, 4) + " there, found " + number_text(motion.expansion));
-  }
-}
-
-void check_motion(const AxisAligned& motion, const Scene&, const Where& where) {
-  if (motion.amplitude.type != Amplitude::Type::sine) {
-    refuse(where, "motion.amplitude.type", "is sine of this motion, whose T is 1/c");
-  }
-  if (!(std::abs(motion.amplitude.peak) < 1 / std::numbers::pi)) {
-    refuse(where, "motion.amplitude.peak",
-           "must be less than 1/pi in size, for det F > 0, found " + number_text(motion.amplitude.peak));
-  }
-}
-
-void check_motion(const Rigid& motion, const Scene&, const Where& where) {
-  if (motion.axis == Vector3::Zero()) refuse(where, "motion.axis", "must not be zero");
-}
-
-void check_motion(const RotatingStretch& motion, const Scene&, const Where& where) {
-  if (motion.axis == Vector3::Zero()) refuse(where, "motion.axis", "must not be zero");
-}
-
-/// The file's own check was made when it was read.
-void check_motion(const DeformationTable& motion, const Scene& scene, const Where& where) {
-  if (scene.places.contains("motion.final")) {
-    refuse(where, "motion.final", "does not come with motion.path, which says what F is at all times");
-  }
-  if (scene.time.end > motion.last()) {
-    refuse(where, "time.end",
-           "must not exceed the last time of motion.path, " + number_text(motion.last()) + ", found " +
-               number_text(scene.time.end));
-  }
-}
-
 void check_corners(const std::array<double, 2>& lower, const std::array<double, 2>& upper, const std::string& section,
-                   const Where& where) {
+                   const KeyPlace& where) {
   for (std::size_t i = 0; i < 2; ++i) {
     if (lower[i] < upper[i]) continue;
-    refuse(where, section + ".lower",
-           "must be less than " + section + ".upper, found " + text(lower) + " and " + text(upper));
+    refuse_at(where, section + ".lower",
+              "must be less than " + section + ".upper, found " + text(lower) + " and " + text(upper));
   }
 }
 
@@ -117,116 +32,119 @@ bool is_node(double x, double h) {
   return std::abs(x / h - std::round(x / h)) <= rounding;
 }
 
-void check_gauss_lattice(const Scene& scene, const Where& where) {
+void check_gauss_lattice(const Scene& scene, const KeyPlace& where) {
   const std::string points = "Gauss points integrate over whole cells of the grid, ";
   const Body& body = scene.body;
   if (body.domain == Body::Domain::ring) {
-    refuse(where, "body.lattice", points + "which a ring's edges cut: take a square or a box");
+    refuse_at(where, "body.lattice", points + "which a ring's edges cut: take a square or a box");
   }
   if (scene.frame && scene.frame->angle != 0) {
-    refuse(where, "body.lattice", points + "and frame.angle turns the body against these");
+    refuse_at(where, "body.lattice", points + "and frame.angle turns the body against these");
   }
   for (std::size_t d = 0; scene.grid && d < 2; ++d) {
     const double h = scene.grid->spacing;
-    if (scene.grid->offset[d] != 0) refuse(where, "grid.offset", points + "and the offset cuts these");
+    if (scene.grid->offset[d] != 0) refuse_at(where, "grid.offset", points + "and the offset cuts these");
     if (is_node(body.lower[d], h) && is_node(body.upper[d], h)) continue;
-    refuse(where, "body.lattice",
-           points + "and the body's corners " + text(body.lower) + " and " + text(body.upper) +
-               " are no multiples of grid.spacing, " + number_text(h));
+    refuse_at(where, "body.lattice",
+              points + "and the body's corners " + text(body.lower) + " and " + text(body.upper) +
+                  " are no multiples of grid.spacing, " + number_text(h));
   }
   using enum mpm::Basis;
   if (!scene.method) return;
   const auto basis = scene.method->basis;
   const std::string name = mpm::names_of(*scene.method).basis;
   if (basis != linear && !mpm::is_spline(basis)) {
-    refuse(where, "body.lattice",
-           "Gauss points are not the centres of domains that fill their cell, which " + name +
-               " needs: take linear, bspline2, bspline3 or bspline4");
+    refuse_at(where, "body.lattice",
+              "Gauss points are not the centres of domains that fill their cell, which " + name +
+                  " needs: take linear, bspline2, bspline3 or bspline4");
   }
 }
 
-void check_jittered_lattice(const Scene& scene, const Where& where) {
+void check_jittered_lattice(const Scene& scene, const KeyPlace& where) {
   if (!scene.method) return;
   const auto basis = scene.method->basis;
   if (basis != mpm::Basis::cpdi && basis != mpm::Basis::cpdi2) return;
-  refuse(where, "body.lattice",
-         "particles of " + mpm::names_of(*scene.method).basis +
-             " share the edges of their domains, which would overlap and leave gaps: take another basis");
+  refuse_at(where, "body.lattice",
+            "particles of " + mpm::names_of(*scene.method).basis +
+                " share the edges of their domains, which would overlap and leave gaps: take another basis");
 }
 
-void check_lattice(const Scene& scene, const Where& where) {
+void check_lattice(const Scene& scene, const KeyPlace& where) {
   const bool jittered = scene.body.lattice == Body::Lattice::jittered;
   for (const char* key : {"body.jitter", "body.seed"}) {
-    if (scene.places.contains(key) && !jittered) refuse(where, key, "is of lattice: jittered, and lattice is another");
+    if (scene.places.contains(key) && !jittered)
+      refuse_at(where, key, "is of lattice: jittered, and lattice is another");
   }
   if (jittered) check_jittered_lattice(scene, where);
   if (scene.body.lattice == Body::Lattice::gauss) check_gauss_lattice(scene, where);
 }
 
-void check_body(const Scene& scene, const Where& where) {
+void check_body(const Scene& scene, const KeyPlace& where) {
   const Body& body = scene.body;
   const auto* vortex = std::get_if<Vortex>(&scene.motion);
   if (body.domain == Body::Domain::ring) {
     if (!ring_of(scene.motion)) {
-      refuse(where, "body.domain", "a ring takes its radii from the motion, and " + motion_type(scene) + " has none");
+      refuse_at(where, "body.domain",
+                "a ring takes its radii from the motion, and " + motion_type(scene) + " has none");
     }
     if (body.outside == Body::Outside::held) {
-      refuse(where, "body.outside", "a ring alone has nothing outside it that could be held; its faces are free");
+      refuse_at(where, "body.outside", "a ring alone has nothing outside it that could be held; its faces are free");
     }
     if (body.lattice == Body::Lattice::polar && scene.places.contains("body.cut")) {
-      refuse(where, "body.cut", "a polar lattice has no cell to cut: it follows the ring's edges");
+      refuse_at(where, "body.cut", "a polar lattice has no cell to cut: it follows the ring's edges");
     }
     return;
   }
   if (std::holds_alternative<TwistingRing>(scene.motion)) {
-    refuse(where, "body.domain", "a twisting ring is a ring: nothing is known of the motion outside it");
+    refuse_at(where, "body.domain", "a twisting ring is a ring: nothing is known of the motion outside it");
   }
   if (body.lattice == Body::Lattice::polar) {
-    refuse(where, "body.lattice", "a polar lattice fills a ring, and body.domain is " + domain_name(body.domain));
+    refuse_at(where, "body.lattice", "a polar lattice fills a ring, and body.domain is " + domain_name(body.domain));
   }
   check_corners(body.lower, body.upper, "body", where);
   const double width = body.upper[0] - body.lower[0], height = body.upper[1] - body.lower[1];
   if (body.domain == Body::Domain::square && std::abs(width - height) > 1e-12 * width) {
-    refuse(where, "body.upper",
-           "a square has equal sides, found " + number_text(width) + " and " + number_text(height));
+    refuse_at(where, "body.upper",
+              "a square has equal sides, found " + number_text(width) + " and " + number_text(height));
   }
   for (std::size_t i = 0; vortex && i < 2; ++i) {
     if (body.lower[i] <= -vortex->outer && body.upper[i] >= vortex->outer) continue;
-    refuse(where, "body.domain",
-           "must contain the ring of the vortex (outer " + number_text(vortex->outer) + "), reaches from " +
-               text(body.lower) + " to " + text(body.upper));
+    refuse_at(where, "body.domain",
+              "must contain the ring of the vortex (outer " + number_text(vortex->outer) + "), reaches from " +
+                  text(body.lower) + " to " + text(body.upper));
   }
 }
 
-void check_initial_velocity(const Scene& scene, const Where& where) {
+void check_initial_velocity(const Scene& scene, const KeyPlace& where) {
   const std::string key = "body.initial_velocity";
   if (scene.force.response != ForceChoice::Response::none) {
-    refuse(where, key, "is of a body left to itself, and b is that of the motion: take force.response: none");
+    refuse_at(where, key, "is of a body left to itself, and b is that of the motion: take force.response: none");
   }
-  if (scene.frame) refuse(where, key, "and frame both say what is seen at the beginning");
+  if (scene.frame) refuse_at(where, key, "and frame both say what is seen at the beginning");
   if (scene.body.outside == Body::Outside::held) {
-    refuse(where, key, "moves what body.outside: held holds");
+    refuse_at(where, key, "moves what body.outside: held holds");
   }
 }
 
-void check_method(const Scene& scene, const Where& where) {
+void check_method(const Scene& scene, const KeyPlace& where) {
   const Method& method = *scene.method;
   if (scene.places.contains("method.terms") && !method.has_terms()) {
-    refuse(where, "method.terms",
-           "counts the terms of mass: series, transfer: xpic or fmpm, and there is none of them");
+    refuse_at(where, "method.terms",
+              "counts the terms of mass: series, transfer: xpic or fmpm, and there is none of them");
   }
   if (scene.places.contains("method.affine") && !method.is_affine()) {
-    refuse(where, "method.affine", "is of transfer: apic and aflip, and transfer is " + mpm::names_of(method).transfer);
+    refuse_at(where, "method.affine",
+              "is of transfer: apic and aflip, and transfer is " + mpm::names_of(method).transfer);
   }
-  if (const auto found = mpm::contradiction(method)) refuse(where, found->key, found->reason);
-  if (const auto found = mpm::contradiction(method, scene.remedies)) refuse(where, found->key, found->reason);
+  if (const auto found = mpm::contradiction(method)) refuse_at(where, found->key, found->reason);
+  if (const auto found = mpm::contradiction(method, scene.remedies)) refuse_at(where, found->key, found->reason);
 }
 
-void check_grid(const Scene& scene, const Where& where) {
+void check_grid(const Scene& scene, const KeyPlace& where) {
   const GridChoice& grid = *scene.grid;
   if (!grid.lower != !grid.upper) {
     const std::string given = grid.lower ? "grid.lower" : "grid.upper";
-    refuse(where, given, "lower and upper only come together");
+    refuse_at(where, given, "lower and upper only come together");
   }
   if (!grid.lower) return;
   check_corners(*grid.lower, *grid.upper, "grid", where);
@@ -235,69 +153,74 @@ void check_grid(const Scene& scene, const Where& where) {
     const bool below = (*grid.lower)[i] > body.lower[i];
     if (!below && (*grid.upper)[i] >= body.upper[i]) continue;
     const std::string way = scene.frame && scene.frame->moves() ? " on all of its way" : "";
-    refuse(where, below ? "grid.lower" : "grid.upper",
-           "the grid must contain the body" + way + ", which reaches " + text(below ? body.lower : body.upper) +
-               ": particles would lie outside");
+    refuse_at(where, below ? "grid.lower" : "grid.upper",
+              "the grid must contain the body" + way + ", which reaches " + text(below ? body.lower : body.upper) +
+                  ": particles would lie outside");
   }
 }
 
-void check_frame(const Scene& scene, const Where& where) {
+void check_frame(const Scene& scene, const KeyPlace& where) {
   if (!std::holds_alternative<Vortex>(scene.motion)) {
-    refuse(where, "frame", "serves the vortex, and motion.type is " + motion_type(scene));
+    refuse_at(where, "frame", "serves the vortex, and motion.type is " + motion_type(scene));
   }
   const Frame& frame = *scene.frame;
   if (frame.moves() && scene.body.outside == Body::Outside::held) {
-    refuse(where, frame.spin != 0 ? "frame.spin" : "frame.velocity",
-           "moves the ring over the grid, whose nodes around it are held: take body.outside: free or a ring alone");
+    refuse_at(where, frame.spin != 0 ? "frame.spin" : "frame.velocity",
+              "moves the ring over the grid, whose nodes around it are held: take body.outside: free or a ring alone");
   }
   if (frame.spin != 0 && scene.force.response == ForceChoice::Response::none) {
-    refuse(where, "frame.spin", "needs the body force, of which Coriolis' and the centrifugal one are parts");
+    refuse_at(where, "frame.spin", "needs the body force, of which Coriolis' and the centrifugal one are parts");
   }
 }
 
-void check_inertia(const Scene& scene, const Where& where) {
+void check_inertia(const Scene& scene, const KeyPlace& where) {
   const std::string key = "force.inertia";
   if (scene.force.response == ForceChoice::Response::none) {
-    refuse(where, key, "is a part of the body force, and force.response is none");
+    refuse_at(where, key, "is a part of the body force, and force.response is none");
   }
   if (!scene.method) return;
   if (scene.method->is_affine() && scene.method->affine == mpm::Affine::moment) {
-    refuse(where, key, "particles gives the gradient of a, too, and they carry a moment: take affine: gradient");
+    refuse_at(where, key, "particles gives the gradient of a, too, and they carry a moment: take affine: gradient");
   }
   if (scene.method->has_stages()) {
-    refuse(where, key, "particles kicks them before the grid does, and symplectic_rkn4 has its own kicks: take grid");
+    refuse_at(where, key,
+              "particles kicks them before the grid does, and symplectic_rkn4 has its own kicks: take grid");
   }
 }
 
 }  // namespace
 
-void check_scene(const Scene& scene, const std::function<Location(const std::string&)>& where) {
+void refuse_at(const KeyPlace& where, const std::string& key, const std::string& what) {
+  throw InputError(where(key), key, what);
+}
+
+void check_scene(const Scene& scene, const KeyPlace& where) {
   if (one_line(scene.title, scene.title.size()) != scene.title) {
-    refuse(where, "title", "must be one line of text, found '" + shown(scene.title, 200) + "'");
+    refuse_at(where, "title", "must be one line of text, found '" + shown(scene.title, 200) + "'");
   }
-  std::visit([&](const auto& motion) { check_motion(motion, scene, where); }, scene.motion);
+  check_motion(scene, where);
   const auto& direction = scene.material.direction;
   if (direction && (*direction)[0] == 0 && (*direction)[1] == 0 && (*direction)[2] == 0) {
-    refuse(where, "material.direction", "must not be zero");
+    refuse_at(where, "material.direction", "must not be zero");
   }
   check_body(scene, where);
   check_lattice(scene, where);
-  if (scene.method && !scene.grid) refuse(where, "grid", "required by method and not given");
+  if (scene.method && !scene.grid) refuse_at(where, "grid", "required by method and not given");
   if (scene.frame) check_frame(scene, where);
   if (scene.body.initial_velocity) check_initial_velocity(scene, where);
   if (scene.grid) check_grid(scene, where);
   if (scene.method) check_method(scene, where);
   if (scene.force.inertia == mpm::Inertia::particles) check_inertia(scene, where);
   if (scene.output.tractions && scene.force.response == ForceChoice::Response::none) {
-    refuse(where, "output.tractions", "compares tractions, and with force.response: none no forces act");
+    refuse_at(where, "output.tractions", "compares tractions, and with force.response: none no forces act");
   }
   const auto* box = std::get_if<AxisAligned>(&scene.motion);
   if (scene.time.step && scene.time.control == TimeChoice::Control::current) {
-    refuse(where, "time.control", "current takes steps by method.courant, and time.step fixes them");
+    refuse_at(where, "time.control", "current takes steps by method.courant, and time.step fixes them");
   }
   const bool known_end = !box || box->given_speed || scene.places.contains("time.end");
   if (known_end && scene.time.step && *scene.time.step > scene.time.end) {
-    refuse(where, "time.step", "must not exceed time.end, found " + number_text(*scene.time.step));
+    refuse_at(where, "time.step", "must not exceed time.end, found " + number_text(*scene.time.step));
   }
 }
 
