@@ -79,6 +79,19 @@ void help(const std::shared_ptr<Work>& work, Seat& seat, int member, std::uint32
   }
 }
 
+/// Threads that cannot be joined; a search for leaks finds them here.
+struct Left {
+  std::vector<std::thread> threads;
+  Left* next;
+};
+std::atomic<Left*> left{nullptr};
+
+void leave(std::vector<std::thread> threads) {
+  auto* const last = new (std::nothrow) Left{std::move(threads), left.load()};
+  while (last && !left.compare_exchange_weak(last->next, last)) {
+  }
+}
+
 /// The helpers of one thread.
 class Crew {
  public:
@@ -87,8 +100,8 @@ class Crew {
   Crew& operator=(const Crew&) = delete;
 
   ~Crew() {
-    if (in_part || !is_of_this_process()) {  // threads that cannot be joined are left
-      static_cast<void>(new (std::nothrow) std::vector<std::thread>(std::move(helpers_)));
+    if (in_part || !is_of_this_process()) {
+      leave(std::move(helpers_));
       return;
     }
     work_->over = true;
