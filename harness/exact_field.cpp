@@ -35,23 +35,29 @@ ExactField::ExactField(std::shared_ptr<const ExactSolution> solution, const Fram
   }
 }
 
-void ExactField::set_time(double t, double velocity_time) {
+void ExactField::set_motion(double t, double velocity_time) {
   t_ = t, velocity_time_ = velocity_time;
+  if (box_) return;
+  if (!rings_.empty()) return turn_rings(t, velocity_time);
+  now_ = solution_->state(Vector3::Zero(), t);
+  then_ = solution_->state(Vector3::Zero(), velocity_time);
+}
+
+void ExactField::set_time(double t, double velocity_time) {
+  set_motion(t, velocity_time);
   if (const auto* box = solution_->box()) {
     (*box)->set_time(t);
     return box_->update(**box);
   }
-  if (!rings_.empty()) return set_rings(t, velocity_time);
-  if (!points_.ring.empty() || X_.empty()) return;
-  now_ = solution_->state(Vector3::Zero(), t);
-  then_ = solution_->state(Vector3::Zero(), velocity_time);
+  if (!rings_.empty()) return stress_rings(t);
+  if (X_.empty()) return;
   const ExactStress stress = solution_->stress(Vector3::Zero(), t);
   sigma_ = plane(stress.cauchy);
   std::copy_n(plane(stress.first_piola_kirchhoff).begin(), piola_.size(), piola_.begin());
 }
 
 /// To a frame that spins every ring turns by spin t more.
-void ExactField::set_rings(double t, double velocity_time) {
+void ExactField::turn_rings(double t, double velocity_time) {
   for (std::size_t k = 0; k < rings_.size(); ++k) {
     const double R = points_.radius[k];
     const RingKinematics now = ring_kinematics(solution_->motion(), R, t);
@@ -67,6 +73,9 @@ void ExactField::set_rings(double t, double velocity_time) {
     const double across = then.baseline(R)(1, 1) * (then.alpha_rate + frame_.spin);
     ring.v = {c * along - s * across, s * along + c * across};
   }
+}
+
+void ExactField::stress_rings(double t) {
   (*solution_->response())->at_time(t, parameter_, [&](std::size_t k, const Tensor& tau, const Tensor&) {
     Tensor B = Tensor::Identity();
     B(0, 0) = rings_[k].B[0], B(1, 0) = rings_[k].B[2], B(1, 1) = rings_[k].B[3];

@@ -32,6 +32,10 @@ class ExactField {
   /// To the times of which `at` speaks: velocity_time is that of the velocities [s].
   void set_time(double t, double velocity_time);
 
+  /// The same without the stresses, which stay those of the last set_time. It may go back in time, which the history
+  /// behind a stress cannot.
+  void set_motion(double t, double velocity_time);
+
   PlaneState at(std::size_t point) const;
 
   /// P, in-plane components row-major [Pa].
@@ -52,7 +56,8 @@ class ExactField {
     std::array<double, 4> tau{};
     std::array<double, 5> sigma{};
   };
-  void set_rings(double t, double velocity_time);
+  void turn_rings(double t, double velocity_time);
+  void stress_rings(double t);
   PlaneState at_ring(std::size_t point) const;
   PlaneState in_box(std::size_t point) const;
 

@@ -106,7 +106,7 @@ std::string LastGood::vtu(const Problem& problem, const std::shared_ptr<const Ex
   if (!exact || particles_ == 0) return particles_vtu(of, particles_, {}, t_);
   const auto X = [&](int d) { return std::span(of(Column::reference_position, d), particles_); };
   ExactField field(exact, problem.scene.frame.value_or(Frame{}), X(0), X(1));
-  field.set_time(t_, t_);
+  field.set_motion(t_, t_);
   std::vector<double> error(particles_), measure(particles_);
   for (std::size_t p = 0; p < particles_; ++p) {
     const std::array<double, 2> x = field.at(p).x;

@@ -151,6 +151,29 @@ TEST(DyingRun, LeavesTheLastGoodParticlesAndASceneOfTheEnd) {
   EXPECT_NEAR(shots, 20, 1);  // every step of the last twenty
 }
 
+/// The last good particles lie before the end, and a history behind the stress does not go back there.
+TEST(DyingRun, LeavesTheLastGoodParticlesWhereTheStressIsAHistory) {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> deaths{
+      {"fluid", {"material.parameters.bulk_modulus=2e103"}},
+      {"axis_aligned", {"time={end: 1, step: 0.2}"}},
+      {"j2_shadow",
+       {"time={end: 1, step: 0.1}", "motion.amplitude.peak=1", "motion.allow_unstable=true", "grid.spacing=0.125",
+        "method={basis: ugimp, courant: 1}"}},
+  };
+  for (const auto& [scene, sets] : deaths) {
+    const ScratchFolder scratch;
+    RunOptions options = quiet_run("", scratch / "dead", sets);
+    options.scene = ASSAY_SOURCE_DIR "/tests/fuzz/scenes/" + scene + ".yaml";
+    options.sets.emplace_back("output={particles: 1, pictures: false}");
+    ASSERT_EQ(run(options), 1) << scene;
+    EXPECT_EQ(result_in(scratch / "dead")["last_good"], "last_good.vtu") << scene;
+    const std::vector<double> error =
+        VtuFile(bytes_of(scratch / "dead/last_good.vtu")).array<double>("displacement_error");
+    ASSERT_FALSE(error.empty()) << scene;
+    for (const double e : error) ASSERT_TRUE(std::isfinite(e)) << scene;
+  }
+}
+
 TEST(DyingRun, ARunThatReachesItsEndLeavesNeither) {
   const auto result =
       result_of_run("paper/vortex_cpdi", {"grid.spacing=0.1", "time.end=0.02", "output.pictures=false"});
