@@ -56,7 +56,7 @@ Scene variant_of(const Scene& scene, TractionAlgorithm algorithm, double spacing
   other.grid->spacing = spacing;
   other.traction.algorithm = algorithm;
   if (!scene.places.contains("traction.form")) other.traction.form.reset();  // filled in for the scene's own algorithm
-  other.output = {scene.output.errors, 0, false, false, false, false};
+  other.output = {.errors = scene.output.errors, .particles = 0, .pictures = false, .report = false, .accounts = false};
   return other;
 }
 

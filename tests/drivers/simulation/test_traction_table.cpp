@@ -2,6 +2,9 @@
 // The algorithms of tractions side by side: what `output.tractions` adds to a result, and what it does not.
 #include "drivers/simulation/traction_table.hpp"
 
+#include <filesystem>
+#include <map>
+
 #include "drivers/scene/scene_reader.hpp"
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/refusal.hpp"
@@ -51,6 +54,26 @@ TEST(TractionTable, HoldsThePapersTableTheUndeformedEdgesAndOurs) {
   }
   EXPECT_NE(report.find(paper_row + "</th><td>0.0733</td><td>0.0724</td><td>0.0724</td>"), std::string::npos);
   EXPECT_NE(report.find("<b>edges, reference form</b>"), std::string::npos);
+}
+
+/// The runs beside it leave the snapshots of the scene's own run as they are.
+TEST(TractionTable, LeavesTheParticlesOfTheSceneAsTheyAre) {
+  const ScratchFolder scratch;
+  const auto files_of = [&](const char* tractions) {
+    const std::string out = scratch / tractions;
+    EXPECT_EQ(run(quiet_run(table1_scene, out,
+                            {"output.particles=2", "output.pictures=false", soft,
+                             std::string("output.tractions=") + tractions})),
+              0);
+    std::map<std::string, std::string> files;
+    for (const auto& file : std::filesystem::directory_iterator(out)) {
+      if (file.path().extension() == ".vtu") files[file.path().filename()] = bytes_of(file.path());
+    }
+    return files;
+  };
+  const auto with = files_of("true"), without = files_of("false");
+  EXPECT_EQ(with.size(), 3u);
+  EXPECT_TRUE(with == without);
 }
 
 // The scene's own run is an entry, not run again; the others are what they are as scenes of their own.
