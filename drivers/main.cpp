@@ -36,8 +36,8 @@ void keep_standard_streams() {
   }
 }
 
-/// A run takes and gives back the same blocks at each step. Where libc returns them to the system each time, fresh pages
-/// cost more than the work on them.
+/// A run takes and gives back the same blocks at each step. Where libc returns them to the system each time, fresh
+/// pages cost more than the work on them.
 void keep_freed_memory() {
 #ifdef __GLIBC__
   ::mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest that it takes

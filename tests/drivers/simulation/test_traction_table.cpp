@@ -61,9 +61,9 @@ TEST(TractionTable, LeavesTheParticlesOfTheSceneAsTheyAre) {
   const ScratchFolder scratch;
   const auto files_of = [&](const char* tractions) {
     const std::string out = scratch / tractions;
-    EXPECT_EQ(run(quiet_run(table1_scene, out,
-                            {"output.particles=2", "output.pictures=false", soft,
-                             std::string("output.tractions=") + tractions})),
+    EXPECT_EQ(run(quiet_run(
+                  table1_scene, out,
+                  {"output.particles=2", "output.pictures=false", soft, std::string("output.tractions=") + tractions})),
               0);
     std::map<std::string, std::string> files;
     for (const auto& file : std::filesystem::directory_iterator(out)) {
