@@ -10,7 +10,7 @@ string(REGEX REPLACE "[\\\\\"]" "" ASSAY_FLAGS "${ASSAY_FLAGS}")
 
 set(ASSAY_LIBRARIES "Eigen ${Eigen3_VERSION}" "Boost ${Boost_VERSION_STRING}" "yaml-cpp ${yaml-cpp_VERSION}"
   "CLI11 ${CLI11_VERSION}" "fmt ${fmt_VERSION}" "nlohmann_json ${nlohmann_json_VERSION}"
-  "OpenMP ${OpenMP_CXX_VERSION}" "zlib ${ZLIB_VERSION_STRING}")
+  "zlib ${ZLIB_VERSION_STRING}")
 list(TRANSFORM ASSAY_LIBRARIES REPLACE "(.+)" "\"\\1\"")
 list(JOIN ASSAY_LIBRARIES ", " ASSAY_LIBRARIES)
 

@@ -18,7 +18,7 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND build_type MATCHE
     target_compile_definitions(assay_kernels_${set} PRIVATE ASSAY_INSTRUCTIONS=${set})
     target_compile_options(assay_kernels_${set} PRIVATE ${instructions_${set}} -Wno-psabi)
     target_include_directories(assay_kernels_${set} PRIVATE ${PROJECT_SOURCE_DIR})
-    target_link_libraries(assay_kernels_${set} PRIVATE assay_options OpenMP::OpenMP_CXX)
+    target_link_libraries(assay_kernels_${set} PRIVATE assay_options)
     target_sources(assay_mpm PRIVATE $<TARGET_OBJECTS:assay_kernels_${set}>)
   endforeach()
   target_compile_definitions(assay_mpm PRIVATE ASSAY_DISPATCHES)

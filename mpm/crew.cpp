@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/crew.hpp"
 
+#include <pthread.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -92,6 +93,10 @@ void leave(std::vector<std::thread> threads) {
   }
 }
 
+/// Which copy of the process this is: a question that a loop can ask without a call of the system.
+std::atomic<std::uint32_t> forks{0};
+[[maybe_unused]] const int counts_forks = ::pthread_atfork(nullptr, nullptr, [] { ++forks; });
+
 /// The helpers of one thread.
 class Crew {
  public:
@@ -100,7 +105,7 @@ class Crew {
   Crew& operator=(const Crew&) = delete;
 
   ~Crew() {
-    if (in_part || !is_of_this_process()) {
+    if (in_part || process_ != ::getpid()) {  // which no way of making a process passes by
       leave(std::move(helpers_));
       return;
     }
@@ -111,7 +116,7 @@ class Crew {
   }
 
   /// A process that was forked has none of the threads.
-  bool is_of_this_process() const { return process_ == ::getpid(); }
+  bool is_of_this_process() const { return forks_ == forks.load(std::memory_order_relaxed); }
 
   void run(int threads, const std::function<void(int)>& part) {
     static const unsigned cores = std::thread::hardware_concurrency();
@@ -153,6 +158,7 @@ class Crew {
   std::shared_ptr<Work> work_ = std::make_shared<Work>();
   std::vector<std::thread> helpers_;
   pid_t process_ = ::getpid();
+  std::uint32_t forks_ = forks.load();
 };
 
 }  // namespace

@@ -58,6 +58,3 @@ if(ASSAY_SANITIZE)
   set_tests_properties(study/traction study/hard_is_valid study/models_is_valid study/offsets_is_valid
     study/remedies_is_valid PROPERTIES LABELS long)
 endif()
-get_property(scene_tests DIRECTORY PROPERTY TESTS)
-list(FILTER scene_tests INCLUDE REGEX "^(scene|study)/")
-set_property(TEST ${scene_tests} PROPERTY ENVIRONMENT_MODIFICATION OMP_WAIT_POLICY=set:passive)
