@@ -38,7 +38,7 @@ set(left_out_of_test_drivers # whole runs of full size; studies, which start the
   Cases/EvalReferences*ring* *BoxRun.ConvergesAt* PlantedInTheBox* Interfaces/ForeignVortex* */closes_everything*
   CheckForeign.AModelOfPlaneStrainAloneRuns* CheckMethods.RunsEvery* CheckMethods.WritesJson* Check.JUnit*
   Check.AllChecks* Cached.ADamaged* Cached.EverythingThat* Cached.ASheetOfABuiltIn* ForeignModels.TwoCores* ForeignModels.AUmat*
-  CheckSource.IsTaken* EndOfProcess.A* */exit_pause */destroy_deaf
+  CheckSource.IsTaken* CheckSizeOfStress.TheWholeBattery* EndOfProcess.A* */exit_pause */destroy_deaf
   */exit_null */destroy_null # which the sanitizer would tell in its own words
   Frames.TheMethodErrs* Frames.BodiesOf* Frames.AMaterialWith* RimOfARun.CoarseGrids* Run.EveryLattice*
   Run.ACylindrically* Run.Repeats* Run.AnExpect* Run.AnUnst* Run.EveryField* Run.Square* Run.ItsFig*
