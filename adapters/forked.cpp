@@ -77,7 +77,7 @@ struct Pipe {
 
 [[noreturn]] void run_copy(int out, const std::function<std::string()>& body, const std::function<void()>& after) {
   own_this_process();
-  call_mark = nullptr;
+  leave_no_marks();
   std::string text;
   try {
     text = body();

@@ -263,7 +263,7 @@ int check(const CheckOptions& options) {
   if (!options.replay.empty()) return check_replay(options);
   if (!options.all) {
     const CheckedMaterial checked = check_one(options);
-    if (checked.unsuitable) throw InputError({}, options.material, checked.error);
+    if (checked.unsuitable) throw InputError(checked.error);
     if (!checked.error.empty()) throw SystemError(checked.error);
     return reported(options, {checked}, check_json(checked), check_text(checked, options.verbosity));
   }

@@ -18,6 +18,7 @@
 #include "adapters/worker/process_watch.hpp"
 #include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
+#include "drivers/supervisor.hpp"
 #include "harness/own_process.hpp"
 #include "harness/progress_mark.hpp"
 
@@ -71,11 +72,14 @@ CheckReporter reporter_to(int records, int folder_before, const adapters::Proces
           },
           [&watch] { return watch.habits(); },
           true,
-          [=] { [[maybe_unused]] const int ignored = ::fchdir(folder_before); }};
+          [=] {
+            keep_instances();
+            [[maybe_unused]] const int ignored = ::fchdir(folder_before);
+          }};
 }
 
-/// Records, each ended by a NUL: '!' and the material, '@' and the id of a test that begins, '=' and what it has found;
-/// the report at last.
+/// Records, each ended by a NUL: '!' and the material, '@' and the id of a test that begins, '=' and what it has found,
+/// '?' and why it cannot be checked; the report at last. What the model does when it is destroyed comes behind that.
 [[noreturn]] void serve(const CheckTask& task, const Ends& ends, const std::string& folder) {
   const int before = out_of_reach(::open(".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   settle(folder, ends);
@@ -86,6 +90,9 @@ CheckReporter reporter_to(int records, int folder_before, const adapters::Proces
   } catch (const std::bad_alloc&) {  // which the model has taken, or forbidden
     std::fputs("no memory is left\n", stderr);
     leave_process(3);
+  } catch (const InputError& error) {
+    write_all(ends.records, std::string("?") + error.what() + std::string(1, '\0'));
+    leave_process(0);
   } catch (const std::exception& error) {
     checked = {};
     checked.name = task.name;
@@ -93,6 +100,7 @@ CheckReporter reporter_to(int records, int folder_before, const adapters::Proces
   }
   write_all(ends.records, check_json(checked));
   std::fflush(nullptr);
+  release_instances();
   leave_process(0);
 }
 
@@ -122,6 +130,7 @@ Child start_child(const std::vector<CheckTask>& tasks, std::size_t task, double 
   std::fflush(nullptr);  // or the child would write it a second time
   const auto work = [&](const std::string& folder) {
     call_mark = &child.control->busy_since;
+    phase_mark = &child.control->phase;
     adapters::mark_crashes(*child.control);
     serve(tasks[task], {out_of_reach(records[1]), output[1]}, folder);
   };
@@ -182,6 +191,7 @@ void release(Child& child) {
   dismiss(child.keeper);
   read_output(child);
   ::close(child.heard);
+  child.phase = static_cast<CallPhase>(child.control->phase.load());
   child.claim = static_cast<adapters::Death>(child.control->claim.load());
   child.words.assign(child.control->death_words, strnlen(child.control->death_words, adapters::words_size));
   ::munmap(child.control, sizeof *child.control);

@@ -9,6 +9,7 @@
 
 #include "adapters/worker/missing_file.hpp"
 #include "drivers/check_child.hpp"
+#include "drivers/check_material.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
 
@@ -16,7 +17,7 @@ namespace assay::drivers {
 
 namespace {
 
-std::string how_it_ended(const Child& child, double limit_s) {
+std::string how_it_ended_alone(const Child& child, double limit_s) {
   switch (child.excess) {
     case Child::Excess::call:
       return "did not come back from one call within " + rounded_text(child.limits.seconds, 3) + " s";
@@ -39,6 +40,10 @@ std::string how_it_ended(const Child& child, double limit_s) {
   return "ended the process with status " + std::to_string(WEXITSTATUS(child.status));
 }
 
+std::string how_it_ended(const Child& child, double limit_s) {
+  return "the model " + how_it_ended_alone(child, limit_s) + phase_words(child.phase);
+}
+
 /// Of what writes where it must not.
 bool spoilt_memory(const Child& child) {
   if (!child.over || child.lost || child.excess != Child::Excess::none || !WIFSIGNALED(child.status)) return false;
@@ -47,9 +52,23 @@ bool spoilt_memory(const Child& child) {
   return signal == SIGSEGV || signal == SIGBUS;
 }
 
-/// By its own will: STOP, exit().
+/// By its own will, of a step: STOP, exit().
 bool gave_up(const Child& child) {
-  return child.over && !child.lost && child.excess == Child::Excess::none && WIFEXITED(child.status);
+  return child.phase == CallPhase::updating && child.over && !child.lost && child.excess == Child::Excess::none &&
+         WIFEXITED(child.status);
+}
+
+/// A report that was whole before the model's last instances were destroyed.
+CheckedMaterial with_end(CheckedMaterial checked, const Child& child, double limit_s) {
+  const check::TestResult end{.id = process_test,
+                              .verdict = check::Verdict::fail,
+                              .cause = check::causes::ends_process,
+                              .sentence = how_it_ended(child, limit_s) + ", behind the last test"};
+  std::erase_if(checked.report.tests, [](const check::TestResult& test) { return test.id == process_test; });
+  checked.report.tests.push_back(end);
+  checked.report.diagnosis.push_back({end.cause, end.sentence});
+  checked.hangs = child.excess != Child::Excess::none || child.lost;
+  return checked;
 }
 
 /// The report, or that of a test in which the process ended.
@@ -61,15 +80,18 @@ CheckedMaterial result_of(const Child& child, const CheckTask& task, double limi
   for (; (end = child.said.find('\0', at)) != std::string::npos; at = end + 1) {
     const std::string record = child.said.substr(at + 1, end - at - 1);
     if (child.said[at] == '@') test = record;
+    if (child.said[at] == '?') checked.error = record, checked.unsuitable = true;
     const auto told = checked_of_json(record);
     if (child.said[at] == '!' && told) checked = *told;
     if (child.said[at] == '=' && told) checked.report.tests.push_back(told->report.tests.front());
   }
+  if (checked.unsuitable) return checked;
   const auto whole = checked_of_json(child.said.substr(at));
+  if (whole && child.phase == CallPhase::destroying) return with_end(*whole, child, limit_s);
   if (whole && child.excess == Child::Excess::none) return *whole;
   const std::string last = adapters::last_line(child.output->text());
   const std::string missing = adapters::missing_file_words(child.output->text());
-  const std::string sentence = "the model " + how_it_ended(child, limit_s) + " in the test " + test +
+  const std::string sentence = how_it_ended(child, limit_s) + " in the test " + test +
                                (last.empty() ? "" : "; the last that it printed: " + last) +
                                (missing.empty() && gave_up(child) ? "; it may stand a smaller --strain" : missing);
   const char* cause =

@@ -146,9 +146,9 @@ void ExitGuard::move_to_this_process(const char* library) {
 
 namespace {
 
-/// A watcher that was stopped goes on.
+/// The first word stands. A watcher that was stopped goes on.
 void tell_parting(int status) noexcept {
-  if (!parting || parting->process != ::getpid()) return;
+  if (!parting || parting->process != ::getpid() || parting->is_told) return;
   parting->status = status;
   parting->is_told = true;
   ::kill(::getppid(), SIGCONT);

@@ -179,7 +179,7 @@ class Instance {
     std::copy(parameters_.begin(), parameters_.end(), parameters);
     arrays.raise_fences();
     if (!slot.worker.call(static_cast<std::uint32_t>(Operation::create))) {
-      reason = "the model " + slot.worker.how_it_ended(" when it was created");
+      reason = "the model " + slot.worker.how_it_ended();
       return false;
     }
     if (arrays.head().status == ASSAY_FAILED) {

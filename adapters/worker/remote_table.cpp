@@ -24,7 +24,7 @@ void describe(RemoteTable& table) {
   Lease lease(table, 0);
   WorkerProcess& worker = lease.slot().worker;
   if (!worker.call(static_cast<std::uint32_t>(Operation::describe))) {
-    throw RemoteError({"", worker.how_it_ended(" when it was loaded"), ""});
+    throw RemoteError({"", worker.how_it_ended(), ""});
   }
   CallArrays arrays(worker.arrays(), worker.arrays_size());
   if (arrays.head().status == ASSAY_FAILED) {

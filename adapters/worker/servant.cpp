@@ -43,6 +43,7 @@ class Servant {
     const ForeignCall marks(floor_.control);
     switch (operation) {
       case Operation::describe: {
+        const PhaseMark phase(CallPhase::loading);
         const std::string bytes = packed(table_);
         auto* out = arrays.next<char>(bytes.size(), "the table");
         head_->n = bytes.size();
@@ -71,6 +72,7 @@ class Servant {
 
   void create(CallArrays& arrays) {
     const auto* parameters = arrays.next<double>(table_.parameter_count, "the parameters");
+    const PhaseMark phase(CallPhase::creating);
     void* made = create_instance(&table_, parameters, head_->message);
     head_->status = made ? ASSAY_GOOD : ASSAY_FAILED;
     if (!made) return;
@@ -96,6 +98,7 @@ class Servant {
     const std::size_t n = head_->n;
     const auto* cauchy = arrays.next<double>(9 * n, "cauchy");
     auto* state = arrays.next<double>(state_ * n, "the initial state");
+    const PhaseMark phase(CallPhase::beginning);
     head_->status = table_.initial_state ? table_.initial_state(self(), n, cauchy, state) : ASSAY_GOOD;
     say_reason();
   }
@@ -214,6 +217,7 @@ ModelCall::~ModelCall() {
 
 void watch_process(Control& control) {
   point_mark = &control.point;
+  phase_mark = &control.phase;
   lookout = std::make_unique<Lookout>();
 }
 

@@ -186,7 +186,7 @@ std::string WorkerProcess::death_words() const {
 
 std::string WorkerProcess::output() const { return control().output.text(); }
 
-std::string WorkerProcess::how_it_ended(const std::string& when) const {
+std::string WorkerProcess::how_it_ended() const {
   const Control& c = control();
   const auto limit = [](double value) {
     char text[32];
@@ -195,8 +195,8 @@ std::string WorkerProcess::how_it_ended(const std::string& when) const {
   };
   const int number = c.death_number;
   const std::string said = last_line(output()), words = death_words();
-  const std::string heard =
-      when + (said.empty() ? "" : "; the last that it printed: " + said) + missing_file_words(output());
+  const std::string heard = phase_words(static_cast<CallPhase>(c.phase.load())) +
+                            (said.empty() ? "" : "; the last that it printed: " + said) + missing_file_words(output());
   switch (static_cast<Death>(c.death.load())) {
     case Death::none:
       return "did not answer";

@@ -55,7 +55,7 @@ class WorkerProcess {
 
   bool dead() const { return control().death.load() != 0; }
   /// "died of signal 11 (Segmentation fault)", "did not come back within 20 s", with the last line that it printed.
-  std::string how_it_ended(const std::string& when = {}) const;
+  std::string how_it_ended() const;
   /// What was printed; the middle of much is left out, and how much is said.
   std::string output() const;
 

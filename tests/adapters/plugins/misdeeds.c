@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Does to its process what $ASSAY_TEST_DEED says, "WHEN DEED": when it is loaded, created, first or each time
- * updated, destroyed, unloaded, or when the process exits. An honest model otherwise. */
+ * updated, destroyed (each, or the first that was made), unloaded, or when the process exits. Honest otherwise. */
 #define _GNU_SOURCE
 #include <fcntl.h>
 #include <pthread.h>
@@ -143,12 +143,17 @@ static void* create_and_act(const double* p, char* message) {
   static int registered = 0;
   if (!registered) registered = atexit(at_exit) == 0;
   act("create");
-  return create(p, message);
+  (void)message;
+  static int made = 0;
+  double* self = malloc(2 * sizeof *self);
+  if (self) self[0] = p[0], self[1] = made++ == 0;
+  return self;
 }
 
 static void destroy_and_act(void* self) {
   act("destroy");
-  destroy(self);
+  if (((double*)self)[1] != 0) act("destroy_first");
+  free(self);
 }
 
 static void update_and_act(void* self, const assay_step* step, size_t n, const double* state0, double* state1,
