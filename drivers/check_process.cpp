@@ -6,10 +6,12 @@
 
 #include <csignal>
 #include <cstring>
+#include <map>
 
 #include "adapters/worker/missing_file.hpp"
 #include "drivers/check_child.hpp"
 #include "drivers/check_material.hpp"
+#include "drivers/input_error.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
 
@@ -102,6 +104,12 @@ CheckedMaterial result_of(const Child& child, const CheckTask& task, double limi
   return checked;
 }
 
+/// By the model itself, or by somebody from outside, as the system where memory is short.
+bool was_killed(const Child& child) {
+  if (!child.over || child.excess != Child::Excess::none) return false;
+  return child.lost || (WIFSIGNALED(child.status) && WTERMSIG(child.status) == SIGKILL);
+}
+
 /// How many tests have begun in a child, and the id of the last.
 std::pair<std::size_t, std::string> begun_in(const Child& child) {
   std::pair<std::size_t, std::string> begun{0, ""};
@@ -171,6 +179,7 @@ class Children {
 std::vector<CheckedMaterial> check_in_processes(const std::vector<CheckTask>& tasks, const CheckProcesses& how) {
   std::vector<CheckedMaterial> results(tasks.size());
   Children running(how);
+  std::map<std::size_t, std::string> killed;  ///< of tasks whose process was killed: the test that it was at
   std::size_t next = 0, done = 0;
   while (done < tasks.size()) {
     while (next < tasks.size() && running.all.size() < static_cast<std::size_t>(how.at_once)) {
@@ -179,6 +188,16 @@ std::vector<CheckedMaterial> check_in_processes(const std::vector<CheckTask>& ta
     }
     const Child child = running.next();
     CheckedMaterial& checked = results[child.task] = result_of(child, tasks[child.task], how.limit_s);
+    const std::string test = was_killed(child) ? checked.report.tests.back().id : "";
+    if (const auto before = killed.find(child.task); before != killed.end()) {
+      if (before->second != test)  // a model kills itself again and again
+        throw SystemError(
+            "the process of a check was killed (signal 9) from outside, as the system does where memory is short");
+    } else if (!test.empty()) {
+      killed[child.task] = test;
+      running.all.push_back(start_child(tasks, child.task, how.limit_s));
+      continue;
+    }
     checked.printed = child.output->text();
     checked.printed_bytes = child.output->printed.load();
     ++done;
