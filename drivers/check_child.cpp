@@ -15,9 +15,11 @@
 #include <new>
 
 #include "adapters/worker/crash_marks.hpp"
+#include "adapters/worker/high_files.hpp"
 #include "adapters/worker/process_watch.hpp"
 #include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
+#include "drivers/own_files.hpp"
 #include "drivers/supervisor.hpp"
 #include "harness/own_process.hpp"
 #include "harness/progress_mark.hpp"
@@ -29,7 +31,7 @@ namespace {
 void write_all(int file, const std::string& text) {
   for (std::size_t at = 0; at < text.size();) {
     const ssize_t written = ::write(file, text.data() + at, text.size() - at);
-    if (written < 0 && errno != EINTR) leave_process(3);
+    if (written < 0 && errno != EINTR) adapters::end_by_word("closed the files of the process");
     if (written > 0) at += static_cast<std::size_t>(written);
   }
 }
@@ -39,10 +41,9 @@ struct Ends {
   int records, output;
 };
 
-/// The same file where a model that closes all that it can think of does not find it.
+/// The same file where a model does not find it.
 int out_of_reach(int file) {
-  constexpr int far = 900;
-  const int copy = ::fcntl(file, F_DUPFD_CLOEXEC, far);
+  const int copy = adapters::high_copy(file);
   if (copy < 0) return file;
   ::close(file);
   return copy;
@@ -59,6 +60,7 @@ void settle(const std::string& folder, const Ends& ends) {
   ::dup2(ends.output, STDERR_FILENO);
   ::close(ends.output);
   own_this_process();
+  remember_files();
 }
 
 CheckReporter reporter_to(int records, int folder_before, const adapters::ProcessWatch& watch) {
@@ -74,6 +76,7 @@ CheckReporter reporter_to(int records, int folder_before, const adapters::Proces
           true,
           [=] {
             keep_instances();
+            put_files_right();
             [[maybe_unused]] const int ignored = ::fchdir(folder_before);
           }};
 }

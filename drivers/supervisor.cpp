@@ -24,6 +24,7 @@
 #include "adapters/worker/process_watch.hpp"
 #include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
+#include "drivers/own_files.hpp"
 #include "harness/instances.hpp"
 #include "harness/own_process.hpp"
 
@@ -204,6 +205,7 @@ void supervise(const std::string& library) {
   ExitGuard::move_to_this_process(library.c_str());
   own_this_process();
   keep_instances();
+  remember_files();
   since.emplace();
 }
 

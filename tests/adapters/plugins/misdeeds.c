@@ -86,6 +86,23 @@ static void close_all(void) {
 static void leak_files(void) {
   while (open("/dev/null", O_RDONLY) >= 0) continue;
 }
+static void read_input(void) {
+  char text[16];
+  while (read(STDIN_FILENO, text, sizeof text) > 0) continue;
+}
+
+/* The beginning of all memory that it shares with other processes. */
+static void zero_shared(void) {
+  char line[512];
+  FILE* maps = fopen("/proc/self/maps", "r");
+  while (maps && fgets(line, sizeof line, maps)) {
+    unsigned long begin, end;
+    char rights[8];
+    if (sscanf(line, "%lx-%lx %7s", &begin, &end, rights) != 3 || strcmp(rights, "rw-s") != 0) continue;
+    memset((void*)begin, 0, end - begin < 16384 ? end - begin : 16384);
+  }
+  if (maps) fclose(maps);
+}
 static void nap(void) { usleep(1000); }
 static void write_late(void) {
   FILE* file = fopen(getenv("ASSAY_TEST_FILE"), "w");
@@ -123,6 +140,8 @@ static void act(const char* when) {
                {"close", close_streams},
                {"close_all", close_all},
                {"leak", leak_files},
+               {"read", read_input},
+               {"zero", zero_shared},
                {"nap", nap},
                {"write", write_late},
                {"truncate", truncate_library}};
