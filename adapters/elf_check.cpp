@@ -3,7 +3,9 @@
 
 #include <elf.h>
 
+#include <bit>
 #include <cerrno>
+#include <cstddef>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -32,6 +34,43 @@ bool complete(std::ifstream& file, const Elf64_Ehdr& header, std::uint64_t size)
   return true;
 }
 
+/// The machine that a file is for; 0: none that is known.
+unsigned machine_of(const Elf64_Ehdr& header) {
+  constexpr bool big = std::endian::native == std::endian::big;
+  const bool other = (header.e_ident[EI_DATA] == ELFDATA2MSB) != big;
+  const unsigned machine = header.e_machine;
+  return other ? (machine & 0xffu) << 8 | machine >> 8 : machine;
+}
+
+std::string machine_words(unsigned machine) {
+  switch (machine) {
+    case EM_386:
+      return "x86 of 32 bits";
+    case EM_X86_64:
+      return "x86-64";
+    case EM_ARM:
+      return "ARM of 32 bits";
+    case EM_AARCH64:
+      return "ARM of 64 bits";
+    case EM_RISCV:
+      return "RISC-V";
+    case EM_PPC64:
+      return "POWER of 64 bits";
+    case EM_S390:
+      return "IBM Z";
+  }
+  return "number " + std::to_string(machine) + " of the ELF format";
+}
+
+/// The loader says of such a file that it is not there.
+void refuse_other_machine(const Elf64_Ehdr& header) {
+  std::ifstream own("/proc/self/exe", std::ios::binary);
+  Elf64_Ehdr ours{};
+  if (!read_at(own, 0, ours) || machine_of(ours) == machine_of(header)) return;
+  throw LibraryError("is for another machine: " + machine_words(machine_of(header)) + "; this one is " +
+                     machine_words(machine_of(ours)));
+}
+
 }  // namespace
 
 void check_shared_library(const std::string& path) {
@@ -45,6 +84,13 @@ void check_shared_library(const std::string& path) {
   Elf64_Ehdr header{};
   if (!read_at(file, 0, header.e_ident) || std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0) {
     throw LibraryError("is no shared library");
+  }
+  constexpr std::uint64_t until_machine = offsetof(Elf64_Ehdr, e_version);
+  if (fs::file_size(path, code) >= until_machine) {
+    Elf64_Ehdr beginning{};
+    file.clear(), file.seekg(0);
+    file.read(reinterpret_cast<char*>(&beginning), until_machine);
+    refuse_other_machine(beginning);
   }
   if (header.e_ident[EI_CLASS] != ELFCLASS64) return;  // the loader says it well
   if (!read_at(file, 0, header) || !complete(file, header, fs::file_size(path, code))) {

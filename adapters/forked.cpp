@@ -17,6 +17,7 @@
 #include <system_error>
 
 #include "adapters/worker/descendants.hpp"
+#include "adapters/worker/high_files.hpp"
 #include "harness/own_process.hpp"
 #include "harness/progress_mark.hpp"
 
@@ -57,7 +58,7 @@ bool read_some(int in, std::string& text) {
 
 struct Pipe {
   Pipe() {
-    if (::pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+    if (!high_pipe(ends)) throw std::system_error(errno, std::generic_category(), "pipe");
   }
   ~Pipe() { close_in(), close_out(); }
   Pipe(const Pipe&) = delete;
@@ -77,7 +78,7 @@ struct Pipe {
 
 [[noreturn]] void run_copy(int out, const std::function<std::string()>& body, const std::function<void()>& after) {
   own_this_process();
-  call_mark = nullptr;
+  leave_no_marks();
   std::string text;
   try {
     text = body();

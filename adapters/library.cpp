@@ -3,6 +3,7 @@
 
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <cstring>
@@ -15,17 +16,21 @@
 
 namespace assay::adapters {
 
-namespace {
-
-/// More tables than any library would hold: its entry ignores the index.
-constexpr std::uint32_t index_limit = 1000;
-
 std::string loader_message(const std::string& path) {
   const char* text = dlerror();
   std::string message = text ? text : "unknown reason";
   if (message.starts_with(path + ": ")) message.erase(0, path.size() + 2);
+  struct statvfs system = {};
+  if (::statvfs(path.c_str(), &system) == 0 && (system.f_flag & ST_NOEXEC)) {
+    message += "; its file system is mounted noexec: no code in it may run";
+  }
   return message;
 }
+
+namespace {
+
+/// More tables than any library would hold: its entry ignores the index.
+constexpr std::uint32_t index_limit = 1000;
 
 assay_material_entry_function entry_of(const std::string& path) {
   void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);

@@ -18,8 +18,9 @@ std::string value_of_environment(const char* name) {
 
 std::string cache_home() {
   if (std::string own = value_of_environment("ASSAY_CACHE_HOME"); !own.empty()) return own;
-  if (const std::string xdg = value_of_environment("XDG_CACHE_HOME"); !xdg.empty()) return xdg + "/assay";
-  if (const std::string home = value_of_environment("HOME"); !home.empty()) return home + "/.cache/assay";
+  // The standard of XDG: relative paths are to be ignored.
+  if (const std::string xdg = value_of_environment("XDG_CACHE_HOME"); xdg.starts_with('/')) return xdg + "/assay";
+  if (const std::string home = value_of_environment("HOME"); home.starts_with('/')) return home + "/.cache/assay";
   return {};
 }
 

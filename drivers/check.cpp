@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "adapters/worker/remote_table.hpp"
+#include "adapters/worker/shortage.hpp"
 #include "drivers/check_components.hpp"
 #include "drivers/check_material.hpp"
 #include "drivers/check_output.hpp"
@@ -214,9 +215,18 @@ std::vector<CheckedMaterial> check_all(const CheckOptions& options) {
   return all;
 }
 
+/// No verdict is given where the system may be to blame.
+void require_room(const std::vector<CheckedMaterial>& all) {
+  const std::string tight = adapters::tight_limits();
+  const auto failed = std::find_if(all.begin(), all.end(), [](const CheckedMaterial& each) { return !each.passes(); });
+  if (tight.empty() || failed == all.end() || failed->unsuitable) return;
+  throw SystemError(failed->name + ": the check fails, and " + tight + ": that may be why");
+}
+
 /// The exit status.
 int reported(const CheckOptions& options, const std::vector<CheckedMaterial>& all, const std::string& json,
              const std::string& text) {
+  require_room(all);
   tell(options, text, json, check_junit(all));
   int status = 0;
   for (const CheckedMaterial& checked : all) {
@@ -263,8 +273,11 @@ int check(const CheckOptions& options) {
   if (!options.replay.empty()) return check_replay(options);
   if (!options.all) {
     const CheckedMaterial checked = check_one(options);
-    if (checked.unsuitable) throw InputError({}, options.material, checked.error);
-    if (!checked.error.empty()) throw SystemError(checked.error);
+    if (checked.unsuitable) throw InputError(checked.error);
+    if (!checked.error.empty()) {
+      require_room({checked});
+      throw SystemError(checked.error);
+    }
     return reported(options, {checked}, check_json(checked), check_text(checked, options.verbosity));
   }
   const auto start = std::chrono::steady_clock::now();

@@ -15,9 +15,12 @@
 #include <new>
 
 #include "adapters/worker/crash_marks.hpp"
+#include "adapters/worker/high_files.hpp"
 #include "adapters/worker/process_watch.hpp"
 #include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
+#include "drivers/own_files.hpp"
+#include "drivers/supervisor.hpp"
 #include "harness/own_process.hpp"
 #include "harness/progress_mark.hpp"
 
@@ -28,7 +31,7 @@ namespace {
 void write_all(int file, const std::string& text) {
   for (std::size_t at = 0; at < text.size();) {
     const ssize_t written = ::write(file, text.data() + at, text.size() - at);
-    if (written < 0 && errno != EINTR) leave_process(3);
+    if (written < 0 && errno != EINTR) adapters::end_by_word("closed the files of the process");
     if (written > 0) at += static_cast<std::size_t>(written);
   }
 }
@@ -38,10 +41,9 @@ struct Ends {
   int records, output;
 };
 
-/// The same file where a model that closes all that it can think of does not find it.
+/// The same file where a model does not find it.
 int out_of_reach(int file) {
-  constexpr int far = 900;
-  const int copy = ::fcntl(file, F_DUPFD_CLOEXEC, far);
+  const int copy = adapters::high_copy(file);
   if (copy < 0) return file;
   ::close(file);
   return copy;
@@ -58,6 +60,7 @@ void settle(const std::string& folder, const Ends& ends) {
   ::dup2(ends.output, STDERR_FILENO);
   ::close(ends.output);
   own_this_process();
+  remember_files();
 }
 
 CheckReporter reporter_to(int records, int folder_before, const adapters::ProcessWatch& watch) {
@@ -71,11 +74,15 @@ CheckReporter reporter_to(int records, int folder_before, const adapters::Proces
           },
           [&watch] { return watch.habits(); },
           true,
-          [=] { [[maybe_unused]] const int ignored = ::fchdir(folder_before); }};
+          [=] {
+            keep_instances();
+            put_files_right();
+            [[maybe_unused]] const int ignored = ::fchdir(folder_before);
+          }};
 }
 
-/// Records, each ended by a NUL: '!' and the material, '@' and the id of a test that begins, '=' and what it has found;
-/// the report at last.
+/// Records, each ended by a NUL: '!' and the material, '@' and the id of a test that begins, '=' and what it has found,
+/// '?' and why it cannot be checked; the report at last. What the model does when it is destroyed comes behind that.
 [[noreturn]] void serve(const CheckTask& task, const Ends& ends, const std::string& folder) {
   const int before = out_of_reach(::open(".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   settle(folder, ends);
@@ -86,6 +93,9 @@ CheckReporter reporter_to(int records, int folder_before, const adapters::Proces
   } catch (const std::bad_alloc&) {  // which the model has taken, or forbidden
     std::fputs("no memory is left\n", stderr);
     leave_process(3);
+  } catch (const InputError& error) {
+    write_all(ends.records, std::string("?") + error.what() + std::string(1, '\0'));
+    leave_process(0);
   } catch (const std::exception& error) {
     checked = {};
     checked.name = task.name;
@@ -93,6 +103,7 @@ CheckReporter reporter_to(int records, int folder_before, const adapters::Proces
   }
   write_all(ends.records, check_json(checked));
   std::fflush(nullptr);
+  release_instances();
   leave_process(0);
 }
 
@@ -122,6 +133,7 @@ Child start_child(const std::vector<CheckTask>& tasks, std::size_t task, double 
   std::fflush(nullptr);  // or the child would write it a second time
   const auto work = [&](const std::string& folder) {
     call_mark = &child.control->busy_since;
+    phase_mark = &child.control->phase;
     adapters::mark_crashes(*child.control);
     serve(tasks[task], {out_of_reach(records[1]), output[1]}, folder);
   };
@@ -182,6 +194,7 @@ void release(Child& child) {
   dismiss(child.keeper);
   read_output(child);
   ::close(child.heard);
+  child.phase = static_cast<CallPhase>(child.control->phase.load());
   child.claim = static_cast<adapters::Death>(child.control->claim.load());
   child.words.assign(child.control->death_words, strnlen(child.control->death_words, adapters::words_size));
   ::munmap(child.control, sizeof *child.control);

@@ -12,6 +12,7 @@
 #include "adapters/worker/kept_output.hpp"
 #include "drivers/check_keeper.hpp"
 #include "drivers/check_process.hpp"
+#include "harness/progress_mark.hpp"
 
 namespace assay::drivers {
 
@@ -31,6 +32,7 @@ struct Child {
   enum class Excess { none, time, call, memory } excess = Excess::none;  ///< for which it was ended
   adapters::Death claim = adapters::Death::none;                         ///< how it saw its end come
   std::string words;                                                     ///< by which a model ended itself
+  CallPhase phase = CallPhase::updating;                                 ///< in which its end came
   bool over = false;                                                     ///< the process has ended, with `status`
   bool lost = false;                                                     ///< and took its keeper with it
   int status = 0;

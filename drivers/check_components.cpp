@@ -133,7 +133,9 @@ void judge_components(CheckedMaterial& checked, const check::Effort& effort, con
   if (fills == Fills::plane_stress) {
     checked.unsuitable = true;
     checked.error =
-        "it has three components of stress alone, as in plane stress (11, 22 and 12) or in a cohesive layer: DSTRAN(3) "
+        checked.name +
+        ": it has three components of stress alone, as in plane stress (11, 22 and 12) or in a cohesive layer: "
+        "DSTRAN(3) "
         "makes STRESS(3), and nothing else does. assay drives plane strain and three dimensions, and cannot judge it";
     return;
   }

@@ -18,6 +18,7 @@
 #include <string>
 
 #include "adapters/worker/descendants.hpp"
+#include "adapters/worker/high_files.hpp"
 #include "drivers/exit_guard.hpp"
 #include "harness/check/calls.hpp"
 #include "harness/own_process.hpp"
@@ -43,7 +44,7 @@ void send_all(const std::vector<double>& all, int out) {
 
 /// The process itself, then row by row, each after its length.
 [[noreturn]] void send(const Maker& make, int out) {
-  call_mark = nullptr;
+  leave_no_marks();
   own_this_process();
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   ::dup2(nowhere, STDOUT_FILENO);
@@ -127,14 +128,16 @@ void end_group(pid_t process, const Received& what) {
 
 std::optional<check::History> made_elsewhere(const Maker& make, double limit_s) {
   int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) return std::nullopt;
+  if (!adapters::high_pipe(ends)) return std::nullopt;
   const pid_t process = ::fork();
   if (process == 0) {  // between the two, for models that kill whoever has started them
     ::setpgid(0, 0);
-    if (::fork() == 0) send(make, ends[1]);
+    const pid_t sender = ::fork();
+    if (sender == 0) send(make, ends[1]);
     ::close(ends[1]);
-    while (::wait(nullptr) < 0 && errno == EINTR) {
+    while (::waitpid(sender, nullptr, WUNTRACED) < 0 && errno == EINTR) {
     }
+    ::kill(sender, SIGKILL);  // where it has stopped itself
     leave_process(0);
   }
   ::setpgid(process, process);  // whichever comes first

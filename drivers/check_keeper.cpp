@@ -149,6 +149,7 @@ Keeper start_kept(const Keeper::Work& work, const std::vector<int>& files, const
 bool kept_is_over(const Keeper& keeper, int& status, bool& lost) {
   const auto is_told = [&] { return ::read(keeper.told, &status, sizeof status) == sizeof status; };
   if (is_told()) return true;
+  ::kill(keeper.pid, SIGCONT);  // a model may have stopped it
   siginfo_t ended = {};
   const bool gone = ::waitid(P_PID, static_cast<id_t>(keeper.pid), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
                     ended.si_pid == keeper.pid;

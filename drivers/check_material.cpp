@@ -41,11 +41,11 @@ std::string replay_file(const CheckedMaterial& checked, const std::string& folde
   return (fs::path(folder) / (stem_of(checked) + "." + test + ".yaml")).string();
 }
 
-void write_replay(const std::string& file, const Replay& replay) {
+void write_replay(const std::string& file, const Replay& replay, Isolation isolation) {
   std::error_code error;
   fs::create_directories(fs::path(file).parent_path(), error);
   if (error) fail(fs::path(file).parent_path(), "cannot be made", error);
-  write_file(file, replay_yaml(replay));
+  write_file(file, replay_yaml(replay, isolation));
 }
 
 /// Those of earlier failures that are none any more.
@@ -68,7 +68,7 @@ void leave_replays(const ResolvedMaterial& material, bool rate_dependent, Checke
       replay.effort = checked.report.effort;
       replay.rate_dependent = rate_dependent;
       const std::string file = replay_file(checked, settings.folder, test.id);
-      write_replay(file, replay);
+      write_replay(file, replay, Isolation::none);
       checked.replays[test.id] = file;
     }
   } catch (const SystemError& error) {  // the verdict is not lost for that
@@ -187,7 +187,7 @@ void leave_replay_of_the_end(CheckedMaterial& checked, const CheckSettings& sett
   replay.reason = test->cause + ": " + test->sentence;
   const std::string file = replay_file(checked, settings.folder, test->id);
   try {
-    write_replay(file, replay);
+    write_replay(file, replay, Isolation::worker);
     checked.replays[test->id] = file;
   } catch (const SystemError& error) {
     checked.unwritten = error.what();

@@ -6,9 +6,12 @@
 
 #include <csignal>
 #include <cstring>
+#include <map>
 
 #include "adapters/worker/missing_file.hpp"
 #include "drivers/check_child.hpp"
+#include "drivers/check_material.hpp"
+#include "drivers/input_error.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
 
@@ -16,7 +19,7 @@ namespace assay::drivers {
 
 namespace {
 
-std::string how_it_ended(const Child& child, double limit_s) {
+std::string how_it_ended_alone(const Child& child, double limit_s) {
   switch (child.excess) {
     case Child::Excess::call:
       return "did not come back from one call within " + rounded_text(child.limits.seconds, 3) + " s";
@@ -39,6 +42,10 @@ std::string how_it_ended(const Child& child, double limit_s) {
   return "ended the process with status " + std::to_string(WEXITSTATUS(child.status));
 }
 
+std::string how_it_ended(const Child& child, double limit_s) {
+  return "the model " + how_it_ended_alone(child, limit_s) + phase_words(child.phase);
+}
+
 /// Of what writes where it must not.
 bool spoilt_memory(const Child& child) {
   if (!child.over || child.lost || child.excess != Child::Excess::none || !WIFSIGNALED(child.status)) return false;
@@ -47,9 +54,23 @@ bool spoilt_memory(const Child& child) {
   return signal == SIGSEGV || signal == SIGBUS;
 }
 
-/// By its own will: STOP, exit().
+/// By its own will, of a step: STOP, exit().
 bool gave_up(const Child& child) {
-  return child.over && !child.lost && child.excess == Child::Excess::none && WIFEXITED(child.status);
+  return child.phase == CallPhase::updating && child.over && !child.lost && child.excess == Child::Excess::none &&
+         WIFEXITED(child.status);
+}
+
+/// A report that was whole before the model's last instances were destroyed.
+CheckedMaterial with_end(CheckedMaterial checked, const Child& child, double limit_s) {
+  const check::TestResult end{.id = process_test,
+                              .verdict = check::Verdict::fail,
+                              .cause = check::causes::ends_process,
+                              .sentence = how_it_ended(child, limit_s) + ", behind the last test"};
+  std::erase_if(checked.report.tests, [](const check::TestResult& test) { return test.id == process_test; });
+  checked.report.tests.push_back(end);
+  checked.report.diagnosis.push_back({end.cause, end.sentence});
+  checked.hangs = child.excess != Child::Excess::none || child.lost;
+  return checked;
 }
 
 /// The report, or that of a test in which the process ended.
@@ -61,15 +82,18 @@ CheckedMaterial result_of(const Child& child, const CheckTask& task, double limi
   for (; (end = child.said.find('\0', at)) != std::string::npos; at = end + 1) {
     const std::string record = child.said.substr(at + 1, end - at - 1);
     if (child.said[at] == '@') test = record;
+    if (child.said[at] == '?') checked.error = record, checked.unsuitable = true;
     const auto told = checked_of_json(record);
     if (child.said[at] == '!' && told) checked = *told;
     if (child.said[at] == '=' && told) checked.report.tests.push_back(told->report.tests.front());
   }
+  if (checked.unsuitable) return checked;
   const auto whole = checked_of_json(child.said.substr(at));
+  if (whole && child.phase == CallPhase::destroying) return with_end(*whole, child, limit_s);
   if (whole && child.excess == Child::Excess::none) return *whole;
   const std::string last = adapters::last_line(child.output->text());
   const std::string missing = adapters::missing_file_words(child.output->text());
-  const std::string sentence = "the model " + how_it_ended(child, limit_s) + " in the test " + test +
+  const std::string sentence = how_it_ended(child, limit_s) + " in the test " + test +
                                (last.empty() ? "" : "; the last that it printed: " + last) +
                                (missing.empty() && gave_up(child) ? "; it may stand a smaller --strain" : missing);
   const char* cause =
@@ -78,6 +102,12 @@ CheckedMaterial result_of(const Child& child, const CheckTask& task, double limi
   checked.report.tests.push_back({.id = test, .verdict = check::Verdict::fail, .cause = cause, .sentence = sentence});
   checked.report.diagnosis.push_back({cause, sentence});
   return checked;
+}
+
+/// By the model itself, or by somebody from outside, as the system where memory is short.
+bool was_killed(const Child& child) {
+  if (!child.over || child.excess != Child::Excess::none) return false;
+  return child.lost || (WIFSIGNALED(child.status) && WTERMSIG(child.status) == SIGKILL);
 }
 
 /// How many tests have begun in a child, and the id of the last.
@@ -149,6 +179,7 @@ class Children {
 std::vector<CheckedMaterial> check_in_processes(const std::vector<CheckTask>& tasks, const CheckProcesses& how) {
   std::vector<CheckedMaterial> results(tasks.size());
   Children running(how);
+  std::map<std::size_t, std::string> killed;  ///< of tasks whose process was killed: the test that it was at
   std::size_t next = 0, done = 0;
   while (done < tasks.size()) {
     while (next < tasks.size() && running.all.size() < static_cast<std::size_t>(how.at_once)) {
@@ -157,6 +188,16 @@ std::vector<CheckedMaterial> check_in_processes(const std::vector<CheckTask>& ta
     }
     const Child child = running.next();
     CheckedMaterial& checked = results[child.task] = result_of(child, tasks[child.task], how.limit_s);
+    const std::string test = was_killed(child) ? checked.report.tests.back().id : "";
+    if (const auto before = killed.find(child.task); before != killed.end()) {
+      if (before->second != test)  // a model kills itself again and again
+        throw SystemError(
+            "the process of a check was killed (signal 9) from outside, as the system does where memory is short");
+    } else if (!test.empty()) {
+      killed[child.task] = test;
+      running.all.push_back(start_child(tasks, child.task, how.limit_s));
+      continue;
+    }
     checked.printed = child.output->text();
     checked.printed_bytes = child.output->printed.load();
     ++done;

@@ -61,8 +61,8 @@ CheckedMaterial again(const Replay& replay, const ResolvedMaterial& resolved, co
 }  // namespace
 
 int check_replay(const CheckOptions& options) {
-  const Replay replay = read_replay(options.replay);
-  const ResolvedMaterial resolved = resolved_of(replay);
+  const Replay replay = read_replay(options.replay, Isolation::worker);  // nobody's code runs in this process
+  const ResolvedMaterial resolved = resolved_of(replay, Isolation::worker);
   const bool known = !replay.library_sha256.empty();
   if (known && replay_of(resolved, {}, "").library_sha256 != replay.library_sha256 &&
       options.verbosity != Verbosity::quiet) {
@@ -77,6 +77,7 @@ int check_replay(const CheckOptions& options) {
   judge_printing(checked);
   const std::string text = wrapped(replay.reason, "it was: ", "    ") + "\n" + check_text(checked, Verbosity::verbose);
   tell(options, text, check_json(checked), check_junit({checked}));
+  if (checked.unsuitable) throw InputError(checked.error);
   if (!checked.error.empty()) throw SystemError(checked.error);
   return checked.passes() ? 0 : 1;
 }

@@ -9,12 +9,14 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <new>
 #include <string>
 
 #include "adapters/worker/crash_marks.hpp"
+#include "adapters/worker/shortage.hpp"
 
 namespace assay::drivers {
 
@@ -31,7 +33,10 @@ std::array<bool, crashes.size()> installed{};
 alignas(16) char handler_stack[1 << 16];  // a stack that overflowed cannot serve
 bool own_stack = false;
 
+char crash_line[256];  ///< with "##" for the signal
+
 Parting* parting = nullptr;
+pid_t parting_process = 0;   ///< whose word it is: a model can write into what is shared
 std::atomic<int> whole{-1};  ///< the status that stands, whatever comes
 
 std::string loaded_library;
@@ -77,12 +82,21 @@ void on_crash(int signal) {
   if (library_was_changed()) {
     say_and_leave("assay: crashed: the material's library was changed while it was in use\n");
   }
-  char line[] = "assay: crashed (signal ##), most likely in the material's library\n";
+  char line[sizeof crash_line];
+  std::memcpy(line, crash_line, sizeof line);
   char* digits = std::strchr(line, '#');
   digits[0] = static_cast<char>('0' + signal / 10);
   digits[1] = static_cast<char>('0' + signal % 10);
   if (signal < 10) std::memmove(digits, digits + 1, std::strlen(digits));
   say_and_leave(line);
+}
+
+/// In time: a signal handler can do little.
+void compose_crash_line() {
+  const std::string tight = adapters::tight_limits();
+  std::snprintf(
+      crash_line, sizeof crash_line, "assay: crashed (signal ##), %s\n",
+      tight.empty() ? "most likely in the material's library" : ("and " + tight + ": that may be why").c_str());
 }
 
 void install_stack() {
@@ -107,6 +121,7 @@ void remove_stack() {
 ExitGuard::ExitGuard() {
   static const int registered = std::atexit(on_exit);
   static_cast<void>(registered);
+  compose_crash_line();
   install_stack();
   struct sigaction action = {};
   action.sa_handler = on_crash;
@@ -140,15 +155,15 @@ const Parting* ExitGuard::share_last_word() {
 void ExitGuard::move_to_this_process(const char* library) {
   loaded_library = library;
   if (::stat(library, &as_loaded) != 0) loaded_library.clear();
-  if (parting) parting->process = ::getpid();
+  parting_process = ::getpid();
   if (guarded != 0) guarded = ::getpid();
 }
 
 namespace {
 
-/// A watcher that was stopped goes on.
+/// The first word stands. A watcher that was stopped goes on.
 void tell_parting(int status) noexcept {
-  if (!parting || parting->process != ::getpid()) return;
+  if (!parting || parting_process != ::getpid() || parting->is_told) return;
   parting->status = status;
   parting->is_told = true;
   ::kill(::getppid(), SIGCONT);

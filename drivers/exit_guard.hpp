@@ -11,7 +11,6 @@ namespace assay::drivers {
 
 /// The status with which a process means to end, for one that waits for it. Lies in memory that both share.
 struct Parting {
-  pid_t process;  ///< whose word it is
   std::atomic<int> status;
   std::atomic<bool> is_told;
 };

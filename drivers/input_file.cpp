@@ -15,6 +15,7 @@
 #include "drivers/input_error.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/output/numbers.hpp"
+#include "drivers/own_files.hpp"
 #include "drivers/unseen.hpp"
 
 namespace assay::drivers {
@@ -40,7 +41,10 @@ std::string fault_of_mode(mode_t mode) {
   return std::string("is a ") + (S_ISSOCK(mode) ? "socket" : "device") + ", not a regular file";
 }
 
-std::string because() { return std::string("cannot be read: ") + std::strerror(errno); }
+std::string because() {
+  const int error = errno;
+  return std::string("cannot be read: ") + std::strerror(error) + open_files_words(error);
+}
 
 class Descriptor {
  public:
@@ -76,10 +80,11 @@ std::string bytes_of_stream(int number, const Location& where, std::size_t limit
   static std::map<int, std::string> read_before;
   const auto found = read_before.find(number);
   if (found != read_before.end()) return found->second;
+  const int file = number == 0 ? user_input() : number;
   struct stat status {};
-  if (::fstat(number, &status) != 0) throw InputError(where, "", because());
+  if (::fstat(file, &status) != 0) throw InputError(where, "", because());
   if (S_ISDIR(status.st_mode)) throw InputError(where, "", fault_of_mode(status.st_mode));
-  return read_before[number] = bytes_of(number, where, limit);
+  return read_before[number] = bytes_of(file, where, limit);
 }
 
 }  // namespace
@@ -88,6 +93,7 @@ std::string read_bytes(const std::string& file, std::size_t limit) {
   const Location where{file, 0, 0};
   if (file.find('\0') != file.npos || file.empty()) throw InputError(where, "", "not a file name");
   if (const auto stream = stream_of(file)) return bytes_of_stream(*stream, where, limit);
+  put_files_right();
   // Without O_NONBLOCK a pipe that nobody writes into is waited for.
   const Descriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
   if (opened.number() < 0) {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fcntl.h>
 #include <malloc.h>
 #include <pthread.h>
 #include <unistd.h>
 
 #include <cstdlib>
-#include <initializer_list>
 
 #include "adapters/library.hpp"
+#include "adapters/worker/shortage.hpp"
 #include "drivers/command_line.hpp"
 #include "drivers/exit_guard.hpp"
+#include "drivers/own_files.hpp"
 #include "drivers/supervisor.hpp"
 
 // These stand before libc's for every library that is loaded: _exit() runs no handler, and a model that calls it must
@@ -29,13 +29,6 @@ extern "C" [[gnu::visibility("default")]] void pthread_exit(void* value) {
 
 namespace {
 
-/// A stream that the caller has closed stays unusable: the first file that is opened must not take its place.
-void keep_standard_streams() {
-  for (const int stream : {0, 1, 2}) {
-    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);
-  }
-}
-
 /// A run takes and gives back the same blocks at each step. Where libc returns them to the system each time, fresh
 /// pages cost more than the work on them.
 void keep_freed_memory() {
@@ -48,8 +41,9 @@ void keep_freed_memory() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  keep_standard_streams();
+  assay::drivers::keep_standard_streams();  // the caller may have closed them
   keep_freed_memory();
+  assay::adapters::enlarge_stack(std::size_t{1} << 23);
   assay::drivers::allow_supervision();
   const int status = assay::drivers::command_line(argc, argv);
   assay::drivers::results_are_whole(status);

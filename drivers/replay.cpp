@@ -169,8 +169,8 @@ std::string units_words(const ResolvedMaterial& resolved) {
 
 }  // namespace
 
-std::string replay_yaml(const Replay& replay) {
-  const ResolvedMaterial resolved = resolved_of(replay);
+std::string replay_yaml(const Replay& replay, Isolation isolation) {
+  const ResolvedMaterial resolved = resolved_of(replay, isolation);
   const Material& material = resolved.material;
   std::string text = "# What a material failed: F0 and state0 at t, F1 at t + dt. Again: assay check --replay\n# " +
                      units_words(resolved) + "\n";
@@ -195,7 +195,7 @@ std::vector<std::string> tests_of_check() {
 
 }  // namespace
 
-Replay read_replay(const std::string& file) {
+Replay read_replay(const std::string& file, Isolation isolation) {
   const Tree root = read_yaml(read_bytes(file), file);
   const std::vector<std::string> known{
       "material",        "parameters",    "library_sha256", "t",     "dt",     "F0",   "F1",
@@ -223,15 +223,18 @@ Replay read_replay(const std::string& file) {
   if (const Tree* rate = root.find("rate_dependent")) replay.rate_dependent = boolean_value(*rate, "rate_dependent");
   if (const Tree* step = root.find("step")) replay.effort.step = number_value(*step, "step");
   if (const Tree* pressure = root.find("pressure")) replay.effort.pressure = number_value(*pressure, "pressure");
-  if (replay.test.empty() || root.find("t")) replay.step = step_of(root, material_of(replay).table());
+  if (replay.test.empty() || root.find("t")) replay.step = step_of(root, material_of(replay, isolation).table());
   if (const Tree* reason = root.find("reason")) replay.reason = text_value(*reason, "reason");
   return replay;
 }
 
-Material material_of(const Replay& replay) { return std::move(resolved_of(replay).material); }
+Material material_of(const Replay& replay, Isolation isolation) {
+  return std::move(resolved_of(replay, isolation).material);
+}
 
-ResolvedMaterial resolved_of(const Replay& replay) {
+ResolvedMaterial resolved_of(const Replay& replay, Isolation isolation) {
   MaterialChoice choice;
+  choice.isolation = isolation;
   choice.adapter = replay.material;
   choice.parameters = replay.parameters;
   choice.density = 1;  // a replay needs none

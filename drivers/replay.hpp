@@ -40,16 +40,16 @@ Replay replay_of(const Scene& scene, const FailedStep& step, const std::string& 
 
 /// Numbers at full precision; state0 by the names of the material's state variables. Throws InputError where the
 /// material is gone.
-std::string replay_yaml(const Replay& replay);
+std::string replay_yaml(const Replay& replay, Isolation isolation = Isolation::automatic);
 
 /// Throws InputError: no such file, not a replay, a material that is not found or has another state.
-Replay read_replay(const std::string& file);
+Replay read_replay(const std::string& file, Isolation isolation = Isolation::automatic);
 
 /// The same with where it was found.
-ResolvedMaterial resolved_of(const Replay& replay);
+ResolvedMaterial resolved_of(const Replay& replay, Isolation isolation = Isolation::automatic);
 
 /// The material of a replay. Throws InputError where it is not found.
-Material material_of(const Replay& replay);
+Material material_of(const Replay& replay, Isolation isolation = Isolation::automatic);
 
 /// Takes the step again.
 UpdateReport take_again(const Material& material, const FailedStep& step);

@@ -24,6 +24,7 @@
 #include "adapters/worker/process_watch.hpp"
 #include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
+#include "drivers/own_files.hpp"
 #include "harness/instances.hpp"
 #include "harness/own_process.hpp"
 
@@ -173,10 +174,11 @@ void keep(void (*destroy)(void*), void* self) {
 void release_instances() {
   takes_instances_over = nullptr;
   for (const KeptInstance& each : std::exchange(kept().all, {})) {
-    each.destroy(each.self);
-    end_a_copy();
+    destroy_marked(each.destroy, each.self);
   }
 }
+
+void keep_instances() { takes_instances_over = keep; }
 
 void allow_supervision() {
   std::signal(SIGCHLD, SIG_DFL);  // a caller may have ignored it: then no child could be waited for
@@ -202,7 +204,8 @@ void supervise(const std::string& library) {
   if (::getppid() != allowed) leave_process(3);
   ExitGuard::move_to_this_process(library.c_str());
   own_this_process();
-  takes_instances_over = keep;
+  keep_instances();
+  remember_files();
   since.emplace();
 }
 

@@ -18,7 +18,10 @@ void allow_supervision();
 /// Throws SystemError where no process can be made.
 void supervise(const std::string& library);
 
-/// Destroys the models' instances, which a supervised process keeps until all is written: to be called then.
+/// From here on the models' instances are kept. A supervised process begins so.
+void keep_instances();
+
+/// Destroys those that were kept: to be called when all is written.
 void release_instances();
 
 /// What was done to the child's process since then, or-ed adapters::Habit.

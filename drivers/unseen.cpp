@@ -99,6 +99,8 @@ std::size_t decode(std::string_view text, std::size_t at, std::uint32_t& code) {
     if ((byte(at + i) & 0xC0u) != 0x80u) return 0;
     code = code << 6 | (byte(at + i) & 0x3Fu);
   }
+  constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};  // what is longer than it need be is no UTF-8
+  if (code < least[length] || code > 0x10FFFF || (code >= 0xD800 && code < 0xE000)) return 0;
   return length;
 }
 
@@ -148,6 +150,13 @@ std::string note_of(std::uint32_t code) {
 
 std::string printable(std::string_view text) {
   return written(text, false, [](std::uint32_t code) { return name_in(steering, code) != nullptr; });
+}
+
+std::string utf8(std::string_view text) {
+  std::string out;
+  for_each_character(
+      text, [&](std::uint32_t code, std::string_view bytes) { code == 0xFFFFFFFFu ? out += '?' : out += bytes; });
+  return out;
 }
 
 std::string with_unseen_written(std::string_view text) { return written(text, false, is_unseen); }

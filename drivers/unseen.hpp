@@ -11,6 +11,9 @@ namespace assay::drivers {
 /// direction of writing) is written as "<U+001B>"; what is no UTF-8 becomes a question mark.
 std::string printable(std::string_view text);
 
+/// The text with question marks for bytes that are no UTF-8.
+std::string utf8(std::string_view text);
+
 /// The same, with everything written out that cannot be seen: blanks of other kinds and what has no width, too.
 std::string with_unseen_written(std::string_view text);
 

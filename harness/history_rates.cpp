@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "harness/history_forms.hpp"
+#include "harness/progress_mark.hpp"
 #include "harness/stiff_integrator.hpp"
 
 namespace assay {
@@ -74,6 +75,7 @@ void History::Rates::slope(const Vector& x, double t, Vector& x_rate) {
   for (std::size_t i = 0; i < n; ++i) physical_[i] = x[i] * scales_[i];
   const auto* extension = material.extension<assay_rate>(ASSAY_EXTENSION_RATE);
   h_->count_call();
+  const CallMark mark;
   const std::int32_t status = extension->rate(material.self(), t, 1, F_components, l_components, physical_.data(),
                                               physical_.data() + 9, physical_rate_.data(), physical_rate_.data() + 9);
   x_rate.resize(x.size());

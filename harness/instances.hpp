@@ -4,10 +4,20 @@
 
 #include <atomic>
 
+#include "harness/own_process.hpp"
+#include "harness/progress_mark.hpp"
+
 namespace assay {
 
 /// Whoever takes instances over in place of their destruction, each with the model's function that destroys it; null:
 /// nobody.
 inline std::atomic<void (*)(void (*destroy)(void*), void* self)> takes_instances_over{nullptr};
+
+inline void destroy_marked(void (*destroy)(void*), void* self) {
+  const CallMark call;
+  const PhaseMark phase(CallPhase::destroying);
+  destroy(self);
+  end_a_copy();
+}
 
 }  // namespace assay

@@ -97,9 +97,7 @@ Instances& instances() {
 void destroy_instance(void* self) {
   const auto destroy = instances().taken_out(self);
   if (const auto take_over = takes_instances_over.load()) return take_over(destroy, self);
-  const CallMark mark;
-  destroy(self);
-  end_a_copy();
+  destroy_marked(destroy, self);
 }
 
 }  // namespace
@@ -183,6 +181,7 @@ Material::Material(const assay_material* table, InDeclaredOrder parameters)
   reset_arithmetic();  // a library that was linked with -ffast-math changes it when it is loaded
   {
     const CallMark mark;
+    const PhaseMark phase(CallPhase::creating);
     void* made = create_instance(table, parameters_.data(), message);
     if (made) instances().add(made, table->destroy);
     self_.reset(made);
@@ -238,7 +237,14 @@ std::vector<double> Material::initial_state(std::size_t n, std::span<const doubl
   if (state_size_ == 0) return state;
   const std::vector<double> none(cauchy.empty() ? 9 * n : 0, 0.0);
   const double* stress = cauchy.empty() ? none.data() : cauchy.data();
-  if (table_->initial_state(self_.get(), n, stress, state.data()) == ASSAY_FAILED) {
+  std::int32_t status = ASSAY_FAILED;
+  {
+    const CallMark mark;
+    const PhaseMark phase(CallPhase::beginning);
+    status = table_->initial_state(self_.get(), n, stress, state.data());
+  }
+  end_a_copy();
+  if (status == ASSAY_FAILED) {
     const auto* reasons = extension<assay_reason>(ASSAY_EXTENSION_REASON);
     const std::string reason = reasons ? one_line_of(reasons->reason(self_.get())) : "";
     throw std::runtime_error("material '" + name() + "' refuses " +

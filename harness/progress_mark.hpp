@@ -12,6 +12,27 @@ namespace assay {
 /// Where to; null where nobody looks on.
 inline std::atomic<std::atomic<std::size_t>*> point_mark{nullptr};
 inline std::atomic<std::atomic<std::int64_t>*> call_mark{nullptr};
+inline std::atomic<std::atomic<std::uint32_t>*> phase_mark{nullptr};
+
+/// What of a model's life foreign code is at.
+enum class CallPhase : std::uint32_t { updating, loading, creating, beginning, destroying };
+
+/// " when it was created", behind what happened; empty where it is updated.
+inline const char* phase_words(CallPhase phase) {
+  switch (phase) {
+    case CallPhase::loading:
+      return " when it was loaded";
+    case CallPhase::creating:
+      return " when it was created";
+    case CallPhase::beginning:
+      return " when it made its initial state";
+    case CallPhase::destroying:
+      return " when it was destroyed";
+    case CallPhase::updating:
+      break;
+  }
+  return "";
+}
 
 /// The point of a batch that is being worked on.
 inline void mark_point(std::size_t point) {
@@ -40,5 +61,24 @@ class CallMark {
  private:
   std::atomic<std::int64_t>* mark_;
 };
+
+/// While it lives, the mark holds the phase; `updating` otherwise.
+class PhaseMark {
+ public:
+  explicit PhaseMark(CallPhase phase) : mark_(phase_mark.load(std::memory_order_relaxed)) {
+    if (mark_) mark_->store(static_cast<std::uint32_t>(phase));
+  }
+  ~PhaseMark() {
+    if (mark_) mark_->store(static_cast<std::uint32_t>(CallPhase::updating));
+  }
+  PhaseMark(const PhaseMark&) = delete;
+  PhaseMark& operator=(const PhaseMark&) = delete;
+
+ private:
+  std::atomic<std::uint32_t>* mark_;
+};
+
+/// In a copy of the process whose end is nobody's finding.
+inline void leave_no_marks() { call_mark = nullptr, phase_mark = nullptr; }
 
 }  // namespace assay

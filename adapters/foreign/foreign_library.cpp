@@ -18,13 +18,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string loader_message(const std::string& path) {
-  const char* text = dlerror();
-  std::string message = text ? text : "unknown reason";
-  if (message.starts_with(path + ": ")) message.erase(0, path.size() + 2);
-  return message;
-}
-
 bool lacks_a_symbol(const std::string& message) { return message.find("undefined symbol: ") != std::string::npos; }
 
 /// Before a library of which GETOUTDIR answers that folder.

@@ -42,6 +42,7 @@ struct Control {
   std::uint64_t memory_limit;  ///< bytes beyond what the worker had at its start
   // the worker's marks
   std::atomic<std::int64_t> busy_since;   ///< monotonic [ns] of the call that runs; 0: none
+  std::atomic<std::uint32_t> phase;       ///< CallPhase of the model
   std::atomic<std::size_t> point;         ///< of the batch, that is being worked on; or no_point
   std::atomic<std::uint32_t> arithmetic;  ///< or-ed Arithmetic of the last call
   std::atomic<std::int64_t> busy_ns;      ///< spent in the last request

@@ -71,7 +71,7 @@ bool parent_adopts() { return adopter > 0 && ::getppid() == adopter; }
 void await_end(pid_t child) {
   constexpr int patience_ms = 5000;
   for (int waited = 0; ::waitpid(child, nullptr, WNOHANG) == 0; ++waited) {
-    if (waited == patience_ms) ::kill(child, SIGKILL);
+    ::kill(child, waited == patience_ms ? SIGKILL : SIGCONT);  // a model may have stopped it
     ::usleep(1000);
   }
 }

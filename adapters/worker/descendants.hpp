@@ -12,7 +12,7 @@ void adopt_orphans();
 /// Whether the parent of this process is one that has called it.
 bool parent_adopts();
 
-/// Waits for a child that is about to end; kills it where it has not within five seconds, as one that was stopped.
+/// Waits for a child that is about to end; lets it go on where it was stopped, and kills it after five seconds.
 void await_end(pid_t child);
 
 /// Ends every child of this process, and theirs. In bounded time: what starts new ones faster than they can be ended

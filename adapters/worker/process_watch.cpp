@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/worker/process_watch.hpp"
 
+#include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <clocale>
 #include <cstdio>
+#include <limits>
 
 #include "adapters/worker/descendants.hpp"
 #include "harness/arithmetic.hpp"
@@ -23,7 +26,12 @@ ProcessWatch::ProcessWatch()
       blocked_(blocked()),
       decimal_point_(*std::localeconv()->decimal_point),
       written_(written_inputs()),
-      arithmetic_(noted_arithmetic()) {}
+      arithmetic_(noted_arithmetic()),
+      forbidden_(forbidden()),
+      has_timer_(has_timer()),
+      limits_(limits()),
+      environment_(environment()),
+      lowest_free_file_(lowest_free_file()) {}
 
 ProcessWatch::File ProcessWatch::folder() {
   struct stat found = {};
@@ -94,8 +102,61 @@ Habits ProcessWatch::habits_but_signals() const {
   return found | (written_inputs() & ~written_);
 }
 
+mode_t ProcessWatch::forbidden() {
+  const mode_t found = ::umask(0);
+  ::umask(found);
+  return found;
+}
+
+bool ProcessWatch::has_timer() {
+  for (const auto timer : {ITIMER_REAL, ITIMER_VIRTUAL, ITIMER_PROF}) {
+    itimerval left = {};
+    if (::getitimer(timer, &left) == 0 && (left.it_value.tv_sec != 0 || left.it_value.tv_usec != 0)) return true;
+  }
+  return false;
+}
+
+/// But for that of open files, which is ours.
+ProcessWatch::Limits ProcessWatch::limits() {
+  Limits found{};
+  std::size_t k = 0;
+  for (const auto resource :
+       {RLIMIT_AS, RLIMIT_CORE, RLIMIT_CPU, RLIMIT_DATA, RLIMIT_FSIZE, RLIMIT_MEMLOCK, RLIMIT_NPROC, RLIMIT_STACK}) {
+    rlimit limit = {};
+    ::getrlimit(resource, &limit);
+    found[k++] = limit.rlim_cur;
+  }
+  return found;
+}
+
+std::vector<std::string> ProcessWatch::environment() {
+  std::vector<std::string> all;
+  for (char** each = environ; each && *each; ++each) all.emplace_back(*each);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+int ProcessWatch::lowest_free_file() {
+  const int file = ::open("/", O_PATH | O_CLOEXEC);
+  if (file < 0) return std::numeric_limits<int>::max();
+  ::close(file);
+  return file;
+}
+
+/// What is looked at once, when all is over.
+Habits ProcessWatch::habits_of_settings() const {
+  constexpr int a_few = 16;  // files that a model keeps open, as for its messages
+  Habits found = no_habit;
+  if (forbidden() != forbidden_) found |= files_forbidden;
+  if (has_timer() && !has_timer_) found |= timer_left;
+  if (limits() != limits_) found |= limits_changed;
+  if (environment() != environment_) found |= environment_changed;
+  if (lowest_free_file() - a_few > lowest_free_file_) found |= files_left;
+  return found;
+}
+
 Habits ProcessWatch::habits() const {
-  return habits_but_signals() | (dispositions() != dispositions_ ? signals_taken : no_habit);
+  return habits_but_signals() | habits_of_settings() | (dispositions() != dispositions_ ? signals_taken : no_habit);
 }
 
 Habits ProcessWatch::habits_so_far() {
@@ -121,7 +182,12 @@ std::string habit_words(Habits habits) {
                            {signals_blocked, "leaves signals blocked"},
                            {denormals_left_flushed, "leaves denormal numbers flushed to zero"},
                            {precision_left, "changes the precision of long double"},
-                           {x87_left, "leaves numbers in the registers of the x87 unit, as MMX does without EMMS"}};
+                           {x87_left, "leaves numbers in the registers of the x87 unit, as MMX does without EMMS"},
+                           {files_forbidden, "changes what may be done with new files (umask)"},
+                           {timer_left, "leaves a timer running"},
+                           {limits_changed, "changes the limits of the process"},
+                           {environment_changed, "changes the environment of the process"},
+                           {files_left, "leaves files open"}};
   std::string text;
   for (const Words& each : all) {
     if (habits & each.habit) text += (text.empty() ? "" : ", ") + std::string(each.words);

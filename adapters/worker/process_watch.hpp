@@ -2,12 +2,14 @@
 // What foreign code does to the process that runs it, beside computing: harmless to a worker, not to a host.
 #pragma once
 
+#include <sys/resource.h>
 #include <sys/types.h>
 
 #include <array>
 #include <csignal>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "adapters/foreign/written_inputs.hpp"
 
@@ -25,6 +27,11 @@ enum Habit : Habits {
   denormals_left_flushed = Habits{1} << 32,
   precision_left = Habits{1} << 33,
   x87_left = Habits{1} << 34,
+  files_forbidden = Habits{1} << 35,
+  timer_left = Habits{1} << 36,
+  limits_changed = Habits{1} << 37,
+  environment_changed = Habits{1} << 38,
+  files_left = Habits{1} << 39,
 };
 
 /// "changes the folder of the process, closes or redirects its standard output"; empty where it does nothing.
@@ -55,12 +62,19 @@ class ProcessWatch {
   };
   using Dispositions = std::array<Disposition, signal_count>;
   using Blocked = std::array<bool, signal_count>;
+  using Limits = std::array<rlim_t, 8>;
   static File folder();
   static bool watcher_has_others();
   static File open_file(int number);
   static Disposition disposition(int signal);
   static Dispositions dispositions();
   static Blocked blocked();
+  static mode_t forbidden();
+  static bool has_timer();
+  static Limits limits();
+  static std::vector<std::string> environment();
+  static int lowest_free_file();
+  Habits habits_of_settings() const;
   bool takes(int signal) const;
   Habits habits_but_signals() const;
 
@@ -70,6 +84,11 @@ class ProcessWatch {
   int next_signal_ = 1;  ///< to be looked at
   char decimal_point_;
   std::uint32_t written_, arithmetic_;  ///< WrittenInput and Arithmetic of models before
+  mode_t forbidden_;                    ///< of new files
+  bool has_timer_;
+  Limits limits_;
+  std::vector<std::string> environment_;
+  int lowest_free_file_;
 };
 
 /// Private pages of a process that could be written to, in bytes: what it has asked for, touched or not. 0: unknown.

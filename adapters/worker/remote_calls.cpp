@@ -28,8 +28,13 @@ void* create_remote(const assay_material* table, const double* parameters, char*
   try {
     auto& remote = *const_cast<RemoteTable*>(static_cast<const RemoteTable*>(table));
     auto made = std::make_unique<Instance>(remote, parameters);
-    Lease lease(remote, 0);
-    if (made->known_to(lease.slot())) return made.release();
+    for (const bool again : {false, true}) {
+      Lease lease(remote, 0);
+      const bool known = made->known_to(lease.slot());
+      if (known && again) note_killed_worker();
+      if (known) return made.release();
+      if (!lease.slot().worker.killed()) break;
+    }
     say(message, made->reason);
   } catch (const std::exception& error) {
     say(message, error.what());

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "adapters/worker/call_arrays.hpp"
 #include "adapters/worker/remote_table.hpp"
 #include "adapters/worker/servant.hpp"
+#include "adapters/worker/shortage.hpp"
 #include "adapters/worker/table_pack.hpp"
 #include "harness/arithmetic.hpp"
 #include "harness/material.hpp"
@@ -117,8 +119,19 @@ class Instance {
   /// make the instance, or wrote where it must not. `dead(worker)`: what its memory still tells, if it died.
   template <class In, class Out, class Dead>
   bool call(Operation operation, std::size_t n, const In& in, const Out& out, const Dead& dead) {
+    if (std::optional<bool> done = try_call(operation, n, in, out, dead)) return *done;
+    const std::optional<bool> again = try_call(operation, n, in, out, dead);
+    if (again) note_killed_worker();
+    return again.value_or(false);
+  }
+
+  /// The same; nothing: the worker was killed, which a model does to itself again and again.
+  template <class In, class Out, class Dead>
+  std::optional<bool> try_call(Operation operation, std::size_t n, const In& in, const Out& out, const Dead& dead) {
     Lease lease(table_, id_);
-    return call_in(lease.slot(), operation, n, in, out, dead);
+    if (call_in(lease.slot(), operation, n, in, out, dead)) return true;
+    if (lease.slot().worker.killed()) return std::nullopt;
+    return false;
   }
 
   /// The same in a worker that is at hand.
@@ -179,7 +192,7 @@ class Instance {
     std::copy(parameters_.begin(), parameters_.end(), parameters);
     arrays.raise_fences();
     if (!slot.worker.call(static_cast<std::uint32_t>(Operation::create))) {
-      reason = "the model " + slot.worker.how_it_ended(" when it was created");
+      reason = "the model " + slot.worker.how_it_ended();
       return false;
     }
     if (arrays.head().status == ASSAY_FAILED) {

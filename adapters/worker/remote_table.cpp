@@ -20,12 +20,14 @@ AllTables& all_tables() {
 }
 
 /// Metadata of the worker's table. Throws RemoteError.
-void describe(RemoteTable& table) {
+void describe(RemoteTable& table, bool again = false) {
   Lease lease(table, 0);
   WorkerProcess& worker = lease.slot().worker;
   if (!worker.call(static_cast<std::uint32_t>(Operation::describe))) {
-    throw RemoteError({"", worker.how_it_ended(" when it was loaded"), ""});
+    if (worker.killed() && !again) return describe(table, true);
+    throw RemoteError({"", worker.how_it_ended(), ""});
   }
+  if (again) note_killed_worker();
   CallArrays arrays(worker.arrays(), worker.arrays_size());
   if (arrays.head().status == ASSAY_FAILED) {
     const char* words = arrays.next<char>(3 * words_size, "the reason");

@@ -43,6 +43,7 @@ class Servant {
     const ForeignCall marks(floor_.control);
     switch (operation) {
       case Operation::describe: {
+        const PhaseMark phase(CallPhase::loading);
         const std::string bytes = packed(table_);
         auto* out = arrays.next<char>(bytes.size(), "the table");
         head_->n = bytes.size();
@@ -71,6 +72,7 @@ class Servant {
 
   void create(CallArrays& arrays) {
     const auto* parameters = arrays.next<double>(table_.parameter_count, "the parameters");
+    const PhaseMark phase(CallPhase::creating);
     void* made = create_instance(&table_, parameters, head_->message);
     head_->status = made ? ASSAY_GOOD : ASSAY_FAILED;
     if (!made) return;
@@ -96,6 +98,7 @@ class Servant {
     const std::size_t n = head_->n;
     const auto* cauchy = arrays.next<double>(9 * n, "cauchy");
     auto* state = arrays.next<double>(state_ * n, "the initial state");
+    const PhaseMark phase(CallPhase::beginning);
     head_->status = table_.initial_state ? table_.initial_state(self(), n, cauchy, state) : ASSAY_GOOD;
     say_reason();
   }
@@ -164,20 +167,22 @@ namespace {
 /// Looks at what the model has done to its process: after each of the first calls, then at most once a millisecond.
 class Lookout {
  public:
+  explicit Lookout(const Control& control) : memory_limit_(control.memory_limit) {}
+
   void look(Control& control, std::int64_t now) {
     constexpr int first_calls = 16;
     constexpr std::int64_t pause_ns = 1000000;
     if (++calls_ > first_calls && now - last_ns_ < pause_ns) return;
     last_ns_ = now;
     control.habits.fetch_or(process_.habits_so_far());
-    if (data_bytes(::getpid()) <= begin_bytes_ + control.memory_limit) return;
+    if (data_bytes(::getpid()) <= begin_bytes_ + memory_limit_) return;
     control.claim.store(static_cast<std::uint32_t>(Death::memory));
     ::_exit(1);
   }
 
  private:
   ProcessWatch process_;
-  std::uint64_t begin_bytes_ = data_bytes(::getpid());
+  std::uint64_t begin_bytes_ = data_bytes(::getpid()), memory_limit_;
   std::int64_t last_ns_ = 0;
   int calls_ = 0;
 };
@@ -214,20 +219,27 @@ ModelCall::~ModelCall() {
 
 void watch_process(Control& control) {
   point_mark = &control.point;
-  lookout = std::make_unique<Lookout>();
+  phase_mark = &control.phase;
+  lookout = std::make_unique<Lookout>(control);
 }
+
+namespace {
+
+std::uint32_t answered = 0;  ///< requests; where no model writes over it
+
+}  // namespace
 
 std::uint32_t next_request(Control& control) {
   for (;;) {
-    const std::uint32_t seen = control.reply.load(), asked = control.request.load();
-    if (asked != seen) return control.operation.load();
+    const std::uint32_t asked = control.request.load();
+    if (asked == answered + 1) return control.operation.load();
     if (changes_within(control.request, asked, control.spin_us.load())) continue;
     wait_while(control.request, asked, control.worker_sleeps);
   }
 }
 
 void answer(Control& control) {
-  control.reply.store(control.request.load());
+  control.reply.store(++answered);
   if (wake_sleeper(control.reply, control.host_sleeps)) control.wake_ups.fetch_add(1);
 }
 

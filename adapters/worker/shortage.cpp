@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/worker/shortage.hpp"
 
+#include <pthread.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <mutex>
 
 namespace assay::adapters {
@@ -30,6 +32,25 @@ std::string noted;
 
 }  // namespace
 
+void enlarge_stack(std::size_t bytes) {
+  rlimit stack{};
+  ::getrlimit(RLIMIT_STACK, &stack);
+  if (stack.rlim_cur == RLIM_INFINITY || stack.rlim_cur < bytes) {
+    stack.rlim_cur = std::min<rlim_t>(bytes, stack.rlim_max);
+    ::setrlimit(RLIMIT_STACK, &stack);
+  }
+#ifdef __GLIBC__
+  pthread_attr_t threads;
+  std::size_t size = 0;
+  if (::pthread_getattr_default_np(&threads) != 0) return;
+  if (::pthread_attr_getstacksize(&threads, &size) == 0 && size < bytes &&
+      ::pthread_attr_setstacksize(&threads, bytes) == 0) {
+    ::pthread_setattr_default_np(&threads);
+  }
+  ::pthread_attr_destroy(&threads);
+#endif
+}
+
 std::string tight_limits() {
   std::string words;
   for (const Need& need : needs) {
@@ -45,6 +66,10 @@ std::string tight_limits() {
 void note_shortage(const std::string& words) {
   const std::lock_guard lock(guard);
   if (noted.empty()) noted = words;
+}
+
+void note_killed_worker() {
+  note_shortage("a worker was killed (signal 9) from outside, as the system does where memory is short");
 }
 
 std::string shortage() {

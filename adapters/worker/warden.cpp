@@ -22,7 +22,9 @@
 #include "adapters/worker/crash_marks.hpp"
 #include "adapters/worker/descendants.hpp"
 #include "adapters/worker/futex.hpp"
+#include "adapters/worker/high_files.hpp"
 #include "adapters/worker/process_watch.hpp"
+#include "adapters/worker/shortage.hpp"
 #include "adapters/worker/worker_process.hpp"
 #include "harness/own_process.hpp"
 #include "harness/progress_mark.hpp"
@@ -55,11 +57,13 @@ class Folder {
 
 class Warden {
  public:
-  Warden(Control& control, pid_t worker, int heard) : control_(control), worker_(worker), heard_(heard) {
-    ::fcntl(heard_, F_SETFL, O_NONBLOCK);
-  }
+  /// Before there is a worker, which can write into the page.
+  explicit Warden(Control& control)
+      : control_(control), time_limit_(control.time_limit), memory_limit_(control.memory_limit) {}
 
-  void watch() {
+  void watch(pid_t worker, int heard) {
+    worker_ = worker, heard_ = heard;
+    ::fcntl(heard_, F_SETFL, O_NONBLOCK);
     begin_bytes_ = data_bytes(worker_);
     for (;;) {
       pollfd files[] = {{lifeline_file, POLLIN, 0}, {heard_, POLLIN, 0}};
@@ -93,8 +97,8 @@ class Warden {
       return Death::none;
     }
     settled_ = true;
-    if (static_cast<double>(now_ns() - since) > 1e9 * control_.time_limit) return Death::time_limit;
-    if (data_bytes(worker_) > begin_bytes_ + control_.memory_limit) return Death::memory;
+    if (static_cast<double>(now_ns() - since) > 1e9 * time_limit_) return Death::time_limit;
+    if (data_bytes(worker_) > begin_bytes_ + memory_limit_) return Death::memory;
     return Death::none;
   }
 
@@ -126,8 +130,10 @@ class Warden {
   }
 
   Control& control_;
-  pid_t worker_;
-  int heard_;
+  double time_limit_;           ///< [s]
+  std::uint64_t memory_limit_;  ///< bytes
+  pid_t worker_ = -1;
+  int heard_ = -1;
   bool heard_open_ = true, settled_ = false;
   std::uint64_t begin_bytes_ = 0;
 };
@@ -154,24 +160,6 @@ void settle(Control& control, const std::string& folder, int heard, pid_t warden
   if (folder.empty() || ::chdir(folder.c_str()) == 0) return;
   claim_shortage(control, folder.c_str());
   ::_exit(1);
-}
-
-void enlarge_stack() {
-  constexpr rlim_t wanted = rlim_t{1} << 26;
-  rlimit stack{};
-  ::getrlimit(RLIMIT_STACK, &stack);
-  if (stack.rlim_cur != RLIM_INFINITY && stack.rlim_cur >= wanted) return;
-  stack.rlim_cur = std::min(wanted, stack.rlim_max);
-  ::setrlimit(RLIMIT_STACK, &stack);
-}
-
-/// A pipe whose files have none of the numbers of WorkerFile.
-bool high_pipe(int ends[2]) {
-  int low[2] = {-1, -1};
-  if (::pipe2(low, O_CLOEXEC) != 0) return false;
-  for (const int k : {0, 1}) ends[k] = high_copy(low[k]);
-  for (const int k : {0, 1}) ::close(low[k]);
-  return ends[0] >= 0 && ends[1] >= 0;
 }
 
 [[noreturn]] void run_worker(const std::function<void(WorkerFloor&)>& work, WorkerFloor& floor) {
@@ -203,10 +191,11 @@ int run_warden(const std::function<void(WorkerFloor&)>& work) {
                     memory.size() - arrays_offset};
   const Folder folder;
   std::snprintf(floor.control.folder, sizeof floor.control.folder, "%s", folder.path().c_str());
-  enlarge_stack();
+  enlarge_stack(std::size_t{1} << 26);
   adopt_orphans();
   int heard[2] = {-1, -1};
   if (!high_pipe(heard)) return give_up(floor.control, "pipe");
+  Warden watching(floor.control);
   const pid_t warden = ::getpid(), worker = ::fork();
   if (worker < 0) return give_up(floor.control, "fork");
   if (worker == 0) {
@@ -218,7 +207,7 @@ int run_warden(const std::function<void(WorkerFloor&)>& work) {
   ::close(heard[1]);
   ::close(records_file);
   ::setpgid(worker, worker);
-  Warden(floor.control, worker, heard[0]).watch();
+  watching.watch(worker, heard[0]);
   return 0;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/worker/worker_process.hpp"
 
-#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,6 +14,7 @@
 
 #include "adapters/worker/descendants.hpp"
 #include "adapters/worker/futex.hpp"
+#include "adapters/worker/high_files.hpp"
 #include "adapters/worker/missing_file.hpp"
 #include "adapters/worker/shortage.hpp"
 #include "harness/progress_mark.hpp"
@@ -71,12 +71,6 @@ class Spawn {
 
 }  // namespace
 
-int high_copy(int file) {
-  constexpr int out_of_reach = 64;
-  const int copy = ::fcntl(file, F_DUPFD_CLOEXEC, out_of_reach);
-  return copy >= 0 ? copy : ::fcntl(file, F_DUPFD_CLOEXEC, columns_file + 1);
-}
-
 std::string worker_program() {
   namespace fs = std::filesystem;
   std::error_code code;
@@ -93,7 +87,7 @@ WorkerProcess::WorkerProcess(const WorkerStart& start)
   if (start.task.size() >= task_size) throw std::system_error(E2BIG, std::generic_category(), "the task");
   std::memcpy(static_cast<char*>(memory_.data()) + task_offset, start.task.c_str(), start.task.size() + 1);
   int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+  if (!high_pipe(ends)) throw std::system_error(errno, std::generic_category(), "pipe");
   try {
     Spawn spawn;
     spawn.hand(memory_.file(), memory_file);
@@ -135,6 +129,11 @@ bool WorkerProcess::warden_is_stuck() const {
   return since != 0 && 1e-9 * static_cast<double>(now_ns() - since) > time_limit_ + grace_s;
 }
 
+bool WorkerProcess::killed() const {
+  const auto death = static_cast<Death>(control().death.load());
+  return death == Death::lost || (death == Death::signal && control().death_number == SIGKILL);
+}
+
 bool WorkerProcess::warden_is_gone() const {
   siginfo_t ended = {};
   return ::waitid(P_PID, static_cast<id_t>(warden_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
@@ -145,7 +144,7 @@ void WorkerProcess::post(std::uint32_t operation) {
   Control& c = control();
   c.operation.store(operation);
   c.spin_us.store(habit_.look());
-  c.request.fetch_add(1);
+  c.request.store(++posted_);
   if (wake_sleeper(c.request, c.worker_sleeps)) c.wake_ups.fetch_add(1);
 }
 
@@ -162,7 +161,7 @@ bool WorkerProcess::is_dead() {
 
 bool WorkerProcess::wait() {
   Control& c = control();
-  const std::uint32_t wanted = c.request.load(), look = c.spin_us.load();
+  const std::uint32_t wanted = posted_, look = c.spin_us.load();
   if (look > 0) habit_.note(changes_within(c.reply, wanted - 1, look));
   for (;;) {
     const std::uint32_t seen = c.reply.load();
@@ -170,6 +169,7 @@ bool WorkerProcess::wait() {
     if (seen == wanted) return true;
     wait_while(c.reply, seen, c.host_sleeps, look_ms);
     std::uint32_t none = 0;
+    if (c.reply.load() == seen) ::kill(warden_, SIGCONT);
     if (c.reply.load() == seen && warden_is_stuck()) ::kill(warden_, SIGKILL);
     if (c.reply.load() == seen && warden_is_gone()) {
       c.death.compare_exchange_strong(none, static_cast<std::uint32_t>(Death::lost));
@@ -186,7 +186,7 @@ std::string WorkerProcess::death_words() const {
 
 std::string WorkerProcess::output() const { return control().output.text(); }
 
-std::string WorkerProcess::how_it_ended(const std::string& when) const {
+std::string WorkerProcess::how_it_ended() const {
   const Control& c = control();
   const auto limit = [](double value) {
     char text[32];
@@ -195,8 +195,8 @@ std::string WorkerProcess::how_it_ended(const std::string& when) const {
   };
   const int number = c.death_number;
   const std::string said = last_line(output()), words = death_words();
-  const std::string heard =
-      when + (said.empty() ? "" : "; the last that it printed: " + said) + missing_file_words(output());
+  const std::string heard = phase_words(static_cast<CallPhase>(c.phase.load())) +
+                            (said.empty() ? "" : "; the last that it printed: " + said) + missing_file_words(output());
   switch (static_cast<Death>(c.death.load())) {
     case Death::none:
       return "did not answer";

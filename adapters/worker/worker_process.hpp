@@ -25,10 +25,6 @@ struct WorkerStart {
 /// Where the worker finds what its host has opened for it.
 enum WorkerFile : int { memory_file = 3, lifeline_file = 4, records_file = 5, columns_file = 6 };
 
-/// A copy of a file whose number is none of these, and high where the system lets it be: what closes all that it can
-/// think of does not find it. -1: none can be had.
-int high_copy(int file);
-
 /// The page's layout: Control, the task, and the arrays of a call.
 inline constexpr std::size_t task_offset = 16384, task_size = 1 << 20, arrays_offset = task_offset + task_size;
 inline constexpr std::size_t shared_size = std::size_t{1} << 28;
@@ -54,8 +50,10 @@ class WorkerProcess {
   bool call(std::uint32_t operation) { return post(operation), wait(); }
 
   bool dead() const { return control().death.load() != 0; }
+  /// By SIGKILL, or with its warden: by the model, or by somebody from outside, as the system where memory is short.
+  bool killed() const;
   /// "died of signal 11 (Segmentation fault)", "did not come back within 20 s", with the last line that it printed.
-  std::string how_it_ended(const std::string& when = {}) const;
+  std::string how_it_ended() const;
   /// What was printed; the middle of much is left out, and how much is said.
   std::string output() const;
 
@@ -70,6 +68,7 @@ class WorkerProcess {
   pid_t warden_ = -1;
   int lifeline_ = -1;
   double time_limit_, memory_limit_;
+  std::uint32_t posted_ = 0;  ///< number of the last request: the model can write into the page
   SpinHabit habit_;
 };
 

@@ -145,10 +145,16 @@ InputError refusal_of_compiler(const FortranSource& source, const FortranCompile
 
 FortranCompiler find_fortran_compiler(const std::string& file) {
   const char* named = std::getenv("FC");
-  const std::string choice = named ? named : "";
+  std::istringstream words(named ? named : "");
+  std::string choice;
+  words >> choice;
   FortranCompiler compiler;
   if (fs::path(choice).filename().string().find("gfortran") != std::string::npos) {
-    compiler.program = choice.starts_with('/') ? choice : tool_in_path(choice);
+    compiler.program = choice.find('/') != choice.npos ? fs::absolute(choice).string() : tool_in_path(choice);
+    if (compiler.program.empty() || !fs::exists(compiler.program))
+      throw SystemError(file + ": is Fortran source, and $FC names '" + one_line(choice, 200) +
+                        "', which is not there");
+    for (std::string option; words >> option;) compiler.options.push_back(option);
   }
   if (compiler.program.empty()) compiler.program = tool_in_path("gfortran");
   if (compiler.program.empty()) {
@@ -171,6 +177,7 @@ std::vector<std::string> flags_for(const FortranSource& source, const FortranCom
   flags.emplace_back(fixed ? "-ffixed-form" : "-ffree-form");
   flags.push_back(fixed ? "-ffixed-line-length-" + std::to_string(abaqus_columns) : "-ffree-line-length-none");
   flags.insert(flags.end(), {"-x", source.preprocessed ? "f95-cpp-input" : "f95"});
+  flags.insert(flags.end(), compiler.options.begin(), compiler.options.end());
   return flags;
 }
 

@@ -10,12 +10,13 @@
 namespace assay::drivers {
 
 struct FortranCompiler {
-  std::string program;  ///< absolute
-  std::string version;  ///< "GNU Fortran (Debian 12.2.0-14) 12.2.0"
+  std::string program;               ///< absolute
+  std::vector<std::string> options;  ///< that $FC holds behind its name
+  std::string version;               ///< "GNU Fortran (Debian 12.2.0-14) 12.2.0"
 };
 
-/// The first gfortran of $PATH, or the one that $FC names. Throws SystemError where there is none: `file` is what it
-/// would compile.
+/// The first gfortran of $PATH, or the one that $FC names; another compiler there is left alone. Throws SystemError
+/// where there is none: `file` is what it would compile.
 FortranCompiler find_fortran_compiler(const std::string& file);
 
 /// What it is called with beside files: as Abaqus compiles, and so that the results do not depend on the processor.

@@ -11,6 +11,7 @@
 #include "drivers/material/model_files.hpp"
 #include "drivers/material/raw_library.hpp"
 #include "drivers/supervisor.hpp"
+#include "harness/progress_mark.hpp"
 
 namespace assay::drivers {
 
@@ -18,6 +19,8 @@ namespace {
 
 /// Throws adapters::ForeignError, adapters::LibraryError.
 const assay_material* local_table(const MaterialDescription& description) {
+  const CallMark mark;
+  const PhaseMark phase(CallPhase::loading);
   if (description.foreign) return adapters::foreign_table(*description.foreign);
   return adapters::table_of_library(description.library, description.name);
 }

@@ -14,6 +14,7 @@
 #include "drivers/input_error.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/output/whole_file.hpp"
+#include "drivers/own_files.hpp"
 
 namespace assay::drivers {
 
@@ -190,6 +191,7 @@ std::vector<std::string> OutputFolder::replaced() const {
 void OutputFolder::commit() {
   const fs::path old = staging_ / "old";
   stop_if_interrupted();
+  put_files_right();
   std::error_code error;
   fs::create_directory(old, error);
   if (!error) fs::permissions(old, fs::perms::owner_all, error);

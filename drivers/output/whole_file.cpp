@@ -12,6 +12,7 @@
 
 #include "drivers/interrupt.hpp"
 #include "drivers/output/numbers.hpp"
+#include "drivers/own_files.hpp"
 
 namespace assay::drivers {
 
@@ -42,7 +43,8 @@ bool digit(char c) { return c >= '0' && c <= '9'; }
 }  // namespace
 
 void fail(const fs::path& path, const std::string& what, int error) {
-  throw SystemError(path.string() + ": " + what + ": " + std::generic_category().message(error));
+  throw SystemError(path.string() + ": " + what + ": " + std::generic_category().message(error) +
+                    open_files_words(error));
 }
 
 void fail(const fs::path& path, const std::string& what, const std::error_code& error) {
@@ -50,6 +52,7 @@ void fail(const fs::path& path, const std::string& what, const std::error_code& 
 }
 
 void write_bytes(const fs::path& path, std::string_view bytes, int flags) {
+  put_files_right();
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
   if (descriptor < 0) fail(path, "cannot be created", errno);
   try {

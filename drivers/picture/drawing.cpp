@@ -6,6 +6,7 @@
 #include "drivers/output/number_format.hpp"
 #include "drivers/picture/colormap.hpp"
 #include "drivers/picture/stroke_font.hpp"
+#include "drivers/unseen.hpp"
 
 namespace assay::drivers {
 
@@ -142,7 +143,7 @@ void Drawing::tip(std::string text) { items.back().tip = std::move(text); }
 
 std::string escaped(std::string_view text) {
   std::string out;
-  for (const char c : text) {
+  for (const char c : utf8(text)) {  // a model's words may be anything
     switch (c) {
       case '&':
         out += "&amp;";

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "adapters/worker/remote_table.hpp"
+#include "adapters/worker/shortage.hpp"
 #include "drivers/input_error.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/replay.hpp"
@@ -147,9 +148,13 @@ mpm::BlockOutcome StressOffload::death_of(Worker& worker, std::size_t begin, std
   outcome.message = "the model " + worker.process.how_it_ended();
   if (told != adapters::no_point || refused) {
     outcome.refused = block + std::min(told, n - 1);
+    const bool killed = !refused && worker.process.killed();
+    if (killed && take_again(*material_, step_of(*outcome.refused - block)).dt_factor != 0)
+      adapters::note_killed_worker();
   } else if (const auto found = point_that_ends(*material_, n, step_of)) {
     outcome.refused = block + *found;
   } else {
+    if (worker.process.killed()) adapters::note_killed_worker();
     outcome.message += " in a block of " + std::to_string(n) + " particles, by none of them alone; the first is";
     return outcome;
   }

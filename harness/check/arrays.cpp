@@ -9,6 +9,8 @@
 #include "harness/arithmetic.hpp"
 #include "harness/check/call_steps.hpp"
 #include "harness/check/specimen.hpp"
+#include "harness/own_process.hpp"
+#include "harness/progress_mark.hpp"
 
 namespace assay::check {
 
@@ -135,8 +137,12 @@ Deed step(const Material& material, const Walk& walk, double t, const Tensor& be
   Guarded<std::int32_t> status(n, n, -77, bytes);
   Guarded<char> message(ASSAY_MESSAGE_SIZE, 1, 0, bytes);
   const assay_step step{t, length, F0.data(), F1.data()};
-  material.table().update(material.self(), &step, n, state.data(), state1.data(), cauchy.data(), status.data(),
-                          factor.data(), message.data());
+  {
+    const CallMark mark;
+    material.table().update(material.self(), &step, n, state.data(), state1.data(), cauchy.data(), status.data(),
+                            factor.data(), message.data());
+  }
+  end_a_copy();
   if (const std::string words = arithmetic_words(put_arithmetic_right()); !words.empty()) {
     return {arithmetic_prefix + ("it " + words), {}, {}, false};
   }

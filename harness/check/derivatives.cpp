@@ -10,6 +10,7 @@
 #include "harness/check/samples.hpp"
 #include "harness/check/share_along.hpp"
 #include "harness/check/tangent_conventions.hpp"
+#include "harness/progress_mark.hpp"
 #include "harness/stable_norm.hpp"
 
 namespace assay::check {
@@ -55,6 +56,7 @@ std::optional<Tangent> offered(const Material& material, const assay_tangent& fo
   std::fill(found, found + 81, NAN);
   const assay_step step{s.t, s.dt, F0, F1};
   Tangent result;
+  const CallMark mark;
   if (form.tangent(material.self(), &step, 1, s.state0.data(), found) == ASSAY_FAILED) return std::nullopt;
   for (int row = 0; row < 9; ++row) {
     for (int column = 0; column < 9; ++column) result(row, column) = found[9 * row + column];

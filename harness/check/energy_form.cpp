@@ -6,6 +6,7 @@
 #include "harness/check/derivatives.hpp"
 #include "harness/check/judge.hpp"
 #include "harness/check/samples.hpp"
+#include "harness/progress_mark.hpp"
 
 namespace assay::check {
 
@@ -13,6 +14,7 @@ double stored_energy(const Material& material, const assay_energy& form, const T
                      const std::vector<double>& state) {
   double nine[9], value = NAN;
   for (int c = 0; c < 9; ++c) nine[c] = component(F, c);
+  const CallMark mark;
   return form.energy(material.self(), 1, nine, state.data(), &value) == ASSAY_FAILED ? NAN : value;
 }
 

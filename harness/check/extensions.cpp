@@ -6,6 +6,7 @@
 
 #include "harness/check/judge.hpp"
 #include "harness/check/samples.hpp"
+#include "harness/progress_mark.hpp"
 #include "harness/wave_speed.hpp"
 
 namespace assay::check {
@@ -42,6 +43,7 @@ std::optional<Rates> offered_rates(const Material& material, const assay_rate& f
     cauchy_rate[c] = NAN;
   }
   std::vector<double> state_rate(s.end.state.size(), NAN);
+  const CallMark mark;
   if (form.rate(material.self(), s.t + s.dt, 1, F, velocity_gradient, cauchy, s.end.state.data(), cauchy_rate,
                 state_rate.data()) == ASSAY_FAILED) {
     return std::nullopt;
@@ -141,8 +143,11 @@ TestResult wave_speed(const Specimen& specimen) {
   for (const Sample& s : samples_of(specimen)) {
     double F[9], cauchy[9], offered = NAN;
     for (int c = 0; c < 9; ++c) F[c] = component(s.F1, c), cauchy[c] = component(s.end.cauchy, c);
-    const bool given =
-        form->wave_speed(material.self(), density, 1, F, cauchy, s.end.state.data(), &offered) != ASSAY_FAILED;
+    bool given = false;
+    {
+      const CallMark mark;
+      given = form->wave_speed(material.self(), density, 1, F, cauchy, s.end.state.data(), &offered) != ASSAY_FAILED;
+    }
     const double found =
         fastest_wave(probe_tangent_modulus(material, s.t + s.dt, 0.01 * s.dt, s.F1, s.end.state), s.F1, density);
     worst = std::max(worst, given && std::isfinite(offered) ? 1 - offered / found : INFINITY);
@@ -172,6 +177,7 @@ std::optional<Limit> of_baseline(const Specimen& specimen, const assay_closed_fo
   const double eps = specimen.amplitude, change = 1e-4 * eps;
   const auto tau_of = [&](double at, Tensor& slope) -> std::optional<Tensor> {
     double tau[9], d_tau[9];
+    const CallMark mark;
     if (form.tau(material.self(), baseline, 1, &at, tau, d_tau) == ASSAY_FAILED) return std::nullopt;
     Tensor value;
     for (int c = 0; c < 9; ++c) component(value, c) = tau[c], component(slope, c) = d_tau[c];

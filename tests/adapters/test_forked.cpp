@@ -2,6 +2,7 @@
 #include "adapters/forked.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -38,6 +39,22 @@ TEST(Forked, TellsHowItEnded) {
   for (const int status : {0, 1}) {
     EXPECT_EQ(in_a_child([status]() -> std::string { ::_exit(status); }).end, End::quit);
   }
+}
+
+/// Its pipes must not take their numbers, which the function may close or use.
+TEST(Forked, HoldsWhereTheStandardStreamsAreClosed) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    for (const int stream : {0, 1, 2}) ::close(stream);
+    const Forked found = in_a_child([] {
+      for (const int stream : {0, 1, 2}) ::close(stream);
+      return std::string("said");
+    });
+    ::_exit(found.end == End::done && found.text == "said" ? 0 : 1);
+  }
+  int status = 1;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/library.hpp"
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
+#include <sys/statvfs.h>
 
 #include <cmath>
 #include <filesystem>
@@ -122,6 +124,32 @@ TEST(Library, RefusesWhatIsTruncatedAnywhere) {
     EXPECT_THROW(tables_of_library(path), LibraryError) << size;
     fs::remove(path);
   }
+}
+
+/// The loader says of such a file that it is not there.
+TEST(Library, NamesTheMachineThatAFileIsFor) {
+  const std::string whole = bytes_of(plugins + "two_models.so");
+  const auto made_for = [&](int machine, bool wide, bool big) {
+    std::string bytes = whole;
+    bytes[4] = static_cast<char>(wide ? 2 : 1), bytes[5] = static_cast<char>(big ? 2 : 1);
+    bytes[big ? 19 : 18] = static_cast<char>(machine), bytes[big ? 18 : 19] = 0;
+    return refusal(write_temporary("elsewhere.so", bytes));
+  };
+  const std::string of_64_arm = made_for(183, true, false), of_32_x86 = made_for(3, false, false);
+  EXPECT_TRUE(of_64_arm.starts_with("is for another machine: ARM of 64 bits; this one is ")) << of_64_arm;
+  EXPECT_TRUE(of_32_x86.starts_with("is for another machine: x86 of 32 bits; this one is ")) << of_32_x86;
+  EXPECT_TRUE(made_for(21, true, true).starts_with("is for another machine: POWER of 64 bits; "));
+  EXPECT_TRUE(made_for(77, true, false).starts_with("is for another machine: number 77 of the ELF format; "));
+}
+
+TEST(Library, TheLoaderIsHelpedWhereNothingMayRun) {
+  const std::string file = "/proc/version";
+  struct statvfs system = {};
+  if (::statvfs(file.c_str(), &system) != 0 || !(system.f_flag & ST_NOEXEC)) GTEST_SKIP() << "/proc is no such place";
+  ASSERT_EQ(::dlopen(file.c_str(), RTLD_NOW), nullptr);
+  EXPECT_TRUE(loader_message(file).ends_with("; its file system is mounted noexec: no code in it may run"));
+  ASSERT_EQ(::dlopen((plugins + "absent.so").c_str(), RTLD_NOW), nullptr);
+  EXPECT_EQ(loader_message(plugins + "absent.so").find("noexec"), std::string::npos);
 }
 
 TEST(Library, RefusesAnExecutable) { EXPECT_TRUE(refusal("/proc/self/exe").starts_with("cannot be loaded: ")); }

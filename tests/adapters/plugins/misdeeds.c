@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Does to its process what $ASSAY_TEST_DEED says, "WHEN DEED": when it is loaded, created, first or each time
- * updated, destroyed, unloaded, or when the process exits. An honest model otherwise. */
+ * updated, destroyed (each, or the first that was made), unloaded, or when the process exits. Honest otherwise. */
 #define _GNU_SOURCE
 #include <fcntl.h>
 #include <pthread.h>
@@ -86,6 +86,23 @@ static void close_all(void) {
 static void leak_files(void) {
   while (open("/dev/null", O_RDONLY) >= 0) continue;
 }
+static void read_input(void) {
+  char text[16];
+  while (read(STDIN_FILENO, text, sizeof text) > 0) continue;
+}
+
+/* The beginning of all memory that it shares with other processes. */
+static void zero_shared(void) {
+  char line[512];
+  FILE* maps = fopen("/proc/self/maps", "r");
+  while (maps && fgets(line, sizeof line, maps)) {
+    unsigned long begin, end;
+    char rights[8];
+    if (sscanf(line, "%lx-%lx %7s", &begin, &end, rights) != 3 || strcmp(rights, "rw-s") != 0) continue;
+    memset((void*)begin, 0, end - begin < 16384 ? end - begin : 16384);
+  }
+  if (maps) fclose(maps);
+}
 static void nap(void) { usleep(1000); }
 static void write_late(void) {
   FILE* file = fopen(getenv("ASSAY_TEST_FILE"), "w");
@@ -123,6 +140,8 @@ static void act(const char* when) {
                {"close", close_streams},
                {"close_all", close_all},
                {"leak", leak_files},
+               {"read", read_input},
+               {"zero", zero_shared},
                {"nap", nap},
                {"write", write_late},
                {"truncate", truncate_library}};
@@ -143,12 +162,17 @@ static void* create_and_act(const double* p, char* message) {
   static int registered = 0;
   if (!registered) registered = atexit(at_exit) == 0;
   act("create");
-  return create(p, message);
+  (void)message;
+  static int made = 0;
+  double* self = malloc(2 * sizeof *self);
+  if (self) self[0] = p[0], self[1] = made++ == 0;
+  return self;
 }
 
 static void destroy_and_act(void* self) {
   act("destroy");
-  destroy(self);
+  if (((double*)self)[1] != 0) act("destroy_first");
+  free(self);
 }
 
 static void update_and_act(void* self, const assay_step* step, size_t n, const double* state0, double* state1,

@@ -5,6 +5,9 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -83,6 +86,28 @@ void ignore_a_signal_of_real_time() { std::signal(SIGRTMIN + 3, SIG_IGN); }
 void fork_one() {
   if (::fork() == 0) ::_exit(0);
 }
+void forbid_files() { ::umask(0777); }
+void set_timer() { ::alarm(1000); }
+void set_profiling_timer() {
+  itimerval later = {};
+  later.it_value.tv_sec = 1000;
+  ::setitimer(ITIMER_PROF, &later, nullptr);
+}
+void limit_files() {
+  rlimit size{1 << 20, RLIM_INFINITY};
+  ::getrlimit(RLIMIT_FSIZE, &size);
+  size.rlim_cur = 1 << 20;
+  ::setrlimit(RLIMIT_FSIZE, &size);
+}
+void set_variable() { ::setenv("OMP_NUM_THREADS_OF_A_TEST", "1", 1); }
+void open_files(int count) {
+  for (int k = 0; k < count; ++k) static_cast<void>(::open("/dev/null", O_RDONLY));
+}
+void open_a_few() { open_files(4); }
+void open_many() { open_files(40); }
+void take_all_files() {
+  while (::open("/dev/null", O_RDONLY) >= 0) continue;
+}
 void leave_and_come_back() {
   char before[4096];
   if (::getcwd(before, sizeof before) && ::chdir("/") == 0) static_cast<void>(::chdir(before));
@@ -109,6 +134,14 @@ const Deed deeds[] = {{"nothing", nothing, no_habit},
                       {"uses_mmx_without_emms", use_mmx, x87_left},
                       {"uses_mmx_and_emms", use_mmx_and_empty, no_habit},
 #endif
+                      {"forbids_files", forbid_files, files_forbidden},
+                      {"sets_a_timer", set_timer, timer_left},
+                      {"sets_a_profiling_timer", set_profiling_timer, timer_left},
+                      {"limits_files", limit_files, limits_changed},
+                      {"sets_a_variable", set_variable, environment_changed},
+                      {"opens_a_few_files", open_a_few, no_habit},
+                      {"opens_many_files", open_many, files_left},
+                      {"takes_all_files", take_all_files, files_left},
                       {"leaves_a_process", fork_one, processes_left}};
 
 class ProcessWatchDeed : public testing::TestWithParam<Deed> {};

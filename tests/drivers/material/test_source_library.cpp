@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include "adapters/elf_symbols.hpp"
+#include "drivers/input_error.hpp"
+#include "drivers/material/fortran_compiler.hpp"
 #include "tests/drivers/material/source_fixture.hpp"
 #include "tests/drivers/refusal.hpp"
 
@@ -199,6 +201,25 @@ TEST_F(SourceLibraryTest, WithoutACompilerOneLineSaysSo) {
     const std::string line = error.what();
     EXPECT_NE(line.find("hooke.f: is Fortran source, and there is no gfortran in $PATH"), std::string::npos) << line;
     EXPECT_EQ(line.find('\n'), std::string::npos);
+  }
+}
+
+TEST_F(SourceLibraryTest, TheCompilerThatTheEnvironmentNamesIsTakenWithItsOptions) {
+  const std::string source = scratch.write("hooke.f", hooke_umat);
+  const auto flags_by = [&](const char* words) {
+    const Environment fc("FC", words);
+    return find_fortran_compiler(source).options;
+  };
+  EXPECT_TRUE(flags_by("gfortran").empty());
+  EXPECT_TRUE(flags_by("ifx -g").empty()) << "another compiler is left alone";
+  EXPECT_EQ(flags_by("gfortran -m64  -g0"), (std::vector<std::string>{"-m64", "-g0"}));
+  for (const char* absent : {"/nowhere/gfortran", "gfortran-of-nobody -m64"}) {
+    try {
+      flags_by(absent);
+      ADD_FAILURE() << absent;
+    } catch (const SystemError& error) {
+      EXPECT_NE(std::string(error.what()).find("which is not there"), std::string::npos) << error.what();
+    }
   }
 }
 

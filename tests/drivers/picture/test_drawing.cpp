@@ -42,6 +42,12 @@ TEST(Drawing, escapes_for_xml) {
   EXPECT_EQ(escaped("<a href=\"x\">&'\x01\n"), "&lt;a href=&quot;x&quot;&gt;&amp;' \n");
 }
 
+TEST(Drawing, what_is_no_utf8_becomes_question_marks) {
+  EXPECT_EQ(escaped("\xe9lastic \xff\xfe, \xc3\xa9"), "?lastic ??, \xc3\xa9");
+  EXPECT_EQ(escaped("cut \xe2\x82"), "cut ??");
+  EXPECT_EQ(escaped("\xed\xa0\x80 \xc0\xaf \xe0\x80\xaf"), "??? ?? ???") << "surrogates, and what is too long";
+}
+
 TEST(Drawing, areas_and_tips) {
   Drawing drawing{20, 10, "", {}};
   drawing.area({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {Ink::Role::fixed, 0, rgb(0x123456)});

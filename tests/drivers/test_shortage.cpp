@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the system does not give, or takes away, is no finding about a model: status 3 and one line.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+
+#include "tests/drivers/misdeeds.hpp"
+
+namespace assay::drivers::test_shortage {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Limit {
+  const char* name;
+  __rlimit_resource_t resource;
+  rlim_t bytes;
+  const char* words;
+};
+
+class Shortage : public testing::TestWithParam<Limit> {
+ protected:
+  Ending program(const std::vector<std::string>& words) const {
+    return assay(words, [this] {
+      the_.arm("");
+      const rlimit limit{GetParam().bytes, GetParam().bytes};
+      ::setrlimit(GetParam().resource, &limit);
+    });
+  }
+  void expect_told(const Ending& ending) const {
+    if (ending.status == 0) return;  // it was enough
+    EXPECT_EQ(ending.status, 3) << ending.said;
+    EXPECT_NE(ending.said.find(GetParam().words), std::string::npos) << ending.said;
+    EXPECT_EQ(std::count(ending.said.begin(), ending.said.end(), '\n'), 1) << ending.said;
+  }
+  Misdeeds the_;
+};
+
+TEST_P(Shortage, IsNoVerdict) {
+  const std::string out = the_.scratch / "r";
+  expect_told(program({"check", "neo_hookean", "--quick", "-o", out}));
+  expect_told(program({"check", built("materials/libneo_hookean.so"), "--quick", "--parameters", "E=1000", "-o", out}));
+}
+
+TEST_P(Shortage, IsNoFailureOfARun) {
+  for (const char* isolation : {"none", "worker"}) {
+    std::vector<std::string> words = the_.run_words(the_.library);
+    words.insert(words.end(), {"--set", std::string("material.isolation=") + isolation});
+    const Ending ending = program(words);
+    EXPECT_TRUE(ending.status == 0 || ending.status == 3) << isolation << ": " << ending.said;
+  }
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !(defined(__has_feature) && __has_feature(address_sanitizer))
+INSTANTIATE_TEST_SUITE_P(Limits, Shortage,
+                         testing::Values(Limit{"data", RLIMIT_DATA, 8 << 20, "memory"},
+                                         Limit{"stack", RLIMIT_STACK, 64 << 10, "the stack is limited to 64 KiB"}),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+#endif
+
+/// Of two processes that are told apart by how they came about: the warden, and its worker, which came later.
+class KilledFromOutside : public testing::TestWithParam<bool> {};
+
+pid_t process_of(const Misdeeds& the, bool worker) {
+  for (int waited = 0; waited < 500; ++waited, ::usleep(10000)) {
+    const std::vector<pid_t> living = the.living();
+    for (const pid_t each : living) {
+      const std::string process = "/proc/" + std::to_string(each);
+      if (bytes_of(process + "/cmdline").find("worker") == std::string::npos) continue;
+      const std::string stat = bytes_of(process + "/stat");
+      const auto parent = static_cast<pid_t>(std::strtol(stat.c_str() + stat.rfind(')') + 4, nullptr, 10));
+      const std::string of_parent = bytes_of("/proc/" + std::to_string(parent) + "/cmdline");
+      if (of_parent.empty()) continue;
+      if ((of_parent.find("worker") != std::string::npos) == worker) return each;
+    }
+  }
+  return 0;
+}
+
+TEST_P(KilledFromOutside, AWorkerIsNoFailureOfTheModel) {
+  const Misdeeds the;
+  std::vector<std::string> words = the.run_words(the.library);
+  words.insert(words.end(), {"--set", "material.isolation=worker"});
+  const pid_t program = start_assay(words, the.scratch / "said", [&] { the.arm("each nap"); });
+  ASSERT_GT(process_of(the, true), 0);
+  ::usleep(200'000);
+  const pid_t process = process_of(the, GetParam());
+  ASSERT_GT(process, 0);
+  ::kill(process, SIGKILL);
+  int status = 0;
+  ::waitpid(program, &status, 0);
+  const std::string said = bytes_of(the.scratch / "said");
+  EXPECT_EQ(WEXITSTATUS(status), 3) << said;
+  EXPECT_NE(said.find("a worker was killed (signal 9) from outside"), std::string::npos) << said;
+  EXPECT_FALSE(fs::exists(the.scratch / "out/result.json"));
+  EXPECT_TRUE(the.nothing_is_left());
+}
+
+INSTANTIATE_TEST_SUITE_P(Processes, KilledFromOutside, testing::Bool(),
+                         [](const auto& instance) { return instance.param ? "worker" : "warden"; });
+
+TEST(KilledByItself, IsTheModelsDeed) {
+  const Misdeeds the;
+  std::vector<std::string> words = the.run_words(the.library);
+  words.insert(words.end(), {"--set", "material.isolation=worker"});
+  const Ending run = the.program(words, "each kill");
+  EXPECT_EQ(run.status, 1) << run.said;
+  const Ending check = the.program({"check", the.library, "--quick", "-o", the.scratch / "r"}, "each kill");
+  EXPECT_EQ(check.status, 1) << check.said;
+  EXPECT_NE(check.said.find("died of signal 9"), std::string::npos) << check.said;
+}
+
+}  // namespace
+}  // namespace assay::drivers::test_shortage
