@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <filesystem>
 #include <system_error>
@@ -70,7 +71,7 @@ std::string new_folder(const std::string& folders) {
 
 /// What the keeper tells first; the name of the folder follows.
 struct Introduction {
-  pid_t process;
+  pid_t process;       ///< negative: none, for this reason
   std::size_t length;  ///< of the name
 };
 
@@ -83,6 +84,7 @@ bool introduce(int told, pid_t process, const std::string& folder) {
 bool hear_introduction(Keeper& keeper) {
   Introduction first{};
   if (::read(keeper.told, &first, sizeof first) != sizeof first) return false;
+  if (first.process < 0) return errno = -first.process, false;
   keeper.process = first.process;
   keeper.folder.resize(first.length);
   return ::read(keeper.told, keeper.folder.data(), first.length) == static_cast<ssize_t>(first.length);
@@ -106,6 +108,7 @@ bool hear_introduction(Keeper& keeper) {
   const int deaths = deaths_of_children();
   const std::string folder = new_folder(folders);
   const pid_t process = ::fork();
+  if (process < 0) introduce(told, -errno, folder);
   if (process == 0) {
     close_all({lifeline, told, deaths});
     begin_work(work, folder, begin);

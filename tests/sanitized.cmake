@@ -39,6 +39,8 @@ set(left_out_of_test_drivers # whole runs of full size; studies, which start the
   CheckForeign.AModelOfPlaneStrainAloneRuns* CheckMethods.RunsEvery* CheckMethods.WritesJson* Check.JUnit*
   Check.AllChecks* Cached.ADamaged* Cached.EverythingThat* Cached.ASheetOfABuiltIn* ForeignModels.TwoCores* ForeignModels.AUmat*
   CheckSource.IsTaken* CheckSizeOfStress.TheWholeBattery* EndOfProcess.A* */exit_pause */destroy_deaf
+  StoppedProcesses* */destroy_pause */destroy_first_pause *KilledFromOutside* */leak
+  Limits/Shortage* # the sanitizer itself needs more
   */exit_null */destroy_null # which the sanitizer would tell in its own words
   Frames.TheMethodErrs* Frames.BodiesOf* Frames.AMaterialWith* RimOfARun.CoarseGrids* Run.EveryLattice*
   Run.ACylindrically* Run.Repeats* Run.AnExpect* Run.AnUnst* Run.EveryField* Run.Square* Run.ItsFig*

@@ -54,27 +54,26 @@ TEST_P(Shortage, IsNoFailureOfARun) {
   }
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !(defined(__has_feature) && __has_feature(address_sanitizer))
 INSTANTIATE_TEST_SUITE_P(Limits, Shortage,
                          testing::Values(Limit{"data", RLIMIT_DATA, 8 << 20, "memory"},
                                          Limit{"stack", RLIMIT_STACK, 64 << 10, "the stack is limited to 64 KiB"}),
                          [](const auto& instance) { return std::string(instance.param.name); });
-#endif
 
-/// Of two processes that are told apart by how they came about: the warden, and its worker, which came later.
+/// The worker, or its warden, whose child it is.
 class KilledFromOutside : public testing::TestWithParam<bool> {};
+
+bool is_of_workers(pid_t process) {
+  return bytes_of("/proc/" + std::to_string(process) + "/cmdline") == std::string("assay\0worker\0", 13);
+}
 
 pid_t process_of(const Misdeeds& the, bool worker) {
   for (int waited = 0; waited < 500; ++waited, ::usleep(10000)) {
-    const std::vector<pid_t> living = the.living();
-    for (const pid_t each : living) {
-      const std::string process = "/proc/" + std::to_string(each);
-      if (bytes_of(process + "/cmdline").find("worker") == std::string::npos) continue;
-      const std::string stat = bytes_of(process + "/stat");
-      const auto parent = static_cast<pid_t>(std::strtol(stat.c_str() + stat.rfind(')') + 4, nullptr, 10));
-      const std::string of_parent = bytes_of("/proc/" + std::to_string(parent) + "/cmdline");
-      if (of_parent.empty()) continue;
-      if ((of_parent.find("worker") != std::string::npos) == worker) return each;
+    for (const pid_t each : the.living()) {
+      const std::string stat = bytes_of("/proc/" + std::to_string(each) + "/stat");
+      const std::size_t name_end = stat.rfind(')');
+      if (name_end == stat.npos || !is_of_workers(each)) continue;
+      const auto parent = static_cast<pid_t>(std::strtol(stat.c_str() + name_end + 4, nullptr, 10));
+      if (is_of_workers(parent) == worker) return each;
     }
   }
   return 0;
