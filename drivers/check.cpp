@@ -157,6 +157,7 @@ void tell_alignment(CheckedMaterial& checked, const CheckOptions& options, const
 
 CheckedMaterial check_one(const CheckOptions& options) {
   const ResolvedMaterial resolved = material_to_check(options);
+  refuse_inputs_as_outputs(options);
   watch_interrupts();
   const CheckSettings settings = settings_of(options);
   const auto task_of = [&](const CheckSettings& how) {

@@ -67,6 +67,7 @@ TEST(YamlReader, RefusesBadText) {
   EXPECT_EQ(refused("\xff\xfe"
                     "a"),
             "f:1:1: UTF-16 text: save it as UTF-8");
+  EXPECT_EQ(refused(std::string("a\0:\0 \0", 6)), "f:1:1: UTF-16 text: save it as UTF-8");
   EXPECT_EQ(read_yaml("\xef\xbb\xbf"
                       "a: \xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80\r\n",
                       "f")

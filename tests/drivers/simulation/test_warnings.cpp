@@ -40,5 +40,34 @@ TEST(Warnings, SaysThatFreeFacesDoNotBearTheStressOfRest) {
   EXPECT_EQ(warnings_in(scene), "");
 }
 
+TEST(Warnings, SaysThatNoStepIsWrittenBehindTheEnd) {
+  EXPECT_EQ(warnings_in(scene_and("output: {each_step_from: 1}\n")), "");
+  EXPECT_EQ(warnings_in(scene_and("output: {each_step_from: 1.5}\n")),
+            "output.each_step_from = 1.5 s lies beyond time.end = 1 s: no step is written for it");
+}
+
+TEST(Warnings, SaysThatADensityIsThatOfOtherUnits) {
+  const auto of = [](const char* density) {
+    std::string scene = scene_and("time: {end: 1.0e-9, step: 1.0e-12}\n");
+    return warnings_in(scene.replace(scene.find("density: 1000"), 13, std::string("density: ") + density));
+  };
+  EXPECT_EQ(of("7850"), "");
+  EXPECT_EQ(of("0.2"), "") << "an aerogel";
+  EXPECT_NE(of("7.85e-9").find("in t/mm^3 it would be 7850 kg/m^3"), std::string::npos) << of("7.85e-9");
+}
+
+TEST(Warnings, SaysThatNoCellIsFilled) {
+  const auto of = [](const char* spacing) {
+    return warnings_in(
+        "motion: {type: homogeneous, final: [[1.1, 0, 0], [0, 1, 0], [0, 0, 1]]}\n"
+        "material: {adapter: neo_hookean, parameters: {E: 1e3, nu: 0.3}, density: 1000}\n"
+        "body: {domain: square, lower: [0, 0], upper: [1, 0.5]}\nmethod: {basis: linear}\n"
+        "grid: {spacing: " +
+        std::string(spacing) + "}\n");
+  };
+  EXPECT_EQ(of("0.5"), "");
+  EXPECT_NE(of("0.75").find("is larger than the body, which is"), std::string::npos) << of("0.75");
+}
+
 }  // namespace
 }  // namespace assay::drivers::test_warnings
