@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fstream>
 #include <optional>
+#include <utility>
 
 #include "adapters/elf_check.hpp"
 
@@ -34,27 +35,40 @@ std::string text_at(const std::vector<char>& strings, std::uint64_t at) {
   return text;
 }
 
-/// Names of the dynamic symbols that `chosen` takes, sorted.
-template <class Chosen>
-std::vector<std::string> symbols_of(const std::string& path, const Chosen& chosen) {
+/// A table of the library's, and the texts that its entries name.
+template <class Entry>
+struct Section {
+  std::vector<Entry> entries;
+  std::vector<char> strings;
+};
+
+/// The first table of a kind, empty where the library has none.
+template <class Entry>
+Section<Entry> section_of(const std::string& path, std::uint32_t kind) {
   check_shared_library(path);
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   const auto size = static_cast<std::uint64_t>(std::max<std::streamoff>(file.tellg(), 0));
-  std::vector<std::string> names;
   const auto header = items_at<Elf64_Ehdr>(file, size, 0, 1);
-  if (!header || header->front().e_ident[EI_CLASS] != ELFCLASS64) return names;
+  if (!header || header->front().e_ident[EI_CLASS] != ELFCLASS64) return {};
   const auto sections = items_at<Elf64_Shdr>(file, size, header->front().e_shoff, header->front().e_shnum);
-  if (!sections) return names;
+  if (!sections) return {};
   for (const Elf64_Shdr& section : *sections) {
-    if (section.sh_type != SHT_DYNSYM || section.sh_link >= sections->size()) continue;
+    if (section.sh_type != kind || section.sh_link >= sections->size()) continue;
     const Elf64_Shdr& words = (*sections)[section.sh_link];
-    const auto symbols = items_at<Elf64_Sym>(file, size, section.sh_offset, section.sh_size / sizeof(Elf64_Sym));
-    const auto strings = items_at<char>(file, size, words.sh_offset, words.sh_size);
-    if (!symbols || !strings) continue;
-    for (const Elf64_Sym& symbol : *symbols) {
-      if (chosen(symbol)) names.push_back(text_at(*strings, symbol.st_name));
-    }
-    break;  // a library has one such table
+    auto entries = items_at<Entry>(file, size, section.sh_offset, section.sh_size / sizeof(Entry));
+    auto strings = items_at<char>(file, size, words.sh_offset, words.sh_size);
+    if (entries && strings) return {std::move(*entries), std::move(*strings)};
+  }
+  return {};
+}
+
+/// Names of the dynamic symbols that `chosen` takes, sorted.
+template <class Chosen>
+std::vector<std::string> symbols_of(const std::string& path, const Chosen& chosen) {
+  const auto [symbols, strings] = section_of<Elf64_Sym>(path, SHT_DYNSYM);
+  std::vector<std::string> names;
+  for (const Elf64_Sym& symbol : symbols) {
+    if (chosen(symbol)) names.push_back(text_at(strings, symbol.st_name));
   }
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
@@ -71,6 +85,19 @@ std::vector<std::string> wanted_symbols(const std::string& path) {
   return symbols_of(path, [](const Elf64_Sym& symbol) {
     return symbol.st_shndx == SHN_UNDEF && symbol.st_name != 0 && ELF64_ST_BIND(symbol.st_info) == STB_GLOBAL;
   });
+}
+
+ElfNeeds elf_needs(const std::string& path) {
+  const auto [entries, strings] = section_of<Elf64_Dyn>(path, SHT_DYNAMIC);
+  ElfNeeds needs;
+  for (const Elf64_Dyn& entry : entries) {
+    const std::string text = text_at(strings, entry.d_un.d_val);
+    if (entry.d_tag == DT_NULL) break;
+    if (entry.d_tag == DT_NEEDED) needs.libraries.push_back(text);
+    if (entry.d_tag == DT_RPATH) needs.rpath = text;
+    if (entry.d_tag == DT_RUNPATH) needs.runpath = text;
+  }
+  return needs;
 }
 
 }  // namespace assay::adapters

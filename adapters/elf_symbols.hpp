@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a shared library exports, read from its file: nothing of it is loaded or run.
+// What a shared library exports and needs, read from its file: nothing of it is loaded or run.
 #pragma once
 
 #include <string>
@@ -12,5 +12,14 @@ std::vector<std::string> exported_symbols(const std::string& path);
 
 /// Those that it asks others for, and cannot do without. Throws LibraryError likewise.
 std::vector<std::string> wanted_symbols(const std::string& path);
+
+/// The libraries that it asks the loader for, and where it says they are: "A:B".
+struct ElfNeeds {
+  std::vector<std::string> libraries;
+  std::string rpath, runpath;
+};
+
+/// Throws LibraryError likewise.
+ElfNeeds elf_needs(const std::string& path);
 
 }  // namespace assay::adapters

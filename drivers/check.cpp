@@ -157,7 +157,10 @@ void tell_alignment(CheckedMaterial& checked, const CheckOptions& options, const
 }
 
 CheckedMaterial check_one(const CheckOptions& options) {
+  note_input(options.material);
+  refuse_inputs_as_outputs(options);  // before a source is compiled and its description written
   const ResolvedMaterial resolved = material_to_check(options);
+  refuse_inputs_as_outputs(options);
   watch_interrupts();
   const CheckSettings settings = settings_of(options);
   const auto task_of = [&](const CheckSettings& how) {

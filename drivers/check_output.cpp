@@ -3,10 +3,17 @@
 
 #include <array>
 
+#include "drivers/input_file.hpp"
 #include "drivers/output/terminal.hpp"
 #include "drivers/output/whole_file.hpp"
 
 namespace assay::drivers {
+
+void refuse_inputs_as_outputs(const CheckOptions& options) {
+  refuse_input_as_output(options.json, "--json");
+  refuse_input_as_output(options.junit, "--junit");
+  refuse_input_as_output(options.markdown, "--markdown");
+}
 
 void tell(const CheckOptions& options, const std::string& text, const std::string& json, const std::string& junit,
           const std::string& markdown) {
@@ -14,6 +21,7 @@ void tell(const CheckOptions& options, const std::string& text, const std::strin
     const std::string &file, &text;
   };
   const std::array<Page, 3> pages{{{options.json, json}, {options.junit, junit}, {options.markdown, markdown}}};
+  refuse_inputs_as_outputs(options);
   const std::string* shown = &text;
   for (const Page& page : pages) {
     if (page.file == "-") shown = &page.text;

@@ -6,12 +6,14 @@
 #include <csignal>
 #include <cstdio>
 #include <iostream>
+#include <string_view>
 
 #include "adapters/worker/shortage.hpp"
 #include "drivers/build_information.hpp"
 #include "drivers/cache_home.hpp"
 #include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
+#include "drivers/input_file.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/material/abaqus_deck.hpp"
 #include "drivers/output/numbers.hpp"
@@ -66,6 +68,27 @@ void flush_output() {
     throw SystemError("standard output cannot be written");
 }
 
+/// An option would take the next one for its value, and make a folder of that name.
+void refuse_missing_values(const std::vector<Verb>& verbs, int argc, const char* const* argv) {
+  const CLI::App* verb = nullptr;
+  for (int i = 1; i < argc && std::string_view(argv[i]) != "--"; ++i) {
+    const std::string word = argv[i];
+    const auto named =
+        std::find_if(verbs.begin(), verbs.end(), [&](const Verb& v) { return v.app->get_name() == word; });
+    if (!verb && named != verbs.end()) verb = named->app;
+    const CLI::Option* option = verb && word.starts_with("-") ? verb->get_option_no_throw(word) : nullptr;
+    if (!option || option->get_items_expected_min() == 0) continue;
+    const std::string next = ++i < argc ? argv[i] : "";
+    const bool is_option = next.starts_with("--") || (next.starts_with("-") && verb->get_option_no_throw(next));
+    if (i < argc && !is_option) continue;
+    throw InputError({}, "assay " + verb->get_name(),
+                     word + " needs a value" +
+                         (is_option ? ", and '" + one_line(next, 60) + "' is an option; a file of that name is ./" +
+                                          one_line(next, 60)
+                                    : ""));
+  }
+}
+
 /// The command line, last word first, as CLI11 takes it. Numbers behind --props, "--props 210e3 .3", are one list.
 std::vector<std::string> words_of(int argc, const char* const* argv) {
   std::vector<std::string> words;
@@ -86,6 +109,7 @@ std::vector<std::string> words_of(int argc, const char* const* argv) {
 
 int act(int argc, const char* const* argv) {
   settle_environment();
+  forget_inputs();
   CLI::App app{"Verification of material models and of the material point method.", "assay"};
   app.get_formatter()->column_width(28);
   app.get_formatter()->label("REQUIRED", "(required)");
@@ -107,6 +131,7 @@ int act(int argc, const char* const* argv) {
     if (!option) refuse_unknown_verb(argv[i], verbs);
     break;
   }
+  refuse_missing_values(verbs, argc, argv);
   std::vector<std::string> words = words_of(argc, argv);
   try {
     app.parse(words);

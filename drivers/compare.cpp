@@ -13,6 +13,7 @@ int compare(const CompareOptions& options) {
   if (is_same_stream(options.before, options.after))
     throw InputError({}, "assay compare", "A and B are one stream, which can be read once");
   const StoredStudy A = stored_study(options.before), B = stored_study(options.after);
+  refuse_input_as_output(options.markdown, "--markdown");
   const Comparison found = compared(A.findings, B.findings);
   const std::string markdown = options.markdown.empty() ? "" : comparison_markdown(A, B, found);
   const bool whole = options.verbosity == Verbosity::verbose;

@@ -2,7 +2,6 @@
 // `assay eval`: the exact fields of a motion at given reference points and times.
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 
 #include "drivers/exact_stress.hpp"
 #include "drivers/findings.hpp"
@@ -88,14 +87,6 @@ double last_time(const ReferencePoints& points, double otherwise) {
   return last > 0 ? last : otherwise;
 }
 
-void refuse_input_as_output(const std::string& input, const std::string& out) {
-  std::error_code code;
-  if (out != standard_stream && std::filesystem::equivalent(input, out, code) &&
-      std::filesystem::is_regular_file(out, code)) {
-    throw InputError({}, "-o", "'" + out + "' would replace the input '" + input + "'");
-  }
-}
-
 std::string evaluated(const EvalOptions& options) {
   Scene scene = read_scene(options.scene, options.sets);
   require_acceleration(scene);
@@ -107,6 +98,7 @@ std::string evaluated(const EvalOptions& options) {
   const double end = last_time(points, scene.time.end);
   std::string library;
   const auto material = material_of(scene, library);
+  refuse_input_as_output(options.out, "-o");
   warn_of_instability(scene, *material, end);
   if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
   const bool three = three_dimensional(scene.motion);
@@ -134,7 +126,6 @@ int eval(const EvalOptions& options) {
   if (is_same_stream(options.scene, options.points))
     throw InputError({}, "--points", "is the scene's stream, which can be read once");
   try {
-    for (const std::string& input : {options.scene, options.points}) refuse_input_as_output(input, options.out);
     const std::string text = evaluated(options);
     stop_if_interrupted();
     if (options.out.empty() || options.out == standard_stream)

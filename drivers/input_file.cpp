@@ -9,8 +9,11 @@
 #include <cstring>
 #include <filesystem>
 #include <map>
+#include <mutex>
 #include <optional>
+#include <set>
 #include <string_view>
+#include <utility>
 
 #include "drivers/input_error.hpp"
 #include "drivers/interrupt.hpp"
@@ -87,7 +90,50 @@ std::string bytes_of_stream(int number, const Location& where, std::size_t limit
   return read_before[number] = bytes_of(file, where, limit);
 }
 
+/// Device and number of the files that were read.
+class Inputs {
+ public:
+  void add(const struct stat& status) {
+    const std::lock_guard lock(mutex_);
+    if (S_ISREG(status.st_mode)) files_.emplace(status.st_dev, status.st_ino);
+  }
+  void clear() {
+    const std::lock_guard lock(mutex_);
+    files_.clear();
+  }
+  bool has(const struct stat& status) {
+    const std::lock_guard lock(mutex_);
+    return files_.contains({status.st_dev, status.st_ino});
+  }
+
+ private:
+  std::mutex mutex_;
+  std::set<std::pair<dev_t, ino_t>> files_;
+};
+
+Inputs& inputs() {
+  static Inputs all;
+  return all;
+}
+
 }  // namespace
+
+void note_input(const std::string& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) == 0) inputs().add(status);
+}
+
+void forget_inputs() { inputs().clear(); }
+
+bool is_input(const std::string& file) {
+  struct stat status {};
+  return ::stat(file.c_str(), &status) == 0 && inputs().has(status);
+}
+
+void refuse_input_as_output(const std::string& output, const std::string& option) {
+  if (output.empty() || output == standard_stream || !is_input(output)) return;
+  throw InputError({}, option, "'" + shown(output, 200) + "' would replace an input of that name: choose another name");
+}
 
 std::string read_bytes(const std::string& file, std::size_t limit) {
   const Location where{file, 0, 0};
@@ -105,6 +151,7 @@ std::string read_bytes(const std::string& file, std::size_t limit) {
   struct stat status {};
   if (::fstat(opened.number(), &status) != 0) throw InputError(where, "", because());
   if (const std::string fault = fault_of_mode(status.st_mode); !fault.empty()) throw InputError(where, "", fault);
+  inputs().add(status);
   return bytes_of(opened.number(), where, limit);
 }
 

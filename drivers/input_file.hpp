@@ -18,6 +18,18 @@ inline constexpr std::size_t largest_text = std::size_t{1} << 20;
 /// a device, unreadable or longer than `limit`.
 std::string read_bytes(const std::string& file, std::size_t limit = largest_text);
 
+/// Remembers a file that others read: a library, what a compiler includes. read_bytes() remembers its own.
+void note_input(const std::string& file);
+
+/// A new command has read nothing yet.
+void forget_inputs();
+
+/// Whether the name leads to a file that this process has read, by whatever name.
+bool is_input(const std::string& file);
+
+/// Throws InputError at `option` where an output of that name would replace a file that this process has read.
+void refuse_input_as_output(const std::string& output, const std::string& option);
+
 /// "no such file: 'NAME'", "'NAME' is a folder, not a file"; empty for what read_bytes takes.
 std::string fault_of_file(const std::string& file);
 

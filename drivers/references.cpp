@@ -7,6 +7,7 @@
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/wrapped_text.hpp"
+#include "harness/largest.hpp"
 #include "harness/point_driver.hpp"
 
 namespace assay::drivers {
@@ -42,8 +43,8 @@ Figure difference_to_closed_form(const std::shared_ptr<const Material>& material
       Tensor tau, slope, exact, exact_slope;
       response.at(xi, t, tau, slope);
       form->at(xi, t, exact, exact_slope);
-      difference = std::max(difference, (tau - exact).cwiseAbs().maxCoeff());
-      scale = std::max(scale, exact.cwiseAbs().maxCoeff());
+      difference = larger(difference, largest_of(tau - exact));
+      scale = larger(scale, largest_of(exact));
     }
   }
   return scale > 0 ? difference / scale : difference;
@@ -65,8 +66,8 @@ Figure difference_of_forms(const Material& material, const Path& path, double en
   double difference = 0, scale = 0;
   for (std::size_t k = 0; k < t.size(); ++k) {
     for (std::size_t i = 0; i < rates.tau[k].size(); ++i) {
-      difference = std::max(difference, std::abs(rates.tau[k][i] - increments.tau[k][i]));
-      scale = std::max(scale, std::abs(rates.tau[k][i]));
+      difference = larger(difference, std::abs(rates.tau[k][i] - increments.tau[k][i]));
+      scale = larger(scale, std::abs(rates.tau[k][i]));
     }
   }
   return scale > 0 ? difference / scale : difference;

@@ -4,6 +4,7 @@
 
 #include "drivers/build_information.hpp"
 #include "drivers/findings.hpp"
+#include "drivers/input_file.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/output/errors_csv.hpp"
 #include "drivers/output/report.hpp"
@@ -149,7 +150,9 @@ int run(const RunOptions& options) {
   Result result;
   std::optional<Problem> problem;
   const bool runs = pose(scene, options.threads, problem, result);
+  refuse_input_as_output(options.junit, "--junit");
   OutputFolder folder(options.out);
+  folder.keep_inputs();
   std::vector<ReportPicture> pictures;
   try {
     if (runs) pictures = simulate_into(*problem, options, life, folder, result);

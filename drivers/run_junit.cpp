@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "drivers/input_error.hpp"
+#include "drivers/input_file.hpp"
 #include "drivers/output/junit.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/output_folder.hpp"
@@ -90,10 +91,7 @@ void refuse_junit_in_the_way(const RunOptions& options) {
     if (options.json) throw InputError({}, "--junit", "takes the standard output that --json takes: " + shown);
     return;
   }
-  std::error_code error;
-  if (fs::is_regular_file(options.junit, error) && fs::equivalent(options.junit, options.scene, error)) {
-    throw InputError({}, "--junit", "is the same file as the scene: " + shown);
-  }
+  refuse_input_as_output(options.junit, "--junit");
   if (is_of_the_result(options.junit, options.out)) {
     throw InputError({}, "--junit", "is a file of the result: " + shown);
   }

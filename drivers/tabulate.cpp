@@ -88,7 +88,7 @@ int tabulate(const TabulateOptions& options) {
   if (const auto* table = std::get_if<DeformationTable>(&scene.motion)) tab.last = table->last();
   cover(points, options.points, tab);
   OutputFolder folder(options.out);
-  if (!options.points.empty()) folder.keep(options.points);
+  folder.keep_inputs();
   Result result;
   result.title = scene.title;
   result.provenance = build_information();

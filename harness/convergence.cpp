@@ -38,12 +38,15 @@ double half_interval(double residual, double variance, std::size_t n) {
   return boost::math::quantile(distribution, 0.975) * std::sqrt(residual / freedom / variance);
 }
 
+/// But for rounding: of their difference there is no order.
+bool are_equal(double h, double other) { return std::abs(h - other) <= 1e-6 * std::abs(h); }
+
 }  // namespace
 
 std::optional<FittedOrder> fitted_order(const std::vector<double>& h, const std::vector<double>& error) {
   if (h.size() != error.size() || h.size() < 2 || !std::all_of(h.begin(), h.end(), has_logarithm) ||
       !std::all_of(error.begin(), error.end(), has_logarithm) ||
-      std::all_of(h.begin(), h.end(), [&](double each) { return each == h.front(); }))
+      std::all_of(h.begin(), h.end(), [&](double each) { return are_equal(h.front(), each); }))
     return std::nullopt;
   const double n = static_cast<double>(h.size());
   double x_mean = 0, y_mean = 0, covariance = 0, variance = 0, residual = 0;
@@ -73,7 +76,7 @@ std::optional<FittedOrder> fitted_order(const std::vector<double>& h, const std:
 std::vector<std::optional<double>> pairwise_orders(const std::vector<double>& h, const std::vector<double>& error) {
   std::vector<std::optional<double>> orders(std::min(h.size(), error.size()));
   for (std::size_t i = 1; i < orders.size(); ++i) {
-    if (!has_logarithm(h[i - 1]) || !has_logarithm(h[i]) || h[i - 1] == h[i]) continue;
+    if (!has_logarithm(h[i - 1]) || !has_logarithm(h[i]) || are_equal(h[i - 1], h[i])) continue;
     if (!has_logarithm(error[i - 1]) || !has_logarithm(error[i])) continue;
     orders[i] = observed_order(h[i - 1], error[i - 1], h[i], error[i]);
   }
@@ -86,6 +89,8 @@ RangeJudgement asymptotic_range(const std::vector<double>& h, const std::vector<
   if (n < 3) {
     return unknown_range(std::to_string(n) + (n == 1 ? " resolution" : " resolutions") + ", three are needed");
   }
+  if (are_equal(h[n - 3], h[n - 2]) || are_equal(h[n - 2], h[n - 1]))
+    return unknown_range("two of the three finest are of one resolution, and no order lies between them");
   if (!orders[n - 2] || !orders[n - 1]) return unknown_range("an error of the three finest has no order");
   const double span = h[n - 3] / h[n - 1];
   if (!(h[n - 3] > h[n - 2] && h[n - 2] > h[n - 1]))

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "harness/central_difference.hpp"
+#include "harness/largest.hpp"
 #include "harness/sheet_build.hpp"
 
 namespace assay {
@@ -41,8 +42,8 @@ Reference reference_of(const Material& material, const Path& loading) {
     const auto neighbour = [&](int k) { return tau_at(static_cast<std::size_t>(middle + k)); };
     reference.tau.push_back(neighbour(0));
     reference.slope.push_back(step > 0 ? central_difference(neighbour, step) : Tensor(Tensor::Zero()));
-    reference.tau_scale = std::max(reference.tau_scale, reference.tau.back().cwiseAbs().maxCoeff());
-    reference.slope_scale = std::max(reference.slope_scale, reference.slope.back().cwiseAbs().maxCoeff());
+    reference.tau_scale = larger(reference.tau_scale, largest_of(reference.tau.back()));
+    reference.slope_scale = larger(reference.slope_scale, largest_of(reference.slope.back()));
   }
   return reference;
 }
@@ -54,12 +55,12 @@ SheetError error_of(const Curve& curve, const Reference& reference) {
   for (std::size_t i = 0; i < reference.eps.size(); ++i) {
     Tensor tau, slope;
     slice.at(reference.eps[i], tau, slope);
-    error.tau = std::max(error.tau, (tau - reference.tau[i]).cwiseAbs().maxCoeff());
-    error.dtau = std::max(error.dtau, (slope - reference.slope[i]).cwiseAbs().maxCoeff());
+    error.tau = larger(error.tau, largest_of(tau - reference.tau[i]));
+    error.dtau = larger(error.dtau, largest_of(slope - reference.slope[i]));
   }
-  error.tau = std::max(error.tau, curve.left_out());
+  error.tau = larger(error.tau, curve.left_out());
   const double n = curve.nodes(), width = curve.eps().width();
-  if (width > 0) error.dtau = std::max(error.dtau, std::min(2 * n * n / width * curve.left_out(), error.dtau_scale));
+  if (width > 0) error.dtau = larger(error.dtau, std::min(2 * n * n / width * curve.left_out(), error.dtau_scale));
   if (error.tau_scale > 0) error.tau /= error.tau_scale;
   if (error.dtau_scale > 0) error.dtau /= error.dtau_scale;
   return error;

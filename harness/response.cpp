@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/response.hpp"
 
+#include <cmath>
+
 namespace assay {
 
 std::optional<ClosedForm> ClosedForm::of(std::shared_ptr<const Material> material, const Path& path) {
@@ -27,10 +29,13 @@ void ClosedForm::at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const {
   if (form_->tau(material_->self(), baseline_, 1, &eps, values, slopes) == ASSAY_FAILED) {
     throw MaterialFailure("its closed form failed", xi, t);
   }
+  bool finite = true;
   for (int c = 0; c < 9; ++c) {
     component(tau, c) = values[c];
     component(dtau_dxi, c) = g * slopes[c];
+    finite = finite && std::isfinite(values[c]) && std::isfinite(slopes[c]);
   }
+  if (!finite) throw MaterialFailure("its closed form is not finite", xi, t);
 }
 
 void Response::at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/largest.hpp"
+
 namespace assay {
 
 namespace {
@@ -93,10 +95,10 @@ void Shadow::at(double xi, Tensor& tau, Tensor& dtau_dxi) const { interpolate(0,
 void Shadow::measure_error() {
   Tensor tau, slope;
   for (std::size_t i = 0; i < xi_.size(); ++i) {
-    scale_ = std::max(scale_, tau_[i].cwiseAbs().maxCoeff());
+    scale_ = larger(scale_, largest_of(tau_[i]));
     if (i % 2 == 0 || i + 1 >= xi_.size()) continue;
     interpolate(0, 2, xi_[i], tau, slope);
-    difference_ = std::max(difference_, (tau - tau_[i]).cwiseAbs().maxCoeff());
+    difference_ = larger(difference_, largest_of(tau - tau_[i]));
   }
 }
 

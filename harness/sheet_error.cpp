@@ -4,6 +4,7 @@
 
 #include "harness/central_difference.hpp"
 #include "harness/history_trail.hpp"
+#include "harness/largest.hpp"
 #include "harness/sheet_build.hpp"
 
 namespace assay {
@@ -56,7 +57,7 @@ void integrate(const Course& increments, const Course& neighbours, const History
       stencil.tau[row * 9 + static_cast<std::size_t>(k + reach)] = first_piola_kirchhoff(trail.cauchy(row), F);
     }
     stencil.calls += trail.calls;
-    stencil.error = std::max(stencil.error, trail.error);
+    stencil.error = larger(stencil.error, trail.error);
   }
 }
 
@@ -74,12 +75,12 @@ void compare(const Stencil& stencil, SheetError& error) {
     const Tensor* tau = &stencil.tau[row * 9 + reach];
     Tensor value, slope;
     stencil.table->at(stencil.xi, t, value, slope);
-    error.tau_scale = std::max(error.tau_scale, tau->cwiseAbs().maxCoeff());
-    error.tau = std::max(error.tau, (value - *tau).cwiseAbs().maxCoeff());
+    error.tau_scale = larger(error.tau_scale, largest_of(*tau));
+    error.tau = larger(error.tau, largest_of(value - *tau));
     if (!in_one_stretch(stencil, t)) continue;
     const Tensor difference = central_difference([&](int k) { return tau[k]; }, stencil.step);
-    error.dtau_scale = std::max(error.dtau_scale, difference.cwiseAbs().maxCoeff());
-    error.dtau = std::max(error.dtau, (slope - difference).cwiseAbs().maxCoeff());
+    error.dtau_scale = larger(error.dtau_scale, largest_of(difference));
+    error.dtau = larger(error.dtau, largest_of(slope - difference));
   }
 }
 
@@ -91,10 +92,10 @@ void add_tails(const std::vector<BandTable>& tables, double range, SheetError& e
   constexpr double rest = 4;  // of a series that falls by a quarter from term to term, over its last term
   for (const BandTable& table : tables) {
     const double n = table.size().nodes_in_xi, width = table.band().map.xi.width(), largest = table.largest();
-    error.tau = std::max(error.tau, rest * (table.tail_in_xi() + table.tail_in_t()));
+    error.tau = larger(error.tau, rest * (table.tail_in_xi() + table.tail_in_t()));
     if (!(width > narrow_share * range && largest > 0)) continue;
     const double of_xi = 2 * n * n / width * table.tail_in_xi(), of_t = table.tail_in_t() / largest * table.steepest();
-    error.dtau = std::max(error.dtau, std::min(of_xi + rest * of_t, error.dtau_scale));
+    error.dtau = larger(error.dtau, std::min(of_xi + rest * of_t, error.dtau_scale));
   }
 }
 
@@ -122,9 +123,9 @@ SheetError error_of(const std::vector<BandTable>& tables, const Material& materi
   for (const Stencil& stencil : stencils) {
     compare(stencil, error);
     calls += stencil.calls;
-    history_error = std::max(history_error, stencil.error);
+    history_error = larger(history_error, stencil.error);
   }
-  for (const BandTable& table : tables) history_error = std::max(history_error, table.noise());
+  for (const BandTable& table : tables) history_error = larger(history_error, table.noise());
   add_tails(tables, path.parameter.width(), error);
   if (error.tau_scale > 0) error.tau /= error.tau_scale;
   if (error.dtau_scale > 0) error.dtau /= error.dtau_scale;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/largest.hpp"
 #include "mpm/affine.hpp"
 #include "mpm/blocks.hpp"
 #include "mpm/column_access.hpp"
@@ -142,9 +143,9 @@ void count_grid_angular_momentum(State<Dim>& s) {
   });
   Ledger& ledger = s.ledger;
   if (!ledger.grid_angular) ledger.grid_angular = sum;
-  ledger.grid_angular_scale = std::max(ledger.grid_angular_scale, scale);
+  ledger.grid_angular_scale = larger(ledger.grid_angular_scale, scale);
   ledger.grid_angular_defect =
-      std::max(ledger.grid_angular_defect, std::abs(sum - *ledger.grid_angular - ledger.angular_impulse_before));
+      larger(ledger.grid_angular_defect, std::abs(sum - *ledger.grid_angular - ledger.angular_impulse_before));
   ledger.angular_impulse_before = ledger.angular_impulse;
 }
 
@@ -187,7 +188,7 @@ Pass<Dim> accounts_pass(const Method& method, bool with_body_force) {
       if (works_after_kick) s.ledger.internal_work += 0.5 * now.kick * power_of_kick(s, now.kick);
       double grid_mass = 0;
       s.live.each([&](std::size_t i) { grid_mass += s.inertia.node(i)[0]; });
-      s.ledger.mass_defect = std::max(s.ledger.mass_defect, std::abs(grid_mass / particle_mass - 1));
+      s.ledger.mass_defect = larger(s.ledger.mass_defect, std::abs(grid_mass / particle_mass - 1));
     };
     return kernel;
   };

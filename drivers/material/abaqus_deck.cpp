@@ -73,6 +73,27 @@ bool is_temperature(const DeckBlock& block, std::size_t count) {
   return block.data.back().items.size() == count % items_a_line + 1;
 }
 
+/// What is written in the last line must not be more than there are constants; a whole number behind a whole one may be
+/// a decimal comma.
+void check_last_line(const DeckBlock& block, std::size_t count, bool temperature, const std::string& key) {
+  if (block.data.empty()) return;
+  const DeckLine& line = block.data.back();
+  const std::size_t before = items_a_line * (block.data.size() - 1), left = count > before ? count - before : 0;
+  std::size_t size = line.items.size();
+  while (size > 0 && line.items[size - 1].empty()) --size;
+  const std::string numbers =
+      "has " + std::to_string(before + size) + " numbers, and constants=" + std::to_string(count) + " stands above: ";
+  if (!temperature && size > left)
+    throw InputError(line.where, key, numbers + "numbers have a decimal point, and commas between them");
+  const auto whole = [](const std::string& item) {
+    return !item.empty() && item.find_first_not_of("+-0123456789") == item.npos;
+  };
+  if (!temperature || left == 0 || size <= left || !whole(line.items[left - 1]) || !whole(line.items[left])) return;
+  throw InputError(line.where, key,
+                   numbers + "a number is written with a point, as in " + line.items[left - 1] + "." +
+                       line.items[left] + ", and a temperature behind the constants with one at its end");
+}
+
 /// Eight a line; what is left out is zero.
 std::vector<double> constants_of(const DeckBlock& block, const DeckNumbers& named, std::vector<std::string>& notes) {
   const std::string key = "*User Material", said = block.value("constants", 5);
@@ -87,6 +108,8 @@ std::vector<double> constants_of(const DeckBlock& block, const DeckNumbers& name
   }
   std::vector<double> constants;
   for (const DeckLine& line : block.data) {
+    if (&line == &block.data.back() && line.items.size() <= items_a_line)
+      check_last_line(block, count, temperature, key);
     if (line.items.size() > items_a_line) {
       throw InputError(line.where, key,
                        "has " + std::to_string(line.items.size()) + " numbers, and Abaqus takes eight a line");
@@ -119,15 +142,28 @@ void read_depvar(const DeckBlock& block, DeckMaterial& material) {
   }
 }
 
+/// Refuses what is there already, under the same name.
+void note_once(const std::string& name, const std::string& what, const DeckBlock& block,
+               std::map<std::string, Location>& seen) {
+  const auto [first, is_new] = seen.emplace(name, block.where);
+  if (is_new) return;
+  const Location& where = first->second;
+  const std::string place =
+      where.file == block.where.file ? "in line " + std::to_string(where.line) : "at " + where.text();
+  throw InputError(block.where, "*" + what, "stands " + place + " already");
+}
+
 /// Every material that has *User Material, with what stands below it.
 std::vector<DeckMaterial> materials_of(const std::vector<DeckBlock>& blocks, std::vector<std::string>& others) {
   std::vector<DeckMaterial> all;
   const DeckNumbers named = numbers_named_in(blocks);
   DeckMaterial current;
   bool has_constants = false, within = false;
+  std::map<std::string, Location> names, parts;
   const auto finish = [&] {
     if (within) has_constants ? all.push_back(current) : others.push_back(current.name);
     current = {};
+    parts.clear();
     has_constants = within = false;
   };
   for (const DeckBlock& block : blocks) {
@@ -135,12 +171,16 @@ std::vector<DeckMaterial> materials_of(const std::vector<DeckBlock>& blocks, std
       finish();
       within = true;
       current.name = block.value("name");
+      note_once(deck_letters(current.name), "Material, name=" + one_line(current.name, 80), block, names);
     } else if (within && is_user_material(block) && deck_letters(block.value("type")) != "thermal") {
+      note_once("constants", "User Material", block, parts);
       current.constants = constants_of(block, named, current.notes);
       has_constants = true;
     } else if (within && block.is("depvar", 3)) {
+      note_once("depvar", "Depvar", block, parts);
       read_depvar(block, current);
     } else if (within && block.is("density", 3) && !block.data.empty()) {
+      note_once("density", "Density", block, parts);
       current.density = number_at(block.data[0], 0, "*Density", named);
     }
   }

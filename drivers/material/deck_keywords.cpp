@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/material/deck_keywords.hpp"
+#include "drivers/input_file.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -61,6 +62,7 @@ class DeckReader {
  private:
   void read(const std::string& file, int depth) {
     std::ifstream in(file);
+    note_input(file);
     std::string line;
     int number = 0;
     while (std::getline(in, line)) {

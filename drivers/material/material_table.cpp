@@ -7,6 +7,7 @@
 #include "adapters/library.hpp"
 #include "adapters/worker/remote_table.hpp"
 #include "adapters/worker/worker_process.hpp"
+#include "drivers/input_file.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/material/model_files.hpp"
 #include "drivers/material/raw_library.hpp"
@@ -89,6 +90,9 @@ const assay_material* table_in_worker(const MaterialDescription& description, co
 
 MaterialSource source_of(const MaterialDescription& description, const std::string& file, Isolation isolation) {
   if (!description.foreign && description.library_key == "library") refuse_undeclared_interface(description);
+  note_input(description.library);
+  if (!description.source.empty()) note_input(description.source);
+  for (const ModelFile& model_file : description.files) note_input(model_file.path);
   MaterialSource source;
   const bool own_process = description.foreign || !description.files.empty();
   const bool apart = isolation == Isolation::worker || (isolation == Isolation::automatic && own_process);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "drivers/output/numbers.hpp"
+#include "drivers/scene/text_check.hpp"
 
 namespace assay::drivers {
 
@@ -45,8 +46,7 @@ std::string unguarded(std::string text) {
 }  // namespace
 
 CsvLines::CsvLines(std::string_view text, const std::string& file) : rest_(text), file_(file) {
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-    throw InputError({file, 1, 1}, "", "UTF-16 text: save it as UTF-8");
+  if (is_utf16(text)) throw InputError({file, 1, 1}, "", "UTF-16 text: save it as UTF-8");
   if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
 }
 

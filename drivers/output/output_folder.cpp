@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "drivers/input_error.hpp"
+#include "drivers/input_file.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/output/whole_file.hpp"
 #include "drivers/own_files.hpp"
@@ -133,13 +134,13 @@ bool OutputFolder::is_ours(const std::string& name) const {
   });
 }
 
-void OutputFolder::keep(const fs::path& input) const {
+void OutputFolder::keep_inputs() const {
   std::error_code error;
   for (fs::directory_iterator entry(target_, error), end; !error && entry != end; entry.increment(error)) {
     std::error_code code;
     const std::string name = entry->path().filename().string();
-    if (is_ours(name) && fs::is_regular_file(entry->path(), code) && fs::equivalent(input, entry->path(), code)) {
-      throw InputError({input.string()}, "",
+    if (is_ours(name) && fs::is_regular_file(entry->path(), code) && is_input(entry->path().string())) {
+      throw InputError({entry->path().string()}, "",
                        "an input of this name would be replaced by the result; choose another name or folder");
     }
   }

@@ -28,8 +28,8 @@ class OutputFolder {
   /// folder is as it was.
   ~OutputFolder();
 
-  /// Refuses (InputError) an input file that lies in the folder under a name of the result, which would replace it.
-  void keep(const std::filesystem::path& input) const;
+  /// Refuses (InputError) what was read and lies in the folder under a name of the result, which would replace it.
+  void keep_inputs() const;
 
   /// Stages one file: all bytes on the disk, or SystemError. The name must match one of the patterns.
   void write(const std::string& name, std::string_view bytes);

@@ -30,17 +30,23 @@ std::size_t character(std::string_view text) {
 
 }  // namespace
 
+bool is_utf16(std::string_view text) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return true;
+  const auto is_zero = [&](std::size_t i) { return text[i] == '\0'; };
+  return text.size() >= 4 && is_zero(0) == is_zero(2) && is_zero(1) == is_zero(3) && is_zero(0) != is_zero(1);
+}
+
 void check_text(std::string_view text, const std::string& name, std::size_t limit) {
   if (text.size() > limit) throw InputError({name, 0, 0}, "", "longer than " + std::to_string(limit) + " bytes");
   const bool in_file = name != set_option;
   Location where{name, in_file ? 1 : 0, in_file ? 1 : 0};
+  if (is_utf16(text)) throw InputError(where, "", "UTF-16 text: save it as UTF-8");
   bool indenting = true;
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t size = character(text.substr(i));
     const auto byte = static_cast<unsigned char>(text[i]);
     if (size == 0) {
-      const bool wide = i == 0 && (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"));
-      throw InputError(where, "", wide ? "UTF-16 text: save it as UTF-8" : "not UTF-8 text");
+      throw InputError(where, "", "not UTF-8 text");
     }
     if ((byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r') || byte == 0x7f) {
       throw InputError(where, "", "a control character, " + shown(text.substr(i, 1), 1) + "; not a text file?");

@@ -12,4 +12,7 @@ namespace assay::drivers {
 /// tab in the indentation. `name` stands for the file.
 void check_text(std::string_view text, const std::string& name, std::size_t limit);
 
+/// Whether it is text of two bytes a character, with a mark of that or without.
+bool is_utf16(std::string_view text);
+
 }  // namespace assay::drivers

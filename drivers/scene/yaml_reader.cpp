@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "drivers/scene/text_check.hpp"
+#include "drivers/scene/yaml_quotes.hpp"
 #include "drivers/scene/yaml_slips.hpp"
 #include "drivers/unseen.hpp"
 
@@ -68,9 +69,7 @@ class Builder : public YAML::EventHandler {
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
     check_tag(mark, tag);
-    if (tag == "!" && !is_quote_closed(text_, mark.line + 1, mark.column + 1)) {
-      throw InputError(where(mark), "", "not valid YAML: a quote that is not closed");
-    }
+    if (tag == "!") check_quote(mark);
     Tree tree;
     tree.where = where(mark);
     tree.quoted = tag == "!";
@@ -110,6 +109,14 @@ class Builder : public YAML::EventHandler {
     if (!tag.empty() && tag != "?" && tag != "!") {
       throw InputError(where(mark), "", "a tag ('" + one_line(tag, 40) + "'); tags have no meaning here");
     }
+  }
+
+  void check_quote(const YAML::Mark& mark) const {
+    const auto slip = quote_slip(text_, static_cast<std::size_t>(std::max(mark.pos, 0)));
+    if (!slip) return;
+    Location at = where(mark);
+    if (at.line > 0) at.line = slip->line, at.column = slip->column;
+    throw InputError(at, "", "not valid YAML: " + slip->what);
   }
 
   void start(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, Tree::Kind kind) {

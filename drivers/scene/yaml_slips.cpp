@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drivers/output/numbers.hpp"
+#include "drivers/scene/yaml_lines.hpp"
 
 namespace assay::drivers {
 
@@ -15,68 +16,10 @@ namespace {
 constexpr const char* no_colon = "a key is followed by ':' and a blank, and here is none";
 constexpr const char* no_blank = "a blank belongs after ':'";
 
-std::vector<std::string_view> lines_of(std::string_view text) {
-  std::vector<std::string_view> lines;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    std::string_view line = text.substr(begin, end - begin);
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    lines.push_back(line);
-    begin = end + 1;
-  }
-  return lines;
-}
-
-std::size_t indent_of(std::string_view line) { return std::min(line.find_first_not_of(' '), line.size()); }
-
-/// A line as its characters outside of quotes and remarks; what is inside is blanked. `open`: the quote that the line
-/// leaves open, npos without one.
-struct Bare {
-  std::string text;
-  std::size_t open = std::string::npos;
-};
-
-Bare bare(std::string_view line) {
-  Bare out{std::string(line), std::string::npos};
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    const bool begins = i == 0 || std::string_view(" \t[{,").find(line[i - 1]) != std::string_view::npos;
-    if (c == '#' && begins) {
-      out.text.erase(i);
-      return out;
-    }
-    if ((c != '"' && c != '\'') || !begins) continue;
-    std::size_t end = i + 1;
-    while (end < line.size() && line[end] != c) end += c == '"' && line[end] == '\\' ? 2 : 1;
-    if (end >= line.size()) {
-      out.open = i;
-      return out;
-    }
-    for (std::size_t k = i + 1; k < end; ++k) out.text[k] = '_';
-    i = end;
-  }
-  return out;
-}
-
-std::string_view stripped(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-  return first == text.npos ? std::string_view() : text.substr(first, last - first + 1);
-}
-
-/// Where a colon ends a key: before a blank, a bracket that closes or the end.
-std::size_t key_colon(std::string_view text, std::size_t from = 0) {
-  for (std::size_t at = text.find(':', from); at != text.npos; at = text.find(':', at + 1)) {
-    if (at + 1 == text.size() || text[at + 1] == ' ' || text[at + 1] == '\t') return at;
-  }
-  return text.npos;
-}
-
-bool has_key(std::string_view line) { return key_colon(line) != line.npos; }
-
 /// The lines up to the complaint.
 class Diagnosis {
  public:
-  Diagnosis(std::string_view text, int line, int column) : lines_(lines_of(text)) {
+  Diagnosis(std::string_view text, int line, int column) : lines_(yaml_lines(text)) {
     at_ = std::min(static_cast<std::size_t>(std::max(line, 1)), lines_.size()) - 1;
     column_ = static_cast<std::size_t>(std::max(column, 1)) - 1;
     for (std::size_t i = 0; i < lines_.size(); ++i) bare_.push_back(bare(lines_[i]));
@@ -259,23 +202,6 @@ class Diagnosis {
 
 std::optional<YamlSlip> yaml_slip(std::string_view text, int line, int column) {
   return Diagnosis(text, line, column).find();
-}
-
-bool is_quote_closed(std::string_view text, int line, int column) {
-  std::size_t at = 0;
-  for (int i = 1; i < line && at < text.size(); ++i) at = std::min(text.find('\n', at), text.size() - 1) + 1;
-  at += static_cast<std::size_t>(std::max(column, 1)) - 1;
-  if (at >= text.size() || (text[at] != '"' && text[at] != '\'')) return true;
-  const char quote = text[at];
-  for (std::size_t i = at + 1; i < text.size(); ++i) {
-    if (quote == '"' && text[i] == '\\') {
-      ++i;
-    } else if (text[i] == quote) {
-      if (quote == '"' || i + 1 >= text.size() || text[i + 1] != quote) return true;
-      ++i;
-    }
-  }
-  return false;
 }
 
 std::string key_remedy(const std::string& text) {

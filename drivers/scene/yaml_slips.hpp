@@ -16,9 +16,6 @@ struct YamlSlip {
 /// The slip behind a parser's complaint at a line and a column, from 1; nothing where none is known.
 std::optional<YamlSlip> yaml_slip(std::string_view text, int line, int column);
 
-/// Whether the quote at a line and a column is closed anywhere; true where no quote stands there.
-bool is_quote_closed(std::string_view text, int line, int column);
-
 /// To follow what is said of a text that stands where a key, or a map of keys, belongs: ": a blank belongs after ':'";
 /// empty for a text without such a slip.
 std::string key_remedy(const std::string& text);

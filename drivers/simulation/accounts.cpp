@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/largest.hpp"
+
 namespace assay::drivers {
 
 using mpm::Column;
@@ -35,17 +37,17 @@ Accounts::Accounts(const mpm::State<2>& state)
 void Accounts::check(const mpm::State<2>& s) {
   const Amounts now = amounts_of(s);
   const mpm::Ledger& given = s.ledger;
-  momentum_scale_ = std::max(momentum_scale_, now.momentum_scale);
+  momentum_scale_ = larger(momentum_scale_, now.momentum_scale);
   for (std::size_t d = 0; d < 2; ++d) {
-    momentum_ = std::max(momentum_, std::abs(now.momentum[d] - first_.momentum[d] - given.impulse[d]));
+    momentum_ = larger(momentum_, std::abs(now.momentum[d] - first_.momentum[d] - given.impulse[d]));
   }
-  angular_scale_ = std::max(angular_scale_, now.angular_scale);
-  angular_ = std::max(angular_, std::abs(now.angular_momentum - first_.angular_momentum - given.angular_impulse));
+  angular_scale_ = larger(angular_scale_, now.angular_scale);
+  angular_ = larger(angular_, std::abs(now.angular_momentum - first_.angular_momentum - given.angular_impulse));
   if (given.grid_angular) angular_ = given.grid_angular_defect, angular_scale_ = given.grid_angular_scale;
   energy_scale_ = std::max({energy_scale_, now.kinetic_energy, std::abs(given.internal_work)});
-  energy_ = std::max(energy_,
-                     std::abs(now.kinetic_energy - first_.kinetic_energy + given.internal_work - given.external_work));
-  mass_ = std::max(mass_, given.mass_defect);
+  energy_ =
+      larger(energy_, std::abs(now.kinetic_energy - first_.kinetic_energy + given.internal_work - given.external_work));
+  mass_ = larger(mass_, given.mass_defect);
 }
 
 DriftFigures Accounts::drift() const {

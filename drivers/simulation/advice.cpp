@@ -44,16 +44,21 @@ double bulk_over_shear(const Problem& problem) {
 
 /// Cells along the longer side of the body.
 double cells_across(const Problem& problem) {
-  const mpm::Seeds<2>& seeds = problem.setup.seeds;
-  double width = 0;
-  for (std::size_t d = 0; d < 2 && seeds.size() > 0; ++d) {
-    const auto [least, most] = std::minmax_element(seeds.X[d].begin(), seeds.X[d].end());
-    width = std::max(width, *most - *least + 2 * seeds.half_size[d]);
-  }
-  return width / problem.scene.grid->spacing;
+  const std::array<double, 2> sides = sides_of_body(problem);
+  return std::max(sides[0], sides[1]) / problem.scene.grid->spacing;
 }
 
 }  // namespace
+
+std::array<double, 2> sides_of_body(const Problem& problem) {
+  const mpm::Seeds<2>& seeds = problem.setup.seeds;
+  std::array<double, 2> sides{};
+  for (std::size_t d = 0; d < 2 && seeds.size() > 0; ++d) {
+    const auto [least, most] = std::minmax_element(seeds.X[d].begin(), seeds.X[d].end());
+    sides[d] = *most - *least + 2 * seeds.half_size[d];
+  }
+  return sides;
+}
 
 std::string advice_after_death(const Problem& problem) {
   const auto& method = *problem.scene.method;

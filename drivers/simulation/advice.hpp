@@ -2,6 +2,7 @@
 // What a run that died could try.
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "drivers/simulation/problem.hpp"
@@ -11,5 +12,8 @@ namespace assay::drivers {
 /// What lives through more of the hard cases (docs/hard.md, bench/results/hard) than the method of this run; empty
 /// where nothing does.
 std::string advice_after_death(const Problem& problem);
+
+/// Lengths of the body along the axes [m]; zeros without particles.
+std::array<double, 2> sides_of_body(const Problem& problem);
 
 }  // namespace assay::drivers

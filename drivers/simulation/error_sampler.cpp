@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/largest.hpp"
 #include "harness/norms.hpp"
 
 namespace assay::drivers {
@@ -91,7 +92,7 @@ ErrorSample ErrorSampler::sample(const mpm::State<2>& s, double t, double veloci
 ErrorFigures figures_of(const std::vector<ErrorSample>& history, double half_period, double end,
                         double largest_displacement) {
   ErrorFigures f;
-  const auto grow = [](Figure& figure, double value) { figure = std::max(figure.value_or(0), value); };
+  const auto grow = [](Figure& figure, double value) { figure = larger(figure.value_or(0), value); };
   for (const ErrorSample& sample : history) {
     grow(f.l2_max, sample.displacement.l2);
     grow(f.linf_max, sample.displacement.linf);

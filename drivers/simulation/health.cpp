@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "drivers/output/number_format.hpp"
+#include "harness/largest.hpp"
 #include "mpm/with_basis.hpp"
 
 namespace assay::drivers {
@@ -41,7 +42,7 @@ double HealthWatch::half_diagonal(const mpm::State<2>& s, std::size_t p) const {
     for (const int c : {0, 1}) {  // opposite corners are c and 3 - c
       const double dx = s.column(Column::corners, 2 * c)[p] - s.column(Column::corners, 2 * (3 - c))[p];
       const double dy = s.column(Column::corners, 2 * c + 1)[p] - s.column(Column::corners, 2 * (3 - c) + 1)[p];
-      longest = std::max(longest, 0.5 * std::hypot(dx, dy));
+      longest = larger(longest, 0.5 * std::hypot(dx, dy));
     }
     return longest;
   }
@@ -52,7 +53,7 @@ double HealthWatch::half_diagonal(const mpm::State<2>& s, std::size_t p) const {
   for (const double sign : {1.0, -1.0}) {
     const double u = H[0] + sign * H[1], v = H[2] + sign * H[3];
     const auto F = [&](int c) { return s.column(Column::deformation_gradient, c)[p]; };
-    longest = std::max(longest, std::hypot(F(0) * u + F(1) * v, F(2) * u + F(3) * v));
+    longest = larger(longest, std::hypot(F(0) * u + F(1) * v, F(2) * u + F(3) * v));
   }
   return longest;
 }
@@ -73,7 +74,7 @@ HealthWatch::Seen HealthWatch::scan(const mpm::State<2>& s) const {
   seen.kinetic = 0.5 * sum;
   seen.fastest = std::sqrt(fastest);
   if (convects_) {
-    for (std::size_t p = 0; p < s.particles; ++p) seen.extent = std::max(seen.extent, half_diagonal(s, p));
+    for (std::size_t p = 0; p < s.particles; ++p) seen.extent = larger(seen.extent, half_diagonal(s, p));
   }
   if (std::isfinite(sum)) return seen;
   for (std::size_t p = 0; p < s.particles && !seen.no_number; ++p) {
@@ -96,7 +97,7 @@ double HealthWatch::release(const mpm::State<2>& s) const {
   double largest = 0;
   for (int c = 0; c < mpm::stress_components<2>; ++c) {
     const double* stress = s.column(Column::stress, c);
-    for (std::size_t p = 0; p < s.particles; ++p) largest = std::max(largest, std::abs(stress[p]));
+    for (std::size_t p = 0; p < s.particles; ++p) largest = larger(largest, std::abs(stress[p]));
   }
   return largest / (s.setup.density * problem_->wave_speed);
 }
@@ -112,9 +113,9 @@ std::optional<mpm::Finding> HealthWatch::look(const mpm::State<2>& s, std::int64
   const double h = problem_->scene.grid->spacing;
   const bool total = problem_->setup.method.is_total();
   figures_.jacobian_min = std::min(figures_.jacobian_min.value_or(1), seen.jacobian);
-  figures_.fastest = std::max(figures_.fastest.value_or(0), seen.fastest);
-  figures_.courant = std::max(figures_.courant.value_or(0), dt * (wave + (total ? 0 : seen.fastest)) / h);
-  if (convects_) figures_.domain_extent = std::max(figures_.domain_extent.value_or(0), seen.extent / h);
+  figures_.fastest = larger(figures_.fastest.value_or(0), seen.fastest);
+  figures_.courant = larger(figures_.courant.value_or(0), dt * (wave + (total ? 0 : seen.fastest)) / h);
+  if (convects_) figures_.domain_extent = larger(figures_.domain_extent.value_or(0), seen.extent / h);
   if (!judges_energy()) return std::nullopt;
   // d sqrt(2 E / M)/dt <= rms |b|, E the sum of kinetic energy and of what the body stores, which is not negative
   const double now = acceleration(s);
@@ -125,7 +126,7 @@ std::optional<mpm::Finding> HealthWatch::look(const mpm::State<2>& s, std::int64
   const double ratio = speed / (reachable_ + known_noise * problem_->wave_speed);
   if (!std::isfinite(ratio))
     return finding("mass or energy is beyond the range of numbers; fastest", seen.fastest_particle);
-  figures_.energy = std::max(figures_.energy.value_or(0), ratio * ratio);
+  figures_.energy = larger(figures_.energy.value_or(0), ratio * ratio);
   if (ratio <= most_excess) return std::nullopt;
   return finding("the kinetic energy is " + rounded_text(ratio * ratio, 3) +
                      " times the most that the known forces can have given; fastest",

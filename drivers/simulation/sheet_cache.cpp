@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "adapters/library.hpp"
+#include "adapters/needed_libraries.hpp"
 #include "drivers/cache_home.hpp"
 #include "drivers/input_file.hpp"
 #include "drivers/output/whole_file.hpp"
@@ -65,7 +66,10 @@ SheetCache::SheetCache(const Scene& scene, const Material& material, const Path&
   try {
     std::string key(signature);
     key += program_identity();
-    if (library != adapters::own_file) key += sha256_hex(read_bytes(library, largest_file));
+    if (library != adapters::own_file) {
+      for (const std::string& file : adapters::with_needed_libraries(library))
+        key += sha256_hex(read_bytes(file, largest_file));
+    }
     key += material.name();
     for (const double value : material.parameters()) append(key, value);
     append(key, end);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "drivers/output/number_format.hpp"
+#include "drivers/simulation/advice.hpp"
 #include "drivers/simulation/time_steps.hpp"
 #include "harness/check/march.hpp"
 
@@ -66,6 +67,33 @@ std::string jump_sentence(const Problem& problem) {
          rounded_text(100 * share, 2) + " % of the motion; take a shorter time.step, or motion.interpolation: spline";
 }
 
+std::string late_snapshots_sentence(const Problem& problem) {
+  const auto& from = problem.scene.output.each_step_from;
+  const double end = problem.scene.time.end;
+  if (!from || *from <= end) return "";
+  return "output.each_step_from = " + rounded_text(*from, 6) + " s lies beyond time.end = " + rounded_text(end, 6) +
+         " s: no step is written for it";
+}
+
+/// A density in t/mm^3 beside a stiffness in Pa: no solid has such waves, in m/s or in mm/s.
+std::string density_sentence(const Problem& problem) {
+  constexpr double least = 1e-10, most = 1e-7, kg_per_m3 = 1e12, fastest = 1e8;
+  const double density = problem.setup.density;
+  if (!(density >= least && density <= most) || !(problem.wave_speed > fastest)) return "";
+  return "material.density = " + rounded_text(density, 6) + " and the stiffness make waves of " +
+         rounded_text(problem.wave_speed, 3) + " m/s, which no solid has; in t/mm^3 the density would be " +
+         rounded_text(density * kg_per_m3, 6) +
+         " kg/m^3: units are SI, or those of one system, such as t, mm, s and MPa, throughout";
+}
+
+std::string coarse_grid_sentence(const Problem& problem) {
+  const std::array<double, 2> sides = sides_of_body(problem);
+  const double h = problem.scene.grid->spacing, side = std::min(sides[0], sides[1]);
+  if (!(side > 0 && h > (1 + 1e-9) * side)) return "";
+  return "grid.spacing = " + rounded_text(h, 3) + " m is larger than the body, which is " + rounded_text(side, 3) +
+         " m across: no cell is filled, and errors may be as large as the motion";
+}
+
 }  // namespace
 
 std::string swing_sentence(const Scene& scene) {
@@ -80,8 +108,10 @@ std::string swing_sentence(const Scene& scene) {
 }
 
 std::vector<std::string> warnings_of(const Problem& problem) {
-  std::vector<std::string> all{long_step_sentence(problem), stress_at_rest_sentence(problem),
-                               swing_sentence(problem.scene), jump_sentence(problem)};
+  std::vector<std::string> all{long_step_sentence(problem),      stress_at_rest_sentence(problem),
+                               swing_sentence(problem.scene),    jump_sentence(problem),
+                               late_snapshots_sentence(problem), density_sentence(problem),
+                               coarse_grid_sentence(problem)};
   std::erase(all, "");
   return all;
 }

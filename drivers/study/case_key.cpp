@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "adapters/needed_libraries.hpp"
 #include "drivers/input_file.hpp"
 #include "drivers/material/material_choice.hpp"
 #include "drivers/program_identity.hpp"
@@ -28,9 +29,11 @@ const std::string& kept_hash_of(const std::string& file) {
 std::string case_key(const Scene& scene, const std::string& resolved, int threads) {
   std::string all = loaded_identity() + "\n" + std::to_string(threads) + "\n" + resolved;
   const ResolvedMaterial material = resolve_material(scene);
-  for (const std::string& file : {material.library, material.description}) {
-    if (!file.empty()) all += "\n" + kept_hash_of(file);
-  }
+  std::vector<std::string> files;
+  if (!material.library.empty()) files = adapters::with_needed_libraries(material.library);
+  if (!material.description.empty()) files.push_back(material.description);
+  for (const ModelFile& file : material.files) files.push_back(file.path);
+  for (const std::string& file : files) all += "\n" + kept_hash_of(file);
   if (const auto* table = std::get_if<DeformationTable>(&scene.motion)) all += "\n" + kept_hash_of(table->source());
   return sha256_hex(all).substr(0, key_digits);
 }

@@ -6,6 +6,7 @@
 
 #include "harness/check/judge.hpp"
 #include "harness/check/samples.hpp"
+#include "harness/largest.hpp"
 #include "harness/progress_mark.hpp"
 #include "harness/wave_speed.hpp"
 
@@ -150,7 +151,7 @@ TestResult wave_speed(const Specimen& specimen) {
     }
     const double found =
         fastest_wave(probe_tangent_modulus(material, s.t + s.dt, 0.01 * s.dt, s.F1, s.end.state), s.F1, density);
-    worst = std::max(worst, given && std::isfinite(offered) ? 1 - offered / found : INFINITY);
+    worst = larger(worst, given && std::isfinite(offered) ? 1 - offered / found : INFINITY);
     largest = std::max(largest, given ? offered / found : 0);
   }
   TestResult result{.id = "wave_speed", .measure = worst, .threshold = most};
@@ -187,6 +188,10 @@ std::optional<Limit> of_baseline(const Specimen& specimen, const assay_closed_fo
   const auto expected = tau_of(eps, slope), before = tau_of(eps - change, ignored),
              after = tau_of(eps + change, ignored);
   if (!expected || !before || !after) return std::nullopt;
+  if (!expected->allFinite() || !before->allFinite() || !after->allFinite() || !slope.allFinite()) {
+    slope_error = INFINITY;
+    return Limit{INFINITY, {}};
+  }
   const double scale = std::max(expected->cwiseAbs().maxCoeff(), specimen.least_stress());
   slope_error = distance((*after - *before) / (2 * change), slope) / std::max(scale / eps, slope.cwiseAbs().maxCoeff());
   const Loading loading{[&](double t) { return Tensor(Tensor::Identity() + eps * t * D); }, 1};
@@ -211,17 +216,19 @@ TestResult closed_form(const Specimen& specimen) {
     double slope_error = 0;
     const std::optional<Limit> limit = of_baseline(specimen, *form, baseline, slope_error);
     if (!limit) continue;
-    const double measure = std::max(limit->value, slope_error);
+    const double measure = larger(limit->value, slope_error);
     if (result.measure && measure <= *result.measure) continue;
     const bool right = measure <= converging_limit;
     result.verdict = right ? Verdict::pass : Verdict::fail;
     result.measure = measure;
     result.threshold = converging_limit;
     result.cause = right ? "" : causes::closed_form;
-    result.sentence =
-        right ? "the closed form is the stress of increments, to " + rounded(measure)
-              : "the closed form of " + std::string(name) + " is off by " + percent(measure) +
-                    (slope_error > limit->value ? ", its slope against its own tau" : " of the stress of increments");
+    const std::string form_of = "the closed form of " + std::string(name);
+    result.sentence = right                 ? "the closed form is the stress of increments, to " + rounded(measure)
+                      : std::isinf(measure) ? form_of + " gives what is no finite number"
+                                            : form_of + " is off by " + percent(measure) +
+                                                  (slope_error > limit->value ? ", its slope against its own tau"
+                                                                              : " of the stress of increments");
   }
   return result;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "harness/failed_step.hpp"
+#include "harness/largest.hpp"
 #include "harness/material.hpp"
 #include "harness/material_failure.hpp"
 #include "harness/tensor.hpp"
@@ -54,7 +55,7 @@ std::vector<double> state_at_rest(const Material& material, double pressure,
                                   const Vector3& direction = Vector3::UnitX());
 
 /// The largest |component| of A - B.
-inline double distance(const Tensor& A, const Tensor& B) { return (A - B).cwiseAbs().maxCoeff(); }
+inline double distance(const Tensor& A, const Tensor& B) { return largest_of(A - B); }
 
 inline Tensor deviator(const Tensor& A) { return A - A.trace() / 3 * Tensor::Identity(); }
 

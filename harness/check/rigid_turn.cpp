@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "harness/check/march.hpp"
+#include "harness/largest.hpp"
 
 namespace assay::check {
 
@@ -23,9 +24,9 @@ void RigidTurn::note(int level, const Tensor& found, const Tensor& expected, dou
     error = change_of_size_ = INFINITY;
     return;
   }
-  error = std::max(error, distance(found, expected) / scale);
-  const double change = (principal_values(found) - principal_values(expected)).cwiseAbs().maxCoeff() / scale;
-  change_of_size_ = std::max(change_of_size_, change);
+  error = larger(error, distance(found, expected) / scale);
+  const double change = largest_of(principal_values(found) - principal_values(expected)) / scale;
+  change_of_size_ = larger(change_of_size_, change);
 }
 
 double RigidTurn::worst() const { return *std::max_element(errors_.begin(), errors_.end()); }

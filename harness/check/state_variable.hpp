@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "harness/largest.hpp"
 #include "harness/material.hpp"
 #include "harness/tensor.hpp"
 
@@ -57,7 +58,7 @@ class Variable {
   bool is_tensor() const { return kind_ == ASSAY_TENSOR || kind_ == ASSAY_SYMMETRIC_TENSOR; }
   const Tensor& value() const { return value_; }  ///< a vector: the first column
   double largest() const { return value_.cwiseAbs().maxCoeff(); }
-  double distance(const Variable& other) const { return (value_ - other.value_).cwiseAbs().maxCoeff(); }
+  double distance(const Variable& other) const { return largest_of(value_ - other.value_); }
 
  private:
   /// Component of the tensor that component c of the variable is.

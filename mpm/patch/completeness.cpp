@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/largest.hpp"
 #include "mpm/patch/patch.hpp"
 
 namespace assay::mpm {
@@ -58,10 +59,10 @@ Readback read_back(const Method& method, const Bench& bench, const Vec<2>& v, co
     for (std::size_t d = 0; d < 2; ++d) {
       const double exact = v[d] + A[2 * d] * where[0][p] + A[2 * d + 1] * where[1][p];
       const double moved = s.column(Column::position, static_cast<int>(d))[p] - x[d][p];
-      worst.value = std::max(worst.value, std::abs(moved - exact));
+      worst.value = larger(worst.value, std::abs(moved - exact));
       for (std::size_t k = 0; k < 2; ++k) {
         const double L = s.column(Column::velocity_gradient, static_cast<int>(2 * d + k))[p];
-        worst.gradient = std::max(worst.gradient, std::abs(L - A[2 * d + k]));
+        worst.gradient = larger(worst.gradient, std::abs(L - A[2 * d + k]));
       }
     }
   }
@@ -74,13 +75,13 @@ Readback read_back(const Method& method, const Bench& bench, const Vec<2>& v, co
 std::vector<check::TestResult> completeness(const Method& method, const Bench& bench) {
   const Readback unity = read_back(method, bench, {1, 1}, {}), linear = read_back(method, bench, {}, slope);
   return {judged(method, "weights.unity",
-                 {std::max(unity.value, unity.gradient),
+                 {larger(unity.value, unity.gradient),
                   {},
                   "sum phi - 1 is at most " + digits(unity.value) + ", h |sum grad phi| " + digits(unity.gradient) +
                       ", on a jittered set"},
                  completeness_threshold, "no partition of unity"),
           judged(method, "weights.linear",
-                 {std::max(linear.value, linear.gradient),
+                 {larger(linear.value, linear.gradient),
                   {},
                   "a linear field is off by at most " + digits(linear.value) + ", its gradient by " +
                       digits(linear.gradient) + "/h, on a jittered set"},

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "harness/largest.hpp"
 #include "mpm/affine.hpp"
 #include "mpm/patch/patch.hpp"
 
@@ -60,11 +61,11 @@ Forces summed(const State<2>& s, const Mat<2>& F, const Stress& sigma, double vo
       const Vec<2> x{grid.coordinate(0, i), grid.coordinate(1, j)};
       const double* f = s.force.node(static_cast<std::size_t>(j * grid.count[0] + i));
       for (std::size_t c = 0; c < 4; ++c) moment[c] += f[c / 2] * x[c % 2];
-      if (is_inner(x, F, grid.spacing)) largest = std::max({largest, std::abs(f[0]), std::abs(f[1])});
+      if (is_inner(x, F, grid.spacing)) largest = larger(largest, larger(std::abs(f[0]), std::abs(f[1])));
     }
   }
-  for (const double component : sigma) scale = std::max(scale, std::abs(component));
-  for (std::size_t c = 0; c < 4; ++c) total = std::max(total, std::abs(moment[c] / volume + sigma[c]));
+  for (const double component : sigma) scale = larger(scale, std::abs(component));
+  for (std::size_t c = 0; c < 4; ++c) total = larger(total, std::abs(moment[c] / volume + sigma[c]));
   return {largest / (scale * grid.spacing), total / scale};
 }
 
@@ -104,7 +105,7 @@ std::vector<check::TestResult> constant_stress(const Method& method, const Bench
   double total = 0;
   for (const auto& [arrangement, id, what] : cases) {
     const Forces found = forces(method, bench, arrangement);
-    total = std::max(total, found.total);
+    total = larger(total, found.total);
     const Figure figure{
         found.inner, {}, std::string(what) + ": largest inner force " + digits(found.inner) + " of stress times h"};
     results.push_back(judged(method, id, figure, stress_threshold, "force in a body under constant stress"));

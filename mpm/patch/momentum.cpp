@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/largest.hpp"
 #include "harness/norms.hpp"
 #include "mpm/patch/patch.hpp"
 
@@ -46,8 +47,8 @@ Change change_of(const State<2>& s, const Momentum& before) {
   for (std::size_t p = 0; p < s.particles; ++p) mass += s.column(Column::mass)[p];
   Change change{std::abs(grid[0] / mass - 1), 0, std::abs(after.angular - before.angular) / before.angular_scale};
   for (std::size_t d = 0; d < 2; ++d) {
-    change.grid = std::max(change.grid, std::abs(grid[1 + d] - before.linear[d]) / before.scale);
-    change.particles = std::max(change.particles, std::abs(after.linear[d] - before.linear[d]) / before.scale);
+    change.grid = larger(change.grid, std::abs(grid[1 + d] - before.linear[d]) / before.scale);
+    change.particles = larger(change.particles, std::abs(after.linear[d] - before.linear[d]) / before.scale);
   }
   return change;
 }
@@ -76,7 +77,7 @@ std::vector<check::TestResult> momentum(const Method& method, const Bench& bench
                      digits(half.angular) + " in half a step"};
   if (whole.angular > momentum_threshold) angular.order = observed_order(2, whole.angular, 1, half.angular);
   return {judged(method, "momentum.linear",
-                 {std::max(whole.grid, whole.particles),
+                 {larger(whole.grid, whole.particles),
                   {},
                   "mass and momentum on the grid are off by " + digits(whole.grid) +
                       ", the particles' momentum after a step by " + digits(whole.particles)},

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "harness/exact_solution.hpp"
+#include "harness/largest.hpp"
 #include "mpm/patch/patch.hpp"
 #include "mpm/surface_edges.hpp"
 
@@ -103,7 +104,7 @@ double imbalance(const Method& method, const Bench& bench, const Loading& loadin
     for (std::size_t d = 0; d < 2; ++d) {
       const double force = std::abs(s.force.node(i)[d]);
       if (!std::isfinite(force)) return INFINITY;
-      largest = std::max(largest, force);
+      largest = larger(largest, force);
     }
   }
   return largest / (scale.topLeftCorner<2, 2>().cwiseAbs().maxCoeff() * setup.grid.spacing);
@@ -122,7 +123,7 @@ std::vector<check::TestResult> surface(const Method& method, const Bench& bench)
                  {free, {}, "tension between two ends, sides free: the force is at most " + digits(free) + off},
                  balance_threshold, "force at a loaded or free face under constant stress"),
           judged(method, "surface.traction",
-                 {std::max(reference, follower),
+                 {larger(reference, follower),
                   {},
                   "stretched and sheared, loaded all round: the force is at most " + digits(reference) +
                       " by P N dA0 and " + digits(follower) + " by sigma n ds" + off},

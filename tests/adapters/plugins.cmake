@@ -23,6 +23,11 @@ foreach(plugin IN ITEMS prints flushes_when_loaded)
   target_sources(test_plugin_${plugin} PRIVATE
     ${PROJECT_SOURCE_DIR}/adapters/models/neo_hookean.c ${PROJECT_SOURCE_DIR}/adapters/models/neo_hookean_extensions.c)
 endforeach()
+add_library(test_helper SHARED ${CMAKE_CURRENT_LIST_DIR}/helper/helper.c)
+target_link_libraries(test_helper PRIVATE assay_options)
+target_link_libraries(test_plugin_asks_a_helper PRIVATE test_helper)
+set_target_properties(test_helper PROPERTIES OUTPUT_NAME helper LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/plugins)
+set_target_properties(test_plugin_asks_a_helper PROPERTIES BUILD_RPATH_USE_ORIGIN ON)
 add_test_plugin(unturned ${PROJECT_SOURCE_DIR}/tests/downstream/unturned.c)
 target_include_directories(test_plugin_unturned PRIVATE ${PROJECT_SOURCE_DIR})
 add_test_plugin(frozen_1_0 ${CMAKE_CURRENT_LIST_DIR}/frozen_1_0/plugin.c) # sees its own header alone

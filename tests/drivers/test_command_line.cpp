@@ -144,6 +144,29 @@ TEST_F(CommandLine, EveryUsageErrorIsOneLineAndTwo) {
   }
 }
 
+TEST_F(CommandLine, AnOptionIsNoValue) {
+  const auto said = [](const std::vector<std::string>& words) {
+    const Outcome outcome = call(words);
+    EXPECT_EQ(outcome.status, 2) << testing::PrintToString(words);
+    EXPECT_EQ(outcome.out, "");
+    return outcome.err;
+  };
+  const std::string scene = write("scene.yaml", scene_text());
+  EXPECT_EQ(said({"run", scene, "-o", "--quiet"}),
+            "assay run: -o needs a value, and '--quiet' is an option; a file of that name is ./--quiet\n");
+  EXPECT_EQ(said({"run", scene, "--junit", "-v"}),
+            "assay run: --junit needs a value, and '-v' is an option; a file of that name is ./-v\n");
+  EXPECT_EQ(said({"check", "x.so", "--json", "--junit", "a.xml"}),
+            "assay check: --json needs a value, and '--junit' is an option; a file of that name is ./--junit\n");
+  EXPECT_EQ(said({"eval", scene, "--points", "--typo"}),
+            "assay eval: --points needs a value, and '--typo' is an option; a file of that name is ./--typo\n");
+  EXPECT_EQ(said({"run", scene, "-o"}), "assay run: -o needs a value\n");
+  EXPECT_FALSE(std::filesystem::exists("--quiet"));
+  EXPECT_EQ(said({"check", "x.f", "--props", "-1"}).find("needs a value"), std::string::npos) << "a number";
+  EXPECT_EQ(said({"check", "x.so", "--strain", "-.5"}).find("needs a value"), std::string::npos) << "a number";
+  EXPECT_EQ(said({"check", "x.so", "--json", "-"}).find("needs a value"), std::string::npos) << "standard output";
+}
+
 TEST_F(CommandLine, SettingsReachTheReaderAsTheyStand) {
   EXPECT_EQ(
       refused({"--set", "motion.x=[1,2]"}),

@@ -47,6 +47,16 @@ TEST_F(Compare, WritesMarkdownAndJson) {
   EXPECT_EQ(json["b"]["file"], b + "/study.json");
 }
 
+TEST_F(Compare, ReplacesNoResults) {
+  for (const std::string& study : {a, b}) {
+    const std::string file = study + "/study.json", before = bytes_of(file);
+    const VerbOutcome outcome = call_verb({"compare", a, b, "--markdown", file});
+    EXPECT_TRUE(outcome.is_refusal()) << outcome.status << outcome.out << outcome.err;
+    EXPECT_NE(outcome.err.find("--markdown: '" + file + "' would replace an input"), std::string::npos) << outcome.err;
+    EXPECT_EQ(bytes_of(file), before);
+  }
+}
+
 TEST_F(Compare, BadInputIsOneLineAndTwo) {
   StudyFindings other = two_method_study();
   other.error_key = "error.l2_max";

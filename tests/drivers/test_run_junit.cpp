@@ -163,7 +163,7 @@ TEST_F(RunJUnitCommand, BadInputLeavesNoFile) {
       {{"--junit", "-", "--json"}, "--junit"},
       {{"--junit", scratch_ / "out/result.json"}, "is a file of the result"},
       {{"--junit", scratch_ / "new/../out/particles_0001.vtu"}, "is a file of the result"},
-      {{"--junit", vortex_scene}, "is the same file as the scene"}};
+      {{"--junit", vortex_scene}, "would replace an input of that name"}};
   for (const auto& [words, part] : cases) {
     const Ending ending = call(words);
     EXPECT_EQ(ending.status, 2) << part;

@@ -68,6 +68,20 @@ TEST(Convergence, OrdersFromTheResolutionBefore) {
   for (const std::size_t i : {2u, 3u, 4u}) EXPECT_FALSE(orders[i]) << i;
 }
 
+/// 0.3 / 3 is not 0.1.
+TEST(Convergence, EqualResolutionsHaveNoOrder) {
+  const double same = 0.3 / 3;
+  EXPECT_FALSE(fitted_order({0.1, same}, {1, 0.5}));
+  EXPECT_FALSE(pairwise_orders({0.1, same}, {1, 0.5})[1]);
+  EXPECT_FALSE(pairwise_orders({0.1, 0.1 * (1 + 1e-9)}, {1, 0.5})[1]);
+  EXPECT_TRUE(pairwise_orders({0.1, 0.099}, {1, 0.99})[1]);
+  for (const Sequence& h : {Sequence{0.2, 0.1, same}, Sequence{0.1, same, 0.05}}) {
+    const RangeJudgement found = asymptotic_range(h, {1, 0.5, 0.2});
+    EXPECT_EQ(found.range, AsymptoticRange::unknown);
+    EXPECT_NE(found.sentence.find("of one resolution"), std::string::npos) << found.sentence;
+  }
+}
+
 // Of 4000 fits to noisy second order 95 % have 2 in their interval: the count's standard deviation is 0.34 %.
 TEST(Convergence, IntervalCoversNinetyFivePercent) {
   for (const std::size_t n : {3u, 4u, 6u}) {

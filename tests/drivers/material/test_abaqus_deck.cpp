@@ -115,6 +115,37 @@ TEST(AbaqusDeck, WhatIsWrongIsSaidAtItsLine) {
   EXPECT_EQ(refusal_of([] { read_deck("/absent/job.inp", "", ""); }), "/absent/job.inp: no such file");
 }
 
+/// To Abaqus, capitals are no other name.
+TEST(AbaqusDeck, WhatIsThereTwiceIsRefused) {
+  const std::string one = "*Material, name=Steel\n*User Material, constants=1\n1\n";
+  EXPECT_EQ(refused(one + "*Material, name=STEEL\n*User Material, constants=1\n2\n", "Steel"),
+            "job.inp:4:1: *Material, name=STEEL: stands in line 1 already");
+  EXPECT_EQ(refused(one + "*Material, name=steel\n*Elastic\n1, .3\n"),
+            "job.inp:4:1: *Material, name=steel: stands in line 1 already");
+  EXPECT_EQ(refused(one + "*User Material, constants=1\n2\n"), "job.inp:4:1: *User Material: stands in line 2 already");
+  EXPECT_EQ(refused(one + "*Depvar\n1\n*Depvar\n2\n"), "job.inp:6:1: *Depvar: stands in line 4 already");
+  EXPECT_EQ(refused(one + "*Density\n1.,\n*Density\n2.,\n"), "job.inp:6:1: *Density: stands in line 4 already");
+  EXPECT_EQ(read(one + "*User Material, constants=1, type=THERMAL\n2\n").constants, std::vector<double>{1});
+}
+
+TEST(AbaqusDeck, ADecimalCommaIsNoSecondNumber) {
+  const std::string head = "*Material, name=A\n*User Material, constants=2\n";
+  EXPECT_EQ(
+      refused(head + "1000., 0,3\n"),
+      "job.inp:3:1: *User Material: has 3 numbers, and constants=2 stands above: a number is written with a point, "
+      "as in 0.3, and a temperature behind the constants with one at its end");
+  EXPECT_EQ(
+      refused(head + "1000,5, 0,3\n"),
+      "job.inp:3:1: *User Material: has 4 numbers, and constants=2 stands above: numbers have a decimal point, and "
+      "commas between them");
+  EXPECT_EQ(
+      refused("*Material, name=A\n*User Material, constants=9\n1, 2, 3, 4, 5, 6, 7, 8\n0,3\n"),
+      "job.inp:4:1: *User Material: has 10 numbers, and constants=9 stands above: a number is written with a point, "
+      "as in 0.3, and a temperature behind the constants with one at its end");
+  EXPECT_EQ(read(head + "1000., 0.3, 294.\n").constants, (std::vector<double>{1000, 0.3}));
+  EXPECT_EQ(read(head + "1000,\n").constants, (std::vector<double>{1000, 0})) << "what is left out is zero";
+}
+
 TEST(AbaqusDeck, WhatIsSeenAndNotTakenIsTold) {
   const DeckMaterial found = read(
       "*Solid Section, elset=all, material=a, orientation=Ori-1\n*Material, name=A\n*User Material, constants=1\n"

@@ -101,6 +101,8 @@ TEST(Csv, refuses_what_can_mean_two_things) {
   expect_refusal("\"X,t\n1,2\n", "p.csv:1:1: ", "a quote that is not closed");
   expect_refusal("\"X\"Y,t\n1,2\n", "p.csv:1:4: ", "text behind a closing quote");
   expect_refusal("\xFF\xFEX", "p.csv:1:1: ", "UTF-16 text: save it as UTF-8");
+  for (const std::string& text : {std::string("X\0,\0Y\0", 6), std::string("\0X\0,\0Y", 6)})
+    expect_refusal(text, "p.csv:1:1: ", "UTF-16 text: save it as UTF-8");
   expect_refusal("1;2\n3;4\n", "p.csv:1:1: ", "a number where names of columns belong");
   expect_refusal("X,T\n1,2\n", "p.csv:1:3: ", "unknown column 'T' (nearest: t)");
 }

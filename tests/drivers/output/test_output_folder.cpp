@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "drivers/input_error.hpp"
+#include "drivers/input_file.hpp"
 #include "drivers/output/whole_file.hpp"
 
 namespace assay::drivers::test_output_folder {
@@ -259,10 +260,16 @@ TEST_F(OutputFolderTest, an_input_that_the_result_would_replace_is_refused) {
   put(target_ / "points.csv", "xi,t\n0,0\n");
   put(target_ / "mine.csv", "xi,t\n0,0\n");
   OutputFolder folder(target_);
-  folder.keep(target_ / "mine.csv");
-  EXPECT_THROW(folder.keep(target_ / "points.csv"), InputError);
+  read_bytes(target_ / "mine.csv");
+  folder.keep_inputs();
   fs::create_symlink(target_ / "points.csv", root_ / "link");
-  EXPECT_THROW(folder.keep(root_ / "link"), InputError);
+  read_bytes(root_ / "link");
+  EXPECT_THROW(folder.keep_inputs(), InputError);
+  forget_inputs();
+  folder.keep_inputs();
+  note_input(target_ / "points.csv");
+  EXPECT_THROW(folder.keep_inputs(), InputError);
+  forget_inputs();
 }
 
 TEST_F(OutputFolderTest, serves_under_any_umask) {

@@ -67,6 +67,7 @@ TEST(YamlReader, RefusesBadText) {
   EXPECT_EQ(refused("\xff\xfe"
                     "a"),
             "f:1:1: UTF-16 text: save it as UTF-8");
+  EXPECT_EQ(refused(std::string("a\0:\0 \0", 6)), "f:1:1: UTF-16 text: save it as UTF-8");
   EXPECT_EQ(read_yaml("\xef\xbb\xbf"
                       "a: \xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80\r\n",
                       "f")
@@ -83,6 +84,39 @@ TEST(YamlReader, SyntaxErrorsAreOneLineWithAPlace) {
     EXPECT_NE(line.find("not valid YAML: "), std::string::npos) << text << " -> " << line;
     EXPECT_EQ(line.find('\n'), std::string::npos);
   }
+}
+
+/// A later quote may close what was left open, and the parser does not mind the keys between.
+TEST(YamlReader, AQuoteSwallowsNoKeys) {
+  const std::string keys = "a: 1\nexpect:\n  outcome: failed\n", fault = "not valid YAML: a quote that is not closed";
+  const auto swallows = [&](int line) {
+    return fault + " in its line: line " + std::to_string(line) +
+           " would be part of the text; lines of a text are indented deeper than its key";
+  };
+  for (const char* quote : {"'", "\""}) {
+    const std::string open = std::string("title: ") + quote + "Small\n", close = quote;
+    EXPECT_EQ(refused(open + keys), "f:1:8: " + fault);
+    EXPECT_EQ(refused("b: 1\n" + open + keys + close + "\n"), "f:2:8: " + swallows(3));
+    EXPECT_EQ(refused("b: 1\n" + open + keys + "# a comment" + close + "\n"), "f:2:8: " + swallows(3));
+    EXPECT_EQ(refused("\xef\xbb\xbf" + open + keys + close), "f:1:8: " + swallows(2)) << "a byte order mark";
+    EXPECT_EQ(refused("title: &name " + close + "Small\n" + keys), "f:1:14: " + fault) << "an anchor";
+    EXPECT_EQ(refused("\xc3\xbc: 1\r\n" + open + "a: 1\r\n" + close + "\r\n"), "f:2:8: " + swallows(3));
+    EXPECT_EQ(refused("m:\n  " + open + "  a: 1\n  b: 2" + close + "\n"), "f:2:10: " + swallows(3)) << "nested";
+    EXPECT_EQ(refused("m:\n  - " + open + "    a: 1" + close + "\n"), "f:2:12: " + swallows(3)) << "in a list";
+    EXPECT_EQ(refused("m:\n  - " + close + "x\n  - y" + close + "\n"), "f:2:5: " + swallows(3)) << "items";
+    EXPECT_EQ(refused("m: {a: " + close + "x,\n    b: 1}\nc: 2" + close + "}\n"), "f:1:8: " + swallows(3)) << "braces";
+    EXPECT_EQ(refused(close + "b: 1\n" + keys + close + ": 2\n").substr(0, 7), "f:1:1: ") << "before a key";
+  }
+}
+
+TEST(YamlReader, ATextInQuotesMayHaveSeveralLines) {
+  const auto text = [](const std::string& yaml) { return read_yaml(yaml, "f").entries.at(0).value.text; };
+  EXPECT_EQ(text("t: 'One\n  note: two\n\n  - three'\nb: 1\n"), "One note: two\n- three");
+  EXPECT_EQ(text("t: \"One: \\\n  two: three\"\nb: 1\n"), "One: two: three");
+  EXPECT_EQ(text("t:\n  'One\n  note: two'\nb: 1\n"), "One note: two") << "below its key";
+  EXPECT_EQ(text("t: 'One\nand two'\nb: 1\n"), "One and two") << "no key";
+  EXPECT_EQ(text("t: 'Two ''quotes'''\nb: 'it''s'\n"), "Two 'quotes'");
+  EXPECT_EQ(read_yaml("t:\n- 'One\n  note: two'\n", "f").entries.at(0).value.items.at(0).text, "One note: two");
 }
 
 TEST(YamlReader, DepthIsGuardedBeforeTheParserRecurses) {

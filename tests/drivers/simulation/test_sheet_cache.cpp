@@ -100,6 +100,19 @@ TEST_F(Cached, EverythingThatMattersIsInTheName) {
   EXPECT_NE(file(), before);
 }
 
+TEST_F(Cached, ALibraryThatTheMaterialsNeedsIsInTheName) {
+  for (const std::string name : {"asks_a_helper.so", "libhelper.so"})
+    std::filesystem::copy(built("tests/plugins/" + name), home_ / name);
+  scene_.material.adapter = home_ / "asks_a_helper.so";
+  scene_.material.parameters = {};
+  std::string library;
+  material_ = material_of(scene_, library);
+  const std::string before = file();
+  EXPECT_EQ(file(), before);
+  std::ofstream(home_ / "libhelper.so", std::ios::app | std::ios::binary) << '\0';  // the loader does not mind
+  EXPECT_NE(file(), before);
+}
+
 TEST_F(Cached, ADamagedFileIsMadeAgain) {
   response();
   std::fstream damaged(file(), std::ios::in | std::ios::out | std::ios::binary);

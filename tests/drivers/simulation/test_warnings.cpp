@@ -40,5 +40,37 @@ TEST(Warnings, SaysThatFreeFacesDoNotBearTheStressOfRest) {
   EXPECT_EQ(warnings_in(scene), "");
 }
 
+TEST(Warnings, SaysThatNoStepIsWrittenBehindTheEnd) {
+  EXPECT_EQ(warnings_in(scene_and("output: {each_step_from: 1}\n")), "");
+  EXPECT_EQ(warnings_in(scene_and("output: {each_step_from: 1.5}\n")),
+            "output.each_step_from = 1.5 s lies beyond time.end = 1 s: no step is written for it");
+}
+
+TEST(Warnings, SaysThatADensityIsThatOfOtherUnits) {
+  const auto of = [](const char* density, const char* E) {
+    std::string scene = scene_and("time: {end: 1.0e-9, step: 1.0e-12}\n");
+    scene.replace(scene.find("density: 1000"), 13, std::string("density: ") + density);
+    return warnings_in(scene.replace(scene.find("E: 1e3"), 6, std::string("E: ") + E));
+  };
+  EXPECT_EQ(of("7850", "2.1e11"), "");
+  EXPECT_EQ(of("0.2", "1e6"), "") << "an aerogel";
+  EXPECT_EQ(of("7.85e-9", "2.1e5"), "") << "of one system: t, mm, s and MPa";
+  const std::string mixed = of("7.85e-9", "2.1e11");
+  EXPECT_NE(mixed.find("in t/mm^3 the density would be 7850 kg/m^3"), std::string::npos) << mixed;
+}
+
+TEST(Warnings, SaysThatNoCellIsFilled) {
+  const auto of = [](const char* spacing) {
+    return warnings_in(
+        "motion: {type: homogeneous, final: [[1.1, 0, 0], [0, 1, 0], [0, 0, 1]]}\n"
+        "material: {adapter: neo_hookean, parameters: {E: 1e3, nu: 0.3}, density: 1000}\n"
+        "body: {domain: box, lower: [0, 0], upper: [1, 0.5]}\nmethod: {basis: linear}\n"
+        "grid: {spacing: " +
+        std::string(spacing) + "}\n");
+  };
+  EXPECT_EQ(of("0.5"), "");
+  EXPECT_NE(of("0.75").find("is larger than the body, which is"), std::string::npos) << of("0.75");
+}
+
 }  // namespace
 }  // namespace assay::drivers::test_warnings

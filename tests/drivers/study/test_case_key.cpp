@@ -122,6 +122,39 @@ TEST(CaseKey, ChangesWithTheBytesOfTheMaterialsLibrary) {
   EXPECT_EQ(key_elsewhere(folder), first);
 }
 
+TEST(CaseKey, ChangesWithALibraryThatTheMaterialsNeeds) {
+  const StudyFolder folder;
+  std::string scene = small_scene;
+  scene.replace(scene.find("neo_hookean"), 11, "asks_a_helper.so");
+  scene.replace(scene.find("{E: 1e3}"), 8, "{}");
+  scene.replace(scene.find("closed_form"), 11, "none");
+  folder.scratch().write("s.yaml", scene);
+  for (const std::string file : {"asks_a_helper.so", "libhelper.so"})
+    fs::copy(built("tests/plugins/" + file), folder.scratch() / file);
+  const std::string first = key_elsewhere(folder);
+  ASSERT_EQ(first.size(), 32u) << first;
+  EXPECT_EQ(key_elsewhere(folder), first);
+  folder.scratch().write("libhelper.so", bytes_of(folder.scratch() / "libhelper.so") + '\0');
+  const std::string second = key_elsewhere(folder);
+  EXPECT_EQ(second.size(), 32u) << second;
+  EXPECT_NE(second, first);
+}
+
+TEST(CaseKey, ChangesWithTheFilesThatTheModelReads) {
+  const StudyFolder folder;
+  std::string scene = small_scene;
+  scene.replace(scene.find("neo_hookean"), 11, "mine.yaml");
+  folder.scratch().write("s.yaml", scene);
+  folder.scratch().write("table.txt", "1 2 3\n");
+  folder.scratch().write("mine.yaml", "library: " + built("materials/libneo_hookean.so") + "\nfiles: [table.txt]\n");
+  const std::string first = key_elsewhere(folder);
+  ASSERT_EQ(first.size(), 32u) << first;
+  folder.scratch().write("table.txt", "1 2 4\n");
+  const std::string second = key_elsewhere(folder);
+  EXPECT_EQ(second.size(), 32u) << second;
+  EXPECT_NE(second, first);
+}
+
 TEST(CaseKey, ChangesWithTheBytesOfTheMotionsTable) {
   const StudyFolder folder;
   folder.scratch().write("s.yaml",

@@ -15,6 +15,8 @@ enum Defect : int {
   half_wave_speed,
   closed_form_of_another_stiffness,
   halved_slope,
+  closed_form_of_no_number,
+  slope_of_no_number,
   defects
 };
 
@@ -127,6 +129,8 @@ std::int32_t closed_form(void* self, std::int32_t baseline, std::size_t n, const
     const Uniaxial found = model.uniaxial(1 + eps[p], stiffer * model.mu);
     tau[p] = found.axial, slope[p] = part * found.axial_slope;
     for (const std::size_t c : {4, 8}) tau[c * n + p] = found.lateral, slope[c * n + p] = part * found.lateral_slope;
+    if (model.defect == closed_form_of_no_number) tau[8 * n + p] = NAN;
+    if (model.defect == slope_of_no_number) slope[8 * n + p] = NAN;
   }
   return ASSAY_GOOD;
 }
@@ -167,7 +171,9 @@ std::vector<Subject> subjects() {
        {"rate_of_another_stiffness", rate_of_another_stiffness, rate_form},
        {"half_wave_speed", half_wave_speed, check::causes::wave_speed},
        {"closed_form_of_another_stiffness", closed_form_of_another_stiffness, check::causes::closed_form},
-       {"halved_slope", halved_slope, check::causes::closed_form}});
+       {"halved_slope", halved_slope, check::causes::closed_form},
+       {"closed_form_of_no_number", closed_form_of_no_number, check::causes::closed_form},
+       {"slope_of_no_number", slope_of_no_number, check::causes::closed_form}});
   add(all, &incremental,
       {{"offering_increments", none, ""},
        {"rate_of_increments_without_spin", rate_without_spin, rate_form},

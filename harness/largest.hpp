@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Largest errors. A NaN among them is the result: std::max and Eigen's maxCoeff would drop it, and what is no number
+// would count as no error.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace assay {
+
+/// The larger one; NaN if one of them is.
+inline double larger(double a, double b) { return a >= b || a != a ? a : b; }
+
+/// The largest |component|; NaN if one of them is.
+template <class Matrix>
+double largest_of(const Matrix& A) {
+  return A.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
+}
+
+}  // namespace assay
