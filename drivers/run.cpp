@@ -143,6 +143,7 @@ void tell_findings(const RunOptions& options, const Result& result, const std::s
 }  // namespace
 
 int run(const RunOptions& options) {
+  forget_inputs();
   const Stopwatch life;
   Scene scene = read_scene(options.scene, options.sets);
   refuse_junit_in_the_way(options);
