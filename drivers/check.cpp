@@ -266,6 +266,7 @@ void refuse_unknown_parameters(const CheckOptions& options, const std::vector<Ch
 }  // namespace
 
 int check(const CheckOptions& options) {
+  forget_inputs();
   refuse_what_contradicts(options);
   if (options.material.empty() || options.methods) refuse_source_options(options.source, "");
   if constexpr (mpm::compiled(mpm::Effect::third_dimension)) {

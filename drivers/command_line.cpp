@@ -13,7 +13,6 @@
 #include "drivers/cache_home.hpp"
 #include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
-#include "drivers/input_file.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/material/abaqus_deck.hpp"
 #include "drivers/output/numbers.hpp"
@@ -109,7 +108,6 @@ std::vector<std::string> words_of(int argc, const char* const* argv) {
 
 int act(int argc, const char* const* argv) {
   settle_environment();
-  forget_inputs();
   CLI::App app{"Verification of material models and of the material point method.", "assay"};
   app.get_formatter()->column_width(28);
   app.get_formatter()->label("REQUIRED", "(required)");

@@ -10,6 +10,7 @@
 namespace assay::drivers {
 
 int compare(const CompareOptions& options) {
+  forget_inputs();
   if (is_same_stream(options.before, options.after))
     throw InputError({}, "assay compare", "A and B are one stream, which can be read once");
   const StoredStudy A = stored_study(options.before), B = stored_study(options.after);

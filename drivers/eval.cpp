@@ -123,6 +123,7 @@ std::string hint_of(const EvalOptions& options) {
 }  // namespace
 
 int eval(const EvalOptions& options) {
+  forget_inputs();
   if (is_same_stream(options.scene, options.points))
     throw InputError({}, "--points", "is the scene's stream, which can be read once");
   try {

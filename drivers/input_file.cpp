@@ -13,7 +13,7 @@
 #include <optional>
 #include <set>
 #include <string_view>
-#include <utility>
+#include <tuple>
 
 #include "drivers/input_error.hpp"
 #include "drivers/interrupt.hpp"
@@ -90,12 +90,12 @@ std::string bytes_of_stream(int number, const Location& where, std::size_t limit
   return read_before[number] = bytes_of(file, where, limit);
 }
 
-/// Device and number of the files that were read.
+/// The files that were read. Time and size tell one from a later file of the same number.
 class Inputs {
  public:
   void add(const struct stat& status) {
     const std::lock_guard lock(mutex_);
-    if (S_ISREG(status.st_mode)) files_.emplace(status.st_dev, status.st_ino);
+    if (S_ISREG(status.st_mode)) files_.insert(key_of(status));
   }
   void clear() {
     const std::lock_guard lock(mutex_);
@@ -103,12 +103,17 @@ class Inputs {
   }
   bool has(const struct stat& status) {
     const std::lock_guard lock(mutex_);
-    return files_.contains({status.st_dev, status.st_ino});
+    return files_.contains(key_of(status));
   }
 
  private:
+  using Key = std::tuple<dev_t, ino_t, off_t, time_t, long>;
+  static Key key_of(const struct stat& status) {
+    return {status.st_dev, status.st_ino, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
+  }
+
   std::mutex mutex_;
-  std::set<std::pair<dev_t, ino_t>> files_;
+  std::set<Key> files_;
 };
 
 Inputs& inputs() {

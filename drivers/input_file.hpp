@@ -21,7 +21,7 @@ std::string read_bytes(const std::string& file, std::size_t limit = largest_text
 /// Remembers a file that others read: a library, what a compiler includes. read_bytes() remembers its own.
 void note_input(const std::string& file);
 
-/// A new command has read nothing yet.
+/// A command that begins has read nothing yet.
 void forget_inputs();
 
 /// Whether the name leads to a file that this process has read, by whatever name.

@@ -72,6 +72,7 @@ void write_tables(const Tabulation& tab, const std::vector<SheetPoint>& points, 
 }  // namespace
 
 int tabulate(const TabulateOptions& options) {
+  forget_inputs();
   const Stopwatch life;
   if (is_same_stream(options.scene, options.points))
     throw InputError({}, "--points", "is the scene's stream, which can be read once");

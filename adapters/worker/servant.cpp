@@ -217,10 +217,16 @@ ModelCall::~ModelCall() {
   lookout->look(control_, begin_);  // the clock is not read again
 }
 
-void watch_process(Control& control) {
+WatchedProcess::WatchedProcess(Control& control) {
   point_mark = &control.point;
   phase_mark = &control.phase;
   lookout = std::make_unique<Lookout>(control);
+}
+
+WatchedProcess::~WatchedProcess() {
+  lookout.reset();
+  phase_mark = nullptr;
+  point_mark = nullptr;
 }
 
 namespace {
@@ -244,7 +250,7 @@ void answer(Control& control) {
 }
 
 void serve_model(WorkerFloor& floor, const std::function<const assay_material*()>& find) {
-  watch_process(floor.control);
+  const WatchedProcess watched(floor.control);
   std::unique_ptr<Servant> servant;
   ModelRefused refused;
   const auto load = [&] {

@@ -17,8 +17,15 @@ struct ModelRefused {
 /// Finds the table with `find`, which may throw ModelRefused or std::exception, and answers until the process ends.
 void serve_model(WorkerFloor& floor, const std::function<const assay_material*()>& find);
 
-/// Before any foreign code: marks points of batches for the host and looks at what calls do to the process.
-void watch_process(Control& control);
+/// Made before any foreign code. While it lives, points of batches are marked for the host, and what calls do to the
+/// process is looked at. One at a time.
+class WatchedProcess {
+ public:
+  explicit WatchedProcess(Control& control);
+  ~WatchedProcess();
+  WatchedProcess(const WatchedProcess&) = delete;
+  WatchedProcess& operator=(const WatchedProcess&) = delete;
+};
 
 /// Waits for the next request; the operation.
 std::uint32_t next_request(Control& control);

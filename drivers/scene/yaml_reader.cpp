@@ -57,6 +57,10 @@ class Builder : public YAML::EventHandler {
 
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    const bool key = !stack_.empty() && stack_.back().tree.kind == Tree::Kind::map && !stack_.back().has_key;
+    const std::size_t at =
+        static_cast<std::size_t>(std::max(mark.pos, 0)) + (text_.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+    if (key && at < text_.size() && text_[at] == ',') throw InputError(where(mark), "", "a comma too many");
     Tree tree;
     tree.where = where(mark);
     complete(std::move(tree), anchor, 1);

@@ -27,8 +27,9 @@ class Diagnosis {
   }
 
   std::optional<YamlSlip> find() const {
-    for (const auto check : {&Diagnosis::quote, &Diagnosis::bracket, &Diagnosis::reserved, &Diagnosis::key_before,
-                             &Diagnosis::indentation, &Diagnosis::second_colon, &Diagnosis::behind}) {
+    for (const auto check :
+         {&Diagnosis::quote, &Diagnosis::escape, &Diagnosis::bracket, &Diagnosis::item, &Diagnosis::reserved,
+          &Diagnosis::key_before, &Diagnosis::indentation, &Diagnosis::second_colon, &Diagnosis::behind}) {
       if (auto found = (this->*check)()) return found;
     }
     return std::nullopt;
@@ -55,21 +56,47 @@ class Diagnosis {
     return std::nullopt;
   }
 
+  /// As in a path of another system: "C:\models".
+  std::optional<YamlSlip> escape() const {
+    constexpr std::string_view known = "0abtnvfre \"/\\N_LPxuU";
+    const std::string_view line = lines_[at_];
+    const std::size_t quote = here().find('"');
+    if (quote == std::string::npos) return std::nullopt;
+    for (std::size_t at = line.find('\\', quote); at < std::min(column_, line.size());) {
+      if (at + 1 < line.size() && known.find(line[at + 1]) == known.npos)
+        return slip(at_, at,
+                    "'" + std::string(line.substr(at, 2)) +
+                        "' in double quotes means nothing: write \\\\ for a backslash, or take single quotes");
+      at = std::min(line.find('\\', at + 2), line.size());
+    }
+    return std::nullopt;
+  }
+
+  /// "- " where no list is.
+  std::optional<YamlSlip> item() const {
+    if (column_ >= here().size() || !(here() + ' ').substr(column_).starts_with("- ")) return std::nullopt;
+    if (indent_of(here()) == column_) return slip(at_, column_, "an item of a list, and keys of a map stand above");
+    return slip(at_, column_, "an item of a list behind its key: each belongs in a line of its own, or write [a, b]");
+  }
+
   /// Brackets up to the complaint, and what stands in the innermost that is open.
   std::optional<YamlSlip> bracket() const {
     struct Open {
       char kind;
       std::size_t line, column;
+      std::size_t part_line, part;  // where its last item began
     };
     std::vector<Open> open;
-    std::size_t part_line = 0, part = 0;  // where the last item began
     for (std::size_t i = 0; i <= at_; ++i) {
       const std::string& line = bare_[i].text;
-      if (open.empty() && i > 0 && has_key(line)) part_line = i, part = 0;
       for (std::size_t k = 0; k < line.size(); ++k) {
         const char c = line[k];
         if (c == '{' || c == '[') {
-          open.push_back({c, i, k}), part_line = i, part = k + 1;
+          if (!open.empty() && open.back().kind == '{' && open.back().part_line == i) {
+            const std::size_t word = line.find_first_not_of(' ', open.back().part);
+            if (word < k && line.find(':', word) >= k) return slip(i, word, no_colon);
+          }
+          open.push_back({c, i, k, i, k + 1});
         } else if ((c == '}' || c == ']') && !open.empty()) {
           const char wanted = open.back().kind == '{' ? '}' : ']';
           if (c != wanted) return mixed(open.back().kind, open.back().line, open.back().column, i, k);
@@ -77,8 +104,9 @@ class Diagnosis {
         } else if ((c == '}' || c == ']') && i == at_ && key_colon(line) < k) {
           return slip(i, k, std::string("a bracket '") + c + "' that nothing opens");
         } else if (c == ',' && !open.empty()) {
-          part_line = i, part = k + 1;
-        } else if (c == ':' && !open.empty() && open.back().kind == '{' && is_second(part_line, part, i, k)) {
+          open.back().part_line = i, open.back().part = k + 1;
+        } else if (c == ':' && !open.empty() && open.back().kind == '{' &&
+                   is_second(open.back().part_line, open.back().part, i, k)) {
           const bool outside = i > open.back().line && indent_of(line) <= indent_of(bare_[open.back().line].text);
           return outside ? unclosed(open.back().kind, open.back().line, open.back().column) : no_comma(i, k);
         }

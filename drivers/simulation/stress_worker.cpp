@@ -67,7 +67,7 @@ void serve_stress(adapters::WorkerFloor& floor, const std::string& task) {
   auto& page = *reinterpret_cast<StressPage*>(floor.arrays);
   const std::size_t line = task.find('\n');
   adapters::next_request(floor.control);
-  adapters::watch_process(floor.control);
+  const adapters::WatchedProcess watched(floor.control);
   const assay_material* table = table_of_task(task.substr(line + 1));
   const Material material(table, parameters_in(task.substr(0, line), *table));
   const mpm::StressColumns<2> columns = columns_in(page, static_cast<double*>(memory.data()));

@@ -2,6 +2,7 @@
 #include "drivers/simulation/warnings.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "drivers/output/number_format.hpp"
@@ -94,6 +95,25 @@ std::string coarse_grid_sentence(const Problem& problem) {
          " m across: no cell is filled, and errors may be as large as the motion";
 }
 
+/// A quadratic spline ends in the middle of a cell. A particle there gives the node beyond it neither mass nor stress,
+/// and the face beside it gives it a force.
+std::string spline_end_sentence(const Problem& problem) {
+  const mpm::Setup<2>& setup = problem.setup;
+  if (!setup.traction || !setup.method.is_total() || setup.method.basis != mpm::Basis::bspline2) return "";
+  for (std::size_t d = 0; d < 2 && setup.seeds.size() > 0; ++d) {
+    const auto [least, most] = std::minmax_element(setup.seeds.X[d].begin(), setup.seeds.X[d].end());
+    const auto ends_at = [&](double x, bool is_free) {
+      const double cells = x / setup.grid.spacing - setup.grid.offset[d];
+      return is_free && std::abs(cells - std::floor(cells) - 0.5) < 1e-6;
+    };
+    if (!ends_at(*least, !setup.ends[d].lower) && !ends_at(*most, !setup.ends[d].upper)) continue;
+    return "body.per_cell: the outermost particles along " + std::string(d == 0 ? "X" : "Y") +
+           " lie in the middle of a cell, where splines of bspline2 end that the face beside them pulls at: the error "
+           "will be some per cent of the motion on any grid, and with an even number per cell it is not there";
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string swing_sentence(const Scene& scene) {
@@ -111,7 +131,7 @@ std::vector<std::string> warnings_of(const Problem& problem) {
   std::vector<std::string> all{long_step_sentence(problem),      stress_at_rest_sentence(problem),
                                swing_sentence(problem.scene),    jump_sentence(problem),
                                late_snapshots_sentence(problem), density_sentence(problem),
-                               coarse_grid_sentence(problem)};
+                               coarse_grid_sentence(problem),    spline_end_sentence(problem)};
   std::erase(all, "");
   return all;
 }

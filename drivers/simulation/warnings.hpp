@@ -14,7 +14,8 @@ std::string swing_sentence(const Scene& scene);
 
 /// One sentence each: a time.step beyond a Courant number of 1; stress at rest, which free faces do not bear; a spline
 /// that goes beyond its rows; a body force that jumps at rows by more than steps of this length resolve;
-/// snapshots from a time on that is not reached; a density in t/mm^3; cells larger than the body.
+/// snapshots from a time on that is not reached; a density in t/mm^3; cells larger than the body; particles at the ends
+/// of splines.
 std::vector<std::string> warnings_of(const Problem& problem);
 
 }  // namespace assay::drivers

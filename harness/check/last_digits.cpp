@@ -100,9 +100,13 @@ class Repeats {
     for (std::size_t p = 0; p < batch.n; ++p) difference_.note(with.difference(p, again[p]), "in the same batch again");
   }
 
+  /// Blocks of other sizes lie between them, so that their addresses are no multiples of one number.
   void take_of_other_instances() {
+    constexpr std::size_t instances = 12;
     std::deque<Material> others;
-    for (int k = 0; k < 3; ++k) {
+    std::vector<std::vector<double>> between;
+    for (std::size_t k = 0; k < instances; ++k) {
+      between.emplace_back(3 + 2 * k);
       others.push_back(material().clone());
       for (std::size_t p = 1; p < steps_.n; p += 2) note(p, alone(others.back(), steps_, p), "of another instance");
     }

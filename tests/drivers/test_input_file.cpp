@@ -6,8 +6,10 @@
 #include <sys/stat.h>
 #include <sys/un.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
 
 #include "drivers/verb_arguments.hpp"
 #include "tests/drivers/process.hpp"
@@ -107,6 +109,22 @@ TEST(InputFile, OneStreamIsOneInput) {
     EXPECT_EQ(ending.status, 2) << ending.said;
     EXPECT_TRUE(has(ending.said, "stream, which can be read once")) << ending.said;
   }
+}
+
+/// A system gives the number of a file that is gone to the next one.
+TEST(InputFile, AFileOfTheSameNumberIsNoInputBeforeItIsRead) {
+  const ScratchFolder scratch;
+  const std::string file = scratch.write("points.csv", "xi,t\n0,0\n"), longer = "xi,t\n0,0\n0,1\n";
+  read_bytes(file);
+  EXPECT_TRUE(is_input(file));
+  std::filesystem::create_hard_link(file, scratch / "same");
+  EXPECT_TRUE(is_input(scratch / "same"));
+  scratch.write("points.csv", longer);
+  EXPECT_FALSE(is_input(file)) << "another length";
+  read_bytes(file);
+  std::filesystem::last_write_time(file, std::filesystem::last_write_time(file) + std::chrono::nanoseconds(1));
+  EXPECT_FALSE(is_input(file)) << "another time";
+  forget_inputs();
 }
 
 TEST(InputFile, AFolderCannotBeStandardOutput) {

@@ -72,5 +72,24 @@ TEST(Warnings, SaysThatNoCellIsFilled) {
   EXPECT_NE(of("1").find("is larger than the body, which is"), std::string::npos) << of("1");
 }
 
+TEST(Warnings, SaysThatAFacePullsAtTheEndOfASpline) {
+  const auto of = [](const std::string& method, const std::string& per_cell, const std::string& ends = "") {
+    return warnings_in(
+        "motion: {type: homogeneous, final: [[1.1, 0, 0], [0, 1, 0], [0, 0, 1]]}\n"
+        "material: {adapter: neo_hookean, parameters: {E: 1e3, nu: 0.3}, density: 1000}\n"
+        "body: {domain: box, lower: [0, 0], upper: [1, 0.5], per_cell: " +
+        per_cell + "}\ngrid: {spacing: 0.125}\nmethod: {basis: " + method + "}\n" + ends);
+  };
+  const std::string total = "bspline2, transfer: apic, formulation: total";
+  for (const char* odd : {"[1, 2]", "[1, 1]", "[1, 4]"}) {
+    EXPECT_NE(of(total, odd).find("outermost particles along X"), std::string::npos) << of(total, odd);
+    EXPECT_EQ(of("bspline3, transfer: apic, formulation: total", odd), "");
+    EXPECT_EQ(of("bspline2, transfer: apic", odd), "");
+  }
+  EXPECT_NE(of(total, "[2, 1]").find("outermost particles along Y"), std::string::npos);
+  EXPECT_EQ(of(total, "[2, 2]"), "");
+  EXPECT_EQ(of(total, "[3, 3]"), "") << "the outermost lie a sixth of a cell from the face";
+}
+
 }  // namespace
 }  // namespace assay::drivers::test_warnings
