@@ -230,7 +230,9 @@ void Umat::call(const PointStep& step) {
   hand_over(step);
   inputs_.keep(arrays_);
   if (surroundings_.lent()) surroundings_.lend(arrays_);
+  probe_.lend(arrays_);
   const auto ended = call_entry();
+  probe_.take_back(arrays_);
   if (surroundings_.lent()) surroundings_.take_back(arrays_);
   const auto broken = inputs_.broken_fence(arrays_);
   if (ended) throw PointFailure("the UMAT " + *ended);
@@ -251,6 +253,7 @@ Tensor Umat::stress() const {
 
 void Umat::update(const PointStep& step, PointEnd& end) {
   call(step);
+  if (probe_.is_due()) probe_.look(arrays_, {stress_, statev_}, "STATEV", [&] { call(step); });
   const Tensor found = stress();
   end.cauchy = turns() ? Tensor(frame_ * found * frame_.transpose()) : found;
   write_symmetric(found, standard_order, plain_shear, end.state1 + umat_stress);

@@ -4,6 +4,7 @@
 // has one of its own, then STATEV as declared.
 #pragma once
 
+#include "adapters/foreign/beyond_probe.hpp"
 #include "adapters/foreign/foreign_point.hpp"
 #include "adapters/foreign/guarded_arrays.hpp"
 #include "adapters/foreign/host_values.hpp"
@@ -60,6 +61,7 @@ class Umat {
   Tensor rotation_ = Tensor::Identity();  ///< DROT
   HostValues host_;
   Surroundings surroundings_;
+  BeyondProbe probe_;
   std::vector<double> properties_;
   Integers integers_{};
   InputWatch inputs_;

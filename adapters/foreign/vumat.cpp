@@ -238,6 +238,7 @@ void Vumat::call(Block& block, double time, double dt) {
   block.inputs.keep(a);
   const bool lent = surroundings_.lent() && block.n == 1;
   if (lent) surroundings_.lend(a), empty_state(block);
+  probe_.lend(a);
   const auto ended = ended_in([&] {
     reinterpret_cast<VumatEntry>(table_.entry)(
         nblock, &ndir, &nshr, &nstatev, &nfieldv, &nprops, &lanneal, &step_time, &total_time, &length, name,
@@ -247,6 +248,7 @@ void Vumat::call(Block& block, double time, double dt) {
         a[block.gradient[1]], a[block.fields[1]], a[block.stress[1]], a[block.state[1]], a[block.internal[1]],
         a[block.inelastic[1]], vumat_name_length);
   });
+  probe_.take_back(a);
   if (lent) surroundings_.take_back(a), note_state(block, !ended && time > 0);
   const auto broken = block.inputs.broken_fence(a, time > 0);
   if (ended) throw PointFailure("the VUMAT " + *ended);
@@ -260,9 +262,13 @@ void Vumat::update_batch(const assay_step& step, std::size_t n, const double* st
     for (++end; end < n && end - begin < most_points && loaded(end) == loaded(begin);) ++end;
     mark_point(begin);
     Block& block = block_of(end - begin);
-    hand_over(block, step, {n, begin}, state0);
-    call(block, end_of_step(step, loaded(begin)), step.dt);
+    const auto answer = [&] {
+      hand_over(block, step, {n, begin}, state0);
+      call(block, end_of_step(step, loaded(begin)), step.dt);
+    };
+    answer();
     require_written(block);
+    if (probe_.is_due()) probe_.look(block.arrays, {block.stress[1], block.state[1]}, "stateOld", answer);
     take_back(block, {n, begin}, state1, cauchy);
     for (std::size_t p = begin; p < end; ++p) state1[vumat_time * n + p] = age[p] + step.dt;
   }

@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "adapters/foreign/beyond_probe.hpp"
 #include "adapters/foreign/foreign_point.hpp"
 #include "adapters/foreign/guarded_arrays.hpp"
 #include "adapters/foreign/host_values.hpp"
@@ -65,6 +66,7 @@ class Vumat {
   std::vector<double> properties_;
   HostValues host_;
   Surroundings surroundings_;
+  BeyondProbe probe_;
   std::size_t fence_ = GuardedArrays::usual_fence;
   std::vector<std::unique_ptr<Block>> blocks_;
 };

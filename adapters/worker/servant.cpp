@@ -11,6 +11,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "adapters/foreign/beyond_probe.hpp"
 #include "adapters/worker/call_arrays.hpp"
 #include "adapters/worker/fenced_model.hpp"
 #include "adapters/worker/futex.hpp"
@@ -218,6 +219,7 @@ ModelCall::~ModelCall() {
 }
 
 WatchedProcess::WatchedProcess(Control& control) {
+  probes_beyond = true;
   point_mark = &control.point;
   phase_mark = &control.phase;
   lookout = std::make_unique<Lookout>(control);
@@ -225,6 +227,7 @@ WatchedProcess::WatchedProcess(Control& control) {
 
 WatchedProcess::~WatchedProcess() {
   lookout.reset();
+  probes_beyond = false;
   phase_mark = nullptr;
   point_mark = nullptr;
 }

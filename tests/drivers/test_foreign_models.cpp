@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "drivers/output/numbers.hpp"
+#include "tests/drivers/material/fortran_texts.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/support/built.hpp"
 
@@ -128,6 +129,28 @@ TEST(ForeignModels, AUmatOfJ2TakesCountedCallsAndFewHandOvers) {
       EXPECT_NEAR(umat.sheet[tau12][row], native.sheet[tau12][row], agreement * largest) << material << " " << row;
     }
   }
+}
+
+TEST(ForeignModels, ARunSaysWhatIsReadBeyondTheState) {
+  if (!has_gfortran()) GTEST_SKIP() << "no Fortran compiler";
+  const ScratchFolder scratch;
+  const auto run = [&](const std::string& statements, const std::string& state) {
+    scratch.write("m.f", fixed_umat(statements + hooke_statements));
+    scratch.write("m.yaml",
+                  "source: m.f\ninterface: umat\nsymbol: umat_\nproperties: {E: 1e3, nu: 0.3}\nstate: " + state);
+    scratch.write("s.yaml",
+                  "motion: {type: homogeneous, final: [[1.1, 0, 0], [0, 1, 0], [0, 0, 1]]}\n"
+                  "material: {adapter: m.yaml, density: 1000}\n"
+                  "body: {domain: box, lower: [0, 0], upper: [1, 1]}\ngrid: {spacing: 0.125}\n"
+                  "method: {basis: linear}\ntime: {end: 0.2}\n");
+    return assay({"run", scratch / "s.yaml", "-o", scratch / "out", "--threads", "1"});
+  };
+  const std::string reads = "      IF (STATEV(3).GT.1.D0) STATEV(1)=1.D0\n";
+  const Ending few = run(reads, "2");
+  EXPECT_EQ(few.status, 1) << few.said;
+  EXPECT_NE(few.said.find("reads beyond its arrays"), std::string::npos) << few.said;
+  const Ending enough = run(reads, "3");
+  EXPECT_EQ(enough.status, 0) << enough.said;
 }
 
 /// Kept as it is: a model with a state, not thread-safe, in two workers.
