@@ -60,7 +60,10 @@ const Path path = Vortex{}.baseline();
 
 /// A worker's memory, in this process.
 struct Ground {
-  Ground() { control.memory_limit = std::uint64_t{1} << 40; }
+  Ground() {
+    control.memory_limit = std::uint64_t{1} << 40;
+    watched.emplace(control);
+  }
   HistoryTrail history() {
     const Material material(&table, {});
     const Course course(material, path, 0.3);
@@ -68,7 +71,7 @@ struct Ground {
     return trail_in(fenced.answer(follow_task(course, 1, {.tolerance = 1e-8}, std::array{0.3})), 1, 10);
   }
   Control control{};
-  WatchedProcess watched{control};
+  std::optional<WatchedProcess> watched;
   std::vector<char> memory = std::vector<char>(std::size_t{1} << 20);
   Adder adder;
 };
