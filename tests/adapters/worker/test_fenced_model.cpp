@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cfenv>
+#include <optional>
 
 #include "adapters/worker/call_arrays.hpp"
 #include "adapters/worker/servant.hpp"
