@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <string_view>
 
@@ -34,18 +35,29 @@ InputError usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const auto chosen = app.get_subcommands();
   const CLI::App& verb = chosen.empty() ? app : *chosen.front();
   const std::string who = chosen.empty() ? "assay" : "assay " + verb.get_name();
+  for (const CLI::Option* each : verb.get_options()) {
+    if (static_cast<int>(each->count()) > each->get_items_expected_max())
+      return InputError(who + ": " + each->get_name() + " is given " + std::to_string(each->count()) +
+                        " times, and takes one value");
+  }
   const std::vector<std::string> extra = app.remaining(true);
-  if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::ExtrasError) || extra.empty())
-    return InputError(who + ": " + error.what());
+  const auto is_option = [](const std::string& word) { return word.starts_with("-"); };
+  const bool lacks = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError) &&
+                     std::any_of(extra.begin(), extra.end(), is_option);  // a file whose name begins so
+  const bool is_extra = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) && !extra.empty();
+  if (!lacks && !is_extra) return InputError(who + ": " + error.what());
   std::vector<std::string> known;
   for (const CLI::Option* each : verb.get_options()) {
     for (const std::string& name : each->get_lnames()) known.push_back("--" + name);
     for (const std::string& name : each->get_snames()) known.push_back("-" + name);
   }
-  const auto option = std::find_if(extra.begin(), extra.end(), [](const auto& e) { return e.starts_with("-"); });
+  const auto option = std::find_if(extra.begin(), extra.end(), is_option);
   const std::string& first = option == extra.end() ? extra.back() : *option;  // CLI11 lists them backwards
   const std::string word = first.starts_with("-") ? first.substr(0, first.find('=')) : first;
   const std::string kind = word.starts_with("-") ? "option" : "argument";
+  std::error_code code;
+  if (word.starts_with("-") && std::filesystem::exists(first, code))
+    return InputError({}, who, "unknown option '" + one_line(word, 80) + "'; the file is ./" + one_line(first, 80));
   return InputError({}, who, unknown(kind + " '" + one_line(word, 80) + "'", word, known), joined(known));
 }
 
@@ -78,6 +90,9 @@ void refuse_missing_values(const std::vector<Verb>& verbs, int argc, const char*
     const CLI::Option* option = verb && word.starts_with("-") ? verb->get_option_no_throw(word) : nullptr;
     if (!option || option->get_items_expected_min() == 0) continue;
     const std::string next = ++i < argc ? argv[i] : "";
+    const std::string type = option->get_type_name();
+    if (i < argc && next.empty() && type != "DIR" && type != "FILE" && word != "--set")
+      throw InputError({}, "assay " + verb->get_name(), word + " needs a value, and an empty text is given");
     const bool is_option = next.starts_with("--") || (next.starts_with("-") && verb->get_option_no_throw(next));
     if (i < argc && !is_option) continue;
     throw InputError({}, "assay " + verb->get_name(),
@@ -89,14 +104,20 @@ void refuse_missing_values(const std::vector<Verb>& verbs, int argc, const char*
 }
 
 /// The command line, last word first, as CLI11 takes it. Numbers behind --props, "--props 210e3 .3", are one list.
+/// Words behind "--" are none of its options.
 std::vector<std::string> words_of(int argc, const char* const* argv) {
   std::vector<std::string> words;
-  bool in_list = false;
+  bool in_list = false, only_names = false;
   for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
+    std::string word = argv[i];
+    if (word == "--" && !only_names) {
+      only_names = true;
+      continue;
+    }
+    if (only_names && word.size() > 1 && word.starts_with("-")) word.insert(0, "./");
     const bool number = deck_number(word.substr(0, word.find(','))).has_value();
     if (in_list && number && words.back() != "--props") {
-      words.back() += "," + word;
+      words.back() += (words.back().ends_with(',') ? "" : ",") + word;
     } else {
       in_list = word == "--props" || (in_list && words.back() == "--props");
       words.push_back(word);

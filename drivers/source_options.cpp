@@ -23,17 +23,35 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// "1000,.3" or "E=1000,nu=.3"; blanks may stand around numbers, and part them.
+/// The words of a list: between commas, with blanks around them, or between blanks.
+std::vector<std::string> items_of(const std::string& list) {
+  std::vector<std::string> items;
+  std::istringstream parts(list + ",");
+  for (std::string part; std::getline(parts, part, ',');) {
+    std::istringstream words(part);
+    const std::size_t before = items.size();
+    for (std::string word; words >> word;) items.push_back(word);
+    if (items.size() == before)
+      throw InputError({}, "--props",
+                       "has no value at place " + std::to_string(before + 1) + ": write 0 where 0 is meant");
+  }
+  return items;
+}
+
+/// PROPS are handed over by their places: "p2=.3,p1=1000" is a slip.
+void refuse_other_place(const std::string& name, std::size_t place) {
+  const auto number = name.starts_with('p') ? parse_integer(std::string_view(name).substr(1)) : std::nullopt;
+  if (!number || *number == static_cast<std::int64_t>(place)) return;
+  throw InputError({}, "--props",
+                   "'" + one_line(name, 60) + "' stands at place " + std::to_string(place) +
+                       ", and PROPS are taken in the order in which they are given");
+}
+
+/// "1000,.3" or "E=1000,nu=.3".
 std::vector<GivenProperty> props_in(const std::string& list) {
   std::vector<GivenProperty> props;
   std::set<std::string> names;
-  std::string text = list;
-  for (char& c : text) c = c == ' ' || c == '\t' || c == '\n' ? ',' : c;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string item = text.substr(begin, end - begin);
-    begin = end + 1;
-    if (item.empty()) continue;
+  for (const std::string& item : items_of(list)) {
     const std::size_t equals = item.find('=');
     const auto value = deck_number(equals == item.npos ? item : item.substr(equals + 1));
     if (!value || equals == 0) {
@@ -42,6 +60,7 @@ std::vector<GivenProperty> props_in(const std::string& list) {
     }
     props.push_back({equals == item.npos ? "" : item.substr(0, equals), *value});
     const std::string name = equals == item.npos ? "p" + std::to_string(props.size()) : props.back().name;
+    refuse_other_place(name, props.size());
     if (!names.insert(name).second) throw InputError({}, "--props", "'" + one_line(name, 60) + "' is there twice");
   }
   return props;

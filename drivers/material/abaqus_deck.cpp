@@ -8,6 +8,7 @@
 
 #include "drivers/material/deck_keywords.hpp"
 #include "drivers/output/numbers.hpp"
+#include "drivers/unseen.hpp"
 
 namespace assay::drivers {
 
@@ -124,6 +125,12 @@ std::vector<double> constants_of(const DeckBlock& block, const DeckNumbers& name
   return constants;
 }
 
+/// What goes on into a description.
+void require_utf8(const std::string& text, const Location& where, const std::string& key) {
+  if (utf8(text) != text)
+    throw InputError(where, key, "'" + shown(text, 60) + "' is not UTF-8 text: save the deck as UTF-8");
+}
+
 void read_depvar(const DeckBlock& block, DeckMaterial& material) {
   if (block.data.empty() || block.data[0].items.empty())
     throw InputError(block.where, "*Depvar", "the number of variables is required and not given");
@@ -138,6 +145,7 @@ void read_depvar(const DeckBlock& block, DeckMaterial& material) {
     }
     std::string doc = line.items.size() > 2 ? line.items[2] : "";
     std::erase(doc, '"');
+    for (const std::string& word : {line.items[1], doc}) require_utf8(word, line.where, "*Depvar");
     material.variables.push_back({number, line.items[1], doc});
   }
 }
@@ -171,6 +179,7 @@ std::vector<DeckMaterial> materials_of(const std::vector<DeckBlock>& blocks, std
       finish();
       within = true;
       current.name = block.value("name");
+      require_utf8(current.name, block.where, "*Material");
       note_once(deck_letters(current.name), "Material, name=" + one_line(current.name, 80), block, names);
     } else if (within && is_user_material(block) && deck_letters(block.value("type")) != "thermal") {
       note_once("constants", "User Material", block, parts);

@@ -84,7 +84,8 @@ ResolvedMaterial resolve_material(const MaterialChoice& given, Example example) 
     choice.parameters[source.table->parameters[i].name] = material.parameters()[i];
   }
   return {std::move(material),   std::move(choice), source.library, source.foreign ? source.description : "",
-          std::move(of_example), source.warnings,   source.files,   source.foreign};
+          std::move(of_example), source.warnings,   source.files,   source.source,
+          source.foreign};
 }
 
 ResolvedMaterial resolve_material(const Scene& scene) {

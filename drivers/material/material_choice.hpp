@@ -19,6 +19,7 @@ struct ResolvedMaterial {
   std::vector<std::string> of_example = {};  ///< names of the parameters that have the values of the model's example
   std::vector<std::string> warnings = {};    ///< sentences on the source that it was compiled from
   std::vector<ModelFile> files = {};         ///< for the folder of a process of its own
+  std::string source = {};                   ///< absolute path of the Fortran source of the library
   std::optional<adapters::ForeignModel> foreign = {};  ///< what it is taken for, of a foreign one
 };
 

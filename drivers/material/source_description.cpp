@@ -58,6 +58,12 @@ std::string deck_hint(const std::string& source) {
   return "; " + deck.filename().string() + " beside it may have them: --deck " + deck.filename().string();
 }
 
+/// As Fortran has it: letters of either size.
+bool is_same_word(const std::string& a, const std::string& b) {
+  const auto same = [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+}
+
 class Describer {
  public:
   Describer(const std::string& file, const SourceRequest& request, const Location& where, const std::string& key)
@@ -108,6 +114,7 @@ class Describer {
     if (request_.props) {
       yaml_.properties = *request_.props;
       yaml_.properties_from = "--props";
+      refuse_exchanged_names();
     } else if (deck_) {
       for (const double value : deck_->constants) yaml_.properties.push_back({"", value});
       yaml_.properties_from = "*User Material";
@@ -121,6 +128,20 @@ class Describer {
       const auto count = std::max(static_cast<std::size_t>(use.largest), request_.least_properties);
       yaml_.properties.assign(count, {"", NAN});
       yaml_.properties_from = "its text";
+    }
+  }
+
+  /// PROPS are taken by their places: a name that the source has for another place is a slip.
+  void refuse_exchanged_names() const {
+    for (std::size_t k = 0; k < yaml_.properties.size(); ++k) {
+      const std::string& name = yaml_.properties[k].name;
+      for (const auto& [place, own] : facts_.property_names) {
+        if (!is_same_word(name, own) || place == static_cast<int>(k + 1)) continue;
+        throw InputError({}, "--props",
+                         "'" + one_line(name, 60) + "' stands at place " + std::to_string(k + 1) + ", and in " +
+                             source_.file + " it is PROPS(" + std::to_string(place) +
+                             "): PROPS are taken in the order in which they are given");
+      }
     }
   }
 

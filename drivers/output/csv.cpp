@@ -9,6 +9,7 @@
 #include "drivers/input_file.hpp"
 #include "drivers/output/csv_lines.hpp"
 #include "drivers/output/numbers.hpp"
+#include "drivers/scene/number_slips.hpp"
 #include "drivers/unseen.hpp"
 
 namespace assay::drivers {
@@ -20,6 +21,10 @@ std::string quoted(std::string_view text) { return "'" + shown(text, 40) + "'"; 
 
 bool contains(const std::vector<std::string>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string csv_remedy(const std::string& text) {
+  return text.empty() ? ": a field of each row must have one" : number_remedy(text);
 }
 
 class Reader {
@@ -52,8 +57,11 @@ class Reader {
   /// ", separated by a semicolon".
   std::string separated() const { return ", separated by " + lines_.separator_name(); }
 
-  void header(const std::vector<CsvField>& fields) {
+  /// Some programs end each line with a separator.
+  void header(std::vector<CsvField> fields) {
     table_.header_line = lines_.line();
+    ends_with_separator_ = fields.size() > 1 && fields.back().text.empty();
+    if (ends_with_separator_) fields.pop_back();
     for (const CsvField& field : fields) {
       if (!contains(known_, field.text)) refuse_column(field);
       if (contains(table_.names, field.text)) fail(field.column, "column " + quoted(field.text) + " twice");
@@ -76,7 +84,9 @@ class Reader {
          joined(known_));
   }
 
-  void row(const std::vector<CsvField>& fields) {
+  void row(std::vector<CsvField> fields) {
+    if (ends_with_separator_ && fields.size() == table_.names.size() + 1 && fields.back().text.empty())
+      fields.pop_back();
     if (fields.size() != table_.names.size()) {
       const std::string found = std::to_string(fields.size()) + (fields.size() == 1 ? " field" : " fields");
       const bool commas = lines_.separator() == ',' && fields.size() == 2 * table_.names.size();
@@ -95,8 +105,9 @@ class Reader {
       fail(field.column, name + ": " + quoted(field.text) + ": a decimal comma and a decimal point in one file");
     const auto value = csv_value(field.text, true);
     if (!value || !std::isfinite(*value))
-      fail(field.column, name + ": " + quoted(field.text) + " is no finite number" +
-                             (field.text.find_first_of(",;\t|") == std::string::npos ? "" : separated()));
+      fail(field.column,
+           name + ": " + quoted(field.text) + " is no finite number" +
+               (field.text.find_first_of(",;\t|") == std::string::npos ? csv_remedy(field.text) : separated()));
     seen_comma_ = seen_comma_ || comma;
     seen_point_ = seen_point_ || point;
     return *value;
@@ -106,6 +117,7 @@ class Reader {
   const std::vector<std::string>& required_;
   std::vector<std::string> known_;
   CsvTable table_;
+  bool ends_with_separator_ = false;  ///< the header's line
   bool seen_comma_ = false, seen_point_ = false;
 };
 

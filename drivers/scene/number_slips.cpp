@@ -119,12 +119,12 @@ std::string tail(const std::string& text) {
   return {};
 }
 
-std::string too_large(const std::string& text) {
+std::string out_of_range(const std::string& text) {
   const std::size_t e = text.find_first_of("eE");
-  const bool is_exponent = e != text.npos && parse_integer(std::string_view(text).substr(e + 1)).has_value();
-  return is_exponent && parse_number(std::string_view(text).substr(0, e)) && !parse_number(text)
-             ? ": beyond what a number can be, 1.8e308"
-             : "";
+  if (e == text.npos || parse_number(text) || !parse_number(std::string_view(text).substr(0, e))) return "";
+  const auto exponent = parse_integer(std::string_view(text).substr(e + 1));
+  if (!exponent) return "";
+  return *exponent < 0 ? ": smaller than a number can be, 4.9e-324: write 0" : ": beyond what a number can be, 1.8e308";
 }
 
 /// "< 0.1" of an expectation.
@@ -138,7 +138,7 @@ std::string comparison(const std::string& text) {
 std::string of_plain(const std::string& text) {
   if (const std::string other = lookalike(text); !other.empty()) return ": " + other;
   for (const auto& slip :
-       {comparison, too_large, decimal_comma, separated, other_base, other_exponent, not_finite, expression, tail}) {
+       {comparison, out_of_range, decimal_comma, separated, other_base, other_exponent, not_finite, expression, tail}) {
     if (std::string found = slip(text); !found.empty()) return found;
   }
   return {};
@@ -179,6 +179,8 @@ std::string number_remedy(const Tree& found) {
   if (found.quoted && parse_number(text)) return in_quotes + text;
   return of_plain(text);
 }
+
+std::string number_remedy(const std::string& found) { return of_plain(trimmed(found)); }
 
 std::string boolean_remedy(const Tree& found) {
   if (found.kind != Tree::Kind::scalar) return {};

@@ -12,6 +12,7 @@ namespace assay::drivers {
 /// To follow "found '0,1'": what makes it no number, and what to write instead, as ": numbers have a decimal point,
 /// write 0.1"; empty where that is not known.
 std::string number_remedy(const Tree& found);
+std::string number_remedy(const std::string& found);
 
 /// The same where true or false belongs.
 std::string boolean_remedy(const Tree& found);

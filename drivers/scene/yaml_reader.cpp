@@ -219,6 +219,19 @@ class Builder : public YAML::EventHandler {
 
 }  // namespace
 
+namespace {
+
+/// A carriage return alone ends a line in YAML; yaml-cpp does not know that.
+std::string with_line_feeds(std::string_view text) {
+  std::string out(text);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (out[i] == '\r' && (i + 1 == out.size() || out[i + 1] != '\n')) out[i] = '\n';
+  }
+  return out;
+}
+
+}  // namespace
+
 const Tree* Tree::find(std::string_view key) const {
   const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.key == key; });
   return found == entries.end() ? nullptr : &found->value;
@@ -226,9 +239,10 @@ const Tree* Tree::find(std::string_view key) const {
 
 Tree* Tree::find(std::string_view key) { return const_cast<Tree*>(std::as_const(*this).find(key)); }
 
-Tree read_yaml(std::string_view text, const std::string& name, const YamlLimits& limits) {
+Tree read_yaml(std::string_view given, const std::string& name, const YamlLimits& limits) {
+  const std::string text = with_line_feeds(given);
   check_text(text, name, limits.bytes);
-  std::istringstream stream{std::string(text)};
+  std::istringstream stream{text};
   const bool marked = text.find("\n---") != text.npos || text.find("\n...") != text.npos;
   Builder builder(text, name, limits, marked);
   try {

@@ -66,9 +66,10 @@ double number_value(const Tree& tree, const std::string& key, const Range& range
            std::string("must be a ") + (range.whole ? "whole number" : "number") + found + number_remedy(tree));
   const double value = read.value_or(0);
   if (!std::isfinite(value)) refuse(tree, key, "must be a finite number" + found);
-  if (range.whole && (value != std::floor(value) || std::abs(value) > 9007199254740992.0)) {
-    refuse(tree, key, "must be a whole number" + found);
-  }
+  if (range.whole && value != std::floor(value)) refuse(tree, key, "must be a whole number" + found);
+  constexpr double most = 9007199254740992.0;  // whole numbers beyond are not all there
+  if (range.whole && std::abs(value) > most && range.holds(value))
+    refuse(tree, key, "must be a whole number up to " + number_text(most) + found);
   if (!range.holds(value)) refuse(tree, key, "must be " + range.text() + found);
   return value;
 }

@@ -209,6 +209,20 @@ void choose_forces(Problem& problem) {
   setup.inertia = scene.force.inertia;
 }
 
+/// Far from the origin the numbers themselves may lie further apart than particles can bear.
+std::string no_particle_sentence(const Problem& problem) {
+  const double spacing = problem.setup.grid.spacing;
+  double far = 0;
+  for (const auto& corner : {problem.scene.body.lower, problem.scene.body.upper}) {
+    for (const double x : corner) far = std::max(far, std::abs(x));
+  }
+  const double apart = std::nextafter(far, 2 * far) - far;
+  const std::string sentence = "leaves no particle in the body";
+  if (apart < 1e-6 * spacing) return sentence;
+  return sentence + ": " + rounded_text(far, 2) + " m from the origin, coordinates are rounded to " +
+         rounded_text(apart, 2) + " m; place the body nearer to it";
+}
+
 }  // namespace
 
 Problem assemble(const Scene& given, int threads) {
@@ -235,7 +249,7 @@ Problem assemble(const Scene& given, int threads) {
   setup.remedies = scene.remedies;
   setup.threads = threads;
   if (setup.seeds.size() == 0)
-    throw InputError(scene.place("grid.spacing"), "grid.spacing", "leaves no particle in the body");
+    throw InputError(scene.place("grid.spacing"), "grid.spacing", no_particle_sentence(problem));
   require_compiled(problem);
   for (const Path& path : baseline_paths(scene)) setup.material_direction = path.material_direction;
   find_speeds(problem);

@@ -62,6 +62,11 @@ StudyAxis read_axis(const Tree::Entry& entry) {
   } else if (axis.is_key) {
     axis.span = read_span(value, path);
   } else {
+    if (value.kind == Tree::Kind::scalar) {
+      throw InputError(
+          value.where, path,
+          "must be a list of values, found " + described(value) + ": write [" + one_line(value.text, 60) + "]");
+    }
     require_map(value, path, "a list of values, {from, to}, or named levels");
     for (const Tree::Entry& level : value.entries) {
       axis.levels.push_back({level.key, read_settings(level.value, key_path(path, level.key))});

@@ -65,6 +65,11 @@ TEST_F(CheckSource, WhatIsMissingIsOneLine) {
   EXPECT_EQ(line({"check", "model.f", "--props", "1,x"}),
             "--props: must be NUMBER or NAME=NUMBER, separated by commas, found 'x'\n");
   EXPECT_EQ(line({"check", "model.f", "--props", "E=1,E=2"}), "--props: 'E' is there twice\n");
+  for (const char* list : {"1000,,.3", "1000, ,.3", ",1000", "1000,.3,"})
+    EXPECT_NE(line({"check", "model.f", "--props", list}).find("has no value at place "), std::string::npos) << list;
+  EXPECT_EQ(line({"check", "model.f", "--props", "p2=.3,p1=1000"}),
+            "--props: 'p2' stands at place 1, and PROPS are taken in the order in which they are given\n");
+  EXPECT_NE(line({"check", "model.f", "--props", "ENU=.3,EMOD=1000"}).find("it is PROPS(2)"), std::string::npos);
   EXPECT_EQ(line({"check", "model.f", "--props", "1", "--statev", "-1"}),
             "--statev: must be a whole number from 0 to 10000, found '-1'\n");
   EXPECT_NE(line({"check", "model.f", "--deck", "no.inp"}).find("no.inp: no such file"), std::string::npos);

@@ -161,10 +161,28 @@ TEST_F(CommandLine, AnOptionIsNoValue) {
   EXPECT_EQ(said({"eval", scene, "--points", "--typo"}),
             "assay eval: --points needs a value, and '--typo' is an option; a file of that name is ./--typo\n");
   EXPECT_EQ(said({"run", scene, "-o"}), "assay run: -o needs a value\n");
+  EXPECT_EQ(said({"run", scene, "--threads", ""}), "assay run: --threads needs a value, and an empty text is given\n");
+  EXPECT_EQ(said({"study", scene, "--jobs", ""}), "assay study: --jobs needs a value, and an empty text is given\n");
+  EXPECT_EQ(said({"run", scene, "-o", "a", "-o", "b"}), "assay run: -o is given 2 times, and takes one value\n");
+  EXPECT_EQ(said({"check", "x.f", "--json", "a", "--json", "b", "--json", "c"}),
+            "assay check: --json is given 3 times, and takes one value\n");
   EXPECT_FALSE(std::filesystem::exists("--quiet"));
   EXPECT_EQ(said({"check", "x.f", "--props", "-1"}).find("needs a value"), std::string::npos) << "a number";
   EXPECT_EQ(said({"check", "x.so", "--strain", "-.5"}).find("needs a value"), std::string::npos) << "a number";
   EXPECT_EQ(said({"check", "x.so", "--json", "-"}).find("needs a value"), std::string::npos) << "standard output";
+}
+
+TEST_F(CommandLine, ANameThatBeginsWithAHyphenStandsBehindTwo) {
+  const std::string before = std::filesystem::current_path();
+  const ScratchFolder scratch;
+  std::filesystem::current_path(scratch / "");
+  scratch.write("-s.yaml", "motion: 1\n");
+  EXPECT_EQ(call({"run", "-s.yaml"}).err, "assay run: unknown option '-s.yaml'; the file is ./-s.yaml\n");
+  EXPECT_TRUE(call({"run", "--", "-s.yaml"}).err.starts_with("./-s.yaml:1:9: motion: "))
+      << call({"run", "--", "-s.yaml"}).err;
+  EXPECT_TRUE(call({"run", "-o", "out", "--", "-s.yaml"}).err.starts_with("./-s.yaml:1:9: motion: "));
+  EXPECT_TRUE(call({"check", "--", "-no.f"}).err.find("no such file: '") == 0u);
+  std::filesystem::current_path(before);
 }
 
 TEST_F(CommandLine, SettingsReachTheReaderAsTheyStand) {

@@ -116,6 +116,21 @@ TEST(AbaqusDeck, WhatIsWrongIsSaidAtItsLine) {
 }
 
 /// To Abaqus, capitals are no other name.
+TEST(AbaqusDeck, NamesThatGoOnAreUtf8) {
+  const ScratchFolder scratch;
+  const auto said = [&](const std::string& name, const std::string& variable) {
+    const std::string deck =
+        scratch.write("d.inp", "*Heading\n St\xE4hle\n*Material, name=" + name + "\n*Depvar\n1\n1, " + variable +
+                                   "\n*User Material, constants=1\n1.\n");
+    return refusal_of([&] { read_deck(deck, "", "--material"); });
+  };
+  EXPECT_EQ(said("ST\xC3\x84HL", "PEEQ"), "accepted");
+  EXPECT_NE(said("ST\xC4HL", "PEEQ").find("d.inp:3:1: *Material: 'ST"), std::string::npos) << said("ST\xC4HL", "PEEQ");
+  EXPECT_NE(said("STEEL", "PEEQ\xB5").find("d.inp:6:1: *Depvar: 'PEEQ"), std::string::npos)
+      << said("STEEL", "PEEQ\xB5");
+  EXPECT_NE(said("STEEL", "PEEQ, \"\xB5\"").find("is not UTF-8 text"), std::string::npos);
+}
+
 TEST(AbaqusDeck, WhatIsThereTwiceIsRefused) {
   const std::string one = "*Material, name=Steel\n*User Material, constants=1\n1\n";
   EXPECT_EQ(refused(one + "*Material, name=STEEL\n*User Material, constants=1\n2\n", "Steel"),

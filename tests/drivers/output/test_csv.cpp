@@ -60,6 +60,9 @@ TEST(Csv, reads_any_order_comments_blank_lines_and_crlf) {
 
 TEST(Csv, refuses_with_the_place) {
   expect_refusal("X,t\n1,2\n1,nan\n", "p.csv:3:3: ", "t: 'nan' is no finite number");
+  expect_refusal("X,t\n1,1e-400\n", "p.csv:2:3: ", "t: '1e-400' is no finite number: smaller than a number can be");
+  expect_refusal("X,t\n1,1.0D0\n", "p.csv:2:3: ", "t: '1.0D0' is no finite number: ");
+  expect_refusal("X,t\n1,\n", "p.csv:2:3: ", "is no finite number: a field of each row must have one");
   expect_refusal("X,t\n1,.nan\n", "p.csv:2:3: ", "finite");
   expect_refusal("X,t\n1,.inf\n", "p.csv:2:3: ", "finite");
   expect_refusal("X,t\n1,1e999\n", "p.csv:2:3: ", "finite");
@@ -84,6 +87,7 @@ TEST(Csv, reads_what_spreadsheets_export) {
        {"\"X\",\"t\"\n0.5,2\n-1,1e3\n", "X;t\n0.5;2\n-1;1e3\n", "X\tt\n0.5\t2\n-1\t1e3\n",
         "X;t\r\n0,5;2,0\r\n-1;1,0e3\r\n", "\"X\"\t\"t\"\n0,5\t2\n-1\t1000\n", "X,t\n\"0,5\",\"2\"\n-1,1000\n",
         "sep=;\nX;t\n0,5;2\n-1;1000\n", "sep=|\nX|t\n0.5|2\n-1|1000\n", "X;t\r0,5;2\r-1;1000\r",
+        "X,t,\n0.5,2,\n-1,1e3,\n", "X;t;\r\n0,5;2;\r\n-1;1000\r\n", "X\tt\t\n0.5\t2\t\n-1\t1e3\t\n",
         "# it's \"mine\nX ; t\n 0.5 ; 2\n'-1;1000\n"}) {
     EXPECT_EQ(columns_of(text), expected) << text;
   }
@@ -105,6 +109,8 @@ TEST(Csv, refuses_what_can_mean_two_things) {
     expect_refusal(text, "p.csv:1:1: ", "UTF-16 text: save it as UTF-8");
   expect_refusal("1;2\n3;4\n", "p.csv:1:1: ", "a number where names of columns belong");
   expect_refusal("X,T\n1,2\n", "p.csv:1:3: ", "unknown column 'T' (nearest: t)");
+  expect_refusal("X,t\n1,2,\n", "p.csv:2:5: ", "3 fields");
+  expect_refusal("X,t,\n1,2,3\n", "p.csv:2:5: ", "3 fields");
 }
 
 TEST(Csv, refuses_files_without_numbers) {

@@ -76,6 +76,15 @@ TEST(YamlReader, RefusesBadText) {
             "\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80");
 }
 
+TEST(YamlReader, ACarriageReturnEndsALine) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const Tree root = read_yaml("a: 1" + end + "b: {c: 2}" + end + end + "d: [3]" + end, "f.yaml");
+    ASSERT_EQ(root.entries.size(), 3u);
+    EXPECT_EQ(root.entries[2].key_where.line, 4);
+    EXPECT_EQ(root.entries[1].value.find("c")->text, "2");
+  }
+}
+
 TEST(YamlReader, SyntaxErrorsAreOneLineWithAPlace) {
   for (const char* text : {"a: [1, 2", "a: {b: 1", "a: b: c", "a: 'x", "- a\nb: 1", "a: *nowhere",
                            "%YAML 9.9\n---\na: 1", "a: \"\\q\"", "]", "@", "a: |x\n"}) {

@@ -110,9 +110,7 @@ TEST(AxesReader, BadAxesAreRefused) {
        "7: axes: must be a map of keys, found a list: its keys stand without '-' and brackets; known: names of axes"},
       {"{grid.spacing: []}", "22: axes.grid.spacing: has no values"},
       {"{method: {}}", "16: axes.method: has no values"},
-      {"{grid.spacing: 0.5}",
-       "22: axes.grid.spacing: must be a map of keys, found '0.5'; known: a list of values, "
-       "{from, to}, or named levels"},
+      {"{grid.spacing: 0.5}", "22: axes.grid.spacing: must be a list of values, found '0.5': write [0.5]"},
       {"{grid.spacing: }",
        "8: axes.grid.spacing: must be a map of keys, found nothing; known: a list of values, "
        "{from, to}, or named levels"},

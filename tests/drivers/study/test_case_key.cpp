@@ -10,6 +10,7 @@
 #include <set>
 
 #include "drivers/study/plan.hpp"
+#include "tests/drivers/material/fortran_texts.hpp"
 #include "tests/drivers/study/study_text_fixture.hpp"
 #include "tests/support/built.hpp"
 
@@ -153,6 +154,30 @@ TEST(CaseKey, ChangesWithTheFilesThatTheModelReads) {
   const std::string second = key_elsewhere(folder);
   EXPECT_EQ(second.size(), 32u) << second;
   EXPECT_NE(second, first);
+}
+
+/// As a routine does that asks for its folder by GETOUTDIR.
+TEST(CaseKey, ChangesWithFilesBesideASourceThatItsTextNames) {
+  if (!has_gfortran()) GTEST_SKIP() << "no Fortran compiler";
+  const StudyFolder folder;
+  std::string scene = small_scene;
+  const std::size_t at = scene.find("material:"), end = scene.find('\n', at);
+  scene.replace(at, end - at, "material: {adapter: m.f, parameters: {p1: 1000, p2: 0.3}, density: 1000}");
+  folder.scratch().write("s.yaml", scene);
+  folder.scratch().write("m.f", fixed_umat("      CHARACTER*256 OUTDIR\n"
+                                           "      CALL GETOUTDIR(OUTDIR,LENOUT)\n"
+                                           "      OPEN(UNIT=115,FILE=OUTDIR(1:LENOUT)//'/young.dat')\n"
+                                           "      READ(115,*) EREAD\n      CLOSE(115)\n" +
+                                           hooke_statements));
+  const auto key_with = [&](const char* name, const char* text) {
+    folder.scratch().write(name, text);
+    return key_elsewhere(folder);
+  };
+  const std::string first = key_with("young.dat", "1000\n");
+  ASSERT_EQ(first.size(), 32u) << first;
+  EXPECT_NE(key_with("young.dat", "4000\n"), first);
+  EXPECT_EQ(key_with("young.dat", "1000\n"), first);
+  EXPECT_EQ(key_with("old.dat", "1000\n"), first) << "which it does not name";
 }
 
 TEST(CaseKey, ChangesWithTheBytesOfTheMotionsTable) {
