@@ -30,13 +30,43 @@ std::int64_t monotonic_ns() {
   return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
 }
 
-void on_signal(int signal) {
+/// A native model that does not come back polls no flag: a second SIGTERM comes from here where none of us has noticed
+/// the first signal by then.
+constexpr time_t grace = 8;  // [s]
+timer_t grace_timer;
+std::atomic<bool> has_timer{false};
+
+/// Async-signal-safe.
+void set_grace(time_t seconds) {
+  itimerspec when{};
+  when.it_value.tv_sec = seconds;
+  if (has_timer) timer_settime(grace_timer, 0, &when, nullptr);
+}
+
+void make_timer() {
+  if (has_timer) return;
+  sigevent event{};
+  event.sigev_notify = SIGEV_SIGNAL;
+  event.sigev_signo = SIGTERM;
+  has_timer = timer_create(CLOCK_MONOTONIC, &event, &grace_timer) == 0;
+}
+
+void on_signal(int signal, siginfo_t* why, void* /*context*/) {
   std::int64_t none = 0;
   const std::int64_t now = monotonic_ns();
-  if (first_time.compare_exchange_strong(none, now))
+  if (first_time.compare_exchange_strong(none, now)) {
     first_signal = signal;
-  else if (now - none > same_stop)
-    leave_process(128 + signal);
+    set_grace(grace);
+  } else if (now - none > same_stop) {
+    leave_process(128 + (why->si_code == SI_TIMER ? first_signal.load() : signal));
+  }
+}
+
+/// The signal is noticed by what cleans up: it has the time that it takes.
+int noticed() {
+  const int signal = first_signal;
+  if (signal != 0) set_grace(0);
+  return signal;
 }
 
 constexpr int stop_signals[] = {SIGINT, SIGTERM, SIGHUP};
@@ -44,7 +74,7 @@ constexpr int stop_signals[] = {SIGINT, SIGTERM, SIGHUP};
 bool is_watched() {
   for (const int signal : stop_signals) {
     struct sigaction present = {};
-    if (sigaction(signal, nullptr, &present) == 0 && present.sa_handler == on_signal) return true;
+    if (sigaction(signal, nullptr, &present) == 0 && present.sa_sigaction == on_signal) return true;
   }
   return false;
 }
@@ -60,16 +90,19 @@ InterruptWatch::~InterruptWatch() {
   adapters::give_up_waiting = nullptr;
   for (const int signal : stop_signals) {
     struct sigaction present = {};
-    if (sigaction(signal, nullptr, &present) == 0 && present.sa_handler == on_signal) std::signal(signal, SIG_DFL);
+    if (sigaction(signal, nullptr, &present) == 0 && present.sa_sigaction == on_signal) std::signal(signal, SIG_DFL);
   }
 }
 
 void watch_interrupts() {
   first_signal = 0;
   first_time = 0;
+  make_timer();
+  set_grace(0);
   adapters::give_up_waiting = interrupted;  // for a worker that does not answer
   struct sigaction action = {};
-  action.sa_handler = on_signal;
+  action.sa_sigaction = on_signal;
+  action.sa_flags = SA_SIGINFO;
   sigemptyset(&action.sa_mask);
   // No SA_RESTART: a read that waits for ever (a pipe without a writer) must come back.
   for (const int signal : stop_signals) {
@@ -79,7 +112,7 @@ void watch_interrupts() {
   }
 }
 
-bool interrupted() { return first_signal != 0; }
+bool interrupted() { return noticed() != 0; }
 
 int interrupt_signal() { return first_signal; }
 
@@ -102,7 +135,7 @@ Deadline::~Deadline() { deadline_ns = 0; }
 
 void stop_if_interrupted() {
   end_a_copy();
-  if (const int signal = first_signal) throw Interrupted{signal};
+  if (const int signal = noticed()) throw Interrupted{signal};
   if (const std::string words = adapters::shortage(); !words.empty()) throw SystemError(words);
   if (const std::int64_t deadline = deadline_ns; deadline != 0 && processor_ns() > deadline) throw TimeIsUp{};
 }

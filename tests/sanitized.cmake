@@ -49,6 +49,14 @@ set(left_out_of_test_drivers # whole runs of full size; studies, which start the
   CheckSource.AFileThatIsNot* CheckSource.ADeck* CheckUndeclared.AFailure* Cached.Nothing* RelativePaths.TheSearch*
   TimeControl.Finds* CheckComponents.AModel* Run.LeavesAC* Run.AMaterialThat* Frames.ATurned* Simulation.Ugimp*
   Host.WhatMay* */CheckSymmetry.*turned_on TimeAccounts.ATab* Screening.O* ViscousShort*
+  CheckForeign.ModuliOf* CheckSource.IsReg* CheckSource.IsLinked* AroundTheSteps.WhatIsNot* Host.AVumat* Host.ACounter*
+  */StressInWorkers.*of_2* CheckScope.TheL* CheckScope.AStress* Interfaces/DamagedLibrary.*native RunJUnit.ARun*
+  Tabulate.AnExp* CheckSymmetryOfRings* Signals/StudySignals.*0 InputFile.AHyphen* Check.AFail* StateBlocks.ThoseThat*
+  Kinds/WritingModel* CheckUndeclared.Dir* FailuresInWorkers.AChanged* Terminal.Paths* Screening.SaysN* Advice.OfAR*
+  # of the kinds of misdeeds those that leave different marks on whoever looks on
+  *MisbehavingModel*kills_* *MisbehavingModel*calls_xit *MisbehavingModel*traps_* *MisbehavingModel*rounds_*
+  *MisbehavingModel*shortens_* *MisbehavingModel*flushes_* *MisbehavingModel*ignores_* *MisbehavingModel*exits
+  *MisbehavingModel.*ByARun*closes_output
   SceneReader.EveryTrunc* ReportInBrowser* EffectList.Owns* TimeNoise.Noise* ParticlePicture*)
 
 set(shards_of_test_house 1)

@@ -18,9 +18,23 @@ constexpr double angle = turning_angle, right_angle = std::numbers::pi / 2;
 
 Tensor half_turn(const Vector3& axis) { return 2 / axis.squaredNorm() * axis * axis.transpose() - Tensor::Identity(); }
 
-/// Whether what is right in some turns is what an exchange of 13 and 23 leaves right, and no material with axes.
-bool exchanges_shears(const Space& space, const std::function<bool(const Tensor&)>& right) {
-  if (space.is_plane()) return false;
+/// The same history without shears 13 and 23.
+Loading in_plane(const Loading& loading) {
+  return {[F = loading.F](double t) {
+            Tensor A = F(t);
+            A(0, 2) = A(1, 2) = A(2, 0) = A(2, 1) = 0;
+            return A;
+          },
+          loading.phases};
+}
+
+/// Whether the turns in which a history is right are those that an exchange of 13 and 23 leaves right: none of them
+/// tells it from a law of the shear 12 alone, which is wrong in the plane, too.
+bool exchanges_shears(const Specimen& specimen, const std::function<bool(const Tensor&, const Loading&)>& is_right) {
+  if (specimen.space.is_plane()) return false;
+  const Loading still = out_and_back(specimen);
+  if (!is_right(rotation_about_z(angle), in_plane(still))) return false;
+  const auto right = [&](const Tensor& R) { return is_right(R, still); };
   const Tensor about_diagonal = Eigen::AngleAxisd(angle, Vector3(1, 1, 0).normalized()).toRotationMatrix();
   return right(half_turn({0, 0, 1})) && right(half_turn({1, 1, 0})) && !right(half_turn({1, 0, 0})) &&
          !right(rotation_about_z(right_angle)) && !right(about_diagonal);
@@ -207,10 +221,11 @@ TestResult constant_rotation(const Specimen& specimen) {
     result.sentence = "the state at rest holds axes of the material: right where the body is turned before";
     return result;
   }
-  const auto right = [&](const Tensor& R) {
-    const TestResult twin = exact_twin(specimen, {"", still, in_frame(R), R, Vector3::UnitX(), ""});
+  const auto is_right = [&](const Tensor& R, const Loading& history) {
+    const TestResult twin = exact_twin(specimen, {"", history, turned_by(R, history), R, Vector3::UnitX(), ""});
     return twin.verdict == Verdict::pass || *twin.measure < 1e-3 * *result.measure;
   };
+  const auto right = [&](const Tensor& R) { return is_right(R, still); };
   const FrameTwins alike{"", still, in_frame(Q), Tensor::Identity(), Vector3::UnitX(), ""};
   const TestResult unturned = exact_twin(specimen, alike);
   if (unturned.verdict == Verdict::pass) {
@@ -223,7 +238,7 @@ TestResult constant_rotation(const Specimen& specimen) {
         "turned by the rotation of that step";
   } else if (where_taken([&] { return turns_by_another_angle(specimen, result); })) {
     return result;
-  } else if (exchanges_shears(specimen.space, right)) {
+  } else if (exchanges_shears(specimen, is_right)) {
     result.cause = causes::components_swapped;
     result.sentence += "; right in frames that exchange the axes 1 and 2: somewhere 13 and 23 change places";
   } else if (right(rotation_about_z(right_angle)) && (specimen.space.is_plane() || right(next_axes()))) {
@@ -264,19 +279,20 @@ TestResult isotropy(const Specimen& specimen) {
         .id = "isotropy", .verdict = Verdict::not_applicable, .sentence = "the model does not claim to be isotropic"};
   }
   const Loading still = out_and_back(specimen);
-  const auto before = [&](const Tensor& Q) {
-    const Loading seen{[=](double t) { return Tensor(still.F(t) * Q.transpose()); }, still.phases};
+  const auto before = [&](const Tensor& Q, const Loading& history) {
+    const Loading seen{[=](double t) { return Tensor(history.F(t) * Q.transpose()); }, history.phases};
     return FrameTwins{"isotropy",
-                      still,
+                      history,
                       seen,
                       Tensor::Identity(),
                       Vector3::UnitX(),
                       "the same history of a body that was turned before"};
   };
-  TestResult result = twin_or_tolerance(specimen, before(specimen.space.turn(angle)));
+  TestResult result = twin_or_tolerance(specimen, before(specimen.space.turn(angle), still));
   if (result.verdict == Verdict::pass) return result;
-  if (exchanges_shears(specimen.space,
-                       [&](const Tensor& Q) { return exact_twin(specimen, before(Q)).verdict == Verdict::pass; })) {
+  if (exchanges_shears(specimen, [&](const Tensor& Q, const Loading& history) {
+        return exact_twin(specimen, before(Q, history)).verdict == Verdict::pass;
+      })) {
     result.cause = causes::components_swapped;
     result.sentence += "; right where the turn exchanges the axes 1 and 2: somewhere 13 and 23 change places";
   }

@@ -192,7 +192,7 @@ std::string words_of(const Tangents& found, double worst) {
   }
   if (found.secant <= within && found.largest_share <= least_share) return "no moduli are given: the tangent is zero";
   if (found.elastic <= within) {
-    return "the tangent is that of elasticity, where the material flows, too: " + wrong_by;
+    return "the tangent is that of elasticity at rest, and the stiffness changes along the history: " + wrong_by;
   }
   if (found.secant <= within && found.least_share > least_share) {
     return "the tangent is the secant, down to " + percent(found.least_share) +

@@ -54,6 +54,30 @@ TEST(InterruptDeathTest, second_signal_ends_the_process) {
       testing::ExitedWithCode(128 + SIGTERM), "");
 }
 
+// As in a native model that does not come back.
+TEST(InterruptDeathTest, a_signal_that_nobody_notices_ends_the_process) {
+  EXPECT_EXIT(
+      {
+        watch_interrupts();
+        std::raise(SIGINT);
+        for (int second = 0; second < 30; ++second) ::usleep(1'000'000);
+        std::_Exit(1);
+      },
+      testing::ExitedWithCode(128 + SIGINT), "");
+}
+
+TEST(InterruptDeathTest, one_that_is_noticed_leaves_the_time_to_clean_up) {
+  EXPECT_EXIT(
+      {
+        watch_interrupts();
+        std::raise(SIGTERM);
+        if (!interrupted()) std::_Exit(2);
+        for (int second = 0; second < 10; ++second) ::usleep(1'000'000);
+        std::_Exit(0);
+      },
+      testing::ExitedWithCode(0), "");
+}
+
 // timeout(1) signals its child and then the child's group: folders must still be given back.
 TEST(InterruptDeathTest, two_at_once_are_one) {
   EXPECT_EXIT(
