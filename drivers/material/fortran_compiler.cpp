@@ -4,6 +4,7 @@
 #include <fcntl.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -107,6 +108,19 @@ std::string library_not_found(const std::string& said) {
   return said.substr(begin, said.find_first_of(": \n", begin) - begin);
 }
 
+/// Where the source includes a file that this program provides, and that lies nowhere for a user to see.
+std::optional<Location> place_of_own_include(const FortranSource& source, const std::string& file) {
+  const std::string name = fs::path(file).filename().string();
+  if (abaqus_include(name).empty() || fs::exists(fs::path(source.file).parent_path() / name)) return std::nullopt;
+  const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
+  const auto has_it = [&](const std::string& line) {
+    return std::search(line.begin(), line.end(), name.begin(), name.end(), same) != line.end();
+  };
+  const auto line = std::find_if(source.lines.begin(), source.lines.end(), has_it);
+  if (line == source.lines.end()) return std::nullopt;
+  return Location{source.file, static_cast<int>(line - source.lines.begin()) + 1, 1};
+}
+
 InputError refusal_of_compiler(const FortranSource& source, const FortranCompiler& compiler, const std::string& said) {
   std::istringstream lines(said);
   std::string line, text;
@@ -129,6 +143,11 @@ InputError refusal_of_compiler(const FortranSource& source, const FortranCompile
     first->where.file = (fs::path(source.file).parent_path() / first->where.file).lexically_normal().string();
   }
   const bool fixed = source.form.form == FortranForm::fixed;
+  if (const auto place = place_of_own_include(source, first->where.file)) {
+    const std::string name = fs::path(first->where.file).filename().string();
+    first->where = *place;
+    text += "; " + name + " holds IMPLICIT REAL*8(A-H,O-Z), beside which there is no IMPLICIT NONE";
+  }
   std::string more = errors > 1 ? "; " + std::to_string(errors - 1) + " more" : "";
   if (source.has_cards) {
     more +=

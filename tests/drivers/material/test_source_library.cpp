@@ -137,6 +137,14 @@ TEST_F(SourceLibraryTest, TheCompilersFirstErrorIsALine) {
   EXPECT_EQ(refused(scratch.write("bad2.f", fixed_umat("      INCLUDE 'part.inc'\n"))).substr(0, 11), "part.inc:1:");
   EXPECT_EQ(refused(scratch.write("bad3.f", fixed_umat("      INCLUDE 'absent.inc'\n"))),
             "bad3.f:13: does not compile: Cannot open included file 'absent.inc'");
+  for (const std::string none : {"      IMPLICIT NONE\n      INCLUDE 'ABA_PARAM.INC'\n",
+                                 "      IMPLICIT NONE\n      include 'aba_param.inc'\n"}) {
+    std::string text = fixed_umat("", "UMAT", "");
+    text.insert(text.find("      CHARACTER"), none);
+    const std::string said = refused(scratch.write("none.f", text));
+    EXPECT_TRUE(said.starts_with("none.f:8:1: does not compile: ")) << said;
+    EXPECT_NE(said.find("holds IMPLICIT REAL*8(A-H,O-Z), beside which there is no IMPLICIT NONE"), std::string::npos);
+  }
 }
 
 TEST_F(SourceLibraryTest, CardNumbersAreNamedWhereTheyBreakTheSource) {
