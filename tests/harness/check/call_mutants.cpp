@@ -152,12 +152,6 @@ void memory_that_was_never_set(const Call& c) {
 }
 
 // Of one component of the deformation, whatever the frame.
-void damage_by_shear_12(const Call& c) {
-  for (std::size_t p = 0; p < c.n; ++p) {
-    const double shear = c.step.F1[c.n + p] - c.step.F0[c.n + p] + c.step.F1[3 * c.n + p] - c.step.F0[3 * c.n + p];
-    c.multiply(p, 1 - 0.1 * std::max(0.0, shear));
-  }
-}
 void stiffer_in_shear_12(const Call& c) {
   for (std::size_t p = 0; p < c.n; ++p) c.multiply(p, 1 + 0.2 * std::abs(c.step.F1[c.n + p] + c.step.F1[3 * c.n + p]));
 }
@@ -228,7 +222,6 @@ std::vector<Subject> subjects() {
       {"digit_of_the_clock", digit_of_the_clock, not_reproducible},
       {"digit_of_the_stack", digit_of_the_stack, not_reproducible},
       {"digit_of_the_hundredth_call", digit_of_the_hundredth_call, not_reproducible},
-      {"damage_by_shear_12", damage_by_shear_12, not_indifferent},
       {"skew_in_unloading", skew_in_unloading, not_symmetric}};
   std::vector<Subject> all;
   for (const Planted& p : of_totals) all.push_back(disturbed(named(totals, "neo_hookean"), p.name, p.deed, p.cause));
