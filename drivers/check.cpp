@@ -101,7 +101,8 @@ ResolvedMaterial registered_material(const std::string& name, const std::map<std
 }
 
 CheckSettings settings_of(const CheckOptions& options) {
-  CheckSettings settings{{.quick = options.quick, .pressure = options.pressure}, {}, options.out};
+  CheckSettings settings{
+      {.quick = options.quick, .pressure = options.pressure}, {}, options.out, absolute_path(options.out)};
   if (options.strain) settings.effort.strain = *options.strain, settings.effort.strain_is_asked = true;
   if (options.step) settings.effort.step = *options.step;
   return settings;
