@@ -157,6 +157,16 @@ void tell_alignment(CheckedMaterial& checked, const CheckOptions& options, const
   report.diagnosis.front() = {test.cause, test.sentence};
 }
 
+/// Of a model that ends the process before any test.
+CheckedMaterial ended_early(const std::string& name, const std::string& sentence) {
+  CheckedMaterial checked;
+  checked.name = name;
+  checked.report.tests.push_back(
+      {.id = "loading", .verdict = check::Verdict::fail, .cause = check::causes::ends_process, .sentence = sentence});
+  checked.report.diagnosis.push_back({check::causes::ends_process, sentence});
+  return checked;
+}
+
 CheckedMaterial check_one(const CheckOptions& options) {
   note_input(options.material);
   refuse_inputs_as_outputs(options);  // before a source is compiled and its description written
@@ -277,7 +287,12 @@ int check(const CheckOptions& options) {
   }
   if (!options.replay.empty()) return check_replay(options);
   if (!options.all) {
-    const CheckedMaterial checked = check_one(options);
+    CheckedMaterial checked;
+    try {
+      checked = check_one(options);
+    } catch (const ModelEnded& ended) {
+      checked = ended_early(options.material, ended.sentence);
+    }
     if (checked.unsuitable) throw InputError(checked.error);
     if (!checked.error.empty()) {
       require_room({checked});
