@@ -81,6 +81,12 @@ std::vector<std::string> exported_symbols(const std::string& path) {
   return symbols_of(path, [](const Elf64_Sym& symbol) { return symbol.st_shndx != SHN_UNDEF; });
 }
 
+std::vector<std::string> own_symbols(const std::string& path) {
+  return symbols_of(path, [](const Elf64_Sym& symbol) {
+    return symbol.st_shndx != SHN_UNDEF && symbol.st_shndx != SHN_ABS && ELF64_ST_BIND(symbol.st_info) == STB_GLOBAL;
+  });
+}
+
 std::vector<std::string> wanted_symbols(const std::string& path) {
   return symbols_of(path, [](const Elf64_Sym& symbol) {
     return symbol.st_shndx == SHN_UNDEF && symbol.st_name != 0 && ELF64_ST_BIND(symbol.st_info) == STB_GLOBAL;

@@ -10,6 +10,9 @@ namespace assay::adapters {
 /// Names of the dynamic symbols that the library defines, sorted. Throws LibraryError where it is no shared library.
 std::vector<std::string> exported_symbols(const std::string& path);
 
+/// Of these, those that are its own: not the weak ones, as of C++ templates, of which one serves all.
+std::vector<std::string> own_symbols(const std::string& path);
+
 /// Those that it asks others for, and cannot do without. Throws LibraryError likewise.
 std::vector<std::string> wanted_symbols(const std::string& path);
 

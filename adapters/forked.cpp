@@ -18,6 +18,7 @@
 
 #include "adapters/worker/descendants.hpp"
 #include "adapters/worker/high_files.hpp"
+#include "adapters/worker/own_folder.hpp"
 #include "harness/own_process.hpp"
 #include "harness/progress_mark.hpp"
 
@@ -145,7 +146,8 @@ bool await_death(pid_t process, int in, int patience_ms, std::string& text, int&
 }
 
 [[noreturn]] void watch(Pipe& to_host, const std::function<std::string()>& body, const std::function<void()>& after,
-                        int patience_ms) {
+                        int patience_ms, const OwnFolder& folder) {
+  if (!folder.enter()) leave(errno);
   adopt_orphans();
   const pid_t watcher = ::getpid();
   Pipe from_copy;
@@ -181,6 +183,8 @@ std::string heard_from(pid_t watcher, int in, int patience_ms, int& status) {
 }  // namespace
 
 Forked in_a_child(const std::function<std::string()>& body, const std::function<void()>& after, int patience_ms) {
+  const AwaitedChildren awaited;
+  const OwnFolder folder;
   Pipe pipe;
   std::fflush(nullptr);  // or the copy would write it a second time
   const pid_t watcher = ::fork();
@@ -188,7 +192,7 @@ Forked in_a_child(const std::function<std::string()>& body, const std::function<
   if (watcher == 0) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     pipe.close_in();
-    watch(pipe, body, after, patience_ms);
+    watch(pipe, body, after, patience_ms, folder);
   }
   pipe.close_out();
   int status = 0;

@@ -22,7 +22,8 @@ struct Forked {
 };
 
 /// Waits for it, `patience_ms` at most. The copy runs `body`, then `after`; another process watches it, and ends what
-/// it has started. Throws std::system_error where no process can be made.
+/// it has started. Both stand in a folder of their own (worker/own_folder.hpp). Throws std::system_error where no
+/// process can be made.
 Forked in_a_child(const std::function<std::string()>& body, const std::function<void()>& after = {},
                   int patience_ms = 20000);
 

@@ -6,12 +6,15 @@
 #include <sys/statvfs.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 
 #include "adapters/elf_check.hpp"
+#include "adapters/elf_symbols.hpp"
 #include "adapters/forked.hpp"
 #include "adapters/worker/table_pack.hpp"
+#include "harness/arithmetic.hpp"
 #include "harness/material.hpp"
 
 namespace assay::adapters {
@@ -27,13 +30,29 @@ std::string loader_message(const std::string& path) {
   return message;
 }
 
+int local_binding(const std::string& path) {
+#if defined(__has_feature)
+  constexpr bool sanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  constexpr bool sanitized = true;
+#else
+  constexpr bool sanitized = false;
+#endif
+  if (sanitized) return RTLD_LOCAL;  // a sanitizer refuses libraries that are bound deeply
+  const std::vector<std::string> own = own_symbols(path);
+  // only where it must be: such a library does not find our _exit() either, which stands before libc's
+  const bool twice = std::any_of(own.begin(), own.end(),
+                                 [](const std::string& name) { return dlsym(RTLD_DEFAULT, name.c_str()) != nullptr; });
+  return twice ? RTLD_LOCAL | RTLD_DEEPBIND : RTLD_LOCAL;
+}
+
 namespace {
 
 /// More tables than any library would hold: its entry ignores the index.
 constexpr std::uint32_t index_limit = 1000;
 
 assay_material_entry_function entry_of(const std::string& path) {
-  void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* library = dlopen(path.c_str(), RTLD_NOW | local_binding(path));
   if (!library) throw LibraryError("cannot be loaded: " + loader_message(path));
   void* symbol = dlsym(library, ASSAY_ENTRY_SYMBOL);
   if (!symbol) throw LibraryError("is no material library: it has no symbol " ASSAY_ENTRY_SYMBOL);
@@ -65,6 +84,7 @@ std::vector<const assay_material*> tables_of_library(const std::string& path) {
     if (const auto defect = defect_of(table)) throw LibraryError("cannot serve: " + *defect);
     tables.push_back(table);
   }
+  reset_arithmetic();
   if (tables.empty()) {
     throw LibraryError("holds no material for ABI major " + std::to_string(ASSAY_ABI_MAJOR) + majors_served(entry));
   }

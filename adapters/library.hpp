@@ -27,6 +27,10 @@ inline constexpr const char* no_such_library = "no such library";
 /// Why the loader did not take that library: after dlopen() alone.
 std::string loader_message(const std::string& path);
 
+/// The flags of dlopen() by which a library that was not loaded before calls its own routines, where libraries of this
+/// program have some of the same names.
+int local_binding(const std::string& path);
+
 /// All tables of a library, in its order, each free of defects. Throws LibraryError: missing, no shared library,
 /// truncated, unresolved symbols, no entry symbol, another ABI major, a defective table.
 std::vector<const assay_material*> tables_of_library(const std::string& path);

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/cache_home.hpp"
 
+#include <sys/auxv.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <system_error>
 
 #include "drivers/material/material_path.hpp"
 
@@ -25,6 +31,7 @@ std::string cache_home() {
 }
 
 void settle_environment() {
+  if (value_of_environment("TMPDIR").empty()) ::unsetenv("TMPDIR");
   for (const char* name : {"ASSAY_CACHE_HOME", "TMPDIR"}) {
     const std::string path = value_of_environment(name);
     if (!path.empty() && !path.starts_with('/')) ::setenv(name, absolute_path(path).c_str(), 1);
@@ -33,6 +40,26 @@ void settle_environment() {
   std::string folders;
   for (const std::string& folder : material_folders()) folders += (folders.empty() ? "" : ":") + folder;
   ::setenv("ASSAY_MATERIAL_PATH", folders.c_str(), 1);
+}
+
+void settle_library_path(char** words) {
+  namespace fs = std::filesystem;
+  const std::string given = value_of_environment("LD_LIBRARY_PATH");
+  std::error_code code;
+  const fs::path here = fs::current_path(code), program = fs::read_symlink("/proc/self/exe", code);
+  const bool by_loader = ::getauxval(AT_BASE) == 0;  // it was called with the program's name: /proc/self/exe is its own
+  if (given.empty() || code || by_loader) return;
+  std::string folders;
+  for (std::size_t begin = 0; begin <= given.size();) {
+    const std::size_t end = std::min(given.find_first_of(":;", begin), given.size());
+    const std::string folder = given.substr(begin, end - begin);
+    const bool is_fixed = folder.starts_with('/') || folder.starts_with('$');
+    folders += (begin == 0 ? "" : ":") + (is_fixed ? folder : (here / folder).string());
+    begin = end + 1;
+  }
+  if (folders.size() == given.size()) return;
+  ::setenv("LD_LIBRARY_PATH", folders.c_str(), 1);
+  ::execv(program.c_str(), words);
 }
 
 }  // namespace assay::drivers

@@ -13,4 +13,8 @@ std::string cache_home();
 /// workers stand elsewhere. ASSAY_MATERIAL_PATH, ASSAY_CACHE_HOME, TMPDIR.
 void settle_environment();
 
+/// The same of LD_LIBRARY_PATH, before anything else: the loader has read it, so that this program begins again where
+/// it held relative folders.
+void settle_library_path(char** words);
+
 }  // namespace assay::drivers

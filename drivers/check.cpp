@@ -101,7 +101,8 @@ ResolvedMaterial registered_material(const std::string& name, const std::map<std
 }
 
 CheckSettings settings_of(const CheckOptions& options) {
-  CheckSettings settings{{.quick = options.quick, .pressure = options.pressure}, {}, options.out};
+  CheckSettings settings{
+      {.quick = options.quick, .pressure = options.pressure}, {}, options.out, absolute_path(options.out)};
   if (options.strain) settings.effort.strain = *options.strain, settings.effort.strain_is_asked = true;
   if (options.step) settings.effort.step = *options.step;
   return settings;
@@ -154,6 +155,16 @@ void tell_alignment(CheckedMaterial& checked, const CheckOptions& options, const
   test.sentence +=
       "; where its arrays begin at multiples of 64 bytes it does not: multiples of 8 are all that is promised";
   report.diagnosis.front() = {test.cause, test.sentence};
+}
+
+/// Of a model that ends the process before any test.
+CheckedMaterial ended_early(const std::string& name, const std::string& sentence) {
+  CheckedMaterial checked;
+  checked.name = name;
+  checked.report.tests.push_back(
+      {.id = "loading", .verdict = check::Verdict::fail, .cause = check::causes::ends_process, .sentence = sentence});
+  checked.report.diagnosis.push_back({check::causes::ends_process, sentence});
+  return checked;
 }
 
 CheckedMaterial check_one(const CheckOptions& options) {
@@ -276,7 +287,12 @@ int check(const CheckOptions& options) {
   }
   if (!options.replay.empty()) return check_replay(options);
   if (!options.all) {
-    const CheckedMaterial checked = check_one(options);
+    CheckedMaterial checked;
+    try {
+      checked = check_one(options);
+    } catch (const ModelEnded& ended) {
+      checked = ended_early(options.material, ended.sentence);
+    }
     if (checked.unsuitable) throw InputError(checked.error);
     if (!checked.error.empty()) {
       require_room({checked});

@@ -16,6 +16,7 @@
 
 #include "adapters/worker/crash_marks.hpp"
 #include "adapters/worker/high_files.hpp"
+#include "adapters/worker/own_folder.hpp"
 #include "adapters/worker/process_watch.hpp"
 #include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
@@ -51,9 +52,9 @@ int out_of_reach(int file) {
 
 /// Before any foreign code.
 void settle(const std::string& folder, const Ends& ends) {
-  if (!folder.empty() && ::chdir(folder.c_str()) != 0) leave_process(3);
-  if (!folder.empty()) ::setenv("TMPDIR", folder.c_str(), 1);  // for what the vortex writes
-  ::setpgid(0, 0);                                             // what the model starts can be ended with it
+  if (!adapters::stand_in(folder)) leave_process(3);
+  ::setenv("TMPDIR", folder.c_str(), 1);  // for what the vortex writes
+  ::setpgid(0, 0);                        // what the model starts can be ended with it
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
   ::dup2(ends.output, STDOUT_FILENO);
@@ -63,7 +64,7 @@ void settle(const std::string& folder, const Ends& ends) {
   remember_files();
 }
 
-CheckReporter reporter_to(int records, int folder_before, const adapters::ProcessWatch& watch) {
+CheckReporter reporter_to(int records) {
   const std::string end(1, '\0');
   return {[=](const CheckedMaterial& material) { write_all(records, "!" + check_json(material) + end); },
           [=](const std::string& id) { write_all(records, "@" + id + end); },
@@ -72,24 +73,18 @@ CheckReporter reporter_to(int records, int folder_before, const adapters::Proces
             one.report.tests.push_back(result);
             write_all(records, "=" + check_json(one) + end);
           },
-          [&watch] { return watch.habits(); },
+          habits_of_process,
           true,
-          [=] {
-            keep_instances();
-            put_files_right();
-            [[maybe_unused]] const int ignored = ::fchdir(folder_before);
-          }};
+          keep_instances};
 }
 
 /// Records, each ended by a NUL: '!' and the material, '@' and the id of a test that begins, '=' and what it has found,
 /// '?' and why it cannot be checked; the report at last. What the model does when it is destroyed comes behind that.
 [[noreturn]] void serve(const CheckTask& task, const Ends& ends, const std::string& folder) {
-  const int before = out_of_reach(::open(".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   settle(folder, ends);
-  const adapters::ProcessWatch watch;
   CheckedMaterial checked;
   try {
-    checked = task.run(reporter_to(ends.records, before, watch));
+    checked = task.run(reporter_to(ends.records));
   } catch (const std::bad_alloc&) {  // which the model has taken, or forbidden
     std::fputs("no memory is left\n", stderr);
     leave_process(3);
@@ -107,17 +102,14 @@ CheckReporter reporter_to(int records, int folder_before, const adapters::Proces
   leave_process(0);
 }
 
-std::string temporary_folders() {
-  std::error_code error;
-  const std::filesystem::path base = std::filesystem::temp_directory_path(error);
-  if (error) throw SystemError("$TMPDIR is no folder for temporary files: " + error.message());
-  return base.string();
-}
-
 }  // namespace
 
 Child start_child(const std::vector<CheckTask>& tasks, std::size_t task, double limit_s) {
-  const std::string folders = temporary_folders();
+  const std::string folders = adapters::temporary_folder();
+  std::error_code code;
+  if (!std::filesystem::is_directory(folders, code)) {
+    throw SystemError("$TMPDIR, '" + one_line(folders, 200) + "', is no folder for temporary files");
+  }
   int records[2], output[2];
   if (::pipe2(records, O_CLOEXEC) != 0 || ::pipe2(output, O_CLOEXEC) != 0) throw_system_error("pipe");
   Child child;

@@ -12,6 +12,7 @@
 #include "drivers/check_steps.hpp"
 #include "drivers/check_undeclared.hpp"
 #include "drivers/material/material_description.hpp"
+#include "drivers/material/model_files.hpp"
 
 namespace assay::drivers {
 
@@ -19,11 +20,18 @@ namespace {
 
 using adapters::ForeignModel;
 
-std::optional<ForeignModel> silent_model(const CheckedMaterial& checked) {
+/// A model with the files that it reads where it stands.
+struct Silent {
+  ForeignModel model;
+  std::vector<ModelFile> files;
+};
+
+std::optional<Silent> silent_model(const CheckedMaterial& checked) {
   if (checked.description.empty()) return std::nullopt;
-  auto model = read_description(checked.description).foreign;
+  const MaterialDescription description = read_description(checked.description);
+  const auto& model = description.foreign;
   const bool silent = model && model->interface == adapters::ForeignInterface::umat && !model->components_are_said;
-  return silent ? model : std::nullopt;
+  return silent ? std::optional(Silent{*model, description.files}) : std::nullopt;
 }
 
 using Stress = std::array<double, 9>;  ///< magnitudes, row-major [Pa]; not a number where the step is refused
@@ -56,11 +64,12 @@ bool is_of_plane_stress(const Stress& of_11, const Stress& of_33, const Stress& 
          of_12[shear_12] <= none * of_11[in_11];
 }
 
-Fills filled_by(const ForeignModel& model, const std::map<std::string, double>& parameters) {
+Fills filled_by(const Silent& silent, const std::map<std::string, double>& parameters) {
   constexpr double limit_s = 20;
   const auto rows = made_elsewhere(
       [&]() -> check::History {
-        const Material material(adapters::foreign_table(model), parameters);
+        place_model_files(silent.files);
+        const Material material(adapters::foreign_table(silent.model), parameters);
         check::History all;
         for (const int place : {in_11, in_33, shear_12, shear_13}) {
           const Stress stress = stress_of(material, place);
@@ -89,11 +98,11 @@ bool may_overrun(const check::Report& report) {
 }
 
 /// The battery with four components.
-CheckedMaterial with_four(const CheckedMaterial& checked, const ForeignModel& silent, const check::Effort& effort,
+CheckedMaterial with_four(const CheckedMaterial& checked, const Silent& silent, const check::Effort& effort,
                           const CheckProcesses& how) {
   const std::map<std::string, double> parameters(checked.parameters.begin(), checked.parameters.end());
   const auto report_of = [&](std::uint32_t flags, const CheckReporter& reporter) {
-    ForeignModel model = silent;
+    ForeignModel model = silent.model;
     model.components = {4}, model.flags |= flags;
     check::Effort quick = effort;
     quick.quick = true;
@@ -102,8 +111,9 @@ CheckedMaterial with_four(const CheckedMaterial& checked, const ForeignModel& si
   const CheckTask task{checked.name, [&](const CheckReporter& reporter) {
                          CheckedMaterial found;
                          reporter.begins("loading");
+                         place_model_files(silent.files);
                          found.report = report_of(0, reporter);
-                         if (silent.flags_are_said || !failed_test(found.report, "clock")) return found;
+                         if (silent.model.flags_are_said || !failed_test(found.report, "clock")) return found;
                          check::Report of_rate = report_of(ASSAY_RATE_DEPENDENT, reporter);
                          if (settles_rate(of_rate, found.report)) found.report = std::move(of_rate);
                          return found;
@@ -127,7 +137,7 @@ std::string words_of(const CheckedMaterial& checked, const CheckedMaterial& four
 }  // namespace
 
 void judge_components(CheckedMaterial& checked, const check::Effort& effort, const CheckProcesses& how) {
-  std::optional<ForeignModel> model;
+  std::optional<Silent> model;
   if (checked.hangs || checked.passes() || checked.report.diagnosis.empty() || !(model = silent_model(checked))) return;
   const Fills fills = filled_by(*model, {checked.parameters.begin(), checked.parameters.end()});
   if (fills == Fills::plane_stress) {

@@ -19,6 +19,7 @@
 
 #include "adapters/worker/descendants.hpp"
 #include "adapters/worker/high_files.hpp"
+#include "adapters/worker/own_folder.hpp"
 #include "drivers/exit_guard.hpp"
 #include "harness/check/calls.hpp"
 #include "harness/own_process.hpp"
@@ -129,9 +130,12 @@ void end_group(pid_t process, const Received& what) {
 std::optional<check::History> made_elsewhere(const Maker& make, double limit_s) {
   int ends[2];
   if (!adapters::high_pipe(ends)) return std::nullopt;
+  const adapters::AwaitedChildren awaited;
+  const adapters::OwnFolder folder;
   const pid_t process = ::fork();
   if (process == 0) {  // between the two, for models that kill whoever has started them
     ::setpgid(0, 0);
+    if (!folder.enter()) leave_process(1);
     const pid_t sender = ::fork();
     if (sender == 0) send(make, ends[1]);
     ::close(ends[1]);

@@ -107,7 +107,7 @@ bool hear_introduction(Keeper& keeper) {
   adapters::adopt_orphans();
   const int deaths = deaths_of_children();
   const std::string folder = new_folder(folders);
-  const pid_t process = ::fork();
+  const pid_t process = folder.empty() ? -1 : ::fork();
   if (process < 0) introduce(told, -errno, folder);
   if (process == 0) {
     close_all({lifeline, told, deaths});

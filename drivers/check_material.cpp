@@ -18,6 +18,7 @@
 #include "drivers/material/material_path.hpp"
 #include "drivers/material/model_files.hpp"
 #include "drivers/output/whole_file.hpp"
+#include "drivers/own_files.hpp"
 #include "drivers/replay.hpp"
 #include "harness/stopwatch.hpp"
 
@@ -36,16 +37,25 @@ std::string stem_of(const CheckedMaterial& checked) {
   return stem;
 }
 
-/// "FOLDER/clay.rotation.during.yaml"
-std::string replay_file(const CheckedMaterial& checked, const std::string& folder, const std::string& test) {
-  return (fs::path(folder) / (stem_of(checked) + "." + test + ".yaml")).string();
+/// "clay.rotation.during.yaml"
+std::string replay_name(const CheckedMaterial& checked, const std::string& test) {
+  return stem_of(checked) + "." + test + ".yaml";
 }
 
-void write_replay(const std::string& file, const Replay& replay, Isolation isolation) {
+/// Wherever this process stands.
+void write_replay(const Replay& replay, Isolation isolation, const CheckSettings& settings, CheckedMaterial& checked) {
+  const fs::path place = settings.place, file = place / replay_name(checked, replay.test);
+  const fs::path told = fs::path(settings.folder) / file.filename();
+  put_files_right();
   std::error_code error;
-  fs::create_directories(fs::path(file).parent_path(), error);
-  if (error) fail(fs::path(file).parent_path(), "cannot be made", error);
-  write_file(file, replay_yaml(replay, isolation));
+  fs::create_directories(place, error);
+  if (error) fail(settings.folder, "cannot be made", error);
+  try {
+    write_file(file, replay_yaml(replay, isolation));
+  } catch (const SystemError& failure) {
+    rethrow_with(failure, file, told);
+  }
+  checked.replays[replay.test] = told.string();
 }
 
 /// Those of earlier failures that are none any more.
@@ -54,7 +64,7 @@ void remove_stale(const CheckedMaterial& checked, const CheckSettings& settings)
   for (const char* own : {process_test, vortex_test, beyond_test, host_test}) ids.emplace_back(own);
   for (const std::string& id : ids) {
     std::error_code ignored;
-    if (checked.replays.count(id) == 0) fs::remove(replay_file(checked, settings.folder, id), ignored);
+    if (checked.replays.count(id) == 0) fs::remove(fs::path(settings.place) / replay_name(checked, id), ignored);
   }
 }
 
@@ -67,12 +77,11 @@ void leave_replays(const ResolvedMaterial& material, bool rate_dependent, Checke
       replay.test = test.id;
       replay.effort = checked.report.effort;
       replay.rate_dependent = rate_dependent;
-      const std::string file = replay_file(checked, settings.folder, test.id);
-      write_replay(file, replay, Isolation::none);
-      checked.replays[test.id] = file;
+      write_replay(replay, Isolation::none, settings, checked);
     }
   } catch (const SystemError& error) {  // the verdict is not lost for that
-    checked.unwritten = error.what();
+    // where a model has limited this process, who watches it writes
+    if (!(habits_of_process() & adapters::limits_changed)) checked.unwritten = error.what();
   }
   remove_stale(checked, settings);
 }
@@ -91,6 +100,10 @@ void add_vortex(const ResolvedMaterial& material, check::Report& report, const C
 
 /// After all else that the model has done.
 void add_process(adapters::Habits habits, check::Report& report) {
+  const bool told = std::any_of(report.diagnosis.begin(), report.diagnosis.end(), [](const check::Diagnosis& each) {
+    return each.cause == check::causes::disturbs_process;  // of a step: by its arithmetic
+  });
+  if (told) habits &= ~(adapters::rounding_left | adapters::traps_left);
   const adapters::Habits harmful = habits & ~adapters::any_written_input;  // inputs were put right
   check::TestResult test{.id = process_test, .measure = std::popcount(harmful), .threshold = 0};
   test.sentence = "the model leaves the process that runs it as it was";
@@ -185,10 +198,8 @@ void leave_replay_of_the_end(CheckedMaterial& checked, const CheckSettings& sett
   replay.test = test->id;
   replay.effort = settings.effort;
   replay.reason = test->cause + ": " + test->sentence;
-  const std::string file = replay_file(checked, settings.folder, test->id);
   try {
-    write_replay(file, replay, Isolation::worker);
-    checked.replays[test->id] = file;
+    write_replay(replay, Isolation::worker, settings, checked);
   } catch (const SystemError& error) {
     checked.unwritten = error.what();
   }

@@ -14,6 +14,7 @@ struct CheckSettings {
   check::Effort effort = {};
   std::string only = {};        ///< id of the one test that is wanted; empty: all
   std::string folder = {};      ///< of the replay files, one for each failure; empty: none is written
+  std::string place = {};       ///< that folder wherever a process stands
   std::string without = {};     ///< id of a test that is left out
   bool well_aligned = false;    ///< of calls.arrays: as check::Options has it
   bool rate_dependent = false;  ///< what its description leaves open is settled: it depends on the rate

@@ -20,7 +20,7 @@ struct CheckReporter {
   std::function<void(const check::TestResult& result)> ends;
   std::function<adapters::Habits()> habits;  ///< or-ed adapters::Habit: what the model has done to its process so far
   bool first_calls = false;                  ///< the process is the check's own, and nothing has called the model in it
-  std::function<void()> over;                ///< the model has run: files may be written where the user stands
+  std::function<void()> over;                ///< the model has run: its instances are kept until all is told
 };
 
 struct CheckTask {

@@ -131,6 +131,7 @@ void note_input(const std::string& file) {
 void forget_inputs() { inputs().clear(); }
 
 bool is_input(const std::string& file) {
+  put_files_right();
   struct stat status {};
   return ::stat(file.c_str(), &status) == 0 && inputs().has(status);
 }

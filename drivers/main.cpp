@@ -7,6 +7,7 @@
 
 #include "adapters/library.hpp"
 #include "adapters/worker/shortage.hpp"
+#include "drivers/cache_home.hpp"
 #include "drivers/command_line.hpp"
 #include "drivers/exit_guard.hpp"
 #include "drivers/own_files.hpp"
@@ -42,6 +43,7 @@ void keep_freed_memory() {
 
 int main(int argc, char** argv) {
   assay::drivers::keep_standard_streams();  // the caller may have closed them
+  assay::drivers::settle_library_path(argv);
   keep_freed_memory();
   assay::adapters::enlarge_stack(std::size_t{1} << 23);
   assay::drivers::allow_supervision();

@@ -6,6 +6,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <optional>
 
@@ -17,11 +20,37 @@ namespace {
 
 struct Before {
   int streams[3];    ///< copies of the standard ones
+  int folder;        ///< in which this process stood
   mode_t forbidden;  ///< of new files
-  rlimit files;
+  std::array<rlimit, 9> limits;
 };
 
+constexpr rlim_t ours = 32;  ///< files that a model may not have
+
+constexpr std::array resources{RLIMIT_NOFILE, RLIMIT_FSIZE, RLIMIT_AS,    RLIMIT_DATA,   RLIMIT_STACK,
+                               RLIMIT_CORE,   RLIMIT_CPU,   RLIMIT_NPROC, RLIMIT_MEMLOCK};
+
 std::optional<Before> before;
+std::optional<adapters::ProcessWatch> since;
+std::atomic<adapters::Habits> put_right{adapters::no_habit};
+
+rlimit limit_of(std::size_t k) {
+  rlimit limit = {};
+  ::getrlimit(resources[k], &limit);
+  return limit;
+}
+
+/// As far as it may: not beyond a hard limit that the model has lowered.
+void put_limit_back(std::size_t k) {
+  const rlimit& wanted = before->limits[k];
+  if (::setrlimit(resources[k], &wanted) == 0) return;
+  rlimit allowed = limit_of(k);
+  allowed.rlim_cur = std::min(wanted.rlim_cur, allowed.rlim_max);
+  ::setrlimit(resources[k], &allowed);
+}
+
+/// Of the hard ones, which stay so.
+bool is_lowered(std::size_t k) { return limit_of(k).rlim_max < before->limits[k].rlim_max; }
 
 }  // namespace
 
@@ -32,34 +61,56 @@ void keep_standard_streams() {
 }
 
 void remember_files() {
-  constexpr rlim_t ours = 32, few = 256;
+  constexpr rlim_t few = 256;
   if (before) return;
-  before = Before{{adapters::high_copy(0), adapters::high_copy(1), adapters::high_copy(2)}, ::umask(0), {}};
+  const int folder = ::open(".", O_PATH | O_DIRECTORY | O_CLOEXEC);
+  before = Before{{adapters::high_copy(0), adapters::high_copy(1), adapters::high_copy(2)},
+                  adapters::high_copy(folder),
+                  ::umask(0),
+                  {}};
+  if (folder >= 0) ::close(folder);
   const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   if (before->streams[0] >= 0 && nothing >= 0) ::dup2(nothing, 0);
   if (nothing > 0) ::close(nothing);
   ::umask(before->forbidden);
-  ::getrlimit(RLIMIT_NOFILE, &before->files);
-  rlimit fewer = before->files;
-  if (fewer.rlim_cur == RLIM_INFINITY || fewer.rlim_cur < few) return;
-  fewer.rlim_cur -= ours;
-  ::setrlimit(RLIMIT_NOFILE, &fewer);
+  for (std::size_t k = 0; k < resources.size(); ++k) before->limits[k] = limit_of(k);
+  rlimit fewer = before->limits[0];
+  if (fewer.rlim_cur != RLIM_INFINITY && fewer.rlim_cur >= few) {
+    fewer.rlim_cur -= ours;
+    ::setrlimit(RLIMIT_NOFILE, &fewer);
+  }
+  since.emplace();
 }
 
 int user_input() { return before && before->streams[0] >= 0 ? before->streams[0] : 0; }
 
 void put_files_right() {
   if (!before) return;
+  put_right |= habits_of_process() & (adapters::folder_changed | adapters::limits_changed | adapters::files_forbidden);
+  [[maybe_unused]] const int gone = ::fchdir(before->folder);
   ::umask(before->forbidden);
-  ::setrlimit(RLIMIT_NOFILE, &before->files);
+  for (std::size_t k = 0; k < resources.size(); ++k) put_limit_back(k);
   for (const int stream : {1, 2}) {
     if (::fcntl(stream, F_GETFD) < 0) ::dup2(before->streams[stream], stream);
   }
   keep_standard_streams();
 }
 
+adapters::Habits habits_of_process() {
+  if (!since) return adapters::no_habit;
+  adapters::Habits found = since->habits() | put_right;
+  if (limit_of(0).rlim_cur + ours < before->limits[0].rlim_cur) {  // it looks as if no file could be opened any more
+    found = (found & ~adapters::files_left) | adapters::limits_changed;
+  }
+  return found;
+}
+
 const char* open_files_words(int error) {
-  return error == EMFILE && before ? "; the material's library leaves files open" : "";
+  if (!before) return "";
+  if (error == EMFILE && is_lowered(0)) return "; the material's library has lowered the limit of open files";
+  if (error == EMFILE) return "; the material's library leaves files open";
+  const bool too_large = error == EFBIG && is_lowered(1);
+  return too_large ? "; the material's library has lowered the limit of a file's size" : "";
 }
 
 }  // namespace assay::drivers

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files of ours in a process in which a model runs: it may have forbidden them, taken all numbers of files, or given
-// back those of the standard streams.
+// Files of ours in a process in which a model runs: it may have forbidden them, taken all numbers of files, given back
+// those of the standard streams, or gone to another folder.
 #pragma once
+
+#include "adapters/worker/process_watch.hpp"
 
 namespace assay::drivers {
 
@@ -15,12 +17,15 @@ void remember_files();
 /// The file that is the user's standard input.
 int user_input();
 
-/// Before a file of ours is opened: what may be done with files is as remember_files() has found it, if that was
-/// called.
+/// Before a file of ours is opened or looked for: where this process stands, what it may do with files and its limits
+/// are as remember_files() has found them, if that was called, and as far as the system allows it.
 void put_files_right();
 
-/// Behind the reason why a file cannot be opened, where the model may be that: "; the material's library leaves files
-/// open".
+/// What was done to this process since remember_files(), or-ed adapters::Habit: what was put right, too.
+adapters::Habits habits_of_process();
+
+/// Behind the reason why a file cannot be opened or written, where the model may be that: "; the material's library
+/// leaves files open".
 const char* open_files_words(int error);
 
 }  // namespace assay::drivers

@@ -71,7 +71,7 @@ std::vector<std::string> link_in(const std::string& list) {
   std::vector<std::string> words;
   std::istringstream items(list);
   for (std::string item; std::getline(items, item, ',');) {
-    if (!item.empty()) words.push_back(linked_word(item, fs::current_path().string(), {}, "--link"));
+    if (!item.empty()) words.push_back(linked_word(item, absolute_path(""), {}, "--link"));
   }
   return words;
 }
@@ -139,6 +139,17 @@ bool asks_for_source(const std::string& material) {
   return name.is_path && is_source_or_deck(name.file);
 }
 
+namespace {
+
+/// As the user would name it; whole where the folder in which the user stands is gone.
+std::string from_here(const fs::path& file) {
+  std::error_code code;
+  const fs::path here = fs::current_path(code);
+  return code ? file.string() : file.lexically_proximate(here).string();
+}
+
+}  // namespace
+
 std::string described_source(const std::string& material, SourceRequest request, const std::string& folder,
                              Verbosity verbosity) {
   const MaterialName name = parse_material(material);
@@ -153,9 +164,7 @@ std::string described_source(const std::string& material, SourceRequest request,
     for (const std::string& note : described.notes) page += wrapped(note, "  ", "    ");
     const std::string stays =
         edited ? "; " + described.name + ".yaml there has been edited: `assay check` of that file takes the edits" : "";
-    page += wrapped(
-        "its description, to be edited: " + fs::path(file).lexically_proximate(fs::current_path()).string() + stays,
-        "  ", "    ");
+    page += wrapped("its description, to be edited: " + from_here(file) + stays, "  ", "    ");
   }
   for (const std::string& warning : described.warnings) page += "warning: " + one_line(warning) + "\n";
   std::fputs(without_commands(page, "<U+", ">").c_str(), stderr);

@@ -21,7 +21,6 @@
 #include <vector>
 
 #include "adapters/worker/descendants.hpp"
-#include "adapters/worker/process_watch.hpp"
 #include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
 #include "drivers/own_files.hpp"
@@ -36,7 +35,6 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 pid_t allowed = 0;  ///< the process that may wait
-std::optional<adapters::ProcessWatch> since;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool watched_by_sanitizer = true;
@@ -206,9 +204,11 @@ void supervise(const std::string& library) {
   own_this_process();
   keep_instances();
   remember_files();
-  since.emplace();
 }
 
-adapters::Habits supervised_habits() { return since ? since->habits() & adapters::processes_left : adapters::no_habit; }
+adapters::Habits supervised_habits() {
+  using namespace adapters;
+  return habits_of_process() & (processes_left | folder_changed | limits_changed | rounding_left | traps_left);
+}
 
 }  // namespace assay::drivers

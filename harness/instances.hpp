@@ -4,6 +4,7 @@
 
 #include <atomic>
 
+#include "harness/arithmetic.hpp"
 #include "harness/own_process.hpp"
 #include "harness/progress_mark.hpp"
 
@@ -18,6 +19,7 @@ inline void destroy_marked(void (*destroy)(void*), void* self) {
   const PhaseMark phase(CallPhase::destroying);
   destroy(self);
   end_a_copy();
+  put_arithmetic_right();
 }
 
 }  // namespace assay

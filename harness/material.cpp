@@ -244,6 +244,7 @@ std::vector<double> Material::initial_state(std::size_t n, std::span<const doubl
     status = table_->initial_state(self_.get(), n, stress, state.data());
   }
   end_a_copy();
+  put_arithmetic_right();
   if (status == ASSAY_FAILED) {
     const auto* reasons = extension<assay_reason>(ASSAY_EXTENSION_REASON);
     const std::string reason = reasons ? one_line_of(reasons->reason(self_.get())) : "";

@@ -53,10 +53,11 @@ LoadedLibrary load_foreign_library(const std::string& path, const std::string& f
   if (const auto known = incomplete.find(path); known != incomplete.end()) return known->second;
   check_shared_library(path);
   load_utilities(folder.empty() ? fs::path(path).parent_path().string() : folder);
-  if (void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) return {handle, {}};
+  const int binding = local_binding(path);
+  if (void* handle = dlopen(path.c_str(), RTLD_NOW | binding)) return {handle, {}};
   const std::string message = loader_message(path);
   // many models name routines of their host that they never call
-  if (void* handle = lacks_a_symbol(message) ? dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL) : nullptr) {
+  if (void* handle = lacks_a_symbol(message) ? dlopen(path.c_str(), RTLD_LAZY | binding) : nullptr) {
     const std::vector<std::string> missing = missing_symbols(handle, path);
     stand_in_for(missing, handle);
     return incomplete[path] = {handle, missing};

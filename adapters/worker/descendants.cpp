@@ -66,6 +66,14 @@ void adopt_orphans() {
   adopter = ::getpid();
 }
 
+AwaitedChildren::AwaitedChildren() {
+  struct sigaction usual = {};
+  usual.sa_handler = SIG_DFL;
+  ::sigaction(SIGCHLD, &usual, &before_);
+}
+
+AwaitedChildren::~AwaitedChildren() { ::sigaction(SIGCHLD, &before_, nullptr); }
+
 bool parent_adopts() { return adopter > 0 && ::getppid() == adopter; }
 
 void await_end(pid_t child) {

@@ -96,6 +96,8 @@ Habits ProcessWatch::habits_but_signals() const {
   if (*std::localeconv()->decimal_point != decimal_point_) found |= locale_changed;
   if (blocked() != blocked_) found |= signals_blocked;
   const std::uint32_t arithmetic = noted_arithmetic() & ~arithmetic_;
+  if (arithmetic & rounding_changed) found |= rounding_left;
+  if (arithmetic & traps_enabled) found |= traps_left;
   if (arithmetic & denormals_flushed) found |= denormals_left_flushed;
   if (arithmetic & precision_changed) found |= precision_left;
   if (x87_in_use()) found |= x87_left;
@@ -180,6 +182,8 @@ std::string habit_words(Habits habits) {
                            {locale_changed, "changes the decimal point of the process"},
                            {signals_taken, "takes over signals of the process"},
                            {signals_blocked, "leaves signals blocked"},
+                           {rounding_left, "changes the rounding mode of the process"},
+                           {traps_left, "leaves floating-point traps enabled"},
                            {denormals_left_flushed, "leaves denormal numbers flushed to zero"},
                            {precision_left, "changes the precision of long double"},
                            {x87_left, "leaves numbers in the registers of the x87 unit, as MMX does without EMMS"},

@@ -32,6 +32,8 @@ enum Habit : Habits {
   limits_changed = Habits{1} << 37,
   environment_changed = Habits{1} << 38,
   files_left = Habits{1} << 39,
+  rounding_left = Habits{1} << 40,
+  traps_left = Habits{1} << 41,
 };
 
 /// "changes the folder of the process, closes or redirects its standard output"; empty where it does nothing.

@@ -42,6 +42,7 @@ struct RemoteTable : assay_material {
   std::vector<std::shared_ptr<Slot>> slots;
   std::string printed;                      ///< by workers that have ended
   Habits habits = 0;                        ///< of such
+  std::atomic<bool> ended{false};           ///< there were such
   std::uint64_t wake_ups = 0;               ///< of such
   std::atomic<std::int64_t> hand_overs{0};  ///< to any worker
 
@@ -86,6 +87,7 @@ class Lease {
     slot_->busy = false;
     table_.freed.notify_all();
     if (!slot_->worker.dead()) return;
+    table_.ended = true;
     const auto gone = std::find(table_.slots.begin(), table_.slots.end(), slot_);
     if (gone == table_.slots.end()) return;
     table_.keep_marks_of(slot_->worker);

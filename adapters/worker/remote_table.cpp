@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/worker/remote_table.hpp"
 
+#include <algorithm>
+
 #include "adapters/worker/remote_instance.hpp"
 #include "harness/material.hpp"
 
@@ -97,6 +99,12 @@ Habits habits_of(const assay_material* table) {
     return habits;
   }
   return 0;
+}
+
+bool has_ended(const assay_material* table) {
+  const std::lock_guard lock(all_tables().guard);
+  return std::any_of(all_tables().tables.begin(), all_tables().tables.end(),
+                     [table](const auto& each) { return each.get() == table && each->ended; });
 }
 
 HandOvers hand_overs_of(const assay_material* table) {

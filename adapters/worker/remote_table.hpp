@@ -36,6 +36,9 @@ std::string output_of(const assay_material* table);
 /// What the model has done to its workers, or-ed Habit; nothing of any other table.
 Habits habits_of(const assay_material* table);
 
+/// Whether a worker of a remote table has ended in a call.
+bool has_ended(const assay_material* table);
+
 /// What was asked of the workers of a remote table, and how often the system had to wake one side for it.
 struct HandOvers {
   std::int64_t count = 0, wake_ups = 0;

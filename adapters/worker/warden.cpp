@@ -12,17 +12,15 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <ctime>
-#include <filesystem>
 #include <string>
-#include <system_error>
 
 #include "adapters/worker/crash_marks.hpp"
 #include "adapters/worker/descendants.hpp"
 #include "adapters/worker/futex.hpp"
 #include "adapters/worker/high_files.hpp"
+#include "adapters/worker/own_folder.hpp"
 #include "adapters/worker/process_watch.hpp"
 #include "adapters/worker/shortage.hpp"
 #include "adapters/worker/worker_process.hpp"
@@ -34,26 +32,6 @@ namespace assay::adapters {
 namespace {
 
 constexpr int limits_look_ms = 20;  ///< how often limits are looked at
-
-/// A folder of its own for what a model writes where it stands; goes with the warden.
-class Folder {
- public:
-  Folder() {
-    const char* base = std::getenv("TMPDIR");
-    path_ = std::string(base && *base == '/' ? base : "/tmp") + "/" + worker_folder + "XXXXXX";
-    if (!::mkdtemp(path_.data())) path_.clear();
-  }
-  ~Folder() {
-    std::error_code ignored;
-    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 class Warden {
  public:
@@ -145,7 +123,7 @@ void claim_shortage(Control& control, const char* call) {
 }
 
 /// In the worker, before any foreign code.
-void settle(Control& control, const std::string& folder, int heard, pid_t warden) {
+void settle(Control& control, const OwnFolder& folder, int heard, pid_t warden) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != warden) ::_exit(0);
@@ -157,8 +135,8 @@ void settle(Control& control, const std::string& folder, int heard, pid_t warden
   ::dup2(heard, STDERR_FILENO);
   ::close(heard);
   ::close(lifeline_file);
-  if (folder.empty() || ::chdir(folder.c_str()) == 0) return;
-  claim_shortage(control, folder.c_str());
+  if (folder.enter()) return;
+  claim_shortage(control, folder.path().c_str());
   ::_exit(1);
 }
 
@@ -189,7 +167,8 @@ int run_warden(const std::function<void(WorkerFloor&)>& work) {
   auto* base = static_cast<char*>(memory.data());
   WorkerFloor floor{*static_cast<Control*>(memory.data()), base + task_offset, base + arrays_offset,
                     memory.size() - arrays_offset};
-  const Folder folder;
+  const OwnFolder folder;
+  if (folder.path().empty()) return give_up(floor.control, ("a folder in " + temporary_folder()).c_str());
   std::snprintf(floor.control.folder, sizeof floor.control.folder, "%s", folder.path().c_str());
   enlarge_stack(std::size_t{1} << 26);
   adopt_orphans();
@@ -200,7 +179,7 @@ int run_warden(const std::function<void(WorkerFloor&)>& work) {
   if (worker < 0) return give_up(floor.control, "fork");
   if (worker == 0) {
     ::close(heard[0]);
-    settle(floor.control, folder.path(), heard[1], warden);
+    settle(floor.control, folder, heard[1], warden);
     mark_crashes(floor.control);
     run_worker(work, floor);
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adapters/worker/remote_table.hpp"
 #include "drivers/material/registry.hpp"
 #include "harness/check/material_symmetry.hpp"
 
@@ -45,6 +46,7 @@ Material created(const MaterialChoice& choice, const MaterialSource& source) {
     throw InputError(where, one_line(key, 100), error.what() + (near.empty() ? "" : " (nearest: " + near + ")"),
                      error.known());
   } catch (const std::runtime_error& error) {
+    if (adapters::has_ended(source.table)) throw ModelEnded(choice.where, choice.adapter_key, error.what());
     throw InputError(choice.where, choice.parameters_key, error.what());
   }
 }

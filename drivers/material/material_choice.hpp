@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/input_error.hpp"
 #include "drivers/material/material_description.hpp"
 #include "drivers/scene/scene.hpp"
 #include "harness/material.hpp"
@@ -23,12 +24,20 @@ struct ResolvedMaterial {
   std::optional<adapters::ForeignModel> foreign = {};  ///< what it is taken for, of a foreign one
 };
 
+/// The model ended the worker in which it was to be created.
+class ModelEnded : public InputError {
+ public:
+  ModelEnded(const Location& where, const std::string& key, const std::string& sentence)
+      : InputError(where, key, sentence), sentence(sentence) {}
+  std::string sentence;
+};
+
 /// Which parameters that are not given take the value at which the model's author shows it (assay.example/1).
 enum class Example { none, where_required, all };
 
 /// Finds and creates it. Throws InputError: not found, not loadable, a parameter that it does not take or lacks, no
 /// density, refused by the model itself; for a vortex, a material that is anisotropic in Cartesian axes; a direction
-/// that it does not have.
+/// that it does not have. Of these, ModelEnded.
 ResolvedMaterial resolve_material(const Scene& scene);
 
 /// The same without a motion to suit.

@@ -17,6 +17,7 @@
 #include "drivers/material/source_description.hpp"
 #include "drivers/material/source_library.hpp"
 #include "drivers/output/numbers.hpp"
+#include "drivers/own_files.hpp"
 
 namespace assay::drivers {
 
@@ -126,6 +127,7 @@ std::vector<RegisteredName> registered_names() {
 
 MaterialSource find_material(const std::string& adapter, const Location& where, const std::string& key,
                              Isolation isolation, const std::map<std::string, double>& given) {
+  put_files_right();
   if (is_stream(adapter)) {
     const MaterialDescription description = read_description(adapter);
     MaterialSource source = source_of(description, adapter, isolation);

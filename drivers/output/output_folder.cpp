@@ -59,6 +59,7 @@ std::vector<std::string> result_files() {
 
 OutputFolder::OutputFolder(fs::path target, std::vector<std::string> names)
     : target_(target.empty() ? fs::path(".") : std::move(target)), names_(std::move(names)) {
+  put_files_right();
   try {
     // Another run that fails takes its empty folders away, perhaps between our looking and our locking.
     for (int attempt = 0; !make_folders() || !lock(); ++attempt) {
@@ -74,6 +75,7 @@ OutputFolder::OutputFolder(fs::path target, std::vector<std::string> names)
 OutputFolder::~OutputFolder() { give_back(); }
 
 void OutputFolder::give_back() {
+  put_files_right();
   std::error_code ignored;
   if (!staging_.empty()) fs::remove_all(staging_, ignored);
   for (auto made = made_.rbegin(); made != made_.rend(); ++made) fs::remove(*made, ignored);  // only empty ones go
@@ -135,6 +137,7 @@ bool OutputFolder::is_ours(const std::string& name) const {
 }
 
 void OutputFolder::keep_inputs() const {
+  put_files_right();
   std::error_code error;
   for (fs::directory_iterator entry(target_, error), end; !error && entry != end; entry.increment(error)) {
     std::error_code code;
@@ -148,6 +151,7 @@ void OutputFolder::keep_inputs() const {
 
 void OutputFolder::write(const std::string& name, std::string_view bytes) {
   if (!is_ours(name)) throw std::logic_error("OutputFolder: " + name + " is not among the names of this result");
+  put_files_right();
   const fs::path final_path = target_ / name;
   std::error_code error;
   const fs::file_status there = fs::symlink_status(final_path, error);

@@ -115,6 +115,7 @@ void rethrow_with(const SystemError& failure, const fs::path& hidden, const fs::
 }
 
 void write_file(const fs::path& path, std::string_view bytes) {
+  put_files_right();
   std::error_code error;
   const fs::file_status there = fs::status(path, error);
   if (fs::exists(there) && !fs::is_regular_file(there)) return write_bytes(path, bytes, 0);

@@ -84,6 +84,38 @@ TEST_F(CheckSource, WhatIsMissingIsOneLine) {
   EXPECT_NE(line({"check", "bad.f", "--props", "1"}).find("bad.f:13:16: does not compile: "), std::string::npos);
 }
 
+TEST_F(CheckSource, TheFolderWhereTheUserStandsMayBeGone) {
+  const std::string model = scratch.write("model.f", hooke_umat);
+  for (const char* props : {"210e3,.3", "E=210e3,nu=.3"}) {
+    fs::create_directories(scratch / "gone");
+    const Ending ending = assay({"check", model, "--props", props, "--quick", "-o", scratch / "out"}, [&] {
+      if (::chdir((scratch / "gone").c_str()) != 0 || ::rmdir((scratch / "gone").c_str()) != 0) ::_exit(126);
+    });
+    EXPECT_EQ(ending.status, 0) << ending.said;
+    EXPECT_TRUE(says(ending, "its description, to be edited: ")) << ending.said;
+  }
+  fs::create_directories(scratch / "gone");
+  const Ending relative = assay({"check", model, "--props", "1,.3", "--quick"}, [&] {
+    if (::chdir((scratch / "gone").c_str()) != 0 || ::rmdir((scratch / "gone").c_str()) != 0) ::_exit(126);
+  });
+  EXPECT_EQ(relative.status, 3) << relative.said;
+  EXPECT_TRUE(says(relative, "results/check: cannot be made: ")) << relative.said;
+}
+
+// The utilities of the host have these names, too.
+TEST_F(CheckSource, ItsOwnRoutinesAreCalled) {
+  for (const char* name : {"SINV", "SPRINC", "GETNUMCPUS"}) {
+    std::string text = hooke_umat;
+    const std::string line = "      EMOD=PROPS(1)";
+    text.insert(text.find(line) + line.size(), std::string("\n      CALL ") + name + "(EMOD)");
+    text += std::string("      SUBROUTINE ") + name +
+            "(X)\n      INCLUDE 'ABA_PARAM.INC'\n      COMMON /CALLS/ N\n      N=N+1\n      X=X*1\n      END\n";
+    scratch.write("model.f", text);
+    const Ending ending = run({"check", "model.f", "--props", "210e3,.3", "--quick"});
+    EXPECT_EQ(ending.status, 0) << name << ": " << ending.said;
+  }
+}
+
 TEST_F(CheckSource, PropsMayStandBetweenBlanks) {
   scratch.write("model.f", hooke_umat);
   const Ending ending = run({"check", "--props", "210e3", ".3", "model.f", "--quick"});

@@ -52,6 +52,32 @@ TEST_F(RelativePaths, SoIsTheFolderForTemporaryFiles) {
   EXPECT_TRUE(fs::is_empty(folder / "tmp"));
 }
 
+TEST_F(RelativePaths, AnEmptyOneIsNoneAndAWrongOneIsNamed) {
+  const auto with = [&](const char* value) {
+    return run({"check", "law_here", "--quick"}, [value] { ::setenv("TMPDIR", value, 1); });
+  };
+  EXPECT_EQ(with("").status, 0) << with("").said;
+  for (const char* wrong : {"/no/such", "build/law.so"}) {
+    const Ending ending = with(wrong);
+    EXPECT_EQ(ending.status, 3) << ending.said;
+    EXPECT_NE(ending.said.find(wrong), std::string::npos) << ending.said;
+  }
+}
+
+// The loader reads them once, when the program starts.
+TEST_F(RelativePaths, SoAreThoseOfTheLoader) {
+  fs::create_directories(folder / "dep");
+  fs::copy_file(built("tests/plugins/libhelper.so"), folder / "dep/libhelper.so");
+  fs::copy_file(built("tests/plugins/asks_a_helper.so"), folder / "model.so");
+  for (const char* path : {"dep", "nowhere:./dep", "dep:"}) {
+    for (const char* verb : {"check", "materials"}) {
+      const Ending ending = run({verb, "./model.so"}, [path] { ::setenv("LD_LIBRARY_PATH", path, 1); });
+      EXPECT_LE(ending.status, 1) << verb << " " << path << "\n" << ending.said;
+      EXPECT_EQ(ending.said.find("libhelper"), std::string::npos) << ending.said;
+    }
+  }
+}
+
 // By its contract: the registry would otherwise be another one in each folder.
 TEST_F(RelativePaths, TheRegistryMustBeAbsoluteForEveryVerb) {
   for (const std::vector<std::string>& words :

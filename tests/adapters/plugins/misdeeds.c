@@ -3,10 +3,12 @@
  * updated, destroyed (each, or the first that was made), unloaded, or when the process exits. Honest otherwise. */
 #define _GNU_SOURCE
 #include <fcntl.h>
+#include <fenv.h>
 #include <pthread.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -109,6 +111,34 @@ static void write_late(void) {
   if (file) fputs("late", file); /* flushed when the process exits */
 }
 
+static void litter(void) {
+  FILE* file = fopen("data.csv", "w"); /* where it stands */
+  if (file) fclose(file);
+}
+static void litter_and_die(void) {
+  litter();
+  abort();
+}
+static void leave_folder(void) {
+  if (chdir("/") != 0) abort();
+}
+static void ignore_children(void) { signal(SIGCHLD, SIG_IGN); }
+static void ignore_all(void) {
+  for (int number = 1; number < 32; ++number) signal(number, SIG_IGN);
+}
+static void round_upward(void) { fesetround(FE_UPWARD); }
+static void round_downward(void) { fesetround(FE_DOWNWARD); }
+static void lower(int resource, rlim_t to, int hard) {
+  struct rlimit limit;
+  getrlimit(resource, &limit);
+  limit.rlim_cur = to;
+  if (hard) limit.rlim_max = to;
+  setrlimit(resource, &limit);
+}
+static void allow_few_files(void) { lower(RLIMIT_NOFILE, 3, 0); }
+static void allow_small_files(void) { lower(RLIMIT_FSIZE, 100, 0); }
+static void allow_small_files_ever(void) { lower(RLIMIT_FSIZE, 100, 1); }
+
 /* Where that file is this library, the code that comes next is gone. */
 static void truncate_library(void) {
   if (truncate(getenv("ASSAY_TEST_FILE"), 0) != 0) abort();
@@ -144,6 +174,16 @@ static void act(const char* when) {
                {"zero", zero_shared},
                {"nap", nap},
                {"write", write_late},
+               {"litter", litter},
+               {"litter_and_die", litter_and_die},
+               {"chdir", leave_folder},
+               {"ignore_children", ignore_children},
+               {"ignore_all", ignore_all},
+               {"round", round_upward},
+               {"round_down", round_downward},
+               {"few_files", allow_few_files},
+               {"small_files", allow_small_files},
+               {"small_files_ever", allow_small_files_ever},
                {"truncate", truncate_library}};
   const char* asked = getenv("ASSAY_TEST_DEED");
   const size_t length = strlen(when);

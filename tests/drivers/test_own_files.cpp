@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A native model that goes to another folder, lowers limits, or changes how numbers are rounded: results lie where the
+// user said, and it is named.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/drivers/misdeeds.hpp"
+
+namespace assay::drivers::test_own_files {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Deed {
+  const char *deed, *words;
+};
+
+class Disturbing : public testing::TestWithParam<Deed> {
+ protected:
+  Ending program(std::vector<std::string> words) const {
+    return assay(words, [this] {
+      the_.arm(GetParam().deed);
+      if (::chdir((the_.scratch / "").c_str()) != 0) ::_exit(126);
+    });
+  }
+  Misdeeds the_;
+};
+
+TEST_P(Disturbing, ARunIsWhereTheUserSaidAndWarns) {
+  std::vector<std::string> words = the_.run_words(the_.library);
+  words[3] = "out";  // -o
+  const Ending ending = program(words);
+  EXPECT_EQ(ending.status, 0) << ending.said;
+  EXPECT_TRUE(fs::exists(the_.scratch / "out/errors.csv"));
+  EXPECT_NE(bytes_of(the_.scratch / "out/result.json").find("the model " + std::string(GetParam().words)),
+            std::string::npos)
+      << ending.said;
+}
+
+TEST_P(Disturbing, ACheckIsWhereTheUserSaidAndNamesIt) {
+  const Ending ending = program({"check", the_.library, "--quick", "--json", "check.json", "-o", "r"});
+  EXPECT_EQ(ending.status, 1) << ending.said;
+  std::string sentence;
+  const auto found = nlohmann::json::parse(bytes_of(the_.scratch / "check.json"));
+  for (const auto& each : found["diagnosis"]) {
+    if (each["cause"] == "disturbs its process") sentence = each["sentence"];
+  }
+  EXPECT_EQ(sentence, "the model " + std::string(GetParam().words));
+  EXPECT_TRUE(fs::exists(the_.scratch / "r/misdeeds.calls.process.yaml"));
+  EXPECT_NE(ending.said.find("r/misdeeds.calls.process.yaml"), std::string::npos) << ending.said;
+}
+
+constexpr const char *folder = "changes the folder of the process", *limits = "changes the limits of the process",
+                     *rounding = "changes the rounding mode of the process";
+INSTANTIATE_TEST_SUITE_P(Deeds, Disturbing,
+                         testing::Values(Deed{"load chdir", folder}, Deed{"create chdir", folder},
+                                         Deed{"each chdir", folder}, Deed{"create few_files", limits},
+                                         Deed{"create small_files", limits}, Deed{"update small_files", limits},
+                                         Deed{"create round", rounding}, Deed{"create round_down", rounding}),
+                         [](const auto& instance) {
+                           std::string name = instance.param.deed;
+                           std::replace(name.begin(), name.end(), ' ', '_');
+                           return name;
+                         });
+
+// What cannot be raised again stays so: the verdict comes all the same, and a run says who has done it.
+TEST(HardLimit, OfAModelIsBlamedOnIt) {
+  const Misdeeds the;
+  const Ending check =
+      the.program({"check", the.library, "--quick", "-o", the.scratch / "r"}, "create small_files_ever");
+  EXPECT_EQ(check.status, 1) << check.said;
+  EXPECT_NE(check.said.find(limits), std::string::npos) << check.said;
+  const Ending run = the.program(the.run_words(the.library), "create small_files_ever");
+  // what it says is a file of a hundred bytes
+  EXPECT_TRUE(run.status == 0 || run.said.find("; the material's library h") != std::string::npos) << run.said;
+}
+
+class IgnoredSignals : public testing::TestWithParam<const char*> {};
+
+TEST_P(IgnoredSignals, AreNamedAtOnce) {
+  const Misdeeds the;
+  const auto begin = std::chrono::steady_clock::now();
+  const Ending ending = the.program({"check", the.library, "--quick", "-o", the.scratch / "r"}, GetParam());
+  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), 15);
+  EXPECT_EQ(ending.status, 1) << ending.said;
+  EXPECT_NE(ending.said.find("takes over signals"), std::string::npos) << ending.said;
+  EXPECT_TRUE(the.nothing_is_left());
+}
+
+INSTANTIATE_TEST_SUITE_P(Deeds, IgnoredSignals,
+                         testing::Values("load ignore_children", "create ignore_children", "create ignore_all",
+                                         "update ignore_all"),
+                         [](const auto& instance) {
+                           std::string name = instance.param;
+                           std::replace(name.begin(), name.end(), ' ', '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace assay::drivers::test_own_files
