@@ -19,10 +19,11 @@ namespace assay::drivers {
 namespace {
 
 struct Before {
-  int streams[3];    ///< copies of the standard ones
-  int folder;        ///< in which this process stood
-  mode_t forbidden;  ///< of new files
-  std::array<rlimit, 9> limits;
+  int streams[3];                ///< copies of the standard ones
+  int folder;                    ///< in which this process stood
+  mode_t forbidden;              ///< of new files
+  std::array<rlimit, 9> limits;  ///< that a model has
+  rlimit files;                  ///< with ours
 };
 
 constexpr rlim_t ours = 32;  ///< files that a model may not have
@@ -49,6 +50,16 @@ void put_limit_back(std::size_t k) {
   ::setrlimit(resources[k], &allowed);
 }
 
+/// Whether the few that are open at once cannot be had.
+bool has_no_files() {
+  std::array<int, 6> files{};
+  for (int& file : files) file = ::open("/", O_PATH | O_CLOEXEC);
+  for (const int file : files) {
+    if (file >= 0) ::close(file);
+  }
+  return files.back() < 0;
+}
+
 /// Of the hard ones, which stay so.
 bool is_lowered(std::size_t k) { return limit_of(k).rlim_max < before->limits[k].rlim_max; }
 
@@ -67,6 +78,7 @@ void remember_files() {
   before = Before{{adapters::high_copy(0), adapters::high_copy(1), adapters::high_copy(2)},
                   adapters::high_copy(folder),
                   ::umask(0),
+                  {},
                   {}};
   if (folder >= 0) ::close(folder);
   const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
@@ -74,11 +86,9 @@ void remember_files() {
   if (nothing > 0) ::close(nothing);
   ::umask(before->forbidden);
   for (std::size_t k = 0; k < resources.size(); ++k) before->limits[k] = limit_of(k);
-  rlimit fewer = before->limits[0];
-  if (fewer.rlim_cur != RLIM_INFINITY && fewer.rlim_cur >= few) {
-    fewer.rlim_cur -= ours;
-    ::setrlimit(RLIMIT_NOFILE, &fewer);
-  }
+  before->files = before->limits[0];
+  if (before->files.rlim_cur != RLIM_INFINITY && before->files.rlim_cur >= few) before->limits[0].rlim_cur -= ours;
+  put_limit_back(0);
   since.emplace();
 }
 
@@ -90,6 +100,7 @@ void put_files_right() {
   [[maybe_unused]] const int gone = ::fchdir(before->folder);
   ::umask(before->forbidden);
   for (std::size_t k = 0; k < resources.size(); ++k) put_limit_back(k);
+  if (has_no_files()) ::setrlimit(RLIMIT_NOFILE, &before->files);  // not before: the model would take ours, too
   for (const int stream : {1, 2}) {
     if (::fcntl(stream, F_GETFD) < 0) ::dup2(before->streams[stream], stream);
   }
@@ -99,7 +110,7 @@ void put_files_right() {
 adapters::Habits habits_of_process() {
   if (!since) return adapters::no_habit;
   adapters::Habits found = since->habits() | put_right;
-  if (limit_of(0).rlim_cur + ours < before->limits[0].rlim_cur) {  // it looks as if no file could be opened any more
+  if (limit_of(0).rlim_cur < before->limits[0].rlim_cur) {  // it looks as if no file could be opened any more
     found = (found & ~adapters::files_left) | adapters::limits_changed;
   }
   return found;
