@@ -36,7 +36,8 @@ InputError usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& verb = chosen.empty() ? app : *chosen.front();
   const std::string who = chosen.empty() ? "assay" : "assay " + verb.get_name();
   for (const CLI::Option* each : verb.get_options()) {
-    if (static_cast<int>(each->count()) > each->get_items_expected_max())
+    const bool takes_all = each->get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
+    if (error.get_name() == "ArgumentMismatch" && !takes_all && each->count() > 1)
       return InputError(who + ": " + each->get_name() + " is given " + std::to_string(each->count()) +
                         " times, and takes one value");
   }

@@ -49,7 +49,7 @@ set(left_out_of_test_drivers # whole runs of full size; studies, which start the
   CheckSource.AFileThatIsNot* CheckSource.ADeck* CheckUndeclared.AFailure* Cached.Nothing* RelativePaths.TheSearch*
   TimeControl.Finds* CheckComponents.AModel* Run.LeavesAC* Run.AMaterialThat* Frames.ATurned* Simulation.Ugimp*
   Host.WhatMay* */CheckSymmetry.*turned_on TimeAccounts.ATab* Screening.O* ViscousShort*
-  CheckForeign.ModuliOf* CheckSource.IsReg* CheckSource.IsLinked* AroundTheSteps.WhatIsNot* Host.AVumat* Host.ACounter*
+  CheckForeign.ModuliOf* CheckSource.IsReg* CheckSource.IsLinked* CheckSource.ItsOwn* AroundTheSteps.WhatIsNot* Host.AVumat* Host.ACounter*
   */StressInWorkers.*of_2* CheckScope.TheL* CheckScope.AStress* Interfaces/DamagedLibrary.*native RunJUnit.ARun*
   Tabulate.AnExp* CheckSymmetryOfRings* Signals/StudySignals.*0 InputFile.AHyphen* Check.AFail* StateBlocks.ThoseThat*
   Kinds/WritingModel* CheckUndeclared.Dir* FailuresInWorkers.AChanged* Terminal.Paths* Screening.SaysN* Advice.OfAR*

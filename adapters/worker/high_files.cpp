@@ -13,6 +13,7 @@ int high_copy(int file) {
   for (const int least : {1500, 900, 64, after_ours}) {
     if (const int copy = ::fcntl(file, F_DUPFD_CLOEXEC, least); copy >= 0) return copy;
   }
+  if (errno == EINVAL) errno = EMFILE;  // the limit lies below all of these
   return -1;
 }
 
