@@ -7,8 +7,8 @@ namespace assay::drivers {
 
 /// From now on the first SIGINT, SIGTERM or SIGHUP only raises the flag and lets system calls that wait fail with
 /// EINTR; another, 0.3 s later or more, ends the process at once with 128 + signal (a sooner one is the same stop:
-/// timeout(1) sends two). Where nothing polls the flag for 8 s, as in a native model that does not come back, the process
-/// ends likewise. To be called when the scene is read.
+/// timeout(1) sends two). Where nothing polls the flag for 8 s, as in a native model that does not come back, the
+/// process ends likewise. To be called when the scene is read.
 void watch_interrupts();
 
 /// While one lives, as after watch_interrupts(); then as before. For what may take long before the scene is read. Where

@@ -281,12 +281,8 @@ TestResult isotropy(const Specimen& specimen) {
   const Loading still = out_and_back(specimen);
   const auto before = [&](const Tensor& Q, const Loading& history) {
     const Loading seen{[=](double t) { return Tensor(history.F(t) * Q.transpose()); }, history.phases};
-    return FrameTwins{"isotropy",
-                      history,
-                      seen,
-                      Tensor::Identity(),
-                      Vector3::UnitX(),
-                      "the same history of a body that was turned before"};
+    return FrameTwins{"isotropy",         history,          seen,
+                      Tensor::Identity(), Vector3::UnitX(), "the same history of a body that was turned before"};
   };
   TestResult result = twin_or_tolerance(specimen, before(specimen.space.turn(angle), still));
   if (result.verdict == Verdict::pass) return result;
