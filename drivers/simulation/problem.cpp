@@ -217,7 +217,7 @@ std::string no_particle_sentence(const Problem& problem) {
     for (const double x : corner) far = std::max(far, std::abs(x));
   }
   const double apart = std::nextafter(far, 2 * far) - far;
-  const std::string sentence = "leaves no particle in the body";
+  std::string sentence = "leaves no particle in the body";
   if (apart < 1e-6 * spacing) return sentence;
   return sentence + ": " + rounded_text(far, 2) + " m from the origin, coordinates are rounded to " +
          rounded_text(apart, 2) + " m; place the body nearer to it";
