@@ -72,7 +72,7 @@ TEST(HardLimit, OfAModelIsBlamedOnIt) {
   EXPECT_EQ(check.status, 1) << check.said;
   EXPECT_NE(check.said.find(limits), std::string::npos) << check.said;
   const Ending run = the.program(the.run_words(the.library), "create small_files_ever");
-  // what it says is a file of a hundred bytes
+  // what it says is a file of as few bytes
   EXPECT_TRUE(run.status == 0 || run.said.find("; the material's library h") != std::string::npos) << run.said;
 }
 

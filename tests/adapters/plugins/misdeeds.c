@@ -137,7 +137,7 @@ static void lower(int resource, rlim_t to, int hard) {
 }
 static void allow_few_files(void) { lower(RLIMIT_NOFILE, 3, 0); }
 static void allow_small_files(void) { lower(RLIMIT_FSIZE, 100, 0); }
-static void allow_small_files_ever(void) { lower(RLIMIT_FSIZE, 100, 1); }
+static void allow_small_files_ever(void) { lower(RLIMIT_FSIZE, 400, 1); }
 
 /* Where that file is this library, the code that comes next is gone. */
 static void truncate_library(void) {
