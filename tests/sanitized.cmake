@@ -42,7 +42,7 @@ set(left_out_of_test_drivers # whole runs of full size; studies, which start the
   StoppedProcesses* */destroy_pause */destroy_first_pause *KilledFromOutside* */leak
   Limits/Shortage* # the sanitizer itself needs more
   */exit_null */destroy_null # which the sanitizer would tell in its own words
-  Frames.TheMethodErrs* Frames.BodiesOf* Frames.AMaterialWith* RimOfARun.CoarseGrids* Run.EveryLattice*
+  Frames.TheMethodErrs* Frames.BodiesOf* Frames.AMaterialWith* RimOfARun.CoarseGrids*
   Run.ACylindrically* Run.Repeats* Run.AnExpect* Run.AnUnst* Run.EveryField* Run.Square* Run.ItsFig*
   Replay.OfAH* Replay.OfAR* Screening.E* Screening.I* Screening.C* Screening.W* Tabulate.AnswersPoints* Tabulate.W* Tabulate.C* TractionTable.Holds* TractionTable.AnEntry*
   TractionTable.One* TractionTable.Paper*

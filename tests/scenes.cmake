@@ -53,8 +53,8 @@ foreach(name IN ITEMS quick traction)
   set_property(TEST study/${name} APPEND PROPERTY ENVIRONMENT ${test_environment}
     "ASSAY_DATA_HOME=${PROJECT_BINARY_DIR}/data")
 endforeach()
-set_tests_properties(study/quick PROPERTIES LABELS long) # half a minute with a clock of its own
+set_tests_properties(study/quick study/traction PROPERTIES LABELS long) # half a minute each
 if(ASSAY_SANITIZE)
-  set_tests_properties(study/traction study/hard_is_valid study/models_is_valid study/offsets_is_valid
+  set_tests_properties(study/hard_is_valid study/models_is_valid study/offsets_is_valid
     study/remedies_is_valid PROPERTIES LABELS long)
 endif()

@@ -137,7 +137,7 @@ TEST(Run, SquareIsLargerInParticlesButNotInWork) {
 }
 
 /// Every body and lattice with either evaluation: it runs, it has its mass, and the error is that of a good run.
-TEST(Run, EveryLatticeCompletesWithEitherEvaluation) {
+TEST(LongRun, EveryLatticeCompletesWithEitherEvaluation) {
   const ScratchFolder scratch;
   for (const char* body : {"body={domain: ring, lattice: polar}", "body={domain: ring, cut: clipped}",
                            "body={domain: square, outside: held}", "body={domain: square, outside: free}"}) {
