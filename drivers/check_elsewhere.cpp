@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -93,16 +94,27 @@ struct Received {
   std::optional<check::History> rows = {};
 };
 
-/// Until they are whole, or the pipe is closed, which others than the sender may hold.
-Received received(int in, double limit_s) {
+/// A child that stays to be buried.
+bool has_ended(pid_t child) {
+  if (child < 0) return false;
+  siginfo_t info = {};
+  return ::waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child;
+}
+
+/// Until they are whole, or the pipe is closed, which others than the sender may hold. Of a model that has killed
+/// whoever waits for it little is to be expected.
+Received received(int in, pid_t waiting, double limit_s) {
   using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + std::chrono::milliseconds(std::llround(1e3 * limit_s));
+  constexpr std::chrono::milliseconds look{50}, grace{250};
+  auto end = Clock::now() + std::chrono::milliseconds(std::llround(1e3 * limit_s));
   Received found;
   std::string bytes;
   for (char text[1 << 14];;) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+    if (has_ended(waiting)) end = std::min(end, Clock::now() + grace), waiting = -1;
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now());
     pollfd file{in, POLLIN, 0};
-    if (left <= 0 || (::poll(&file, 1, static_cast<int>(left)) < 0 && errno != EINTR)) return found;
+    if (left.count() <= 0) return found;
+    if (::poll(&file, 1, static_cast<int>(std::min(left, look).count())) < 0 && errno != EINTR) return found;
     if (file.revents == 0) continue;
     const ssize_t length = ::read(in, text, sizeof text);
     if (length < 0 && errno != EINTR) return found;
@@ -116,13 +128,27 @@ Received received(int in, double limit_s) {
   }
 }
 
+/// Orphans of its children are its own as long as it lives.
+struct Adopting {
+  Adopting() {
+    ::prctl(PR_GET_CHILD_SUBREAPER, &before);
+    ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+  }
+  ~Adopting() { ::prctl(PR_SET_CHILD_SUBREAPER, before); }
+  Adopting(const Adopting&) = delete;
+  Adopting& operator=(const Adopting&) = delete;
+  int before = 0;
+};
+
 /// Of both: near where the rows have come, brought about otherwise, of the sender, which the other waits for; waits
 /// until no watcher sees either.
 void end_group(pid_t process, const Received& what) {
   constexpr int patience_ms = 500;
   if (!what.in_time) ::kill(what.sender > 0 ? what.sender : -process, SIGKILL);
   adapters::await_end(process);
-  for (int waited = 0; ::kill(-process, SIGKILL) == 0 && waited < patience_ms; ++waited) ::usleep(1000);
+  for (int waited = 0; ::kill(-process, SIGKILL) == 0 && waited < patience_ms; ++waited) {
+    if (::waitpid(-process, nullptr, WNOHANG) == 0) ::usleep(1000);
+  }
 }
 
 }  // namespace
@@ -131,6 +157,7 @@ std::optional<check::History> made_elsewhere(const Maker& make, double limit_s) 
   int ends[2];
   if (!adapters::high_pipe(ends)) return std::nullopt;
   const adapters::AwaitedChildren awaited;
+  const Adopting adopting;
   const adapters::OwnFolder folder;
   const pid_t process = ::fork();
   if (process == 0) {  // between the two, for models that kill whoever has started them
@@ -146,7 +173,7 @@ std::optional<check::History> made_elsewhere(const Maker& make, double limit_s) 
   }
   ::setpgid(process, process);  // whichever comes first
   ::close(ends[1]);
-  const Received all = process > 0 ? received(ends[0], limit_s) : Received();
+  const Received all = process > 0 ? received(ends[0], process, limit_s) : Received();
   ::close(ends[0]);
   if (process < 0) return std::nullopt;
   end_group(process, all);
