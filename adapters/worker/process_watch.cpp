@@ -46,7 +46,9 @@ ProcessWatch::File ProcessWatch::open_file(int number) {
 ProcessWatch::Disposition ProcessWatch::disposition(int signal) {
   struct sigaction action = {};
   sigaction(signal, nullptr, &action);
-  return {action.sa_handler, action.sa_flags};
+  constexpr int restorer = 0x04000000;  // SA_RESTORER, which the C library adds when it sets one
+  const bool by_nobody = action.sa_handler == SIG_DFL || action.sa_handler == SIG_IGN;
+  return {action.sa_handler, action.sa_flags & (by_nobody ? SA_NOCLDWAIT | SA_NOCLDSTOP : ~restorer)};
 }
 
 ProcessWatch::Dispositions ProcessWatch::dispositions() {

@@ -6,6 +6,7 @@
 
 #include "adapters/worker/remote_table.hpp"
 #include "drivers/material/registry.hpp"
+#include "drivers/unseen.hpp"
 #include "harness/check/material_symmetry.hpp"
 
 namespace assay::drivers {
@@ -47,7 +48,7 @@ Material created(const MaterialChoice& choice, const MaterialSource& source) {
                      error.known());
   } catch (const std::runtime_error& error) {
     if (adapters::has_ended(source.table)) throw ModelEnded(choice.where, choice.adapter_key, error.what());
-    throw InputError(choice.where, choice.parameters_key, error.what());
+    throw InputError(choice.where, choice.parameters_key, without_unseen(error.what()));  // the model's own words
   }
 }
 

@@ -67,8 +67,13 @@ class Reader {
       if (contains(table_.names, field.text)) fail(field.column, "column " + quoted(field.text) + " twice");
       table_.names.emplace_back(field.text);
     }
+    std::vector<std::string> missing;
     for (const std::string& name : required_) {
-      if (!contains(table_.names, name)) fail(1, "column '" + name + "' is missing" + separated(), joined(known_));
+      if (!contains(table_.names, name)) missing.push_back(quoted(name));
+    }
+    if (!missing.empty()) {
+      fail(1, (missing.size() == 1 ? "no column " : "no columns ") + joined(missing) +
+                  "; columns are separated by " + lines_.separator_name() + " in this file", joined(known_));
     }
     table_.columns.resize(table_.names.size());
   }

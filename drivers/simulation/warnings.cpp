@@ -99,7 +99,7 @@ std::string coarse_grid_sentence(const Problem& problem) {
 /// and the face beside it gives it a force.
 std::string spline_end_sentence(const Problem& problem) {
   const mpm::Setup<2>& setup = problem.setup;
-  if (!setup.traction || !setup.method.is_total() || setup.method.basis != mpm::Basis::bspline2) return "";
+  if (!setup.traction || setup.has_virtual_stress() || !setup.method.is_total() || setup.method.basis != mpm::Basis::bspline2) return "";
   for (std::size_t d = 0; d < 2 && setup.seeds.size() > 0; ++d) {
     const auto [least, most] = std::minmax_element(setup.seeds.X[d].begin(), setup.seeds.X[d].end());
     const auto ends_at = [&](double x, bool is_free) {

@@ -136,7 +136,8 @@ Deed step(const Material& material, const Walk& walk, double t, const Tensor& be
       factor(1, n, 1.0, bytes);
   Guarded<std::int32_t> status(n, n, -77, bytes);
   Guarded<char> message(ASSAY_MESSAGE_SIZE, 1, 0, bytes);
-  const assay_step step{t, length, F0.data(), F1.data()};
+  const assay_step whole{t, length, F0.data(), F1.data()};
+  assay_step step = whole;
   {
     const CallMark mark;
     material.table().update(material.self(), &step, n, state.data(), state1.data(), cauchy.data(), status.data(),
@@ -152,6 +153,8 @@ Deed step(const Material& material, const Walk& walk, double t, const Tensor& be
   if (status.broken()) return ends("it writes beyond the status of the points");
   if (message.broken()) return ends("it writes beyond the message");
   if (factor.broken()) return ends("it writes beyond dt_factor");
+  if (step.t != whole.t || step.dt != whole.dt || step.F0 != whole.F0 || step.F1 != whole.F1)
+    return ends("it writes into the step that it is given");
   if (!same(given[0], F0.values()) || !same(given[1], F1.values()) || !same(given[2], state.values()))
     return ends("it writes into what it is given");
   if (status.unwritten()) return ends("it leaves the status of points unwritten");

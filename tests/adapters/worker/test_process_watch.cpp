@@ -13,6 +13,7 @@
 
 #include <csignal>
 #include <cstdint>
+#include <cstdlib>
 #include <initializer_list>
 #include <memory>
 #include <string>
@@ -46,9 +47,20 @@ void take_user_signal() {
 }
 void change_flags_alone() {
   struct sigaction action = {};
-  ::sigaction(SIGUSR2, nullptr, &action);
-  action.sa_flags |= SA_RESTART;
-  ::sigaction(SIGUSR2, &action, nullptr);
+  ::sigaction(SIGCHLD, nullptr, &action);
+  action.sa_flags |= SA_NOCLDWAIT;
+  ::sigaction(SIGCHLD, &action, nullptr);
+}
+void run_a_command() { static_cast<void>(std::system("true")); }  // which ignores two signals meanwhile
+void take_and_restore_signal() {
+  const auto before = std::signal(SIGUSR2, SIG_IGN);
+  std::signal(SIGUSR2, before);
+}
+void take_and_restore_action() {
+  struct sigaction own = {}, before = {};
+  own.sa_handler = [](int) {};
+  ::sigaction(SIGTERM, &own, &before);
+  ::sigaction(SIGTERM, &before, nullptr);
 }
 void block(std::initializer_list<int> signals) {
   sigset_t set;
@@ -121,6 +133,9 @@ const Deed deeds[] = {{"nothing", nothing, no_habit},
                       {"takes_a_signal", take_signal, signals_taken},
                       {"ignores_hangup", ignore_hangup, signals_taken},
                       {"takes_a_user_s_signal", take_user_signal, signals_taken},
+                      {"runs_a_command", run_a_command, no_habit},
+                      {"takes_a_signal_and_restores_it", take_and_restore_signal, no_habit},
+                      {"takes_a_signal_and_restores_its_action", take_and_restore_action, no_habit},
                       {"changes_the_flags_of_a_signal", change_flags_alone, signals_taken},
                       {"ignores_a_signal_of_real_time", ignore_a_signal_of_real_time, signals_taken},
                       {"blocks_termination", block_termination, signals_blocked},

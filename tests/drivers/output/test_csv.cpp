@@ -72,7 +72,8 @@ TEST(Csv, refuses_with_the_place) {
   expect_refusal("X,t\n1,2,3\n", "p.csv:2:5: ", "3 fields");
   expect_refusal("X,Y,t\n1,2,3\n", "p.csv:1:3: ", "'Y'");
   expect_refusal("X,t,X\n1,2,3\n", "p.csv:1:5: ", "twice");
-  expect_refusal("X,Z\n1,2\n", "p.csv:1:1: ", "'t' is missing");
+  expect_refusal("X,Z\n1,2\n", "p.csv:1:1: ", "no column 't'; columns are separated by a comma in this file");
+  expect_refusal("Z\n2\n", "p.csv:1:1: ", "no columns 'X', 't'");
   expect_refusal("1,2\n", "p.csv:1:1: ", "'1'");
 }
 

@@ -85,6 +85,7 @@ TEST(Warnings, SaysThatAFacePullsAtTheEndOfASpline) {
     EXPECT_NE(of(total, odd).find("outermost particles along X"), std::string::npos) << of(total, odd);
     EXPECT_EQ(of("bspline3, transfer: apic, formulation: total", odd), "");
     EXPECT_EQ(of("bspline2, transfer: apic", odd), "");
+    EXPECT_EQ(of(total, odd, "traction: {algorithm: virtual_stress}\n"), "");
   }
   EXPECT_NE(of(total, "[2, 1]").find("outermost particles along Y"), std::string::npos);
   EXPECT_EQ(of(total, "[2, 2]"), "");

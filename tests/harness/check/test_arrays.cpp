@@ -41,5 +41,29 @@ TEST(GuardedArrays, StandWhereNoMoreThanThePromisedAlignmentIs) {
   EXPECT_EQ(better_aligned, 0);
 }
 
+void (*deed)(assay_step& step) = nullptr;
+
+void update_and_write(void* self, const assay_step* step, std::size_t n, const double* state0, double* state1,
+                      double* cauchy, std::int32_t* status, double* factor, char* message) {
+  inner->update(self, step, n, state0, state1, cauchy, status, factor, message);
+  deed(const_cast<assay_step&>(*step));
+}
+
+TEST(GuardedArrays, NamesAModelThatWritesIntoTheStep) {
+  const std::vector<check_tests::Subject> subjects = check_tests::total_mutants::subjects();
+  inner = &subjects.front().material.table();
+  assay_material table = *inner;
+  table.update = update_and_write;
+  for (void (*each)(assay_step&) :
+       {+[](assay_step& step) { step.dt = 1e3; }, +[](assay_step& step) { step.t += 1; },
+        +[](assay_step& step) { step.F0 = nullptr; }, +[](assay_step& step) { step.F1 = step.F0; }}) {
+    deed = each;
+    FirstCalls first;
+    const TestResult result = guarded_arrays(Material(&table, {}), {}, first);
+    EXPECT_EQ(result.verdict, Verdict::fail);
+    EXPECT_NE(result.sentence.find("writes into the step that it is given"), std::string::npos) << result.sentence;
+  }
+}
+
 }  // namespace
 }  // namespace assay::check::test_arrays
