@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <map>
 #include <mutex>
 
@@ -17,9 +16,6 @@
 namespace assay {
 
 namespace {
-
-/// The 1.0 table; later members are absent from an older plug-in.
-constexpr std::uint32_t smallest_table = offsetof(assay_material, create_of);
 
 /// The functions that came with 1.1.
 bool has_second_part(const assay_material& table) { return table.struct_size >= sizeof(assay_material); }
@@ -109,64 +105,6 @@ void* create_instance(const assay_material* table, const double* parameters, cha
 const void* extension_of(const assay_material* table, const char* id) {
   if (has_second_part(*table) && table->extension_of) return table->extension_of(table, id);
   return table->extension ? table->extension(id) : nullptr;
-}
-
-int components_of_kind(std::int32_t kind) {
-  switch (kind) {
-    case ASSAY_SCALAR:
-      return 1;
-    case ASSAY_VECTOR:
-      return 3;
-    case ASSAY_SYMMETRIC_TENSOR:
-      return 6;
-    case ASSAY_TENSOR:
-      return 9;
-  }
-  return 0;
-}
-
-namespace {
-
-bool is_table_name(const std::string& name) {
-  return std::all_of(name.begin(), name.end(),
-                     [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
-}
-
-}  // namespace
-
-std::optional<std::string> defect_of(const assay_material* table) {
-  if (!table) return "the entry returned no table";
-  if (table->abi_major != ASSAY_ABI_MAJOR) {
-    return "built for ABI major " + std::to_string(table->abi_major) + ", this host serves " +
-           std::to_string(ASSAY_ABI_MAJOR);
-  }
-  if (table->struct_size < smallest_table) {
-    return "its table has " + std::to_string(table->struct_size) + " bytes, ABI 1.0 has " +
-           std::to_string(smallest_table);
-  }
-  if (!table->name || !*table->name) return "its table has no name";
-  if (!is_table_name(table->name)) {
-    return "the name of its table, '" + std::string(table->name).substr(0, 80) +
-           "', holds other than small letters, digits and '_'";
-  }
-  if ((!table->create && !has_create_of(*table)) || !table->destroy || !table->update)
-    return "its table lacks create, destroy or update";
-  if (table->parameter_count && !table->parameters) return "it declares parameters but gives none";
-  if (table->state_count && (!table->state || !table->initial_state)) {
-    return "it declares state variables but gives no description or no initial_state";
-  }
-  for (std::uint32_t i = 0; i < table->parameter_count; ++i) {
-    if (!table->parameters[i].name || !table->parameters[i].unit) {
-      return "parameter " + std::to_string(i) + " has no name or no unit";
-    }
-  }
-  for (std::uint32_t i = 0; i < table->state_count; ++i) {
-    if (!table->state[i].name) return "state variable " + std::to_string(i) + " has no name";
-    if (components_of_kind(table->state[i].kind) == 0) {
-      return "state variable '" + std::string(table->state[i].name) + "' is of an unknown kind";
-    }
-  }
-  return std::nullopt;
 }
 
 Material::Material(const assay_material* table, const std::map<std::string, double>& parameters)

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "tests/harness/elastic_material.hpp"
 #include "tests/harness/jaumann_material.hpp"
@@ -149,6 +151,46 @@ TEST(MaterialTable, DefectsAreNamed) {
   EXPECT_NE(defect([](auto& t) { t.parameters = nullptr; }), "none");
   EXPECT_NE(defect([](auto& t) { t.state_count = 1; }), "none");
   EXPECT_EQ(defect([](auto& t) { t.struct_size += 64; }), "none");  // a younger table with more at its end
+}
+
+/// The rules of the header for what a table says of itself.
+TEST(MaterialTable, ClaimsThatCannotBeAreNamed) {
+  const auto of_parameters = [](std::vector<assay_parameter> all) {
+    assay_material table = *elastic();
+    table.parameters = all.data();
+    table.parameter_count = static_cast<std::uint32_t>(all.size());
+    return defect_of(&table).value_or("none");
+  };
+  const auto of_state = [](std::vector<assay_state_variable> all) {
+    assay_material table = *elastic();
+    table.state = all.data();
+    table.state_count = static_cast<std::uint32_t>(all.size());
+    table.initial_state = [](void*, size_t, const double*, double*) -> std::int32_t { return ASSAY_GOOD; };
+    return defect_of(&table).value_or("none");
+  };
+  const auto claims = [](std::int32_t symmetry, std::uint32_t flags) {
+    assay_material table = *elastic();
+    table.symmetry = symmetry, table.flags = flags;
+    return defect_of(&table).value_or("none");
+  };
+  EXPECT_EQ(of_parameters({{"K", "Pa", 1, 0, INFINITY, ""}, {"a[0]", "1", NAN, -1, 1, ""}}), "none");
+  EXPECT_EQ(of_parameters({{"K", "Pa", 20, 0, 10, ""}}), "the default of its parameter 'K' lies outside the bounds");
+  EXPECT_EQ(of_parameters({{"K", "Pa", 1, 10, 0, ""}}), "the lower bound of its parameter 'K' lies above the upper");
+  EXPECT_EQ(of_parameters({{"K", "Pa", 1, NAN, 1, ""}}), "a bound of its parameter 'K' is not a number");
+  EXPECT_NE(of_parameters({{"K", "Pa", 1, 0, 2, ""}, {"K", "Pa", 1, 0, 2, ""}}).find("named 'K'"), std::string::npos);
+  for (const char* name : {"", "K = 1", "a,b", "K:", "E\n", "{E}"}) {
+    EXPECT_NE(of_parameters({{name, "Pa", 1, 0, 2, ""}}).find("cannot stand in a key"), std::string::npos) << name;
+  }
+  EXPECT_EQ(of_state({{"D", "1", ASSAY_SCALAR, ASSAY_ROLE_PLAIN, ""}}), "none");
+  EXPECT_NE(of_state({{"D", "1", ASSAY_SCALAR, 7, ""}}).find("unknown role"), std::string::npos);
+  EXPECT_NE(of_state({{"D", "1", ASSAY_TENSOR, ASSAY_ROLE_DIRECTION, ""}}).find("no vector"), std::string::npos);
+  EXPECT_NE(of_state({{"D", "1", 0, 0, ""}, {"D", "1", 0, 0, ""}}).find("named 'D'"), std::string::npos);
+  EXPECT_EQ(claims(-77, 0), "its symmetry, -77, is unknown");
+  EXPECT_EQ(claims(ASSAY_ISOTROPIC, 0xffffffffu), "its flags, 4294967295, hold unknown ones");
+  assay_material table = *elastic();
+  const std::string name(200, 'a');
+  table.name = name.c_str();
+  EXPECT_NE(defect_of(&table).value_or("none").find("more than 100 characters"), std::string::npos);
 }
 
 }  // namespace
