@@ -27,6 +27,9 @@ std::string loader_message(const std::string& path) {
   if (::statvfs(path.c_str(), &system) == 0 && (system.f_flag & ST_NOEXEC)) {
     message += "; its file system is mounted noexec: no code in it may run";
   }
+  if (message.find("only ET_DYN and ET_EXEC can be loaded") != message.npos) {
+    message = "it is an object file and no shared library: link it, as by gcc -shared -o model.so model.o";
+  }
   return message;
 }
 

@@ -17,6 +17,7 @@
 #include "drivers/interrupt.hpp"
 #include "drivers/material/abaqus_deck.hpp"
 #include "drivers/output/numbers.hpp"
+#include "drivers/own_files.hpp"
 #include "drivers/verb_arguments.hpp"
 #include "drivers/worker.hpp"
 
@@ -171,7 +172,9 @@ int complain(int status, const std::string& line) {
   if (interrupted()) return 128 + interrupt_signal();  // what failed is the call that the signal broke off
   if (const std::string words = adapters::shortage(); !words.empty() && status == 2) return complain(3, words);
   std::cout.flush();
-  std::cerr << one_line(line) << std::endl;
+  put_streams_right();
+  const bool is_told = status != 3 || line.find("the material's library") != std::string::npos;
+  std::cerr << one_line(line + (is_told ? "" : lowered_limits_words())) << std::endl;
   return status;
 }
 

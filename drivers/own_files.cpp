@@ -10,7 +10,9 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <optional>
+#include <string>
 
 #include "adapters/worker/high_files.hpp"
 
@@ -31,6 +33,9 @@ constexpr rlim_t ours = 32;  ///< files that a model may not have
 constexpr std::array resources{RLIMIT_NOFILE, RLIMIT_FSIZE, RLIMIT_AS,    RLIMIT_DATA,   RLIMIT_STACK,
                                RLIMIT_CORE,   RLIMIT_CPU,   RLIMIT_NPROC, RLIMIT_MEMLOCK};
 
+constexpr std::array names_of_resources{"open files", "size of a file", "memory",    "data",         "stack",
+                                        "core files", "processor time", "processes", "locked memory"};
+
 std::optional<Before> before;
 std::optional<adapters::ProcessWatch> since;
 std::atomic<adapters::Habits> put_right{adapters::no_habit};
@@ -39,6 +44,12 @@ rlimit limit_of(std::size_t k) {
   rlimit limit = {};
   ::getrlimit(resources[k], &limit);
   return limit;
+}
+
+bool is_another(int stream) {
+  struct stat now = {}, then = {};
+  if (::fstat(stream, &now) != 0) return true;
+  return ::fstat(before->streams[stream], &then) == 0 && (now.st_dev != then.st_dev || now.st_ino != then.st_ino);
 }
 
 /// As far as it may: not beyond a hard limit that the model has lowered.
@@ -92,6 +103,14 @@ void remember_files() {
   since.emplace();
 }
 
+void keep_these_streams() {
+  if (!before) return;
+  for (const int stream : {1, 2}) {
+    if (before->streams[stream] >= 0) ::close(before->streams[stream]);
+    before->streams[stream] = adapters::high_copy(stream);
+  }
+}
+
 int user_input() { return before && before->streams[0] >= 0 ? before->streams[0] : 0; }
 
 void put_files_right() {
@@ -101,8 +120,16 @@ void put_files_right() {
   ::umask(before->forbidden);
   for (std::size_t k = 0; k < resources.size(); ++k) put_limit_back(k);
   if (has_no_files()) ::setrlimit(RLIMIT_NOFILE, &before->files);  // not before: the model would take ours, too
+  put_streams_right();
+}
+
+void put_streams_right() {
+  if (!before) return;
   for (const int stream : {1, 2}) {
-    if (::fcntl(stream, F_GETFD) < 0) ::dup2(before->streams[stream], stream);
+    if (!is_another(stream)) continue;
+    put_right |= adapters::output_closed;
+    std::fflush(stream == 1 ? stdout : stderr);  // what the model has written belongs to its own file
+    ::dup2(before->streams[stream], stream);
   }
   keep_standard_streams();
 }
@@ -114,6 +141,14 @@ adapters::Habits habits_of_process() {
     found = (found & ~adapters::files_left) | adapters::limits_changed;
   }
   return found;
+}
+
+std::string lowered_limits_words() {
+  std::string names;
+  for (std::size_t k = 0; before && k < resources.size(); ++k) {
+    if (is_lowered(k)) names += (names.empty() ? "" : ", ") + std::string(names_of_resources[k]);
+  }
+  return names.empty() ? "" : "; the material's library has lowered limits of the process: " + names;
 }
 
 const char* open_files_words(int error) {

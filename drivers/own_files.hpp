@@ -3,6 +3,8 @@
 // those of the standard streams, or gone to another folder.
 #pragma once
 
+#include <string>
+
 #include "adapters/worker/process_watch.hpp"
 
 namespace assay::drivers {
@@ -14,6 +16,9 @@ void keep_standard_streams();
 /// from standard input comes to its end at once.
 void remember_files();
 
+/// In a copy of this process that has sent its output elsewhere: that is where it belongs.
+void keep_these_streams();
+
 /// The file that is the user's standard input.
 int user_input();
 
@@ -21,8 +26,15 @@ int user_input();
 /// are as remember_files() has found them, if that was called, and as far as the system allows it.
 void put_files_right();
 
+/// Before something is said: standard output and standard error are those of the user again.
+void put_streams_right();
+
 /// What was done to this process since remember_files(), or-ed adapters::Habit: what was put right, too.
 adapters::Habits habits_of_process();
+
+/// Behind the reason why the system has failed: "; the material's library has lowered limits of the process: memory",
+/// empty where it has not.
+std::string lowered_limits_words();
 
 /// Behind the reason why a file cannot be opened or written, where the model may be that: "; the material's library
 /// leaves files open".

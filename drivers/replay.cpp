@@ -130,6 +130,8 @@ Replay replay_of(const ResolvedMaterial& resolved, const std::optional<FailedSte
     replay.material =
         resolved.description.empty() ? resolved.library + ":" + resolved.material.name() : resolved.description;
     replay.library_sha256 = hash_of_library(resolved.library);
+    // The description of a source that has none is kept in the cache, from which it may go.
+    if (resolved.choice.adapter == resolved.source) replay.material = resolved.source;
   }
   return replay;
 }

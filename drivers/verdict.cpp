@@ -60,9 +60,9 @@ std::string summary_of(const Result& result) {
 }  // namespace
 
 std::string times_text(const Result& result, const std::string& work) {
-  return fmt::format("  {} s: {} s of set-up, {} s of {}, {} s of pictures and files\n",
+  return fmt::format("  {} s: set-up {} s, {} {} s, pictures and files {} s\n",
                      rounded_text(result.setup_s + result.wall_s + result.finish_s, 3), rounded_text(result.setup_s, 3),
-                     rounded_text(result.wall_s, 3), work, rounded_text(result.finish_s, 3));
+                     work, rounded_text(result.wall_s, 3), rounded_text(result.finish_s, 3));
 }
 
 std::string process_lines(const Result& result) {

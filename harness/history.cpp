@@ -13,6 +13,9 @@ namespace {
 /// path of 1e5 rows, which is one piece, 1e6. Beyond, the motion has so many turns that nobody could run it.
 constexpr std::int64_t calls_of_piece = 3'000'000, calls_of_advance = 1000;
 
+/// A step is refused now and then where a law ends; where the lengths of all steps are a law's own, one of some ten.
+constexpr std::int64_t most_refusals = 1000;
+
 }  // namespace
 
 History::History(const Course& course, double xi, const HistoryOptions& options) : course_(&course), xi_(xi) {
@@ -30,9 +33,19 @@ History::~History() = default;
 
 void History::count_call() {
   if (++calls_ <= most_calls_) return;
-  MaterialFailure failure("its history takes too many steps: the motion turns or vibrates too fast for it", xi_, t_);
+  const bool is_refused = refused_ && refusals_ >= most_refusals;
+  MaterialFailure failure(is_refused ? "its history takes too many steps, for it refuses all but short ones: " +
+                                           std::string(refused_->what())
+                                     : "its history takes too many steps: the motion turns or vibrates too fast for it",
+                          is_refused ? refused_->xi : xi_, is_refused ? refused_->t : t_);
+  if (is_refused) failure.step = refused_->step, failure.not_finite = refused_->not_finite;
   failure.final = true;  // shorter steps would be more of them
   throw failure;
+}
+
+void History::note_refusal(const MaterialFailure& failure) {
+  ++refusals_;
+  refused_ = std::make_shared<MaterialFailure>(failure);
 }
 
 void History::advance(double to) {

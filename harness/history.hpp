@@ -50,11 +50,15 @@ class History {
   class Rates;
   /// One more call of the material. Throws MaterialFailure where a piece of the path would take too many.
   void count_call();
+  /// Of a step that was too long for the material.
+  void note_refusal(const MaterialFailure& failure);
 
   const Course* course_;
   double xi_, t_ = 0, error_ = 0;
   std::int64_t calls_ = 0, most_calls_ = 0;  ///< so far, and up to the end of this piece of the path
   double piece_end_ = 0;
+  std::int64_t refusals_ = 0;
+  std::shared_ptr<const MaterialFailure> refused_;  ///< the last
   std::vector<Branch> branches_;
   bool flickers_ = false;
   std::vector<double> y_;  ///< 9 components of the Cauchy stress, then the state

@@ -168,6 +168,7 @@ History::Increments::Outcome History::Increments::attempt(double step) {
       same_regime = substeps(step, count);
     } catch (const MaterialFailure& failure) {  // perhaps the step was too long for it
       if (failure.final || step < shortest_share * h_->course_->end) throw;
+      h_->note_refusal(failure);
       return Outcome::inaccurate;
     }
     if (!same_regime) return Outcome::regime_changes;

@@ -12,7 +12,8 @@ namespace assay {
 /// A material refused a step, or returned a non-finite stress.
 class MaterialFailure : public std::runtime_error {
  public:
-  MaterialFailure(const std::string& what, double at_xi, double at_t, std::optional<FailedStep> at_step = {})
+  MaterialFailure(const std::string& what, double at_xi, double at_t) : std::runtime_error(what), xi(at_xi), t(at_t) {}
+  MaterialFailure(const std::string& what, double at_xi, double at_t, std::optional<FailedStep> at_step)
       : std::runtime_error(what), xi(at_xi), t(at_t), step(std::move(at_step)) {}
   double xi, t;
   bool not_finite = false;         ///< its stress or state is no number

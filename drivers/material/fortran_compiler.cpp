@@ -2,6 +2,7 @@
 #include "drivers/material/fortran_compiler.hpp"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cctype>
@@ -25,6 +26,11 @@ namespace {
 
 std::string first_line_of(const std::string& text) { return text.substr(0, text.find('\n')); }
 
+bool is_short_of_file_size() {
+  rlimit size = {};
+  return ::getrlimit(RLIMIT_FSIZE, &size) == 0 && size.rlim_cur < 1 << 20;
+}
+
 /// Asked once by each process.
 std::string version_of_compiler(const std::string& program) {
   static std::mutex guard;
@@ -34,7 +40,11 @@ std::string version_of_compiler(const std::string& program) {
   const ToolEnd asked = run_tool({.program = program, .arguments = {"--version"}, .limit_s = 20});
   const std::string version = one_line(first_line_of(asked.said), 200);
   if (asked.status != 0 || version.find("Fortran") == std::string::npos) {
-    throw SystemError("'" + program + "' is no gfortran that works: " + version);
+    throw SystemError("'" + program + "' is no gfortran that works: " +
+                      (!version.empty() ? version
+                       : is_short_of_file_size()
+                           ? "it says nothing, and the size of files is limited to less than 1 MiB (ulimit -f)"
+                           : "it says nothing and ends with status " + std::to_string(asked.status)));
   }
   return known[program] = version;
 }

@@ -25,6 +25,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// What to do with a file of another language.
+std::string other_source(const std::string& file) {
+  const std::string ending = fs::path(file).extension().string();
+  for (const char* other : {".c", ".cc", ".cpp", ".cxx", ".C", ".cu", ".py", ".m", ".jl"}) {
+    if (ending == other)
+      return ": of sources those in Fortran are compiled here; of others build a shared library and name it, as "
+             "`assay new-material` shows";
+  }
+  return {};
+}
+
 std::string environment(const char* name) {
   const char* value = std::getenv(name);
   return value ? value : "";
@@ -56,6 +67,8 @@ MaterialSource from_file(const std::string& file, const std::string& table, cons
   if (const std::string fault = fault_of_file(file); !fault.empty()) throw InputError(where, key, fault);
   if (is_source_or_deck(file)) return from_source(file, table, where, key, isolation, given);
   if (is_description(file)) return from_description(file, isolation);
+  if (const std::string remedy = other_source(file); !remedy.empty())
+    throw InputError(where, key, "'" + one_line(file, 200) + "' is no material" + remedy);
   return source_of(description_of_library(file, table, where, key), file, isolation);
 }
 
@@ -146,7 +159,9 @@ MaterialSource find_material(const std::string& adapter, const Location& where, 
   }
   std::vector<std::string> known;
   for (const RegisteredName& registered : names) known.push_back(registered.name);
-  throw InputError(where, key, unknown("material '" + one_line(adapter, 80) + "'", adapter, known), joined(known));
+  throw InputError(where, key,
+                   unknown("material '" + one_line(adapter, 80) + "'", adapter, known) + other_source(adapter),
+                   joined(known));
 }
 
 }  // namespace assay::drivers

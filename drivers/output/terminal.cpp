@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "drivers/input_error.hpp"
+#include "drivers/own_files.hpp"
 #include "drivers/unseen.hpp"
 
 namespace assay::drivers {
@@ -11,6 +12,7 @@ namespace assay::drivers {
 namespace {
 
 void put(const std::string& text) {
+  put_streams_right();
   std::fwrite(text.data(), 1, text.size(), stdout);
   std::fflush(stdout);
 }
@@ -21,6 +23,9 @@ void print(std::string_view lines) { put(without_commands(lines, "<U+", ">")); }
 
 void print_json(std::string_view json) { put(without_commands(json, "\\u", "")); }
 
-void warn(std::string_view sentence) { std::fprintf(stderr, "warning: %s\n", one_line(sentence).c_str()); }
+void warn(std::string_view sentence) {
+  put_streams_right();
+  std::fprintf(stderr, "warning: %s\n", one_line(sentence).c_str());
+}
 
 }  // namespace assay::drivers

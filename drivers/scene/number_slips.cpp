@@ -121,6 +121,8 @@ std::string tail(const std::string& text) {
 
 std::string out_of_range(const std::string& text) {
   const std::size_t e = text.find_first_of("eE");
+  if (text.size() > 300 && text.find_first_not_of("+-0123456789") == text.npos)
+    return ": beyond what a number can be, 1.8e308";
   if (e == text.npos || parse_number(text) || !parse_number(std::string_view(text).substr(0, e))) return "";
   const auto exponent = parse_integer(std::string_view(text).substr(e + 1));
   if (!exponent) return "";
@@ -136,6 +138,9 @@ std::string comparison(const std::string& text) {
 }
 
 std::string of_plain(const std::string& text) {
+  constexpr std::size_t longest = 400;  // more than the digits before the point of any number
+  if (text.size() > longest)
+    return ": it has " + std::to_string(text.size()) + " characters, and 17 digits are all that a number holds";
   if (const std::string other = lookalike(text); !other.empty()) return ": " + other;
   for (const auto& slip :
        {comparison, out_of_range, decimal_comma, separated, other_base, other_exponent, not_finite, expression, tail}) {

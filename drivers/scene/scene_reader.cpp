@@ -16,6 +16,7 @@
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/scene/settings.hpp"
 #include "drivers/scene/sha256.hpp"
+#include "drivers/scene/yaml_slips.hpp"
 #include "drivers/unseen.hpp"
 
 namespace assay::drivers {
@@ -155,6 +156,9 @@ void read_material(const Tree& root, Scene& scene) {
   const Tree* parameters = value_at(root, "material.parameters");
   if (!parameters) return;
   for (const Tree::Entry& entry : parameters->entries) {
+    if (entry.value.kind == Tree::Kind::null && !key_remedy(entry.key).empty())
+      throw InputError(entry.key_where, "material.parameters." + one_line(entry.key, 80),
+                       "must be a number, found nothing" + key_remedy(entry.key));
     material.parameters[entry.key] = number_value(entry.value, "material.parameters." + one_line(entry.key, 80));
     material.parameter_where[entry.key] = entry.value.where;
     material.parameter_key_where[entry.key] = entry.key_where;

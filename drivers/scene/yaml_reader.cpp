@@ -177,7 +177,9 @@ class Builder : public YAML::EventHandler {
                        braces ? "a key must be a word: a text with braces belongs in quotes" : "a key must be a word");
     }
     if (!map.seen.insert(tree.text).second) {
-      throw InputError(tree.where, shown(tree.text, 80), "duplicate key");
+      throw InputError(
+          tree.where, shown(tree.text, 80),
+          tree.text == merge_key ? "duplicate key: several maps are merged by <<: [*a, *b]" : "duplicate key");
     }
     map.merges = tree.text == merge_key && !tree.quoted;
     map.key = tree.text;

@@ -60,7 +60,10 @@ std::array<double, 2> sides_of_body(const Problem& problem) {
   return sides;
 }
 
-std::string advice_after_death(const Problem& problem) {
+std::string advice_after_death(const Problem& problem, const std::string& reason) {
+  const auto& grid = *problem.scene.grid;
+  if (!problem.compared && (grid.lower || grid.upper) && reason.find("left the grid") != reason.npos)
+    return "grid.lower and grid.upper: a body that moves by itself needs room for all of its way";
   const auto& method = *problem.scene.method;
   const mpm::Remedies& remedies = problem.setup.remedies;
   const std::string courant = "courant: " + rounded_text(courant_that_lives, 2);

@@ -10,8 +10,8 @@
 namespace assay::drivers {
 
 /// What lives through more of the hard cases (docs/hard.md, bench/results/hard) than the method of this run; empty
-/// where nothing does.
-std::string advice_after_death(const Problem& problem);
+/// where nothing does. reason: of which it died.
+std::string advice_after_death(const Problem& problem, const std::string& reason = {});
 
 /// Lengths of the body along the axes [m]; zeros without particles.
 std::array<double, 2> sides_of_body(const Problem& problem);

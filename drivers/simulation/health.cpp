@@ -136,9 +136,9 @@ std::optional<mpm::Finding> HealthWatch::look(const mpm::State<2>& s, std::int64
 std::vector<std::string> HealthWatch::sentences() const {
   std::vector<std::string> all;
   if (figures_.courant.value_or(0) > 1) {
-    all.push_back("particles moved at up to " + rounded_text(*figures_.fastest, 3) +
-                  " m/s, which is a Courant number of " + rounded_text(*figures_.courant, 3) +
-                  ": the step was too long for them");
+    all.push_back("waves crossed up to " + rounded_text(*figures_.courant, 3) +
+                  " cells in a step, with particles that moved at up to " + rounded_text(*figures_.fastest, 3) +
+                  " m/s (the Courant number): the step was too long for them");
   }
   if (figures_.domain_extent.value_or(0) > long_domain) {
     all.push_back("domains reached " + rounded_text(*figures_.domain_extent, 3) +

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string>
+#include <utility>
 
 #include "drivers/output/number_format.hpp"
 #include "drivers/scene/body_box.hpp"
@@ -123,6 +126,23 @@ double steps_by_courant(const Problem& problem) {
   return pieces * std::max(1.0, std::ceil(end / pieces / longest));
 }
 
+/// Of all that the number of steps follows from what is farthest from the usual.
+std::string key_of_steps(const Problem& problem) {
+  const Scene& scene = problem.scene;
+  if (scene.time.step) return "time.step";
+  constexpr double usual_speed = 1e4, usual_end = 10, usual_spacing = 1e-3, usual_courant = 0.01;  // m/s, s, m
+  const std::pair<double, const char*> keys[] = {
+      {usual_courant / scene.method->courant, "method.courant"},
+      {scene.time.end / usual_end, "time.end"},
+      {usual_spacing / scene.grid->spacing, "grid.spacing"},
+      {problem.wave_speed / usual_speed, "material.parameters"},
+      {problem.particle_speed / usual_speed, "motion"},
+  };
+  return std::max_element(std::begin(keys), std::end(keys),
+                          [](const auto& a, const auto& b) { return a.first < b.first; })
+      ->second;
+}
+
 }  // namespace
 
 void find_speeds(Problem& problem) {
@@ -151,10 +171,10 @@ void plan_steps(Problem& problem) {
     throw InputError(scene.place("time.step"), "time.step",
                      "must not exceed time.end, " + rounded_text(scene.time.end, 6));
   }
-  const std::string key = scene.time.step ? "time.step" : "method.courant";
   const double steps =
       scene.time.step ? std::ceil(scene.time.end / *scene.time.step * (1 - whole_steps)) : steps_by_courant(problem);
   if (!(steps >= 1 && steps < most_steps)) {
+    const std::string key = key_of_steps(problem);
     throw InputError(scene.place(key), key,
                      "gives " + rounded_text(steps, 3) + " steps to time.end = " + rounded_text(scene.time.end, 6) +
                          " s (fastest wave on the path " + rounded_text(problem.wave_speed, 3) +

@@ -78,7 +78,7 @@ std::string late_snapshots_sentence(const Problem& problem) {
 
 /// A density in t/mm^3 beside a stiffness in Pa: no solid has such waves, in m/s or in mm/s.
 std::string density_sentence(const Problem& problem) {
-  constexpr double least = 1e-10, most = 1e-7, kg_per_m3 = 1e12, fastest = 1e8;
+  constexpr double least = 1e-10, most = 1e-7, kg_per_m3 = 1e12, fastest = 1e6;
   const double density = problem.setup.density;
   if (!(density >= least && density <= most) || !(problem.wave_speed > fastest)) return "";
   return "material.density = " + rounded_text(density, 6) + " and the stiffness make waves of " +
@@ -99,7 +99,9 @@ std::string coarse_grid_sentence(const Problem& problem) {
 /// and the face beside it gives it a force.
 std::string spline_end_sentence(const Problem& problem) {
   const mpm::Setup<2>& setup = problem.setup;
-  if (!setup.traction || setup.has_virtual_stress() || !setup.method.is_total() || setup.method.basis != mpm::Basis::bspline2) return "";
+  if (!setup.traction || setup.has_virtual_stress() || !setup.method.is_total() ||
+      setup.method.basis != mpm::Basis::bspline2)
+    return "";
   for (std::size_t d = 0; d < 2 && setup.seeds.size() > 0; ++d) {
     const auto [least, most] = std::minmax_element(setup.seeds.X[d].begin(), setup.seeds.X[d].end());
     const auto ends_at = [&](double x, bool is_free) {

@@ -202,6 +202,9 @@ std::vector<Setting> read_settings(const Tree& map, const std::string& key) {
 
 std::vector<StudyAxis> read_axes(const Tree& map) {
   require_map(map, "axes", "names of axes");
+  if (map.entries.empty())
+    throw InputError(map.where, "axes",
+                     "is empty: write keys of the scene and their values, as grid.spacing: [0.1, 0.05]");
   std::vector<StudyAxis> axes;
   for (const Tree::Entry& entry : map.entries) axes.push_back(read_axis(entry));
   return axes;

@@ -19,6 +19,7 @@
 #include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
 #include "drivers/output/whole_file.hpp"
+#include "drivers/own_files.hpp"
 
 namespace assay::drivers {
 
@@ -52,6 +53,7 @@ std::string last_line_of(int file) {
   ::dup2(nowhere, STDIN_FILENO);
   ::dup2(nowhere, STDOUT_FILENO);
   ::dup2(errors, STDERR_FILENO);
+  keep_these_streams();
   ::execv(program.c_str(), arguments.data());
   leave_process(3);
 }

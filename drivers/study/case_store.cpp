@@ -206,6 +206,7 @@ StudyCase CaseStore::read(const PlannedCase& one) const {
   const CaseState state = state_of(one.key);
   if (state == CaseState::missing || state == CaseState::torn) return found;
   const fs::path folder = folder_of(one.key);
+  sweep_dead(folder);
   const auto record = read_record(folder, one.key);
   if (!record) return found;
   found.clock = clock_of(record->at("clock"));

@@ -76,6 +76,41 @@ TEST(HardLimit, OfAModelIsBlamedOnIt) {
   EXPECT_TRUE(run.status == 0 || run.said.find("; the material's library h") != std::string::npos) << run.said;
 }
 
+TEST(HardLimit, OfMemoryIsBlamedOnTheModel) {
+  const Misdeeds the;
+  const Ending run = the.program(the.run_words(the.library), "create little_memory_ever");
+  EXPECT_TRUE(run.status == 0 || run.said.find("has lowered limits of the process: memory") != std::string::npos)
+      << run.status << ": " << run.said;
+}
+
+// What the user asked for does not end in a file of the model.
+class StolenOutput : public testing::TestWithParam<const char*> {};
+
+TEST_P(StolenOutput, IsTheUsersAgain) {
+  const Misdeeds the;
+  std::vector<std::string> words = the.run_words(the.library);
+  words.push_back("--json");
+  const Ending run = the.program(words, GetParam());
+  EXPECT_EQ(run.status, 0) << run.said;
+  EXPECT_NE(run.said.find("\"outcome\": \"completed\""), std::string::npos) << run.said;
+  EXPECT_NE(run.said.find("closes or redirects standard output"), std::string::npos) << run.said;
+  EXPECT_EQ(bytes_of(the.scratch / "late"), "");
+  std::vector<std::string> eval = the.eval_words(the.library);
+  eval[5] = "-";
+  const Ending table = the.program(eval, GetParam());
+  EXPECT_EQ(table.status, 0) << table.said;
+  EXPECT_NE(table.said.find("X,Y,t"), std::string::npos) << table.said;
+}
+
+INSTANTIATE_TEST_SUITE_P(Deeds, StolenOutput,
+                         testing::Values("load steal", "create steal", "update steal", "create steal_all",
+                                         "update steal_all"),
+                         [](const auto& instance) {
+                           std::string name = instance.param;
+                           std::replace(name.begin(), name.end(), ' ', '_');
+                           return name;
+                         });
+
 class IgnoredSignals : public testing::TestWithParam<const char*> {};
 
 TEST_P(IgnoredSignals, AreNamedAtOnce) {

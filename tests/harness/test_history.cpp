@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <cstdio>
 
 #include "harness/rotating_stretch.hpp"
 #include "harness/vortex.hpp"
@@ -55,6 +57,45 @@ TEST(History, GivesUpAMotionOfTooManyTurns) {
     EXPECT_NE(std::string(failure.what()).find("too many steps"), std::string::npos) << failure.what();
   }
   EXPECT_LT(history.calls(), 4'000'000);
+}
+
+/// An elastic model that refuses a step of more than `longest`.
+struct Refusing : assay_material {
+  const assay_material* inner;
+  double longest;
+};
+Refusing refusing;
+
+/// It is the model that makes so many steps, not the motion.
+TEST(History, SaysWhatStepsAreRefusedFor) {
+  const auto inner = builtin_material(assay_builtin_hypoelastic_jaumann, elastic);
+  static_cast<assay_material&>(refusing) = inner->table();
+  refusing.inner = &inner->table();
+  refusing.extension = nullptr, refusing.extension_of = nullptr, refusing.create_of = nullptr;
+  refusing.update = [](void* self, const assay_step* step, std::size_t n, const double* state0, double* state1,
+                       double* cauchy, std::int32_t* status, double* factor, char* message) {
+    refusing.inner->update(self, step, n, state0, state1, cauchy, status, factor, message);
+    if (step->dt <= refusing.longest) return;
+    for (std::size_t p = 0; p < n; ++p) status[p] = ASSAY_FAILED;
+    std::snprintf(message, ASSAY_MESSAGE_SIZE, "no root is found");
+  };
+  const Material material(&refusing, elastic);
+  for (const double longest : {1e-7, 3e-7}) {
+    refusing.longest = longest;
+    const Course course(material, cyclic, 2, Form::increments);
+    History history(course, -2.2, {});
+    try {
+      history.advance(2);
+      ADD_FAILURE() << "went through";
+    } catch (const MaterialFailure& failure) {
+      EXPECT_NE(std::string(failure.what()).find("too many steps, for it refuses all but short ones"),
+                std::string::npos)
+          << failure.what();
+      EXPECT_NE(std::string(failure.what()).find("no root is found"), std::string::npos) << failure.what();
+      ASSERT_TRUE(failure.step);  // for its replay
+      EXPECT_GT(failure.step->dt, longest);
+    }
+  }
 }
 
 TEST(History, FindsTheTimesOfYielding) {

@@ -138,6 +138,16 @@ static void lower(int resource, rlim_t to, int hard) {
 static void allow_few_files(void) { lower(RLIMIT_NOFILE, 3, 0); }
 static void allow_small_files(void) { lower(RLIMIT_FSIZE, 100, 0); }
 static void allow_small_files_ever(void) { lower(RLIMIT_FSIZE, 400, 1); }
+static void allow_little_memory_ever(void) { lower(RLIMIT_AS, 1000000, 1); }
+static void steal_output(void) {
+  if (!freopen(getenv("ASSAY_TEST_FILE"), "w", stdout)) abort();
+}
+static void steal_all_output(void) {
+  const int file = open(getenv("ASSAY_TEST_FILE"), O_WRONLY | O_CREAT, 0600);
+  dup2(file, 1);
+  dup2(file, 2);
+  close(file);
+}
 
 /* Where that file is this library, the code that comes next is gone. */
 static void truncate_library(void) {
@@ -184,6 +194,9 @@ static void act(const char* when) {
                {"few_files", allow_few_files},
                {"small_files", allow_small_files},
                {"small_files_ever", allow_small_files_ever},
+               {"little_memory_ever", allow_little_memory_ever},
+               {"steal", steal_output},
+               {"steal_all", steal_all_output},
                {"truncate", truncate_library}};
   const char* asked = getenv("ASSAY_TEST_DEED");
   const size_t length = strlen(when);

@@ -31,6 +31,16 @@ TEST(MissingFile, IsNamedFromWhatOthersPrint) {
             std::string::npos);
 }
 
+// What `files` cannot put there is not advised.
+TEST(MissingFile, ThatNoFolderCanHoldIsNamedAlone) {
+  for (const char* words : {"Fortran runtime error: Cannot open file '/no/such/t.dat': No such file or directory",
+                            "/no/such/t.csv: No such file or directory\n",
+                            "At line 6 of file c.f (unit = 5, file = 'stdin')\nFortran runtime error: End of file"}) {
+    EXPECT_NE(missing_file_words(words), "") << words;
+    EXPECT_EQ(missing_file_words(words).find("files:"), std::string::npos) << missing_file_words(words);
+  }
+}
+
 TEST(MissingFile, OtherWordsAreNoFiles) {
   for (const char* words : {"", "converged", "Cannot open the valve", "File 'x' is read", "End of file",
                             "Fortran runtime error: Index '7' out of bounds"}) {

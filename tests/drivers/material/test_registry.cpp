@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/material/registry.hpp"
 
+#include <cstdlib>
+
 #include "adapters/builtin.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/registry_fixture.hpp"
@@ -53,6 +55,19 @@ TEST_F(Registry, SearchPathTakesLibrariesWithAndWithoutPrefix) {
   for (const RegisteredName& name : registered_names()) names += name.name + " ";
   for (const auto* table : adapters::builtin_tables()) builtin += table->name + std::string(" ");
   EXPECT_EQ(names, builtin + "hard soft ");
+}
+
+/// Neither is read as what it is not.
+TEST_F(Registry, SourcesOfOtherLanguagesAndObjectFilesAreToldWhatToDo) {
+  for (const char* name : {"u.c", "u.cpp", "u.py"}) {
+    write(name, "x");
+    EXPECT_NE(refused((folder / name).string()).find("build a shared library"), std::string::npos) << name;
+    EXPECT_NE(refused(name).find("build a shared library"), std::string::npos) << refused(name);
+  }
+  write("m.c", "int x;\n");
+  ASSERT_EQ(std::system(("cc -c -o " + (folder / "m.o").string() + " " + (folder / "m.c").string()).c_str()), 0);
+  EXPECT_NE(refused((folder / "m.o").string()).find("gcc -shared"), std::string::npos)
+      << refused((folder / "m.o").string());
 }
 
 TEST_F(Registry, ADescriptionStandsBeforeItsLibrary) {
