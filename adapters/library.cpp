@@ -16,6 +16,7 @@
 #include "adapters/worker/table_pack.hpp"
 #include "harness/arithmetic.hpp"
 #include "harness/material.hpp"
+#include "harness/thrown.hpp"
 
 namespace assay::adapters {
 
@@ -82,7 +83,13 @@ std::vector<const assay_material*> tables_of_library(const std::string& path) {
   check_shared_library(path);
   const assay_material_entry_function entry = entry_of(std::filesystem::absolute(path).string());
   std::vector<const assay_material*> tables;
-  for (std::uint32_t index = 0; const assay_material* table = entry(ASSAY_ABI_MAJOR, index); ++index) {
+  const auto table_of = [&](std::uint32_t index) {
+    const assay_material* table = nullptr;
+    const std::string thrown = thrown_by(entry, [&] { table = entry(ASSAY_ABI_MAJOR, index); });
+    if (!thrown.empty()) throw LibraryError("cannot serve: its entry " + thrown);
+    return table;
+  };
+  for (std::uint32_t index = 0; const assay_material* table = table_of(index); ++index) {
     if (index == index_limit) throw LibraryError("its entry returns a table for every index");
     if (const auto defect = defect_of(table)) throw LibraryError("cannot serve: " + *defect);
     tables.push_back(table);

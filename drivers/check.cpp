@@ -16,6 +16,7 @@
 #include "drivers/material/registry.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/terminal.hpp"
+#include "drivers/own_files.hpp"
 #include "drivers/progress.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/scene/yaml_reader.hpp"
@@ -277,6 +278,8 @@ void refuse_unknown_parameters(const CheckOptions& options, const std::vector<Ch
 }  // namespace
 
 int check(const CheckOptions& options) {
+  constexpr std::size_t most_files_at_once = 32;  // measured: with 24 all that is looked for is found
+  require_open_files(most_files_at_once);
   forget_inputs();
   refuse_what_contradicts(options);
   if (options.material.empty() || options.methods) refuse_source_options(options.source, "");

@@ -56,7 +56,7 @@ void settle(const std::string& folder, const Ends& ends) {
   ::setenv("TMPDIR", folder.c_str(), 1);  // for what the vortex writes
   ::setpgid(0, 0);                        // what the model starts can be ended with it
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) std::signal(signal, SIG_DFL);
   ::dup2(ends.output, STDOUT_FILENO);
   ::dup2(ends.output, STDERR_FILENO);
   ::close(ends.output);

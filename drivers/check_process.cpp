@@ -9,6 +9,7 @@
 #include <map>
 
 #include "adapters/worker/missing_file.hpp"
+#include "adapters/worker/shortage.hpp"
 #include "drivers/check_child.hpp"
 #include "drivers/check_material.hpp"
 #include "drivers/input_error.hpp"
@@ -110,6 +111,15 @@ bool was_killed(const Child& child) {
   return child.lost || (WIFSIGNALED(child.status) && WTERMSIG(child.status) == SIGKILL);
 }
 
+/// Not the model's fault: it is told before it is judged.
+void refuse_lack_of_processor_time(const Child& child) {
+  if (!child.over || child.excess != Child::Excess::none || !WIFSIGNALED(child.status)) return;
+  const int signal = WTERMSIG(child.status);
+  const std::string limit = adapters::processor_limit();
+  if (!limit.empty() && (signal == SIGXCPU || signal == SIGKILL))
+    throw SystemError("the process of a check died of signal " + std::to_string(signal) + ": " + limit);
+}
+
 /// How many tests have begun in a child, and the id of the last.
 std::pair<std::size_t, std::string> begun_in(const Child& child) {
   std::pair<std::size_t, std::string> begun{0, ""};
@@ -187,6 +197,7 @@ std::vector<CheckedMaterial> check_in_processes(const std::vector<CheckTask>& ta
       ++next;
     }
     const Child child = running.next();
+    refuse_lack_of_processor_time(child);
     CheckedMaterial& checked = results[child.task] = result_of(child, tasks[child.task], how.limit_s);
     const std::string test = was_killed(child) ? checked.report.tests.back().id : "";
     if (const auto before = killed.find(child.task); before != killed.end()) {

@@ -168,20 +168,25 @@ int act(int argc, const char* const* argv) {
   throw InputError("assay: no verb; known: " + joined(names_of(verbs)) + "; assay --help tells more");
 }
 
+int say(int status, const std::string& line) {
+  std::cout.flush();
+  put_streams_right();
+  std::cerr << one_line(line) << std::endl;
+  return status;
+}
+
 int complain(int status, const std::string& line) {
   if (interrupted()) return 128 + interrupt_signal();  // what failed is the call that the signal broke off
   if (const std::string words = adapters::shortage(); !words.empty() && status == 2) return complain(3, words);
-  std::cout.flush();
-  put_streams_right();
   const bool is_told = status != 3 || line.find("the material's library") != std::string::npos;
-  std::cerr << one_line(line + (is_told ? "" : lowered_limits_words())) << std::endl;
-  return status;
+  return say(status, line + (is_told ? "" : lowered_limits_words()));
 }
 
 }  // namespace
 
 int command_line(int argc, const char* const* argv) noexcept {
   if (is_worker(argc, argv)) return worker();
+  const std::string processor_time = adapters::processor_limit();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of write()
   try {
     const ExitGuard guard;
@@ -189,6 +194,7 @@ int command_line(int argc, const char* const* argv) noexcept {
     flush_output();
     return status;
   } catch (const Interrupted& stop) {
+    if (stop.signal == SIGXCPU) return say(3, "assay: " + processor_time + ", which is used up");
     return 128 + stop.signal;
   } catch (const InputError& error) {
     return complain(2, error.what());

@@ -180,7 +180,9 @@ bool is_same_stream(const std::string& one, const std::string& other) {
 }
 
 std::string stem_of_input(const std::string& file) {
-  return file == standard_stream ? "stdin" : std::filesystem::path(file).stem().string();
+  if (file == standard_stream) return "stdin";
+  const std::string stem = std::filesystem::path(file).stem().string();
+  return stem.find_first_not_of('.') == stem.npos ? "unnamed" : stem;  // "..yaml" is no name of a folder
 }
 
 }  // namespace assay::drivers

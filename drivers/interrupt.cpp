@@ -69,7 +69,7 @@ int noticed() {
   return signal;
 }
 
-constexpr int stop_signals[] = {SIGINT, SIGTERM, SIGHUP};
+constexpr int stop_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGXCPU};
 
 bool is_watched() {
   for (const int signal : stop_signals) {

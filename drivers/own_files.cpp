@@ -15,6 +15,7 @@
 #include <string>
 
 #include "adapters/worker/high_files.hpp"
+#include "drivers/input_error.hpp"
 
 namespace assay::drivers {
 
@@ -109,6 +110,13 @@ void keep_these_streams() {
     if (before->streams[stream] >= 0) ::close(before->streams[stream]);
     before->streams[stream] = adapters::high_copy(stream);
   }
+}
+
+void require_open_files(std::size_t least) {
+  const rlim_t limit = limit_of(0).rlim_cur;
+  if (limit != RLIM_INFINITY && limit < least)
+    throw SystemError("open files are limited to " + std::to_string(limit) + " (ulimit -n), and " +
+                      std::to_string(least) + " are needed");
 }
 
 int user_input() { return before && before->streams[0] >= 0 ? before->streams[0] : 0; }

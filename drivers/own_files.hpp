@@ -3,6 +3,7 @@
 // those of the standard streams, or gone to another folder.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "adapters/worker/process_watch.hpp"
@@ -18,6 +19,10 @@ void remember_files();
 
 /// In a copy of this process that has sent its output elsewhere: that is where it belongs.
 void keep_these_streams();
+
+/// Throws SystemError where this process may have fewer. What finds no file or process looks for nothing, and a
+/// verdict would rest on the rest.
+void require_open_files(std::size_t least);
 
 /// The file that is the user's standard input.
 int user_input();

@@ -216,7 +216,8 @@ Replay read_replay(const std::string& file, Isolation isolation) {
   }
   const Tree* hash = root.find("library_sha256");
   if (hash && hash->kind == Tree::Kind::scalar) replay.library_sha256 = hash->text;
-  if (const Tree* test = root.find("test")) replay.test = choice_value(*test, "test", tests_of_check());
+  if (const Tree* test = root.find("test"))
+    replay.test = choice_value(*test, "test", tests_of_check(), "`assay check --verbose`");
   if (const Tree* quick = root.find("quick")) replay.effort.quick = boolean_value(*quick, "quick");
   if (const Tree* strain = root.find("strain")) replay.effort.strain = number_value(*strain, "strain");
   if (const Tree* asked = root.find("strain_is_asked")) {

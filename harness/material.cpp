@@ -12,6 +12,7 @@
 #include "harness/instances.hpp"
 #include "harness/own_process.hpp"
 #include "harness/progress_mark.hpp"
+#include "harness/thrown.hpp"
 
 namespace assay {
 
@@ -117,16 +118,19 @@ Material::Material(const assay_material* table, InDeclaredOrder parameters)
   }
   char message[ASSAY_MESSAGE_SIZE] = "";
   reset_arithmetic();  // a library that was linked with -ffast-math changes it when it is loaded
-  {
+  const auto create = has_create_of(*table) ? reinterpret_cast<void (*)()>(table->create_of)
+                                            : reinterpret_cast<void (*)()>(table->create);
+  const std::string thrown = thrown_by(create, [&] {
     const CallMark mark;
     const PhaseMark phase(CallPhase::creating);
     void* made = create_instance(table, parameters_.data(), message);
     if (made) instances().add(made, table->destroy);
     self_.reset(made);
-  }
+  });
   end_a_copy();
   put_arithmetic_right();
   message[ASSAY_MESSAGE_SIZE - 1] = '\0';
+  if (!thrown.empty()) throw std::runtime_error("material '" + name() + "' could not be created: it " + thrown);
   if (!self_) {
     throw std::runtime_error("material '" + name() + "' could not be created" +
                              (message[0] ? ": " + std::string(message) : std::string()));
@@ -176,13 +180,14 @@ std::vector<double> Material::initial_state(std::size_t n, std::span<const doubl
   const std::vector<double> none(cauchy.empty() ? 9 * n : 0, 0.0);
   const double* stress = cauchy.empty() ? none.data() : cauchy.data();
   std::int32_t status = ASSAY_FAILED;
-  {
+  const std::string thrown = thrown_by(table_->initial_state, [&] {
     const CallMark mark;
     const PhaseMark phase(CallPhase::beginning);
     status = table_->initial_state(self_.get(), n, stress, state.data());
-  }
+  });
   end_a_copy();
   put_arithmetic_right();
+  if (!thrown.empty()) throw std::runtime_error("material '" + name() + "': initial_state " + thrown);
   if (status == ASSAY_FAILED) {
     const auto* reasons = extension<assay_reason>(ASSAY_EXTENSION_REASON);
     const std::string reason = reasons ? one_line_of(reasons->reason(self_.get())) : "";

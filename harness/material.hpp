@@ -44,6 +44,7 @@ inline constexpr const char* not_finite_words = "not a number: ";
 
 /// Likewise where it changed the arithmetic of its thread, which was put right.
 inline constexpr const char* arithmetic_prefix = "arithmetic: ";
+inline constexpr const char* exception_prefix = "exception: ";
 
 /// These words a message holds where the model has called a routine that is not there.
 inline constexpr const char* absent_words = "which nobody provides";

@@ -8,6 +8,7 @@
 #include "harness/material.hpp"
 #include "harness/own_process.hpp"
 #include "harness/progress_mark.hpp"
+#include "harness/thrown.hpp"
 
 namespace assay {
 
@@ -63,11 +64,18 @@ UpdateReport Material::update(double t, double dt, std::size_t n, const double* 
   char message[ASSAY_MESSAGE_SIZE] = "";
   std::int32_t status[ASSAY_BATCH_MAX];
   std::fill_n(status, n, ASSAY_GOOD);
-  {
+  const std::string thrown = thrown_by(table_->update, [&] {
     const CallMark mark;
     table_->update(self_.get(), &step, n, state0, state1, cauchy, status, &report.dt_factor, message);
-  }
+  });
   end_a_copy();
+  if (!thrown.empty()) {
+    put_arithmetic_right();
+    report.worst = ASSAY_FAILED;
+    report.dt_factor = 0;
+    report.message = "the model " + thrown;
+    return report;
+  }
   if (const std::string words = arithmetic_words(put_arithmetic_right()); !words.empty()) {
     report.worst = ASSAY_FAILED;
     report.message = arithmetic_prefix + ("the material " + words);

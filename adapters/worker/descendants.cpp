@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <csignal>
@@ -59,6 +60,20 @@ bool bury_the_dead() {
   return buried < 0;
 }
 
+/// A warden or a worker, which end by themselves when their host has gone (`assay worker`).
+bool is_of_workers(pid_t process) {
+  char name[64], begin[4096];
+  std::snprintf(name, sizeof name, "/proc/%d/cmdline", static_cast<int>(process));
+  std::FILE* file = std::fopen(name, "r");
+  if (!file) return false;
+  const std::size_t size = std::fread(begin, 1, sizeof begin - 1, file);
+  std::fclose(file);
+  begin[size] = '\0';
+  const char* second = begin + std::strlen(begin) + 1;
+  // of a process that is about to end there is nothing to read
+  return size == 0 || (second < begin + size && std::strcmp(second, "worker") == 0);
+}
+
 }  // namespace
 
 void adopt_orphans() {
@@ -90,8 +105,8 @@ bool end_descendants() {
   bool any = false;
   while (!bury_the_dead() && now_ns() - begin < patience_ns) {
     const std::vector<pid_t> children = living_children();
+    any = any || std::any_of(children.begin(), children.end(), [](pid_t child) { return !is_of_workers(child); });
     for (const pid_t child : children) ::kill(child, SIGKILL);
-    any = any || !children.empty();
     if (children.empty()) ::usleep(1000);
   }
   return any;

@@ -63,13 +63,24 @@ std::string tight_limits() {
   return words;
 }
 
+std::string processor_limit() {
+  static const rlim_t at_first = [] {  // with each SIGXCPU the system lets a second more go by
+    rlimit found{};
+    return ::getrlimit(RLIMIT_CPU, &found) == 0 ? found.rlim_cur : RLIM_INFINITY;
+  }();
+  return at_first == RLIM_INFINITY ? std::string()
+                                   : "processor time is limited to " + std::to_string(at_first) + " s (ulimit -t)";
+}
+
 void note_shortage(const std::string& words) {
   const std::lock_guard lock(guard);
   if (noted.empty()) noted = words;
 }
 
 void note_killed_worker() {
-  note_shortage("a worker was killed (signal 9) from outside, as the system does where memory is short");
+  const std::string limit = processor_limit();
+  note_shortage(limit.empty() ? "a worker was killed (signal 9) from outside, as the system does where memory is short"
+                              : "a worker was killed (signal 9), and " + limit + ": that may be why");
 }
 
 std::string shortage() {

@@ -15,6 +15,10 @@ void enlarge_stack(std::size_t bytes);
 /// -d)". Empty where there are none.
 std::string tight_limits();
 
+/// "processor time is limited to 10 s (ulimit -t)"; empty where it is not. Who uses it up dies of SIGXCPU, or is
+/// killed.
+std::string processor_limit();
+
 /// From here on shortage() says this; the first word stands. From any thread.
 void note_shortage(const std::string& words);
 

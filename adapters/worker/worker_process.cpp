@@ -156,6 +156,8 @@ bool WorkerProcess::is_dead() {
       death == Death::signal || death == Death::exit || death == Death::stack || death == Death::null;
   const std::string tight = unexplained ? tight_limits() : "";
   if (!tight.empty()) note_shortage("a worker " + how_it_ended() + ", and " + tight + ": that may be why");
+  if (death == Death::signal && control().death_number == SIGXCPU && !processor_limit().empty())
+    note_shortage("a worker " + how_it_ended() + ": " + processor_limit());
   return death != Death::none;
 }
 

@@ -8,6 +8,7 @@
 #include "drivers/material/registry.hpp"
 #include "drivers/unseen.hpp"
 #include "harness/check/material_symmetry.hpp"
+#include "harness/foreign_message.hpp"
 
 namespace assay::drivers {
 
@@ -48,7 +49,8 @@ Material created(const MaterialChoice& choice, const MaterialSource& source) {
                      error.known());
   } catch (const std::runtime_error& error) {
     if (adapters::has_ended(source.table)) throw ModelEnded(choice.where, choice.adapter_key, error.what());
-    throw InputError(choice.where, choice.parameters_key, without_unseen(error.what()));  // the model's own words
+    throw InputError(choice.where, choice.parameters_key,
+                     without_unseen(one_line_of(error.what())));  // the model's own words
   }
 }
 

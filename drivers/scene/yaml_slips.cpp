@@ -27,9 +27,9 @@ class Diagnosis {
   }
 
   std::optional<YamlSlip> find() const {
-    for (const auto check :
-         {&Diagnosis::quote, &Diagnosis::escape, &Diagnosis::bracket, &Diagnosis::item, &Diagnosis::reserved,
-          &Diagnosis::key_before, &Diagnosis::indentation, &Diagnosis::second_colon, &Diagnosis::behind}) {
+    for (const auto check : {&Diagnosis::quote, &Diagnosis::escape, &Diagnosis::bracket, &Diagnosis::item,
+                             &Diagnosis::long_key, &Diagnosis::reserved, &Diagnosis::key_before,
+                             &Diagnosis::indentation, &Diagnosis::second_colon, &Diagnosis::behind}) {
       if (auto found = (this->*check)()) return found;
     }
     return std::nullopt;
@@ -70,6 +70,14 @@ class Diagnosis {
       at = std::min(line.find('\\', at + 2), line.size());
     }
     return std::nullopt;
+  }
+
+  /// YAML looks no further for the colon.
+  std::optional<YamlSlip> long_key() const {
+    constexpr std::size_t longest = 1024;
+    const std::size_t colon = key_colon(here()), begin = indent_of(here());
+    if (colon == std::string::npos || colon - begin <= longest) return std::nullopt;
+    return slip(at_, begin, "a key of more than 1024 characters");
   }
 
   /// "- " where no list is.

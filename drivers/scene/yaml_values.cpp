@@ -86,10 +86,11 @@ std::string text_value(const Tree& tree, const std::string& key) {
   return tree.text.substr(0, tree.text.find_last_not_of('\n') + 1);  // that of a block, as after `title: >`
 }
 
-std::string choice_value(const Tree& tree, const std::string& key, const std::vector<std::string>& known) {
+std::string choice_value(const Tree& tree, const std::string& key, const std::vector<std::string>& known,
+                         const std::string& source) {
   if (tree.kind != Tree::Kind::scalar) refuse(tree, key, "must be a word, found " + described(tree), joined(known));
   if (std::find(known.begin(), known.end(), tree.text) == known.end()) {
-    refuse(tree, key, unknown("value " + described(tree), tree.text, known), known_words(tree.text, known));
+    refuse(tree, key, unknown("value " + described(tree), tree.text, known), known_words(tree.text, known, source));
   }
   return tree.text;
 }

@@ -29,7 +29,9 @@ bool boolean_value(const Tree& tree, const std::string& key);
 /// Any scalar as it stands, without line breaks at its end.
 std::string text_value(const Tree& tree, const std::string& key);
 
-std::string choice_value(const Tree& tree, const std::string& key, const std::vector<std::string>& known);
+/// source: what lists all the words where they are many.
+std::string choice_value(const Tree& tree, const std::string& key, const std::vector<std::string>& known,
+                         const std::string& source = "`assay schema`");
 /// Exactly `rows` rows of `columns` numbers, row by row; one row is a plain sequence.
 std::vector<double> numbers_value(const Tree& tree, const std::string& key, std::size_t rows, std::size_t columns,
                                   const Range& range = {});

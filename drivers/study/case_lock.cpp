@@ -7,6 +7,7 @@
 
 #include <cerrno>
 
+#include "drivers/input_error.hpp"
 #include "drivers/output/whole_file.hpp"
 
 namespace assay::drivers {
@@ -31,6 +32,7 @@ bool is_written_to(const fs::path& folder) {
 
 std::optional<CaseLock> CaseLock::tried(const fs::path& folder) {
   std::error_code error;
+  if (fs::is_symlink(folder, error)) throw SystemError(folder.string() + ": is a link, and not followed");
   fs::create_directories(folder, error);
   if (error) fail(folder, "folder cannot be created", error);
   const int file = ::open((folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);

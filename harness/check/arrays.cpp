@@ -5,12 +5,15 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <string>
+#include <utility>
 
 #include "harness/arithmetic.hpp"
 #include "harness/check/call_steps.hpp"
 #include "harness/check/specimen.hpp"
 #include "harness/own_process.hpp"
 #include "harness/progress_mark.hpp"
+#include "harness/thrown.hpp"
 
 namespace assay::check {
 
@@ -95,7 +98,7 @@ struct Deed {
   bool goes_on = true;
 };
 
-Deed ends(const char* wrong) { return {wrong, {}, {}, false}; }
+Deed ends(std::string wrong) { return {std::move(wrong), {}, {}, false}; }
 
 /// Whether a variable other than a direction, which the host fills, still has the mark.
 bool leaves_unwritten(const Material& material, const std::vector<double>& state, std::size_t n) {
@@ -115,7 +118,12 @@ Deed begin(const Material& material, std::size_t n, std::size_t bytes) {
     Guarded<double> state(material.state_size() * n, n, no_value, bytes);
     const std::vector<double> given = repeated(-pressure * Tensor::Identity(), n);
     Placed cauchy(given, bytes);
-    if (material.table().initial_state(material.self(), n, cauchy.data(), state.data()) == ASSAY_FAILED) continue;
+    std::int32_t status = ASSAY_FAILED;
+    const std::string thrown = thrown_by(material.table().initial_state, [&] {
+      status = material.table().initial_state(material.self(), n, cauchy.data(), state.data());
+    });
+    if (!thrown.empty()) return ends(exception_prefix + ("initial_state " + thrown));
+    if (status == ASSAY_FAILED) continue;
     if (state.broken()) return ends("initial_state writes beyond the state that the model declares");
     if (cauchy.values() != given) return ends("initial_state writes into what it is given");
     if (leaves_unwritten(material, state.values(), n)) {
@@ -138,12 +146,13 @@ Deed step(const Material& material, const Walk& walk, double t, const Tensor& be
   Guarded<char> message(ASSAY_MESSAGE_SIZE, 1, 0, bytes);
   const assay_step whole{t, length, F0.data(), F1.data()};
   assay_step step = whole;
-  {
+  const std::string thrown = thrown_by(material.table().update, [&] {
     const CallMark mark;
     material.table().update(material.self(), &step, n, state.data(), state1.data(), cauchy.data(), status.data(),
                             factor.data(), message.data());
-  }
+  });
   end_a_copy();
+  if (!thrown.empty()) return ends(exception_prefix + ("it " + thrown));
   if (const std::string words = arithmetic_words(put_arithmetic_right()); !words.empty()) {
     return {arithmetic_prefix + ("it " + words), {}, {}, false};
   }
@@ -255,10 +264,12 @@ TestResult guarded_arrays(const Material& material, const Options& options, Firs
   if (what.empty()) return result;
   result.measure = 1;
   result.verdict = Verdict::fail;
-  const std::string prefix = arithmetic_prefix;
-  const bool of_arithmetic = what.starts_with(prefix);
-  result.cause = of_arithmetic ? causes::disturbs_process : causes::overrun;
-  result.sentence = of_arithmetic ? what.substr(prefix.size()) : what;
+  result.cause = causes::overrun;
+  result.sentence = what;
+  for (const auto& [prefix, cause] : {std::pair<std::string, const char*>(arithmetic_prefix, causes::disturbs_process),
+                                      {exception_prefix, causes::ends_process}}) {
+    if (what.starts_with(prefix)) result.cause = cause, result.sentence = what.substr(prefix.size());
+  }
   return result;
 }
 

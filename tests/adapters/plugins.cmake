@@ -13,7 +13,8 @@ function(add_test_plugin name source)
   set(test_plugins ${test_plugins} ${target} PARENT_SCOPE)
 endfunction()
 
-file(GLOB plugin_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/plugins/*.c)
+file(GLOB plugin_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/plugins/*.c
+  ${CMAKE_CURRENT_LIST_DIR}/plugins/*.cpp)
 foreach(source IN LISTS plugin_sources)
   cmake_path(GET source STEM name)
   add_test_plugin(${name} ${source})

@@ -144,6 +144,7 @@ TEST(InputFile, NamesTheResultsOfAStream) {
   EXPECT_EQ(stem_of_input("-"), "stdin");
   EXPECT_EQ(stem_of_input("/dev/stdin"), "stdin");
   EXPECT_EQ(stem_of_input("a/b.yaml"), "b");
+  for (const char* dots : {"...yaml", "a/..yaml", "...."}) EXPECT_EQ(stem_of_input(dots), "unnamed") << dots;
 }
 
 /// What the table of exit statuses says of signals.

@@ -101,6 +101,61 @@ TEST_P(KilledFromOutside, AWorkerIsNoFailureOfTheModel) {
 INSTANTIATE_TEST_SUITE_P(Processes, KilledFromOutside, testing::Bool(),
                          [](const auto& instance) { return instance.param ? "worker" : "warden"; });
 
+/// Whoever dies of it is not to blame, and who dies softly says why.
+TEST(ProcessorTime, ThatIsLimitedIsNoVerdict) {
+  const Misdeeds the;
+  for (const bool hard : {false, true}) {
+    const auto limited = [&] {
+      the.arm("each nap");
+      const rlimit limit{1, hard ? 1 : RLIM_INFINITY};
+      ::setrlimit(RLIMIT_CPU, &limit);
+    };
+    const Ending check = assay({"check", "norton", "-o", the.scratch / "r"}, limited);
+    EXPECT_TRUE(check.status == 0 || check.status == 3) << check.said;
+    if (check.status == 3) {
+      EXPECT_NE(check.said.find("processor time is limited to 1 s (ulimit -t)"), std::string::npos) << check.said;
+    }
+  }
+  std::vector<std::string> words = the.run_words("neo_hookean");
+  words.insert(words.end(),
+               {"--set", "material.parameters={E: 1e3, nu: 0.3}", "--set", "grid.spacing=0.01", "--set", "time.end=1"});
+  const Ending run = assay(words, [] {
+    const rlimit limit{1, RLIM_INFINITY};
+    ::setrlimit(RLIMIT_CPU, &limit);
+  });
+  EXPECT_EQ(run.status, 3) << run.said;
+  EXPECT_NE(run.said.find("processor time is limited to 1 s (ulimit -t), which is used up"), std::string::npos)
+      << run.said;
+  EXPECT_FALSE(fs::exists(the.scratch / "out"));
+}
+
+/// The warden of a worker is no process that the model has left.
+TEST(DeathInAWorker, LeavesNothingBehind) {
+  for (const char* deed : {"update abort", "update null", "update _exit"}) {
+    const Misdeeds the;
+    std::vector<std::string> words = the.run_words(the.library);
+    words.insert(words.end(), {"--set", "material.isolation=worker"});
+    const Ending run = the.program(words, deed);
+    EXPECT_EQ(run.status, 1) << run.said;
+    EXPECT_EQ(run.said.find("leaves processes behind"), std::string::npos) << deed << ": " << run.said;
+  }
+}
+
+/// Nothing passes because it could not be looked for.
+TEST(OpenFiles, OfWhichThereAreTooFewAreNoPass) {
+  for (const rlim_t most : {12, 20, 28, 40}) {
+    const ScratchFolder scratch;
+    const Ending ending = assay({"check", "neo_hookean", "--quick", "-o", scratch / "r"}, [&] {
+      const rlimit limit{most, most};
+      ::setrlimit(RLIMIT_NOFILE, &limit);
+    });
+    EXPECT_EQ(ending.status, most < 32 ? 3 : 0) << ending.said;
+    if (most < 32) {
+      EXPECT_EQ(ending.said, "open files are limited to " + std::to_string(most) + " (ulimit -n), and 32 are needed\n");
+    }
+  }
+}
+
 TEST(KilledByItself, IsTheModelsDeed) {
   const Misdeeds the;
   std::vector<std::string> words = the.run_words(the.library);

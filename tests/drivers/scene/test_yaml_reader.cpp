@@ -95,6 +95,15 @@ TEST(YamlReader, SyntaxErrorsAreOneLineWithAPlace) {
   }
 }
 
+TEST(YamlReader, AKeyOfTooManyCharactersIsNamed) {
+  for (const std::size_t length : {1100, 5000}) {
+    const std::string key(length, 'k');
+    EXPECT_EQ(refusal_of([&] { read_yaml("a: 1\n" + key + ": 1\n", "f"); }),
+              "f:2:1: not valid YAML: a key of more than 1024 characters");
+  }
+  EXPECT_EQ(refusal_of([&] { read_yaml(std::string(1000, 'k') + ": 1\n", "f"); }), "accepted");
+}
+
 /// A later quote may close what was left open, and the parser does not mind the keys between.
 TEST(YamlReader, AQuoteSwallowsNoKeys) {
   const std::string keys = "a: 1\nexpect:\n  outcome: failed\n", fault = "not valid YAML: a quote that is not closed";

@@ -134,7 +134,7 @@ TEST(AxesReader, BadAxesAreRefused) {
   for (const auto& [text, refusal] : axes) EXPECT_EQ(refused_axes(text), std::string("study.yaml:2:") + refusal);
   EXPECT_EQ(StudyFolder().refusal("title: none\n"), "study.yaml:1:1: axes: required and not given");
   EXPECT_EQ(StudyFolder().refusal("axes: {}\n"),
-            "study.yaml:1:7: axes: is empty: write keys of the scene and their values, as grid.spacing: [0.1, 0.05]");
+            "study.yaml:2:7: axes: is empty: write keys of the scene and their values, as grid.spacing: [0.1, 0.05]");
   EXPECT_EQ(StudyFolder().refusal("axes: {threads: [1]}\nset: {grid.spacin: 1}\n"),
             "study.yaml:3:7: set.grid.spacin: unknown key of a scene 'grid.spacin' (nearest: grid.spacing)");
 }

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Exceptions of a plug-in, which none may let pass: the ABI is C.
+#pragma once
+
+#include <cxxabi.h>
+
+#include <exception>
+#include <string>
+
+namespace assay {
+
+/// Whether a function is of this program, whose exceptions are its own.
+bool is_own_code(const void* function);
+
+/// Of the exception that is being handled: "threw an exception, which must not pass the C ABI: bad_alloc".
+std::string words_of_exception(const char* what);
+
+/// Calls `function`, a plug-in's, by `call`. Empty, or what it threw; exceptions of this program pass, and so does the
+/// end of a thread.
+template <class Function, class Call>
+std::string thrown_by(Function* function, const Call& call) {
+  const void* code = reinterpret_cast<const void*>(function);
+  try {
+    call();
+    return {};
+  } catch (const abi::__forced_unwind&) {
+    throw;
+  } catch (const std::exception& error) {
+    if (is_own_code(code)) throw;
+    return words_of_exception(error.what());
+  } catch (...) {
+    if (is_own_code(code)) throw;
+    return words_of_exception("");
+  }
+}
+
+}  // namespace assay
