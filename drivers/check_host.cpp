@@ -48,13 +48,12 @@ class Hosts {
     }
   }
 
-  /// Set-up code asks for 1 in the first step of a point, so that counters are tried in later ones alone.
   HostEffect effect(const HostVariation& variation, const HostVariation::Value& value) {
     HostValues other = usual_;
     value.set(other);
     HostEffect effect;
     for (std::size_t k = 0; k < steps_.size(); ++k) {
-      if (variation.counts && steps_[k].first) continue;
+      if (variation.of_later_steps && steps_[k].first) continue;
       access_.hold(material_.self(), other);
       const Answer found = answer_of(material_, steps_[k]);
       access_.hold(material_.self(), usual_);
@@ -120,7 +119,9 @@ class Trials {
   std::vector<HostEffect> one_by_one(const HostVariation& variation) const {
     std::vector<HostEffect> each;
     for (const HostVariation::Value& value : variation.values) {
-      const auto one = tried({{variation.name, variation.counts, {value}}});
+      HostVariation alone = variation;
+      alone.values = {value};
+      const auto one = tried({alone});
       each.push_back(one ? one->front().front() : HostEffect{.process = false});
     }
     return each;
@@ -229,8 +230,11 @@ std::optional<HostFinding> depends_on_host(const ResolvedMaterial& material, dou
   }
   finding.test.sentence = "a step is the same whatever the host counts";
   std::string kept;
+  bool counter_matters = false;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const std::size_t telling = telling_of((*effects)[k]);
+    if (all[k].is_a_combination && counter_matters) continue;
+    counter_matters |= all[k].of_later_steps && (*effects)[k][telling].matters();
     judge_one(all[k], (*effects)[k][telling], all[k].values[telling].words, finding, kept);
   }
   tell_dependences(finding, finding.test);

@@ -25,6 +25,8 @@ struct HostVariation {
   std::string name;  ///< as the interface has it
   bool counts;       ///< how far the host is, by which no material can tell anything
   std::vector<Value> values;
+  bool of_later_steps = counts;   ///< in a point's first step set-up code looks at it, and rightly
+  bool is_a_combination = false;  ///< with counters that are tried alone: it tells nothing where one of these does
 };
 
 /// Of that interface, one after the other.

@@ -25,7 +25,7 @@ HostVariation counter(const std::string& name, const std::vector<int>& values,
 }
 
 /// Where another step of the analysis begins, KINC is 1 again: a set-up that asks for KINC alone begins anew.
-HostVariation::Value second_step() {
+Value second_step() {
   return {"where a second step begins (KSTEP 2, KINC 1)", [](HostValues& host) { host.step = 2, host.increment = 1; }};
 }
 
@@ -36,6 +36,22 @@ HostVariation multiples(const std::string& name, double HostValues::*place) {
         {"at " + rounded_text(times, 3) + " times its value", [=](HostValues& host) { host.*place *= times; }});
   }
   return variation;
+}
+
+/// TIME(1) begins at 0 with each step of the analysis, and TIME(2) goes on: a set-up that asks for TIME(1) alone begins
+/// anew, of a point that is loaded. What depends on the rate may follow that clock, as creep by time hardening does.
+void add_step_time(const ForeignModel& model, std::vector<HostVariation>& all) {
+  HostVariation alone = multiples("the step time TIME(1)", &HostValues::step_time_times);
+  alone.counts = !(model.flags & ASSAY_RATE_DEPENDENT);
+  alone.of_later_steps = true;
+  if (!alone.counts) alone.values.clear();
+  const Value begins{"at 0, as where a second step begins", [](HostValues& host) { host.step_time_times = 0; }};
+  alone.values.insert(alone.values.begin(), begins);
+  all.push_back(alone);
+  alone.values = {{"where a second step begins (TIME(1) 0, KSTEP 2, KINC 1)",
+                   [](HostValues& host) { host.step_time_times = 0, host.step = 2, host.increment = 1; }}};
+  alone.is_a_combination = true;
+  all.push_back(alone);
 }
 
 HostVariation places(const std::string& name) {
@@ -85,9 +101,10 @@ std::vector<HostVariation> host_variations(const ForeignModel& model) {
     all.push_back(counter("KINC", {3, 10, 100, 1000, 100000}, [](HostValues& h, int v) { h.increment = v; }));
     all.push_back(counter("KSTEP", {2, 3, 10, 100}, [](HostValues& h, int v) { h.step = v; }));
     all.back().values.push_back(second_step());
+    add_step_time(model, all);
   } else if (!(model.flags & ASSAY_RATE_DEPENDENT)) {
     all.push_back(multiples("stepTime", &HostValues::step_time_times));
-    all.back().counts = true;
+    all.back().counts = all.back().of_later_steps = true;
   }
   add_elements(model, all);
   all.push_back(temperatures(umat ? "TEMP" : "tempOld and tempNew", model.temperature));

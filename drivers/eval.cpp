@@ -19,6 +19,7 @@
 #include "drivers/simulation/runnable.hpp"
 #include "drivers/simulation/warnings.hpp"
 #include "drivers/verbs.hpp"
+#include "harness/stable_norm.hpp"
 
 namespace assay::drivers {
 
@@ -74,7 +75,7 @@ std::vector<double> row_of(const ReferencePoint& point, const ExactState& state,
     row.insert(row.end(), {s(0, 0), s(0, 1), s(1, 1), s(2, 2)});
   for (int d = 0; d < (three ? 3 : 2); ++d) row.push_back(stress.body_force(d));
   if (normals) {
-    const Vector3 N = Vector3(point.NX, point.NY, point.NZ).normalized();
+    const Vector3 N = unit_along({point.NX, point.NY, point.NZ});
     const Vector3 traction = P * N;  // per reference area [Pa]
     for (int d = 0; d < (three ? 3 : 2); ++d) row.push_back(traction(d));
   }

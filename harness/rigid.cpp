@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "harness/path_recipe.hpp"
+#include "harness/stable_norm.hpp"
 
 namespace assay {
 
@@ -19,7 +20,7 @@ Tensor cross_product(const Vector3& n) {
 }  // namespace
 
 ExactState Rigid::at(const Vector3& X, double t) const {
-  const Vector3 n = axis.stableNormalized();
+  const Vector3 n = unit_along(axis);
   const Tensor W = spin * cross_product(n);
   ExactState state;
   state.F = Eigen::AngleAxisd(spin * t, n).toRotationMatrix();

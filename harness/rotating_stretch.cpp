@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "harness/path_recipe.hpp"
+#include "harness/stable_norm.hpp"
 
 namespace assay {
 
@@ -61,7 +62,7 @@ Deformation deformation(const RotatingStretch& m, double xi, double t) {
   Tensor D = Tensor::Zero();
   D(0, 0) = xi * m.stretch;
   D(0, 1) = xi * m.shear;
-  const Vector3 n = m.axis.stableNormalized();
+  const Vector3 n = unit_along(m.axis);
   Tensor W;  // W v = n x v
   W << 0, -n.z(), n.y(), n.z(), 0, -n.x(), -n.y(), n.x(), 0;
   const Tensor Q = Eigen::AngleAxisd(m.rotation * angle.value, n).toRotationMatrix();

@@ -12,4 +12,8 @@ double stable_norm(const Eigen::MatrixBase<Derived>& A) {
   return A.derived().eval().reshaped().stableNorm();
 }
 
+/// The vector of length 1 along v, which is not zero, however long or short v is. Eigen's stableNormalized() overflows
+/// in the length of a vector whose components do not.
+inline Eigen::Vector3d unit_along(const Eigen::Vector3d& v) { return (v / v.cwiseAbs().maxCoeff()).normalized(); }
+
 }  // namespace assay

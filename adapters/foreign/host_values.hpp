@@ -26,7 +26,7 @@ struct HostValues {
   double temperature_rise = 0;    ///< DTEMP
   double length = 1;              ///< CELENT, charLength
   double density_times = 1;       ///< of the density
-  double step_time_times = 1;     ///< of stepTime
+  double step_time_times = 1;     ///< of TIME(1), stepTime
   std::vector<double> fields;     ///< PREDEF, fieldOld, fieldNew
 };
 

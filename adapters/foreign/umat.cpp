@@ -196,8 +196,9 @@ void Umat::hand_over_scalars(const PointStep& step) {
   to_foreign(umat_layout, model_.state, step.state0 + own_state_, arrays_[statev_]);
   for (const std::size_t array : {ddsdde_, ddsddt_, drplde_, scalars_}) arrays_.fill(array, 0);
   const double age = step.state0[umat_time];
-  arrays_[time_][0] = age / model_.units.time;
-  arrays_[time_][1] = arrays_[time_][0] + (model_.step - 1);  // steps before, each of Abaqus' default length
+  const double time = age / model_.units.time;
+  arrays_[time_][0] = host_.step_time_times * time;
+  arrays_[time_][1] = time + (model_.step - 1);  // steps before, each of Abaqus' default length
   double* s = arrays_[scalars_];
   for (std::size_t k = 0; k < 3; ++k) s[sse + k] = step.state0[umat_energies + k] / model_.units.stress;
   s[pnewdt] = 1;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "harness/stable_norm.hpp"
+
 namespace assay::drivers {
 
 Location Scene::place(const std::string& key) const {
@@ -18,7 +20,7 @@ namespace {
 Path with_direction(Path path, const Scene& scene) {
   if (!scene.material.direction) return path;
   const auto& d = *scene.material.direction;
-  const Vector3 unit = Vector3(d[0], d[1], d[2]).stableNormalized();
+  const Vector3 unit = unit_along({d[0], d[1], d[2]});
   path.material_direction = {unit.x(), unit.y(), unit.z()};
   return path;
 }

@@ -97,6 +97,7 @@ inline constexpr const char* components_swapped = "components 13 and 23 swapped"
 inline constexpr const char* shear_factor = "shear factor 2";
 inline constexpr const char* small_strain = "small-strain law used at finite strain";
 inline constexpr const char* not_isotropic = "material not isotropic";
+inline constexpr const char* not_positive = "stiffness not positive";
 inline constexpr const char* not_of_class = "material not of the declared symmetry";
 inline constexpr const char* repeated_stretch = "unstable at repeated principal stress";
 inline constexpr const char* tangent_convention = "tangent of another convention";

@@ -100,12 +100,13 @@ FromElasticity from_elasticity(const Specimen& specimen, const Sample& s, const 
 
 /// The tangents that a model gives along a history, against differences of its stress.
 struct Tangents {
-  double worst = 0;                           ///< relative
-  double elastic = 0;                         ///< as wrong as if they were those of elasticity
-  double secant = 0;                          ///< of elasticity with a share of the stiffness
-  double least_share = 1, largest_share = 0;  ///< of these
-  int given = 0, refused = 0;                 ///< in steps that do not end at a kink
-  std::map<std::string, double> conventions;  ///< by its name, as wrong as if it were that one
+  double worst = 0;                                    ///< relative
+  double elastic = 0;                                  ///< as wrong as if they were those of elasticity
+  double secant = 0;                                   ///< of elasticity with a share of the stiffness
+  double least_share = 1, largest_share = 0;           ///< of these
+  int given = 0, refused = 0;                          ///< in steps that do not end at a kink
+  std::map<std::string, double> conventions;           ///< by its name, as wrong as if it were that one
+  std::vector<std::pair<std::string, double>> shears;  ///< what is wrong with them, and how wrong it is without that
 };
 
 Tangents tangents_of(Specimen specimen, double amplitude, const assay_tangent& form) {
@@ -127,6 +128,12 @@ Tangents tangents_of(Specimen specimen, double amplitude, const assay_tangent& f
     found.secant = std::max(found.secant, elasticity.fitted);
     found.least_share = std::min(found.least_share, elasticity.share);
     found.largest_share = std::max(found.largest_share, std::abs(elasticity.share));
+    const auto put_right = with_other_shears(*given, s.F1, specimen.space.is_plane());
+    found.shears.resize(put_right.size());
+    for (std::size_t k = 0; k < put_right.size(); ++k) {
+      const double off = apart(within(specimen.space, put_right[k].second), expected);
+      found.shears[k] = {put_right[k].first, std::max(found.shears[k].second, off)};
+    }
     for (const auto& [name, other] : other_conventions(expected, s.end.cauchy, s.F1)) {
       double& off = found.conventions[name];
       off = std::max(off, apart(*given, within(specimen.space, other)));
@@ -180,6 +187,16 @@ void judge_at_equal_stretches(const Specimen& specimen, const assay_tangent& for
 
 namespace {
 
+/// Of tangents that are right but for their shears, as far as can be told; nothing where they are not.
+std::string words_of_shears(const Tangents& found, double worst) {
+  constexpr double within = 0.03, share = 0.2;  // of a step's own strain and turn; of the error
+  const auto least = std::min_element(found.shears.begin(), found.shears.end(),
+                                      [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (least == found.shears.end() || least->second > std::min(within, share * worst)) return {};
+  return least->first + ": engineering and tensor shears are mixed up; it is wrong by " + percent(worst) +
+         ", without that by " + percent(least->second);
+}
+
 /// Of tangents that are wrong: what they are, where that can be told.
 std::string words_of(const Tangents& found, double worst) {
   constexpr double within = 0.03;       // of a step's own strain and turn
@@ -190,6 +207,7 @@ std::string words_of(const Tangents& found, double worst) {
     return "the model refuses to give its tangent in " + std::to_string(found.refused) + " of " +
            std::to_string(found.refused + found.given) + " steps";
   }
+  if (const std::string words = words_of_shears(found, worst); !words.empty()) return words;
   if (found.secant <= within && found.largest_share <= least_share) return "no moduli are given: the tangent is zero";
   if (found.elastic <= within) {
     return "the tangent is that of elasticity at rest, and the stiffness changes along the history: " + wrong_by;

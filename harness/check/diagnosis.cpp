@@ -19,9 +19,12 @@ constexpr Consequence consequences[] = {
     {"dissipation", "calls.increment"},
     {"energy", "elasticity.major"},  // there is none
     {"dissipation", "elasticity.major"},
-    {"elasticity.major", "elasticity.class"},  // a stiffness that is mixed up is
-                                               // seldom symmetric
-    {"clock", "calls.repeated"},               // what is kept elsewhere follows no clock
+    {"elasticity.major", "elasticity.class"},          // a stiffness that is mixed up is
+                                                       // seldom symmetric
+    {"elasticity.positive", "elasticity.components"},  // shears that are exchanged drive each other on
+    {"elasticity.positive", "elasticity.class"},
+    {"dissipation", "elasticity.positive"},  // whatever drives itself on
+    {"clock", "calls.repeated"},             // what is kept elsewhere follows no clock
     {"calls.batch", "calls.repeated"},
     {"calls.alignment", "calls.repeated"},
     {"calls.bits", "calls.repeated"},
@@ -130,6 +133,7 @@ const std::vector<std::string>& all_causes() {
                                             causes::wrong_role,
                                             causes::not_isotropic,
                                             causes::not_of_class,
+                                            causes::not_positive,
                                             causes::repeated_stretch,
                                             causes::tangent_convention,
                                             causes::tangent_wrong,

@@ -74,11 +74,11 @@ std::vector<StiffnessOf> linear_stiffnesses(const Specimen& specimen) {
   std::vector<StiffnessOf> all;
   for (const RelaxingPart& part : specimen.parts) {
     const std::string length = rounded(part.brief) + " s";
-    all.push_back({part.stiffness, std::isinf(part.longer) ? " in steps of " + length
-                                                           : " of what relaxes between steps of " + length + " and " +
-                                                                 rounded(part.longer) + " s"});
+    const bool is_left = std::isinf(part.longer);
+    const std::string between = " of what relaxes between steps of " + length + " and " + rounded(part.longer) + " s";
+    all.push_back({part.stiffness, is_left ? " in steps of " + length : between, part.noise, !is_left, is_left});
   }
-  if (specimen.linear) all.push_back({specimen.stiffness, " at rest"});
+  if (specimen.linear) all.push_back({specimen.stiffness, " at rest", specimen.stiffness_noise, false, false});
   return all;
 }
 

@@ -12,7 +12,10 @@ namespace assay::check {
 /// A stiffness at rest: the whole one, or that of a part that relaxes.
 struct StiffnessOf {
   Stiffness C;
-  std::string of;  ///< " at rest", or of which steps
+  std::string of;     ///< " at rest", or of which steps
+  double noise;       ///< what the size of the probes changes in it [Pa]
+  bool is_of_a_part;  ///< that relaxes, and not of all that resists
+  bool is_left;       ///< in the longest steps
 };
 
 /// Those of a material whose response to small strains from rest is linear, the whole one last.

@@ -15,6 +15,7 @@
 #include "harness/check/last_digits.hpp"
 #include "harness/check/material_symmetry.hpp"
 #include "harness/check/memory.hpp"
+#include "harness/check/positive_stiffness.hpp"
 #include "harness/check/refusals.hpp"
 #include "harness/check/repeated_stretch.hpp"
 #include "harness/check/rest.hpp"
@@ -84,6 +85,7 @@ std::vector<Entry> entries() {
       {"zero_increment", nullptr, unless_it_grows("zero_increment", plain(zero_increment))},
       {"elasticity.components", nullptr, plain(shear_components)},
       {"elasticity.shear", nullptr, plain(shear_modulus)},
+      {"elasticity.positive", nullptr, plain(positive_stiffness)},
       {"elasticity.class", nullptr, stiffness_class},
       {"elasticity.major", nullptr, plain(major_symmetry)},
       {"rotation.constant", causes::not_indifferent, plain(constant_rotation)},

@@ -12,6 +12,7 @@ namespace assay::check {
 namespace {
 
 constexpr double least_amplitude = 1e-6;
+constexpr double usual_length = 1;                       ///< of a probe [s]
 constexpr double far_beyond = 30, least_of_most = 0.01;  ///< onsets of yield; strains that most laws are written for
 constexpr double largest_under_pressure = 0.01;          ///< soils come apart soon
 
@@ -63,12 +64,12 @@ double amplitude_of(Specimen& specimen) {
 /// Of what relaxes so short [s] that it does not, which shows by a stiffness that is the same in a shorter one.
 double length_of_probes(const Specimen& specimen) {
   constexpr double brief = 1e-6, briefer = 1e-9, alike = 0.1;
-  if (!specimen.rate_dependent()) return 1;
+  if (!specimen.rate_dependent()) return usual_length;
   const auto stiffness = [&](double length) {
     return probed(*specimen.material, specimen.pressure, length).stiffness.cwiseAbs().maxCoeff();
   };
   const double one = stiffness(brief), other = stiffness(briefer);
-  return std::abs(one - other) < alike * one ? briefer : 1;
+  return std::abs(one - other) < alike * one ? briefer : usual_length;
 }
 
 /// Whether steps of that length [s] to a strain make the stress of the stiffness at rest.
@@ -171,6 +172,8 @@ Specimen examine(const Material& material, const Options& options) {
   specimen.stiffness = at_rest.stiffness;
   specimen.modulus = specimen.stiffness.cwiseAbs().maxCoeff();
   specimen.linear = at_rest.linear;
+  specimen.viscous = specimen.rate_dependent() && length == usual_length;
+  specimen.stiffness_noise = at_rest.noise;
   specimen.own_pressure = own_pressure_of(specimen);
   if (specimen.rate_dependent()) {
     specimen.parts = relaxing_parts(material, specimen.pressure, specimen.modulus);

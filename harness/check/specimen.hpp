@@ -19,7 +19,9 @@ struct Specimen {
   Space space;
   Stiffness stiffness = Stiffness::Zero();
   double modulus = 0;                    ///< largest component of `stiffness` [Pa]
+  double stiffness_noise = 0;            ///< what the size of the probes changes in it [Pa]
   bool linear = false;                   ///< its response to small strains from rest is
+  bool viscous = false;                  ///< its stiffness grows without bounds as steps become short
   bool has_refused = false;              ///< a step by its own word, while it was found out how far it can be loaded
   std::vector<RelaxingPart> parts = {};  ///< of a rate-dependent material
   double amplitude = 0;                  ///< of strain, that the material stands along `loading`

@@ -53,7 +53,7 @@ Finding along(const Specimen& specimen, const Baseline& baseline) {
   const Material& material = *specimen.material;
   const assay::Path path = straight_path(baseline);
   const auto place = [&](double t) {
-    return std::string(baseline.measure) + " = " + rounded(baseline.per_eps * baseline.end * t);
+    return std::string(baseline.measure) + " = " + rounded(baseline.per_eps * baseline.end * t + 0.0);  // no -0
   };
   Finding finding;
   finding.words = std::string(baseline.name) + " up to " + place(1);
@@ -61,6 +61,12 @@ Finding along(const Specimen& specimen, const Baseline& baseline) {
   double t = 0;
   try {
     const StabilityProbe probe(material, path, 1);
+    const double at_rest = probe.at_rest().value;
+    if (at_rest < -probe.noise_floor()) {
+      finding.smallest = at_rest / probe.scale();
+      finding.words = std::string(baseline.name) + ": lost at " + place(0);
+      return finding;
+    }
     for (int k = 0; k < steps; ++k) {
       t = (k + 1.0) / steps;
       now = stepped(material, t - 1.0 / steps, 1.0 / steps, path.deformation_gradient(baseline.end, t - 1.0 / steps),

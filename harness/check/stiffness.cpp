@@ -58,7 +58,7 @@ Probed probed(const Material& material, double pressure, double length) {
   const Probes whole = probes_of(material, pressure, probe, length);
   const Probes half = probes_of(material, pressure, 0.5 * probe, length);
   const double change = largest(half.slope - whole.slope);
-  return {whole.slope, std::max(change, whole.one_sided) < linear_within * largest(whole.slope)};
+  return {whole.slope, std::max(change, whole.one_sided) < linear_within * largest(whole.slope), change};
 }
 
 std::vector<RelaxingPart> relaxing_parts(const Material& material, double pressure, double modulus) {
@@ -76,9 +76,10 @@ std::vector<RelaxingPart> relaxing_parts(const Material& material, double pressu
       const Stiffness part = brief[0].slope - longer[0].slope, again = brief[1].slope - longer[1].slope;
       const double beside = std::max(largest(brief[0].slope), largest(longer[0].slope));
       if (!(largest(part) > std::max(significant * beside, least * modulus))) continue;
-      const double change = std::max({largest(part - again), brief[0].one_sided, longer[0].one_sided});
+      const double noise = largest(part - again);
+      const double change = std::max({noise, brief[0].one_sided, longer[0].one_sided});
       if (change > linear_within * largest(part)) continue;
-      parts.push_back({part, lengths[k], k + 1 < lengths.size() ? lengths[k + 1] : INFINITY});
+      parts.push_back({part, lengths[k], k + 1 < lengths.size() ? lengths[k + 1] : INFINITY, noise});
     }
   } catch (const MaterialFailure&) {
     return {};

@@ -14,7 +14,8 @@ using Stiffness = Eigen::Matrix<double, 6, 6>;
 
 struct Probed {
   Stiffness stiffness;
-  bool linear;  ///< the response to small strains is
+  bool linear;   ///< the response to small strains is
+  double noise;  ///< the largest change of a component in a probe of half the size [Pa]
 };
 
 /// Under a pressure [Pa] by single steps of that length [s]. Throws MaterialFailure.
@@ -25,6 +26,7 @@ Probed probed(const Material& material, double pressure, double length);
 struct RelaxingPart {
   Stiffness stiffness;
   double brief, longer;
+  double noise;  ///< as of the whole [Pa]
 };
 
 /// The linear ones between 1e-9 and 1e6 s, and what is left then (`longer` infinite); none where the material fails.

@@ -97,7 +97,46 @@ Tangent of_green_strain(const Tangent& dS_dF, const Tensor& F) {
   return result;
 }
 
+/// The tangent without (1 - 1/factor) of what it has for the shear (k, l): of the whole column, or of its own stress.
+void undo_shear(const Tangent& of_strains, const Tensor& inverse, int k, int l, double factor, bool of_column,
+                Tangent& A) {
+  for (int row = 0; row < 9; ++row) {
+    if (!of_column && row != at(k, l) && row != at(l, k)) continue;
+    const double share = (1 - 1 / factor) * of_strains(row, at(k, l));
+    for (int L = 0; L < 3; ++L) {  // 2 d_kl of dF is dF_kL F^-1_Ll + dF_lL F^-1_Lk
+      A(row, at(k, L)) -= share * inverse(L, l);
+      A(row, at(l, L)) -= share * inverse(L, k);
+    }
+  }
+}
+
 }  // namespace
+
+std::vector<std::pair<std::string, Tangent>> with_other_shears(const Tangent& given, const Tensor& F, bool in_plane) {
+  constexpr int shears[3][2] = {{0, 1}, {0, 2}, {1, 2}};
+  constexpr const char* names[] = {"12", "13", "23"};
+  const Tangent of_strains = of_strain(spatial(given, F));
+  const Tensor inverse = F.inverse();
+  std::vector<std::pair<std::string, Tangent>> all;
+  for (unsigned which = 1; which < (in_plane ? 2u : 8u); ++which) {
+    std::string words;
+    for (unsigned s = 0; s < 3; ++s) {
+      if (which & 1u << s) words += (words.empty() ? "" : ", ") + std::string(names[s]);
+    }
+    words = (words.size() > 2 ? "the shears " : "the shear ") + words + " of the tangent " +
+            (words.size() > 2 ? "are " : "is ");
+    for (const double factor : {2.0, 0.5}) {
+      for (const bool of_column : {true, false}) {
+        Tangent A = given;
+        for (unsigned s = 0; s < 3; ++s) {
+          if (which & 1u << s) undo_shear(of_strains, inverse, shears[s][0], shears[s][1], factor, of_column, A);
+        }
+        all.emplace_back(words + (factor > 1 ? "doubled" : "halved"), A);
+      }
+    }
+  }
+  return all;
+}
 
 std::vector<std::pair<std::string, Tangent>> other_conventions(const Tangent& A, const Tensor& sigma, const Tensor& F) {
   const double J = F.determinant();

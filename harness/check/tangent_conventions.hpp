@@ -20,4 +20,8 @@ using Tangent = Eigen::Matrix<double, 9, 9>;
 std::vector<std::pair<std::string, Tangent>> other_conventions(const Tangent& dsigma_dF, const Tensor& sigma,
                                                                const Tensor& F);
 
+/// The same tangent where shears of it are doubled or halved, as if a tensor shear stood for an engineering one or the
+/// other way round: put right, with words for what was wrong. In the plane of the shear 12 alone.
+std::vector<std::pair<std::string, Tangent>> with_other_shears(const Tangent& given, const Tensor& F, bool in_plane);
+
 }  // namespace assay::check

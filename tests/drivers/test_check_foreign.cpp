@@ -108,6 +108,48 @@ TEST(CheckForeign, ModuliOfAnotherRateAreNamed) {
   }
 }
 
+/// Engineering and tensor shears, mixed up in DDSDDE alone.
+TEST(CheckForeign, ShearsOfTheTangentThatAreDoubledOrHalvedAreNamed) {
+  if (!built("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
+  const std::pair<const char*, const char*> all[] = {
+      {"SHEARS_DOUBLED", "the shears 12, 13, 23 of the tangent are doubled"},
+      {"SHEARS_HALVED", "the shears 12, 13, 23 of the tangent are halved"},
+      {"ONE_DOUBLED", "the shear 23 of the tangent is doubled"}};
+  for (const auto& [words, said] : all) {
+    const ForeignCheck check("umat_kinematic",
+                             "interface: umat\nflags: [non_smooth]\nproperties: {E: 1.0e3, nu: 0.3, yield: 10, C: 50}\n"
+                             "state: {back_stress: symmetric_tensor, p: scalar}\nmaterial_name: " +
+                                 std::string(words) + "\n");
+    EXPECT_EQ(check.status, 1) << words;
+    EXPECT_EQ(check.cause(), check::causes::tangent_wrong) << check.said;
+    EXPECT_NE(check.sentence().find(said), std::string::npos) << check.sentence();
+  }
+}
+
+/// A Poisson's ratio above 0.5 makes K negative, one below -1 G.
+TEST(CheckForeign, ABodyThatIsDrivenOnByItsStressIsNamed) {
+  if (!built("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
+  const auto of = [](const std::string& nu, const std::string& more) {
+    return ForeignCheck("umat_kinematic", "interface: umat\nflags: [non_smooth]\nproperties: {E: 1.0e3, nu: " + nu +
+                                              ", yield: 1e6, C: 50}\n"
+                                              "state: {back_stress: symmetric_tensor, p: scalar}\n" +
+                                              more);
+  };
+  for (const char* more : {"", "components: [4]\n"}) {
+    for (const char* nu : {"0.7", "2.0"}) {
+      const ForeignCheck check = of(nu, more);
+      EXPECT_EQ(check.status, 1) << nu;
+      EXPECT_EQ(check.cause(), check::causes::not_positive) << check.said;
+      EXPECT_NE(check.sentence().find("swells: the bulk modulus at rest is -"), std::string::npos) << check.sentence();
+    }
+    const ForeignCheck sheared = of("-1.5", more);
+    EXPECT_EQ(sheared.cause(), check::causes::not_positive) << sheared.said;
+    EXPECT_NE(sheared.sentence().find("drives it on"), std::string::npos) << sheared.sentence();
+    EXPECT_EQ(of("0.49999", more).status, 0);
+    EXPECT_EQ(of("-0.99", more).status, 0);
+  }
+}
+
 /// Energies that a UMAT leaves alone, and numbers of a state that is too long.
 TEST(CheckForeign, WhatNobodyUsesIsNoRemark) {
   if (!built("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";

@@ -77,6 +77,26 @@ TEST_F(Host, SetUpCodeThatAsksForTheIncrementAloneIsFound) {
   EXPECT_NE(check.sentence().find("where a second step begins (KSTEP 2, KINC 1)"), std::string::npos) << check.said;
 }
 
+/// TIME(1) is 0 again there, and TIME(2) goes on.
+TEST_F(Host, SetUpCodeThatAsksForTheStepTimeIsFound) {
+  for (const char* words : {"NEW_AT_ZERO_TIME", "NEW_IN_SHORT_TIME", "NEW_BY_BOTH"}) {
+    const ForeignCheck check("umat_kinematic", kinematic(words));
+    EXPECT_EQ(check.status, 1) << check.said;
+    EXPECT_EQ(check.cause(), check::causes::host_counters) << check.said;
+    EXPECT_NE(check.sentence().find("depends on the step time TIME(1): "), std::string::npos) << check.sentence();
+    EXPECT_EQ(check.sentence().find("KINC:"), std::string::npos) << check.sentence();
+    EXPECT_EQ(check.found["diagnosis"].size(), 1u) << check.said;
+  }
+  const ForeignCheck once("umat_kinematic", kinematic("BEGINS_ONCE"));
+  EXPECT_EQ(once.status, 0) << once.said;
+  EXPECT_EQ(once.verdict_of(host_test), "pass");
+}
+
+TEST_F(Host, ACounterIsNotNamedForAnother) {
+  const ForeignCheck check("umat_kinematic", kinematic("SETS_UP_AGAIN"));
+  EXPECT_EQ(check.sentence().find("TIME(1)"), std::string::npos) << check.sentence();
+}
+
 TEST_F(Host, ACounterThatTheStateKeepsIsARemark) {
   const ForeignCheck check("umat_kinematic", kinematic("KEEPS_KINC"));
   EXPECT_EQ(check.status, 0) << check.said;

@@ -7,6 +7,7 @@
 
 #include "drivers/input_error.hpp"
 #include "drivers/output/csv.hpp"
+#include "drivers/scene/scene.hpp"
 #include "drivers/verbs.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
@@ -120,6 +121,32 @@ TEST(Eval, TractionsOfUniaxialStrain) {
   EXPECT_EQ(at("bx", 1), 0);
   EXPECT_EQ(at("x", 1), 1.0);
   EXPECT_EQ(at("vx", 1), 0.5);
+}
+
+TEST(Eval, ADirectionMayBeOfAnyLength) {
+  Scene scene;
+  for (const double length : {1e-170, 1.0, 1e160, 1.7e308}) {
+    scene.material.direction = {length, length, 0};
+    const auto found = baseline_path(scene).material_direction;
+    for (const std::size_t c : {0, 1}) EXPECT_NEAR(found[c], std::sqrt(0.5), 1e-15) << length;
+  }
+}
+
+/// Squares of these lengths vanish or overflow, of the last one the length itself.
+TEST(Eval, ANormalMayBeOfAnyLength) {
+  const ScratchFolder scratch;
+  auto columns = plane_columns;
+  columns.insert(columns.end(), {"tx", "ty"});
+  const CsvTable table = evaluated(scratch, configs + "tabulate_neo_hookean.yaml",
+                                   "X,Y,t,NX,NY\n1,0.5,1,1,0\n1,0.5,1,1e-162,0\n1,0.5,1,1e155,0\n1,0.5,1,5e-324,0\n"
+                                   "1,0.5,1,1,1\n1,0.5,1,1.7e308,1.7e308\n1,0.5,1,1e-170,1e-170\n",
+                                   {}, columns);
+  for (const char* name : {"tx", "ty"}) {
+    const auto& t = *table.column(name);
+    for (const std::size_t i : {1, 2, 3}) EXPECT_EQ(t[i], t[0]) << name << i;
+    for (const std::size_t i : {5, 6}) EXPECT_NEAR(t[i], t[4], 1e-15 * std::abs(t[4])) << name << i;
+  }
+  EXPECT_NE((*table.column("tx"))[0], 0);
 }
 
 TEST(Eval, WritesAllComponentsOfAMotionOutOfThePlane) {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "harness/motion.hpp"
+#include "harness/rigid.hpp"
 
 namespace assay::test_rotating_stretch {
 namespace {
@@ -51,6 +52,18 @@ TEST(RotatingStretch, IsItsDefinition) {
       EXPECT_LT((m.at(Vector3::Zero(), t).F - expected(m, t)).norm(), 1e-14) << u;
       EXPECT_LT((m.baseline().deformation_gradient(1, t) - expected(m, t)).norm(), 1e-14) << u;
     }
+  }
+}
+
+/// Squares of these lengths vanish or overflow, of the last one the length itself.
+TEST(RotatingStretch, AnAxisMayBeOfAnyLength) {
+  RotatingStretch m = sample(Rotate::after), other = m;
+  m.axis = {1, 1, 0};
+  for (const double length : {1e-170, 1e160, 1.7e308}) {
+    other.axis = length * m.axis;
+    EXPECT_LT((other.at({1, 2, 3}, 1.4).F - m.at({1, 2, 3}, 1.4).F).norm(), 1e-14) << length;
+    const Rigid one{{0, 0, 0}, 1.7, m.axis, 1}, same{{0, 0, 0}, 1.7, other.axis, 1};
+    EXPECT_LT((same.at({1, 2, 3}, 1.4).F - one.at({1, 2, 3}, 1.4).F).norm(), 1e-14) << length;
   }
 }
 

@@ -39,6 +39,10 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
   hardening = props(4)
 
   if (says('SETS_UP_AGAIN') .and. kinc == 1) statev(at:at + 6) = 0
+  if (says('NEW_AT_ZERO_TIME') .and. time(1) == 0) statev(at:at + 6) = 0
+  if (says('NEW_IN_SHORT_TIME') .and. time(1) < 1e-10_dp) statev(at:at + 6) = 0
+  if (says('NEW_BY_BOTH') .and. time(1) == 0 .and. kinc == 1) statev(at:at + 6) = 0
+  if (says('BEGINS_ONCE') .and. time(2) == 0) statev(at:at + 6) = 0
   if (says('UNTURNED')) then
     alpha = statev(at:at + 5)
   else
@@ -112,8 +116,17 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
   if (says('BY_NPT') .and. npt >= 2) stress(1) = stress(1) + 1
   if (says('BY_LAYER')) stress(2) = stress(2) * layer
   if (says('STARTS') .and. kinc == 1 .and. jstep(1) == 1) statev(at_p) = 0
+  if (says('SHEARS_DOUBLED')) call multiply_shears(2._dp, 4)
+  if (says('SHEARS_HALVED')) call multiply_shears(0.5_dp, 4)
+  if (says('ONE_DOUBLED')) call multiply_shears(2._dp, 6)
 
 contains
+
+  subroutine multiply_shears(by, first)
+    real(dp), intent(in) :: by
+    integer, intent(in) :: first
+    ddsdde(:, first:ntens) = by * ddsdde(:, first:ntens)
+  end subroutine multiply_shears
 
   pure logical function says(word)
     character(len=*), intent(in) :: word

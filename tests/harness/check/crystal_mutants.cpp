@@ -185,6 +185,15 @@ const CrystalModuli fibres = transversely_isotropic_moduli(120, 900, 60, 50, 45)
 const CrystalModuli quartz{868, 868, 1058, 70, 119, 119, 399, 582, 582, -180};
 const CrystalModuli zircon{1000, 1000, 1200, 600, 600, 600, 420, 500, 500};
 
+// K and all shear moduli are positive: a stretch along one axis and a contraction along the next give work
+const CrystalModuli slipping_cube = cubic_moduli(600, 700, 500);
+
+CrystalModuli split_beech() {
+  CrystalModuli m = beech;
+  m.C12 = 190;  // the root of C11 C22 is 179
+  return m;
+}
+
 CrystalModuli lamina() {
   CrystalModuli m = beech;
   m.C21_over_C12 = 1.3;
@@ -212,6 +221,8 @@ void add_totals(std::vector<Subject>& all) {
        {"beech_of_another_place", bond_of_another_place, not_of_class},
        {"beech_of_two_slips", bond_of_stress_for_both, shear_factor}},
       values_of(beech));
+  add(all, total<ASSAY_CUBIC>(), {{"slipping_cube", bond_right, not_positive}}, values_of(slipping_cube));
+  add(all, total<ASSAY_ORTHOTROPIC>(), {{"split_beech", bond_right, not_positive}}, values_of(split_beech()));
   add(all, total<ASSAY_ORTHOTROPIC>(), {{"lamina_of_other_contraction", bond_right, dissipation}}, values_of(lamina()));
   add(all, total<ASSAY_TRANSVERSELY_ISOTROPIC>(), {{"bundle", bond_right, ""}}, values_of(fibres));
   add(all, total<ASSAY_TRANSVERSELY_ISOTROPIC>(), {{"bundle_of_wrong_shear", bond_right, not_of_class}},
@@ -237,6 +248,8 @@ void add_with_a_state(std::vector<Subject>& all) {
   add(all, turning<ASSAY_TRANSVERSELY_ISOTROPIC>(), {{"turning_bundle", bond_right, ""}}, values_of(fibres));
   add(all, turning<ASSAY_TRANSVERSELY_ISOTROPIC>(), {{"turning_bundle_of_wrong_shear", bond_right, not_of_class}},
       values_of(fibres_sheared(0.85)));
+  add(all, turning<ASSAY_CUBIC>(), {{"turning_slipping_cube", bond_right, not_positive}}, values_of(slipping_cube));
+  add(all, relaxing<ASSAY_CUBIC>(), {{"relaxing_slipping_cube", bond_right, not_positive}}, values_of(slipping_cube));
   add(all, turning<ASSAY_TETRAGONAL>(), {{"zircon", bond_right, ""}}, values_of(zircon));
   add(all, turning<ASSAY_ORTHOTROPIC>(), {{"turning_lamina_of_other_contraction", bond_right, dissipation}},
       values_of(lamina()));

@@ -35,6 +35,8 @@ enum Defect : int {
   tangent_off_by_five_percent,
   tangent_of_small_strain,
   tangent_without_limit,
+  tangent_of_tensor_shears,
+  tangent_of_one_halved_shear,
   doubled_energy,
   healing,
   finite_of_nan,
@@ -211,6 +213,23 @@ std::int32_t tangent(void* self, const assay_step* step, std::size_t n, const do
     }
     if (m.defect == tangent_off_by_five_percent) A(0, 0) *= 1.05;
     if (m.defect == tangent_of_small_strain) A = tangent_of(m, Tensor::Identity());
+    if (m.defect == tangent_of_tensor_shears || m.defect == tangent_of_one_halved_shear) {
+      const Tensor inverse = F.inverse();
+      const double factor = m.defect == tangent_of_tensor_shears ? 2 : 0.5;
+      const check::Tangent whole = A;
+      for (int c = 0; c < 9; ++c) {
+        Tensor dF = Tensor::Zero();
+        component(dF, c) = 1;
+        Tensor d = dF * inverse;
+        d = (0.5 * (d + d.transpose())).eval();
+        d.diagonal().setZero();
+        if (factor < 1) d(0, 2) = d(2, 0) = d(1, 2) = d(2, 1) = 0;
+        const Tensor sheared_by = d * F;
+        for (int r = 0; r < 9; ++r) {
+          for (int k = 0; k < 9; ++k) A(r, c) += (factor - 1) * whole(r, k) * component(sheared_by, k);
+        }
+      }
+    }
     const Vector3 l = Eigen::SelfAdjointEigenSolver<Tensor>(F * F.transpose()).eigenvalues();
     const double least = std::min(l(1) - l(0), l(2) - l(1));
     if (m.defect == tangent_without_limit && least < 1e-14) A.setConstant(NAN);
@@ -243,8 +262,8 @@ const void* extension(const char* id) {
 const void* energy_alone(const char* id) { return std::string(id) == ASSAY_EXTENSION_ENERGY ? extension(id) : nullptr; }
 
 const assay_material* table(int extensions) {
-  static const assay_parameter parameters[] = {{"mu", "Pa", 400, 0, 1e12, "shear modulus"},
-                                               {"lambda", "Pa", 600, 0, 1e12, "Lame's first"},
+  static const assay_parameter parameters[] = {{"mu", "Pa", 400, -1e12, 1e12, "shear modulus"},
+                                               {"lambda", "Pa", 600, -1e12, 1e12, "Lame's first"},
                                                {"defect", "1", 0, 0, defects - 1, "which"}};
   static const assay_state_variable state[] = {
       {"largest", "1", ASSAY_SCALAR, ASSAY_ROLE_PLAIN, "tr C - 3, largest so far"}};
@@ -286,6 +305,8 @@ std::vector<Subject> subjects() {
       {"tangent_off_by_five_percent", tangent_off_by_five_percent, tangent_wrong},
       {"tangent_of_small_strain", tangent_of_small_strain, tangent_wrong},
       {"tangent_without_limit", tangent_without_limit, tangent_wrong},
+      {"tangent_of_tensor_shears", tangent_of_tensor_shears, tangent_wrong},
+      {"tangent_of_one_halved_shear", tangent_of_one_halved_shear, tangent_wrong},
       {"doubled_energy", doubled_energy, check::causes::energy},
       {"healing", healing, dissipation},
       {"finite_of_nan", finite_of_nan, not_a_number},
@@ -308,6 +329,12 @@ std::vector<Subject> subjects() {
                                                            : 0),
                                  {{"defect", static_cast<double>(defect)}}),
                         cause});
+  }
+  // K = lambda + 2 mu / 3; the energy fits, and C11 is positive: waves have a speed
+  const std::tuple<const char*, double, double> negative[] = {
+      {"swells_under_pressure", 400, -500}, {"little_less_than_no_bulk", 400, -270}, {"negative_shear", -200, 600}};
+  for (const auto& [name, mu, lambda] : negative) {
+    subjects.push_back({name, Material(table(2), {{"mu", mu}, {"lambda", lambda}, {"defect", none}}), not_positive});
   }
   return subjects;
 }
