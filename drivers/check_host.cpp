@@ -183,11 +183,14 @@ std::size_t telling_of(const std::vector<HostEffect>& effects) {
 
 bool is_element(const std::string& name) { return name == "NOEL" || name == "jblock(5)"; }
 
-void add_failure(const std::string& name, const HostEffect& effect, const std::string& words, check::TestResult& test) {
-  const std::string sentence = "the answer of a step depends on " + name + ": " + how_much(effect, words);
+void add_failure(const HostVariation& variation, const HostEffect& effect, const std::string& words,
+                 check::TestResult& test) {
+  const std::string sentence = "the answer of a step depends on " + variation.name + ": " + how_much(effect, words) +
+                               (variation.of_an_output ? ": an output is read before it is set" : "");
+  const char* cause = variation.of_an_output ? check::causes::hidden_state : check::causes::host_counters;
   test.sentence = test.verdict == check::Verdict::fail ? test.sentence + "; " + sentence : sentence;
   test.verdict = check::Verdict::fail;
-  test.cause = check::causes::host_counters;
+  if (test.cause.empty()) test.cause = cause;
   const double stress = effect.process && effect.taken ? effect.stress : INFINITY;
   test.measure = std::max(test.measure.value_or(0), stress);
 }
@@ -208,7 +211,7 @@ void judge_one(const HostVariation& variation, const HostEffect& effect, const s
   if (variation.counts && of_state_alone) {
     kept += (kept.empty() ? "" : ", ") + variation.name;
   } else if (variation.counts) {
-    add_failure(variation.name, effect, words, finding.test);
+    add_failure(variation, effect, words, finding.test);
   } else {
     const std::string table = is_element(variation.name) && effect.stress > 0 ? "a table by element: " : "";
     finding.depends_on.push_back({variation.name, table + how_much(effect, words)});

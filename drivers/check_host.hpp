@@ -27,6 +27,7 @@ struct HostVariation {
   std::vector<Value> values;
   bool of_later_steps = counts;   ///< in a point's first step set-up code looks at it, and rightly
   bool is_a_combination = false;  ///< with counters that are tried alone: it tells nothing where one of these does
+  bool of_an_output = false;      ///< which the material is to set, whatever it held
 };
 
 /// Of that interface, one after the other.

@@ -108,6 +108,10 @@ std::vector<HostVariation> host_variations(const ForeignModel& model) {
   }
   add_elements(model, all);
   all.push_back(temperatures(umat ? "TEMP" : "tempOld and tempNew", model.temperature));
+  HostVariation output{(umat ? "what DDSDDE holds before the call" : "what stateNew holds before the call"), true, {}};
+  output.of_an_output = true;
+  output.values = {{"where it holds 1e6", [](HostValues& host) { host.outputs_before = 1e6; }}};
+  all.push_back(output);
   if (umat) {
     all.push_back({"DTEMP", false, {{"for 1", [](HostValues& host) { host.temperature_rise = 1; }}}});
   }

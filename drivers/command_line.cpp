@@ -17,6 +17,7 @@
 #include "drivers/interrupt.hpp"
 #include "drivers/material/abaqus_deck.hpp"
 #include "drivers/output/numbers.hpp"
+#include "drivers/output/terminal.hpp"
 #include "drivers/own_files.hpp"
 #include "drivers/verb_arguments.hpp"
 #include "drivers/worker.hpp"
@@ -77,7 +78,7 @@ void refuse_unknown_verb(const std::string& word, const std::vector<Verb>& verbs
 
 void flush_output() {
   std::cout.flush();
-  if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout))
+  if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) || !all_is_printed())
     throw SystemError("standard output cannot be written");
 }
 

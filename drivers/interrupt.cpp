@@ -34,7 +34,7 @@ std::int64_t monotonic_ns() {
 /// the first signal by then.
 constexpr time_t grace = 8;  // [s]
 timer_t grace_timer;
-std::atomic<bool> has_timer{false};
+std::atomic<bool> has_timer{false}, is_noticed{false};
 
 /// Async-signal-safe.
 void set_grace(time_t seconds) {
@@ -62,10 +62,11 @@ void on_signal(int signal, siginfo_t* why, void* /*context*/) {
   }
 }
 
-/// The signal is noticed by what cleans up: it has the time that it takes.
+/// The signal is noticed by what cleans up, or by a thread that only waits, while a native model takes long in another.
 int noticed() {
+  constexpr time_t to_clean_up = 30;  // [s]
   const int signal = first_signal;
-  if (signal != 0) set_grace(0);
+  if (signal != 0 && !is_noticed.exchange(true)) set_grace(to_clean_up);
   return signal;
 }
 
@@ -97,6 +98,7 @@ InterruptWatch::~InterruptWatch() {
 void watch_interrupts() {
   first_signal = 0;
   first_time = 0;
+  is_noticed = false;
   make_timer();
   set_grace(0);
   adapters::give_up_waiting = interrupted;  // for a worker that does not answer

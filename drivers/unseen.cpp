@@ -101,6 +101,7 @@ std::size_t decode(std::string_view text, std::size_t at, std::uint32_t& code) {
   }
   constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};  // what is longer than it need be is no UTF-8
   if (code < least[length] || code > 0x10FFFF || (code >= 0xD800 && code < 0xE000)) return 0;
+  if ((code & 0xFFFE) == 0xFFFE) return 0;  // never a character: no XML may hold U+FFFE or U+FFFF
   return length;
 }
 

@@ -10,6 +10,7 @@
 #include "harness/arithmetic.hpp"
 #include "harness/foreign_message.hpp"
 #include "harness/instances.hpp"
+#include "harness/material_failure.hpp"
 #include "harness/own_process.hpp"
 #include "harness/progress_mark.hpp"
 #include "harness/thrown.hpp"
@@ -187,7 +188,11 @@ std::vector<double> Material::initial_state(std::size_t n, std::span<const doubl
   });
   end_a_copy();
   put_arithmetic_right();
-  if (!thrown.empty()) throw std::runtime_error("material '" + name() + "': initial_state " + thrown);
+  if (!thrown.empty()) {
+    MaterialFailure failure("material '" + name() + "': initial_state " + thrown, 0, 0);
+    failure.final = true;
+    throw failure;
+  }
   if (status == ASSAY_FAILED) {
     const auto* reasons = extension<assay_reason>(ASSAY_EXTENSION_REASON);
     const std::string reason = reasons ? one_line_of(reasons->reason(self_.get())) : "";

@@ -27,6 +27,7 @@ struct HostValues {
   double length = 1;              ///< CELENT, charLength
   double density_times = 1;       ///< of the density
   double step_time_times = 1;     ///< of TIME(1), stepTime
+  double outputs_before = 0;      ///< what DDSDDE holds before a call; not 0: stateNew, too, in place of stateOld
   std::vector<double> fields;     ///< PREDEF, fieldOld, fieldNew
 };
 

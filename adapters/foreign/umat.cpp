@@ -194,7 +194,8 @@ void Umat::hand_over_tensors(const PointStep& step) {
 /// The clock is the point's own: a step of a loaded point is never the first, whatever t is.
 void Umat::hand_over_scalars(const PointStep& step) {
   to_foreign(umat_layout, model_.state, step.state0 + own_state_, arrays_[statev_]);
-  for (const std::size_t array : {ddsdde_, ddsddt_, drplde_, scalars_}) arrays_.fill(array, 0);
+  for (const std::size_t array : {ddsddt_, drplde_, scalars_}) arrays_.fill(array, 0);
+  arrays_.fill(ddsdde_, host_.outputs_before);
   const double age = step.state0[umat_time];
   const double time = age / model_.units.time;
   arrays_[time_][0] = host_.step_time_times * time;

@@ -205,9 +205,9 @@ void Vumat::require_written(const Block& block) {
   const double* stress = block.arrays[block.stress[1]];
   for (std::size_t k = 0; k < 6 * block.n; ++k) {
     if (!is_unwritten(stress[k])) continue;
-    throw PointFailure(overrun_words +
-                       ("the VUMAT leaves stressNew " + std::string(places[k / block.n]) + " unwritten, of point " +
-                        std::to_string(k % block.n + 1) + " of " + std::to_string(block.n)));
+    throw PointFailure(overrun_words + ("the VUMAT leaves stressNew " + std::string(places[k / block.n]) +
+                                        " unwritten, or makes it of itself, of point " +
+                                        std::to_string(k % block.n + 1) + " of " + std::to_string(block.n)));
   }
 }
 
@@ -238,6 +238,7 @@ void Vumat::call(Block& block, double time, double dt) {
   block.inputs.keep(a);
   const bool lent = surroundings_.lent() && block.n == 1;
   if (lent) surroundings_.lend(a), empty_state(block);
+  if (host_.outputs_before != 0) a.fill(block.state[1], host_.outputs_before);
   probe_.lend(a);
   const auto ended = ended_in([&] {
     reinterpret_cast<VumatEntry>(table_.entry)(
@@ -248,6 +249,9 @@ void Vumat::call(Block& block, double time, double dt) {
         a[block.gradient[1]], a[block.fields[1]], a[block.stress[1]], a[block.state[1]], a[block.internal[1]],
         a[block.inelastic[1]], vumat_name_length);
   });
+  for (std::size_t k = 0; host_.outputs_before != 0 && k < a.size(block.state[1]); ++k) {
+    if (a[block.state[1]][k] == host_.outputs_before) a[block.state[1]][k] = a[block.state[0]][k];
+  }
   probe_.take_back(a);
   if (lent) surroundings_.take_back(a), note_state(block, !ended && time > 0);
   const auto broken = block.inputs.broken_fence(a, time > 0);

@@ -45,6 +45,9 @@ struct KeptOutput {
 inline std::string last_line(std::string text) {
   if (const std::size_t calls = text.rfind("\nError termination. Backtrace:"); calls != text.npos) text.resize(calls);
   if (const std::size_t asks = text.rfind("\nTo resume execution, type go."); asks != text.npos) text.resize(asks);
+  // behind an error of a FORMAT stand the FORMAT and where in it
+  if (const std::size_t error = text.rfind("Fortran runtime error: "); error != text.npos)
+    text.resize(std::min(text.find('\n', error), text.size()));
   while (!text.empty() && static_cast<unsigned char>(text.back()) <= ' ') text.pop_back();
   constexpr std::size_t longest = 200;
   text = text.substr(text.find_last_of('\n') + 1).substr(0, longest);

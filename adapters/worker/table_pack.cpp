@@ -80,8 +80,9 @@ std::string packed(const assay_material& table) {
     w.number(has(table, id));
   }
   const auto* example = static_cast<const assay_example*>(extension_of(&table, ASSAY_EXTENSION_EXAMPLE));
-  w.number(example != nullptr);
-  for (std::uint32_t i = 0; example && i < table.parameter_count; ++i) w.number(example->parameters[i]);
+  const bool has_values = example && example->struct_size >= sizeof(assay_example) && example->parameters;
+  w.number(has_values);
+  for (std::uint32_t i = 0; has_values && i < table.parameter_count; ++i) w.number(example->parameters[i]);
   const auto* symmetry = static_cast<const assay_symmetry*>(extension_of(&table, ASSAY_EXTENSION_SYMMETRY));
   const bool whole = symmetry && symmetry->struct_size >= sizeof(assay_symmetry);
   w.number(whole ? symmetry->material_class : std::int32_t{0});

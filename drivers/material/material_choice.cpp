@@ -59,6 +59,7 @@ std::vector<std::string> filled_from_example(const assay_material& table, Exampl
   std::vector<std::string> names;
   const auto* example = static_cast<const assay_example*>(extension_of(&table, ASSAY_EXTENSION_EXAMPLE));
   if (which == Example::none || !example || example->struct_size < sizeof(assay_example)) return names;
+  if (!example->parameters) throw InputError(choice.where, choice.adapter_key, "its assay.example/1 gives no values");
   for (std::uint32_t i = 0; i < table.parameter_count; ++i) {
     const assay_parameter& parameter = table.parameters[i];
     if (which == Example::where_required && !std::isnan(parameter.default_value)) continue;

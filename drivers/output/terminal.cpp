@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/output/terminal.hpp"
 
+#include <unistd.h>
+
+#include <cerrno>
 #include <cstdio>
 
 #include "drivers/input_error.hpp"
@@ -11,10 +14,18 @@ namespace assay::drivers {
 
 namespace {
 
+bool lost = false;
+
+/// Beside stdio: a model that prints wide characters lets no others through.
 void put(const std::string& text) {
   put_streams_right();
-  std::fwrite(text.data(), 1, text.size(), stdout);
   std::fflush(stdout);
+  for (std::size_t at = 0; at < text.size();) {
+    const ssize_t written = ::write(STDOUT_FILENO, text.data() + at, text.size() - at);
+    if (written > 0) at += static_cast<std::size_t>(written);
+    lost = lost || (written < 0 && errno != EINTR);
+    if (lost) return;
+  }
 }
 
 }  // namespace
@@ -22,6 +33,8 @@ void put(const std::string& text) {
 void print(std::string_view lines) { put(without_commands(lines, "<U+", ">")); }
 
 void print_json(std::string_view json) { put(without_commands(json, "\\u", "")); }
+
+bool all_is_printed() { return !lost; }
 
 void warn(std::string_view sentence) {
   put_streams_right();

@@ -14,6 +14,9 @@ void print(std::string_view lines);
 /// JSON: the same characters as \u001b, which leaves the data as they are.
 void print_json(std::string_view json);
 
+/// False where the system did not take what was printed.
+bool all_is_printed();
+
 /// "warning: SENTENCE" on standard error, one line.
 void warn(std::string_view sentence);
 

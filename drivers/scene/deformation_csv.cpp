@@ -62,7 +62,10 @@ DeformationTable read_deformation_table(const std::string& file, Interpolation i
     const bool at_row = worst.t == t[worst.row + 1];
     refuse(table, worst.row + 1, {},
            std::string("det F <= 0 ") + (at_row ? "in this row" : "between this row and the one before") +
-               ", at t = " + rounded_text(worst.t, 6));
+               ", at t = " + rounded_text(worst.t, 6) +
+               (at_row || interpolation != Interpolation::spline
+                    ? ""
+                    : ": the spline swings beyond its rows; motion.interpolation: monotone does not"));
   }
   return path;
 }

@@ -73,7 +73,7 @@ double fastest_of_motion(const Scene& scene) {
   double fastest = 0;
   for (const Vector3& X : places_of(scene)) {
     for (int k = 0; k <= speed_samples; ++k) {
-      fastest = std::max(fastest, state_at(scene.motion, X, scene.time.end * k / speed_samples).v.stableNorm());
+      fastest = std::max(fastest, state_at(scene.motion, X, scene.time.end * k / speed_samples).v.norm());
     }
   }
   return fastest;
@@ -84,7 +84,7 @@ double fastest_of_frame(const Frame& frame, const mpm::Seeds<2>& seeds) {
   double farthest = 0;
   for (std::size_t p = 0; p < seeds.size(); ++p)
     farthest = std::max(farthest, std::hypot(seeds.X[0][p], seeds.X[1][p]));
-  return std::abs(frame.spin) * farthest + frame.velocity.stableNorm();
+  return std::abs(frame.spin) * farthest + frame.velocity.norm();
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ std::string late_snapshots_sentence(const Problem& problem) {
 
 /// A density in t/mm^3 beside a stiffness in Pa: no solid has such waves, in m/s or in mm/s.
 std::string density_sentence(const Problem& problem) {
-  constexpr double least = 1e-10, most = 1e-7, kg_per_m3 = 1e12, fastest = 1e6;
+  constexpr double least = 1e-10, most = 1e-7, kg_per_m3 = 1e12, fastest = 1e8;
   const double density = problem.setup.density;
   if (!(density >= least && density <= most) || !(problem.wave_speed > fastest)) return "";
   return "material.density = " + rounded_text(density, 6) + " and the stiffness make waves of " +

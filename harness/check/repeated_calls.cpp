@@ -77,6 +77,23 @@ void compare_instances(const Specimen& specimen, const Steps& steps, const Compa
   }
 }
 
+/// What a variable holds that a routine reads before it has set it.
+[[gnu::noinline]] void fill_stack(double value) {
+  volatile double room[1 << 14];
+  for (volatile double& each : room) each = value;
+}
+
+/// Over what other numbers the stack holds.
+void compare_stacks(const Material& material, const Steps& steps, const Comparison& with, Difference& difference) {
+  for (const double value : {0.0, -0.37, 1e5}) {
+    for (std::size_t p = 0; p < steps.n; p += 3) {
+      fill_stack(value);
+      difference.note(with.difference(p, alone(material, steps, p)),
+                      "where the stack held other numbers, as where a local variable is read before it is set,");
+    }
+  }
+}
+
 /// Steps in other orders, after larger loads, of another instance.
 void compare_steps(const Specimen& specimen, const Steps& steps, Difference& difference) {
   const Material& material = *specimen.material;
@@ -99,6 +116,7 @@ void compare_steps(const Specimen& specimen, const Steps& steps, Difference& dif
   history(material, amplitudes.back());
   const std::vector<Result> later = one_by_one();
   for (std::size_t p = 0; p < steps.n; ++p) difference.note(with.difference(p, later[p]), "taken after a larger load");
+  compare_stacks(material, steps, with, difference);
   compare_instances(specimen, steps, with, difference);
   const Material other = material.clone();
   for (std::size_t p = 0; p < steps.n; p += 3) {

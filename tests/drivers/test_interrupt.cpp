@@ -78,6 +78,21 @@ TEST(InterruptDeathTest, one_that_is_noticed_leaves_the_time_to_clean_up) {
       testing::ExitedWithCode(0), "");
 }
 
+// A thread that only waits sees the signal, and the one that would stop is in a slow model.
+TEST(LongInterruptDeathTest, one_that_is_noticed_and_goes_on_ends_too) {
+  EXPECT_EXIT(
+      {
+        watch_interrupts();
+        std::raise(SIGTERM);
+        for (int second = 0; second < 50; ++second) {
+          if (!interrupted()) std::_Exit(2);
+          ::usleep(1'000'000);
+        }
+        std::_Exit(0);
+      },
+      testing::ExitedWithCode(143), "");
+}
+
 // timeout(1) signals its child and then the child's group: folders must still be given back.
 TEST(InterruptDeathTest, two_at_once_are_one) {
   EXPECT_EXIT(

@@ -111,6 +111,18 @@ INSTANTIATE_TEST_SUITE_P(Deeds, StolenOutput,
                            return name;
                          });
 
+/// A stream of wide characters takes no others.
+TEST(WideOutput, LosesNothing) {
+  for (const char* when : {"load wide", "create wide", "update wide"}) {
+    const Misdeeds the;
+    std::vector<std::string> words = the.run_words(the.library);
+    words.push_back("--json");
+    const Ending run = the.program(words, when);
+    EXPECT_EQ(run.status, 0) << run.said;
+    EXPECT_NE(run.said.find("\"outcome\": \"completed\""), std::string::npos) << when << ": " << run.said;
+  }
+}
+
 class IgnoredSignals : public testing::TestWithParam<const char*> {};
 
 TEST_P(IgnoredSignals, AreNamedAtOnce) {

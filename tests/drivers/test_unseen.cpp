@@ -52,6 +52,17 @@ TEST(Unseen, IsWrittenAndNamedInANumberAndATitle) {
   EXPECT_EQ(refused("title: d\u00E9j\u00E0\u00A0vu \u200D\n"), "accepted") << "letters, and what joins them";
 }
 
+/// U+FFFE and U+FFFF are never characters, and no XML may hold them.
+TEST(Unseen, WhatIsNoCharacterReachesNoPage) {
+  for (const char* text : {"a\xEF\xBF\xBE", "a\xEF\xBF\xBF", "a\xF0\x9F\xBF\xBE"}) {
+    for (const std::string& written : {printable(text), utf8(text), with_unseen_written(text)}) {
+      EXPECT_TRUE(written.starts_with("a?")) << written;
+      EXPECT_EQ(written.find('\xBF'), std::string::npos);
+    }
+  }
+  EXPECT_EQ(utf8("a\xEF\xBF\xBD"), "a\xEF\xBF\xBD");
+}
+
 TEST(Unseen, LookalikesAreNamed) {
   EXPECT_TRUE(has(refused("grid: {spacing: \u22120.1}\n"), "found '\u22120.1': U+2212 stands where '-' belongs"));
   EXPECT_TRUE(has(refused("grid: {spacing: \u201C0.1\u201D}\n"), "U+201C stands where '\"' belongs"));

@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <wchar.h>
 
 #include "common.h"
 
@@ -142,6 +143,7 @@ static void allow_little_memory_ever(void) { lower(RLIMIT_AS, 1000000, 1); }
 static void steal_output(void) {
   if (!freopen(getenv("ASSAY_TEST_FILE"), "w", stdout)) abort();
 }
+static void print_wide(void) { wprintf(L"hello\n"); }
 static void steal_all_output(void) {
   const int file = open(getenv("ASSAY_TEST_FILE"), O_WRONLY | O_CREAT, 0600);
   dup2(file, 1);
@@ -197,6 +199,7 @@ static void act(const char* when) {
                {"little_memory_ever", allow_little_memory_ever},
                {"steal", steal_output},
                {"steal_all", steal_all_output},
+               {"wide", print_wide},
                {"truncate", truncate_library}};
   const char* asked = getenv("ASSAY_TEST_DEED");
   const size_t length = strlen(when);

@@ -10,6 +10,10 @@ TEST(LastLine, IsTheLastThatSaysSomething) {
   EXPECT_EQ(last_line(""), "");
   EXPECT_EQ(last_line("\n \n"), "");
   EXPECT_EQ(last_line("first\nsecond"), "second");
+  EXPECT_EQ(
+      last_line("At line 7 of file m.f\nFortran runtime error: Missing initial left parenthesis in format\nF8.3)\n"
+                "^\n\nError termination. Backtrace:\n#0  0x7f"),
+      "Fortran runtime error: Missing initial left parenthesis in format");
   EXPECT_EQ(last_line("why\nPAUSE\nTo resume execution, type go.  Other input will terminate the job.\n"), "PAUSE");
   EXPECT_EQ(last_line("first\nsecond\r\n\n"), "second");
 }

@@ -38,7 +38,8 @@ TEST(DeformationCsv, RefusesWhatIsNoPath) {
   EXPECT_EQ(line(header + rest + "1,1,0,0,1\n1,1,0,0,1\n"), ":4:1: t: times must ascend, found 1 after 1");
   EXPECT_EQ(line(header + rest + "1,-1,0,0,1\n"), ":3:1: det F <= 0 in this row, at t = 1");
   EXPECT_EQ(line(header + rest + "1,.05,0,0,1\n2,.05,0,0,1\n3,1,0,0,1\n"),
-            ":4:1: det F <= 0 between this row and the one before, at t = 1.5");
+            ":4:1: det F <= 0 between this row and the one before, at t = 1.5: the spline swings beyond its rows; "
+            "motion.interpolation: monotone does not");
   EXPECT_EQ(line("t,F11,F12,F21,F22,F13\n0,1,0,0,1,0\n1,1,0,0,1,0\n"),
             ":1:1: F13, F23, F31 and F32 only come together");
   EXPECT_EQ(line(header + rest + "1,1,x,0,1\n"), ":3:5: F12: 'x' is no finite number");
