@@ -57,7 +57,7 @@ void on_signal(int signal, siginfo_t* why, void* /*context*/) {
   if (first_time.compare_exchange_strong(none, now)) {
     first_signal = signal;
     set_grace(grace);
-  } else if (now - none > same_stop) {
+  } else if (now - none > same_stop && signal != SIGXCPU) {  // which comes again every second
     leave_process(128 + (why->si_code == SI_TIMER ? first_signal.load() : signal));
   }
 }

@@ -36,7 +36,9 @@ void History::count_call() {
   const bool is_refused = refused_ && refusals_ >= most_refusals;
   MaterialFailure failure(is_refused ? "its history takes too many steps, for it refuses all but short ones: " +
                                            std::string(refused_->what())
-                                     : "its history takes too many steps: the motion turns or vibrates too fast for it",
+                          : rates_ ? "its history takes too many steps: the motion turns or vibrates too fast for it"
+                                   : "its history takes too many steps: its increments converge too slowly for "
+                                     "the accuracy that is asked for, or the motion turns or vibrates too fast",
                           is_refused ? refused_->xi : xi_, is_refused ? refused_->t : t_);
   if (is_refused) failure.step = refused_->step, failure.not_finite = refused_->not_finite;
   failure.final = true;  // shorter steps would be more of them

@@ -191,6 +191,7 @@ std::vector<DeckMaterial> materials_of(const std::vector<DeckBlock>& blocks, std
     } else if (within && block.is("density", 3) && !block.data.empty()) {
       note_once("density", "Density", block, parts);
       current.density = number_at(block.data[0], 0, "*Density", named);
+      if (current.density < 0) throw InputError(block.data[0].where, "*Density", "must not be negative");
     }
   }
   finish();

@@ -51,9 +51,25 @@ void fail(const fs::path& path, const std::string& what, const std::error_code& 
   throw SystemError(path.string() + ": " + what + ": " + error.message());
 }
 
+/// A pipe without a reader would let nobody in: after some seconds the error is ENXIO.
+int opened(const fs::path& path, int flags) {
+  constexpr int patience_ms = 2000, step_ms = 20;
+  int descriptor = -1;
+  for (int waited = 0; waited <= patience_ms; waited += step_ms) {
+    descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | flags, 0666);
+    if (descriptor >= 0 || errno != ENXIO) break;
+    stop_if_interrupted();
+    ::usleep(step_ms * 1000);
+    errno = ENXIO;
+  }
+  if (descriptor >= 0) ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+  return descriptor;
+}
+
 void write_bytes(const fs::path& path, std::string_view bytes, int flags) {
   put_files_right();
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
+  const int descriptor = opened(path, flags);
+  if (descriptor < 0 && errno == ENXIO) throw SystemError(path.string() + ": is a pipe that nobody reads");
   if (descriptor < 0) fail(path, "cannot be created", errno);
   try {
     write_all(descriptor, bytes, path);

@@ -41,9 +41,14 @@ void check_rows(const CsvTable& table, const std::vector<double>& t, const std::
   if (!((F[0] - Tensor::Identity()).cwiseAbs().maxCoeff() <= rounding)) {
     refuse(table, 0, {}, "the first row must be the undeformed state, F = I");
   }
+  constexpr double least_share = 1e-12;  // of the path: times between closer rows could not be told apart
   for (std::size_t i = 1; i < t.size(); ++i) {
-    if (t[i] > t[i - 1]) continue;
-    refuse(table, i, "t", "times must ascend, found " + number_text(t[i]) + " after " + number_text(t[i - 1]));
+    if (!(t[i] > t[i - 1]))
+      refuse(table, i, "t", "times must ascend, found " + number_text(t[i]) + " after " + number_text(t[i - 1]));
+    if (t[i] - t[i - 1] < least_share * t.back())
+      refuse(table, i, "t",
+             "rows may not lie closer than 1e-12 of the whole, found " + number_text(t[i]) + " after " +
+                 number_text(t[i - 1]));
   }
 }
 

@@ -13,6 +13,16 @@ namespace {
 
 const std::string words = "threw an exception, which must not pass the C ABI";
 
+/// Without the line breaks of a terminal.
+std::string unwrapped(const std::string& text) {
+  std::string line;
+  for (const char c : text) {
+    const bool blank = c == ' ' || c == '\n';
+    if (!blank || line.empty() || line.back() != ' ') line += blank ? ' ' : c;
+  }
+  return line;
+}
+
 class Thrown : public testing::TestWithParam<const char*> {
  protected:
   std::string model_ = built("tests/plugins/throws.so");
@@ -48,7 +58,7 @@ class ThrownBefore : public Thrown {};
 TEST_P(ThrownBefore, IsTheModelsInOneLine) {
   const Ending run = the_.program(the_.run_words(model_), GetParam());
   EXPECT_TRUE(run.status == 1 || run.status == 2) << run.status << ": " << run.said;
-  EXPECT_NE(run.said.find(words), std::string::npos) << run.said;
+  EXPECT_NE(unwrapped(run.said).find(words), std::string::npos) << run.said;
   const Ending check = the_.program({"check", model_, "--quick", "-o", the_.scratch / "r"}, GetParam());
   EXPECT_TRUE(check.status == 1 || check.status == 2) << check.status << ": " << check.said;
   for (const Ending* each : {&run, &check}) {

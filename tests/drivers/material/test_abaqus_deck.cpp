@@ -140,6 +140,7 @@ TEST(AbaqusDeck, WhatIsThereTwiceIsRefused) {
   EXPECT_EQ(refused(one + "*User Material, constants=1\n2\n"), "job.inp:4:1: *User Material: stands in line 2 already");
   EXPECT_EQ(refused(one + "*Depvar\n1\n*Depvar\n2\n"), "job.inp:6:1: *Depvar: stands in line 4 already");
   EXPECT_EQ(refused(one + "*Density\n1.,\n*Density\n2.,\n"), "job.inp:6:1: *Density: stands in line 4 already");
+  EXPECT_EQ(refused(one + "*Density\n-1.,\n"), "job.inp:5:1: *Density: must not be negative");
   EXPECT_EQ(read(one + "*User Material, constants=1, type=THERMAL\n2\n").constants, std::vector<double>{1});
 }
 

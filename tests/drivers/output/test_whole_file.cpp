@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/output/whole_file.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -15,6 +17,24 @@ namespace assay::drivers::test_whole_file {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Nobody waits for ever for a reader.
+TEST(WholeFile, APipeThatNobodyReadsIsSaid) {
+  const ScratchFolder scratch;
+  const std::string pipe = scratch / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  try {
+    write_file(pipe, "x");
+    ADD_FAILURE() << "written";
+  } catch (const SystemError& error) {
+    EXPECT_EQ(error.what(), pipe + ": is a pipe that nobody reads");
+  }
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  write_file(pipe, "x");
+  char read = 0;
+  EXPECT_EQ(::read(reader, &read, 1), 1);
+  ::close(reader);
+}
 
 std::set<std::string> names(const fs::path& folder) {
   std::set<std::string> out;

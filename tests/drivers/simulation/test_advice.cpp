@@ -236,7 +236,7 @@ TEST(Advice, OfABodyThatFliesOutOfItsGridIsRoom) {
     EXPECT_EQ(advice_after_death(problem, reason).find("grid.lower and grid.upper"), 0u);
   }
   EXPECT_EQ(advice_after_death(problem, "det F <= 0").find("grid.lower"), std::string::npos);
-  EXPECT_EQ(outcome_of(scene, {}), "unstable");
+  EXPECT_TRUE(outcome_of(scene, {}).starts_with("unstable")) << outcome_of(scene, {});
   EXPECT_EQ(outcome_of(scene, {"grid.upper=[5, 1.5]"}), "completed");
 }
 
