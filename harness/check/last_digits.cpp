@@ -19,14 +19,6 @@ namespace {
 /// Doubles of such bytes are 0, 4.8e-4, -8.5e3 and no number.
 constexpr std::array<unsigned char, 4> litter{0x00, 0x3f, 0xc0, 0xff};
 
-/// What the next call finds on its stack, beyond the arrays of `Material::update`, where it reads before it writes.
-[[gnu::noinline]] void litter_stack(unsigned char byte) {
-  constexpr std::size_t reach = 48 << 10;  // [bytes]
-  std::array<unsigned char, reach> room;
-  std::memset(room.data(), byte, room.size());
-  __asm__ volatile("" : : "r"(room.data()) : "memory");
-}
-
 /// What it finds in memory that it allocates.
 void litter_heap(unsigned char byte) {
   constexpr std::array<std::size_t, 10> sizes{24, 48, 72, 144, 288, 328, 648, 1024, 2048, 6400};  // [bytes]
@@ -129,6 +121,13 @@ void compare_first_with_last(const Specimen& specimen, const std::vector<History
 }
 
 }  // namespace
+
+[[gnu::noinline]] void litter_stack(unsigned char byte) {
+  constexpr std::size_t reach = 48 << 10;  // [bytes], beyond the arrays of `Material::update`
+  std::array<unsigned char, reach> room;
+  std::memset(room.data(), byte, room.size());
+  __asm__ volatile("" : : "r"(room.data()) : "memory");
+}
 
 TestResult last_digits(const Specimen& specimen, const std::vector<History>& first, const Difference& repeated) {
   Difference difference = repeated;

@@ -8,6 +8,9 @@
 
 namespace assay::check {
 
+/// What the next call finds on its stack, where it reads before it writes.
+void litter_stack(unsigned char byte);
+
 /// A step that is taken again is the same to the last bit: from arrays at other addresses that are as far beyond a
 /// multiple of 64 bytes, deeper in the stack, with other words left in memory by earlier calls, in the same place of an
 /// equal batch, of other instances, in another process, and at the end of the battery. `repeated`: what calls.repeated

@@ -6,6 +6,7 @@
 #include "harness/check/call_steps.hpp"
 #include "harness/check/calls.hpp"
 #include "harness/check/judge.hpp"
+#include "harness/check/last_digits.hpp"
 
 namespace assay::check {
 
@@ -77,24 +78,18 @@ void compare_instances(const Specimen& specimen, const Steps& steps, const Compa
   }
 }
 
-/// What a variable holds that a routine reads before it has set it.
-[[gnu::noinline]] void fill_stack(double value) {
-  volatile double room[1 << 14];
-  for (volatile double& each : room) each = value;
-}
-
 /// How far a step differs over other numbers in the stack; 0 where it differs over the same ones, too.
 double by_stack(const Material& material, const Steps& steps) {
   double worst = 0;
   for (std::size_t p = 0; p < steps.n; p += 3) {
-    const auto over = [&](double value) {
-      fill_stack(value);
+    const auto over = [&](unsigned char byte) {
+      litter_stack(byte);
       return alone(material, steps, p);
     };
     const std::vector<Result> first{over(0)};
     const Comparison with(material.table(), first);
     const double same = std::max(with.difference(0, over(0)), with.difference(0, over(0)));
-    if (same == 0) worst = std::max({worst, with.difference(0, over(-0.37)), with.difference(0, over(1e5))});
+    if (same == 0) worst = std::max({worst, with.difference(0, over(0x3f)), with.difference(0, over(0xc0))});
   }
   return worst;
 }
