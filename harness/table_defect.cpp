@@ -19,8 +19,8 @@ using Defect = std::optional<std::string>;
 constexpr std::uint32_t smallest_table = offsetof(assay_material, create_of);
 
 constexpr std::size_t longest_name = 100;
-constexpr std::uint32_t all_flags = ASSAY_NON_SMOOTH | ASSAY_RATE_DEPENDENT | ASSAY_THREAD_SAFE | ASSAY_USES_INCREMENT |
-                                    ASSAY_IN_PLANE | ASSAY_GROWS;
+constexpr std::uint32_t all_flags =
+    ASSAY_NON_SMOOTH | ASSAY_RATE_DEPENDENT | ASSAY_THREAD_SAFE | ASSAY_USES_INCREMENT | ASSAY_IN_PLANE | ASSAY_GROWS;
 
 bool is_table_name(const std::string& name) {
   return std::all_of(name.begin(), name.end(),
@@ -79,7 +79,8 @@ Defect defect_of_state(const assay_material& table) {
   for (std::uint32_t i = 0; i < table.state_count; ++i) {
     const assay_state_variable& variable = table.state[i];
     if (!variable.name) return "state variable " + std::to_string(i) + " has no name";
-    if (const Defect defect = defect_of_name(variable.name, "state variable " + std::to_string(i), names)) return defect;
+    if (const Defect defect = defect_of_name(variable.name, "state variable " + std::to_string(i), names))
+      return defect;
     if (const Defect defect = defect_of(variable)) return defect;
   }
   return std::nullopt;

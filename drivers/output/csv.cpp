@@ -72,8 +72,10 @@ class Reader {
       if (!contains(table_.names, name)) missing.push_back(quoted(name));
     }
     if (!missing.empty()) {
-      fail(1, (missing.size() == 1 ? "no column " : "no columns ") + joined(missing) +
-                  "; columns are separated by " + lines_.separator_name() + " in this file", joined(known_));
+      fail(1,
+           (missing.size() == 1 ? "no column " : "no columns ") + joined(missing) + "; columns are separated by " +
+               lines_.separator_name() + " in this file",
+           joined(known_));
     }
     table_.columns.resize(table_.names.size());
   }
