@@ -68,8 +68,8 @@ Defect defect_of_parameters(const assay_material& table) {
   for (std::uint32_t i = 0; i < table.parameter_count; ++i) {
     const assay_parameter& p = table.parameters[i];
     if (!p.name || !p.unit) return "parameter " + std::to_string(i) + " has no name or no unit";
-    if (const Defect defect = defect_of_name(p.name, "parameter " + std::to_string(i), names)) return defect;
-    if (const Defect defect = defect_of(p)) return defect;
+    if (Defect defect = defect_of_name(p.name, "parameter " + std::to_string(i), names)) return defect;
+    if (Defect defect = defect_of(p)) return defect;
   }
   return std::nullopt;
 }
@@ -79,9 +79,9 @@ Defect defect_of_state(const assay_material& table) {
   for (std::uint32_t i = 0; i < table.state_count; ++i) {
     const assay_state_variable& variable = table.state[i];
     if (!variable.name) return "state variable " + std::to_string(i) + " has no name";
-    if (const Defect defect = defect_of_name(variable.name, "state variable " + std::to_string(i), names))
+    if (Defect defect = defect_of_name(variable.name, "state variable " + std::to_string(i), names))
       return defect;
-    if (const Defect defect = defect_of(variable)) return defect;
+    if (Defect defect = defect_of(variable)) return defect;
   }
   return std::nullopt;
 }
@@ -130,15 +130,15 @@ std::optional<std::string> defect_of(const assay_material* table) {
     return "its table has " + std::to_string(table->struct_size) + " bytes, ABI 1.0 has " +
            std::to_string(smallest_table);
   }
-  if (const Defect defect = defect_of_table_name(table->name)) return defect;
+  if (Defect defect = defect_of_table_name(table->name)) return defect;
   const bool has_create_of = table->struct_size >= sizeof(assay_material) && table->create_of;
   if ((!table->create && !has_create_of) || !table->destroy || !table->update)
     return "its table lacks create, destroy or update";
   if (table->parameter_count && !table->parameters) return "it declares parameters but gives none";
   if (table->state_count && (!table->state || !table->initial_state))
     return "it declares state variables but gives no description or no initial_state";
-  if (const Defect defect = defect_of_claims(*table)) return defect;
-  if (const Defect defect = defect_of_parameters(*table)) return defect;
+  if (Defect defect = defect_of_claims(*table)) return defect;
+  if (Defect defect = defect_of_parameters(*table)) return defect;
   return defect_of_state(*table);
 }
 
