@@ -79,8 +79,7 @@ Defect defect_of_state(const assay_material& table) {
   for (std::uint32_t i = 0; i < table.state_count; ++i) {
     const assay_state_variable& variable = table.state[i];
     if (!variable.name) return "state variable " + std::to_string(i) + " has no name";
-    if (Defect defect = defect_of_name(variable.name, "state variable " + std::to_string(i), names))
-      return defect;
+    if (Defect defect = defect_of_name(variable.name, "state variable " + std::to_string(i), names)) return defect;
     if (Defect defect = defect_of(variable)) return defect;
   }
   return std::nullopt;
