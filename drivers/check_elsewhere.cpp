@@ -103,8 +103,8 @@ bool has_ended(pid_t child) {
   return ::waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child;
 }
 
-/// Returns when the rows are whole, or when the pipe is closed: processes other than the sender may hold it. A model that
-/// has killed whoever waits for it has a short time left.
+/// Returns when the rows are whole, or when the pipe is closed: processes other than the sender may hold it. A model
+/// that has killed whoever waits for it has a short time left.
 Received received(int in, pid_t waiting, double limit_s) {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds look{50}, grace{250};
