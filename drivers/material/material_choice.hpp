@@ -27,8 +27,8 @@ struct ResolvedMaterial {
 /// The model ended the worker in which it was to be created.
 class ModelEnded : public InputError {
  public:
-  ModelEnded(const Location& where, const std::string& key, const std::string& sentence)
-      : InputError(where, key, sentence), sentence(sentence) {}
+  ModelEnded(const Location& where, const std::string& key, const std::string& what_happened)
+      : InputError(where, key, what_happened), sentence(what_happened) {}
   std::string sentence;
 };
 
