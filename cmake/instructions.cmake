@@ -5,11 +5,11 @@
 # Loops over particles become vector instructions where no comparison is thought to trap.
 file(GLOB kernels CONFIGURE_DEPENDS mpm/kernels/*.cpp)
 set(kernel_options -fno-trapping-math -fno-math-errno)
-if(NOT ASSAY_SANITIZE)
+string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
+if(NOT ASSAY_SANITIZE AND NOT build_type STREQUAL "RELEASE") # which has it
   list(PREPEND kernel_options -O3)
 endif()
 set_source_files_properties(${kernels} PROPERTIES COMPILE_OPTIONS "${kernel_options}")
-string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND build_type MATCHES "^REL" AND NOT ASSAY_SANITIZE)
   set(instructions_v3 -mavx2 -mbmi -mbmi2)
   set(instructions_v4 ${instructions_v3} -mavx512f -mavx512vl -mavx512dq -mavx512bw -mavx512cd)
@@ -36,3 +36,5 @@ endforeach()
 add_library(assay_mpm_3d STATIC EXCLUDE_FROM_ALL ${sources_3d})
 target_compile_definitions(assay_mpm_3d PRIVATE ASSAY_DIMENSION=3)
 target_link_libraries(assay_mpm_3d PUBLIC assay_mpm PRIVATE assay_options)
+# Tests alone link it, on small bodies: it compiles in half the time.
+target_compile_options(assay_mpm_3d PRIVATE $<$<CONFIG:Release>:-O1>)
