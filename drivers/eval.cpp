@@ -97,15 +97,15 @@ std::string evaluated(const EvalOptions& options) {
   require_within_motion(scene, points.points, options.points);
   watch_interrupts();
   const double end = last_time(points, scene.time.end);
+  const bool quiet = options.verbosity == Verbosity::quiet;
   std::string library;
   const auto material = material_of(scene, library);
   refuse_input_as_output(options.out, "-o");
-  warn_of_instability(scene, *material, end);
+  warn_of_instability(scene, *material, end, quiet);
   if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
   const bool three = three_dimensional(scene.motion);
   CsvText csv(column_names(three, points.has_normals));
-  const std::vector<ExactPoint> exact =
-      exact_points(scene, material, points.points, end, options.verbosity == Verbosity::quiet);
+  const std::vector<ExactPoint> exact = exact_points(scene, material, points.points, end, quiet);
   for (std::size_t i = 0; i < exact.size(); ++i) {
     csv.row(row_of(points.points[i], exact[i].state, exact[i].stress, three, points.has_normals));
   }

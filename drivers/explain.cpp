@@ -202,14 +202,14 @@ std::string explanation(const Problem& problem, const ExactSolution* exact, cons
 }
 
 int explain(const ExplainOptions& options) {
+  const bool quiet = options.verbosity == Verbosity::quiet || options.json;
   try {
     const Problem problem = assemble(read_scene(options.scene, options.sets), 1);
     std::shared_ptr<const ExactSolution> exact;
     if (problem.compared) {
-      exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end,
-                                {.quiet = options.verbosity == Verbosity::quiet || options.json});
+      exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end, {.quiet = quiet});
     }
-    const ScreenFigures screen = screen_of(problem.scene, *problem.material, problem.scene.time.end);
+    const ScreenFigures screen = screen_of(problem.scene, *problem.material, problem.scene.time.end, quiet);
     const std::string text = explanation(problem, exact.get(), screen, options.json);
     options.json ? print_json(text) : print(text);
     return 0;

@@ -143,7 +143,8 @@ void refuse_input_as_output(const std::string& output, const std::string& option
 
 std::string read_bytes(const std::string& file, std::size_t limit) {
   const Location where{file, 0, 0};
-  if (file.find('\0') != file.npos || file.empty()) throw InputError(where, "", "not a file name");
+  if (file.find('\0') != file.npos || file.empty())
+    throw InputError({}, "", "'" + shown(file, 200) + "' is not the name of a file");
   if (const auto stream = stream_of(file)) return bytes_of_stream(*stream, where, limit);
   put_files_right();
   // Without O_NONBLOCK a pipe that nobody writes into is waited for.

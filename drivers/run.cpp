@@ -74,10 +74,10 @@ std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& opt
 }
 
 /// Whether the motion may be run: it is a stable solution for the model, or the scene allows otherwise.
-bool admitted(const Problem& problem, Result& result) {
+bool admitted(const Problem& problem, bool quiet, Result& result) {
   const Scene& scene = problem.scene;
   if (!problem.compared) return true;  // then the body does not move as the motion says
-  result.screen = screen_of(scene, *problem.material, scene.time.end);
+  result.screen = screen_of(scene, *problem.material, scene.time.end, quiet);
   if (result.screen->unjudged > 0) warn(screen_sentence(*result.screen));
   const std::string sentence = instability_sentence(*result.screen, problem.material->name());
   if (sentence.empty() || scene.allow_unstable) return true;
@@ -109,18 +109,18 @@ std::string write_verdict(const Scene& scene, const Result& result, std::vector<
 
 /// Poses the scene's problem, and completes the scene by it. Returns whether it is to be run: not where the material
 /// fails on the way, or the motion is not admitted.
-bool pose(Scene& scene, int threads, std::optional<Problem>& problem, Result& result) {
+bool pose(const RunOptions& options, Scene& scene, std::optional<Problem>& problem, Result& result) {
   result.title = scene.title;
   result.provenance = build_information();
   result.provenance.scene_sha256 = scene.sha256;
   try {
-    problem = assemble(scene, threads);
+    problem = assemble(scene, options.threads);
     scene = problem->scene;
     result.subject = problem->subject();
     result.uses_exact_solution = problem->setup.uses_exact_solution();
     for (const std::string& sentence : warnings_of(*problem)) result.warnings.push_back(sentence);
     result.provenance.material = material_provenance(*problem->material, problem->library);
-    return admitted(*problem, result);
+    return admitted(*problem, options.verbosity == Verbosity::quiet, result);
   } catch (const MaterialFailure& failure) {
     record_failure(failure, result);
     return false;
@@ -150,7 +150,7 @@ int run(const RunOptions& options) {
   watch_interrupts();
   Result result;
   std::optional<Problem> problem;
-  const bool runs = pose(scene, options.threads, problem, result);
+  const bool runs = pose(options, scene, problem, result);
   refuse_input_as_output(options.junit, "--junit");
   OutputFolder folder(options.out);
   folder.keep_inputs();

@@ -9,6 +9,7 @@
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/terminal.hpp"
+#include "drivers/progress.hpp"
 #include "harness/material_failure.hpp"
 #include "harness/stability_screen.hpp"
 
@@ -51,15 +52,20 @@ const char* name_of(StabilityScreen::Verdict verdict) {
 
 }  // namespace
 
-ScreenFigures screen_of(const Scene& scene, const Material& material, double end) {
+ScreenFigures screen_of(const Scene& scene, const Material& material, double end, bool quiet) {
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Path> paths = baseline_paths(scene);
   const double watched = std::min(end, watched_periods * period_of(scene.motion));
-  StabilityScreen found = screen_stability(material, paths.front(), watched);
+  Progress line("stability", quiet);
+  const auto screened = [&](const Path& path) {
+    return screen_stability(material, path, watched, [&](double share) { line.update(share); });
+  };
+  StabilityScreen found = screened(paths.front());
   for (std::size_t k = 1; k < paths.size(); ++k) {
-    const StabilityScreen other = screen_stability(material, paths[k], watched);
+    const StabilityScreen other = screened(paths[k]);
     if (other.smallest < found.smallest) found = other;
   }
+  line.finish();
   const Path& path = paths.front();
   ScreenFigures figures;
   figures.verdict = name_of(found.verdict);
@@ -98,10 +104,10 @@ std::string screen_sentence(const ScreenFigures& screen) {
          "t = " + rounded_text(*screen.t, 3) + " s: " + smallest + safe_text(screen, "");
 }
 
-void warn_of_instability(const Scene& scene, const Material& material, double end) {
+void warn_of_instability(const Scene& scene, const Material& material, double end, bool quiet) {
   if (scene.allow_unstable) return;
   try {
-    const std::string sentence = instability_sentence(screen_of(scene, material, end), material.name());
+    const std::string sentence = instability_sentence(screen_of(scene, material, end, quiet), material.name());
     stop_if_interrupted();
     if (!sentence.empty()) warn(sentence);
   } catch (const MaterialFailure&) {

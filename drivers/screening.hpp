@@ -11,8 +11,8 @@
 
 namespace assay::drivers {
 
-/// Over 0 .. end [s], at most four periods. Throws MaterialFailure.
-ScreenFigures screen_of(const Scene& scene, const Material& material, double end);
+/// Over 0 .. end [s], at most four periods. A terminal sees how far it is, unless `quiet`. Throws MaterialFailure.
+ScreenFigures screen_of(const Scene& scene, const Material& material, double end, bool quiet);
 
 /// Why the motion is no stable solution, one sentence; empty where it is one.
 std::string instability_sentence(const ScreenFigures& screen, const std::string& material);
@@ -22,6 +22,6 @@ std::string screen_sentence(const ScreenFigures& screen);
 
 /// One line on standard error where the motion is unstable and the scene does not allow that. Never stops a verb: a
 /// material that fails on the way is found by what follows. Throws Interrupted when a signal came.
-void warn_of_instability(const Scene& scene, const Material& material, double end);
+void warn_of_instability(const Scene& scene, const Material& material, double end, bool quiet);
 
 }  // namespace assay::drivers

@@ -96,7 +96,7 @@ int tabulate(const TabulateOptions& options) {
   result.provenance.scene_sha256 = scene.sha256;
   result.provenance.material = material_provenance(*tab.material, library);
   if (std::string swing = swing_sentence(scene); !swing.empty()) result.warnings.push_back(std::move(swing));
-  warn_of_instability(scene, *tab.material, tab.end);
+  warn_of_instability(scene, *tab.material, tab.end, options.verbosity == Verbosity::quiet);
   result.setup_s = life.seconds();
   try {
     if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;

@@ -73,6 +73,25 @@ constexpr std::array lookalikes{
     Lookalike{0x0456, "i"},  Lookalike{0x0415, "E"},  Lookalike{0x0395, "E"},  Lookalike{0x03BF, "o"},
 };
 
+/// Characters that stand in a row as those of ASCII do: full width, and digits of other scripts.
+struct RowOfOthers {
+  std::uint32_t first, last;
+  char meant;  ///< by the first
+};
+constexpr std::array rows_of_others{RowOfOthers{0xFF01, 0xFF5E, '!'}, RowOfOthers{0x0660, 0x0669, '0'},
+                                    RowOfOthers{0x06F0, 0x06F9, '0'}, RowOfOthers{0x0966, 0x096F, '0'}};
+
+/// What is easily meant by a character; empty where nothing else is.
+std::string meant_by(std::uint32_t code) {
+  for (const Lookalike& each : lookalikes) {
+    if (each.code == code) return each.meant;
+  }
+  for (const RowOfOthers& row : rows_of_others) {
+    if (row.first <= code && code <= row.last) return std::string(1, static_cast<char>(row.meant + (code - row.first)));
+  }
+  return {};
+}
+
 template <class List>
 const char* name_in(const List& list, std::uint32_t code) {
   const auto found =
@@ -201,11 +220,9 @@ std::string without_unseen(std::string_view text) {
 std::string lookalike(std::string_view text) {
   std::string found;
   for_each_character(text, [&](std::uint32_t code, std::string_view) {
-    const auto at =
-        std::find_if(lookalikes.begin(), lookalikes.end(), [&](const Lookalike& each) { return each.code == code; });
-    if (found.empty() && at != lookalikes.end()) {
-      found = number_of(code) + " stands where " + (*at->meant == '\'' ? "\"'\"" : std::string("'") + at->meant + "'") +
-              " belongs";
+    const std::string meant = meant_by(code);
+    if (found.empty() && !meant.empty()) {
+      found = number_of(code) + " stands where " + (meant == "'" ? "\"'\"" : "'" + meant + "'") + " belongs";
     }
   });
   return found;

@@ -82,6 +82,12 @@ UpdateReport Material::update(double t, double dt, std::size_t n, const double* 
     return report;
   }
   take_statuses(status, n, message, report);
+  if (!(report.dt_factor >= 0)) {
+    report.worst = ASSAY_FAILED;
+    report.message = std::string("the material returned a dt_factor that is ") +
+                     (std::isnan(report.dt_factor) ? "no number" : "negative") + ", which is none of the ABI's";
+    report.dt_factor = 1;
+  }
   report.not_finite = report.worst == ASSAY_FAILED && report.message.starts_with(not_finite_words);
   const auto require_finite = [&](const double* values, std::size_t components, const char* what) {
     if (report.worst == ASSAY_FAILED || all_finite(values, components * n)) return;

@@ -12,7 +12,8 @@ namespace assay {
 
 namespace {
 
-constexpr int screened_times = 16;           ///< in each piece of time
+constexpr int screened_times = 16;           ///< in each piece of time, where there are few
+constexpr int screened_times_in_all = 1024;  ///< and in all of them, though one in each at least
 constexpr int screened_fractions = 8;        ///< of the range of xi, on both sides of 0
 constexpr int sections = 5;                  ///< of a bracket, again and again
 constexpr double bracket = 5e-4;             ///< relative, at which that ends
@@ -21,8 +22,8 @@ constexpr double screened_tolerance = 1e-5;  ///< of the states that are looked 
 /// One screening: what does not change from place to place.
 class Screen {
  public:
-  Screen(const Material& material, const Path& path, double end)
-      : material_(material), path_(path), probe_(material, path, end) {}
+  Screen(const Material& material, const Path& path, double end, const std::function<void(double)>& progress)
+      : material_(material), path_(path), progress_(progress), probe_(material, path, end) {}
 
   StabilityScreen run() {
     StabilityScreen screen;
@@ -56,6 +57,7 @@ class Screen {
     Scan result{xi, times, {}};
     std::vector<std::vector<double>> states(xi.size(), std::vector<double>(material_.state_size()));
     for (std::size_t row = 0; row < times.size(); ++row) {
+      if (progress_) progress_(static_cast<double>(row) / static_cast<double>(times.size()));
       for (std::size_t p = 0; p < xi.size(); ++p) {
         for (std::size_t c = 0; c < states[p].size(); ++c) states[p][c] = h.points[row].state[c * xi.size() + p];
       }
@@ -88,10 +90,10 @@ class Screen {
 
   std::vector<double> sampled_times() const {
     const std::vector<double>& breaks = probe_.breaks();
+    const int in_a_piece = std::clamp(screened_times_in_all / static_cast<int>(breaks.size()), 1, screened_times);
     std::vector<double> times;
     for (std::size_t b = 0; b + 1 < breaks.size(); ++b) {
-      for (int k = 1; k <= screened_times; ++k)
-        times.push_back(breaks[b] + (breaks[b + 1] - breaks[b]) * k / screened_times);
+      for (int k = 1; k <= in_a_piece; ++k) times.push_back(breaks[b] + (breaks[b + 1] - breaks[b]) * k / in_a_piece);
     }
     return times;
   }
@@ -122,7 +124,10 @@ class Screen {
 
   void follow(StabilityScreen& screen) const {
     const std::vector<double> shares = between(0, 1, screened_fractions);
-    const Scan whole = scan(path_.parameter_is_place ? places() : shrunk(shares), sampled_times());
+    // A body goes through a curved family at the ends of the range alone: what lies within is no part of its way.
+    const bool ends_alone = !path_.straight() && !path_.parameter_is_place;
+    const Scan whole =
+        scan(path_.parameter_is_place ? places() : shrunk(ends_alone ? std::vector{1.0} : shares), sampled_times());
     screen.unjudged = whole.unjudged;
     for (std::size_t row = 0; row < whole.times.size(); ++row) {
       for (std::size_t p = 0; p < whole.xi.size(); ++p) {
@@ -132,7 +137,9 @@ class Screen {
     if (screen.smallest > 0) return;
     screen.verdict = StabilityScreen::Verdict::unstable;
     locate(whole, screen);
-    screen.safe_fraction = path_.parameter_is_place ? NAN : safe_share(whole, shares);
+    screen.safe_fraction = path_.parameter_is_place ? NAN
+                           : ends_alone             ? safe_share(scan(shrunk(shares), sampled_times()), shares)
+                                                    : safe_share(whole, shares);
   }
 
   /// First loss in time: of the samples, then of the interval before it in sections.
@@ -188,13 +195,15 @@ class Screen {
 
   const Material& material_;
   const Path& path_;
+  const std::function<void(double)>& progress_;
   StabilityProbe probe_;
 };
 
 }  // namespace
 
-StabilityScreen screen_stability(const Material& material, const Path& path, double end) {
-  return Screen(material, path, end).run();
+StabilityScreen screen_stability(const Material& material, const Path& path, double end,
+                                 const std::function<void(double)>& progress) {
+  return Screen(material, path, end, progress).run();
 }
 
 }  // namespace assay

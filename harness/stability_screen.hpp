@@ -2,6 +2,8 @@
 // Whether a motion is a stable solution for a model: strong ellipticity along its baseline path.
 #pragma once
 
+#include <functional>
+
 #include "harness/material.hpp"
 #include "harness/path.hpp"
 
@@ -27,8 +29,9 @@ struct StabilityScreen {
 
 /// Screens with A = dP/dF of the instantaneous loading branch, by differences of `update`, all xi of the path's range
 /// and 0 <= t <= end [s]. Models that soften or do not keep the normal rule are followed to their first loss like any
-/// other. Throws MaterialFailure where the material
-/// fails at rest, along the path, or just beyond every place of it.
-StabilityScreen screen_stability(const Material& material, const Path& path, double end);
+/// other. `progress` is told the share of the times that are judged, in [0,1]; where a first loss is located it begins
+/// anew. Throws MaterialFailure where the material fails at rest, along the path, or just beyond every place of it.
+StabilityScreen screen_stability(const Material& material, const Path& path, double end,
+                                 const std::function<void(double share)>& progress = {});
 
 }  // namespace assay

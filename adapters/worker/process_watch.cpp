@@ -2,6 +2,8 @@
 #include "adapters/worker/process_watch.hpp"
 
 #include <fcntl.h>
+#include <sched.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/time.h>
 #include <sys/wait.h>
@@ -31,7 +33,8 @@ ProcessWatch::ProcessWatch()
       has_timer_(has_timer()),
       limits_(limits()),
       environment_(environment()),
-      lowest_free_file_(lowest_free_file()) {}
+      lowest_free_file_(lowest_free_file()),
+      scheduling_(scheduling()) {}
 
 ProcessWatch::File ProcessWatch::folder() {
   struct stat found = {};
@@ -147,6 +150,19 @@ int ProcessWatch::lowest_free_file() {
   return file;
 }
 
+ProcessWatch::Scheduling ProcessWatch::scheduling() {
+  cpu_set_t cores;
+  CPU_ZERO(&cores);
+  Scheduling found;
+  if (::sched_getaffinity(0, sizeof cores, &cores) == 0) {
+    const auto* bytes = reinterpret_cast<const unsigned char*>(&cores);
+    found.cores.assign(bytes, bytes + sizeof cores);
+  }
+  found.policy = ::sched_getscheduler(0);
+  found.niceness = ::getpriority(PRIO_PROCESS, 0);
+  return found;
+}
+
 /// What is looked at once, when all is over.
 Habits ProcessWatch::habits_of_settings() const {
   constexpr int a_few = 16;  // files that a model keeps open, as for its messages
@@ -156,6 +172,7 @@ Habits ProcessWatch::habits_of_settings() const {
   if (limits() != limits_) found |= limits_changed;
   if (environment() != environment_) found |= environment_changed;
   if (lowest_free_file() - a_few > lowest_free_file_) found |= files_left;
+  if (scheduling() != scheduling_) found |= scheduling_changed;
   return found;
 }
 
@@ -178,22 +195,24 @@ std::string habit_words(Habits habits) {
     Habit habit;
     const char* words;
   };
-  constexpr Words all[] = {{folder_changed, "changes the folder of the process"},
-                           {output_closed, "closes or redirects standard output"},
-                           {processes_left, "leaves processes behind"},
-                           {locale_changed, "changes the decimal point of the process"},
-                           {signals_taken, "takes over signals of the process"},
-                           {signals_blocked, "leaves signals blocked"},
-                           {rounding_left, "changes the rounding mode of the process"},
-                           {traps_left, "leaves floating-point traps enabled"},
-                           {denormals_left_flushed, "leaves denormal numbers flushed to zero"},
-                           {precision_left, "changes the precision of long double"},
-                           {x87_left, "leaves numbers in the registers of the x87 unit, as MMX does without EMMS"},
-                           {files_forbidden, "changes what may be done with new files (umask)"},
-                           {timer_left, "leaves a timer running"},
-                           {limits_changed, "changes the limits of the process"},
-                           {environment_changed, "changes the environment of the process"},
-                           {files_left, "leaves files open"}};
+  constexpr Words all[] = {
+      {folder_changed, "changes the folder of the process"},
+      {output_closed, "closes or redirects standard output"},
+      {processes_left, "leaves processes behind"},
+      {locale_changed, "changes the decimal point of the process"},
+      {signals_taken, "takes over signals of the process"},
+      {signals_blocked, "leaves signals blocked"},
+      {rounding_left, "changes the rounding mode of the process"},
+      {traps_left, "leaves floating-point traps enabled"},
+      {denormals_left_flushed, "leaves denormal numbers flushed to zero"},
+      {precision_left, "changes the precision of long double"},
+      {x87_left, "leaves numbers in the registers of the x87 unit, as MMX does without EMMS"},
+      {files_forbidden, "changes what may be done with new files (umask)"},
+      {timer_left, "leaves a timer running"},
+      {limits_changed, "changes the limits of the process"},
+      {environment_changed, "changes the environment of the process"},
+      {files_left, "leaves files open"},
+      {scheduling_changed, "changes on which cores, or how soon, the process runs (affinity, nice)"}};
   std::string text;
   for (const Words& each : all) {
     if (habits & each.habit) text += (text.empty() ? "" : ", ") + std::string(each.words);

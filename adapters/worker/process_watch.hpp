@@ -34,6 +34,7 @@ enum Habit : Habits {
   files_left = Habits{1} << 39,
   rounding_left = Habits{1} << 40,
   traps_left = Habits{1} << 41,
+  scheduling_changed = Habits{1} << 42,
 };
 
 /// "changes the folder of the process, closes or redirects its standard output"; empty where it does nothing.
@@ -65,6 +66,12 @@ class ProcessWatch {
   using Dispositions = std::array<Disposition, signal_count>;
   using Blocked = std::array<bool, signal_count>;
   using Limits = std::array<rlim_t, 8>;
+  /// The cores on which a thread may run, and how soon it gets them.
+  struct Scheduling {
+    std::vector<unsigned char> cores;
+    int policy = 0, niceness = 0;
+    friend bool operator==(const Scheduling&, const Scheduling&) = default;
+  };
   static File folder();
   static bool watcher_has_others();
   static File open_file(int number);
@@ -76,6 +83,7 @@ class ProcessWatch {
   static Limits limits();
   static std::vector<std::string> environment();
   static int lowest_free_file();
+  static Scheduling scheduling();
   Habits habits_of_settings() const;
   bool takes(int signal) const;
   Habits habits_but_signals() const;
@@ -91,6 +99,7 @@ class ProcessWatch {
   Limits limits_;
   std::vector<std::string> environment_;
   int lowest_free_file_;
+  Scheduling scheduling_;
 };
 
 /// Private pages of a process that could be written to, in bytes: what it has asked for, touched or not. 0: unknown.

@@ -156,9 +156,11 @@ void read_material(const Tree& root, Scene& scene) {
   const Tree* parameters = value_at(root, "material.parameters");
   if (!parameters) return;
   for (const Tree::Entry& entry : parameters->entries) {
-    if (entry.value.kind == Tree::Kind::null && !key_remedy(entry.key).empty())
+    const std::string remedy =
+        parse_number(entry.key) ? ": numbers have a decimal point, and a comma ends a value" : key_remedy(entry.key);
+    if (entry.value.kind == Tree::Kind::null && !remedy.empty())
       throw InputError(entry.key_where, "material.parameters." + one_line(entry.key, 80),
-                       "must be a number, found nothing" + key_remedy(entry.key));
+                       "must be a number, found nothing" + remedy);
     material.parameters[entry.key] = number_value(entry.value, "material.parameters." + one_line(entry.key, 80));
     material.parameter_where[entry.key] = entry.value.where;
     material.parameter_key_where[entry.key] = entry.key_where;

@@ -25,6 +25,7 @@ std::string StoredStudy::case_folder(const StudyCase& one) const {
 }
 
 StoredStudy stored_study(const std::string& given, const std::string& out) {
+  if (given.empty()) throw InputError({}, "", "'' is not the name of a study");
   std::error_code ignored;
   const bool is_folder = fs::is_directory(given, ignored);
   const bool is_yaml = !is_folder && is_study_yaml(given);

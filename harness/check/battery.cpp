@@ -10,6 +10,7 @@
 #include "harness/check/diagnosis.hpp"
 #include "harness/check/entries.hpp"
 #include "harness/check/loading.hpp"
+#include "harness/check/long_steps.hpp"
 #include "harness/check/other_clock.hpp"
 #include "harness/check/rest.hpp"
 #include "harness/check/scope.hpp"
@@ -135,6 +136,7 @@ void take_all(const Specimen& specimen, Evidence& evidence, Report& report) {
   if (specimen.modulus == 0 || is_decided(report)) return;
   evidence.turned = turned_step(specimen);
   evidence.drifting = drifting_of(specimen);
+  evidence.overshoots = overshoot(specimen);
   evidence.pressed_at_rest = pressed_at_rest(specimen);
   evidence.grows_at_rest = grows_at_rest(specimen);
   evidence.growth_declaration = specimen.options.declarations.growth;

@@ -23,6 +23,7 @@ struct Evidence {
   bool pressed_at_rest = false;    ///< what stress there is at rest is a pressure
   bool grows_at_rest = false;      ///< a stress at rest that time brings, and not steps
   std::string growth_declaration;  ///< how the author of a model declares that
+  std::string overshoots;          ///< what a body that is held does in a step longer than its time of relaxation
   std::string drifting;            ///< a variable of the state that changes in steps without deformation
 };
 

@@ -68,6 +68,23 @@ Found growth(const Findings& f) {
   return grows ? of(f, "dissipation") : std::nullopt;
 }
 
+/// Relaxation that overshoots comes with time.
+Found overshoots(const Findings& f) {
+  if (f.evidence.overshoots.empty() || !f.verdicts.failed("dissipation")) return std::nullopt;
+  return Suspicion{causes::dissipation, f.evidence.overshoots};
+}
+
+/// Where steps are so long that the stress explodes, tests of frames mean nothing.
+Found overshoots_beyond_frames(const Findings& f) {
+  constexpr double exploded = 10;  // times the largest stress
+  const std::vector<TestResult>& tests = f.verdicts.tests();
+  const bool explodes = std::any_of(tests.begin(), tests.end(), [](const TestResult& test) {
+    return test.verdict == Verdict::fail && is_of(Explains::frames, test.id) &&
+           !(test.measure.value_or(INFINITY) <= exploded);
+  });
+  return explodes ? overshoots(f) : std::nullopt;
+}
+
 Found nearly_equal_stretches_row(const Findings& f) {
   return wrong_once_for_all(f) ? std::nullopt : of(f, "stretches.nearly_equal");
 }
@@ -112,6 +129,8 @@ Found other_class_in_loading(const Findings& f) { return of(f, "symmetry_class")
 Found isotropy_and_basis(const Findings& f) { return f.failed("basis") ? isotropy_row(f) : std::nullopt; }
 
 constexpr Row before[] = {
+    {overshoots_beyond_frames, Explains::frames, Beside::any},
+    {overshoots, Explains::time, Beside::any},
     {grows, Explains::time, Beside::any},
     {clock, Explains::time, Beside::no_time},
     {increment_of_scalars, Explains::frames, Beside::any},

@@ -7,6 +7,7 @@
 
 #include "harness/check/derivatives.hpp"
 #include "harness/check/judge.hpp"
+#include "harness/check/long_steps.hpp"
 #include "harness/check/potential.hpp"
 #include "harness/check/precision.hpp"
 #include "harness/check/strain_cycle.hpp"
@@ -135,41 +136,13 @@ void judge_cycles(const Specimen& specimen, TestResult& result) {
                     " times while their number doubles: flow feeds what drives it";
 }
 
-/// What relaxes bears no more in a long step than in a sudden one [s].
-void judge_long_steps(const Specimen& specimen, double sudden, TestResult& result) {
-  constexpr double most = 3;  // times
-  const Tensor F = specimen.space.stretch(specimen.amplitude, 0.3);
-  const auto stress = [&](double length) {
-    const Tensor found = stepped(*specimen.material, 0, length, Tensor::Identity(), F, specimen.rest_state()).cauchy;
-    return Tensor(found + specimen.rest_pressure() * Tensor::Identity());
-  };
-  const auto size = [](const Tensor& found) {
-    return std::pair(stable_norm(deviator(found)), std::abs(found.trace()));
-  };
-  try {
-    const auto [shear, pressure] = size(stress(sudden));
-    const double least = std::max(1e-3 * (shear + pressure), specimen.least_stress());
-    for (const double length : {1e-3, 1e-2, 0.1, 1.0, 10.0, 1e3, 1e6}) {
-      const auto [longer_shear, longer_pressure] = size(stress(length));
-      const double times = std::max(longer_shear / std::max(shear, least), longer_pressure / std::max(pressure, least));
-      if (times <= most) continue;
-      result = {.id = "dissipation", .verdict = Verdict::fail, .measure = times, .threshold = most};
-      result.cause = causes::dissipation;
-      result.sentence = "a step of " + rounded(length) + " s brings " + rounded(times) +
-                        " times the stress of a sudden one, and does not ask for a shorter one";
-      return;
-    }
-  } catch (const MaterialFailure&) {  // of the length of a step
-  }
-}
-
 /// Of what depends on the rate. What fails in steps too brief for 24 bits, and not in longer ones, is no matter of
 /// work.
 void judge_rates(const Specimen& specimen, TestResult& result) {
   constexpr double brief = 1e-9, longer = 1e-4;  // [s]
   const auto judge = [&](double sudden, TestResult& of) {
     judge_relaxation(specimen, 10 * sudden, of);
-    if (of.verdict == Verdict::pass) judge_long_steps(specimen, sudden, of);
+    if (of.verdict == Verdict::pass) of = long_steps(specimen, sudden).value_or(std::move(of));
   };
   TestResult in_longer = result;
   judge(brief, result);

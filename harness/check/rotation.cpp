@@ -7,6 +7,7 @@
 
 #include "harness/check/loading.hpp"
 #include "harness/check/rigid_turn.hpp"
+#include "harness/check/share_along.hpp"
 #include "harness/check/state_variable.hpp"
 #include "harness/stable_norm.hpp"
 
@@ -57,6 +58,19 @@ std::optional<double> turned_by(const Space& space, const Tensor& found, const T
     if (miss(k) < miss(best)) best = k;
   }
   return miss(best) < spins_alike ? std::optional(best) : std::nullopt;
+}
+
+/// By how many times its angle a small turn of a loaded body turns the stress; null where it does something else, too.
+std::optional<double> spin_of(const Specimen& specimen, const Tensor& F, const Point& loaded) {
+  constexpr double angle = 1e-3;
+  const Material& material = *specimen.material;
+  const double length = specimen.rate_dependent() ? 1e-9 : 1.0 / specimen.steps();
+  const Tensor Q = specimen.space.turn(angle);
+  const auto stress = [&](const Tensor& F1) { return stepped(material, 1, length, F, F1, loaded.state).cauchy; };
+  const Tensor held = stress(F), change = stress(Q * F) - held, whole = rotated(Q, held) - held;
+  const double share = share_along(change, whole);
+  if (!(distance(change, share * whole) < spins_alike * change.cwiseAbs().maxCoeff())) return std::nullopt;
+  return share;
 }
 
 /// Equal stretches, and a little shear on top: where a yield surface has an apex, the stress may be there.
@@ -178,8 +192,10 @@ RotationFinding rotation_at_fixed_stretch(const Specimen& specimen) {
   }
   RotationFinding finding{turned.judged("rotation.fixed_stretch", "a stretched body that turns", steps)};
   finding.result.step = twins.seen.last;
-  if (!turned.exact())
+  if (!turned.exact()) {
     finding.turned = turned_by(specimen.space, twins.seen.marks[1].cauchy, twins.still.marks[1].cauchy);
+    finding.spin = spin_of(specimen, loading.F(1), twins.still.marks[0]);
+  }
   return finding;
 }
 

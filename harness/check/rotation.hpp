@@ -13,6 +13,9 @@ struct RotationFinding {
   /// Of the stress that was found: it is turned by this many times the frame's angle. Null where it is not turned as a
   /// whole, or rightly.
   std::optional<double> turned = {};
+  /// The same of one small turn, in which a step that is no rotation is no error yet. Null where the stress is not
+  /// turned as a whole.
+  std::optional<double> spin = {};
   /// At rest: stress over that of the strain sym(Q - I), which a small-strain law takes for one.
   double small_strain = 0;
   double relaxing_small_strain = 0;  ///< the same of a part that relaxes

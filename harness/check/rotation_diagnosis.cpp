@@ -156,9 +156,17 @@ Found wrong_frame_at_fixed_stretch(const Findings& f) {
                    "components of the spin are missing or mixed up"};
 }
 
+/// Of the body's angle: by which a small turn turns the stress where that is not 1, and the error falls with the step.
+std::optional<double> other_spin(const RotationFinding& fixed) {
+  const bool is_other = fixed.result.order && fixed.spin && std::abs(*fixed.spin - 1) > unmoved;
+  return is_other ? fixed.spin : std::nullopt;
+}
+
 Found no_rotations(const Findings& f) {
   const RotationFinding& fixed = f.evidence.fixed;
-  if (!f.failed("rotation.fixed_stretch") || !fixed.result.order) return std::nullopt;  // falls with the step
+  const bool small_turns_are_right = fixed.spin && std::abs(*fixed.spin - 1) <= unmoved;
+  const bool of_steps = (fixed.result.order && !other_spin(fixed)) || small_turns_are_right;
+  if (!f.failed("rotation.fixed_stretch") || !of_steps) return std::nullopt;
   return Suspicion{
       causes::explicit_spin,
       "the stress is turned in steps that are no rotations, or a turn is taken for a strain: " + fixed.result.sentence};
@@ -166,11 +174,13 @@ Found no_rotations(const Findings& f) {
 
 Found another_angle(const Findings& f) {
   const RotationFinding& fixed = f.evidence.fixed;
-  if (!f.failed("rotation.fixed_stretch") || !fixed.turned || std::abs(*fixed.turned - 1) <= unmoved) {
-    return std::nullopt;
-  }
-  return Suspicion{causes::wrong_spin,
-                   "the stress turns by " + rounded(*fixed.turned) + " times the angle by which the body turns"};
+  if (!f.failed("rotation.fixed_stretch")) return std::nullopt;
+  const bool other_angle = fixed.turned && std::abs(*fixed.turned - 1) > unmoved;
+  const std::optional<double> times = other_angle ? fixed.turned : other_spin(fixed);
+  if (!times) return std::nullopt;
+  return Suspicion{causes::wrong_spin, "the stress turns by " + rounded(*times) +
+                                           " times the angle by which the body turns" +
+                                           (other_angle ? "" : ", and in steps that are no rotations")};
 }
 
 Found left_behind_at_fixed_stretch(const Findings& f) {

@@ -65,7 +65,7 @@ TEST(AroundTheSteps, ARunThatIsNotComparedIsNeitherScreenedNorSampled) {
   EXPECT_EQ(without.result["work"]["material_calls"], without.result["work"]["particle_steps"]);
   const Problem problem = assemble(read_scene(ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml", bench::plain()), 1);
   const auto material = test_materials::counted(*problem.material);
-  screen_of(problem.scene, *material, problem.scene.time.end);
+  screen_of(problem.scene, *material, problem.scene.time.end, true);
   EXPECT_GT(test_materials::counting::points, 0);
 }
 

@@ -67,6 +67,9 @@ TEST(Unseen, LookalikesAreNamed) {
   EXPECT_TRUE(has(refused("grid: {spacing: \u22120.1}\n"), "found '\u22120.1': U+2212 stands where '-' belongs"));
   EXPECT_TRUE(has(refused("grid: {spacing: \u201C0.1\u201D}\n"), "U+201C stands where '\"' belongs"));
   EXPECT_TRUE(has(refused("method: {basis: \u0441pdi}\n"), "U+0441 stands where 'c' belongs"));
+  EXPECT_TRUE(has(refused("grid: {spacing: \uFF10.1}\n"), "U+FF10 stands where '0' belongs"));
+  EXPECT_TRUE(has(refused("grid: {spacing: 0\uFF0E1}\n"), "U+FF0E stands where '.' belongs"));
+  EXPECT_TRUE(has(refused("grid: {spacing: \u0663}\n"), "U+0663 stands where '3' belongs"));
   EXPECT_EQ(lookalike("plain -'\":,"), "");
 }
 

@@ -110,6 +110,29 @@ TEST(Material, DoesNotTrustStatusAndStress) {
   }
 }
 
+TEST(Material, TakesNoFactorOfAStepThatIsNone) {
+  static double factor;
+  assay_material table = *elastic();
+  table.update = [](void*, const assay_step*, std::size_t n, const double*, double*, double* cauchy, std::int32_t*,
+                    double* dt_factor, char*) {
+    std::fill_n(cauchy, 9 * n, 1.0);
+    *dt_factor = factor;
+  };
+  const Material material(&table, {{"E", 1.0}});
+  const auto report_of = [&](double answer) {
+    factor = answer;
+    std::vector<double> F(9, 1.0), cauchy(9);
+    return material.update(0, 1, 1, F.data(), F.data(), nullptr, nullptr, cauchy.data());
+  };
+  for (const double good : {0.25, 1.0, 2.0, 1e300}) EXPECT_EQ(report_of(good).worst, ASSAY_GOOD) << good;
+  for (const double bad : {-1.0, -1e-300, std::nan("")}) {
+    const UpdateReport report = report_of(bad);
+    EXPECT_EQ(report.worst, ASSAY_FAILED) << bad;
+    EXPECT_NE(report.message.find("the material returned a dt_factor that is "), std::string::npos) << report.message;
+    EXPECT_NE(report.dt_factor, 0) << "it has not ended";
+  }
+}
+
 TEST(Material, KnowsItsState) {
   const auto material = jaumann_material();
   EXPECT_EQ(material->state_size(), 9u);

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "harness/acoustic_tensor.hpp"
+#include "harness/deformation_table.hpp"
 #include "harness/homogeneous.hpp"
 #include "harness/point_driver.hpp"
 #include "harness/vortex.hpp"
@@ -243,6 +245,55 @@ TEST(StabilityScreen, PassesOnTheFailureOfAMaterialThatNowhereStandsItsSteps) {
     return t;
   }();
   EXPECT_THROW(screen_stability(Material(&table, {{"E", 1e3}, {"nu", 0.3}}), vortex_path(0.05), 1), MaterialFailure);
+}
+
+/// A shear that comes and goes, in so many rows.
+Path tabulated(int rows, double largest) {
+  std::vector<double> times;
+  std::vector<Tensor> F;
+  for (int k = 0; k <= rows; ++k) {
+    times.push_back(static_cast<double>(k) / rows);
+    F.push_back(Tensor::Identity());
+    F.back()(0, 1) = largest * std::sin(std::numbers::pi * times.back());
+  }
+  return DeformationTable("rows", times, F, Interpolation::linear).baseline();
+}
+
+TEST(StabilityScreen, LooksAtEachRowOfALongTableOnceAndTellsHowFarItIs) {
+  constexpr int rows = 3000;
+  std::vector<double> shares;
+  const Path path = tabulated(rows, 1);
+  const StabilityScreen found =
+      screen_stability(*elastic_material(), path, 1, [&](double share) { shares.push_back(share); });
+  EXPECT_EQ(found.verdict, Verdict::stable);
+  EXPECT_EQ(shares.size(), static_cast<std::size_t>(rows));
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_GE(shares.front(), 0);
+  EXPECT_LE(shares.back(), 1);
+  const StabilityScreen few = screen_stability(*elastic_material(), tabulated(50, 1), 1);
+  EXPECT_NEAR(found.smallest, few.smallest, 1e-3 * few.smallest);
+}
+
+/// Half of a half turn, F = I + 1/2 (Q - I), is no body at all; a body that turns does not go there.
+TEST(StabilityScreen, OfATableOnlyWhatTheBodyGoesThroughCounts) {
+  std::vector<double> times;
+  std::vector<Tensor> F;
+  for (int k = 0; k <= 16; ++k) {
+    times.push_back(k / 16.0);
+    F.push_back(rotation_about_z(std::numbers::pi * times.back()));
+  }
+  for (const Interpolation interpolation : {Interpolation::linear, Interpolation::spline}) {
+    const Path path = DeformationTable("rows", times, F, interpolation).baseline();
+    EXPECT_EQ(screen_stability(*elastic_material(), path, 1).verdict, Verdict::stable);
+  }
+}
+
+TEST(StabilityScreen, ALossBetweenManyRowsIsFoundWhereFewShowIt) {
+  const StabilityScreen many = screen_stability(*j2(50, 100), tabulated(2000, 7), 1);
+  const StabilityScreen few = screen_stability(*j2(50, 100), tabulated(100, 7), 1);
+  ASSERT_EQ(few.verdict, Verdict::unstable);
+  ASSERT_EQ(many.verdict, Verdict::unstable);
+  EXPECT_NEAR(many.t, few.t, 1e-2);
 }
 
 }  // namespace

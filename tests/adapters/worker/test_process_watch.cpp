@@ -5,6 +5,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/time.h>
@@ -112,6 +113,17 @@ void limit_files() {
   ::setrlimit(RLIMIT_FSIZE, &size);
 }
 void set_variable() { ::setenv("OMP_NUM_THREADS_OF_A_TEST", "1", 1); }
+void stay_on_one_core() {
+  cpu_set_t cores;
+  CPU_ZERO(&cores);
+  CPU_SET(::sched_getcpu(), &cores);
+  ::sched_setaffinity(0, sizeof cores, &cores);
+}
+void be_nice() { static_cast<void>(::nice(5)); }
+void run_in_the_background() {
+  const sched_param none{};
+  ::sched_setscheduler(0, SCHED_BATCH, &none);
+}
 void open_files(int count) {
   for (int k = 0; k < count; ++k) static_cast<void>(::open("/dev/null", O_RDONLY));
 }
@@ -154,6 +166,9 @@ const Deed deeds[] = {{"nothing", nothing, no_habit},
                       {"sets_a_profiling_timer", set_profiling_timer, timer_left},
                       {"limits_files", limit_files, limits_changed},
                       {"sets_a_variable", set_variable, environment_changed},
+                      {"stays_on_one_core", stay_on_one_core, scheduling_changed},
+                      {"is_nice", be_nice, scheduling_changed},
+                      {"runs_in_the_background", run_in_the_background, scheduling_changed},
                       {"opens_a_few_files", open_a_few, no_habit},
                       {"opens_many_files", open_many, files_left},
                       {"takes_all_files", take_all_files, files_left},

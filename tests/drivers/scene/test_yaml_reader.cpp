@@ -215,7 +215,7 @@ TEST(YamlReader, FilesThatCannotBeRead) {
   EXPECT_EQ(refusal_of([&] { read_bytes(folder); }), folder + ": is a folder, not a file");
   EXPECT_EQ(refusal_of([&] { read_bytes(folder + "absent.yaml"); }),
             folder + "absent.yaml: cannot be read: No such file or directory");
-  EXPECT_EQ(refusal_of([&] { read_bytes(""); }), "not a file name");
+  EXPECT_EQ(refusal_of([&] { read_bytes(""); }), "'' is not the name of a file");
   std::ofstream(folder + "bytes.yaml") << "a: 1\n";
   EXPECT_EQ(refusal_of([&] { read_bytes(folder + "bytes.yaml", 4); }), folder + "bytes.yaml: longer than 4 bytes");
   EXPECT_EQ(read_bytes(folder + "bytes.yaml"), "a: 1\n");

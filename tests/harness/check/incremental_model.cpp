@@ -89,7 +89,10 @@ Tensor carried_back(int defect, const Tensor& R, const Tensor& back, const Tenso
 Tensor take(Model& m, const Step& step, Tensor& stress, Tensor& back, double& p) {
   const Kinematics k = kinematics(m.defect, step.F0, step.F1);
   const auto carry = [&](const Tensor& A) {
-    if (m.defect == euler_spin) return Tensor(A + k.spin * A - A * k.spin);
+    if (m.defect == euler_spin || m.defect == double_euler_spin || m.defect == opposite_euler_spin) {
+      const double times = m.defect == double_euler_spin ? 2 : m.defect == opposite_euler_spin ? -1 : 1;
+      return Tensor(A + times * (k.spin * A - A * k.spin));
+    }
     const Tensor turned = k.rotation * A * k.rotation.transpose();
     return m.defect == swapped_rotation ? exchanged(turned) : turned;
   };

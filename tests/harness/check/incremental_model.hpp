@@ -17,6 +17,8 @@ enum Defect : int {
   half_spin,
   double_spin,
   euler_spin,
+  double_euler_spin,
+  opposite_euler_spin,
   fixed_back_stress,
   back_stress_turned_back,
   swapped_back_stress,

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The incremental model as a table, and what is planted in it.
+#include <string>
+#include <vector>
+
 #include "harness/check/battery.hpp"
 #include "tests/harness/check/incremental_model.hpp"
 
@@ -61,6 +64,8 @@ std::vector<Subject> subjects() {
                         {"half_spin", half_spin, wrong_spin},
                         {"double_spin", double_spin, wrong_spin},
                         {"euler_spin", euler_spin, explicit_spin},
+                        {"double_euler_spin", double_euler_spin, wrong_spin},
+                        {"opposite_euler_spin", opposite_euler_spin, wrong_spin},
                         {"fixed_back_stress", fixed_back_stress, state_not_rotated},
                         {"back_stress_kept_in_the_reference", back_stress_kept_in_the_reference, wrong_role},
                         {"back_stress_turned_back", back_stress_turned_back, wrong_spin},
@@ -106,6 +111,22 @@ std::vector<Subject> subjects() {
                         {"refuses_by_the_last_digits", refuses_by_the_last_digits, refuses}};
   std::vector<Subject> subjects;
   add(subjects, table(), planted);
+  static const assay_material scalars = [] {
+    static std::vector<std::string> names;
+    for (std::size_t c = 0; c < state_size; ++c) names.push_back("s" + std::to_string(c + 1));
+    static std::vector<assay_state_variable> each;
+    for (const std::string& name : names) each.push_back({name.c_str(), "1", ASSAY_SCALAR, ASSAY_ROLE_PLAIN, "scalar"});
+    assay_material t = *table();
+    t.state = each.data();
+    t.state_count = state_size;
+    return t;
+  }();
+  add(subjects, &scalars,
+      {{"hughes_winget_in_scalars", hughes_winget, ""},
+       {"euler_spin_in_scalars", euler_spin, explicit_spin},
+       {"double_euler_spin_in_scalars", double_euler_spin, wrong_spin},
+       {"opposite_euler_spin_in_scalars", opposite_euler_spin, wrong_spin},
+       {"half_spin_in_scalars", half_spin, wrong_spin}});
   static const assay_material silent = [] {
     assay_material t = *table();
     t.flags &= ~ASSAY_USES_INCREMENT;

@@ -2,6 +2,7 @@
 // What relaxes: a generalised Maxwell solid with two overstresses in its state, and a Maxwell liquid whose state is its
 // stress; a parameter plants one defect.
 #include <algorithm>
+#include <utility>
 
 #include "harness/check/battery.hpp"
 #include "harness/check/tangent_conventions.hpp"
@@ -37,6 +38,7 @@ enum Defect : int {
   relaxes_by_the_step,
   grows,
   wrong_branch,
+  explicit_relaxation,
   kept_in_another_order,
   kept_doubled,
   kept_in_the_reference,
@@ -127,6 +129,9 @@ double integral_of_24_bits(double x) {
   return (1.0F - std::exp(-f)) / f;
 }
 
+/// What is left of a stress after x times the time of relaxation.
+double left_of(int defect, double x) { return defect == explicit_relaxation ? 1 - x : std::exp(-x); }
+
 /// Hencky's law beside two overstresses that relax.
 struct Solid {
   static constexpr std::size_t state_size = 12;
@@ -160,9 +165,9 @@ struct Solid {
     for (std::size_t k = 0; k < 2; ++k) {
       const int here = defect == slow_unturned ? (k == 1 ? unturned : none) : defect;
       const double time_of_step = defect == relaxes_by_the_step ? 0.01 : defect == grows ? -step.dt : step.dt;
-      const double left = std::exp(-time_of_step / time[k]);
-      const double middle =
-          defect == integral_in_single_precision ? integral_of_24_bits(time_of_step / time[k]) : std::sqrt(left);
+      const double left = left_of(defect, time_of_step / time[k]);
+      const double middle = defect == integral_in_single_precision ? integral_of_24_bits(time_of_step / time[k])
+                                                                   : std::exp(-0.5 * time_of_step / time[k]);
       const Tensor before = left * kept(defect, step.F0, read_symmetric(state0 + 6 * k), true);
       const Tensor own = strain_of_part(defect, step, R, strain);
       const double sign = defect == wrong_branch && k == 1 ? -1 : 1;
@@ -198,10 +203,10 @@ struct Liquid {
     const auto [R, strain] = increment_of(step);
     Tensor before = read_symmetric(state0);
     if (defect == of_last_call) before = statics.of_point.try_emplace(0, before).first->second;
-    const double left = std::exp(-step.dt / time);
+    const double left = left_of(defect, step.dt / time);
     const Tensor old = left * deviator(before) + sphere(before);
     const double middle =
-        defect == integral_in_single_precision ? integral_of_24_bits(step.dt / time) : std::sqrt(left);
+        defect == integral_in_single_precision ? integral_of_24_bits(step.dt / time) : std::exp(-0.5 * step.dt / time);
     const double swollen = defect == swells ? 0.1 * step.dt : 0;
     const Tensor added =
         2 * mu * middle * deviator(strain) + bulk * (strain.trace() - 3 * swollen) * Tensor::Identity();
@@ -318,6 +323,15 @@ std::vector<Subject> subjects() {
   add(all, &solid, {{"growing_overstress", grows, dissipation}}, {{"share", 4}});
   add(all, &solid, {{"overstress_of_24_bits", integral_in_single_precision, single_precision}}, {{"share", 20}});
   add(all, &solid, {{"branch_that_relaxes_the_wrong_way", wrong_branch, dissipation}});
+  const std::pair<const char*, double> liquids[] = {{"liquid_of_explicit_relaxation", 30},
+                                                    {"brief_liquid_of_explicit_relaxation", 0.01},
+                                                    {"fast_liquid_of_explicit_relaxation", 1e-3}};
+  for (const auto& [name, time] : liquids)
+    add(all, &liquid, {{name, explicit_relaxation, dissipation}}, {{"time", time}});
+  const std::pair<const char*, double> solids[] = {{"explicit_relaxation", 1}, {"slow_explicit_relaxation", 1e3}};
+  for (const auto& [name, time] : solids) {
+    add(all, &solid, {{name, explicit_relaxation, dissipation}}, {{"slow_share", 0}, {"time", time}});
+  }
   static const assay_material own = table_of<Solid>("own_for_tests", flags, parameters, two_of_their_own);
   add(all, &own, {{"unturned_overstress_that_should_turn_itself", unturned, state_not_rotated}});
   add(all, &silent, {{"liquid_that_says_nothing_of_increments", none, undeclared_increment}});

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/check/long_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "harness/check/judge.hpp"
+#include "harness/material_failure.hpp"
+#include "harness/stable_norm.hpp"
+
+namespace assay::check {
+
+namespace {
+
+constexpr double most_moved = 3, most_held = 2;                                  ///< times the stress of a sudden step
+constexpr double lengths[] = {1e-3, 1e-2, 0.1, 1, 10, 1e2, 1e3, 1e4, 1e5, 1e6};  ///< [s]
+
+/// A stretch, and the point to which a sudden step brings it.
+class Struck {
+ public:
+  Struck(const Specimen& specimen, double sudden)
+      : specimen_(specimen),
+        sudden_(sudden),
+        F_(specimen.space.stretch(specimen.amplitude, 0.3)),
+        rest_(specimen.rest_state()),
+        point_(stepped(*specimen.material, 0, sudden, I_, F_, rest_)) {}
+
+  /// Of the stress of the sudden step: that of a long one [s].
+  double moved(double length) const {
+    return times(above_rest(stepped(*specimen_.material, 0, length, I_, F_, rest_).cauchy));
+  }
+
+  /// The same of what is left after a long step in which the body is held, beyond what swelling brings.
+  double held(double length) const {
+    const Material& material = *specimen_.material;
+    const Tensor swollen = stepped(material, sudden_, length, I_, I_, rest_).cauchy;
+    return times(stepped(material, sudden_, length, F_, F_, point_.state).cauchy - swollen);
+  }
+
+ private:
+  Tensor above_rest(const Tensor& cauchy) const { return cauchy + specimen_.rest_pressure() * I_; }
+
+  /// The deviators or the pressures: the larger ratio.
+  double times(const Tensor& found) const {
+    const Tensor sudden = above_rest(point_.cauchy);
+    const double shear = stable_norm(deviator(sudden)), pressure = std::abs(sudden.trace());
+    const double least = std::max(1e-3 * (shear + pressure), specimen_.least_stress());
+    return std::max(stable_norm(deviator(found)) / std::max(shear, least),
+                    std::abs(found.trace()) / std::max(pressure, least));
+  }
+
+  const Specimen& specimen_;
+  double sudden_;
+  Tensor I_ = Tensor::Identity(), F_;
+  std::vector<double> rest_;
+  Point point_;
+};
+
+/// The first length of a step that makes too much of the stress, and what it makes of it.
+std::optional<std::pair<double, double>> first_beyond(const Struck& struck, double (Struck::*after)(double) const,
+                                                      double most) {
+  for (const double length : lengths) {
+    const double times = (struck.*after)(length);
+    if (!(times <= most)) return std::pair(length, times);
+  }
+  return std::nullopt;
+}
+
+std::string held_words(double length, double times) {
+  return "a body that is held bears " + rounded(times) + " times its stress after a step of " + rounded(length) +
+         " s: its relaxation is explicit, which overshoots in steps longer than its time";
+}
+
+TestResult failed(double times, double most, const std::string& words) {
+  TestResult result{.id = "dissipation", .verdict = Verdict::fail, .measure = times, .threshold = most};
+  result.cause = causes::dissipation;
+  result.sentence = words + ", and does not ask for a shorter one";
+  return result;
+}
+
+}  // namespace
+
+std::optional<TestResult> long_steps(const Specimen& specimen, double sudden) {
+  try {
+    const Struck struck(specimen, sudden);
+    if (const auto found = first_beyond(struck, &Struck::moved, most_moved)) {
+      return failed(found->second, most_moved,
+                    "a step of " + rounded(found->first) + " s brings " + rounded(found->second) +
+                        " times the stress of a sudden one");
+    }
+    if (const auto found = first_beyond(struck, &Struck::held, most_held)) {
+      return failed(found->second, most_held, held_words(found->first, found->second));
+    }
+  } catch (const MaterialFailure&) {  // of the length of a step
+  }
+  return std::nullopt;
+}
+
+std::string overshoot(const Specimen& specimen) {
+  constexpr double sudden = 1e-9;  // [s]
+  if (!specimen.rate_dependent()) return {};
+  try {
+    const auto found = first_beyond(Struck(specimen, sudden), &Struck::held, most_held);
+    if (found) return held_words(found->first, found->second);
+  } catch (const MaterialFailure&) {  // of the length of a step
+  }
+  return {};
+}
+
+}  // namespace assay::check
