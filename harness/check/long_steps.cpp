@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "harness/check/judge.hpp"
+#include "harness/largest.hpp"
 #include "harness/material_failure.hpp"
 #include "harness/stable_norm.hpp"
 
@@ -58,14 +59,23 @@ class Struck {
   Point point_;
 };
 
-/// The first length of a step that makes too much of the stress, and what it makes of it.
-std::optional<std::pair<double, double>> first_beyond(const Struck& struck, double (Struck::*after)(double) const,
-                                                      double most) {
-  for (const double length : lengths) {
-    const double times = (struck.*after)(length);
-    if (!(times <= most)) return std::pair(length, times);
+/// Of steps of these lengths: the first that makes too much of the stress, what it makes of it, and the most that any
+/// does.
+struct Excess {
+  double length, times, worst;
+};
+
+std::optional<Excess> excess(const Struck& struck, double (Struck::*after)(double) const, double most) {
+  std::optional<Excess> found;
+  try {
+    for (const double length : lengths) {
+      const double times = (struck.*after)(length);
+      if (!found && !(times <= most)) found = Excess{length, times, times};
+      if (found) found->worst = larger(found->worst, times);
+    }
+  } catch (const MaterialFailure&) {  // of the length of a step
   }
-  return std::nullopt;
+  return found;
 }
 
 std::string held_words(double length, double times) {
@@ -85,13 +95,13 @@ TestResult failed(double times, double most, const std::string& words) {
 std::optional<TestResult> long_steps(const Specimen& specimen, double sudden) {
   try {
     const Struck struck(specimen, sudden);
-    if (const auto found = first_beyond(struck, &Struck::moved, most_moved)) {
-      return failed(found->second, most_moved,
-                    "a step of " + rounded(found->first) + " s brings " + rounded(found->second) +
+    if (const auto found = excess(struck, &Struck::moved, most_moved)) {
+      return failed(found->worst, most_moved,
+                    "a step of " + rounded(found->length) + " s brings " + rounded(found->times) +
                         " times the stress of a sudden one");
     }
-    if (const auto found = first_beyond(struck, &Struck::held, most_held)) {
-      return failed(found->second, most_held, held_words(found->first, found->second));
+    if (const auto found = excess(struck, &Struck::held, most_held)) {
+      return failed(found->worst, most_held, held_words(found->length, found->times));
     }
   } catch (const MaterialFailure&) {  // of the length of a step
   }
@@ -102,8 +112,8 @@ std::string overshoot(const Specimen& specimen) {
   constexpr double sudden = 1e-9;  // [s]
   if (!specimen.rate_dependent()) return {};
   try {
-    const auto found = first_beyond(Struck(specimen, sudden), &Struck::held, most_held);
-    if (found) return held_words(found->first, found->second);
+    const auto found = excess(Struck(specimen, sudden), &Struck::held, most_held);
+    if (found) return held_words(found->length, found->times);
   } catch (const MaterialFailure&) {  // of the length of a step
   }
   return {};

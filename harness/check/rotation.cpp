@@ -15,7 +15,8 @@ namespace assay::check {
 
 namespace {
 
-constexpr double spins_alike = 2e-2;  ///< relative: stress turned by a multiple of the angle, and stress found
+constexpr double largest_multiple = 2.5;  ///< of the body's angle by which a stress is turned
+constexpr double spins_alike = 2e-2;      ///< relative: stress turned by a multiple of the angle, and stress found
 
 using AngleOf = std::function<double(double)>;
 
@@ -52,9 +53,9 @@ Twins march_twins(const Specimen& specimen, const Loading& loading, const AngleO
 std::optional<double> turned_by(const Space& space, const Tensor& found, const Tensor& unturned) {
   const double scale = unturned.cwiseAbs().maxCoeff();
   const auto miss = [&](double k) { return distance(rotated(space.turn(k * turning_angle), unturned), found) / scale; };
-  constexpr double range = 2.5, step = 0.01;
+  constexpr double step = 0.01;
   double best = 0;
-  for (double k = -range; k <= range; k += step) {
+  for (double k = -largest_multiple; k <= largest_multiple; k += step) {
     if (miss(k) < miss(best)) best = k;
   }
   return miss(best) < spins_alike ? std::optional(best) : std::nullopt;
@@ -69,8 +70,8 @@ std::optional<double> spin_of(const Specimen& specimen, const Tensor& F, const P
   const auto stress = [&](const Tensor& F1) { return stepped(material, 1, length, F, F1, loaded.state).cauchy; };
   const Tensor held = stress(F), change = stress(Q * F) - held, whole = rotated(Q, held) - held;
   const double share = share_along(change, whole);
-  if (!(distance(change, share * whole) < spins_alike * change.cwiseAbs().maxCoeff())) return std::nullopt;
-  return share;
+  const bool turns = distance(change, share * whole) < spins_alike * change.cwiseAbs().maxCoeff();
+  return turns && std::abs(share) <= largest_multiple ? std::optional(share) : std::nullopt;
 }
 
 /// Equal stretches, and a little shear on top: where a yield surface has an apex, the stress may be there.

@@ -156,10 +156,9 @@ Found wrong_frame_at_fixed_stretch(const Findings& f) {
                    "components of the spin are missing or mixed up"};
 }
 
-/// Of the body's angle: by which a small turn turns the stress where that is not 1, and the error falls with the step.
+/// Of the body's angle: by which a small turn turns the stress, where that is not 1.
 std::optional<double> other_spin(const RotationFinding& fixed) {
-  const bool is_other = fixed.result.order && fixed.spin && std::abs(*fixed.spin - 1) > unmoved;
-  return is_other ? fixed.spin : std::nullopt;
+  return fixed.spin && std::abs(*fixed.spin - 1) > unmoved ? fixed.spin : std::nullopt;
 }
 
 Found no_rotations(const Findings& f) {
