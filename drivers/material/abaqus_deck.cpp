@@ -166,13 +166,14 @@ std::vector<DeckMaterial> materials_of(const std::vector<DeckBlock>& blocks, std
   std::vector<DeckMaterial> all;
   const DeckNumbers named = numbers_named_in(blocks);
   DeckMaterial current;
-  bool has_constants = false, within = false;
+  bool has_constants = false, within = false, thermal = false;
   std::map<std::string, Location> names, parts;
   const auto finish = [&] {
-    if (within) has_constants ? all.push_back(current) : others.push_back(current.name);
+    const std::string remark = thermal ? " (*User Material, type=thermal, is of UMATHT)" : "";
+    if (within) has_constants ? all.push_back(current) : others.push_back(current.name + remark);
     current = {};
     parts.clear();
-    has_constants = within = false;
+    has_constants = within = thermal = false;
   };
   for (const DeckBlock& block : blocks) {
     if (block.is("material", 4)) {
@@ -181,7 +182,9 @@ std::vector<DeckMaterial> materials_of(const std::vector<DeckBlock>& blocks, std
       current.name = block.value("name");
       require_utf8(current.name, block.where, "*Material");
       note_once(deck_letters(current.name), "Material, name=" + one_line(current.name, 80), block, names);
-    } else if (within && is_user_material(block) && deck_letters(block.value("type")) != "thermal") {
+    } else if (within && is_user_material(block) && deck_letters(block.value("type")) == "thermal") {
+      thermal = true;
+    } else if (within && is_user_material(block)) {
       note_once("constants", "User Material", block, parts);
       current.constants = constants_of(block, named, current.notes);
       has_constants = true;

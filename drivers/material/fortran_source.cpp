@@ -69,6 +69,21 @@ ColumnReadings columns_of(const std::vector<std::string>& lines, const FoundForm
   return readings_of(fixed, FortranForm::fixed);
 }
 
+/// Bytes of other systems that stop a compiler at another place, or without naming them.
+void require_text(const std::string& bytes, const std::string& file, const Location& where, const std::string& key) {
+  constexpr char end_of_dos = '\x1A';
+  const auto refuse = [&](const std::string& words) { throw InputError(where, key, "'" + file + "' " + words); };
+  if (bytes.find('\0') != bytes.npos) refuse("is no Fortran source: it holds bytes that are no text");
+  if (const std::size_t at = bytes.find(end_of_dos); at != bytes.npos) {
+    const auto line = 1 + std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    refuse("holds U+001A, the end of a file of DOS, in line " + std::to_string(line) + ": delete it");
+  }
+  if (bytes.find('\n') == bytes.npos && bytes.find('\r') != bytes.npos)
+    refuse(
+        "has lines that end with a carriage return alone, which no compiler reads: tr '\\r' '\\n' makes them line "
+        "breaks");
+}
+
 /// Adds what some lines include, and what that includes.
 void add_includes(const std::vector<std::string>& lines, FortranSource& source) {
   for (const FortranInclude& include : includes_of(lines, source.form.form)) {
@@ -78,6 +93,7 @@ void add_includes(const std::vector<std::string>& lines, FortranSource& source) 
     const std::string path = file_beside(fs::path(source.file).parent_path(), include.name);
     const std::string bytes = path.empty() ? abaqus_include(include.name) : read_bytes(path, largest_source);
     if (bytes.empty() && path.empty()) continue;  // the compiler says what is missing
+    require_text(bytes, path, {source.file, include.line, 0}, "include");
     source.includes.push_back({include.name, path, bytes, {}});
     if (path.empty()) continue;
     const std::vector<std::string> said = lines_of_source(bytes);
@@ -109,9 +125,7 @@ FortranSource read_fortran_source(const std::string& file, const Location& where
   FortranSource source;
   source.file = file;
   source.bytes = read_bytes(file, largest_source);
-  if (source.bytes.find('\0') != source.bytes.npos) {
-    throw InputError(where, key, "'" + file + "' is no Fortran source: it holds bytes that are no text");
-  }
+  require_text(source.bytes, file, where, key);
   const std::vector<std::string> said = lines_of_source(source.bytes);
   source.form = form_of_source(file, said);
   source.lines = lines_for_compiler(said, source.form, form_by_name(file));

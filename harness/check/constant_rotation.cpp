@@ -1,52 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/check/constant_rotation.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numbers>
 #include <optional>
 
-#include "harness/check/elasticity.hpp"
+#include "harness/check/frame_twins.hpp"
 #include "harness/check/judge.hpp"
 
 namespace assay::check {
 
 namespace {
 
-constexpr double angle = turning_angle, right_angle = std::numbers::pi / 2;
-
-Tensor half_turn(const Vector3& axis) { return 2 / axis.squaredNorm() * axis * axis.transpose() - Tensor::Identity(); }
-
-/// The same history without shears 13 and 23.
-Loading in_plane(const Loading& loading) {
-  return {[F = loading.F](double t) {
-            Tensor A = F(t);
-            A(0, 2) = A(1, 2) = A(2, 0) = A(2, 1) = 0;
-            return A;
-          },
-          loading.phases};
-}
-
-/// Whether the turns in which a history is right are those that an exchange of 13 and 23 leaves right: none of them
-/// tells it from a law of the shear 12 alone, which is wrong in the plane, too.
-bool exchanges_shears(const Specimen& specimen, const std::function<bool(const Tensor&, const Loading&)>& is_right) {
-  if (specimen.space.is_plane()) return false;
-  const Loading still = out_and_back(specimen);
-  if (!is_right(rotation_about_z(angle), in_plane(still))) return false;
-  const auto right = [&](const Tensor& R) { return is_right(R, still); };
-  const Tensor about_diagonal = Eigen::AngleAxisd(angle, Vector3(1, 1, 0).normalized()).toRotationMatrix();
-  return right(half_turn({0, 0, 1})) && right(half_turn({1, 1, 0})) && !right(half_turn({1, 0, 0})) &&
-         !right(rotation_about_z(right_angle)) && !right(about_diagonal);
-}
-
-/// 1 to 2, 2 to 3, 3 to 1.
-Tensor next_axes() {
-  Tensor R;
-  R << 0, 0, 1, 1, 0, 0, 0, 1, 0;
-  return R;
-}
+constexpr double angle = turning_angle;
 
 /// A stretch along axes that stand still.
 Loading still_stretch(const Specimen& specimen) {
@@ -62,64 +28,8 @@ Loading turned_by(const Tensor& Q, const Loading& still) {
   return {[=](double t) { return Tensor(Q * still.F(t)); }, still.phases};
 }
 
-/// A history and its twin, which is to be the same turned by Q.
-struct FrameTwins {
-  const char* id;
-  Loading still, seen;
-  Tensor Q;
-  Vector3 direction;
-  std::string words;
-};
-
-struct TwinError {
-  double relative;  ///< to the largest stress
-  FailedStep last;
-};
-
-TwinError error_of(const Specimen& specimen, const FrameTwins& twins, int steps) {
-  const Material& material = *specimen.material;
-  const March a = march(material, twins.still, {.steps = steps, .state = specimen.rest_state()});
-  const March b = march(material, twins.seen, {.steps = steps, .state = specimen.rest_state(twins.direction)});
-  double error = 0;
-  for (std::size_t k = 0; k < a.marks.size(); ++k) {
-    error = std::max(error, distance(rotated(twins.Q.transpose(), b.marks[k].cauchy), a.marks[k].cauchy));
-  }
-  return {error / std::max(a.largest, specimen.least_stress()), b.last};
-}
-
-TestResult exact_twin(const Specimen& specimen, const FrameTwins& twins) {
-  const auto [error, last] = error_of(specimen, twins, specimen.steps());
-  TestResult result{.id = twins.id, .measure = error, .threshold = own_precision, .step = last};
-  result.verdict = error <= own_precision ? Verdict::pass : Verdict::fail;
-  result.sentence = twins.words + (error <= exact_error     ? ": exact"
-                                   : error <= own_precision ? ": to the model's own precision, " + rounded(error)
-                                                            : ": off by " + rounded(error) + " of the largest stress");
-  return result;
-}
-
-/// As `exact_twin`. An integrator that chooses its own steps by components of the strain takes others in another frame:
-/// that error falls as steps become shorter than its own, and a defect's does not.
-TestResult twin_or_tolerance(const Specimen& specimen, const FrameTwins& twins) {
-  constexpr double falls = 0.25;
-  TestResult result = exact_twin(specimen, twins);
-  const double first = *result.measure;
-  if (result.verdict == Verdict::pass || !(first <= converging_limit)) return result;
-  for (const int times : {16, 64}) {
-    const int steps = times * specimen.steps();
-    const double error = error_of(specimen, twins, steps).relative;
-    if (!(error <= falls * first)) continue;
-    result.verdict = Verdict::pass;
-    result.sentence = std::string(remark_words) + twins.words + ": off by " + rounded(first) + " at " +
-                      std::to_string(specimen.steps()) + " steps, by " + rounded(error) + " at " +
-                      std::to_string(steps) +
-                      ". It is the tolerance of an integrator whose own steps depend on the frame";
-    return result;
-  }
-  return result;
-}
-
-/// The same where the body is turned to the frame by a step, from a state at rest: one that holds axes follows that
-/// alone.
+/// Whether the turned history is right where the body is turned to the frame by a step, from a state at rest: one that
+/// holds axes follows that alone.
 bool right_after_a_turn(const Specimen& specimen, const Tensor& Q, const Loading& still,
                         const std::vector<double>& rest) {
   const Material& material = *specimen.material;
@@ -260,54 +170,6 @@ bool right_without_spin(const Specimen& specimen) {
   } catch (const MaterialFailure&) {
     return false;
   }
-}
-
-TestResult change_of_basis(const Specimen& specimen) {
-  const bool directed = has_direction(specimen.material->table());
-  if (!specimen.isotropic() && !directed) {
-    return {.id = "basis",
-            .verdict = Verdict::not_applicable,
-            .sentence = "the axes of the material are its own: no direction is declared that could turn along"};
-  }
-  const Tensor Q = directed ? rotation_about_z(angle) : specimen.space.turn(angle);  // the third axis may be fixed
-  const Loading still = out_and_back(specimen);
-  const Loading seen{[=](double t) { return rotated(Q, still.F(t)); }, still.phases};
-  return twin_or_tolerance(specimen, {"basis", still, seen, Q, Q * Vector3::UnitX(), "body and frame turned together"});
-}
-
-TestResult isotropy(const Specimen& specimen) {
-  if (!specimen.isotropic()) {
-    return {
-        .id = "isotropy", .verdict = Verdict::not_applicable, .sentence = "the model does not claim to be isotropic"};
-  }
-  const Loading still = out_and_back(specimen);
-  const auto before = [&](const Tensor& Q, const Loading& history) {
-    const Loading seen{[=](double t) { return Tensor(history.F(t) * Q.transpose()); }, history.phases};
-    return FrameTwins{"isotropy",         history,          seen,
-                      Tensor::Identity(), Vector3::UnitX(), "the same history of a body that was turned before"};
-  };
-  TestResult result = twin_or_tolerance(specimen, before(specimen.space.turn(angle), still));
-  if (result.verdict == Verdict::pass) return result;
-  if (exchanges_shears(specimen, [&](const Tensor& Q, const Loading& history) {
-        return exact_twin(specimen, before(Q, history)).verdict == Verdict::pass;
-      })) {
-    result.cause = causes::components_swapped;
-    result.sentence += "; right where the turn exchanges the axes 1 and 2: somewhere 13 and 23 change places";
-    return result;
-  }
-  // A crystal that is not declared is as right; its small strains are those of one, too.
-  const auto right = [&](const Tensor& Q) {
-    const TestResult twin = exact_twin(specimen, before(Q, still));
-    return twin.verdict == Verdict::pass || *twin.measure < 1e-3 * *result.measure;
-  };
-  if (right(rotation_about_z(right_angle)) && (specimen.space.is_plane() || right(next_axes())) &&
-      shear_modulus(specimen).verdict == Verdict::pass) {
-    result.cause = causes::shear_factor;
-    result.sentence +=
-        "; right where it was turned by right angles, and isotropic in small strains: shear and normal components are "
-        "not weighed as an invariant does";
-  }
-  return result;
 }
 
 }  // namespace assay::check

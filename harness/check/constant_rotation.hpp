@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Frame or body turned once for all: what any model keeps exactly.
+// A frame that is turned once for all: what any model keeps exactly.
 #pragma once
 
 #include "harness/check/specimen.hpp"
@@ -11,11 +11,5 @@ TestResult constant_rotation(const Specimen& specimen);
 
 /// The same of a stretch along axes that stand still, which no spin enters: whether it is right.
 bool right_without_spin(const Specimen& specimen);
-
-/// Body and frame turned: F' = Q F Q^T.
-TestResult change_of_basis(const Specimen& specimen);
-
-/// The body alone turned before it is loaded: F' = F Q^T, sigma' = sigma for isotropic materials.
-TestResult isotropy(const Specimen& specimen);
 
 }  // namespace assay::check

@@ -12,6 +12,7 @@
 #include "harness/check/elasticity.hpp"
 #include "harness/check/extensions.hpp"
 #include "harness/check/initial_stress.hpp"
+#include "harness/check/isotropy.hpp"
 #include "harness/check/last_digits.hpp"
 #include "harness/check/material_symmetry.hpp"
 #include "harness/check/memory.hpp"

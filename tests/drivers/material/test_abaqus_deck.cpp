@@ -111,6 +111,8 @@ TEST(AbaqusDeck, WhatIsWrongIsSaidAtItsLine) {
   EXPECT_EQ(refused(head + "*User Material, constants=1\n1\n*Depvar\n2\n3, X\n"),
             "job.inp:6:1: *Depvar: names variable 3 of 2");
   EXPECT_EQ(refused(head + "*Elastic\n1, .3\n"), "job.inp: has no material with *User Material; known: A");
+  EXPECT_EQ(refused(head + "*User Material, type=THERMAL, constants=1\n1\n"),
+            "job.inp: has no material with *User Material; known: A (*User Material, type=thermal, is of UMATHT)");
   EXPECT_EQ(refused(""), "job.inp: has no material with *User Material");
   EXPECT_EQ(refusal_of([] { read_deck("/absent/job.inp", "", ""); }), "/absent/job.inp: no such file");
 }

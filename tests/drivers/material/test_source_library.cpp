@@ -241,6 +241,14 @@ TEST_F(SourceLibraryTest, WhatIsNoSourceIsRefused) {
   EXPECT_EQ(refused(scratch / "absent.f"), "f:1:2: k: no such file: 'absent.f'");
   EXPECT_EQ(refused(scratch.write("binary.f", std::string("a\0b", 3))),
             "f:1:2: k: 'binary.f' is no Fortran source: it holds bytes that are no text");
+  EXPECT_EQ(refused(scratch.write("dos.f", "      end\n\x1A")),
+            "f:1:2: k: 'dos.f' holds U+001A, the end of a file of DOS, in line 2: delete it");
+  EXPECT_EQ(refused(scratch.write("mac.f", "      subroutine a\r      end\r")),
+            "f:1:2: k: 'mac.f' has lines that end with a carriage return alone, which no compiler reads: "
+            "tr '\\r' '\\n' makes them line breaks");
+  scratch.write("old.inc", "      x = 1\r      y = 2\r");
+  EXPECT_NE(refused(scratch.write("includes.f", "      include 'old.inc'\n      end\n")).find("old.inc' has lines"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/check/frame_twins.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "harness/check/judge.hpp"
+
+namespace assay::check {
+
+namespace {
+
+Tensor half_turn(const Vector3& axis) { return 2 / axis.squaredNorm() * axis * axis.transpose() - Tensor::Identity(); }
+
+/// The same history without shears 13 and 23.
+Loading in_plane(const Loading& loading) {
+  return {[F = loading.F](double t) {
+            Tensor A = F(t);
+            A(0, 2) = A(1, 2) = A(2, 0) = A(2, 1) = 0;
+            return A;
+          },
+          loading.phases};
+}
+
+struct TwinError {
+  double relative;  ///< to the largest stress
+  FailedStep last;
+};
+
+TwinError error_of(const Specimen& specimen, const FrameTwins& twins, int steps) {
+  const Material& material = *specimen.material;
+  const March a = march(material, twins.still, {.steps = steps, .state = specimen.rest_state()});
+  const March b = march(material, twins.seen, {.steps = steps, .state = specimen.rest_state(twins.direction)});
+  double error = 0;
+  for (std::size_t k = 0; k < a.marks.size(); ++k) {
+    error = std::max(error, distance(rotated(twins.Q.transpose(), b.marks[k].cauchy), a.marks[k].cauchy));
+  }
+  return {error / std::max(a.largest, specimen.least_stress()), b.last};
+}
+
+}  // namespace
+
+TestResult exact_twin(const Specimen& specimen, const FrameTwins& twins) {
+  const auto [error, last] = error_of(specimen, twins, specimen.steps());
+  TestResult result{.id = twins.id, .measure = error, .threshold = own_precision, .step = last};
+  result.verdict = error <= own_precision ? Verdict::pass : Verdict::fail;
+  result.sentence = twins.words + (error <= exact_error     ? ": exact"
+                                   : error <= own_precision ? ": to the model's own precision, " + rounded(error)
+                                                            : ": off by " + rounded(error) + " of the largest stress");
+  return result;
+}
+
+TestResult twin_or_tolerance(const Specimen& specimen, const FrameTwins& twins) {
+  constexpr double falls = 0.25;
+  TestResult result = exact_twin(specimen, twins);
+  const double first = *result.measure;
+  if (result.verdict == Verdict::pass || !(first <= converging_limit)) return result;
+  for (const int times : {16, 64}) {
+    const int steps = times * specimen.steps();
+    const double error = error_of(specimen, twins, steps).relative;
+    if (!(error <= falls * first)) continue;
+    result.verdict = Verdict::pass;
+    result.sentence = std::string(remark_words) + twins.words + ": off by " + rounded(first) + " at " +
+                      std::to_string(specimen.steps()) + " steps, by " + rounded(error) + " at " +
+                      std::to_string(steps) +
+                      ". It is the tolerance of an integrator whose own steps depend on the frame";
+    return result;
+  }
+  return result;
+}
+
+bool exchanges_shears(const Specimen& specimen, const std::function<bool(const Tensor&, const Loading&)>& is_right) {
+  if (specimen.space.is_plane()) return false;
+  const Loading still = out_and_back(specimen);
+  if (!is_right(rotation_about_z(turning_angle), in_plane(still))) return false;
+  const auto right = [&](const Tensor& R) { return is_right(R, still); };
+  const Tensor about_diagonal = Eigen::AngleAxisd(turning_angle, Vector3(1, 1, 0).normalized()).toRotationMatrix();
+  return right(half_turn({0, 0, 1})) && right(half_turn({1, 1, 0})) && !right(half_turn({1, 0, 0})) &&
+         !right(rotation_about_z(right_angle)) && !right(about_diagonal);
+}
+
+Tensor next_axes() {
+  Tensor R;
+  R << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  return R;
+}
+
+}  // namespace assay::check

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/check/turned_reading.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/check/judge.hpp"
+#include "harness/check/state_place.hpp"
+
+namespace assay::check {
+
+namespace {
+
+constexpr double explained = 1e-3;  ///< of an error that an assumption leaves
+
+/// What components of the state or of the stress are taken for; the first two are no defect. `exchanged` is nothing in
+/// the plane.
+enum class As { tensor, own_frame, exchanged, half_shear, double_shear, count };
+
+Tensor read_as(As as, const Tensor& A) {
+  return as == As::exchanged      ? exchanged(A)
+         : as == As::half_shear   ? sheared(A, 0.5)
+         : as == As::double_shear ? sheared(A, 2)
+                                  : A;
+}
+
+Tensor written_as(As as, const Tensor& A) {
+  return as == As::exchanged      ? exchanged(A)
+         : as == As::half_shear   ? sheared(A, 2)
+         : as == As::double_shear ? sheared(A, 0.5)
+                                  : A;
+}
+
+Turned defect_of(As as) {
+  return as == As::tensor      ? Turned::rightly
+         : as == As::own_frame ? Turned::not_at_all
+         : as == As::exchanged ? Turned::with_13_and_23_exchanged
+                               : Turned::with_shear_factor;
+}
+
+/// One loading step from a state and from the same state turned.
+class Assumptions {
+ public:
+  Assumptions(const Specimen& specimen, const Loaded& from, double s)
+      : material_(*specimen.material), space_(specimen.space), from_(from), places_(places_of(material_)) {
+    constexpr double further = 0.02;
+    F1_ = space_.stretch(specimen.amplitude, s + further);
+    expected_ = step(from.F, F1_, from.point.state).cauchy;
+    scale_ = std::max(expected_.cwiseAbs().maxCoeff(), specimen.least_stress());
+    places_.resize(std::min(places_.size(), most_));
+  }
+
+  bool can_be(As as) const { return as != As::exchanged || !space_.is_plane(); }
+
+  /// Of the stress, if each variable is what it is assumed to be, and so is the stress.
+  double error(const std::vector<As>& variables, As output) const {
+    const Tensor Q = space_.turn(turning_angle);
+    std::vector<double> state = from_.point.state;
+    for (std::size_t v = 0; v < places_.size(); ++v) {
+      if (variables[v] == As::own_frame) continue;
+      const Variable stored = places_[v].in(state);
+      const Variable meant = stored.is_tensor() ? stored.with(read_as(variables[v], stored.value())) : stored;
+      const Variable turned = meant.turned(Q);
+      (stored.is_tensor() ? turned.with(written_as(variables[v], turned.value())) : turned)
+          .write(&state[places_[v].at]);
+    }
+    const Tensor seen = step(Q * from_.F, Q * F1_, state).cauchy;
+    return distance(rotated(Q.transpose(), read_as(output, seen)), read_as(output, expected_)) / scale_;
+  }
+
+  const std::vector<StatePlace>& places() const { return places_; }
+
+  /// What the variables are declared to be.
+  std::vector<As> declared() const {
+    std::vector<As> all;
+    for (const StatePlace& place : places_) all.push_back(place.is_own ? As::own_frame : As::tensor);
+    return all;
+  }
+
+ private:
+  static constexpr std::size_t most_ = 4;  ///< variables, each with five assumptions
+
+  Point step(const Tensor& F0, const Tensor& F1, const std::vector<double>& state) const {
+    return stepped(material_, 1, from_.length, F0, F1, state);
+  }
+
+  const Material& material_;
+  Space space_;
+  const Loaded& from_;
+  std::vector<StatePlace> places_;
+  Tensor F1_, expected_;
+  double scale_;
+};
+
+/// The least unlikely assumptions that explain the error.
+void explain(const Assumptions& assumptions, TurnedStep& found) {
+  const std::vector<As> declared = assumptions.declared();
+  const std::size_t count = declared.size();
+  const auto kinds = static_cast<std::size_t>(As::count);
+  std::size_t all = 1;
+  for (std::size_t v = 0; v < count; ++v) all *= kinds;
+  double least_cost = INFINITY;
+  for (std::size_t code = 0; code < all; ++code) {
+    std::vector<As> variables(count);
+    double cost = 0;
+    for (std::size_t v = 0, rest = code; v < count; ++v, rest /= kinds) {
+      variables[v] = static_cast<As>(rest % kinds);
+      const bool likely = variables[v] == As::tensor || variables[v] == As::own_frame;
+      const double of_this = variables[v] == declared[v] ? 0 : likely ? 1 : 2;
+      cost += assumptions.can_be(variables[v]) ? of_this : INFINITY;
+    }
+    for (const As output : {As::tensor, As::exchanged, As::half_shear, As::double_shear}) {
+      const double with_output = cost + (output == As::tensor ? 0 : 1.5);
+      if (!assumptions.can_be(output) || with_output >= least_cost ||
+          assumptions.error(variables, output) > explained * found.error)
+        continue;
+      least_cost = with_output;
+      found.stress = defect_of(output);
+      found.taken.clear();
+      for (std::size_t v = 0; v < count; ++v) {
+        found.taken.push_back({.name = assumptions.places()[v].name, .how = defect_of(variables[v])});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void read_back(const Specimen& specimen, const Loaded& from, double s, TurnedStep& found) {
+  const Assumptions assumptions(specimen, from, s);
+  const std::vector<As> declared = assumptions.declared();
+  found.error = assumptions.error(declared, As::tensor);
+  for (std::size_t v = 0; v < declared.size(); ++v) {
+    found.taken.push_back({.name = assumptions.places()[v].name, .how = defect_of(declared[v])});
+  }
+  if (found.error > own_precision) explain(assumptions, found);
+}
+
+}  // namespace assay::check
