@@ -10,6 +10,7 @@
 #include "drivers/check_material.hpp"
 #include "drivers/check_output.hpp"
 #include "drivers/check_replay.hpp"
+#include "drivers/check_subject.hpp"
 #include "drivers/input_file.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/material/material_path.hpp"
@@ -18,8 +19,6 @@
 #include "drivers/output/terminal.hpp"
 #include "drivers/own_files.hpp"
 #include "drivers/progress.hpp"
-#include "drivers/scene/scene_reader.hpp"
-#include "drivers/scene/yaml_reader.hpp"
 #include "drivers/source_options.hpp"
 #include "drivers/verbs.hpp"
 #include "mpm/effect.hpp"
@@ -27,79 +26,6 @@
 namespace assay::drivers {
 
 namespace {
-
-/// "E=1e3,nu=0.3": names and numbers.
-std::map<std::string, double> parameters_in(const std::string& list) {
-  std::map<std::string, double> parameters;
-  for (std::size_t begin = 0; begin < list.size() || (begin > 0 && list.back() == ',');) {
-    const std::size_t end = std::min(list.find(',', begin), list.size());
-    const std::string item = list.substr(begin, end - begin);
-    const std::size_t equals = item.find('=');
-    const auto value = equals == std::string::npos ? std::nullopt : parse_number(item.substr(equals + 1));
-    if (!value || equals == 0) {
-      throw InputError({}, "--parameters",
-                       "must be NAME=NUMBER, separated by commas, found '" + one_line(item, 60) + "'");
-    }
-    if (!parameters.emplace(item.substr(0, equals), *value).second) {
-      throw InputError({}, "--parameters", "'" + one_line(item.substr(0, equals), 60) + "' is given twice");
-    }
-    begin = end + 1;
-  }
-  return parameters;
-}
-
-/// A scene is a YAML file that has a motion; a description of a material has none.
-bool is_scene(const std::string& material) {
-  if (is_stream(material)) return read_yaml(read_bytes(material), material).find("motion") != nullptr;
-  const MaterialName name = parse_material(material);
-  if (!name.is_path || !name.table.empty() || !(name.file.ends_with(".yaml") || name.file.ends_with(".yml"))) {
-    return false;
-  }
-  return read_yaml(read_bytes(name.file), name.file).find("motion") != nullptr;
-}
-
-ResolvedMaterial material_to_check(const CheckOptions& options) {
-  MaterialChoice choice;
-  if (is_scene(options.material)) {
-    choice = read_scene(options.material).material;
-  } else if (asks_for_source(options.material)) {
-    SourceRequest request = request_of(options.source);
-    request.needs_values = options.parameters.empty();
-    request.least_properties = numbered_parameters(parameters_in(options.parameters));
-    choice.adapter = described_source(options.material, request, options.out, options.verbosity);
-  } else {
-    choice.adapter = absolute_material(options.material, {});  // the process that tests it stands elsewhere
-  }
-  choice.parameters_option = "--parameters";
-  if (choice.where.file.empty()) choice.adapter_key = {}, choice.parameters_key = "parameters";
-  if (!asks_for_source(options.material)) refuse_source_options(options.source, options.material);
-  for (const auto& [name, value] : parameters_in(options.parameters)) {
-    choice.parameters[name] = value;
-    choice.parameter_where[name] = {choice.parameters_option, 0, 0};
-    choice.parameter_key_where.erase(name);
-  }
-  if (!(choice.density > 0)) choice.density = 1;  // no test needs one
-  choice.isolation = Isolation::worker;           // nobody's code runs in this process
-  ResolvedMaterial resolved = resolve_material(choice, Example::where_required);
-  if (!asks_for_source(options.material)) {
-    for (const std::string& warning : resolved.warnings) warn(warning);
-  }
-  return resolved;
-}
-
-/// At what its author shows it, where its parameters have no default; `given` before all, as far as it takes them.
-ResolvedMaterial registered_material(const std::string& name, const std::map<std::string, double>& given) {
-  const MaterialSource source = find_material(name, {}, "", Isolation::none);
-  MaterialChoice choice;
-  choice.adapter = name;
-  choice.isolation = Isolation::none;  // it is called in a process that may die
-  choice.density = source.density.value_or(1);
-  for (std::uint32_t i = 0; i < source.table->parameter_count; ++i) {
-    const auto found = given.find(source.table->parameters[i].name);
-    if (found != given.end()) choice.parameters.insert(*found);
-  }
-  return resolve_material(choice, Example::all);
-}
 
 CheckSettings settings_of(const CheckOptions& options) {
   CheckSettings settings{
