@@ -18,6 +18,7 @@
 #include <optional>
 #include <string>
 
+#include "adapters/foreign/foreign_table.hpp"
 #include "adapters/worker/descendants.hpp"
 #include "adapters/worker/high_files.hpp"
 #include "adapters/worker/own_folder.hpp"
@@ -187,8 +188,28 @@ check::History history_elsewhere(const Material& material, const check::Effort& 
   return made_elsewhere(make, limit_s).value_or(check::History());
 }
 
+namespace {
+
+/// With other parameters, from a library that this process has not loaded.
+Material made_of(const ResolvedMaterial& material, const std::string& library) {
+  const std::map<std::string, double> parameters = check::other_parameters(material.material);
+  if (material.foreign) {
+    adapters::ForeignModel model = *material.foreign;
+    if (model.folder.empty()) model.folder = std::filesystem::path(model.library).parent_path().string();
+    model.library = library;
+    return Material(adapters::foreign_table(model), parameters);
+  }
+  MaterialChoice choice = material.choice;
+  choice.adapter = library + ":" + material.material.name();
+  choice.parameters = parameters;
+  choice.isolation = Isolation::none;
+  return resolve_material(choice).material;
+}
+
+}  // namespace
+
 check::History history_of_others(const ResolvedMaterial& material, const check::Effort& effort, double limit_s) {
-  if (material.library.empty() || !material.description.empty()) return {};
+  if (material.library.empty() || (!material.description.empty() && !material.foreign)) return {};
   std::error_code code;
   std::string folder = (std::filesystem::temp_directory_path(code) / "assay-XXXXXX").string();
   if (code || ::mkdtemp(folder.data()) == nullptr) return {};
@@ -197,11 +218,7 @@ check::History history_of_others(const ResolvedMaterial& material, const check::
   check::History found;
   if (!code) {
     const Maker make = [&] {
-      MaterialChoice choice = material.choice;
-      choice.adapter = copy.string() + ":" + material.material.name();
-      choice.parameters = check::other_parameters(material.material);
-      choice.isolation = Isolation::none;
-      return check::history(resolve_material(choice).material, check::amplitudes_of_first(effort).back());
+      return check::history(made_of(material, copy.string()), check::amplitudes_of_first(effort).back());
     };
     found = made_elsewhere(make, limit_s).value_or(check::History());
   }

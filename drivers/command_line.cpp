@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <string_view>
@@ -196,6 +197,10 @@ int command_line(int argc, const char* const* argv) noexcept {
     return status;
   } catch (const Interrupted& stop) {
     if (stop.signal == SIGXCPU) return say(3, "assay: " + processor_time + ", which is used up");
+    if (interrupted_from_inside()) {
+      return say(3, "assay: signal " + std::to_string(stop.signal) + " (" + strsignal(stop.signal) +
+                        ") came from inside this process, most likely from the material's library");
+    }
     return 128 + stop.signal;
   } catch (const InputError& error) {
     return complain(2, error.what());

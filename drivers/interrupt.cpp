@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/interrupt.hpp"
 
+#include <unistd.h>
+
 #include <atomic>
 #include <csignal>
 #include <cstdint>
@@ -34,7 +36,7 @@ std::int64_t monotonic_ns() {
 /// the first signal by then.
 constexpr time_t grace = 8;  // [s]
 timer_t grace_timer;
-std::atomic<bool> has_timer{false}, is_noticed{false};
+std::atomic<bool> has_timer{false}, is_noticed{false}, is_own{false};
 
 /// Async-signal-safe.
 void set_grace(time_t seconds) {
@@ -56,6 +58,7 @@ void on_signal(int signal, siginfo_t* why, void* /*context*/) {
   const std::int64_t now = monotonic_ns();
   if (first_time.compare_exchange_strong(none, now)) {
     first_signal = signal;
+    is_own = why->si_code <= 0 && why->si_code != SI_TIMER && why->si_pid == ::getpid();
     set_grace(grace);
   } else if (now - none > same_stop && signal != SIGXCPU) {  // which comes again every second
     leave_process(128 + (why->si_code == SI_TIMER ? first_signal.load() : signal));
@@ -117,6 +120,8 @@ void watch_interrupts() {
 bool interrupted() { return noticed() != 0; }
 
 int interrupt_signal() { return first_signal; }
+
+bool interrupted_from_inside() { return is_own; }
 
 namespace {
 

@@ -30,6 +30,9 @@ bool interrupted();
 /// The first signal that came, 0 when none did.
 int interrupt_signal();
 
+/// Whether that signal came from this process: from the code of a material, then.
+bool interrupted_from_inside();
+
 /// Thrown by whoever leaves its loop because interrupted(); main turns it into exit status 128 + signal.
 struct Interrupted {
   int signal = 0;

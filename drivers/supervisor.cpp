@@ -24,6 +24,7 @@
 #include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
 #include "drivers/own_files.hpp"
+#include "drivers/own_terminal.hpp"
 #include "harness/instances.hpp"
 #include "harness/own_process.hpp"
 
@@ -60,6 +61,7 @@ sigset_t awaited_signals() {
 struct Ended {
   int status = 0;         ///< as of waitpid()
   int passed = 0;         ///< the last signal that was passed on to it
+  int by_child = 0;       ///< the last signal that it has sent itself
   bool late = false;      ///< it did not end by itself
   bool replaced = false;  ///< it became another program
 };
@@ -71,14 +73,19 @@ bool is_another_program(pid_t process) {
   return !code && own != other;
 }
 
-/// Waits for a signal for as long as a look may be late. A terminal sends its signals to both.
+/// Waits for a signal for as long as a look may be late. A terminal sends its signals to both, unless the child has
+/// left their group. What the child sends itself is a model's doing: nobody wants the run to end.
 void pass_signal_on(pid_t child, const sigset_t& awaited, Ended& ended) {
   const timespec pause{0, 50'000'000};
   siginfo_t sent = {};
   const int signal = ::sigtimedwait(&awaited, &sent, &pause);
   if (signal <= 0 || signal == SIGCHLD) return;
+  if (sent.si_code <= 0 && sent.si_pid == child) {
+    ended.by_child = signal;
+    return;
+  }
   ended.passed = signal;
-  if (sent.si_code <= 0) ::kill(child, signal);
+  if (sent.si_code <= 0 || ::getpgid(child) != ::getpgrp()) ::kill(child, signal);
 }
 
 Ended end_of(pid_t child, const Parting& word) {
@@ -129,9 +136,16 @@ std::string line_of(const Ended& ended) {
 }
 
 [[noreturn]] void watch(pid_t child, const Parting& word) {
+  const OwnTerminal terminal;
   const Ended ended = end_of(child, word);
   if (adapters::end_descendants()) {
     std::fputs("warning: the model leaves processes behind, which were ended\n", stderr);
+  }
+  if (terminal.put_right())
+    std::fputs("warning: the model changes the settings of the terminal, which were put right\n", stderr);
+  if (ended.by_child != 0) {
+    std::fprintf(stderr, "warning: the model sends %s to the process that watches it\n",
+                 signal_words(ended.by_child).c_str());
   }
   if (word.is_told) {
     const bool as_told = WIFEXITED(ended.status) && WEXITSTATUS(ended.status) == word.status;

@@ -113,7 +113,10 @@ Material::Material(const assay_material* table, const std::map<std::string, doub
     : Material(table, InDeclaredOrder{in_declared_order(*table, parameters)}) {}
 
 Material::Material(const assay_material* table, InDeclaredOrder parameters)
-    : table_(table), parameters_(std::move(parameters.values)), self_(nullptr, destroy_instance) {
+    : table_(table),
+      parameters_(std::move(parameters.values)),
+      handed_over_(parameters_),
+      self_(nullptr, destroy_instance) {
   for (std::uint32_t i = 0; i < table->state_count; ++i) {
     state_size_ += static_cast<std::size_t>(components_of_kind(table->state[i].kind));
   }
@@ -124,7 +127,7 @@ Material::Material(const assay_material* table, InDeclaredOrder parameters)
   const std::string thrown = thrown_by(create, [&] {
     const CallMark mark;
     const PhaseMark phase(CallPhase::creating);
-    void* made = create_instance(table, parameters_.data(), message);
+    void* made = create_instance(table, handed_over_.data(), message);
     if (made) instances().add(made, table->destroy);
     self_.reset(made);
   });

@@ -79,6 +79,8 @@ class Material {
 
   /// In declared order, defaults filled.
   const std::vector<double>& parameters() const { return parameters_; }
+  /// Whether the model has changed those that it was given.
+  bool wrote_parameters() const { return handed_over_ != parameters_; }
   double parameter(const std::string& name) const;
   std::map<std::string, double> named_parameters() const;
 
@@ -112,7 +114,7 @@ class Material {
   Material(const assay_material* table, InDeclaredOrder parameters);
 
   const assay_material* table_;
-  std::vector<double> parameters_;
+  std::vector<double> parameters_, handed_over_;  ///< the latter to the model, which is not trusted
   std::size_t state_size_ = 0;
   std::unique_ptr<void, void (*)(void*)> self_;
 };

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <clocale>
+#include <csignal>
 #include <cstdio>
 #include <limits>
 
@@ -34,7 +35,9 @@ ProcessWatch::ProcessWatch()
       limits_(limits()),
       environment_(environment()),
       lowest_free_file_(lowest_free_file()),
-      scheduling_(scheduling()) {}
+      scheduling_(scheduling()),
+      group_(::getpgrp()),
+      signals_of_watcher_(signals_of_watcher()) {}
 
 ProcessWatch::File ProcessWatch::folder() {
   struct stat found = {};
@@ -163,6 +166,20 @@ ProcessWatch::Scheduling ProcessWatch::scheduling() {
   return found;
 }
 
+/// Of a parent that blocks its signals, as one that keeps a process does.
+std::uint64_t ProcessWatch::signals_of_watcher() {
+  constexpr auto bit = [](int signal) { return std::uint64_t{1} << (signal - 1); };
+  constexpr std::uint64_t of_children = bit(SIGCHLD) | bit(SIGCONT);
+  char name[64], line[256];
+  std::snprintf(name, sizeof name, "/proc/%d/status", static_cast<int>(::getppid()));
+  std::FILE* file = std::fopen(name, "r");
+  if (!file) return 0;
+  unsigned long long pending = 0;
+  while (std::fgets(line, sizeof line, file) && std::sscanf(line, "ShdPnd: %llx", &pending) != 1) continue;
+  std::fclose(file);
+  return pending & ~of_children;
+}
+
 /// What is looked at once, when all is over.
 Habits ProcessWatch::habits_of_settings() const {
   constexpr int a_few = 16;  // files that a model keeps open, as for its messages
@@ -173,6 +190,8 @@ Habits ProcessWatch::habits_of_settings() const {
   if (environment() != environment_) found |= environment_changed;
   if (lowest_free_file() - a_few > lowest_free_file_) found |= files_left;
   if (scheduling() != scheduling_) found |= scheduling_changed;
+  if (::getpgrp() != group_) found |= group_left;
+  if ((signals_of_watcher() & ~signals_of_watcher_) != 0) found |= watcher_signalled;
   return found;
 }
 
@@ -212,6 +231,8 @@ std::string habit_words(Habits habits) {
       {limits_changed, "changes the limits of the process"},
       {environment_changed, "changes the environment of the process"},
       {files_left, "leaves files open"},
+      {watcher_signalled, "sends signals to the process that watches it"},
+      {group_left, "leaves its process group, which Ctrl-C reaches"},
       {scheduling_changed, "changes on which cores, or how soon, the process runs (affinity, nice)"}};
   std::string text;
   for (const Words& each : all) {

@@ -35,6 +35,8 @@ enum Habit : Habits {
   rounding_left = Habits{1} << 40,
   traps_left = Habits{1} << 41,
   scheduling_changed = Habits{1} << 42,
+  watcher_signalled = Habits{1} << 43,
+  group_left = Habits{1} << 44,
 };
 
 /// "changes the folder of the process, closes or redirects its standard output"; empty where it does nothing.
@@ -84,6 +86,7 @@ class ProcessWatch {
   static std::vector<std::string> environment();
   static int lowest_free_file();
   static Scheduling scheduling();
+  static std::uint64_t signals_of_watcher();
   Habits habits_of_settings() const;
   bool takes(int signal) const;
   Habits habits_but_signals() const;
@@ -100,6 +103,8 @@ class ProcessWatch {
   std::vector<std::string> environment_;
   int lowest_free_file_;
   Scheduling scheduling_;
+  pid_t group_;
+  std::uint64_t signals_of_watcher_;  ///< that its parent has got and not taken, a bit each
 };
 
 /// Private pages of a process that could be written to, in bytes: what it has asked for, touched or not. 0: unknown.

@@ -141,6 +141,8 @@ void write_file(const fs::path& path, std::string_view bytes) {
   const fs::path temporary = real.parent_path() / hidden_name();
   try {
     write_bytes(temporary, bytes, O_CREAT | O_EXCL);
+    if (fs::exists(there))
+      fs::permissions(temporary, there.permissions(), error);  // who could not read it still cannot
     stop_if_interrupted();
     fs::rename(temporary, real, error);
     if (error) fail(path, "cannot be put in place", error);

@@ -4,9 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <list>
 #include <set>
 
+#include "adapters/worker/shortage.hpp"
 #include "drivers/input_error.hpp"
 #include "drivers/interrupt.hpp"
 
@@ -132,6 +134,15 @@ class Runner {
     if (tell_) tell_(report_);
   }
 
+  /// Who dies because the processor time of each process is limited tells nothing of its case.
+  static void refuse_used_up_time(const fs::path& folder, const ProcessEnd& end) {
+    const std::string limit = adapters::processor_limit();
+    const bool by_signal = end.status == 128 + SIGXCPU || end.status == 128 + SIGKILL;
+    const bool says_so = end.status == 3 && end.last_line.find(limit) != std::string::npos;
+    if (!limit.empty() && (by_signal || says_so))
+      throw SystemError(folder.string() + ": " + limit + ", which is used up");
+  }
+
   /// What the end of a first run means. Throws SystemError where it could not write its results.
   CaseRecord record_of(const PlannedCase& one, const ProcessEnd& end) const {
     stop_if_interrupted();
@@ -143,6 +154,7 @@ class Runner {
     constexpr std::size_t most = 380;  // of a long line the beginning is known
     if (end.status == 3 && end.last_line.starts_with(one_line(folder.string()).substr(0, most)))
       throw SystemError(end.last_line);
+    refuse_used_up_time(folder, end);
     std::error_code error;
     if (end.status > 1 || !fs::is_regular_file(folder / "result.json", error)) {
       record.crashed = "the run ended with status " + std::to_string(end.status) +

@@ -261,6 +261,7 @@ TestResult guarded_arrays(const Material& material, const Options& options, Firs
     if (what.empty()) what = misdeed(material, {1, turning_stretch, amplitude, usual_steps, bytes}, &found);
   }
   if (what.empty()) what = misdeed_in_batches(material, options.effort, bytes, first.batches);
+  if (what.empty() && material.wrote_parameters()) what = "it writes into the parameters that create is given";
   if (what.empty()) return result;
   result.measure = 1;
   result.verdict = Verdict::fail;

@@ -112,7 +112,7 @@ void add_findings_of_loading(const Specimen& specimen, Report& report) {
   if (auto found = not_reached(specimen)) report.tests.push_back(std::move(*found));
   if (any_failed(report)) return;
   if (specimen.modulus == 0) {
-    report.tests.push_back(without_stress());
+    report.tests.push_back(without_stress(*specimen.material));
   } else if (specimen.elastic_alone()) {
     report.tests.push_back(not_finite_beyond(*specimen.not_finite));
   }

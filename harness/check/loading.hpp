@@ -20,6 +20,6 @@ TestResult not_loaded(const Material& material, const std::runtime_error& error)
 TestResult not_finite_beyond(const MaterialFailure& failure);
 
 /// Of a material that no small strain gives a stress.
-TestResult without_stress();
+TestResult without_stress(const Material& material);
 
 }  // namespace assay::check

@@ -14,7 +14,7 @@ namespace assay::check {
 
 namespace {
 
-constexpr double small_turn = 0.02;  ///< [rad]
+constexpr double small_turn = 0.02;         ///< [rad]
 constexpr double alike = 0.2 * small_turn;  ///< of the largest component: a step may be second order in the turn
 constexpr double trifle = 1e-10;
 constexpr double rounding = 1e-9;  ///< of the largest component

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a native library does when the process exits, when its model is destroyed, or to end it early.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/ioctl.h>
+#include <sys/wait.h>
+#include <termios.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
+#include <cstdlib>
 
 #include "tests/drivers/misdeeds.hpp"
 #include "tests/drivers/study/study_program.hpp"
@@ -70,8 +77,84 @@ TEST_P(BeforeTheEnd, IsOneLineAndNoResult) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, BeforeTheEnd,
                          testing::Values("update exec", "update quick_exit", "update kill", "update _exit",
-                                         "create exec", "update thread_exit", "update alarm"),
+                                         "create exec", "update thread_exit", "update alarm", "update terminate",
+                                         "update interrupt"),
                          [](const auto& instance) { return name_of(instance.param); });
+
+TEST(EndOfProcess, ASignalOfTheModelToItsWatcherEndsNoRun) {
+  for (const char* deed : {"update terminate_parent", "update hang_up_parent"}) {
+    const Misdeeds the;
+    const Ending run = the.program(the.run_words(the.library), deed);
+    EXPECT_EQ(run.status, 0) << run.said;
+    EXPECT_NE(run.said.find("warning: the model sends signal "), std::string::npos) << run.said;
+    EXPECT_TRUE(fs::exists(the.scratch / "out/result.json"));
+    const Ending check = the.program({"check", the.library, "--quick", "-o", the.scratch / "r"}, deed);
+    EXPECT_EQ(check.status, 1) << check.said;
+    EXPECT_NE(check.said.find("sends signals to the process that watches it"), std::string::npos) << check.said;
+  }
+}
+
+/// A terminal that is nobody else's; the program is in front of it.
+class Terminal {
+ public:
+  Terminal() : master_(::posix_openpt(O_RDWR | O_NOCTTY)) {
+    ::grantpt(master_);
+    ::unlockpt(master_);
+    slave_ = ::ptsname(master_);
+    held_ = ::open(slave_.c_str(), O_RDWR | O_NOCTTY);  // its settings go with the last who holds it
+  }
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+  ~Terminal() { ::close(held_), ::close(master_); }
+
+  /// In the process that is to have it.
+  void take() const {
+    ::setsid();
+    const int file = ::open(slave_.c_str(), O_RDWR);
+    ::ioctl(file, TIOCSCTTY, 0);
+  }
+  void type(char key) const { ASSERT_EQ(::write(master_, &key, 1), 1); }
+  bool echoes() const {
+    termios found = {};
+    return ::tcgetattr(held_, &found) == 0 && (found.c_lflag & ECHO) != 0;
+  }
+
+ private:
+  int master_, held_;
+  std::string slave_;
+};
+
+TEST(EndOfProcess, TheTerminalIsAsItWas) {
+  const Misdeeds the;
+  const Terminal terminal;
+  ASSERT_TRUE(terminal.echoes());
+  const Ending run = assay(the.run_words(the.library), [&] {
+    terminal.take();
+    the.arm("update mute_terminal");
+  });
+  EXPECT_EQ(run.status, 0) << run.said;
+  EXPECT_NE(run.said.find("warning: the model changes the settings of the terminal, which were put right"),
+            std::string::npos)
+      << run.said;
+  EXPECT_TRUE(terminal.echoes());
+}
+
+TEST(EndOfProcess, CtrlCEndsAModelThatHasLeftItsGroup) {
+  constexpr char ctrl_c = 3;
+  const Misdeeds the;
+  const Terminal terminal;
+  const pid_t program = start_assay(the.run_words(the.library), the.scratch / "said", [&] {
+    terminal.take();
+    the.arm("each leave_group");
+  });
+  ::usleep(1'000'000);
+  terminal.type(ctrl_c);
+  int status = 0;
+  ::waitpid(program, &status, 0);
+  EXPECT_TRUE((WIFEXITED(status) && WEXITSTATUS(status) == 128 + SIGINT) ||
+              (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT))
+      << status << bytes_of(the.scratch / "said");
+}
 
 TEST(EndOfProcess, AStudyDoesNotCallARunCrashedThatWasWhole) {
   const Misdeeds the;

@@ -129,6 +129,21 @@ TEST(ProcessorTime, ThatIsLimitedIsNoVerdict) {
   EXPECT_FALSE(fs::exists(the.scratch / "out"));
 }
 
+TEST(ProcessorTime, OfTheCasesOfAStudyIsNoFinding) {
+  const ScratchFolder scratch;
+  const std::string study = scratch.write(
+      "study.yaml", "scene: " ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml\naxes:\n  grid.spacing: [0.01]\n");
+  for (const bool hard : {false, true}) {
+    const Ending ending = assay({"study", study, "-o", scratch / "out"}, [&] {
+      const rlimit limit{1, hard ? 1 : RLIM_INFINITY};
+      ::setrlimit(RLIMIT_CPU, &limit);
+    });
+    EXPECT_EQ(ending.status, 3) << ending.said;
+    EXPECT_NE(ending.said.find("processor time is limited to 1 s (ulimit -t), which is used up"), std::string::npos)
+        << ending.said;
+  }
+}
+
 /// The warden of a worker is no process that the model has left.
 TEST(DeathInAWorker, LeavesNothingBehind) {
   for (const char* deed : {"update abort", "update null", "update _exit"}) {

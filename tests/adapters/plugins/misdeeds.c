@@ -11,6 +11,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <termios.h>
 #include <unistd.h>
 #include <wchar.h>
 
@@ -77,6 +78,22 @@ static void end_by_alarm(void) {
   pause();
 }
 static void stop_its_parent(void) { kill(getppid(), SIGSTOP); }
+static void mute_terminal(void) {
+  struct termios settings;
+  const int file = open("/dev/tty", O_RDWR);
+  if (file < 0 || tcgetattr(file, &settings) != 0) abort();
+  settings.c_lflag &= ~(tcflag_t)ECHO;
+  tcsetattr(file, TCSANOW, &settings);
+  close(file);
+}
+static void leave_group(void) {
+  setpgid(0, 0);
+  usleep(20000);
+}
+static void terminate_itself(void) { raise(SIGTERM); }
+static void interrupt_itself(void) { kill(getpid(), SIGINT); }
+static void terminate_its_parent(void) { kill(getppid(), SIGTERM); }
+static void hang_up_its_parent(void) { kill(getppid(), SIGHUP); }
 static void double_itself(void) { fork(); }
 static void end_its_thread(void) { pthread_exit(NULL); }
 static void forbid_files(void) { umask(0777); }
@@ -172,6 +189,12 @@ static void act(const char* when) {
                {"stop", stop_itself},
                {"alarm", end_by_alarm},
                {"stop_parent", stop_its_parent},
+               {"mute_terminal", mute_terminal},
+               {"leave_group", leave_group},
+               {"terminate", terminate_itself},
+               {"interrupt", interrupt_itself},
+               {"terminate_parent", terminate_its_parent},
+               {"hang_up_parent", hang_up_its_parent},
                {"fork", double_itself},
                {"daemon", leave_daemon},
                {"far_daemon", leave_far_daemon},

@@ -124,6 +124,8 @@ void run_in_the_background() {
   const sched_param none{};
   ::sched_setscheduler(0, SCHED_BATCH, &none);
 }
+void leave_group() { ::setpgid(0, 0); }
+void begin_session() { ::setsid(); }
 void open_files(int count) {
   for (int k = 0; k < count; ++k) static_cast<void>(::open("/dev/null", O_RDONLY));
 }
@@ -169,12 +171,39 @@ const Deed deeds[] = {{"nothing", nothing, no_habit},
                       {"stays_on_one_core", stay_on_one_core, scheduling_changed},
                       {"is_nice", be_nice, scheduling_changed},
                       {"runs_in_the_background", run_in_the_background, scheduling_changed},
+                      {"leaves_its_group", leave_group, group_left},
+                      {"begins_a_session", begin_session, group_left},
                       {"opens_a_few_files", open_a_few, no_habit},
                       {"opens_many_files", open_many, files_left},
                       {"takes_all_files", take_all_files, files_left},
                       {"leaves_a_process", fork_one, processes_left}};
 
 class ProcessWatchDeed : public testing::TestWithParam<Deed> {};
+
+/// Its keeper blocks all signals, as that of a check does.
+TEST(ProcessWatch, SeesSignalsToAWatcherThatBlocksThem) {
+  for (const int signal : {0, SIGTERM, SIGUSR1, SIGALRM}) {
+    const pid_t keeper = ::fork();
+    ASSERT_GE(keeper, 0);
+    if (keeper == 0) {
+      sigset_t all;
+      ::sigfillset(&all);
+      ::sigprocmask(SIG_SETMASK, &all, nullptr);
+      const pid_t child = ::fork();
+      if (child == 0) {
+        const ProcessWatch watch;
+        if (signal != 0) ::kill(::getppid(), signal);
+        ::_exit(watch.habits() == (signal == 0 ? no_habit : watcher_signalled) ? 0 : 1);
+      }
+      int status = 0;
+      ::waitpid(child, &status, 0);
+      ::_exit(WEXITSTATUS(status));
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(keeper, &status, 0), keeper);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << signal;
+  }
+}
 
 TEST_P(ProcessWatchDeed, IsSeenAndNoOther) {
   const pid_t child = ::fork();

@@ -36,6 +36,17 @@ TEST(WholeFile, APipeThatNobodyReadsIsSaid) {
   ::close(reader);
 }
 
+TEST(WholeFile, WhoCouldNotReadAFileStillCannot) {
+  const ScratchFolder scratch;
+  const std::string file = scratch.write("private", "x");
+  for (const auto mode : {fs::perms::owner_read | fs::perms::owner_write, fs::perms{0640}}) {
+    fs::permissions(file, mode);
+    write_file(file, "y");
+    EXPECT_EQ(fs::status(file).permissions(), mode);
+    EXPECT_EQ(bytes_of(file), "y");
+  }
+}
+
 std::set<std::string> names(const fs::path& folder) {
   std::set<std::string> out;
   for (const auto& entry : fs::directory_iterator(folder)) out.insert(entry.path().filename().string());

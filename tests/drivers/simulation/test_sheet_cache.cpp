@@ -12,6 +12,7 @@
 #include "drivers/simulation/problem.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "harness/point_driver.hpp"
+#include "tests/drivers/material/source_fixture.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/support/built.hpp"
@@ -113,6 +114,28 @@ TEST_F(Cached, ALibraryThatTheMaterialsNeedsIsInTheName) {
   EXPECT_NE(file(), before);
 }
 
+TEST_F(Cached, AModelThatAnswersOtherwiseNowIsAskedAgain) {
+  scene_.material.adapter = built("tests/plugins/asks_its_environment.so");
+  scene_.material.parameters = {};
+  std::string library;
+  material_ = material_of(scene_, library);
+  const auto stress = [](const Response& response) {
+    Tensor tau, slope;
+    response.at(-1.7, 0.3, tau, slope);
+    return tau(0, 1);
+  };
+  ::unsetenv("ASSAY_TEST_SHARE");
+  const double before = stress(*response());
+  EXPECT_TRUE(response()->sheet()->restored()) << "where nothing has changed";
+  for (const char* share : {"1.001", "30", "1"}) {
+    const Environment variable("ASSAY_TEST_SHARE", share);
+    const auto other = response();
+    EXPECT_FALSE(other->sheet()->restored()) << share;
+    EXPECT_NEAR(stress(*other), std::atof(share) * before, 1e-4 * std::atof(share) * std::abs(before));
+    EXPECT_TRUE(response()->sheet()->restored()) << share;
+  }
+}
+
 TEST_F(Cached, ADamagedFileIsMadeAgain) {
   response();
   std::fstream damaged(file(), std::ios::in | std::ios::out | std::ios::binary);
@@ -124,6 +147,26 @@ TEST_F(Cached, ADamagedFileIsMadeAgain) {
   EXPECT_TRUE(response()->sheet()->restored());
   std::filesystem::resize_file(file(), 90);
   EXPECT_FALSE(SheetCache(scene_, *material_, path_, 1).load());
+}
+
+TEST_F(Cached, AFileUnderTheNameOfAnotherIsNotTaken) {
+  response();
+  const std::string of_one = file();
+  scene_.material.parameters["yield_stress"] = 11;
+  std::string library;
+  material_ = material_of(scene_, library);
+  std::filesystem::copy_file(of_one, file());
+  EXPECT_FALSE(response()->sheet()->restored());
+  EXPECT_TRUE(response()->sheet()->restored());
+}
+
+TEST_F(Cached, WhatALinkLeadsToIsLeftAlone) {
+  const std::string own = home_.write("own.txt", "mine\n");
+  std::filesystem::create_directories(std::filesystem::path(file()).parent_path());
+  std::filesystem::create_symlink(own, file());
+  EXPECT_FALSE(response()->sheet()->restored());
+  EXPECT_EQ(bytes_of(own), "mine\n");
+  EXPECT_TRUE(response()->sheet()->restored());
 }
 
 TEST_F(Cached, NothingIsKeptWhereTheSceneSaysSoOrTheDiskDoesNot) {

@@ -11,6 +11,7 @@
 
 #include "drivers/study/plan.hpp"
 #include "tests/drivers/material/fortran_texts.hpp"
+#include "tests/drivers/material/source_fixture.hpp"
 #include "tests/drivers/study/study_text_fixture.hpp"
 #include "tests/support/built.hpp"
 
@@ -44,6 +45,27 @@ std::string key_elsewhere(const StudyFolder& folder) {
   int status = 0;
   ::waitpid(child, &status, 0);
   return bytes_of(said);
+}
+
+/// What it reads has no name here: a file, the environment.
+TEST(CaseKey, ChangesWithWhatAModelAnswers) {
+  const StudyFolder folder;
+  const std::string text = "set: {force.response: sheet, material: {adapter: " + built("tests/plugins/asks_its_environment.so") +
+                           ", parameters: {}, density: 1000}}\naxes: {threads: [1]}\n";
+  std::set<std::string> keys;
+  for (const char* share : {"1", "1.001", "30", "1"}) {
+    const Environment variable("ASSAY_TEST_SHARE", share);
+    const std::string said = folder.scratch() / "said";
+    const pid_t child = ::fork();
+    if (child == 0) {
+      folder.scratch().write("said", keys_in(folder, text).at(0));
+      ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    keys.insert(bytes_of(said));
+  }
+  EXPECT_EQ(keys.size(), 3u);
 }
 
 TEST(CaseKey, ChangesWithEveryValueOfTheScene) {

@@ -41,6 +41,42 @@ TEST(GuardedArrays, StandWhereNoMoreThanThePromisedAlignmentIs) {
   EXPECT_EQ(better_aligned, 0);
 }
 
+double* own_parameters = nullptr;  ///< of the model, as create was given them
+
+void* keep_parameters(const double* parameters, char* message) {
+  own_parameters = const_cast<double*>(parameters);
+  return inner->create(parameters, message);
+}
+
+void* write_parameters(const double* parameters, char* message) {
+  void* made = keep_parameters(parameters, message);
+  own_parameters[0] *= 2;
+  return made;
+}
+
+void update_and_write_parameters(void* self, const assay_step* step, std::size_t n, const double* state0,
+                                 double* state1, double* cauchy, std::int32_t* status, double* factor, char* message) {
+  inner->update(self, step, n, state0, state1, cauchy, status, factor, message);
+  own_parameters[0] = 7;
+}
+
+TEST(GuardedArrays, NamesAModelThatWritesIntoItsParameters) {
+  const std::vector<check_tests::Subject> subjects = check_tests::total_mutants::subjects();
+  inner = &subjects.front().material.table();
+  for (const bool later : {false, true}) {
+    assay_material table = *inner;
+    table.create = later ? keep_parameters : write_parameters;
+    if (later) table.update = update_and_write_parameters;
+    FirstCalls first;
+    const Material material(&table, {});
+    const TestResult result = guarded_arrays(material, {}, first);
+    EXPECT_EQ(result.verdict, Verdict::fail) << later;
+    EXPECT_EQ(result.cause, causes::overrun);
+    EXPECT_EQ(result.sentence, "it writes into the parameters that create is given");
+    EXPECT_EQ(material.parameters(), Material(inner, {}).parameters()) << "what the host knows stays";
+  }
+}
+
 void (*deed)(assay_step& step) = nullptr;
 
 void update_and_write(void* self, const assay_step* step, std::size_t n, const double* state0, double* state1,

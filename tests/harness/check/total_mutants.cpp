@@ -42,6 +42,7 @@ enum Defect : int {
   finite_of_nan,
   prestressed,
   turned_back,
+  of_the_beginning,
   of_mid_step,
   unsigned_volume,
   stiffer_at_once,
@@ -181,7 +182,9 @@ void update(void* self, const assay_step* step, std::size_t n, const double* sta
     const Tensor F = read(step->F1, n, p);
     const double stretched = (F * F.transpose()).trace() - 3;
     state1[p] = stretched > state0[p] ? stretched : state0[p];
-    Tensor of = m.defect == of_mid_step ? Tensor(0.5 * (read(step->F0, n, p) + F)) : F;
+    Tensor of = m.defect == of_mid_step        ? Tensor(0.5 * (read(step->F0, n, p) + F))
+                : m.defect == of_the_beginning ? read(step->F0, n, p)
+                                               : F;
     if (m.defect == static_scratch) of = by_way_of_statics(of);
     if (m.defect == swells) of /= 1 + 0.1 * (step->t + step->dt);
     const double factor = near_limit(m, stretched);
@@ -312,6 +315,7 @@ std::vector<Subject> subjects() {
       {"finite_of_nan", finite_of_nan, not_a_number},
       {"prestressed", prestressed, stress_at_rest},
       {"turned_back", turned_back, wrong_spin},
+      {"stress_of_the_beginning", of_the_beginning, no_stress},
       {"of_mid_step", of_mid_step, undeclared_increment},
       {"unsigned_volume", unsigned_volume, not_a_number},
       {"stiffer_at_once", stiffer_at_once, jump},

@@ -39,6 +39,7 @@ enum Defect : int {
   grows,
   wrong_branch,
   explicit_relaxation,
+  relaxes_in_the_next_step,
   kept_in_another_order,
   kept_doubled,
   kept_in_the_reference,
@@ -130,7 +131,9 @@ double integral_of_24_bits(double x) {
 }
 
 /// What is left of a stress after x times the time of relaxation.
-double left_of(int defect, double x) { return defect == explicit_relaxation ? 1 - x : std::exp(-x); }
+double left_of(int defect, double x) {
+  return defect == explicit_relaxation ? 1 - x : defect == relaxes_in_the_next_step ? 1 : std::exp(-x);
+}
 
 /// Hencky's law beside two overstresses that relax.
 struct Solid {
@@ -213,7 +216,8 @@ struct Liquid {
     Tensor sigma = carried(defect, R, old) + R * added * R.transpose();
     if (defect == of_last_call) statics.of_point[0] = sigma;
     if (defect == swapped) sigma = exchanged(sigma);
-    write_symmetric(sigma, state1);
+    const Tensor next = deviator(sigma) * (1 - step.dt / time) + sphere(sigma);
+    write_symmetric(defect == relaxes_in_the_next_step ? next : sigma, state1);
     return sigma;
   }
 
@@ -328,6 +332,9 @@ std::vector<Subject> subjects() {
                                                     {"fast_liquid_of_explicit_relaxation", 1e-3}};
   for (const auto& [name, time] : liquids)
     add(all, &liquid, {{name, explicit_relaxation, dissipation}}, {{"time", time}});
+  add(all, &liquid, {{"liquid_that_relaxes_in_the_next_step", relaxes_in_the_next_step, dissipation}}, {{"time", 10}});
+  add(all, &liquid, {{"brief_one_that_relaxes_in_the_next_step", relaxes_in_the_next_step, dissipation}},
+      {{"time", 0.01}});
   const std::pair<const char*, double> solids[] = {{"explicit_relaxation", 1}, {"slow_explicit_relaxation", 1e3}};
   for (const auto& [name, time] : solids) {
     add(all, &solid, {{name, explicit_relaxation, dissipation}}, {{"slow_share", 0}, {"time", time}});
