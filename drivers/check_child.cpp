@@ -18,6 +18,7 @@
 #include "adapters/worker/high_files.hpp"
 #include "adapters/worker/own_folder.hpp"
 #include "adapters/worker/process_watch.hpp"
+#include "adapters/worker/shortage.hpp"
 #include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
 #include "drivers/own_files.hpp"
@@ -61,6 +62,7 @@ void settle(const std::string& folder, const Ends& ends) {
   ::dup2(ends.output, STDERR_FILENO);
   ::close(ends.output);
   own_this_process();
+  adapters::enlarge_stack(std::size_t{1} << 26);  // as in a worker, where a foreign model runs
   remember_files();
 }
 

@@ -130,7 +130,7 @@ std::string words_of(const CheckedMaterial& checked, const CheckedMaterial& four
   const auto count = [](const CheckedMaterial& of, check::Verdict verdict) { return count_of(of.report, verdict); };
   const bool reaches_more = count(four, check::Verdict::pass) > 2 * count(checked, check::Verdict::pass) ||
                             2 * count(four, check::Verdict::fail) < count(checked, check::Verdict::fail);
-  if (!reaches_more || four.report.diagnosis.empty()) return "";
+  if (!reaches_more || four.report.diagnosis.empty() || may_overrun(four.report)) return "";
   return key + "it can be judged, and fails otherwise: " + four.report.diagnosis.front().cause;
 }
 
@@ -149,7 +149,7 @@ void judge_components(CheckedMaterial& checked, const check::Effort& effort, con
         "makes STRESS(3), and nothing else does. assay drives plane strain and three dimensions, and cannot judge it";
     return;
   }
-  if (fills == Fills::six && (!may_overrun(checked.report) || failed_test(checked.report, beyond_test))) return;
+  if (fills == Fills::six) return;
   checked.report.diagnosis.front().sentence += words_of(checked, with_four(checked, *model, effort, how));
 }
 

@@ -56,7 +56,9 @@ class Hosts {
       if (variation.of_later_steps && steps_[k].first) continue;
       access_.hold(material_.self(), other);
       const Answer found = answer_of(material_, steps_[k]);
+      const std::vector<double> of_other = variation.of_an_output ? tangent_of(steps_[k]) : std::vector<double>();
       access_.hold(material_.self(), usual_);
+      if (variation.of_an_output) compare_tangents(tangent_of(steps_[k]), of_other, effect);
       // what is kept outside the state is no dependence
       if (!same_answer(found, answers_[k]) && same_answer(answer_of(material_, steps_[k]), answers_[k])) {
         note(found, k, effect);
@@ -66,6 +68,28 @@ class Hosts {
   }
 
  private:
+  /// Empty where there is none.
+  std::vector<double> tangent_of(const RepeatedStep& step) const {
+    const auto* form = material_.extension<assay_tangent>(ASSAY_EXTENSION_TANGENT);
+    if (!form) return {};
+    std::vector<double> found(81);
+    double F0[9], F1[9];
+    for (int c = 0; c < 9; ++c) F0[c] = component(step.F0, c), F1[c] = component(step.F1, c);
+    const assay_step of_abi{step.t, step.dt, F0, F1};
+    const std::int32_t status = form->tangent(material_.self(), &of_abi, 1, step.state0.data(), found.data());
+    return status == ASSAY_FAILED ? std::vector<double>() : found;
+  }
+
+  static void compare_tangents(const std::vector<double>& usual, const std::vector<double>& other, HostEffect& effect) {
+    if (usual.size() != other.size()) return;
+    double largest = 1e-300, change = 0;
+    for (std::size_t c = 0; c < usual.size(); ++c) {
+      largest = std::max(largest, std::abs(usual[c]));
+      change = std::max(change, std::abs(other[c] - usual[c]));
+    }
+    if (change > same_within * largest) effect.tangent = std::max(effect.tangent, change / largest);
+  }
+
   static double stress_of(const Answer& answer) {
     double largest = 0;
     for (std::size_t c = stress_of_answer; c < state_of_answer; ++c) {
@@ -136,7 +160,7 @@ class Trials {
           for (const HostVariation& variation : all) {
             for (const HostVariation::Value& value : variation.values) {
               const HostEffect effect = hosts.effect(variation, value);
-              found.push_back({effect.stress, effect.state ? 1.0 : 0.0, effect.taken ? 1.0 : 0.0});
+              found.push_back({effect.stress, effect.tangent, effect.state ? 1.0 : 0.0, effect.taken ? 1.0 : 0.0});
             }
           }
           return found;
@@ -148,7 +172,7 @@ class Trials {
     for (const HostVariation& variation : all) {
       effects.emplace_back();
       for (std::size_t k = 0; k < variation.values.size(); ++k, ++row) {
-        effects.back().push_back({(*row)[0], (*row)[1] != 0, (*row)[2] != 0, true});
+        effects.back().push_back({(*row)[0], (*row)[1], (*row)[2] != 0, (*row)[3] != 0, true});
       }
     }
     return effects;
@@ -165,6 +189,7 @@ std::string how_much(const HostEffect& effect, const std::string& words) {
          : !effect.taken                ? "another step is refused " + words
          : effect.stress > from_nothing ? "a stress where there was none " + words
          : effect.stress > 0            ? check::percent(effect.stress) + " " + words
+         : effect.tangent > 0           ? "its tangent " + words
                                         : "its state " + words;
 }
 
@@ -174,7 +199,7 @@ std::size_t telling_of(const std::vector<HostEffect>& effects) {
     return effect.process && effect.taken && effect.stress > 0 ? 4
            : !effect.taken                                     ? 3
            : !effect.process                                   ? 2
-           : effect.state                                      ? 1
+           : effect.tangent > 0 || effect.state                ? 1
                                                                : 0;
   };
   const auto less = [&](const HostEffect& a, const HostEffect& b) { return rank(a) < rank(b); };
@@ -207,7 +232,7 @@ void tell_dependences(const HostFinding& finding, check::TestResult& test) {
 void judge_one(const HostVariation& variation, const HostEffect& effect, const std::string& words, HostFinding& finding,
                std::string& kept) {
   if (!effect.matters()) return;
-  const bool of_state_alone = effect.process && effect.taken && effect.stress == 0;
+  const bool of_state_alone = effect.process && effect.taken && effect.stress == 0 && effect.tangent == 0;
   if (variation.counts && of_state_alone) {
     kept += (kept.empty() ? "" : ", ") + variation.name;
   } else if (variation.counts) {

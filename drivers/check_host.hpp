@@ -36,10 +36,11 @@ std::vector<HostVariation> host_variations(const adapters::ForeignModel& model);
 /// What another value of one thing has done to the same steps.
 struct HostEffect {
   double stress = 0;    ///< largest change, of the largest stress
+  double tangent = 0;   ///< largest change of the tangent, of its largest component
   bool state = false;   ///< whether the state is another
   bool taken = true;    ///< whether the same steps are taken
   bool process = true;  ///< whether the process has come back
-  bool matters() const { return stress > 0 || state || !taken || !process; }
+  bool matters() const { return stress > 0 || tangent > 0 || state || !taken || !process; }
 };
 
 struct HostFinding {

@@ -70,8 +70,10 @@ ResolvedMaterial as_rate_dependent(const ResolvedMaterial& material) {
 
 bool settles_rate(const check::Report& with_flag, const check::Report& without) {
   const auto is_of_clock = [](const check::Diagnosis& each) { return each.cause == check::causes::clock; };
-  return std::none_of(with_flag.diagnosis.begin(), with_flag.diagnosis.end(), is_of_clock) &&
-         count_of(with_flag, check::Verdict::fail) < count_of(without, check::Verdict::fail);
+  const std::vector<check::Diagnosis>& found = with_flag.diagnosis;
+  if (std::any_of(found.begin(), found.end(), is_of_clock)) return false;
+  const bool overshoots = !found.empty() && found.front().cause == check::causes::dissipation;
+  return overshoots || count_of(with_flag, check::Verdict::fail) < count_of(without, check::Verdict::fail);
 }
 
 Dependence say_rate(check::Report& report, double effect) {

@@ -71,7 +71,8 @@ std::string next_steps(const std::string& folder, const std::string& run) {
                                        : "   # with -D CMAKE_PREFIX_PATH=(where assay is installed)";
   }
   const std::string command = on_path ? run : with_word(run, "assay run", shell_word(here.string()) + " run");
-  return "  cd " + one_line(shell_word(folder)) + "\n  " + configure +
+  // A name that begins with a hyphen would be an option.
+  return "  cd " + one_line(shell_word(folder.starts_with('-') ? "./" + folder : folder)) + "\n  " + configure +
          "\n  cmake --build build\n  ctest --test-dir build  # assay check\n  " + command + "\n";
 }
 

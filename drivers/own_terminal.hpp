@@ -19,8 +19,8 @@ class OwnTerminal {
 
  private:
   int file_;
+  termios before_ = {};  ///< above what fills it in
   bool is_known_;
-  termios before_ = {};
 };
 
 }  // namespace assay::drivers

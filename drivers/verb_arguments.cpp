@@ -40,13 +40,15 @@ void add_junit(CLI::App& verb, Arguments& given, const std::string& doc) {
   verb.add_option("--junit", given.junit_file, doc)->type_name("FILE")->check(fault_of_empty_name, "");
 }
 
-std::optional<double> number_in(const std::string& option, const std::string& text, double largest) {
+constexpr double least_strain = 1e-6;  ///< of a check: in smaller ones F keeps too few digits of it
+
+std::optional<double> number_in(const std::string& option, const std::string& text, double largest, double least = 0) {
   if (text.empty()) return std::nullopt;
   const auto number = parse_number(text);
-  if (!number || !(*number > 0) || !(*number <= largest)) {
-    throw InputError(
-        {}, option,
-        "must be a number above 0 and at most " + number_text(largest) + ", found '" + one_line(text, 60) + "'");
+  if (!number || !(*number > 0) || !(*number >= least) || !(*number <= largest)) {
+    const std::string range = least > 0 ? "from " + number_text(least) + " to " + number_text(largest)
+                                        : "above 0 and at most " + number_text(largest);
+    throw InputError({}, option, "must be a number " + range + ", found '" + one_line(text, 60) + "'");
   }
   return number;
 }
@@ -187,7 +189,7 @@ Verb check_verb(CLI::App& app, Arguments& given) {
             if (given_of(markdown) > given_of(methods)) throw InputError("assay check: --markdown goes with --methods");
             return check({given.material, given.parameters, given.json_file, given.junit_file,
                           given.out.empty() ? "results/check" : given.out, given.replay, given.all, given.quick,
-                          given.verbosity(), given.methods, number_in("--strain", given.strain, 0.5),
+                          given.verbosity(), given.methods, number_in("--strain", given.strain, 0.5, least_strain),
                           number_in("--pressure", given.pressure, 1e12), number_in("--step", given.step, 1e12),
                           given.markdown_file, given.source});
           }};

@@ -17,6 +17,7 @@
 #include "drivers/material/tool_process.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/whole_file.hpp"
+#include "drivers/unseen.hpp"
 
 namespace assay::drivers {
 
@@ -131,6 +132,15 @@ std::optional<Location> place_of_own_include(const FortranSource& source, const 
   return Location{source.file, static_cast<int>(line - source.lines.begin()) + 1, 1};
 }
 
+/// gfortran names the first byte of a character that is none of Fortran's, as "Invalid character 0xC2".
+std::string with_character_named(const FortranSource& source, int line, const std::string& text) {
+  if (!text.starts_with("Invalid character 0x") || line < 1 || static_cast<std::size_t>(line) > source.lines.size())
+    return text;
+  const std::string& code = source.lines[static_cast<std::size_t>(line) - 1];
+  const std::string unseen = unseen_note(with_unseen_written(code)), other = lookalike(code);
+  return text + (!unseen.empty() ? ": the line " + unseen : other.empty() ? "" : ": " + other);
+}
+
 InputError refusal_of_compiler(const FortranSource& source, const FortranCompiler& compiler, const std::string& said) {
   std::istringstream lines(said);
   std::string line, text;
@@ -152,6 +162,7 @@ InputError refusal_of_compiler(const FortranSource& source, const FortranCompile
   if (first->where.file.starts_with("./") || first->where.file.find('/') == std::string::npos) {
     first->where.file = (fs::path(source.file).parent_path() / first->where.file).lexically_normal().string();
   }
+  if (first->where.file == source.file) text = with_character_named(source, first->where.line, text);
   const bool fixed = source.form.form == FortranForm::fixed;
   if (const auto place = place_of_own_include(source, first->where.file)) {
     const std::string name = fs::path(first->where.file).filename().string();

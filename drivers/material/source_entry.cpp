@@ -85,7 +85,15 @@ SourceEntry asked_entry(const FortranSource& source, const std::vector<std::stri
 InputError none_found(const FortranSource& source, const std::vector<FortranRoutine>& routines) {
   std::vector<std::string> names;
   for (const FortranRoutine& routine : routines) {
-    names.push_back(routine.name + " (" + std::to_string(routine.arguments.size()) + ")");
+    const std::size_t count = routine.arguments.size();
+    if (count == 37 || count == 33) {
+      return {{source.file, routine.line, 1},
+              "",
+              "'" + routine.name + "' has the " + std::to_string(count) + " arguments of a " +
+                  (count == 37 ? "UMAT" : "VUMAT") +
+                  ", and no program finds it: it stands in a MODULE or behind CONTAINS, and belongs outside"};
+    }
+    names.push_back(routine.name + " (" + std::to_string(count) + ")");
   }
   return {{source.file},
           "",

@@ -195,6 +195,11 @@ void refuse_at(const KeyPlace& where, const std::string& key, const std::string&
 }
 
 void check_scene(const Scene& scene, const KeyPlace& where) {
+  for (const char* none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"}) {
+    if (scene.title.find(none) == std::string::npos) continue;
+    refuse_at(where, "title",
+              std::string("holds U+FFF") + (none[2] == '\xBE' ? "E" : "F") + ", which is no character: delete it");
+  }
   if (one_line(scene.title, scene.title.size()) != scene.title) {
     refuse_at(where, "title", "must be one line of text, found '" + shown(scene.title, 200) + "'");
   }

@@ -175,11 +175,12 @@ Found another_angle(const Findings& f) {
   const RotationFinding& fixed = f.evidence.fixed;
   if (!f.failed("rotation.fixed_stretch")) return std::nullopt;
   const bool other_angle = fixed.turned && std::abs(*fixed.turned - 1) > unmoved;
-  const std::optional<double> times = other_angle ? fixed.turned : other_spin(fixed);
+  // A large turn may be taken for another one, by which it comes to the same place.
+  const std::optional<double> small = other_spin(fixed), times = small || !other_angle ? small : fixed.turned;
   if (!times) return std::nullopt;
   return Suspicion{causes::wrong_spin, "the stress turns by " + rounded(*times) +
                                            " times the angle by which the body turns" +
-                                           (other_angle ? "" : ", and in steps that are no rotations")};
+                                           (fixed.turned ? "" : ", and in steps that are no rotations")};
 }
 
 Found left_behind_at_fixed_stretch(const Findings& f) {

@@ -51,7 +51,16 @@ TEST_P(UnsetMemory, IsHiddenStateAndTheSameSetBeforePasses) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, UnsetMemory,
-                         testing::Values(Unset{"moduli", "      DDSDDE=0.D0\n",
+                         testing::Values(Unset{"tangent", "      DDSDDE=0.D0\n",
+                                               "      C=0.D0\n"
+                                               "      C(1:3,1:3)=BULK-2.D0*G/3.D0\n"
+                                               "      DO I=1,3\n"
+                                               "        C(I,I)=C(I,I)+2.D0*G\n"
+                                               "        C(I+3,I+3)=G\n"
+                                               "      END DO\n"
+                                               "      DDSDDE=DDSDDE+C\n"
+                                               "      STRESS=STRESS+MATMUL(C,DSTRAN)\n"},
+                                         Unset{"moduli", "      DDSDDE=0.D0\n",
                                                "      DDSDDE(1:3,1:3)=DDSDDE(1:3,1:3)+BULK-2.D0*G/3.D0\n"
                                                "      DO I=1,3\n"
                                                "        DDSDDE(I,I)=DDSDDE(I,I)+2.D0*G\n"

@@ -116,7 +116,7 @@ class Terminal {
   void type(char key) const { ASSERT_EQ(::write(master_, &key, 1), 1); }
   bool echoes() const {
     termios found = {};
-    return ::tcgetattr(held_, &found) == 0 && (found.c_lflag & ECHO) != 0;
+    return ::tcgetattr(master_, &found) == 0 && (found.c_lflag & ECHO) != 0;
   }
 
  private:

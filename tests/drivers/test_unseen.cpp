@@ -61,6 +61,8 @@ TEST(Unseen, WhatIsNoCharacterReachesNoPage) {
     }
   }
   EXPECT_EQ(utf8("a\xEF\xBF\xBD"), "a\xEF\xBF\xBD");
+  EXPECT_TRUE(has(refused("title: \"a\\uFFFEb\"\n"), "holds U+FFFE, which is no character: delete it"));
+  EXPECT_TRUE(has(refused("title: \"a\\uFFFFb\"\n"), "holds U+FFFF, which is no character: delete it"));
 }
 
 TEST(Unseen, LookalikesAreNamed) {

@@ -88,7 +88,7 @@ static void mute_terminal(void) {
 }
 static void leave_group(void) {
   setpgid(0, 0);
-  usleep(20000);
+  usleep(2000);
 }
 static void terminate_itself(void) { raise(SIGTERM); }
 static void interrupt_itself(void) { kill(getpid(), SIGINT); }

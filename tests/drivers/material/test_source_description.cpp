@@ -149,6 +149,12 @@ TEST_F(SourceDescriptionTest, TheEntryIsTheOneThatAbaqusWouldCall) {
   EXPECT_EQ(refused(scratch.write("none.f", "      SUBROUTINE HELPER(A,B)\n      A=B\n      END\n")),
             "none.f: has no UMAT and no VUMAT: no routine of that name, and none of 37 or 33 arguments; known: its "
             "subroutines helper (2)");
+  std::string within = hooke_umat;
+  within.insert(within.rfind("END"), "END SUBROUTINE");
+  within.erase(within.rfind("END\n"));
+  EXPECT_EQ(refused(scratch.write("module.f", "      MODULE LAWS\n      CONTAINS\n" + within + "\n      END MODULE\n")),
+            "module.f:3:1: 'umat' has the 37 arguments of a UMAT, and no program finds it: it stands in a MODULE or "
+            "behind CONTAINS, and belongs outside");
   EXPECT_EQ(
       model(describe(scratch.write("helped.f", hooke_umat + "      SUBROUTINE UMAT_HELP(A)\n      A=1\n      END\n")))
           .symbol,

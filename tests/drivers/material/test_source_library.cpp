@@ -109,6 +109,17 @@ TEST_F(SourceLibraryTest, WhatOtherCompilersTakeIsAdapted) {
       << refused(scratch / "mixed.for");
 }
 
+TEST_F(SourceLibraryTest, CharactersOfWordProcessorsAreNamed) {
+  const std::pair<const char*, const char*> slips[] = {
+      {"      X=1.D0\u00A0\n", "the line holds U+00A0, no-break space"},
+      {"      X=2.D0\u20131.D0\n", "U+2013 stands where '-' belongs"},
+      {"      WRITE(*,*) \u2018A\u2019\n", "U+2018 stands where \"'\" belongs"}};
+  for (const auto& [line, words] : slips) {
+    const std::string said = refused(scratch.write("word.f", fixed_umat(line + std::string(hooke_statements))));
+    EXPECT_NE(said.find(words), std::string::npos) << said;
+  }
+}
+
 TEST_F(SourceLibraryTest, OldAndLooseSourcesCompile) {
   built(scratch.write("loose.f",
                       fixed_umat("      STRUCTURE /S/\n      REAL*8 X\n      END STRUCTURE\n      RECORD /S/ R\n"
