@@ -50,8 +50,9 @@ std::string key_elsewhere(const StudyFolder& folder) {
 /// What it reads has no name here: a file, the environment.
 TEST(CaseKey, ChangesWithWhatAModelAnswers) {
   const StudyFolder folder;
-  const std::string text = "set: {force.response: sheet, material: {adapter: " + built("tests/plugins/asks_its_environment.so") +
-                           ", parameters: {}, density: 1000}}\naxes: {threads: [1]}\n";
+  const std::string text =
+      "set: {force.response: sheet, material: {adapter: " + built("tests/plugins/asks_its_environment.so") +
+      ", parameters: {}, density: 1000}}\naxes: {threads: [1]}\n";
   std::set<std::string> keys;
   for (const char* share : {"1", "1.001", "30", "1"}) {
     const Environment variable("ASSAY_TEST_SHARE", share);
