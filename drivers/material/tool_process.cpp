@@ -56,7 +56,6 @@ struct Prepared {
 };
 
 [[noreturn]] void become_tool(const ToolCall& call, const Prepared& prepared, int said, pid_t parent) {
-  ::setpgid(0, 0);  // not ended by the terminal's Ctrl-C: this process ends it, with what it has started
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) leave_process(3);
   const auto most = static_cast<rlim_t>(call.limit_s) + 1;  // of what outlives this process, too
@@ -73,6 +72,33 @@ struct Prepared {
   leave_process(127);
 }
 
+/// Stands between the program and the tool: a compiler has children of its own, which outlive it. Whatever ends the
+/// program, this process ends them all. Its status is that of the tool.
+[[noreturn]] void mind_tool(const ToolCall& call, const Prepared& prepared, int said, pid_t parent) {
+  ::setpgid(0, 0);  // not ended by the terminal's Ctrl-C: the program ends it, with what it has started
+  sigset_t awaited, before;
+  ::sigemptyset(&awaited);
+  ::sigaddset(&awaited, SIGHUP);
+  ::sigaddset(&awaited, SIGCHLD);
+  ::sigprocmask(SIG_BLOCK, &awaited, &before);
+  std::signal(SIGCHLD, SIG_DFL);  // who ignores it gets no status
+  ::prctl(PR_SET_PDEATHSIG, SIGHUP);
+  if (::getppid() != parent) leave_process(3);
+  const pid_t own = ::getpid(), tool = ::fork();
+  if (tool == 0) {
+    ::sigprocmask(SIG_SETMASK, &before, nullptr);
+    become_tool(call, prepared, said, own);
+  }
+  if (tool < 0) leave_process(126);
+  for (;;) {
+    int signal = 0, status = 0;
+    ::sigwait(&awaited, &signal);
+    if (::waitpid(tool, &status, WNOHANG) == tool)
+      leave_process(WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status));
+    if (signal == SIGHUP) ::kill(0, SIGKILL);
+  }
+}
+
 class Tool {
  public:
   explicit Tool(const ToolCall& call) {
@@ -82,7 +108,7 @@ class Tool {
     std::fflush(nullptr);
     const pid_t parent = ::getpid();
     process_ = ::fork();
-    if (process_ == 0) become_tool(call, prepared, said_, parent);
+    if (process_ == 0) mind_tool(call, prepared, said_, parent);
     if (process_ < 0) {
       ::close(said_);
       throw_system_error("fork");

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
@@ -64,6 +65,23 @@ TEST(ToolProcess, EndsWhatTakesTooLongWithAllThatItHasStarted) {
   std::this_thread::sleep_for(std::chrono::milliseconds(1300));
   EXPECT_FALSE(std::filesystem::exists(scratch / "late"));
   expect_no_zombie();
+}
+
+/// As a compiler does, which has the work done by others.
+TEST(ToolProcess, EndsWithAProgramThatIsKilledAndSoDoesWhatItHasStarted) {
+  const ScratchFolder scratch;
+  const std::string begun = scratch / "begun", late = scratch / "late";
+  const pid_t program = ::fork();
+  if (program == 0) {
+    run_tool(shell("(echo > '" + begun + "'; sleep 1; echo late > '" + late + "') & sleep 30"));
+    ::_exit(0);
+  }
+  for (int waited = 0; waited < 500 && !std::filesystem::exists(begun); ++waited)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  ::kill(program, SIGKILL);
+  ::waitpid(program, nullptr, 0);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  EXPECT_FALSE(std::filesystem::exists(late));
 }
 
 TEST(ToolProcess, IsInterruptedAndLeavesSignalsAsTheyWere) {
