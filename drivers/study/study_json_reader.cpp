@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <type_traits>
 
 #include "drivers/input_error.hpp"
@@ -53,6 +54,11 @@ class Node {
     if (is_null()) return std::nullopt;
     if (!json_->is_number()) refuse("must be a number or null");
     return json_->get<double>();
+  }
+  Figure amount() const {
+    const Figure found = figure();
+    if (found && *found < 0) refuse("must not be negative");
+    return found;
   }
   double number() const { return figure().value_or(std::numeric_limits<double>::quiet_NaN()); }
   std::size_t count() const {
@@ -114,6 +120,23 @@ std::array<double, 2> stored_sample(const Node& node) {
   return {pair[0], pair[1]};
 }
 
+std::string stored_outcome(const Node& node) {
+  static const std::vector<std::string> known{"completed", "unstable", "material_failed", "refused",
+                                              "crashed",   "stopped",  "missing",         "n/a"};
+  const std::string outcome = node.text();
+  if (std::find(known.begin(), known.end(), outcome) == known.end())
+    node.refuse("is no outcome: '" + one_line(outcome, 60) + "'; known: " + joined(known));
+  return outcome;
+}
+
+/// Each case once.
+void require_different(const Node& node, const std::vector<StudyCase>& cases) {
+  std::set<std::size_t> numbers;
+  for (const StudyCase& one : cases) {
+    if (!numbers.insert(one.number).second) node.refuse("holds case " + std::to_string(one.number) + " twice");
+  }
+}
+
 StudyCase stored_case(const Node& node) {
   StudyCase one;
   one.number = node["number"].count();
@@ -122,13 +145,13 @@ StudyCase stored_case(const Node& node) {
   one.label = node["label"].text();
   one.series = node["series"].text();
   one.resolution = node["resolution"].figure();
-  one.outcome = node["outcome"].text();
+  one.outcome = stored_outcome(node["outcome"]);
   one.reason = node["reason"].text();
   one.budget = node["budget"].flag();
-  one.error = node["error"].figure();
-  one.cost = node["cost"].figure();
+  one.error = node["error"].amount();
+  one.cost = node["cost"].amount();
   one.cost_spread = node["cost_spread"].figure();
-  one.work = node["work"].figure();
+  one.work = node["work"].amount();
   one.eligible = node["eligible"].flag();
   one.on_front = node["on_front"].flag();
   if (one.eligible && !(one.error && (one.cost || one.work)))
@@ -240,6 +263,7 @@ StudyFindings findings_of_json(const std::string& text, const std::string& file)
   found.refine_key = root["refine"].text();
   found.axes = root["axes"].texts();
   found.cases = root["cases"].each(stored_case);
+  require_different(root["cases"], found.cases);
   const std::size_t cases = found.cases.size();
   found.series = root["series"].each([&](const Node& node) { return stored_series(node, cases); });
   found.front = root["front"].indices(cases);

@@ -122,6 +122,14 @@ TEST(StudyJson, RefusalsSayWhere) {
   EXPECT_EQ(refusal_with("/series/1/pairwise", StudyTree::array()),
             "s.json: series[1].pairwise: must be as long as cases");
   EXPECT_NE(refusal_with("/cases/6/eligible", true), "");
+  for (const char* key : {"cost", "error", "work"}) {
+    EXPECT_EQ(refusal_with("/cases/0/" + std::string(key), -1),
+              "s.json: cases[0]." + std::string(key) + ": must not be negative");
+  }
+  EXPECT_TRUE(refusal_with("/cases/0/outcome", "wonderful")
+                  .starts_with("s.json: cases[0].outcome: is no outcome: 'wonderful'; known: completed, "));
+  const std::size_t second = two_method_study().cases[1].number;
+  EXPECT_EQ(refusal_with("/cases/0/number", second), "s.json: cases: holds case " + std::to_string(second) + " twice");
   EXPECT_NE(refusal_with("/cases/2/history/0", StudyTree::array({1})), "");
 }
 
