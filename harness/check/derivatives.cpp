@@ -98,14 +98,38 @@ FromElasticity from_elasticity(const Specimen& specimen, const Sample& s, const 
   return found;
 }
 
+/// The multiple of the right one that a tangent is, apart from what turns the stress, and by how much it misses that;
+/// and how far its moduli are from those of the right one, transposed.
+struct FromRight {
+  double factor = 1, miss = INFINITY, transposed = INFINITY;
+};
+
+FromRight from_right(const Specimen& specimen, const Sample& s, const Tangent& given, const Tangent& right) {
+  FromRight found;
+  std::vector<Tangent> turning{Tangent::Zero()};
+  for (const bool of_kirchhoff : {false, true})
+    turning.push_back(hypoelastic_tangent(specimen, s, Stiffness::Zero(), of_kirchhoff));
+  for (const Tangent& turned : turning) {
+    const double factor = share_along(given - turned, right - turned);
+    const double miss = apart(given, turned + factor * (right - turned));
+    if (miss < found.miss) found.miss = miss, found.factor = factor;
+    if (specimen.space.is_plane()) continue;  // whose moduli have no columns for what leaves it
+    const Tangent moduli = spatial_moduli(right - turned, s.F1).transpose();
+    found.transposed = std::min(found.transposed, apart(spatial_moduli(given - turned, s.F1), moduli));
+  }
+  return found;
+}
+
 /// The tangents that a model gives along a history, against differences of its stress.
 struct Tangents {
-  double worst = 0;                                    ///< relative
-  double elastic = 0;                                  ///< as wrong as if they were those of elasticity
-  double secant = 0;                                   ///< of elasticity with a share of the stiffness
-  double least_share = 1, largest_share = 0;           ///< of these
-  int given = 0, refused = 0;                          ///< in steps that do not end at a kink
-  std::map<std::string, double> conventions;           ///< by its name, as wrong as if it were that one
+  double worst = 0;                                            ///< relative
+  double elastic = 0;                                          ///< as wrong as if they were those of elasticity
+  double secant = 0;                                           ///< of elasticity with a share of the stiffness
+  double least_share = 1, largest_share = 0;                   ///< of these
+  double multiple = 0, transposed = 0;                         ///< as wrong as if they were a multiple, or transposed
+  double least_factor = INFINITY, largest_factor = -INFINITY;  ///< of the right ones
+  int given = 0, refused = 0;                                  ///< in steps that do not end at a kink
+  std::map<std::string, double> conventions;                   ///< by its name, as wrong as if it were that one
   std::vector<std::pair<std::string, double>> shears;  ///< what is wrong with them, and how wrong it is without that
 };
 
@@ -128,6 +152,11 @@ Tangents tangents_of(Specimen specimen, double amplitude, const assay_tangent& f
     found.secant = std::max(found.secant, elasticity.fitted);
     found.least_share = std::min(found.least_share, elasticity.share);
     found.largest_share = std::max(found.largest_share, std::abs(elasticity.share));
+    const FromRight right = from_right(specimen, s, *given, expected);
+    found.multiple = std::max(found.multiple, right.miss);
+    found.transposed = std::max(found.transposed, right.transposed);
+    found.least_factor = std::min(found.least_factor, right.factor);
+    found.largest_factor = std::max(found.largest_factor, right.factor);
     const auto put_right = with_other_shears(*given, s.F1, specimen.space.is_plane());
     found.shears.resize(put_right.size());
     for (std::size_t k = 0; k < put_right.size(); ++k) {
@@ -199,14 +228,19 @@ std::string words_of_shears(const Tangents& found, double worst) {
 
 /// Of tangents that are wrong: what they are, where that can be told.
 std::string words_of(const Tangents& found, double worst) {
-  constexpr double within = 0.03;       // of a step's own strain and turn
-  constexpr double least_share = 0.01;  // of a stiffness that is left: less is none
+  constexpr double exactly = 1e-3, within = 0.03;  // the latter of a step's own strain and turn
+  constexpr double least_share = 0.01;             // of a stiffness that is left: less is none
   const std::string wrong_by = "wrong by " + percent(worst);
   if (!std::isfinite(found.worst)) return "the tangent is not finite";
   if (found.refused > 0) {
     return "the model refuses to give its tangent in " + std::to_string(found.refused) + " of " +
            std::to_string(found.refused + found.given) + " steps";
   }
+  const bool of_one_factor = found.multiple <= exactly && found.largest_factor - found.least_factor <= exactly;
+  if (of_one_factor && found.least_factor > 0 && std::abs(found.least_factor - 1) > 10 * exactly)
+    return "the tangent is " + rounded(found.least_factor) + " times what it should be, in all its components";
+  if (found.transposed <= std::min(exactly, 0.2 * worst))
+    return "the tangent is transposed: its first index is to be that of the stress";
   if (const std::string words = words_of_shears(found, worst); !words.empty()) return words;
   if (found.secant <= within && found.largest_share <= least_share) return "no moduli are given: the tangent is zero";
   if (found.elastic <= within) {

@@ -112,6 +112,8 @@ void undo_shear(const Tangent& of_strains, const Tensor& inverse, int k, int l, 
 
 }  // namespace
 
+Tangent spatial_moduli(const Tangent& A, const Tensor& F) { return of_strain(spatial(A, F)); }
+
 std::vector<std::pair<std::string, Tangent>> with_other_shears(const Tangent& given, const Tensor& F, bool in_plane) {
   constexpr int shears[3][2] = {{0, 1}, {0, 2}, {1, 2}};
   constexpr const char* names[] = {"12", "13", "23"};

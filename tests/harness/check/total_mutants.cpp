@@ -32,6 +32,7 @@ enum Defect : int {
   piola_tangent,
   jaumann_tangent,
   strain_tangent,
+  doubled_tangent,
   tangent_off_by_five_percent,
   tangent_of_small_strain,
   tangent_without_limit,
@@ -215,6 +216,7 @@ std::int32_t tangent(void* self, const assay_step* step, std::size_t n, const do
       A = others[place[m.defect - transposed_tangent]].second;
     }
     if (m.defect == tangent_off_by_five_percent) A(0, 0) *= 1.05;
+    if (m.defect == doubled_tangent) A *= 2;
     if (m.defect == tangent_of_small_strain) A = tangent_of(m, Tensor::Identity());
     if (m.defect == tangent_of_tensor_shears || m.defect == tangent_of_one_halved_shear) {
       const Tensor inverse = F.inverse();
@@ -305,6 +307,7 @@ std::vector<Subject> subjects() {
       {"piola_tangent", piola_tangent, tangent_convention},
       {"jaumann_tangent", jaumann_tangent, tangent_convention},
       {"strain_tangent", strain_tangent, tangent_convention},
+      {"doubled_tangent", doubled_tangent, tangent_wrong},
       {"tangent_off_by_five_percent", tangent_off_by_five_percent, tangent_wrong},
       {"tangent_of_small_strain", tangent_of_small_strain, tangent_wrong},
       {"tangent_without_limit", tangent_without_limit, tangent_wrong},
