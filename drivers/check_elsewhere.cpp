@@ -210,6 +210,7 @@ Material made_of(const ResolvedMaterial& material, const std::string& library) {
 
 check::History history_of_others(const ResolvedMaterial& material, const check::Effort& effort, double limit_s) {
   if (material.library.empty() || (!material.description.empty() && !material.foreign)) return {};
+  if (material.foreign && material.foreign->each_its_element) return {};  // where elements are numbered otherwise
   std::error_code code;
   std::string folder = (std::filesystem::temp_directory_path(code) / "assay-XXXXXX").string();
   if (code || ::mkdtemp(folder.data()) == nullptr) return {};

@@ -66,9 +66,6 @@ double number_value(const Tree& tree, const std::string& key, const Range& range
            std::string("must be a ") + (range.whole ? "whole number" : "number") + found + number_remedy(tree));
   const double value = read.value_or(0);
   if (!std::isfinite(value)) refuse(tree, key, "must be a finite number" + found);
-  constexpr double least = 1e-300;  // below, doubles lose digits, and their squares vanish
-  if (value != 0 && std::abs(value) < least)
-    refuse(tree, key, "must be 0 or of at least " + number_text(least) + found);
   if (range.whole && value != std::floor(value)) refuse(tree, key, "must be a whole number" + found);
   constexpr double most = 9007199254740992.0;  // whole numbers beyond are not all there
   if (range.whole && std::abs(value) > most && range.holds(value))

@@ -228,18 +228,18 @@ std::string words_of_shears(const Tangents& found, double worst) {
 
 /// Of tangents that are wrong: what they are, where that can be told.
 std::string words_of(const Tangents& found, double worst) {
-  constexpr double exactly = 1e-3, within = 0.03;  // the latter of a step's own strain and turn
-  constexpr double least_share = 0.01;             // of a stiffness that is left: less is none
+  constexpr double within = 0.03;       // of a step's own strain and turn
+  constexpr double least_share = 0.01;  // of a stiffness that is left: less is none
   const std::string wrong_by = "wrong by " + percent(worst);
   if (!std::isfinite(found.worst)) return "the tangent is not finite";
   if (found.refused > 0) {
     return "the model refuses to give its tangent in " + std::to_string(found.refused) + " of " +
            std::to_string(found.refused + found.given) + " steps";
   }
-  const bool of_one_factor = found.multiple <= exactly && found.largest_factor - found.least_factor <= exactly;
-  if (of_one_factor && found.least_factor > 0 && std::abs(found.least_factor - 1) > 10 * exactly)
+  const bool of_one_factor = found.multiple <= within && found.largest_factor - found.least_factor <= within;
+  if (of_one_factor && found.least_factor > 0 && std::abs(found.least_factor - 1) > 3 * within)
     return "the tangent is " + rounded(found.least_factor) + " times what it should be, in all its components";
-  if (found.transposed <= std::min(exactly, 0.2 * worst))
+  if (found.transposed <= std::min(within, 0.2 * worst))
     return "the tangent is transposed: its first index is to be that of the stress";
   if (const std::string words = words_of_shears(found, worst); !words.empty()) return words;
   if (found.secant <= within && found.largest_share <= least_share) return "no moduli are given: the tangent is zero";

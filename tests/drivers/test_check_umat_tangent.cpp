@@ -40,7 +40,8 @@ TEST_P(UmatTangent, IsNamedByWhatIsWrong) {
   const std::string file = scratch.write("law.f", umat(GetParam().statement, GetParam().skew));
   assay({"check", file, "--props", "1e3,.3", "--quick", "--json", scratch / "c.json", "-o", scratch / "r"});
   std::string sentence = "passes";
-  for (const auto& test : nlohmann::json::parse(bytes_of(scratch / "c.json"))["tests"]) {
+  const auto found = nlohmann::json::parse(bytes_of(scratch / "c.json"));
+  for (const auto& test : found["tests"]) {
     if (test["id"] == "tangent" && test["verdict"] == "fail") sentence = test["sentence"];
   }
   EXPECT_EQ(sentence.substr(0, std::string(GetParam().words).size()), GetParam().words);
