@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Answers, and hangs up the terminal in its first update: a process of its own does, as a user would. */
+#define _POSIX_C_SOURCE 200809L
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
