@@ -123,7 +123,7 @@ std::array<double, 2> stored_sample(const Node& node) {
 std::string stored_outcome(const Node& node) {
   static const std::vector<std::string> known{"completed", "unstable", "material_failed", "refused",
                                               "crashed",   "stopped",  "missing",         "n/a"};
-  const std::string outcome = node.text();
+  std::string outcome = node.text();
   if (std::find(known.begin(), known.end(), outcome) == known.end())
     node.refuse("is no outcome: '" + one_line(outcome, 60) + "'; known: " + joined(known));
   return outcome;

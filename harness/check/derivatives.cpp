@@ -241,7 +241,7 @@ std::string words_of(const Tangents& found, double worst) {
     return "the tangent is " + rounded(found.least_factor) + " times what it should be, in all its components";
   if (found.transposed <= std::min(within, 0.2 * worst))
     return "the tangent is transposed: its first index is to be that of the stress";
-  if (const std::string words = words_of_shears(found, worst); !words.empty()) return words;
+  if (std::string words = words_of_shears(found, worst); !words.empty()) return words;
   if (found.secant <= within && found.largest_share <= least_share) return "no moduli are given: the tangent is zero";
   if (found.elastic <= within) {
     return "the tangent is that of elasticity at rest, and the stiffness changes along the history: " + wrong_by;
