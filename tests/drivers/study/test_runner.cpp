@@ -150,7 +150,7 @@ TEST_F(RunnerTest, NoResultAndAStatusAboveOneAreACrash) {
 TEST_F(RunnerTest, ALimitStopsACase) {
   add("slow", "sleep 100\n");
   add("fast");
-  plan_.study.case_seconds = 0.3;
+  plan_.study.case_seconds = 2;
   options_.jobs = 2;
   run();
   EXPECT_EQ(store_.read(plan_.cases[0]).outcome, "stopped");
