@@ -132,7 +132,8 @@ std::optional<Location> place_of_own_include(const FortranSource& source, const 
   return Location{source.file, static_cast<int>(line - source.lines.begin()) + 1, 1};
 }
 
-/// gfortran names the first byte of a character that is none of Fortran's, as "Invalid character 0xC2".
+/// Fortran has no characters beyond ASCII. For one of those, gfortran names its first byte alone: "Invalid character
+/// 0xC2". The character is named too.
 std::string with_character_named(const FortranSource& source, int line, const std::string& text) {
   if (!text.starts_with("Invalid character 0x") || line < 1 || static_cast<std::size_t>(line) > source.lines.size())
     return text;
