@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Slips of sources that a user compiles and links without a warning, each beside the source that is right.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "harness/check/battery.hpp"
+#include "tests/drivers/foreign_checks.hpp"
+#include "tests/drivers/material/fortran_texts.hpp"
+#include "tests/drivers/process.hpp"
+
+namespace assay::drivers::test_check_source_slips {
+namespace {
+
+std::string vumat(const std::string& statements) {
+  return "      SUBROUTINE VUMAT(NBLOCK,NDIR,NSHR,NSTATEV,NFIELDV,NPROPS,LANNEAL,\n"
+         "     1 STEPTIME,TOTALTIME,DT,CMNAME,COORDMP,CHARLENGTH,PROPS,DENSITY,\n"
+         "     2 STRAININC,RELSPININC,TEMPOLD,STRETCHOLD,DEFGRADOLD,FIELDOLD,\n"
+         "     3 STRESSOLD,STATEOLD,ENERINTERNOLD,ENERINELASOLD,TEMPNEW,\n"
+         "     4 STRETCHNEW,DEFGRADNEW,FIELDNEW,STRESSNEW,STATENEW,ENERINTERNNEW,\n"
+         "     5 ENERINELASNEW)\n"
+         "      INCLUDE 'VABA_PARAM.INC'\n"
+         "      CHARACTER*80 CMNAME\n"
+         "      DIMENSION PROPS(NPROPS),STRAININC(NBLOCK,NDIR+NSHR),\n"
+         "     1 STRESSOLD(NBLOCK,NDIR+NSHR),STATEOLD(NBLOCK,NSTATEV),\n"
+         "     2 STRESSNEW(NBLOCK,NDIR+NSHR),STATENEW(NBLOCK,NSTATEV),S(6)\n" +
+         statements + "      END\n";
+}
+
+/// Lamé's constants and, in what follows, the stiffness C of isotropic elasticity.
+const std::string moduli =
+    "      G=PROPS(1)/(2.D0*(1.D0+PROPS(2)))\n"
+    "      ELAM=2.D0*G*PROPS(2)/(1.D0-2.D0*PROPS(2))\n";
+
+/// As `moduli`, in the first call alone.
+const std::string moduli_of_the_first_call =
+    "      LOGICAL FIRST\n"
+    "      SAVE FIRST,G,ELAM\n"
+    "      DATA FIRST/.TRUE./\n"
+    "      IF (FIRST) THEN\n" +
+    moduli +
+    "      FIRST=.FALSE.\n"
+    "      END IF\n";
+
+const std::string tangent =
+    "      DDSDDE=0.D0\n"
+    "      DDSDDE(1:3,1:3)=ELAM\n"
+    "      DO 10 I=1,3\n"
+    "        DDSDDE(I,I)=DDSDDE(I,I)+2.D0*G\n"
+    "   10   DDSDDE(I+3,I+3)=G\n";
+const std::string hooke = tangent + "      STRESS=STRESS+MATMUL(DDSDDE,DSTRAN)\n";
+
+/// The stress of each point of a VUMAT; then more statements of the loop over K.
+std::string points(const std::string& more) {
+  return "      DO 20 K=1,NBLOCK\n"
+         "        S=STRESSOLD(K,:)+2.D0*G*STRAININC(K,:)\n"
+         "        S(1:3)=S(1:3)+ELAM*SUM(STRAININC(K,1:3))\n" +
+         more +
+         "        STRESSNEW(K,:)=S\n"
+         "   20 CONTINUE\n";
+}
+
+/// Perfect plasticity, whose invariant weighs the shears so.
+std::string plasticity(const std::string& weight) {
+  return "        P=SUM(S(1:3))/3.D0\n"
+         "        S(1:3)=S(1:3)-P\n"
+         "        Q=SQRT(1.5D0*(SUM(S(1:3)**2)+" +
+         weight +
+         "*SUM(S(4:6)**2)))\n"
+         "        IF (Q.GT.PROPS(3)) S=S*PROPS(3)/Q\n"
+         "        S(1:3)=S(1:3)+P\n";
+}
+
+/// A viscosity of Perzyna's kind, the rate that of the beginning: of steps shorter than PROPS(4) alone.
+const std::string explicit_flow = "      DIMENSION S(6)\n" + moduli + hooke +
+                                  "      S=STRESS\n"
+                                  "      S(1:3)=S(1:3)-SUM(STRESS(1:3))/3.D0\n"
+                                  "      Q=SQRT(1.5D0*(SUM(S(1:3)**2)+2.D0*SUM(S(4:6)**2)))\n"
+                                  "      IF (Q.GT.PROPS(3)) STRESS=STRESS\n"
+                                  "     1 -3.D0*G*DTIME*(Q-PROPS(3))/PROPS(4)/Q*S\n";
+
+struct Source {
+  std::string name, text;
+  const char* properties;
+  const char* cause;  // of the first diagnosis; empty: passes
+  const char* words;  // in its sentence
+};
+
+void PrintTo(const Source& source, std::ostream* to) { *to << source.name; }
+
+class SourceSlip : public testing::TestWithParam<Source> {};
+
+TEST_P(SourceSlip, IsNamed) {
+  if (!has_foreign("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
+  const ScratchFolder scratch;
+  const std::string file = scratch.write("law.f", GetParam().text);
+  const Ending check = assay(
+      {"check", file, "--props", GetParam().properties, "--quick", "--json", scratch / "c.json", "-o", scratch / "r"});
+  const bool is_right = *GetParam().cause == '\0';
+  EXPECT_EQ(check.status, is_right ? 0 : 1) << check.said;
+  const auto found = nlohmann::json::parse(bytes_of(scratch / "c.json"));
+  ASSERT_EQ(found["diagnosis"].empty(), is_right) << check.said;
+  if (is_right) return;
+  EXPECT_EQ(found["diagnosis"][0]["cause"], GetParam().cause) << check.said;
+  const std::string sentence = found["diagnosis"][0]["sentence"];
+  EXPECT_NE(sentence.find(GetParam().words), std::string::npos) << sentence;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, SourceSlip,
+    testing::Values(Source{"umat_right", fixed_umat(moduli + hooke), "1e3,.3", "", ""},
+                    Source{"umat_of_the_first_call", fixed_umat(moduli_of_the_first_call + hooke), "1e3,.3",
+                           check::causes::hidden_state, "of other parameters, the first of a process"},
+                    Source{"vumat_right", vumat(moduli + points("")), "1e3,.3", "", ""},
+                    Source{"vumat_of_the_first_call", vumat(moduli_of_the_first_call + points("")), "1e3,.3",
+                           check::causes::hidden_state, "of other parameters, the first of a process"},
+                    Source{"vumat_weighs_shears", vumat(moduli + points(plasticity("2.D0"))), "1e3,.3,1", "", ""},
+                    Source{"vumat_forgets_the_two", vumat(moduli + points(plasticity("1.D0"))), "1e3,.3,1",
+                           check::causes::not_isotropic, "not weighed as an invariant does"},
+                    Source{"vumat_weighs_shears_twice", vumat(moduli + points(plasticity("4.D0"))), "1e3,.3,1",
+                           check::causes::not_isotropic, "not weighed as an invariant does"},
+                    Source{"explicit_flow", fixed_umat(explicit_flow), "1e3,.3,1,10", check::causes::dissipation,
+                           "its relaxation is explicit"},
+                    Source{"clock_in_the_stress",
+                           fixed_umat(moduli + hooke + "      STRESS(1)=STRESS(1)*(1.D0+TIME(1))\n"), "1e3,.3",
+                           check::causes::clock, ""},
+                    // 9.6 MB of the stack, which a thread of Abaqus has
+                    Source{"a_large_local_array",
+                           fixed_umat("      DIMENSION BIG(1200000)\n" + moduli + hooke +
+                                      "      BIG=1.D0\n      STRESS(1)=STRESS(1)*BIG(KINC)\n"),
+                           "1e3,.3", "", ""}),
+    [](const auto& instance) { return instance.param.name; });
+
+}  // namespace
+}  // namespace assay::drivers::test_check_source_slips
