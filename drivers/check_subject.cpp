@@ -9,6 +9,7 @@
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/terminal.hpp"
 #include "drivers/scene/scene_reader.hpp"
+#include "drivers/scene/yaml_lines.hpp"
 #include "drivers/scene/yaml_reader.hpp"
 #include "drivers/source_options.hpp"
 
@@ -35,12 +36,13 @@ std::map<std::string, double> parameters_in(const std::string& list) {
     const std::string item = list.substr(begin, end - begin);
     const std::size_t equals = item.find('=');
     const auto value = equals == std::string::npos ? std::nullopt : parse_number(item.substr(equals + 1));
-    if (!value || equals == 0) {
+    const std::string name(stripped(std::string_view(item).substr(0, equals)));
+    if (!value || name.empty()) {
       throw InputError({}, "--parameters",
                        "must be NAME=NUMBER, separated by commas, found '" + one_line(item, 60) + "'");
     }
-    if (!parameters.emplace(item.substr(0, equals), *value).second) {
-      throw InputError({}, "--parameters", "'" + one_line(item.substr(0, equals), 60) + "' is given twice");
+    if (!parameters.emplace(name, *value).second) {
+      throw InputError({}, "--parameters", "'" + one_line(name, 60) + "' is given twice");
     }
     begin = end + 1;
   }

@@ -16,6 +16,7 @@
 #include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
 #include "drivers/interrupt.hpp"
+#include "drivers/lookalikes.hpp"
 #include "drivers/material/abaqus_deck.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/terminal.hpp"
@@ -31,6 +32,15 @@ std::string version_text() {
   const Provenance built = build_information();
   return "assay " + built.version + "\ngit       " + built.git + "\ncompiler  " + built.compiler + "\nlibraries " +
          joined(built.libraries);
+}
+
+std::vector<std::string> options_of(const CLI::App& verb) {
+  std::vector<std::string> known;
+  for (const CLI::Option* each : verb.get_options()) {
+    for (const std::string& name : each->get_lnames()) known.push_back("--" + name);
+    for (const std::string& name : each->get_snames()) known.push_back("-" + name);
+  }
+  return known;
 }
 
 /// CLI11's error in our words: one line, the nearest option for a mistyped one.
@@ -50,11 +60,7 @@ InputError usage_error(const CLI::App& app, const CLI::ParseError& error) {
                      std::any_of(extra.begin(), extra.end(), is_option);  // a file whose name begins so
   const bool is_extra = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) && !extra.empty();
   if (!lacks && !is_extra) return InputError(who + ": " + error.what());
-  std::vector<std::string> known;
-  for (const CLI::Option* each : verb.get_options()) {
-    for (const std::string& name : each->get_lnames()) known.push_back("--" + name);
-    for (const std::string& name : each->get_snames()) known.push_back("-" + name);
-  }
+  const std::vector<std::string> known = options_of(verb);
   const auto option = std::find_if(extra.begin(), extra.end(), is_option);
   const std::string& first = option == extra.end() ? extra.back() : *option;  // CLI11 lists them backwards
   const std::string word = first.starts_with("-") ? first.substr(0, first.find('=')) : first;
@@ -83,14 +89,26 @@ void flush_output() {
     throw SystemError("standard output cannot be written");
 }
 
+/// An option with another dash, as pages and word processors write it, would be taken for a file's name.
+void refuse_other_dashes(const CLI::App& verb, const std::string& word) {
+  std::error_code code;
+  const bool is_option = !word.starts_with("-") && as_meant(word).starts_with("-");
+  if (!is_option || std::filesystem::exists(word, code)) return;
+  const std::vector<std::string> known = options_of(verb);
+  const std::string name = word.substr(0, word.find('='));
+  throw InputError({}, "assay " + verb.get_name(), unknown("option '" + one_line(name, 80) + "'", name, known),
+                   joined(known));
+}
+
 /// An option would take the next one for its value, and make a folder of that name.
-void refuse_missing_values(const std::vector<Verb>& verbs, int argc, const char* const* argv) {
+void refuse_slips_of_options(const std::vector<Verb>& verbs, int argc, const char* const* argv) {
   const CLI::App* verb = nullptr;
   for (int i = 1; i < argc && std::string_view(argv[i]) != "--"; ++i) {
     const std::string word = argv[i];
     const auto named =
         std::find_if(verbs.begin(), verbs.end(), [&](const Verb& v) { return v.app->get_name() == word; });
     if (!verb && named != verbs.end()) verb = named->app;
+    if (verb) refuse_other_dashes(*verb, word);
     const CLI::Option* option = verb && word.starts_with("-") ? verb->get_option_no_throw(word) : nullptr;
     if (!option || option->get_items_expected_min() == 0) continue;
     const std::string next = ++i < argc ? argv[i] : "";
@@ -154,7 +172,7 @@ int act(int argc, const char* const* argv) {
     if (!option) refuse_unknown_verb(argv[i], verbs);
     break;
   }
-  refuse_missing_values(verbs, argc, argv);
+  refuse_slips_of_options(verbs, argc, argv);
   std::vector<std::string> words = words_of(argc, argv);
   try {
     app.parse(words);
@@ -196,7 +214,8 @@ int command_line(int argc, const char* const* argv) noexcept {
     flush_output();
     return status;
   } catch (const Interrupted& stop) {
-    if (stop.signal == SIGXCPU) return say(3, "assay: " + processor_time + ", which is used up");
+    if (stop.signal == SIGXCPU && !processor_time.empty())
+      return say(3, "assay: " + processor_time + ", which is used up");
     if (interrupted_from_inside()) {
       return say(3, "assay: signal " + std::to_string(stop.signal) + " (" + strsignal(stop.signal) +
                         ") came from inside this process, most likely from the material's library");

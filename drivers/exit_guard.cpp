@@ -33,7 +33,7 @@ std::array<bool, crashes.size()> installed{};
 alignas(16) char handler_stack[1 << 16];  // a stack that overflowed cannot serve
 bool own_stack = false;
 
-char crash_line[256];  ///< with "##" for the signal
+char crash_words[256];  ///< behind the number of the signal
 
 Parting* parting = nullptr;
 pid_t parting_process = 0;   ///< whose word it is: a model can write into what is shared
@@ -73,7 +73,18 @@ void on_exit() {
   if (is_guarded()) say_ended();
 }
 
-void on_crash(int signal) {
+/// Behind `text`, in decimal digits; async-signal-safe.
+void append(char*& text, long number) {
+  char digits[24];
+  std::size_t count = 0;
+  do digits[count++] = static_cast<char>('0' + number % 10);
+  while ((number /= 10) > 0);
+  while (count > 0) *text++ = digits[--count];
+}
+
+void append(char*& text, const char* words) { text = ::stpcpy(text, words); }
+
+void on_crash(int signal, siginfo_t* why, void* /*context*/) {
   if (!is_guarded()) {  // a child that inherited the handler: it dies of the signal
     std::signal(signal, SIG_DFL);
     ::raise(signal);
@@ -82,21 +93,29 @@ void on_crash(int signal) {
   if (library_was_changed()) {
     say_and_leave("assay: crashed: the material's library was changed while it was in use\n");
   }
-  char line[sizeof crash_line];
-  std::memcpy(line, crash_line, sizeof line);
-  char* digits = std::strchr(line, '#');
-  digits[0] = static_cast<char>('0' + signal / 10);
-  digits[1] = static_cast<char>('0' + signal % 10);
-  if (signal < 10) std::memmove(digits, digits + 1, std::strlen(digits));
+  char line[sizeof crash_words + 100];
+  char* end = line;
+  if (why->si_code <= 0 && why->si_pid != ::getpid()) {
+    append(end, "assay: ended from outside, by signal ");
+    append(end, signal);
+    append(end, " of process ");
+    append(end, why->si_pid);
+    append(end, "\n");
+  } else {
+    append(end, "assay: crashed (signal ");
+    append(end, signal);
+    append(end, crash_words);
+  }
   say_and_leave(line);
 }
 
 /// In time: a signal handler can do little.
-void compose_crash_line() {
+void compose_crash_words() {
   const std::string tight = adapters::tight_limits();
-  std::snprintf(
-      crash_line, sizeof crash_line, "assay: crashed (signal ##), %s\n",
-      tight.empty() ? "most likely in the material's library" : ("and " + tight + ": that may be why").c_str());
+  const std::string words = !tight.empty()            ? "), and " + tight + ": that may be why"
+                            : !loaded_library.empty() ? "), most likely in the material's library"
+                                                      : "): this is a bug of assay";
+  std::snprintf(crash_words, sizeof crash_words, "%s\n", words.c_str());
 }
 
 void install_stack() {
@@ -121,12 +140,12 @@ void remove_stack() {
 ExitGuard::ExitGuard() {
   static const int registered = std::atexit(on_exit);
   static_cast<void>(registered);
-  compose_crash_line();
+  compose_crash_words();
   install_stack();
   struct sigaction action = {};
-  action.sa_handler = on_crash;
+  action.sa_sigaction = on_crash;
   sigemptyset(&action.sa_mask);
-  action.sa_flags = SA_ONSTACK;
+  action.sa_flags = SA_ONSTACK | SA_SIGINFO;
   for (std::size_t i = 0; i < crashes.size(); ++i) {
     struct sigaction present = {};
     // Sanitizers and debuggers keep theirs.
@@ -156,6 +175,7 @@ void ExitGuard::move_to_this_process(const char* library) {
   loaded_library = library;
   if (::stat(library, &as_loaded) != 0) loaded_library.clear();
   parting_process = ::getpid();
+  compose_crash_words();
   if (guarded != 0) guarded = ::getpid();
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "drivers/input_file.hpp"
+#include "drivers/lookalikes.hpp"
 #include "drivers/unseen.hpp"
 
 namespace assay::drivers {
@@ -109,11 +110,13 @@ std::string joined(const std::vector<std::string>& words) {
 std::string nearest(const std::string& mistyped, const std::vector<std::string>& known) {
   const std::string word = without_unseen(mistyped);
   if (word.empty() || word.size() > 200) return {};
-  const std::string small = lower(word);
-  for (const std::string& name : {small, name_elsewhere(small)}) {
-    for (const std::string& candidate : known) {
-      if (lower(candidate) == name) return candidate;
-    }
+  const std::string small = lower(word), meant = as_meant(word);
+  const auto same = [&](const std::string& name) {
+    return [&](const std::string& candidate) { return candidate == meant || lower(candidate) == name; };
+  };
+  for (const std::string& name : {lower(meant), name_elsewhere(small)}) {
+    const auto found = std::find_if(known.begin(), known.end(), same(name));
+    if (found != known.end()) return *found;
   }
   std::string best;
   const std::size_t most = word.size() == 1 ? 0 : word.size() < 4 ? 1 : std::max<std::size_t>(2, word.size() / 3);
@@ -144,11 +147,14 @@ std::string known_words(const std::string& word, const std::vector<std::string>&
   return joined(nearest_ones) + " and " + std::to_string(known.size() - few) + " more, which " + source + " lists";
 }
 
-std::string unknown(const std::string& kind, const std::string& word, const std::vector<std::string>& known) {
+std::string nearest_words(const std::string& word, const std::vector<std::string>& known) {
   const std::string near = nearest(word, known);
-  const std::string other = lookalike(word);
-  return "unknown " + kind + (near.empty() ? std::string() : " (nearest: " + near + ")") +
-         (other.empty() ? "" : ", " + other);
+  const std::string other = lookalike(word, near);
+  return (near.empty() ? std::string() : " (nearest: " + near + ")") + (other.empty() ? "" : ", " + other);
+}
+
+std::string unknown(const std::string& kind, const std::string& word, const std::vector<std::string>& known) {
+  return "unknown " + kind + nearest_words(word, known);
 }
 
 }  // namespace assay::drivers

@@ -56,6 +56,9 @@ std::string nearest(const std::string& mistyped, const std::vector<std::string>&
 std::string known_words(const std::string& word, const std::vector<std::string>& known,
                         const std::string& source = "`assay schema`");
 
+/// " (nearest: inner), U+2013 stands where '-' belongs", as far as either is known.
+std::string nearest_words(const std::string& word, const std::vector<std::string>& known);
+
 /// "unknown key" or "unknown key (nearest: inner)".
 std::string unknown(const std::string& kind, const std::string& word, const std::vector<std::string>& known);
 

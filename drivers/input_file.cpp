@@ -40,7 +40,7 @@ std::optional<int> stream_of(std::string_view name) {
 std::string fault_of_mode(mode_t mode) {
   if (S_ISREG(mode)) return {};
   if (S_ISDIR(mode)) return "is a folder, not a file";
-  if (S_ISFIFO(mode)) return "is a named pipe, not a regular file: hand its text over on standard input, as -";
+  if (S_ISFIFO(mode)) return "is a named pipe, not a regular file: write its text to a file, and name that";
   return std::string("is a ") + (S_ISSOCK(mode) ? "socket" : "device") + ", not a regular file";
 }
 

@@ -47,7 +47,7 @@ constexpr bool watched_by_sanitizer = false;
 
 /// For what libraries do when a process exits; a sanitizer looks for leaks then.
 constexpr std::chrono::seconds patience{watched_by_sanitizer ? 30 : 2};
-constexpr int passed_on[] = {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2, SIGALRM};
+constexpr int passed_on[] = {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2, SIGALRM, SIGXCPU};
 
 sigset_t awaited_signals() {
   sigset_t set;
@@ -73,6 +73,35 @@ bool is_another_program(pid_t process) {
   return !code && own != other;
 }
 
+/// Tells of a child that has stopped while its watcher has not: a terminal stops both.
+class StoppedChild {
+ public:
+  void look(pid_t child) {
+    siginfo_t info = {};
+    if (::waitid(P_PID, static_cast<id_t>(child), &info, WSTOPPED | WCONTINUED | WNOHANG) != 0 || info.si_pid == 0) {
+      tell(child);
+      return;
+    }
+    signal_ = info.si_code == CLD_STOPPED ? info.si_status : 0;
+    since_ = Clock::now();
+    is_told_ = false;
+  }
+
+ private:
+  void tell(pid_t child) {
+    if (signal_ == 0 || is_told_ || Clock::now() - since_ < std::chrono::seconds(1)) return;
+    is_told_ = true;
+    std::fprintf(stderr,
+                 "warning: process %d of this program is stopped (signal %d, %s), from outside or by the material's "
+                 "library; to go on: kill -CONT %d\n",
+                 static_cast<int>(child), signal_, strsignal(signal_), static_cast<int>(child));
+  }
+
+  int signal_ = 0;
+  bool is_told_ = false;
+  Clock::time_point since_;
+};
+
 /// Waits for a signal for as long as a look may be late. A terminal sends its signals to both, unless the child has
 /// left their group. What the child sends itself is a model's doing: nobody wants the run to end.
 void pass_signal_on(pid_t child, const sigset_t& awaited, Ended& ended) {
@@ -86,14 +115,17 @@ void pass_signal_on(pid_t child, const sigset_t& awaited, Ended& ended) {
   }
   ended.passed = signal;
   if (sent.si_code <= 0 || ::getpgid(child) != ::getpgrp()) ::kill(child, signal);
+  ::kill(child, SIGCONT);  // what is stopped takes no other signal
 }
 
 Ended end_of(pid_t child, const Parting& word) {
   const sigset_t awaited = awaited_signals();
   Ended ended;
   std::optional<Clock::time_point> told;
+  StoppedChild stopped;
   for (auto looked = Clock::now(); ::waitpid(child, &ended.status, WNOHANG) == 0;) {
     pass_signal_on(child, awaited, ended);
+    stopped.look(child);
     const auto now = Clock::now();
     if (!told && word.is_told) told = now;
     ended.late = told && now - *told > patience;

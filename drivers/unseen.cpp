@@ -58,40 +58,6 @@ constexpr std::array steering{
     Named{0x2066, 0x2069, "mark of the direction of writing"},
 };
 
-struct Lookalike {
-  std::uint32_t code;
-  const char* meant;
-};
-
-/// From word processors, and from keyboards of other scripts.
-constexpr std::array lookalikes{
-    Lookalike{0x2010, "-"},  Lookalike{0x2011, "-"},  Lookalike{0x2012, "-"},  Lookalike{0x2013, "-"},
-    Lookalike{0x2014, "-"},  Lookalike{0x2212, "-"},  Lookalike{0x2018, "'"},  Lookalike{0x2019, "'"},
-    Lookalike{0x201C, "\""}, Lookalike{0x201D, "\""}, Lookalike{0x201E, "\""}, Lookalike{0xFF0C, ","},
-    Lookalike{0xFF1A, ":"},  Lookalike{0x0430, "a"},  Lookalike{0x0435, "e"},  Lookalike{0x043E, "o"},
-    Lookalike{0x0440, "p"},  Lookalike{0x0441, "c"},  Lookalike{0x0443, "y"},  Lookalike{0x0445, "x"},
-    Lookalike{0x0456, "i"},  Lookalike{0x0415, "E"},  Lookalike{0x0395, "E"},  Lookalike{0x03BF, "o"},
-};
-
-/// Characters that stand in a row as those of ASCII do: full width, and digits of other scripts.
-struct RowOfOthers {
-  std::uint32_t first, last;
-  char meant;  ///< by the first
-};
-constexpr std::array rows_of_others{RowOfOthers{0xFF01, 0xFF5E, '!'}, RowOfOthers{0x0660, 0x0669, '0'},
-                                    RowOfOthers{0x06F0, 0x06F9, '0'}, RowOfOthers{0x0966, 0x096F, '0'}};
-
-/// What is easily meant by a character; empty where nothing else is.
-std::string meant_by(std::uint32_t code) {
-  for (const Lookalike& each : lookalikes) {
-    if (each.code == code) return each.meant;
-  }
-  for (const RowOfOthers& row : rows_of_others) {
-    if (row.first <= code && code <= row.last) return std::string(1, static_cast<char>(row.meant + (code - row.first)));
-  }
-  return {};
-}
-
 template <class List>
 const char* name_in(const List& list, std::uint32_t code) {
   const auto found =
@@ -124,28 +90,11 @@ std::size_t decode(std::string_view text, std::size_t at, std::uint32_t& code) {
   return length;
 }
 
-/// Calls take(code, bytes) for each character. A byte that belongs to no character has the code 0xFFFFFFFF.
-template <class Take>
-void for_each_character(std::string_view text, const Take& take) {
-  for (std::size_t at = 0; at < text.size();) {
-    std::uint32_t code = 0;
-    const std::size_t length = decode(text, at, code);
-    take(length == 0 ? 0xFFFFFFFFu : code, text.substr(at, std::max<std::size_t>(length, 1)));
-    at += std::max<std::size_t>(length, 1);
-  }
-}
-
-std::string number_of(std::uint32_t code) {
-  char text[16];
-  std::snprintf(text, sizeof text, "U+%04X", static_cast<unsigned>(code));
-  return text;
-}
-
 template <class IsWritten>
 std::string written(std::string_view text, bool breaks, const IsWritten& is_written) {
   std::string out;
   for_each_character(text, [&](std::uint32_t code, std::string_view bytes) {
-    if (code == 0xFFFFFFFFu)
+    if (code == no_character)
       out += '?';
     else if (!breaks && (code == '\t' || code == '\n' || code == '\r'))
       out += ' ';
@@ -168,6 +117,21 @@ std::string note_of(std::uint32_t code) {
 
 }  // namespace
 
+void for_each_character(std::string_view text, const std::function<void(std::uint32_t, std::string_view)>& take) {
+  for (std::size_t at = 0; at < text.size();) {
+    std::uint32_t code = 0;
+    const std::size_t length = decode(text, at, code);
+    take(length == 0 ? no_character : code, text.substr(at, std::max<std::size_t>(length, 1)));
+    at += std::max<std::size_t>(length, 1);
+  }
+}
+
+std::string number_of(std::uint32_t code) {
+  char text[16];
+  std::snprintf(text, sizeof text, "U+%04X", static_cast<unsigned>(code));
+  return text;
+}
+
 std::string printable(std::string_view text) {
   return written(text, false, [](std::uint32_t code) { return name_in(steering, code) != nullptr; });
 }
@@ -175,7 +139,7 @@ std::string printable(std::string_view text) {
 std::string utf8(std::string_view text) {
   std::string out;
   for_each_character(
-      text, [&](std::uint32_t code, std::string_view bytes) { code == 0xFFFFFFFFu ? out += '?' : out += bytes; });
+      text, [&](std::uint32_t code, std::string_view bytes) { code == no_character ? out += '?' : out += bytes; });
   return out;
 }
 
@@ -185,7 +149,7 @@ std::string without_commands(std::string_view lines, const std::string& open, co
   std::string out;
   for_each_character(lines, [&](std::uint32_t code, std::string_view bytes) {
     const bool layout = code == '\n' || code == '\t';
-    if (code == 0xFFFFFFFFu)
+    if (code == no_character)
       out += '?';
     else if (!layout && name_in(steering, code))
       out += open + number_of(code).substr(2) + close;
@@ -215,17 +179,6 @@ std::string without_unseen(std::string_view text) {
     if (!is_unseen(code)) out += bytes;
   });
   return out;
-}
-
-std::string lookalike(std::string_view text) {
-  std::string found;
-  for_each_character(text, [&](std::uint32_t code, std::string_view) {
-    const std::string meant = meant_by(code);
-    if (found.empty() && !meant.empty()) {
-      found = number_of(code) + " stands where " + (meant == "'" ? "\"'\"" : "'" + meant + "'") + " belongs";
-    }
-  });
-  return found;
 }
 
 std::string cut(std::string_view text, std::size_t limit) {

@@ -2,10 +2,20 @@
 // Characters that a reader cannot see, or takes for others: written out, and named.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace assay::drivers {
+
+constexpr std::uint32_t no_character = 0xFFFFFFFFu;  ///< the code of a byte that belongs to no character of UTF-8
+
+/// Calls take(code, bytes) for each character.
+void for_each_character(std::string_view text, const std::function<void(std::uint32_t, std::string_view)>& take);
+
+/// "U+2212".
+std::string number_of(std::uint32_t code);
 
 /// The text with blanks for tabs and line breaks. What steers a terminal (control characters, marks that turn the
 /// direction of writing) is written as "<U+001B>"; what is no UTF-8 becomes a question mark.
@@ -28,9 +38,6 @@ std::string unseen_note(std::string_view written);
 
 /// The text without what cannot be seen.
 std::string without_unseen(std::string_view text);
-
-/// "U+2212 stands where '-' belongs": the first character that is easily taken for another one; empty without any.
-std::string lookalike(std::string_view text);
 
 /// The text up to `limit` bytes, cut between characters and marked by "...".
 std::string cut(std::string_view text, std::size_t limit);

@@ -21,7 +21,7 @@ std::string advice_for(const std::string& file, const std::string& what) {
   const std::string shown = last_line(file);
   if (shown.starts_with('/')) return "; it " + what + " '" + shown + "', a file that is not there or holds too little";
   if (shown == "stdin") return "; it reads standard input, which is empty for a model: a file is read by OPEN";
-  const std::string item = shown.substr(shown.rfind('/') + 1);
+  const std::string item = shown.starts_with("./") ? shown.substr(2) : shown;
   return "; it " + what + " '" + shown + "' in the folder of its process, which is its own: files: [" + item +
          "] in its description puts a file there";
 }

@@ -7,6 +7,8 @@
 
 #include "drivers/material/foreign_words.hpp"
 #include "drivers/output/numbers.hpp"
+#include "drivers/scene/number_slips.hpp"
+#include "drivers/scene/yaml_slips.hpp"
 #include "drivers/scene/yaml_values.hpp"
 
 namespace assay::drivers {
@@ -91,6 +93,7 @@ class Reader {
         if (number_in(item)) {
           add_property(numbered("p", k), number_value(item, key), item.where);
         } else {
+          refuse_no_name(item, key);
           add_property(text_value(item, key), NAN, item.where);
         }
       }
@@ -100,6 +103,8 @@ class Reader {
     for (const Tree::Entry& entry : tree.entries) {
       const std::string key = "properties." + one_line(entry.key, 80);
       const Tree& value = entry.value;
+      if (value.kind == Tree::Kind::null && entry.key.find('=') != entry.key.npos)
+        throw InputError(entry.key_where, key, "is no name" + key_remedy(entry.key));
       if (value.kind != Tree::Kind::map) {
         add_property(entry.key, value.kind == Tree::Kind::null ? NAN : number_value(value, key), value.where);
         continue;
@@ -113,6 +118,18 @@ class Reader {
       if (const Tree* at = value.find("doc")) p.doc = text_value(*at, key + ".doc");
       require_within(p, key, value.where);
     }
+  }
+
+  /// A number that is written otherwise is no name, nor is "E=1000", or a map behind a hyphen.
+  static void refuse_no_name(const Tree& item, const std::string& key) {
+    const std::string what = "must be a number or a name";
+    if (item.kind == Tree::Kind::map) throw InputError(item.where, key, what + ": keys with values stand without '-'");
+    if (item.kind != Tree::Kind::scalar) return;
+    const bool begins_as_number = item.text.find_first_of("0123456789.+-") == 0;
+    if (item.text.find('=') != item.text.npos)
+      throw InputError(item.where, key,
+                       what + ", found " + described(item) + ": names with values are a map, {E: 1000}");
+    if (begins_as_number) throw InputError(item.where, key, what + ", found " + described(item) + number_remedy(item));
   }
 
   static void require_within(const ForeignProperty& p, const std::string& key, const Location& place) {
@@ -137,7 +154,13 @@ class Reader {
       return;
     }
     if (tree.kind == Tree::Kind::sequence) {
-      for (const Tree& item : tree.items) add_unknown(text_value(item, "state"));
+      for (const Tree& item : tree.items) {
+        const std::string name = text_value(item, "state");
+        const auto same = [&](const ForeignVariable& other) { return other.name == name; };
+        if (std::any_of(model_.state.begin(), model_.state.end(), same))
+          throw InputError(item.where, "state." + one_line(name, 80), "is there twice");
+        add_unknown(name);
+      }
       return;
     }
     require_map(tree, "state", "the state variables of the model, in its order: names and kinds");

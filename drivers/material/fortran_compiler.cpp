@@ -13,6 +13,7 @@
 #include <optional>
 #include <sstream>
 
+#include "drivers/lookalikes.hpp"
 #include "drivers/material/linked.hpp"
 #include "drivers/material/tool_process.hpp"
 #include "drivers/output/numbers.hpp"
@@ -84,8 +85,8 @@ struct CompilerMessage {
   std::string text;
 };
 
-std::optional<CompilerMessage> message_of(const std::string& line) {
-  for (const std::string word : {": Error: ", ": Fatal Error: "}) {
+std::optional<CompilerMessage> message_of(const std::string& line, const std::vector<std::string>& kinds) {
+  for (const std::string& word : kinds) {
     const std::size_t at = line.find(word);
     if (at == line.npos) continue;
     CompilerMessage message{{line.substr(0, at)}, line.substr(at + word.size())};
@@ -108,6 +109,29 @@ std::string plain_message(std::string text) {
     if (text.ends_with(mark)) text.resize(text.size() - mark.size());
   }
   return text;
+}
+
+/// "x.f:12: ‘n’ is used uninitialized" of what it warns of and is seldom meant, each once. Its columns are those of the
+/// end of a line.
+std::vector<std::string> warnings_in(const std::string& said) {
+  constexpr const char* seldom_meant[] = {"Missing actual argument", "Type mismatch ", "used uninitialized",
+                                          "Integer division truncated"};
+  std::vector<std::string> warnings;
+  std::istringstream lines(said);
+  for (std::string line; std::getline(lines, line);) {
+    const auto message = message_of(line, {": Warning: "});
+    const auto is_in = [&](const char* words) { return message->text.find(words) != std::string::npos; };
+    if (!message || std::none_of(std::begin(seldom_meant), std::end(seldom_meant), is_in)) continue;
+    std::string text = message->text.substr(0, message->text.find(" [-W"));
+    for (const std::string mark : {" at (1)", " at (2)"}) {
+      if (const std::size_t at = text.find(mark); at != text.npos) text.erase(at, mark.size());
+    }
+    const std::string& file = message->where.file;
+    const std::string whole =
+        file.substr(file.starts_with("./") ? 2 : 0) + ":" + std::to_string(message->where.line) + ": " + text;
+    if (std::find(warnings.begin(), warnings.end(), whole) == warnings.end()) warnings.push_back(whole);
+  }
+  return warnings;
 }
 
 /// "foo" of the linker's "cannot find -lfoo: No such file or directory"; or empty.
@@ -148,7 +172,7 @@ InputError refusal_of_compiler(const FortranSource& source, const FortranCompile
   std::optional<CompilerMessage> first;
   int errors = 0;
   while (std::getline(lines, line)) {
-    const auto message = message_of(line);
+    const auto message = message_of(line, {": Error: ", ": Fatal Error: "});
     if (!message) continue;
     if (!first) first = message;
     if (text.empty()) text = plain_message(message->text);
@@ -208,9 +232,16 @@ FortranCompiler find_fortran_compiler(const std::string& file) {
 
 std::vector<std::string> flags_for(const FortranSource& source, const FortranCompiler& compiler) {
   const bool fixed = source.form.form == FortranForm::fixed;
-  std::vector<std::string> flags{"-shared",     "-fPIC", "-O2", "-ffp-contract=off",
+  std::vector<std::string> flags{"-shared",
+                                 "-fPIC",
+                                 "-O2",
+                                 "-ffp-contract=off",
                                  "-frecursive",  // local variables on the stack, as by Abaqus' -auto
-                                 "-std=legacy", "-fdec", "-w",  "-fno-diagnostics-show-caret"};
+                                 "-std=legacy",
+                                 "-fdec",
+                                 "-Wuninitialized",
+                                 "-Winteger-division",
+                                 "-fno-diagnostics-show-caret"};
   constexpr int first_strict_version = 10;  // which takes arguments that do not match for errors
   if (major_version(compiler) >= first_strict_version) {
     flags.insert(flags.end(), {"-fallow-argument-mismatch", "-fallow-invalid-boz"});
@@ -222,8 +253,8 @@ std::vector<std::string> flags_for(const FortranSource& source, const FortranCom
   return flags;
 }
 
-void compile_library(const FortranSource& source, const FortranCompiler& compiler, const std::string& folder,
-                     const std::string& library) {
+std::vector<std::string> compile_library(const FortranSource& source, const FortranCompiler& compiler,
+                                         const std::string& folder, const std::string& library) {
   const fs::path place(folder), file(source.file);
   provide_includes(source, place / "include");
   ToolCall call{.program = compiler.program, .arguments = flags_for(source, compiler)};
@@ -247,7 +278,7 @@ void compile_library(const FortranSource& source, const FortranCompiler& compile
     throw SystemError(source.file + ": its compilation takes longer than " + number_text(call.limit_s) + " s");
   }
   std::error_code code;
-  if (end.status == 0 && fs::is_regular_file(library, code)) return;
+  if (end.status == 0 && fs::is_regular_file(library, code)) return warnings_in(end.said);
   if (end.status > 2) {
     throw SystemError(source.file + ": '" + compiler.program + "' ended with status " + std::to_string(end.status) +
                       ": " + one_line(end.said, 300));

@@ -22,9 +22,11 @@ FortranCompiler find_fortran_compiler(const std::string& file);
 /// What it is called with beside files: as Abaqus compiles, and so that the results do not depend on the processor.
 std::vector<std::string> flags_for(const FortranSource& source, const FortranCompiler& compiler);
 
-/// Compiles into a shared library. `folder` is empty, and for what is made on the way. Throws InputError with the
-/// compiler's first message, at the source's line, SystemError where the compiler cannot do its work.
-void compile_library(const FortranSource& source, const FortranCompiler& compiler, const std::string& folder,
-                     const std::string& library);
+/// Compiles into a shared library. `folder` is empty, and for what is made on the way. Returns what the compiler warns
+/// of and is seldom meant: arguments of another type or too few, a variable that is never set, a whole number that was
+/// to be a fraction; each as "model.f:12: text", from the folder of the source. Throws InputError with the compiler's
+/// first message, at the source's line, SystemError where the compiler cannot do its work.
+std::vector<std::string> compile_library(const FortranSource& source, const FortranCompiler& compiler,
+                                         const std::string& folder, const std::string& library);
 
 }  // namespace assay::drivers

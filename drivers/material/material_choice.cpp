@@ -44,8 +44,9 @@ Material created(const MaterialChoice& choice, const MaterialSource& source) {
     const std::string key = of_option             ? error.key()
                             : error.key().empty() ? choice.parameters_key
                                                   : choice.parameters_key + "." + error.key();
-    const std::string near = undeclared(source, error.key()) ? nearest(error.key(), parameter_names(source)) : "";
-    throw InputError(where, one_line(key, 100), error.what() + (near.empty() ? "" : " (nearest: " + near + ")"),
+    const bool other = undeclared(source, error.key());
+    throw InputError(where, one_line(key, 100),
+                     error.what() + (other ? nearest_words(error.key(), parameter_names(source)) : std::string()),
                      error.known());
   } catch (const std::runtime_error& error) {
     if (adapters::has_ended(source.table)) throw ModelEnded(choice.where, choice.adapter_key, error.what());

@@ -77,13 +77,13 @@ void read_library(const Tree& root, const std::string& interface, const std::fil
   }
   FortranSource text = read_fortran_source(description.source, source->where, "source");
   text.link = description.link;
-  description.library = library_of_source(text).file;
+  const SourceLibrary made = library_of_source(text);
+  description.library = made.file;
   description.library_key = "source";
   description.warnings = text.warnings;
   const Tree* symbol = root.find("symbol");
-  for (const std::string& trap : size_traps(text, symbol ? symbol->text : interface + "_")) {
-    description.warnings.push_back(trap);
-  }
+  for (const auto& more : {made.warnings, entry_traps(text, symbol ? symbol->text : interface + "_")})
+    description.warnings.insert(description.warnings.end(), more.begin(), more.end());
 }
 
 /// A file's name as the name of a table: "My-Clay.yaml" is my_clay.

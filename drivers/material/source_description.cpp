@@ -94,7 +94,8 @@ class Describer {
     result.text = source_yaml(yaml_);
     result.notes = notes();
     result.warnings = source_.warnings;
-    for (const std::string& trap : size_traps(source_, entry_)) result.warnings.push_back(trap);
+    for (const auto& more : {library_.warnings, entry_traps(source_, entry_)})
+      result.warnings.insert(result.warnings.end(), more.begin(), more.end());
     warn_of_too_few(facts_.props, "PROPS", yaml_.properties.size(), result.warnings);
     warn_of_too_few(facts_.state, "STATEV", static_cast<std::size_t>(yaml_.state), result.warnings);
     return result;

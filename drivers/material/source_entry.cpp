@@ -238,12 +238,51 @@ void add_lossy(const FortranSource& source, const SourceEntry& entry, const std:
   }
 }
 
+/// As the manual of Abaqus has them. A routine may call them otherwise.
+const std::vector<std::string> usual_of_umat{
+    "stress", "statev", "ddsdde", "sse",   "spd",    "scd",    "rpl",    "ddsddt", "drplde", "drpldt",
+    "stran",  "dstran", "time",   "dtime", "temp",   "dtemp",  "predef", "dpred",  "cmname", "ndi",
+    "nshr",   "ntens",  "nstatv", "props", "nprops", "coords", "drot",   "pnewdt", "celent", "dfgrd0",
+    "dfgrd1", "noel",   "npt",    "layer", "kspt",   "jstep",  "kinc"};
+const std::vector<std::string> usual_of_vumat{
+    "nblock",        "ndir",    "nshr",       "nstatev",    "nfieldv",    "nprops",    "lanneal",  "steptime",
+    "totaltime",     "dt",      "cmname",     "coordmp",    "charlength", "props",     "density",  "straininc",
+    "relspininc",    "tempold", "stretchold", "defgradold", "fieldold",   "stressold", "stateold", "enerinternold",
+    "enerinelasold", "tempnew", "stretchnew", "defgradnew", "fieldnew",   "stressnew", "statenew", "enerinternnew",
+    "enerinelasnew"};
+
+/// Of a list that is longer or shorter, or has the usual names in another order; or empty.
+std::string list_trap(const std::vector<std::string>& arguments, const std::vector<std::string>& usual) {
+  const auto has = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  if (arguments.size() != usual.size()) {
+    std::vector<std::string> missing;
+    for (const std::string& name : usual) {
+      if (!has(arguments, name)) missing.push_back(capitals(name));
+    }
+    const bool few = missing.size() + arguments.size() == usual.size();  // the others are called as usual
+    return "takes " + std::to_string(arguments.size()) + " arguments, and Abaqus hands over " +
+           std::to_string(usual.size()) +
+           (few ? ": " + few_of(missing) + (missing.size() > 1 ? " are" : " is") + " not among them" : "") +
+           "; what follows the first that is missing or added is taken for another";
+  }
+  for (std::size_t k = 0; k < usual.size(); ++k) {
+    if (arguments[k] != usual[k] && has(usual, arguments[k]))
+      return capitals(arguments[k]) + " stands where Abaqus hands over " + capitals(usual[k]) +
+             ": arguments go by their places";
+  }
+  return {};
+}
+
 }  // namespace
 
-std::vector<std::string> size_traps(const FortranSource& source, const SourceEntry& entry) {
+std::vector<std::string> entry_traps(const FortranSource& source, const SourceEntry& entry) {
   const FortranRoutine& routine = entry.routine;
   const bool umat = entry.interface == ForeignInterface::umat;
-  if (routine.arguments.size() != (umat ? umat_arguments : vumat_arguments)) return {};
+  if (routine.line == 0) return {};
+  const std::string list = list_trap(routine.arguments, umat ? usual_of_umat : usual_of_vumat);
+  if (!list.empty()) return {source.file + ":" + std::to_string(routine.line) + ": " + list};
   const std::vector<FortranVariable> variables = variables_of(routine.statements);
   const ImplicitTypes implicit = implicit_types(source, routine);
   const auto& integers = umat ? place::umat_integers : place::vumat_integers;
@@ -271,9 +310,9 @@ std::vector<std::string> size_traps(const FortranSource& source, const SourceEnt
   return all;
 }
 
-std::vector<std::string> size_traps(const FortranSource& source, const std::string& symbol) {
+std::vector<std::string> entry_traps(const FortranSource& source, const std::string& symbol) {
   const auto entry = entry_behind(symbol, source.routines());
-  return entry ? size_traps(source, *entry) : std::vector<std::string>();
+  return entry ? entry_traps(source, *entry) : std::vector<std::string>();
 }
 
 }  // namespace assay::drivers

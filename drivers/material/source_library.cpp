@@ -6,6 +6,7 @@
 
 #include <cctype>
 #include <filesystem>
+#include <fstream>
 
 #include "adapters/elf_symbols.hpp"
 #include "adapters/library.hpp"
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* library_signature = "assay source 2\n";
+constexpr const char* library_signature = "assay source 3\n";
 constexpr std::size_t digits_of_hash = 20;
 
 /// A folder for what is made on the way; gone with this object, and swept by others where this process is killed.
@@ -83,6 +84,24 @@ void sync_file(const fs::path& path) {
   ::close(file);
 }
 
+/// Beside the library, so that they are said again where nothing is compiled.
+fs::path warnings_of(const fs::path& library) { return fs::path(library).replace_extension(".warnings"); }
+
+std::vector<std::string> kept_warnings(const fs::path& library, const FortranSource& source) {
+  constexpr std::size_t most = 5;
+  std::vector<std::string> warnings;
+  std::ifstream file(warnings_of(library));
+  std::size_t more = 0;
+  for (std::string line; std::getline(file, line);) {
+    if (warnings.size() == most)
+      ++more;
+    else
+      warnings.push_back((fs::path(source.file).parent_path() / line).string());
+  }
+  if (more > 0) warnings.push_back(source.file + ": " + std::to_string(more) + " more warnings of the compiler");
+  return warnings;
+}
+
 }  // namespace
 
 std::string source_folder() {
@@ -97,15 +116,19 @@ SourceLibrary library_of_source(const FortranSource& source) {
   const FortranCompiler compiler = find_fortran_compiler(source.file);
   const std::string stem = plain_stem(fs::path(source.file).stem().string());
   const fs::path library = folder / (stem + "-" + key_of(source, compiler) + ".so");
-  if (is_whole_library(library)) return {library.string(), compiler.version};
+  const auto found = [&] { return SourceLibrary{library.string(), compiler.version, kept_warnings(library, source)}; };
+  if (is_whole_library(library)) return found();
   const MakingFolder making(folder);
   const fs::path made = making.path() / (stem + ".so");
-  compile_library(source, compiler, making.path().string(), made.string());
+  std::string warnings;
+  for (const std::string& line : compile_library(source, compiler, making.path().string(), made.string()))
+    warnings += line + "\n";
+  if (!warnings.empty()) write_file(warnings_of(library), warnings);
   sync_file(made);
   std::error_code code;
   fs::rename(made, library, code);
   if (code) fail(library, "cannot be put in place", code);
-  return {library.string(), compiler.version};
+  return found();
 }
 
 std::string kept_description(const std::string& stem, const std::string& text) {

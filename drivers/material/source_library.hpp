@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "drivers/material/fortran_source.hpp"
 
@@ -12,8 +13,9 @@ namespace assay::drivers {
 std::string source_folder();
 
 struct SourceLibrary {
-  std::string file;      ///< absolute
-  std::string compiler;  ///< its version
+  std::string file;                   ///< absolute
+  std::string compiler;               ///< its version
+  std::vector<std::string> warnings;  ///< of the compiler: "/home/me/model.f:12: text"
 };
 
 /// Compiles the source unless its library is kept: one file for each content of the source and what it includes,

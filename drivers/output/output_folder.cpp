@@ -65,6 +65,7 @@ OutputFolder::OutputFolder(fs::path target, std::vector<std::string> names)
     for (int attempt = 0; !make_folders() || !lock(); ++attempt) {
       if (attempt == 100) fail(target_, "folder cannot be created", ENOENT);
     }
+    refuse_another_kind();
     make_staging();
   } catch (...) {
     give_back();
@@ -128,6 +129,21 @@ void OutputFolder::make_staging() {
   if (!error) staging_ = staging;
   if (!error) fs::permissions(staging, fs::perms::owner_all, error);  // whatever the umask
   if (error) fail(target_, "folder cannot be written to", error);
+}
+
+/// A run and a study both write report.html.
+void OutputFolder::refuse_another_kind() const {
+  std::error_code error;
+  const auto other = [&](const char* mine, const char* theirs) {
+    return is_ours(mine) && fs::is_regular_file(target_ / theirs, error);
+  };
+  constexpr const char* study = "study.json";
+  const char* const words = other(last_file, study)   ? "study (study.json), and a run would replace its report.html"
+                            : other(study, last_file) ? "run (result.json), and a study would replace its report.html"
+                                                      : nullptr;
+  if (words)
+    throw InputError({target_.string(), 0, 0}, "",
+                     std::string("holds the results of a ") + words + ": choose another folder with -o");
 }
 
 bool OutputFolder::is_ours(const std::string& name) const {

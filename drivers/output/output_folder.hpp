@@ -19,7 +19,8 @@ std::vector<std::string> result_files();
 class OutputFolder {
  public:
   /// Creates `target` and its parents where they are missing, and the staging folder inside it. `names` are the
-  /// patterns of the files that a result may hold. Where the folder holds a complete result (result.json), commit()
+  /// patterns of the files that a result may hold. Refuses (InputError) a run in the folder of a study, and the reverse.
+  /// Where the folder holds a complete result (result.json), commit()
   /// removes the files that match them and were not written again; it never removes any other file.
   explicit OutputFolder(std::filesystem::path target, std::vector<std::string> names = result_files());
   OutputFolder(const OutputFolder&) = delete;
@@ -43,6 +44,7 @@ class OutputFolder {
  private:
   bool make_folders();
   bool lock();
+  void refuse_another_kind() const;
   void make_staging();
   bool is_ours(const std::string& name) const;
   bool is_stale(const std::string& name) const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <numbers>
 #include <stdexcept>
 
@@ -188,7 +189,7 @@ std::string Canvas::png() const {
     static_cast<std::string*>(context)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
   };
   if (!stbi_write_png_to_func(append, &out, width_, height_, 3, bytes.data(), width_ * 3)) {
-    throw std::runtime_error("Canvas: no memory for the PNG");
+    throw std::bad_alloc();  // the one reason that it has
   }
   return out;
 }

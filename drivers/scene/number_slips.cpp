@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "drivers/lookalikes.hpp"
 #include "drivers/output/numbers.hpp"
-#include "drivers/unseen.hpp"
 
 namespace assay::drivers {
 

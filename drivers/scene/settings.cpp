@@ -5,6 +5,7 @@
 
 #include "drivers/output/numbers.hpp"
 #include "drivers/scene/expect.hpp"
+#include "drivers/scene/yaml_lines.hpp"
 #include "drivers/scene/yaml_values.hpp"
 
 namespace assay::drivers {
@@ -40,6 +41,21 @@ bool has_empty_step(const std::string& path) {
   return std::any_of(steps.begin(), steps.end(), [](const std::string& step) { return step.empty(); });
 }
 
+/// "grid:spacing", "grid/spacing", "grid[spacing]": as YAML, folders and other programs join keys.
+void refuse_other_joints(const std::string& path) {
+  constexpr const char* joints = ":/[]\\";
+  if (path.starts_with("expect.") || path.find_first_of(joints) == path.npos) return;
+  std::string meant;
+  for (const char c : path) {
+    if (std::string_view(joints).find(c) == std::string_view::npos)
+      meant += c == ' ' ? "" : std::string(1, c);
+    else if (!meant.empty() && meant.back() != '.')
+      meant += '.';
+  }
+  if (meant.ends_with('.')) meant.pop_back();
+  throw InputError(from_option, one_line(path, 80), "keys are joined by '.': write " + one_line(meant, 80) + "=...");
+}
+
 Tree value_of(const std::string& text, const std::string& path) {
   if (text.find_first_not_of(" \t") == text.npos) throw InputError(from_option, path, "no value after '='");
   try {
@@ -71,10 +87,11 @@ bool is_index(const std::string& step) {
 
 Setting parse_setting(const std::string& text) {
   const std::size_t equals = text.find('=');
-  const std::string path = text.substr(0, equals);
+  const std::string path(stripped(std::string_view(text).substr(0, equals)));
   if (equals == text.npos || has_empty_step(path)) {
     throw InputError(from_option, "", "takes key.path=value, found '" + one_line(text, 80) + "'");
   }
+  refuse_other_joints(path);
   return {path, value_of(text.substr(equals + 1), path), from_option};
 }
 

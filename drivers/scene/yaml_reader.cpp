@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -68,7 +69,9 @@ class Builder : public YAML::EventHandler {
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto found = anchors_.find(anchor);
     if (found == anchors_.end()) throw InputError(where(mark), "", "an alias inside the value that it stands for");
+    alias_ = where(mark);
     complete(found->second.tree, YAML::NullAnchor, found->second.size);
+    alias_.reset();
   }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
@@ -149,7 +152,8 @@ class Builder : public YAML::EventHandler {
     if (values_ > limits_.values) {
       throw InputError(tree.where, "", "more than " + std::to_string(limits_.values) + " values");
     }
-    if (anchor != YAML::NullAnchor) anchors_[anchor] = {tree, size};
+    tree.anchored = anchor != YAML::NullAnchor;
+    if (tree.anchored) anchors_[anchor] = {tree, size};
     if (stack_.empty()) {
       root_ = std::move(tree);
     } else if (stack_.back().tree.kind == Tree::Kind::sequence) {
@@ -173,8 +177,10 @@ class Builder : public YAML::EventHandler {
     }
     if (tree.kind != Tree::Kind::scalar) {
       const bool braces = tree.kind == Tree::Kind::map;
-      throw InputError(tree.where, "",
-                       braces ? "a key must be a word: a text with braces belongs in quotes" : "a key must be a word");
+      throw InputError(alias_.value_or(tree.where), "",
+                       alias_   ? "a key must be a word, and here is an alias: maps are merged by <<: [*a, *b]"
+                       : braces ? "a key must be a word: a text with braces belongs in quotes"
+                                : "a key must be a word");
     }
     if (!map.seen.insert(tree.text).second) {
       throw InputError(
@@ -193,7 +199,8 @@ class Builder : public YAML::EventHandler {
     std::vector<Tree> maps = tree.kind == Tree::Kind::sequence ? std::move(tree.items) : std::vector<Tree>{tree};
     for (Tree& each : maps) {
       if (each.kind != Tree::Kind::map)
-        throw InputError(each.where, merge_key, "takes a map, as *name of one with &name, or a list of maps");
+        throw InputError(alias_.value_or(each.where), merge_key,
+                         "takes a map, as *name of one with &name, or a list of maps");
       map.merged.push_back(std::move(each));
     }
   }
@@ -211,7 +218,8 @@ class Builder : public YAML::EventHandler {
   std::string_view text_;
   std::string name_;
   YamlLimits limits_;
-  bool marked_;  ///< the text has a marker between documents, "---" or "..."
+  bool marked_;                    ///< the text has a marker between documents, "---" or "..."
+  std::optional<Location> alias_;  ///< of what is completed: where it stands, which is not where its value does
   std::vector<Frame> stack_;
   std::map<YAML::anchor_t, Anchored> anchors_;
   Tree root_;

@@ -19,6 +19,7 @@ struct Tree {
   Kind kind = Kind::null;
   std::string text;     ///< of a scalar
   bool quoted = false;  ///< a quoted scalar is text, whatever it looks like
+  bool anchored = false;
   std::vector<Tree> items;
   std::vector<Entry> entries;
   Location where;
@@ -40,8 +41,7 @@ struct YamlLimits {
 };
 
 /// The one document in `text`; `name` stands for the file in messages. Keys `x-...` of the whole hold anchors, and are
-/// left out. Throws InputError: syntax, a second document,
-/// no document, duplicate keys, keys that are not scalars, tags, bad UTF-8, control characters, tabs that indent,
+/// left out. Throws InputError: syntax, a second document, no document, duplicate keys, keys that are not scalars, tags, bad UTF-8, control characters, tabs that indent,
 /// self-reference, and what exceeds the limits.
 Tree read_yaml(std::string_view text, const std::string& name, const YamlLimits& limits = {});
 

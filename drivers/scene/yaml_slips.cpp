@@ -27,8 +27,8 @@ class Diagnosis {
   }
 
   std::optional<YamlSlip> find() const {
-    for (const auto check : {&Diagnosis::quote, &Diagnosis::escape, &Diagnosis::bracket, &Diagnosis::item,
-                             &Diagnosis::long_key, &Diagnosis::reserved, &Diagnosis::key_before,
+    for (const auto check : {&Diagnosis::aliases, &Diagnosis::quote, &Diagnosis::escape, &Diagnosis::bracket,
+                             &Diagnosis::item, &Diagnosis::long_key, &Diagnosis::reserved, &Diagnosis::key_before,
                              &Diagnosis::indentation, &Diagnosis::second_colon, &Diagnosis::behind}) {
       if (auto found = (this->*check)()) return found;
     }
@@ -149,6 +149,19 @@ class Diagnosis {
     while (key > 0 && bare_[line].text[key - 1] == ' ') --key;
     while (key > 0 && std::string_view(" {[,").find(bare_[line].text[key - 1]) == std::string_view::npos) --key;
     return slip(line, key, "a comma belongs before '" + std::string(lines_[line].substr(key, colon - key)) + "'");
+  }
+
+  /// "*a, *b" without brackets, and "*a: 1", whose colon counts as of the name.
+  std::optional<YamlSlip> aliases() const {
+    const std::size_t colon = key_colon(here());
+    const std::size_t value = colon == std::string::npos ? colon : here().find_first_not_of(' ', colon + 1);
+    if (value < here().size() && here()[value] == '*' && here().find(',', value) != std::string::npos)
+      return slip(at_, value, "several aliases are a list: [*a, *b]");
+    const std::size_t first = indent_of(here());
+    const std::size_t end = std::min(here().find(' ', first), here().size());
+    if (first < end && here()[first] == '*' && here()[end - 1] == ':')
+      return slip(at_, end - 1, "a blank belongs between an alias and ':'");
+    return std::nullopt;
   }
 
   /// A value that begins with a character that YAML keeps for itself.

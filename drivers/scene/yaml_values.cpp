@@ -129,13 +129,24 @@ void require_map(const Tree& tree, const std::string& key, const std::string& kn
   refuse(tree, key, "must be a map of keys, found " + described(tree) + remedy, known);
 }
 
+namespace {
+
+/// Of a block that other places refer to.
+std::string anchor_remedy(const Tree::Entry& entry, const std::string& prefix) {
+  const bool capital = entry.key.starts_with("X-");
+  if (!prefix.empty() || (!capital && !entry.value.anchored)) return {};
+  return ": keys that hold anchors begin with x-, as x-" + shown(entry.key.substr(capital ? 2 : 0), 40);
+}
+
+}  // namespace
+
 void refuse_unknown_keys(const Tree& map, const std::string& prefix, const std::vector<std::string>& known) {
   for (const Tree::Entry& entry : map.entries) {
     if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
     throw InputError(entry.key_where, key_path(prefix, shown(entry.key, 80)),
                      unknown("key", entry.key, known) +
                          (parse_number(entry.key) ? ": numbers have a decimal point, and a comma ends a value" : "") +
-                         key_remedy(entry.key),
+                         key_remedy(entry.key) + anchor_remedy(entry, prefix),
                      known_words(entry.key, known));
   }
 }

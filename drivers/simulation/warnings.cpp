@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "drivers/output/number_format.hpp"
+#include "drivers/scene/body_box.hpp"
 #include "drivers/simulation/advice.hpp"
 #include "drivers/simulation/time_steps.hpp"
 #include "harness/check/march.hpp"
@@ -88,8 +89,9 @@ std::string density_sentence(const Problem& problem) {
 }
 
 std::string coarse_grid_sentence(const Problem& problem) {
-  const std::array<double, 2> sides = sides_of_body(problem);
-  const double h = problem.scene.grid->spacing, side = std::min(sides[0], sides[1]);
+  const Box body = body_box(problem.scene);
+  const double h = problem.scene.grid->spacing;
+  const double side = std::min(body.upper[0] - body.lower[0], body.upper[1] - body.lower[1]);
   if (!(side > 0 && h > (1 + 1e-9) * side)) return "";
   return "grid.spacing = " + rounded_text(h, 3) + " m is larger than the body, which is " + rounded_text(side, 3) +
          " m across: no cell is filled, and errors may be as large as the motion";

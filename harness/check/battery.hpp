@@ -74,7 +74,8 @@ struct Options {
   std::vector<std::vector<double>> elsewhere = {};
   /// The same of `other_parameters` (calls.hpp), from a process whose first instance has these; empty: not known.
   std::vector<std::vector<double>> others_elsewhere = {};
-  bool has_refused = false;                                 ///< a step by its own word, at larger strains
+  const assay_material* table_of_others = nullptr;  ///< makes the instance of other parameters; null: the model's own
+  bool has_refused = false;                         ///< a step by its own word, at larger strains
   std::function<void(const std::string& id)> begins = {};   ///< told before each test
   std::function<void(const TestResult& result)> ends = {};  ///< after it, before the diagnosis
 };

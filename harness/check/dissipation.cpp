@@ -36,6 +36,10 @@ double out_of_what_was_lost(const Specimen& specimen, const assay_energy& form) 
   return std::isfinite(lost) ? worst / std::max(work.paid(), specimen.least_stress() * specimen.amplitude) : INFINITY;
 }
 
+/// Whether what has come out by now has come out of nothing: what a law without memory gives on its way out it may take
+/// on its way back.
+bool counts(const Specimen& specimen, bool at_rest) { return at_rest || !specimen.material->path_independent(); }
+
 /// From rest, where nothing is stored, out and back the same way in a time [s]: the most that comes out of it at any
 /// instant, over the work.
 double out_of_rest(const Specimen& specimen, int steps, double time) {
@@ -44,7 +48,7 @@ double out_of_rest(const Specimen& specimen, int steps, double time) {
   for (int k = 1; k <= 2 * steps; ++k) {
     const double there = 1 - std::abs(1 - static_cast<double>(k) / steps);
     work.step(specimen.space.stretch(specimen.amplitude, 0.4 * there));
-    least = std::min(least, work.done());
+    if (counts(specimen, k == 2 * steps)) least = std::min(least, work.done());
   }
   const double share = -least / std::max(work.paid(), specimen.least_stress() * specimen.amplitude);
   return std::isfinite(share) ? share : INFINITY;
@@ -64,7 +68,7 @@ double out_of_volume(const Specimen& specimen, int steps, double time) {
     } catch (const MaterialFailure&) {  // what it stands counts
       break;
     }
-    least = std::min(least, work.done());
+    if (counts(specimen, k % (2 * steps) == 0)) least = std::min(least, work.done());
   }
   const double share = -least / std::max(work.paid(), least_stiffness * specimen.modulus * largest * largest);
   return std::isfinite(share) ? share : INFINITY;

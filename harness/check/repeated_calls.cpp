@@ -51,9 +51,11 @@ void compare_shears(const Specimen& specimen, const Steps& others, Difference& d
 }
 
 /// None where a model does not take them.
-std::optional<Material> of_other_parameters(const Material& material) {
+std::optional<Material> of_other_parameters(const Specimen& specimen) {
+  const Material& material = *specimen.material;
+  const assay_material* table = specimen.options.table_of_others;
   try {
-    return Material(&material.table(), other_parameters(material));
+    return Material(table ? table : &material.table(), other_parameters(material));
   } catch (const std::runtime_error&) {
     return std::nullopt;
   }
@@ -62,7 +64,7 @@ std::optional<Material> of_other_parameters(const Material& material) {
 /// An instance of other parameters does not change this one's answers, nor this one those of the other.
 void compare_instances(const Specimen& specimen, const Steps& steps, const Comparison& with, Difference& difference) {
   const Material& material = *specimen.material;
-  const std::optional<Material> altered = of_other_parameters(material);
+  const std::optional<Material> altered = of_other_parameters(specimen);
   if (!altered) return;
   alone(*altered, steps, 0);
   for (std::size_t p = 0; p < steps.n; p += 3) {

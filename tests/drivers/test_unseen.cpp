@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/lookalikes.hpp"
 #include "drivers/unseen.hpp"
 
 #include <gtest/gtest.h>

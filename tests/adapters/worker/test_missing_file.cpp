@@ -17,7 +17,7 @@ TEST(MissingFile, IsNamedFromWhatFortranPrints) {
                          calls),
       "; it looks for 'p.dat' in the folder of its process, which is its own: files: [p.dat] in its description puts "
       "a file there");
-  EXPECT_NE(missing_file_words("Fortran runtime error: File 'dir/p.dat' does not exist").find("files: [p.dat]"),
+  EXPECT_NE(missing_file_words("Fortran runtime error: File 'dir/p.dat' does not exist").find("files: [dir/p.dat]"),
             std::string::npos);
   EXPECT_NE(missing_file_words(
                 "At line 6 of file ./c.f (unit = 15, file = 'fort.15')\nFortran runtime error: End of file" + calls)
