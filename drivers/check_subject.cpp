@@ -35,7 +35,7 @@ std::map<std::string, double> parameters_in(const std::string& list) {
     const std::size_t end = std::min(list.find(',', begin), list.size());
     const std::string item = list.substr(begin, end - begin);
     const std::size_t equals = item.find('=');
-    const auto value = equals == std::string::npos ? std::nullopt : parse_number(item.substr(equals + 1));
+    const auto value = equals == std::string::npos ? std::nullopt : parse_number(stripped(std::string_view(item).substr(equals + 1)));
     const std::string name(stripped(std::string_view(item).substr(0, equals)));
     if (!value || name.empty()) {
       throw InputError({}, "--parameters",

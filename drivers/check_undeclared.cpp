@@ -89,20 +89,33 @@ Dependence say_rate(check::Report& report, double effect) {
 }
 
 void hint_symmetry(const ResolvedMaterial& material, check::Report& report) {
+  const auto& model = material.foreign;
+  if (!model || model->interface == adapters::ForeignInterface::mfront || report.diagnosis.empty()) return;
   const auto found = std::find_if(report.diagnosis.begin(), report.diagnosis.end(),
                                   [](const auto& each) { return each.cause == check::causes::not_isotropic; });
-  const bool said = !material.foreign || material.foreign->symmetry_is_said ||
-                    material.foreign->interface == adapters::ForeignInterface::mfront;  // whose library says it
-  if (said || found == report.diagnosis.end()) return;
-  adapters::ForeignModel model = *material.foreign;
-  model.symmetry = ASSAY_ANISOTROPIC;
-  const bool passes = passes_as(taken_for(material, std::move(model)), report.effort);
+  const bool unsaid = !model->symmetry_is_said && found != report.diagnosis.end();
+  if (!unsaid && model->symmetry == ASSAY_ISOTROPIC) return;
+  const auto passes_with = [&](adapters::Axes axes) {
+    adapters::ForeignModel other = *model;
+    if (unsaid) other.symmetry = ASSAY_ANISOTROPIC;
+    other.axes = axes;
+    return passes_as(taken_for(material, std::move(other)), report.effort);
+  };
+  const bool alone = unsaid && passes_with(model->axes);
+  const bool turning = !alone && model->axes == adapters::Axes::fixed && passes_with(adapters::Axes::corotational);
+  const std::string axes =
+      "`axes: corotational`, with which it passes: its components are those in axes that turn with "
+      "the body, as by *ORIENTATION";
+  if (!unsaid) {
+    if (turning) say_also(report, std::string(report.diagnosis.front().sentence), "; what it lacks is " + axes);
+    return;
+  }
   const std::string sentence = found->sentence;
-  say_also(
-      report, sentence,
-      std::string("; nobody has declared its symmetry, and it was taken for isotropic: `symmetry: anisotropic`, ") +
-          (passes ? "with which it passes, declares directions of its own"
-                  : "where directions of its own are meant, does not make it pass"));
+  say_also(report, sentence,
+           "; nobody has declared its symmetry, and it was taken for isotropic: `symmetry: anisotropic`" +
+               (alone     ? std::string(", with which it passes, declares directions of its own")
+                : turning ? " and " + axes
+                          : ", where directions of its own are meant, does not make it pass"));
 }
 
 }  // namespace assay::drivers

@@ -20,8 +20,9 @@ bool settles_rate(const check::Report& with_flag, const check::Report& without);
 /// A remark on it in the test of the clock; what the last line says of it.
 Dependence say_rate(check::Report& report, double effect);
 
-/// Of a model that is not isotropic, and whose description says nothing of `symmetry`: that it was taken for isotropic,
-/// and whether it passes as one that has directions of its own.
+/// For a model that is not isotropic and whose description says nothing of `symmetry`: that it was taken for isotropic,
+/// and whether it passes as one that has directions of its own. For one that fails with fixed axes: whether it passes
+/// with axes that turn with the body.
 void hint_symmetry(const ResolvedMaterial& material, check::Report& report);
 
 }  // namespace assay::drivers

@@ -108,13 +108,13 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 std::string nearest(const std::string& mistyped, const std::vector<std::string>& known) {
-  const std::string word = without_unseen(mistyped);
+  const std::string word = as_meant(without_unseen(mistyped));
   if (word.empty() || word.size() > 200) return {};
-  const std::string small = lower(word), meant = as_meant(word);
+  const std::string small = lower(word);
   const auto same = [&](const std::string& name) {
-    return [&](const std::string& candidate) { return candidate == meant || lower(candidate) == name; };
+    return [&](const std::string& candidate) { return candidate == word || lower(candidate) == name; };
   };
-  for (const std::string& name : {lower(meant), name_elsewhere(small)}) {
+  for (const std::string& name : {small, name_elsewhere(small)}) {
     const auto found = std::find_if(known.begin(), known.end(), same(name));
     if (found != known.end()) return *found;
   }

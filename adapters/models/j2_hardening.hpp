@@ -53,8 +53,11 @@ struct J2Hardening {
   }
 
   /// Beyond the yield surface by less than this is on it: a step that rests on the surface, or rotates there,
-  /// stays elastic and leaves the plastic strain alone bit for bit. The second term is rounding of strains, in stress.
-  double tolerance(double p, double mu) const { return 1e-12 * radius(p) + 2e-14 * mu; }
+  /// stays elastic and leaves the plastic strain alone bit for bit. The second term is rounding of strains, in stress,
+  /// the third that of a deviator beside a large pressure.
+  double tolerance(double p, double mu, double pressure = 0) const {
+    return 1e-12 * radius(p) + 2e-14 * mu + 4e-15 * std::fabs(pressure);
+  }
 
   /// d radius / d Lam = (2/3) d(yield stress)/dp.
   double slope(double p) const { return 2.0 / 3 * (linear + saturation * rate * std::exp(-rate * p)); }

@@ -42,7 +42,8 @@ class J2Jaumann {
     const Tensor from = deviator(stress0) - back0;
     TensorOf<S> stress = stress0.template cast<S>() + elastic_.hooke(strain), back = back0.template cast<S>();
     const TensorOf<S> change = S(2 * elastic_.mu) * deviator(strain), trial = from.template cast<S>() + change;
-    const double radius = hardening_.radius(state0[0]), near = hardening_.tolerance(state0[0], elastic_.mu);
+    const double radius = hardening_.radius(state0[0]);
+    const double near = hardening_.tolerance(state0[0], elastic_.mu, value_of(trace(stress)) / 3);
     if (value_of(norm(trial)) > radius + near) {
       const TensorOf<S> contact = from.template cast<S>() + share_within(from, change, radius, near) * change;
       TensorOf<S> n = weight_of_start(S(norm(trial)), S(radius)) * contact + trial;
@@ -66,7 +67,8 @@ class J2Jaumann {
     const double radius = hardening_.radius(now[0]), two_mu = 2 * elastic_.mu;
     cauchy_rate = w * cauchy - cauchy * w + elastic_.hooke(d);
     Tensor back_rate = w * back - back * w;
-    if (norm(from) >= radius - hardening_.tolerance(now[0], elastic_.mu) && contraction(from, d) > 0) {
+    const double near = hardening_.tolerance(now[0], elastic_.mu, cauchy.trace() / 3);
+    if (norm(from) >= radius - near && contraction(from, d) > 0) {
       const Tensor n = from / norm(from);
       const double amount = two_mu * contraction(n, d) / (two_mu + hardening_.back() + hardening_.slope(now[0]));
       cauchy_rate -= two_mu * amount * n;

@@ -125,7 +125,7 @@ class Reader {
     const std::string what = "must be a number or a name";
     if (item.kind == Tree::Kind::map) throw InputError(item.where, key, what + ": keys with values stand without '-'");
     if (item.kind != Tree::Kind::scalar) return;
-    const bool begins_as_number = item.text.find_first_of("0123456789.+-") == 0;
+    const bool begins_as_number = !item.quoted && item.text.find_first_of("0123456789.+-") == 0;
     if (item.text.find('=') != item.text.npos)
       throw InputError(item.where, key,
                        what + ", found " + described(item) + ": names with values are a map, {E: 1000}");

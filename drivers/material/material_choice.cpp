@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "adapters/worker/remote_table.hpp"
+#include "drivers/input_error.hpp"
 #include "drivers/material/registry.hpp"
+#include "drivers/output/numbers.hpp"
 #include "drivers/unseen.hpp"
 #include "harness/check/material_symmetry.hpp"
 #include "harness/foreign_message.hpp"
@@ -44,10 +46,10 @@ Material created(const MaterialChoice& choice, const MaterialSource& source) {
     const std::string key = of_option             ? error.key()
                             : error.key().empty() ? choice.parameters_key
                                                   : choice.parameters_key + "." + error.key();
-    const bool other = undeclared(source, error.key());
-    throw InputError(where, one_line(key, 100),
-                     error.what() + (other ? nearest_words(error.key(), parameter_names(source)) : std::string()),
-                     error.known());
+    std::string more;
+    if (undeclared(source, error.key())) more = nearest_words(error.key(), parameter_names(source));
+    if (parse_number(error.key())) more = "; a number in quotes is a name: it stands without them";
+    throw InputError(where, one_line(key, 100), error.what() + more, error.known());
   } catch (const std::runtime_error& error) {
     if (adapters::has_ended(source.table)) throw ModelEnded(choice.where, choice.adapter_key, error.what());
     throw InputError(choice.where, choice.parameters_key,

@@ -10,6 +10,7 @@
 #include "drivers/output/csv_lines.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/scene/number_slips.hpp"
+#include "drivers/scene/yaml_lines.hpp"
 #include "drivers/unseen.hpp"
 
 namespace assay::drivers {
@@ -84,6 +85,11 @@ class Reader {
     if (csv_value(field.text, true)) {
       fail(field.column, "a number where names of columns belong, found " + quoted(field.text), joined(known_));
     }
+    if (field.text.empty()) fail(field.column, "a column without a name: two separators, or more than one at the end");
+    const std::size_t unit = field.text.find_first_of("[(");
+    const std::string name(stripped(std::string_view(field.text).substr(0, unit)));
+    if (unit != field.text.npos && contains(known_, name))
+      fail(field.column, "column " + quoted(field.text) + ": the name alone, " + quoted(name) + ", without its unit");
     const bool blanks = field.text.find_first_of(" \t|") != std::string::npos;
     fail(field.column,
          unknown("column " + quoted(field.text), field.text, known_) +
@@ -108,7 +114,9 @@ class Reader {
   /// With a decimal point or a comma, in all of the file the same.
   double number(const CsvField& field, const std::string& name) {
     const bool comma = field.text.find(',') != std::string::npos, point = field.text.find('.') != std::string::npos;
-    if ((comma && seen_point_) || (point && seen_comma_) || (comma && point))
+    if (comma && point)
+      fail(field.column, name + ": " + quoted(field.text) + " has a comma and a point: thousands are not separated");
+    if ((comma && seen_point_) || (point && seen_comma_))
       fail(field.column, name + ": " + quoted(field.text) + ": a decimal comma and a decimal point in one file");
     const auto value = csv_value(field.text, true);
     if (!value || !std::isfinite(*value))

@@ -27,6 +27,16 @@ const std::array<Words, 4>& kinds() {
   return all;
 }
 
+/// What the program writes in JSON, which is YAML too; a key that tells it, and where to look.
+struct Written {
+  const char *key, *name;
+};
+constexpr Written results[] = {
+    {"outcome", "the result of a run: its scene is resolved.yaml in the same folder"},
+    {"format", "the result of a study: its study is study.yaml in the same folder"},
+    {"tests", "what `assay check` has found: its replays are the YAML files that it names"},
+};
+
 bool tells(const Words& words, const Tree& root) {
   return std::any_of(words.keys.begin(), words.keys.end(), [&](const char* key) { return root.find(key) != nullptr; });
 }
@@ -36,6 +46,9 @@ bool tells(const Words& words, const Tree& root) {
 void refuse_other_kind(const Tree& root, FileKind wanted) {
   const auto is_wanted = [&](const Words& words) { return words.kind == wanted; };
   const Words& asked = *std::find_if(kinds().begin(), kinds().end(), is_wanted);
+  for (const Written& each : results) {
+    if (root.find(each.key)) throw InputError(root.where, "", std::string("this is ") + each.name);
+  }
   if (tells(asked, root)) return;
   for (const Words& words : kinds()) {
     if (words.kind == wanted || !tells(words, root)) continue;

@@ -44,7 +44,8 @@ bool has_empty_step(const std::string& path) {
 /// "grid:spacing", "grid/spacing", "grid[spacing]": as YAML, folders and other programs join keys.
 void refuse_other_joints(const std::string& path) {
   constexpr const char* joints = ":/[]\\";
-  if (path.starts_with("expect.") || path.find_first_of(joints) == path.npos) return;
+  const std::size_t at = path.find_first_of(joints);
+  if (path.starts_with("expect.") || at == path.npos || at == 0) return;
   std::string meant;
   for (const char c : path) {
     if (std::string_view(joints).find(c) == std::string_view::npos)
@@ -58,6 +59,8 @@ void refuse_other_joints(const std::string& path) {
 
 Tree value_of(const std::string& text, const std::string& path) {
   if (text.find_first_not_of(" \t") == text.npos) throw InputError(from_option, path, "no value after '='");
+  if (bare(text).text.size() < text.size())
+    throw InputError(from_option, path, "' #' begins a comment of YAML: a text with it belongs in quotes");
   try {
     return read_yaml(text, set_option);
   } catch (const InputError& error) {

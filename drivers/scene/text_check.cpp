@@ -40,6 +40,10 @@ void check_text(std::string_view text, const std::string& name, std::size_t limi
   if (text.size() > limit) throw InputError({name, 0, 0}, "", "longer than " + std::to_string(limit) + " bytes");
   const bool in_file = name != set_option;
   Location where{name, in_file ? 1 : 0, in_file ? 1 : 0};
+  if (text.starts_with("\x7f"
+                       "ELF"))
+    throw InputError(where, "",
+                     "this is a library, not a text: a scene names it by material.adapter, and `assay check` takes it");
   if (is_utf16(text)) throw InputError(where, "", "UTF-16 text: save it as UTF-8");
   bool indenting = true;
   for (std::size_t i = 0; i < text.size();) {

@@ -157,9 +157,8 @@ class Diagnosis {
     const std::size_t value = colon == std::string::npos ? colon : here().find_first_not_of(' ', colon + 1);
     if (value < here().size() && here()[value] == '*' && here().find(',', value) != std::string::npos)
       return slip(at_, value, "several aliases are a list: [*a, *b]");
-    const std::size_t first = indent_of(here());
-    const std::size_t end = std::min(here().find(' ', first), here().size());
-    if (first < end && here()[first] == '*' && here()[end - 1] == ':')
+    const std::size_t end = std::min(here().find_first_of(" ,}]", column_), here().size());
+    if (column_ < end && here()[column_] == '*' && here()[end - 1] == ':')
       return slip(at_, end - 1, "a blank belongs between an alias and ':'");
     return std::nullopt;
   }

@@ -152,7 +152,8 @@ TestResult constant_rotation(const Specimen& specimen) {
   } else if (exchanges_shears(specimen, is_right)) {
     result.cause = causes::components_swapped;
     result.sentence += "; right in frames that exchange the axes 1 and 2: somewhere 13 and 23 change places";
-  } else if (right(rotation_about_z(right_angle)) && (specimen.space.is_plane() || right(next_axes()))) {
+  } else if (specimen.isotropic() && right(rotation_about_z(right_angle)) &&
+             (specimen.space.is_plane() || right(next_axes()))) {
     result.cause = causes::shear_factor;
     result.sentence +=
         "; right in frames at right angles: shear and normal components are not weighed as an invariant does";

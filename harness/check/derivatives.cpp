@@ -99,9 +99,9 @@ FromElasticity from_elasticity(const Specimen& specimen, const Sample& s, const 
 }
 
 /// The multiple of the right one that a tangent is, apart from what turns the stress, and by how much it misses that;
-/// and how far its moduli are from those of the right one, transposed.
+/// and how far its moduli are from those of the right one, transposed and as they are.
 struct FromRight {
-  double factor = 1, miss = INFINITY, transposed = INFINITY;
+  double factor = 1, miss = INFINITY, transposed = INFINITY, straight = INFINITY;
 };
 
 FromRight from_right(const Specimen& specimen, const Sample& s, const Tangent& given, const Tangent& right) {
@@ -114,8 +114,9 @@ FromRight from_right(const Specimen& specimen, const Sample& s, const Tangent& g
     const double miss = apart(given, turned + factor * (right - turned));
     if (miss < found.miss) found.miss = miss, found.factor = factor;
     if (specimen.space.is_plane()) continue;  // whose moduli have no columns for what leaves it
-    const Tangent moduli = spatial_moduli(right - turned, s.F1).transpose();
-    found.transposed = std::min(found.transposed, apart(spatial_moduli(given - turned, s.F1), moduli));
+    const Tangent wanted = spatial_moduli(right - turned, s.F1), moduli = spatial_moduli(given - turned, s.F1);
+    found.transposed = std::min(found.transposed, apart(moduli, wanted.transpose()));
+    found.straight = std::min(found.straight, apart(moduli, wanted));
   }
   return found;
 }
@@ -127,6 +128,7 @@ struct Tangents {
   double secant = 0;                                           ///< of elasticity with a share of the stiffness
   double least_share = 1, largest_share = 0;                   ///< of these
   double multiple = 0, transposed = 0;                         ///< as wrong as if they were a multiple, or transposed
+  double straight = 0;                                         ///< of the moduli as they are
   double least_factor = INFINITY, largest_factor = -INFINITY;  ///< of the right ones
   int given = 0, refused = 0;                                  ///< in steps that do not end at a kink
   std::map<std::string, double> conventions;                   ///< by its name, as wrong as if it were that one
@@ -155,6 +157,7 @@ Tangents tangents_of(Specimen specimen, double amplitude, const assay_tangent& f
     const FromRight right = from_right(specimen, s, *given, expected);
     found.multiple = std::max(found.multiple, right.miss);
     found.transposed = std::max(found.transposed, right.transposed);
+    found.straight = std::max(found.straight, right.straight);
     found.least_factor = std::min(found.least_factor, right.factor);
     found.largest_factor = std::max(found.largest_factor, right.factor);
     const auto put_right = with_other_shears(*given, s.F1, specimen.space.is_plane());
@@ -239,7 +242,7 @@ std::string words_of(const Tangents& found, double worst) {
   const bool of_one_factor = found.multiple <= within && found.largest_factor - found.least_factor <= within;
   if (of_one_factor && found.least_factor > 0 && std::abs(found.least_factor - 1) > 3 * within)
     return "the tangent is " + rounded(found.least_factor) + " times what it should be, in all its components";
-  if (found.transposed <= std::min(within, 0.2 * worst))
+  if (found.transposed <= std::min(within, 0.2 * std::min(worst, found.straight)))
     return "the tangent is transposed: its first index is to be that of the stress";
   if (std::string words = words_of_shears(found, worst); !words.empty()) return words;
   if (found.secant <= within && found.largest_share <= least_share) return "no moduli are given: the tangent is zero";

@@ -36,26 +36,22 @@ double out_of_what_was_lost(const Specimen& specimen, const assay_energy& form) 
   return std::isfinite(lost) ? worst / std::max(work.paid(), specimen.least_stress() * specimen.amplitude) : INFINITY;
 }
 
-/// Whether what has come out by now has come out of nothing: what a law without memory gives on its way out it may take
-/// on its way back.
-bool counts(const Specimen& specimen, bool at_rest) { return at_rest || !specimen.material->path_independent(); }
-
 /// From rest, where nothing is stored, out and back the same way in a time [s]: the most that comes out of it at any
-/// instant, over the work.
+/// instant, over the work. What a law without memory gives on its way out it takes on its way back.
 double out_of_rest(const Specimen& specimen, int steps, double time) {
   Work work(specimen, 0.5 * time / steps);
   double least = 0;
   for (int k = 1; k <= 2 * steps; ++k) {
     const double there = 1 - std::abs(1 - static_cast<double>(k) / steps);
     work.step(specimen.space.stretch(specimen.amplitude, 0.4 * there));
-    if (counts(specimen, k == 2 * steps)) least = std::min(least, work.done());
+    if (k == 2 * steps || !specimen.material->path_independent()) least = std::min(least, work.done());
   }
   const double share = -least / std::max(work.paid(), specimen.least_stress() * specimen.amplitude);
   return std::isfinite(share) ? share : INFINITY;
 }
 
-/// As `out_of_rest`, of a change of volume alone, out and back to either side: other strains hide that a body swells
-/// where it is pressed, as they take more work than that gives.
+/// As `out_of_rest`, of a change of volume alone, out and back to either side, and of what has come out where it is
+/// back: other strains hide what comes out of a volume, as they take more work than that gives.
 double out_of_volume(const Specimen& specimen, int steps, double time) {
   constexpr double least_stiffness = 1e-3;  // of the modulus: what has less against pressure does little work there
   const double largest = 0.4 * specimen.amplitude;
@@ -68,7 +64,7 @@ double out_of_volume(const Specimen& specimen, int steps, double time) {
     } catch (const MaterialFailure&) {  // what it stands counts
       break;
     }
-    if (counts(specimen, k % (2 * steps) == 0)) least = std::min(least, work.done());
+    if (k % (2 * steps) == 0) least = std::min(least, work.done());
   }
   const double share = -least / std::max(work.paid(), least_stiffness * specimen.modulus * largest * largest);
   return std::isfinite(share) ? share : INFINITY;

@@ -9,7 +9,7 @@
 namespace assay::check {
 
 /// Into a result that has passed: a failure, or a remark where the stress has no potential and is of a kind in common
-/// use. times: of the whole path [s]. Laws in increments are left alone: they store no energy exactly.
+/// use. times: of the whole path [s]. Laws in increments have the limit of those: none of them stores energy exactly.
 void judge_potential(const Specimen& specimen, const std::vector<double>& times, TestResult& result);
 
 }  // namespace assay::check

@@ -79,6 +79,40 @@ const std::string explicit_flow = "      DIMENSION S(6)\n" + moduli + hooke +
                                   "      IF (Q.GT.PROPS(3)) STRESS=STRESS\n"
                                   "     1 -3.D0*G*DTIME*(Q-PROPS(3))/PROPS(4)/Q*S\n";
 
+/// A share of the stiffness that goes with the strain, and comes back with it.
+const std::string healing = moduli + tangent +
+                            "      DO 20 I=1,6\n"
+                            "        EPS(I)=STRAN(I)+DSTRAN(I)\n"
+                            "   20   V(I)=EPS(I)*(0.75D0+SIGN(0.25D0,3.5D0-I))\n"
+                            "      EQ=SQRT(DOT_PRODUCT(EPS,V)+1.D-30)\n"
+                            "      STRESS=EXP(-EQ/PROPS(3))*MATMUL(DDSDDE,EPS)\n"
+                            "      DO 30 I=1,6\n"
+                            "   30   DDSDDE(:,I)=EXP(-EQ/PROPS(3))*DDSDDE(:,I)-STRESS*V(I)/EQ/PROPS(3)\n";
+
+/// The shear modulus goes with the volume, in increments.
+const std::string pressed = moduli +
+                            "      VOL=STRAN(1)+STRAN(2)+STRAN(3)\n"
+                            "      G=G*(1.D0-PROPS(3)*VOL)\n" +
+                            tangent + "      STRESS=STRESS+MATMUL(DDSDDE,DSTRAN)\n";
+
+/// PROPS of a material are kept under its name, and found again by it.
+const std::string kept_by_name =
+    "      CHARACTER*80 NAMES(9)\n"
+    "      DIMENSION KEPT(2,9)\n"
+    "      SAVE NAMES,KEPT,NKEPT\n"
+    "      DATA NKEPT/0/\n"
+    "      K=1\n"
+    "   40 IF (K.GT.NKEPT) THEN\n"
+    "        NKEPT=K\n"
+    "        NAMES(K)=CMNAME\n"
+    "        KEPT(:,K)=PROPS(1:2)\n"
+    "      ELSE IF (NAMES(K).NE.CMNAME) THEN\n"
+    "        K=K+1\n"
+    "        GOTO 40\n"
+    "      END IF\n"
+    "      G=KEPT(1,K)/(2.D0*(1.D0+KEPT(2,K)))\n"
+    "      ELAM=2.D0*G*KEPT(2,K)/(1.D0-2.D0*KEPT(2,K))\n";
+
 struct Source {
   std::string name, text;
   const char* properties;
@@ -89,6 +123,31 @@ struct Source {
 void PrintTo(const Source& source, std::ostream* to) { *to << source.name; }
 
 class SourceSlip : public testing::TestWithParam<Source> {};
+
+/// A shear modulus that is missing makes no tangent that is transposed; and a cubic law in fixed axes lacks these
+/// alone.
+TEST(SourceSlips, OfAnisotropicModuliNameNoOtherCause) {
+  if (!has_foreign("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
+  const ScratchFolder scratch;
+  scratch.write("law.f", fixed_umat(moduli + tangent +
+                                    "      DO 20 I=4,6\n   20   DDSDDE(I,I)=2.5D0*G\n"
+                                    "      STRESS=STRESS+MATMUL(DDSDDE,DSTRAN)\n"));
+  const auto said = [&](const std::string& keys) {
+    const std::string file =
+        scratch.write("law.yaml", "source: law.f\ninterface: umat\nproperties: [1e3, .3]\n" + keys);
+    Ending check = assay({"check", file, "--quick", "-o", scratch / "r"});
+    for (std::size_t at; (at = check.said.find("\n    ")) != std::string::npos;) check.said.replace(at, 5, " ");
+    EXPECT_EQ(check.said.find("transposed"), std::string::npos) << check.said;
+    EXPECT_EQ(check.said.find("shear factor 2"), std::string::npos) << check.said;
+    return check;
+  };
+  for (const char* keys : {"", "symmetry: cubic\n"}) {
+    const Ending check = said(keys);
+    EXPECT_EQ(check.status, 1);
+    EXPECT_NE(check.said.find("`axes: corotational`, with which it passes"), std::string::npos) << check.said;
+  }
+  EXPECT_EQ(said("symmetry: cubic\naxes: corotational\n").status, 0);
+}
 
 TEST_P(SourceSlip, IsNamed) {
   if (!has_foreign("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
@@ -119,6 +178,11 @@ INSTANTIATE_TEST_SUITE_P(
                            check::causes::not_isotropic, "not weighed as an invariant does"},
                     Source{"vumat_weighs_shears_twice", vumat(moduli + points(plasticity("4.D0"))), "1e3,.3,1",
                            check::causes::not_isotropic, "not weighed as an invariant does"},
+                    Source{"constants_by_name", fixed_umat(kept_by_name + hooke), "1e3,.3", "", ""},
+                    Source{"heals", fixed_umat("      DIMENSION EPS(6),V(6)\n" + healing), "1e3,.3,.05",
+                           check::causes::dissipation, "once around a square in the space of strains"},
+                    Source{"shear_modulus_by_volume", fixed_umat(pressed), "1e3,.3,10", check::causes::dissipation,
+                           "once around a square in the space of strains"},
                     Source{"explicit_flow", fixed_umat(explicit_flow), "1e3,.3,1,10", check::causes::dissipation,
                            "its relaxation is explicit"},
                     Source{"clock_in_the_stress",

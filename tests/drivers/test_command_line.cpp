@@ -172,6 +172,17 @@ TEST_F(CommandLine, AnOptionIsNoValue) {
   EXPECT_EQ(said({"check", "x.so", "--json", "-"}).find("needs a value"), std::string::npos) << "standard output";
 }
 
+TEST_F(CommandLine, AnOptionWithAnotherDashIsNamed) {
+  const std::string scene = write("scene.yaml", scene_text());
+  for (const auto& [word, meant] : {std::pair{"\u2014set", "--set"}, {"\u2013set", "--set"}, {"\u2212o", "-o"}}) {
+    const std::string said = call({"run", scene, word, "grid.spacing=.1"}).err;
+    EXPECT_EQ(said.find(std::string("assay run: unknown option '") + word + "'"), 0u) << said;
+    EXPECT_NE(said.find(std::string("(nearest: ") + meant + "), U+2"), std::string::npos) << said;
+  }
+  const std::string before_the_scene = call({"run", "\u2014quiet", scene}).err;
+  EXPECT_EQ(before_the_scene.find("assay run: unknown option '\u2014quiet'"), 0u) << before_the_scene;
+}
+
 TEST_F(CommandLine, ANameThatBeginsWithAHyphenStandsBehindTwo) {
   const std::string before = std::filesystem::current_path();
   const ScratchFolder scratch;

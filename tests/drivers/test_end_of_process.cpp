@@ -203,10 +203,27 @@ TEST(EndOfProcess, ACopyOfTheProcessDoesNotAnswer) {
   }
 }
 
+TEST(EndOfProcess, AProcessThatStopsItselfIsToldOfAndGoesOn) {
+  const Misdeeds the;
+  const pid_t child = start_assay(the.run_words(the.library), the.scratch / "said", [&] { the.arm("update stop"); });
+  const std::string remedy = "to go on: kill -CONT ";
+  std::string said;
+  for (int waited = 0; waited < 3000 && said.find(remedy) == said.npos; ++waited, ::usleep(10'000))
+    said = bytes_of(the.scratch / "said");
+  const std::size_t at = said.find(remedy);
+  EXPECT_NE(said.find("is stopped (signal 19"), std::string::npos) << said;
+  if (at != said.npos) ::kill(std::stoi(said.substr(at + remedy.size())), SIGCONT);
+  if (at == said.npos) ::kill(child, SIGKILL);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << bytes_of(the.scratch / "said");
+  EXPECT_TRUE(fs::exists(the.scratch / "out/result.json"));
+}
+
 TEST(EndOfProcess, WhoCalledItCanStopIt) {
   const Misdeeds the;
   const std::vector<std::string> words = the.run_words(the.library);
-  for (const int signal : {SIGTERM, SIGKILL}) {
+  for (const int signal : {SIGTERM, SIGXCPU, SIGKILL}) {
     const pid_t child = start_assay(words, the.scratch / "said", [&] { the.arm("each nap"); });
     ::usleep(500'000);
     ::kill(child, signal);

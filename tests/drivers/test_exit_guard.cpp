@@ -56,6 +56,27 @@ TEST(ExitGuard, AModelThatCrashesIsOneLine) {
   expect_no_result(scratch);
 }
 
+/// Of a run with a built-in model, which takes longer than this test lets it live.
+TEST(ExitGuard, ASignalFromOutsideIsNoCrashOfAModel) {
+  const ScratchFolder scratch;
+  const std::vector<std::string> words{"run", scene, "-o", scratch / "out", "--set", "grid.spacing=0.02", "--quiet"};
+  for (const int signal : {SIGABRT, SIGSEGV, SIGFPE, SIGXCPU}) {
+    if (sanitized() && signal != SIGXCPU) continue;  // which has handlers of its own
+    const pid_t child = start_assay(words, scratch / "said");
+    ::usleep(500'000);
+    ::kill(child, signal);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    const std::string said = bytes_of(scratch / "said");
+    const bool stops = signal == SIGXCPU;
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == (stops ? 128 + SIGXCPU : 3)) << signal << ": " << said;
+    EXPECT_EQ(said, stops ? ""
+                          : "assay: ended from outside, by signal " + std::to_string(signal) + " of process " +
+                                std::to_string(::getpid()) + "\n");
+    EXPECT_FALSE(std::filesystem::exists(scratch / "out/result.json"));
+  }
+}
+
 TEST(ExitGuard, AnInterruptedVerbLeavesNothing) {
   const ScratchFolder scratch;
   for (const auto& words : calls(scratch, "interrupts.so")) {

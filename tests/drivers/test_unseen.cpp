@@ -76,6 +76,17 @@ TEST(Unseen, LookalikesAreNamed) {
   EXPECT_EQ(lookalike("plain -'\":,"), "");
 }
 
+TEST(Unseen, ANameThatLooksLikeAKnownOneIsThatOne) {
+  const std::vector<std::string> columns{"X", "Y", "t"};
+  EXPECT_EQ(nearest_words("\u03A7", columns), " (nearest: X), U+03A7 stands where 'X' belongs");
+  EXPECT_EQ(nearest_words("\u0425", columns), " (nearest: X), U+0425 stands where 'X' belongs");
+  EXPECT_EQ(nearest_words("\U0001D44C", columns), " (nearest: Y), U+1D44C stands where 'Y' belongs") << "of a formula";
+  EXPECT_EQ(nearest_words("\uFF54", columns), " (nearest: t), U+FF54 stands where 't' belongs");
+  EXPECT_EQ(nearest_words("l2\u2011max", {"l2_max"}), " (nearest: l2_max), U+2011 stands where '_' belongs");
+  EXPECT_EQ(nearest_words("\u2014set", {"--set"}), " (nearest: --set), U+2014 stands where '-' belongs");
+  EXPECT_EQ(as_meant("\U0001D7CF\u096A\u2082\uFF15"), "1425");
+}
+
 TEST(Unseen, LinesForATerminalKeepTheirLayoutAlone) {
   EXPECT_EQ(without_commands("a\tb\n\x1b[31mc\u009Bd\u202Ee\xFF", "<U+", ">"),
             "a\tb\n<U+001B>[31mc<U+009B>d<U+202E>e?");

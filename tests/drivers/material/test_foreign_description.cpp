@@ -45,6 +45,29 @@ TEST(ForeignDescription, HasTheDefaultsOfItsInterface) {
   EXPECT_FALSE(read_description("library: a.so\n", file).foreign) << "native";
 }
 
+std::string refused(const std::string& keys) {
+  return refusal_of([&] { read(keys); });
+}
+
+TEST(ForeignDescription, ANumberThatIsWrittenOtherwiseIsNoName) {
+  const auto told = [](const std::string& item) { return refused("properties: [" + item + ", .3]\n"); };
+  const std::string at = "/folder/My-Clay.yaml:3:14: properties.p1: must be a number or a name";
+  EXPECT_EQ(told("2.1D5"), at + ", found '2.1D5': write 2.1e5");
+  EXPECT_EQ(told("1_000").find(at + ", found '1_000'"), 0u) << told("1_000");
+  EXPECT_EQ(told("1000 MPa").find(at + ", found '1000 MPa'"), 0u) << told("1000 MPa");
+  EXPECT_EQ(told("E=1000"), at + ", found 'E=1000': names with values are a map, {E: 1000}");
+  EXPECT_EQ(refused("properties:\n  - E: 1000\n"),
+            "/folder/My-Clay.yaml:4:5: properties.p1: must be a number or a name: keys with values stand without '-'");
+  EXPECT_NE(refused("properties: {E=1000, nu=.3}\n").find("properties.E=1000: is no name: a key is followed by ':'"),
+            std::string::npos);
+  EXPECT_EQ(model("properties: [E, nu]").properties.size(), 2u);
+}
+
+TEST(ForeignDescription, ANameIsThereOnce) {
+  EXPECT_EQ(refused("state: [a, b, a]\n"), "/folder/My-Clay.yaml:3:15: state.a: is there twice");
+  EXPECT_EQ(refused("properties: [E, nu, E]\n"), "/folder/My-Clay.yaml:3:21: properties.E: is there twice");
+}
+
 TEST(ForeignDescription, PropertiesKeepTheirOrderInEveryForm) {
   const auto names = [](const adapters::ForeignModel& m) {
     std::string list;

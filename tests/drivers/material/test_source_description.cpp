@@ -212,6 +212,40 @@ TEST_F(SourceDescriptionTest, SizesThatAbaqusDoesNotHandOverAreWarnedOf) {
   EXPECT_NE(warnings("      REAL DTIME\n").find("DTIME is a real of 4 bytes"), std::string::npos);
 }
 
+TEST_F(SourceDescriptionTest, AnotherListOfArgumentsIsWarnedOf) {
+  const auto warnings = [&](const std::string& from, const std::string& to) {
+    std::string text = fixed_umat("      X=1\n");
+    text.replace(text.find(from), from.size(), to);
+    return all(describe(scratch.write("m.f", text)).warnings);
+  };
+  const std::string fewer = warnings("SPD,SCD", "SPD");
+  EXPECT_NE(fewer.find("m.f:1: takes 36 arguments, and Abaqus hands over 37: SCD is not among them"), std::string::npos)
+      << fewer;
+  const std::string more = warnings("KSPT,JSTEP", "KSPT,KMORE,JSTEP");
+  EXPECT_NE(more.find("takes 38 arguments, and Abaqus hands over 37; what follows"), std::string::npos) << more;
+  const std::string turned = warnings("(STRESS,STATEV", "(STATEV,STRESS");
+  EXPECT_NE(turned.find("m.f:1: STATEV stands where Abaqus hands over STRESS"), std::string::npos) << turned;
+  EXPECT_EQ(warnings("JSTEP,KINC", "KSTEP,KINC").find("stands where"), std::string::npos) << "a name of its own";
+}
+
+TEST_F(SourceDescriptionTest, WhatTheCompilerWarnsOfIsTold) {
+  const std::string routine = "      SUBROUTINE TWICE(A,B)\n      INCLUDE 'ABA_PARAM.INC'\n      B=2*A\n      END\n";
+  const auto warnings = [&](const std::string& statements) {
+    const std::string file = scratch.write("m.f", fixed_umat(hooke_statements + statements) + routine);
+    const std::string first = all(describe(file).warnings);
+    EXPECT_EQ(all(describe(file).warnings), first) << "where its library is kept";
+    return first;
+  };
+  EXPECT_NE(warnings("      CALL TWICE(1.0,SSE)\n").find("Type mismatch in argument 'a'; passed REAL(4) to REAL(8)"),
+            std::string::npos);
+  EXPECT_NE(warnings("      CALL TWICE(1.D0)\n").find("Missing actual argument for argument 'b'"), std::string::npos);
+  const std::string unset = warnings("      SSE=ANU\n");
+  EXPECT_NE(unset.find(scratch / "m.f:"), std::string::npos) << unset;
+  EXPECT_NE(unset.find("'anu' is used uninitialized"), std::string::npos) << unset;
+  EXPECT_NE(warnings("      SSE=2/3*EG\n").find("Integer division truncated"), std::string::npos);
+  EXPECT_EQ(warnings("      CALL TWICE(EG,SSE)\n"), "");
+}
+
 TEST_F(SourceDescriptionTest, VariablesThatHoldLessOfAPropertyAreWarnedOf) {
   const auto warnings = [&](const std::string& statements) {
     return all(describe(scratch.write("m.f", fixed_umat(statements))).warnings);

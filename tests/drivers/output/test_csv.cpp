@@ -98,7 +98,12 @@ TEST(Csv, refuses_what_can_mean_two_things) {
   const std::string mixed = "a decimal comma and a decimal point in one file";
   expect_refusal("X;t\n0,5;2.5\n", "p.csv:2:5: ", mixed);
   expect_refusal("X;t\n0.5;1\n1;0,5\n", "p.csv:3:3: ", mixed);
-  expect_refusal("X;t\n1.000,5;1\n", "p.csv:2:1: ", mixed);
+  const std::string thousands = "has a comma and a point: thousands are not separated";
+  expect_refusal("X;t\n1.000,5;1\n", "p.csv:2:1: ", thousands);
+  expect_refusal("X,t\n\"1,000.5\",1\n", "p.csv:2:1: ", thousands);
+  expect_refusal("X,t [s]\n1,2\n", "p.csv:1:3: ", "column 't [s]': the name alone, 't', without its unit");
+  expect_refusal("X(m),t\n1,2\n", "p.csv:1:1: ", "the name alone, 'X', without its unit");
+  expect_refusal("X,t,,\n1,2,,\n", "p.csv:1:5: ", "a column without a name");
   expect_refusal("X,t\n0,5,1,5\n", "p.csv:2:7: ", "with decimal commas, separate by semicolons");
   expect_refusal("X t\n1 2\n", "p.csv:1:1: ", "columns are separated by a comma, a semicolon or a tab");
   expect_refusal("X;t\n1;2;3\n", "p.csv:2:5: ", "3 fields, separated by a semicolon");

@@ -9,6 +9,7 @@
 
 #include <csignal>
 #include <fstream>
+#include <functional>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -44,6 +45,14 @@ class OutputFolderTest : public testing::Test {
     for (const auto& entry : fs::directory_iterator(folder)) out.insert(entry.path().filename().string());
     return out;
   }
+  static std::string refusal(const std::function<void()>& action) {
+    try {
+      action();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no InputError";
+  }
   void publish(const std::set<std::string>& files, const std::string& text) const {
     OutputFolder folder(target_);
     for (const std::string& name : files) folder.write(name, text);
@@ -61,6 +70,23 @@ class OutputFolderTest : public testing::Test {
 
   fs::path root_, target_;
 };
+
+TEST_F(OutputFolderTest, ARunAndAStudyTakeFoldersOfTheirOwn) {
+  const std::vector<std::string> of_a_study{"study.json", "report.html"};
+  publish({"result.json", "report.html"}, "run");
+  EXPECT_NE(refusal([&] { OutputFolder(target_, of_a_study); }).find("holds the results of a run (result.json)"),
+            std::string::npos);
+  EXPECT_EQ(read(target_ / "report.html"), "run");
+  publish({"result.json"}, "run again");
+  fs::remove_all(target_);
+  fs::create_directories(target_);
+  put(target_ / "study.json", "study");
+  put(target_ / "report.html", "study");
+  EXPECT_NE(refusal([&] { OutputFolder folder(target_); }).find("holds the results of a study (study.json)"),
+            std::string::npos);
+  EXPECT_EQ(names(target_), (std::set<std::string>{"report.html", "study.json"}));
+  EXPECT_EQ(refusal([&] { OutputFolder(target_, of_a_study); }), "no InputError");
+}
 
 TEST_F(OutputFolderTest, nothing_is_there_before_commit_and_all_of_it_after) {
   OutputFolder folder(target_);

@@ -33,6 +33,23 @@ TEST(FileKind, AnotherThanIsWantedIsNamedWithItsVerb) {
             scratch / "s.yaml" + ":1:1: this is a scene, not a replay file: use `assay run`");
 }
 
+TEST(FileKind, ResultsAreNamedAsSuch) {
+  EXPECT_EQ(refusal_of([] { scene_from_text("{\"outcome\": \"completed\", \"time\": {}}", "result.json"); }),
+            "result.json:1:1: this is the result of a run: its scene is resolved.yaml in the same folder");
+  EXPECT_EQ(refusal_of([] { study_from_text("{\"format\": \"assay study\", \"axes\": []}", "study.json"); }),
+            "study.json:1:1: this is the result of a study: its study is study.yaml in the same folder");
+  EXPECT_EQ(refusal_of([] { read_description("{\"material\": \"m\", \"tests\": []}", "c.json"); }),
+            "c.json:1:1: this is what `assay check` has found: its replays are the YAML files that it names");
+  EXPECT_EQ(
+      refusal_of([] {
+        scene_from_text(
+            "\x7f"
+            "ELF\x02\x01",
+            "m.so");
+      }),
+      "m.so:1:1: this is a library, not a text: a scene names it by material.adapter, and `assay check` takes it");
+}
+
 TEST(FileKind, AKeyOfTheWantedKindIsEnough) {
   const auto key = [](const std::string& text) {
     const std::string line = refusal_of([&] { scene_from_text(text, "f.yaml"); });

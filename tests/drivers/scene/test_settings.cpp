@@ -29,6 +29,17 @@ TEST(Settings, ReplaceAddAndMakeMaps) {
   EXPECT_EQ(changed("a: 1", "a='5'").find("a")->quoted, true);
 }
 
+TEST(Settings, KeysAreJoinedByDots) {
+  for (const char* joined : {"grid:spacing", "grid: spacing", "grid/spacing", "grid[spacing]", "grid::spacing"}) {
+    EXPECT_EQ(refused(joined + std::string("=.1")),
+              "--set " + std::string(joined) + ": keys are joined by '.': write grid.spacing=...");
+  }
+  EXPECT_EQ(changed("a: {b: 1}", " a.b =3").find("a")->find("b")->text, "3") << "blanks beside '='";
+  EXPECT_EQ(changed("a: {b: 1}", "a.b=c:/d").find("a")->find("b")->text, "c:/d") << "a value";
+  EXPECT_EQ(refused("title=a #b"), "--set title: ' #' begins a comment of YAML: a text with it belongs in quotes");
+  EXPECT_EQ(changed("a: 1", "a='b #c'").find("a")->text, "b #c");
+}
+
 TEST(Settings, ReplaceAValueOfAList) {
   const Tree changed_list = changed("a: {b: [1, 2, 3]}", "a.b.2=7");
   EXPECT_EQ(changed_list.find("a")->find("b")->items[2].text, "7");

@@ -191,6 +191,17 @@ TEST(YamlReader, MergeKeysBringWhatAMapLacks) {
   EXPECT_EQ(read_yaml("x-a: 1\n", set_option).entries.size(), 1u) << "of a whole file alone";
 }
 
+TEST(YamlReader, SlipsOfAliasesAreToldWhereTheyStand) {
+  const std::string anchors = "x-a: &A {E: 1}\nx-b: &B {nu: 2}\nx-l: &L [1, 2]\n";
+  EXPECT_EQ(refused(anchors + "p: {<<: {*A, *B}}\n"),
+            "f:4:10: a key must be a word, and here is an alias: maps are merged by <<: [*a, *b]");
+  EXPECT_EQ(refused(anchors + "p: {<<: *L}\n"),
+            "f:4:9: <<: takes a map, as *name of one with &name, or a list of maps");
+  EXPECT_EQ(refused(anchors + "p:\n  <<: *A, *B\n"), "f:5:7: not valid YAML: several aliases are a list: [*a, *b]");
+  EXPECT_EQ(refused(anchors + "p: {*A: 1}\n"), "f:4:7: not valid YAML: a blank belongs between an alias and ':'");
+  EXPECT_TRUE(read_yaml("b: &B {k: 1}\n", "f").find("b")->anchored);
+}
+
 TEST(YamlReader, MergedMapsCountTowardsTheLimits) {
   std::string bomb = "a0: &a0 {x: [1, 2, 3, 4, 5, 6, 7, 8, 9]}\n";
   for (int i = 1; i < 12; ++i) {

@@ -69,7 +69,7 @@ TEST(Warnings, SaysThatNoCellIsFilled) {
         std::string(spacing) + "}\n");
   };
   EXPECT_EQ(of("0.5"), "");
-  EXPECT_NE(of("1").find("is larger than the body, which is"), std::string::npos) << of("1");
+  EXPECT_NE(of("1").find("is larger than the body, which is 0.5 m across"), std::string::npos) << of("1");
 }
 
 TEST(Warnings, SaysThatAFacePullsAtTheEndOfASpline) {
