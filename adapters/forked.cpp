@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <exception>
 #include <initializer_list>
+#include <memory>
 #include <string_view>
 #include <system_error>
 
@@ -150,7 +151,14 @@ bool await_death(pid_t process, int in, int patience_ms, std::string& text, int&
   if (!folder.enter()) leave(errno);
   adopt_orphans();
   const pid_t watcher = ::getpid();
-  Pipe from_copy;
+  const auto made = [] {
+    try {
+      return std::make_unique<Pipe>();
+    } catch (const std::system_error& error) {
+      leave(error.code().value());
+    }
+  }();
+  Pipe& from_copy = *made;
   const pid_t copy = ::fork();
   if (copy < 0) leave(errno);
   if (copy == 0) {

@@ -106,7 +106,7 @@ CheckedMaterial check_one(const CheckOptions& options) {
                      [&options, &resolved, how](const CheckReporter& reporter) {
                        return check_material(in_this_process(resolved), options.material, how, reporter);
                      },
-                     adapters::start_of(&resolved.material.table()).limits};
+                     adapters::start_of(&resolved.material.table()).limits, how.effort.strain_is_asked};
   };
   Progress progress("check", options.verbosity == Verbosity::quiet);
   CheckProcesses how = processes_for(options);

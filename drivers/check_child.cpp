@@ -90,13 +90,15 @@ CheckReporter reporter_to(int records) {
   } catch (const std::bad_alloc&) {  // which the model has taken, or forbidden
     std::fputs("no memory is left\n", stderr);
     leave_process(3);
-  } catch (const InputError& error) {
-    write_all(ends.records, std::string("?") + error.what() + std::string(1, '\0'));
-    leave_process(0);
   } catch (const std::exception& error) {
+    const std::string lowered = lowered_limits_words();  // by the model, after which nothing can be read
+    if (lowered.empty() && dynamic_cast<const InputError*>(&error)) {
+      write_all(ends.records, std::string("?") + error.what() + std::string(1, '\0'));
+      leave_process(0);
+    }
     checked = {};
     checked.name = task.name;
-    checked.error = error.what();
+    checked.error = error.what() + lowered;
   }
   write_all(ends.records, check_json(checked));
   std::fflush(nullptr);

@@ -27,6 +27,7 @@ struct CheckTask {
   std::string name;  ///< of the material, for a report that does not come
   std::function<CheckedMaterial(const CheckReporter& reporter)> run;
   adapters::WorkerLimits limits = {};  ///< of one call of a foreign model, and of memory
+  bool strain_is_asked = false;        ///< then no advice asks for another one
 };
 
 struct CheckProcesses {

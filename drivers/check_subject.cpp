@@ -8,6 +8,8 @@
 #include "drivers/material/registry.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/terminal.hpp"
+#include "drivers/replay.hpp"
+#include "drivers/scene/number_slips.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/scene/yaml_lines.hpp"
 #include "drivers/scene/yaml_reader.hpp"
@@ -35,11 +37,15 @@ std::map<std::string, double> parameters_in(const std::string& list) {
     const std::size_t end = std::min(list.find(',', begin), list.size());
     const std::string item = list.substr(begin, end - begin);
     const std::size_t equals = item.find('=');
-    const auto value = equals == std::string::npos ? std::nullopt : parse_number(stripped(std::string_view(item).substr(equals + 1)));
+    const auto value =
+        equals == std::string::npos ? std::nullopt : parse_number(stripped(std::string_view(item).substr(equals + 1)));
     const std::string name(stripped(std::string_view(item).substr(0, equals)));
     if (!value || name.empty()) {
       throw InputError({}, "--parameters",
-                       "must be NAME=NUMBER, separated by commas, found '" + one_line(item, 60) + "'");
+                       "must be NAME=NUMBER, separated by commas, found '" + one_line(item, 60) + "'" +
+                           (equals != std::string::npos ? number_remedy(item.substr(equals + 1))
+                            : parse_number(item)        ? ": a comma separates parameters, not digits"
+                                                        : std::string()));
     }
     if (!parameters.emplace(name, *value).second) {
       throw InputError({}, "--parameters", "'" + one_line(name, 60) + "' is given twice");
@@ -75,6 +81,7 @@ ResolvedMaterial material_to_check(const CheckOptions& options) {
   if (!asks_for_source(options.material)) {
     for (const std::string& warning : resolved.warnings) warn(warning);
   }
+  if (!resolved.library.empty()) hash_of_library(resolved.library);  // a model may leave no file that can be opened
   return resolved;
 }
 

@@ -80,7 +80,7 @@ bool passes_otherwise(const TestResult& test) {
 
 std::string summary(const CheckedMaterial& checked) {
   const check::Report& report = checked.report;
-  return checked.name + ": " + (report.passes() ? "pass" : "FAIL") + "; " +
+  return one_line(checked.name) + ": " + (report.passes() ? "pass" : "FAIL") + "; " +
          std::to_string(count_of(report, Verdict::pass)) + " tests passed, " +
          std::to_string(count_of(report, Verdict::fail)) + " failed, " +
          std::to_string(count_of(report, Verdict::not_applicable)) + " not applicable, in " +
@@ -136,7 +136,7 @@ std::string check_text(const std::vector<CheckedMaterial>& all, double wall_s) {
   for (const CheckedMaterial& checked : all) {
     const check::Report& report = checked.report;
     passed += checked.passes() ? 1 : 0;
-    page += row(checked.name, overall(checked) == "fail" ? "FAIL" : overall(checked),
+    page += row(one_line(checked.name), overall(checked) == "fail" ? "FAIL" : overall(checked),
                 std::to_string(count_of(report, Verdict::pass)), std::to_string(count_of(report, Verdict::fail)),
                 std::to_string(count_of(report, Verdict::not_applicable)));
     if (!checked.error.empty()) page += wrapped(checked.error, "    ", "    ");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/command_line.hpp"
 
+#include <cxxabi.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
@@ -210,7 +212,14 @@ int command_line(int argc, const char* const* argv) noexcept {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of write()
   try {
     const ExitGuard guard;
-    const int status = act(argc, argv);
+    const int status = [&] {
+      try {
+        return act(argc, argv);
+      } catch (const abi::__forced_unwind&) {  // cancelled by another thread, perhaps while no model was called
+        leave_thread_guarded();
+        throw;
+      }
+    }();
     flush_output();
     return status;
   } catch (const Interrupted& stop) {

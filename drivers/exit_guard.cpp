@@ -208,8 +208,9 @@ void leave_process_guarded(int status) noexcept {
 
 void leave_thread_guarded() noexcept {
   if (::gettid() != ::getpid()) return;
-  if (is_guarded()) say_and_leave("assay: the model ended its thread (pthread_exit), which ends the process\n");
-  if (adapters::crashes_are_marked()) adapters::end_by_word("ended its thread by pthread_exit()");
+  if (is_guarded())
+    say_and_leave("assay: the model ended its thread (pthread_exit, pthread_cancel), which ends the process\n");
+  if (adapters::crashes_are_marked()) adapters::end_by_word("ended its thread by pthread_exit() or pthread_cancel()");
 }
 
 }  // namespace assay::drivers

@@ -13,7 +13,6 @@
 #include "drivers/output/number_format.hpp"
 #include "drivers/replay.hpp"
 #include "drivers/scene/resolved.hpp"
-#include "drivers/scene/sha256.hpp"
 #include "drivers/simulation/simulate.hpp"
 #include "drivers/supervisor.hpp"
 #include "harness/force_error.hpp"
@@ -75,8 +74,7 @@ std::string material_provenance(const Material& material, const std::string& lib
   const char* version = material.table().version;
   const std::string who = material.name() + (version ? " " + one_line(version, 80) : "");
   if (library.empty()) return who + ", built in";
-  constexpr std::size_t largest_library = std::size_t{4} << 30;
-  return who + ", " + library + ", sha256 " + sha256_hex(read_bytes(library, largest_library));
+  return who + ", " + library + ", sha256 " + hash_of_library(library);
 }
 
 void record_failure(const MaterialFailure& failure, Result& result) {

@@ -2,6 +2,7 @@
 #include "drivers/lookalikes.hpp"
 
 #include <array>
+#include <cctype>
 #include <cstdint>
 
 #include "drivers/unseen.hpp"
@@ -70,6 +71,10 @@ std::string meant_by(std::uint32_t code) {
   return {};
 }
 
+std::string words_of(std::uint32_t code, const std::string& meant) {
+  return number_of(code) + " stands where " + (meant == "'" ? "\"'\"" : "'" + meant + "'") + " belongs";
+}
+
 }  // namespace
 
 std::string as_meant(std::string_view text) {
@@ -87,9 +92,18 @@ std::string lookalike(std::string_view text, std::string_view word) {
     std::string meant = meant_by(code);
     const bool underscore = meant == "-" && read.size() < word.size() && word[read.size()] == '_';
     if (underscore) meant = "_";
-    if (found.empty() && !meant.empty())
-      found = number_of(code) + " stands where " + (meant == "'" ? "\"'\"" : "'" + meant + "'") + " belongs";
+    if (found.empty() && !meant.empty()) found = words_of(code, meant);
     read += meant.empty() ? std::string(bytes) : meant;
+  });
+  return found;
+}
+
+std::string lookalike_mark(std::string_view text) {
+  std::string found;
+  for_each_character(text, [&](std::uint32_t code, std::string_view) {
+    const std::string meant = meant_by(code);
+    const bool is_mark = !meant.empty() && std::ispunct(static_cast<unsigned char>(meant[0])) != 0;
+    if (found.empty() && is_mark) found = words_of(code, meant);
   });
   return found;
 }

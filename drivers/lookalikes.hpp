@@ -14,4 +14,7 @@ std::string as_meant(std::string_view text);
 /// is known: the '_' of its keys is written as a dash as well.
 std::string lookalike(std::string_view text, std::string_view word = {});
 
+/// The same of marks alone, such as brackets, colons and quotes: letters of other scripts are text.
+std::string lookalike_mark(std::string_view text);
+
 }  // namespace assay::drivers

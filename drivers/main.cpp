@@ -12,6 +12,7 @@
 #include "drivers/exit_guard.hpp"
 #include "drivers/own_files.hpp"
 #include "drivers/supervisor.hpp"
+#include "harness/thrown.hpp"
 
 // These stand before libc's for every library that is loaded: _exit() runs no handler, and a model that calls it must
 // not end a run as if it had succeeded.
@@ -42,6 +43,7 @@ void keep_freed_memory() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  assay::on_end_of_thread = assay::drivers::leave_thread_guarded;
   assay::drivers::keep_standard_streams();  // the caller may have closed them
   assay::drivers::settle_library_path(argv);
   keep_freed_memory();

@@ -75,11 +75,19 @@ bool has_no_files() {
 /// Of the hard ones, which stay so.
 bool is_lowered(std::size_t k) { return limit_of(k).rlim_max < before->limits[k].rlim_max; }
 
+/// A caller that serves many at once, or a model, may have made it fail where it should wait: output would be cut in
+/// the middle. False where it waited already.
+bool let_wait(int stream) {
+  const int flags = ::fcntl(stream, F_GETFL);
+  return flags >= 0 && (flags & O_NONBLOCK) != 0 && ::fcntl(stream, F_SETFL, flags & ~O_NONBLOCK) == 0;
+}
+
 }  // namespace
 
 void keep_standard_streams() {
   for (const int stream : {0, 1, 2}) {
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);
+    let_wait(stream);
   }
 }
 
@@ -134,6 +142,7 @@ void put_files_right() {
 void put_streams_right() {
   if (!before) return;
   for (const int stream : {1, 2}) {
+    if (let_wait(stream)) put_right |= adapters::streams_hurried;
     if (!is_another(stream)) continue;
     put_right |= adapters::output_closed;
     std::fflush(stream == 1 ? stdout : stderr);  // what the model has written belongs to its own file

@@ -2,6 +2,9 @@
 #include "drivers/replay.hpp"
 
 #include <cmath>
+#include <filesystem>
+#include <map>
+#include <mutex>
 
 #include "drivers/check_beyond.hpp"
 #include "drivers/check_host.hpp"
@@ -12,6 +15,7 @@
 #include "drivers/material/registry.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/scene/file_kind.hpp"
+#include "drivers/scene/number_slips.hpp"
 #include "drivers/scene/sha256.hpp"
 #include "drivers/scene/yaml_reader.hpp"
 #include "drivers/scene/yaml_values.hpp"
@@ -61,7 +65,7 @@ const Tree& required(const Tree& map, const std::string& prefix, const std::stri
 
 double any_number(const Tree& tree, const std::string& key) {
   const auto value = tree.kind == Tree::Kind::scalar ? parse_number(tree.text) : std::nullopt;
-  if (!value) throw InputError(tree.where, key, "must be a number, found " + described(tree));
+  if (!value) throw InputError(tree.where, key, "must be a number, found " + described(tree) + number_remedy(tree));
   return *value;
 }
 
@@ -121,7 +125,15 @@ Replay replay_of(const Scene& scene, const FailedStep& step, const std::string& 
 
 std::string hash_of_library(const std::string& file) {
   constexpr std::size_t largest_library = std::size_t{4} << 30;
-  return sha256_hex(read_bytes(file, largest_library));
+  static std::mutex guard;
+  static std::map<std::string, std::string> known;
+  const std::lock_guard lock(guard);
+  std::error_code code;
+  const auto time = std::filesystem::last_write_time(file, code).time_since_epoch().count();
+  std::string& hash =
+      known[file + '\n' + std::to_string(time) + '\n' + std::to_string(std::filesystem::file_size(file, code))];
+  if (hash.empty()) hash = sha256_hex(read_bytes(file, largest_library));
+  return hash;
 }
 
 Replay replay_of(const ResolvedMaterial& resolved, const std::optional<FailedStep>& step, const std::string& reason) {

@@ -29,7 +29,7 @@ struct Replay {
   Location where = {};                       ///< of `material` in a file that was read
 };
 
-/// SHA-256 of a file in hexadecimal digits. Throws InputError, SystemError.
+/// SHA-256 of a file in hexadecimal digits, once for each state of the file. Throws InputError, SystemError.
 std::string hash_of_library(const std::string& file);
 
 /// Of that material. Throws InputError where its library is gone.

@@ -14,6 +14,7 @@
 #include "drivers/output/terminal.hpp"
 #include "drivers/output/whole_file.hpp"
 #include "drivers/output/wrapped_text.hpp"
+#include "drivers/scene/number_slips.hpp"
 #include "drivers/scene/sha256.hpp"
 #include "drivers/unseen.hpp"
 
@@ -54,9 +55,12 @@ std::vector<GivenProperty> props_in(const std::string& list) {
   for (const std::string& item : items_of(list)) {
     const std::size_t equals = item.find('=');
     const auto value = deck_number(equals == item.npos ? item : item.substr(equals + 1));
+    if (value && item.starts_with("00") && !props.empty())
+      throw InputError({}, "--props", "'" + one_line(item, 60) + "': a comma separates PROPS, not digits");
     if (!value || equals == 0) {
       throw InputError({}, "--props",
-                       "must be NUMBER or NAME=NUMBER, separated by commas, found '" + one_line(item, 60) + "'");
+                       "must be NUMBER or NAME=NUMBER, separated by commas, found '" + one_line(item, 60) + "'" +
+                           number_remedy(equals == item.npos ? item : item.substr(equals + 1)));
     }
     props.push_back({equals == item.npos ? "" : item.substr(0, equals), *value});
     const std::string name = equals == item.npos ? "p" + std::to_string(props.size()) : props.back().name;
@@ -80,7 +84,8 @@ int statev_in(const std::string& text) {
   constexpr std::int64_t most = 10000;
   const auto count = parse_integer(text);
   if (count && *count >= 0 && *count <= most) return static_cast<int>(*count);
-  throw InputError({}, "--statev", "must be a whole number from 0 to 10000, found '" + one_line(text, 60) + "'");
+  throw InputError({}, "--statev",
+                   "must be a whole number from 0 to 10000, found '" + one_line(text, 60) + "'" + number_remedy(text));
 }
 
 constexpr const char* unedited_mark = "# As it was written: ";  ///< and the hash of what stands above

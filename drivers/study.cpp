@@ -171,7 +171,7 @@ int study(const StudyOptions& options) {
     gather(plan, store, options);
     return conclude(plan, store, options);
   }
-  const StudySession session(options.out, options.resume, options.shard.count > 1);
+  const StudySession session(options.out, plan.study.sha256, options.resume, options.shard.count > 1);
   if (session.begun_by().empty()) {
     warn_of_earlier(plan, store, options);
   } else if (options.verbosity != Verbosity::quiet) {

@@ -6,6 +6,7 @@
 
 #include "drivers/input_error.hpp"
 #include "drivers/output/numbers.hpp"
+#include "drivers/scene/number_slips.hpp"
 #include "drivers/verb_arguments.hpp"
 
 namespace assay::drivers {
@@ -16,7 +17,8 @@ int jobs_of(const std::string& text) {
   if (text.empty()) return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const auto count = parse_integer(text);
   if (!count || *count < 1 || *count > 4096)
-    throw InputError({}, "--jobs", "must be a whole number from 1 to 4096, found '" + one_line(text, 60) + "'");
+    throw InputError({}, "--jobs",
+                     "must be a whole number from 1 to 4096, found '" + one_line(text, 60) + "'" + number_remedy(text));
   return static_cast<int>(*count);
 }
 

@@ -254,8 +254,8 @@ void supervise(const std::string& library) {
 
 adapters::Habits supervised_habits() {
   using namespace adapters;
-  return habits_of_process() &
-         (output_closed | processes_left | folder_changed | limits_changed | rounding_left | traps_left);
+  return habits_of_process() & (output_closed | streams_hurried | processes_left | folder_changed | limits_changed |
+                                rounding_left | traps_left);
 }
 
 }  // namespace assay::drivers

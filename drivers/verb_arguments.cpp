@@ -7,6 +7,7 @@
 #include "drivers/input_error.hpp"
 #include "drivers/input_file.hpp"
 #include "drivers/output/numbers.hpp"
+#include "drivers/scene/number_slips.hpp"
 
 namespace assay::drivers {
 
@@ -48,7 +49,8 @@ std::optional<double> number_in(const std::string& option, const std::string& te
   if (!number || !(*number > 0) || !(*number >= least) || !(*number <= largest)) {
     const std::string range = least > 0 ? "from " + number_text(least) + " to " + number_text(largest)
                                         : "above 0 and at most " + number_text(largest);
-    throw InputError({}, option, "must be a number " + range + ", found '" + one_line(text, 60) + "'");
+    throw InputError({}, option,
+                     "must be a number " + range + ", found '" + one_line(text, 60) + "'" + number_remedy(text));
   }
   return number;
 }
@@ -70,7 +72,9 @@ int Arguments::thread_count() const {
   if (threads.empty()) return 1;
   const auto count = parse_integer(threads);
   if (!count || *count < 1 || *count > 4096) {
-    throw InputError({}, "--threads", "must be a whole number from 1 to 4096, found '" + one_line(threads, 60) + "'");
+    throw InputError(
+        {}, "--threads",
+        "must be a whole number from 1 to 4096, found '" + one_line(threads, 60) + "'" + number_remedy(threads));
   }
   return static_cast<int>(*count);
 }

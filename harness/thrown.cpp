@@ -19,7 +19,7 @@ bool is_own_code(const void* function) {
 std::string words_of_exception(const char* what) {
   constexpr std::size_t longest = 300;
   const std::string said = one_line_of(what).substr(0, longest);
-  return "threw an exception, which must not pass the C ABI" + (said.empty() ? "" : ": " + said);
+  return exception_words + (said.empty() ? "" : ": " + said);
 }
 
 }  // namespace assay

@@ -9,11 +9,16 @@
 
 namespace assay {
 
+inline constexpr const char* exception_words = "threw an exception, which must not pass the C ABI";
+
 /// Whether a function is of this program, whose exceptions are its own.
 bool is_own_code(const void* function);
 
 /// Of the exception that is being handled: "threw an exception, which must not pass the C ABI: bad_alloc".
 std::string words_of_exception(const char* what);
+
+/// Told where a plug-in ends the thread that calls it, by pthread_exit() or pthread_cancel(); null: nobody is.
+inline void (*on_end_of_thread)() noexcept = nullptr;
 
 /// Calls `function`, a plug-in's, by `call`. Empty, or what it threw; exceptions of this program pass, and so does the
 /// end of a thread.
@@ -24,6 +29,7 @@ std::string thrown_by(Function* function, const Call& call) {
     call();
     return {};
   } catch (const abi::__forced_unwind&) {
+    if (on_end_of_thread) on_end_of_thread();
     throw;
   } catch (const std::exception& error) {
     if (is_own_code(code)) throw;

@@ -99,6 +99,10 @@ Habits ProcessWatch::habits_but_signals() const {
   Habits found = no_habit;
   if (folder() != folder_) found |= folder_changed;
   if (open_file(STDOUT_FILENO) != output_ || open_file(STDERR_FILENO) != errors_) found |= output_closed;
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
+    const int flags = ::fcntl(stream, F_GETFL);
+    if (flags >= 0 && (flags & O_NONBLOCK) != 0) found |= streams_hurried;
+  }
   siginfo_t child = {};
   if (::waitid(P_ALL, 0, &child, WEXITED | WNOHANG | WNOWAIT) == 0 || watcher_has_others()) found |= processes_left;
   if (*std::localeconv()->decimal_point != decimal_point_) found |= locale_changed;
@@ -233,6 +237,7 @@ std::string habit_words(Habits habits) {
       {files_left, "leaves files open"},
       {watcher_signalled, "sends signals to the process that watches it"},
       {group_left, "leaves its process group, which Ctrl-C reaches"},
+      {streams_hurried, "makes the standard streams of the process non-blocking"},
       {scheduling_changed, "changes on which cores, or how soon, the process runs (affinity, nice)"}};
   std::string text;
   for (const Words& each : all) {

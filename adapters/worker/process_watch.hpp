@@ -37,6 +37,7 @@ enum Habit : Habits {
   scheduling_changed = Habits{1} << 42,
   watcher_signalled = Habits{1} << 43,
   group_left = Habits{1} << 44,
+  streams_hurried = Habits{1} << 45,
 };
 
 /// "changes the folder of the process, closes or redirects its standard output"; empty where it does nothing.

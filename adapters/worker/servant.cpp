@@ -21,6 +21,7 @@
 #include "harness/material.hpp"
 #include "harness/own_process.hpp"
 #include "harness/progress_mark.hpp"
+#include "harness/thrown.hpp"
 
 namespace assay::adapters {
 
@@ -74,7 +75,10 @@ class Servant {
   void create(CallArrays& arrays) {
     const auto* parameters = arrays.next<double>(table_.parameter_count, "the parameters");
     const PhaseMark phase(CallPhase::creating);
-    void* made = create_instance(&table_, parameters, head_->message);
+    void* made = nullptr;
+    const std::string thrown =
+        thrown_by(table_.update, [&] { made = create_instance(&table_, parameters, head_->message); });
+    if (!thrown.empty()) say(head_->message, ASSAY_MESSAGE_SIZE, "it " + thrown);
     head_->status = made ? ASSAY_GOOD : ASSAY_FAILED;
     if (!made) return;
     histories_.erase(head_->instance);

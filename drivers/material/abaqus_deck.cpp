@@ -8,6 +8,7 @@
 
 #include "drivers/material/deck_keywords.hpp"
 #include "drivers/output/numbers.hpp"
+#include "drivers/scene/number_slips.hpp"
 #include "drivers/unseen.hpp"
 
 namespace assay::drivers {
@@ -55,9 +56,9 @@ double number_at(const DeckLine& line, std::size_t k, const std::string& key, co
   const bool is_name = item.size() > 2 && item.front() == '<' && item.back() == '>';
   const auto found = named.find(is_name ? deck_letters(item.substr(1, item.size() - 2)) : "");
   if (found != named.end()) return found->second;
-  throw InputError(
-      line.where, key,
-      "must be a number, found '" + one_line(item, 60) + "'" + (is_name ? ", to which no *Parameter gives one" : ""));
+  throw InputError(line.where, key,
+                   "must be a number, found '" + one_line(item, 60) + "'" +
+                       (is_name ? ", to which no *Parameter gives one" : number_remedy(item)));
 }
 
 int count_in(const std::string& text, const Location& where, const std::string& key) {

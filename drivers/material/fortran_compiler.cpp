@@ -13,6 +13,7 @@
 #include <optional>
 #include <sstream>
 
+#include "adapters/worker/shortage.hpp"
 #include "drivers/lookalikes.hpp"
 #include "drivers/material/linked.hpp"
 #include "drivers/material/tool_process.hpp"
@@ -103,6 +104,18 @@ std::optional<CompilerMessage> message_of(const std::string& line, const std::ve
   return std::nullopt;
 }
 
+constexpr const char *error_mark = ": Error: ", *fatal_mark = ": Fatal Error: ";
+
+/// Whether the compiler has something to say of a line of the source.
+bool names_a_line(const std::string& said) {
+  std::istringstream lines(said);
+  for (std::string line; std::getline(lines, line);) {
+    const auto message = message_of(line, {error_mark, fatal_mark});
+    if (message && message->where.line > 0) return true;
+  }
+  return false;
+}
+
 /// Its own words without the marks of the compiler's drawing.
 std::string plain_message(std::string text) {
   for (const std::string mark : {" at (1)", " at (2)", " (1)", "(1)"}) {
@@ -172,7 +185,7 @@ InputError refusal_of_compiler(const FortranSource& source, const FortranCompile
   std::optional<CompilerMessage> first;
   int errors = 0;
   while (std::getline(lines, line)) {
-    const auto message = message_of(line, {": Error: ", ": Fatal Error: "});
+    const auto message = message_of(line, {error_mark, fatal_mark});
     if (!message) continue;
     if (!first) first = message;
     if (text.empty()) text = plain_message(message->text);
@@ -184,6 +197,7 @@ InputError refusal_of_compiler(const FortranSource& source, const FortranCompile
                           ".so or .a must be in a folder of the linker, or give the file");
   }
   if (!first) return InputError({source.file}, "", "does not compile: " + one_line(said, 300));
+  if (first->where.line == 0) first->where.file = source.file;  // the compiler names itself
   if (first->where.file.starts_with("./") || first->where.file.find('/') == std::string::npos) {
     first->where.file = (fs::path(source.file).parent_path() / first->where.file).lexically_normal().string();
   }
@@ -279,6 +293,9 @@ std::vector<std::string> compile_library(const FortranSource& source, const Fort
   }
   std::error_code code;
   if (end.status == 0 && fs::is_regular_file(library, code)) return warnings_in(end.said);
+  const std::string tight = adapters::tight_limits();
+  if (!tight.empty() && !names_a_line(end.said))
+    throw SystemError(source.file + ": its compilation fails, and " + tight + ": that may be why");
   if (end.status > 2) {
     throw SystemError(source.file + ": '" + compiler.program + "' ended with status " + std::to_string(end.status) +
                       ": " + one_line(end.said, 300));

@@ -11,6 +11,7 @@
 #include "drivers/unseen.hpp"
 #include "harness/check/material_symmetry.hpp"
 #include "harness/foreign_message.hpp"
+#include "harness/thrown.hpp"
 
 namespace assay::drivers {
 
@@ -51,7 +52,9 @@ Material created(const MaterialChoice& choice, const MaterialSource& source) {
     if (parse_number(error.key())) more = "; a number in quotes is a name: it stands without them";
     throw InputError(where, one_line(key, 100), error.what() + more, error.known());
   } catch (const std::runtime_error& error) {
-    if (adapters::has_ended(source.table)) throw ModelEnded(choice.where, choice.adapter_key, error.what());
+    const bool threw = std::string_view(error.what()).find(exception_words) != std::string_view::npos;
+    if (threw || adapters::has_ended(source.table))
+      throw ModelEnded(choice.where, choice.adapter_key, without_unseen(one_line_of(error.what())));
     throw InputError(choice.where, choice.parameters_key,
                      without_unseen(one_line_of(error.what())));  // the model's own words
   }

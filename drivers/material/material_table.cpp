@@ -11,6 +11,7 @@
 #include "drivers/interrupt.hpp"
 #include "drivers/material/model_files.hpp"
 #include "drivers/material/raw_library.hpp"
+#include "drivers/own_files.hpp"
 #include "drivers/supervisor.hpp"
 #include "harness/progress_mark.hpp"
 
@@ -41,8 +42,11 @@ InputError complaint(const MaterialDescription& description, std::string key, co
   const bool absent = what == adapters::no_such_library && description.library_key == "library";
   const Location where = place_of(key, description);
   if (of_library && description.library_key != "library") key = description.library_key;
+  const bool of_source = of_library && !description.source.empty();
+  const bool lacks_a_routine = of_source && what.find("undefined symbol: ") != what.npos;
   return InputError(where, key.empty() ? description.library_key : key,
-                    (of_library ? "'" + description.library + "' " : "") + what +
+                    (of_library ? "'" + (of_source ? description.source : description.library) + "' " : "") + what +
+                        (lacks_a_routine ? ", which `link` may bring" : "") +
                         (absent ? ", and none of that name in $ASSAY_MATERIAL_PATH" : ""),
                     known);
 }
@@ -57,6 +61,8 @@ const assay_material* table_here(const MaterialDescription& description) {
     supervise(description.library);
     return local_table(description);
   } catch (const std::system_error& error) {
+    constexpr std::size_t open_files = 20;  // that the trial takes
+    if (error.code() == std::errc::too_many_files_open) require_open_files(open_files);
     throw SystemError(std::string("a library cannot be tried: ") + error.what());
   } catch (const adapters::ForeignError& error) {
     throw complaint(description, error.key(), error.what(), error.known());

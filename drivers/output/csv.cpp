@@ -25,6 +25,7 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
 }
 
 std::string csv_remedy(const std::string& text) {
+  if (text.find('#') != text.npos) return ": only a line that begins with '#' is a remark";
   return text.empty() ? ": a field of each row must have one" : number_remedy(text);
 }
 

@@ -49,6 +49,10 @@ void check_rows(const CsvTable& table, const std::vector<double>& t, const std::
       refuse(table, i, "t",
              "rows may not lie closer than 1e-12 of the whole, found " + number_text(t[i]) + " after " +
                  number_text(t[i - 1]));
+    const double dt = t[i] - t[i - 1];
+    if (!std::isfinite(1 / (dt * dt)))
+      refuse(table, i, "t",
+             "a time of " + rounded_text(dt, 3) + " s between rows leaves no number for their acceleration");
   }
 }
 

@@ -98,6 +98,20 @@ std::string expression(const std::string& text) {
   return computes && has_digit && plain ? ": nothing is computed, write the value" : std::string();
 }
 
+/// "[0.1]", "\"0.1\"": on the command line a quote of the text, not of the shell.
+std::string enclosed(const std::string& text) {
+  if (text.size() < 3) return {};
+  const std::string ends{text.front(), text.back()}, inside = text.substr(1, text.size() - 2);
+  const bool is_pair = ends == "[]" || ends == "{}" || ends == "\"\"" || ends == "''";
+  return is_pair && parse_number(inside) ? ": write " + inside + " alone" : std::string();
+}
+
+std::string no_exponent(const std::string& text) {
+  const std::string word = lower(text);
+  const bool ends = word.ends_with('e') || word.ends_with("e+") || word.ends_with("e-");
+  return ends && parse_number(word.substr(0, word.rfind('e'))) ? ": an exponent has digits" : std::string();
+}
+
 /// A number, and what stands behind it: a remark, a second number, a unit.
 std::string tail(const std::string& text) {
   const std::size_t length = leading_number(text);
@@ -142,8 +156,8 @@ std::string of_plain(const std::string& text) {
   if (text.size() > longest)
     return ": it has " + std::to_string(text.size()) + " characters, and 17 digits are all that a number holds";
   if (const std::string other = lookalike(text); !other.empty()) return ": " + other;
-  for (const auto& slip :
-       {comparison, out_of_range, decimal_comma, separated, other_base, other_exponent, not_finite, expression, tail}) {
+  for (const auto& slip : {comparison, out_of_range, enclosed, no_exponent, decimal_comma, separated, other_base,
+                           other_exponent, not_finite, expression, tail}) {
     if (std::string found = slip(text); !found.empty()) return found;
   }
   return {};

@@ -59,6 +59,9 @@ void refuse_other_joints(const std::string& path) {
 
 Tree value_of(const std::string& text, const std::string& path) {
   if (text.find_first_not_of(" \t") == text.npos) throw InputError(from_option, path, "no value after '='");
+  const char first = text[text.find_first_not_of(" \t")];
+  if (std::string_view("@`%*&!").find(first) != std::string_view::npos)
+    throw InputError(from_option, path, std::string("a value that begins with '") + first + "' belongs in quotes");
   if (bare(text).text.size() < text.size())
     throw InputError(from_option, path, "' #' begins a comment of YAML: a text with it belongs in quotes");
   try {

@@ -11,7 +11,9 @@
 #include <set>
 #include <sstream>
 
+#include "drivers/lookalikes.hpp"
 #include "drivers/scene/text_check.hpp"
+#include "drivers/scene/yaml_lines.hpp"
 #include "drivers/scene/yaml_quotes.hpp"
 #include "drivers/scene/yaml_slips.hpp"
 #include "drivers/unseen.hpp"
@@ -53,7 +55,17 @@ class Builder : public YAML::EventHandler {
     const auto slip = mark.is_null() ? std::nullopt : yaml_slip(text_, mark.line + 1, mark.column + 1);
     Location at = where(mark);
     if (slip && at.line > 0) at.line = slip->line, at.column = slip->column;
-    return {at, "", "not valid YAML: " + (slip ? slip->what : complaint)};
+    return {at, "",
+            "not valid YAML: " + (slip ? slip->what : complaint) + odd_character(mark.is_null() ? 0 : mark.line)};
+  }
+
+  /// In the line, from 0, at which the parser stops: what looks like a mark of YAML, or like nothing at all.
+  std::string odd_character(int line) const {
+    const std::vector<std::string_view> lines = yaml_lines(text_);
+    if (static_cast<std::size_t>(line) >= lines.size()) return {};
+    const std::string code = bare(lines[static_cast<std::size_t>(line)]).text;
+    const std::string unseen = unseen_note(with_unseen_written(code)), mark = lookalike_mark(code);
+    return !unseen.empty() ? "; the line " + unseen : mark.empty() ? "" : "; " + mark;
   }
 
   void OnDocumentEnd() override {}

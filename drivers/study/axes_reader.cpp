@@ -65,7 +65,9 @@ StudyAxis read_axis(const Tree::Entry& entry) {
     if (value.kind == Tree::Kind::scalar) {
       throw InputError(
           value.where, path,
-          "must be a list of values, found " + described(value) + ": write [" + one_line(value.text, 60) + "]");
+          "must be a list of values, found " + described(value) +
+              (value.text.find_first_of("(),:") == value.text.npos ? ": write [" + one_line(value.text, 60) + "]"
+                                                                   : ": write [a, b], or {from, to}"));
     }
     require_map(value, path, "a list of values, {from, to}, or named levels");
     for (const Tree::Entry& level : value.entries) {

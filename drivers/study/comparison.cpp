@@ -42,7 +42,8 @@ Standing standing_of(const StudyCase& a, const StudyCase& b) {
 
 ComparedFigure compared_errors(const StudyCase& a, const StudyCase& b) {
   ComparedFigure error{a.error, b.error, rounding_relative, 0};
-  if (a.error && !b.error) error.trend = 1;  // is not finite any more
+  if (a.error && !b.error) error.trend = 1;   // is not finite any more
+  if (!a.error && b.error) error.trend = -1;  // and the reverse
   if (!a.error || !b.error) return error;
   const double least = std::min(*a.error, *b.error);
   if (least > 0) error.bound = std::max(rounding_relative, rounding_absolute / least);

@@ -81,8 +81,8 @@ std::string expectation_lines(const Comparison& found) {
 
 std::string origin_line(const std::string& name, const StoredStudy& study) {
   const Provenance& from = study.findings.provenance;
-  return wrapped(study.file + ": " + study.findings.title + "; assay " + from.version + ", " + from.git, name + "  ",
-                 "   ");
+  return wrapped(one_line(study.file) + ": " + study.findings.title + "; assay " + from.version + ", " + from.git,
+                 name + "  ", "   ");
 }
 
 std::string counted(int count, const std::string& one, const std::string& many) {

@@ -28,6 +28,7 @@ Selection selection_of(const Tree& map, const std::string& key, const Study& stu
 
 Sampling read_sampling(const Tree& tree) {
   if (tree.kind == Tree::Kind::scalar) {
+    if (tree.text == "latin_hypercube") throw InputError(tree.where, "sampling", "write {latin_hypercube: COUNT}");
     return {choice_value(tree, "sampling", {"product", "list"}) == "list" ? Sampling::Type::list
                                                                           : Sampling::Type::product};
   }

@@ -42,7 +42,8 @@ void put_text(int file, const std::string& text) {
 
 }  // namespace
 
-StudySession::StudySession(const fs::path& folder, bool resumes, bool is_shard) : resumes_(resumes) {
+StudySession::StudySession(const fs::path& folder, const std::string& study, bool resumes, bool is_shard)
+    : resumes_(resumes) {
   const fs::path cases = folder / "cases";
   std::error_code error;
   fs::create_directories(cases, error);
@@ -50,7 +51,13 @@ StudySession::StudySession(const fs::path& folder, bool resumes, bool is_shard) 
   // One at a time, so that between looking and joining nobody begins a session.
   const int turn = ::open(cases.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   while (turn >= 0 && ::flock(turn, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK && !interrupted()) ::usleep(3000);
-  enter(folder / session_file, is_shard);
+  try {
+    enter(folder / session_file, study, is_shard);
+  } catch (const SystemError&) {
+    ::close(turn);
+    if (file_ >= 0) ::close(file_);
+    throw;
+  }
   ::close(turn);
   stop_if_interrupted();
 }
@@ -59,15 +66,20 @@ StudySession::~StudySession() {
   if (file_ >= 0) ::close(file_);
 }
 
-void StudySession::enter(const fs::path& file, bool is_shard) {
+void StudySession::enter(const fs::path& file, const std::string& study, bool is_shard) {
   file_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file_ < 0) fail(file, "cannot be written", errno);
   const bool alone = ::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
   if (alone) {
-    put_text(file_, std::string(is_shard ? shard : resumes_ ? resumed : fresh) + this_process());
+    put_text(file_, std::string(is_shard ? shard : resumes_ ? resumed : fresh) + study + " " + this_process());
   } else {
     const std::string text = text_in(file_);
-    begun_by_ = text.substr(std::min(text.find(' ') + 1, text.size()));
+    const std::size_t begin = std::min(text.find(' ') + 1, text.size());
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    begun_by_ = text.substr(std::min(end + 1, text.size()));
+    if (text.substr(begin, end - begin) != study)
+      throw FolderBusy(file.parent_path().string() + ": another study runs in this folder (" + begun_by_ +
+                       " began): choose another one with -o");
     if (!is_shard && !text.starts_with(shard)) resumes_ = text.starts_with(resumed);
   }
   ::flock(file_, LOCK_SH | LOCK_NB);

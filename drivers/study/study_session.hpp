@@ -12,8 +12,9 @@ namespace assay::drivers {
 class StudySession {
  public:
   /// Makes the folder. `resumes`: this study keeps what it finds finished; `is_shard`: it is a part, which no other
-  /// part has a case of. Throws SystemError where the folder cannot be written to, Interrupted.
-  StudySession(const std::filesystem::path& folder, bool resumes, bool is_shard);
+  /// part has a case of; `study`: what tells it from others, without blanks. Throws SystemError where the folder cannot
+  /// be written to, FolderBusy where another study runs in it, Interrupted.
+  StudySession(const std::filesystem::path& folder, const std::string& study, bool resumes, bool is_shard);
   StudySession(const StudySession&) = delete;
   StudySession& operator=(const StudySession&) = delete;
   ~StudySession();
@@ -28,7 +29,7 @@ class StudySession {
   bool has_seen(const std::filesystem::path& file) const;
 
  private:
-  void enter(const std::filesystem::path& file, bool is_shard);
+  void enter(const std::filesystem::path& file, const std::string& study, bool is_shard);
 
   int file_ = -1;  ///< locked, shared
   bool resumes_;

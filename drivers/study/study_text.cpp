@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "drivers/input_error.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/table_text.hpp"
 #include "drivers/output/wrapped_text.hpp"
@@ -165,7 +166,8 @@ std::string study_text(const StudyFindings& findings, const std::string& folder)
   const char* summary = !findings.holds()         ? "NOT AS EXPECTED"
                         : findings.expect.empty() ? "NOTHING EXPECTED"
                                                   : "AS EXPECTED";
-  return text + wrapped(fmt::format("{}; results in {}, begin with its report.html", summary, folder), "", "  ");
+  return text +
+         wrapped(fmt::format("{}; results in {}, begin with its report.html", summary, one_line(folder)), "", "  ");
 }
 
 }  // namespace assay::drivers

@@ -89,6 +89,7 @@ struct Walk {
   double amplitude;
   int steps;
   std::size_t bytes = promised;
+  bool rests = false;  ///< once, in a step in which nothing moves
 };
 
 /// What a material does wrong to its arrays, or empty; and where it has come to.
@@ -179,6 +180,9 @@ std::string misdeed(const Material& material, const Walk& walk, History* history
   Deed deed = begin(material, walk.n, walk.bytes);
   const auto F = [&](int k) { return walk.course(space, walk.amplitude, static_cast<double>(k) / walk.steps); };
   for (int k = 0; k < walk.steps && deed.goes_on; ++k) {
+    const std::string at_rest =
+        walk.rests && k == 1 ? step(material, walk, length * k, F(k), F(k), deed.state).wrong : std::string();
+    if (!at_rest.empty()) return at_rest + ", where nothing moves,";
     deed = step(material, walk, length * k, F(k), F(k + 1), deed.state);
     if (!history || !deed.goes_on) continue;
     history->push_back(deed.cauchy);
@@ -231,7 +235,7 @@ std::string misdeed_in_batches(const Material& material, const Effort& effort, s
       for (const double amplitude : {1e-2, 0.15}) {
         const bool large = amplitude > 0.1;  // steps that a law may divide into many
         if (n == ASSAY_BATCH_MAX && (course != turning_stretch || large == effort.quick)) continue;
-        const Walk walk{n, course, std::min(amplitude, effort.strain), steps, bytes};
+        const Walk walk{n, course, std::min(amplitude, effort.strain), steps, bytes, n == 7};
         History found;
         const bool compared = n >= 64 && course == turning_stretch;
         const std::string what = misdeed(material, walk, compared ? &found : nullptr);

@@ -50,13 +50,18 @@ double out_of_rest(const Specimen& specimen, int steps, double time) {
   return std::isfinite(share) ? share : INFINITY;
 }
 
-/// As `out_of_rest`, of a change of volume alone, out and back to either side, and of what has come out where it is
-/// back: other strains hide what comes out of a volume, as they take more work than that gives.
+/// As `out_of_rest`, of a change of volume alone, out and back to either side: other strains hide that a body swells
+/// where it is pressed, as they take more work than that gives. What comes out on the way counts in the first step, as
+/// rest is no rest then; later it may be given back.
 double out_of_volume(const Specimen& specimen, int steps, double time) {
   constexpr double least_stiffness = 1e-3;  // of the modulus: what has less against pressure does little work there
   const double largest = 0.4 * specimen.amplitude;
   Work work(specimen, 0.25 * time / steps);
-  double least = 0;
+  double worst = 0, done_at_rest = 0;
+  const auto note = [&](double out, double paid, double strain) {
+    const double share = out / std::max(paid, least_stiffness * specimen.modulus * strain * strain);
+    worst = std::max(worst, std::isfinite(share) ? share : INFINITY);
+  };
   for (int k = 1; k <= 4 * steps; ++k) {
     const double saw = 1 - std::abs(std::remainder(static_cast<double>(k) / steps + 1, 4));  // 0, -1, 0, 1, 0
     try {
@@ -64,10 +69,11 @@ double out_of_volume(const Specimen& specimen, int steps, double time) {
     } catch (const MaterialFailure&) {  // what it stands counts
       break;
     }
-    if (k % (2 * steps) == 0) least = std::min(least, work.done());
+    const double out = done_at_rest - work.done();
+    if (k % (2 * steps) == 1) note(out, std::abs(out), largest / steps);
+    if (k % (2 * steps) == 0) done_at_rest = work.done(), note(-done_at_rest, work.paid(), largest);
   }
-  const double share = -least / std::max(work.paid(), least_stiffness * specimen.modulus * largest * largest);
-  return std::isfinite(share) ? share : INFINITY;
+  return worst;
 }
 
 /// By how much the deviator of a body that is held grows after it has been less, over the largest of it, from a time

@@ -19,6 +19,11 @@ class Trials {
     return failure_.step && (takes(material_, *failure_.step) || takes(material_.clone(), *failure_.step));
   }
   bool undeformed() const { return stands(Tensor::Identity(), Tensor::Identity()); }
+  /// A body that is strained in general, and does not move.
+  bool held() const {
+    const Tensor F = Space(material_).stretch(1e-3, 0.2);
+    return stands(F, F);
+  }
   /// Along the axes of the frame.
   bool stretches(double a, double b, double c) const {
     return stands(Tensor::Identity(), Vector3(1 + a, 1 + b, 1 + c).asDiagonal());
@@ -90,6 +95,8 @@ TestResult not_loaded(const Material& material, const std::runtime_error& error)
   if (trials.again()) {
     plain.cause = causes::hidden_state;
     plain.sentence += "; asked for again, it takes the same step: something is kept outside the state, or never set";
+  } else if (trials.general_strains() && !trials.held()) {
+    plain.sentence += "; in a step in which a strained body does not move, too";
   } else if (trials.only_different_stretches()) {
     plain = refused("loading", causes::repeated_stretch, *failure);
     plain.sentence += ": where principal stretches are equal, and only there";

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "harness/check/judge.hpp"
+#include "harness/check/short_steps.hpp"
 
 namespace assay::check {
 
@@ -117,13 +118,14 @@ TestResult step_halving(const Specimen& specimen) {
   if (third <= own_precision * own_precision) {
     result.sentence = "the result does not depend on the number of steps";
     if (specimen.rate_dependent()) judge_held(specimen, result);
-    return result;
+    return result.verdict == Verdict::pass ? short_steps(specimen).value_or(std::move(result)) : result;
   }
   result.order = std::log2(second / third);
   result.verdict = found.have_limit() ? Verdict::pass : Verdict::fail;
   result.sentence = "halving the step changes the stress by " + rounded(second) + ", halving it again by " +
                     rounded(third) + (*result.order < 1.5 ? ": correct, but first order in the step" : "");
   if (result.verdict == Verdict::pass && specimen.rate_dependent()) judge_held(specimen, result);
+  if (result.verdict == Verdict::pass) result = short_steps(specimen).value_or(std::move(result));
   if (result.verdict == Verdict::pass || result.cause == causes::no_convergence) return result;
   result.cause = causes::no_convergence;
   result.sentence = "halving the step again and again changes the stress by " + rounded(first) + ", " +

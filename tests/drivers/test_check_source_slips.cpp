@@ -167,32 +167,36 @@ TEST_P(SourceSlip, IsNamed) {
 
 INSTANTIATE_TEST_SUITE_P(
     Kinds, SourceSlip,
-    testing::Values(Source{"umat_right", fixed_umat(moduli + hooke), "1e3,.3", "", ""},
-                    Source{"umat_of_the_first_call", fixed_umat(moduli_of_the_first_call + hooke), "1e3,.3",
-                           check::causes::hidden_state, "of other parameters, the first of a process"},
-                    Source{"vumat_right", vumat(moduli + points("")), "1e3,.3", "", ""},
-                    Source{"vumat_of_the_first_call", vumat(moduli_of_the_first_call + points("")), "1e3,.3",
-                           check::causes::hidden_state, "of other parameters, the first of a process"},
-                    Source{"vumat_weighs_shears", vumat(moduli + points(plasticity("2.D0"))), "1e3,.3,1", "", ""},
-                    Source{"vumat_forgets_the_two", vumat(moduli + points(plasticity("1.D0"))), "1e3,.3,1",
-                           check::causes::not_isotropic, "not weighed as an invariant does"},
-                    Source{"vumat_weighs_shears_twice", vumat(moduli + points(plasticity("4.D0"))), "1e3,.3,1",
-                           check::causes::not_isotropic, "not weighed as an invariant does"},
-                    Source{"constants_by_name", fixed_umat(kept_by_name + hooke), "1e3,.3", "", ""},
-                    Source{"heals", fixed_umat("      DIMENSION EPS(6),V(6)\n" + healing), "1e3,.3,.05",
-                           check::causes::dissipation, "once around a square in the space of strains"},
-                    Source{"shear_modulus_by_volume", fixed_umat(pressed), "1e3,.3,10", check::causes::dissipation,
-                           "once around a square in the space of strains"},
-                    Source{"explicit_flow", fixed_umat(explicit_flow), "1e3,.3,1,10", check::causes::dissipation,
-                           "its relaxation is explicit"},
-                    Source{"clock_in_the_stress",
-                           fixed_umat(moduli + hooke + "      STRESS(1)=STRESS(1)*(1.D0+TIME(1))\n"), "1e3,.3",
-                           check::causes::clock, ""},
-                    // 9.6 MB of the stack, which a thread of Abaqus has
-                    Source{"a_large_local_array",
-                           fixed_umat("      DIMENSION BIG(1200000)\n" + moduli + hooke +
-                                      "      BIG=1.D0\n      STRESS(1)=STRESS(1)*BIG(KINC)\n"),
-                           "1e3,.3", "", ""}),
+    testing::Values(
+        Source{"umat_right", fixed_umat(moduli + hooke), "1e3,.3", "", ""},
+        Source{"umat_of_the_first_call", fixed_umat(moduli_of_the_first_call + hooke), "1e3,.3",
+               check::causes::hidden_state, "of other parameters, the first of a process"},
+        Source{"vumat_right", vumat(moduli + points("")), "1e3,.3", "", ""},
+        Source{"vumat_of_the_first_call", vumat(moduli_of_the_first_call + points("")), "1e3,.3",
+               check::causes::hidden_state, "of other parameters, the first of a process"},
+        Source{"vumat_weighs_shears", vumat(moduli + points(plasticity("2.D0"))), "1e3,.3,1", "", ""},
+        Source{"vumat_forgets_the_two", vumat(moduli + points(plasticity("1.D0"))), "1e3,.3,1",
+               check::causes::not_isotropic, "not weighed as an invariant does"},
+        Source{"vumat_weighs_shears_twice", vumat(moduli + points(plasticity("4.D0"))), "1e3,.3,1",
+               check::causes::not_isotropic, "not weighed as an invariant does"},
+        Source{"constants_by_name", fixed_umat(kept_by_name + hooke), "1e3,.3", "", ""},
+        Source{"heals", fixed_umat("      DIMENSION EPS(6),V(6)\n" + healing), "1e3,.3,.05", check::causes::dissipation,
+               "once around a square in the space of strains"},
+        Source{"shear_modulus_by_volume", fixed_umat(pressed), "1e3,.3,10", check::causes::dissipation,
+               "once around a square in the space of strains"},
+        Source{"leaves_short_steps_out",
+               fixed_umat(moduli + tangent +
+                          "      IF (SUM(ABS(DSTRAN)).LT.1.D-6) RETURN\n      STRESS=STRESS+MATMUL(DDSDDE,DSTRAN)\n"),
+               "1e3,.3", check::causes::no_convergence, "short steps are left out"},
+        Source{"explicit_flow", fixed_umat(explicit_flow), "1e3,.3,1,10", check::causes::dissipation,
+               "its relaxation is explicit"},
+        Source{"clock_in_the_stress", fixed_umat(moduli + hooke + "      STRESS(1)=STRESS(1)*(1.D0+TIME(1))\n"),
+               "1e3,.3", check::causes::clock, ""},
+        // 9.6 MB of the stack, which a thread of Abaqus has
+        Source{"a_large_local_array",
+               fixed_umat("      DIMENSION BIG(1200000)\n" + moduli + hooke +
+                          "      BIG=1.D0\n      STRESS(1)=STRESS(1)*BIG(KINC)\n"),
+               "1e3,.3", "", ""}),
     [](const auto& instance) { return instance.param.name; });
 
 }  // namespace

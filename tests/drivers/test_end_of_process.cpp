@@ -77,7 +77,8 @@ TEST_P(BeforeTheEnd, IsOneLineAndNoResult) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, BeforeTheEnd,
                          testing::Values("update exec", "update quick_exit", "update kill", "update _exit",
-                                         "create exec", "update thread_exit", "update alarm", "update terminate",
+                                         "create exec", "update thread_exit", "update thread_cancel",
+                                         "create thread_cancel", "update alarm", "update terminate",
                                          "update interrupt"),
                          [](const auto& instance) { return name_of(instance.param); });
 
@@ -218,6 +219,38 @@ TEST(EndOfProcess, AProcessThatStopsItselfIsToldOfAndGoesOn) {
   ::waitpid(child, &status, 0);
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << bytes_of(the.scratch / "said");
   EXPECT_TRUE(fs::exists(the.scratch / "out/result.json"));
+}
+
+/// A pipe that is full makes it wait, and cuts nothing off.
+TEST(EndOfProcess, OutputThatAModelHurriesIsWhole) {
+  const Misdeeds the;
+  std::string points = "X,Y,t\n";
+  for (int k = 0; k < 2000; ++k) points += "1,0.1,0.3\n";
+  the.scratch.write("many.csv", points);
+  std::vector<std::string> words = the.eval_words(the.library, "whole.csv");
+  words.insert(words.end(), {"--points", the.scratch / "many.csv"});
+  words.erase(std::find(words.begin(), words.end(), "--points"), std::find(words.begin(), words.end(), "--points") + 2);
+  ASSERT_EQ(the.program(words, "").status, 0);
+  *std::find(words.begin(), words.end(), the.scratch / "whole.csv") = "-";
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  const pid_t child = start_assay(words, the.scratch / "said", [&] {
+    the.arm("update hurry_output");
+    ::dup2(ends[1], STDOUT_FILENO);
+    ::close(ends[0]);
+  });
+  ::close(ends[1]);
+  ::usleep(1'000'000);
+  std::string read;
+  char bytes[4096];
+  for (ssize_t n; (n = ::read(ends[0], bytes, sizeof bytes)) > 0;) read.append(bytes, static_cast<std::size_t>(n));
+  ::close(ends[0]);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0) << bytes_of(the.scratch / "said");
+  EXPECT_TRUE(read == bytes_of(the.scratch / "whole.csv")) << read.size();
+  EXPECT_NE(bytes_of(the.scratch / "said").find("makes the standard streams of the process non-blocking"),
+            std::string::npos);
 }
 
 TEST(EndOfProcess, WhoCalledItCanStopIt) {

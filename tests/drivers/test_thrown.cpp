@@ -61,6 +61,8 @@ TEST_P(ThrownBefore, IsTheModelsInOneLine) {
   EXPECT_NE(unwrapped(run.said).find(words), std::string::npos) << run.said;
   const Ending check = the_.program({"check", model_, "--quick", "-o", the_.scratch / "r"}, GetParam());
   EXPECT_TRUE(check.status == 1 || check.status == 2) << check.status << ": " << check.said;
+  EXPECT_NE(unwrapped(check.said).find(words), std::string::npos) << check.said;
+  EXPECT_EQ(run.said.find("material.parameters"), std::string::npos) << run.said;
   for (const Ending* each : {&run, &check}) {
     EXPECT_EQ(each->said.find("bug"), std::string::npos) << each->said;
     EXPECT_EQ(each->said.find("delete it"), std::string::npos) << each->said;

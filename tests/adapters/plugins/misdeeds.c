@@ -96,6 +96,11 @@ static void terminate_its_parent(void) { kill(getppid(), SIGTERM); }
 static void hang_up_its_parent(void) { kill(getppid(), SIGHUP); }
 static void double_itself(void) { fork(); }
 static void end_its_thread(void) { pthread_exit(NULL); }
+static void cancel_its_thread(void) {
+  pthread_cancel(pthread_self());
+  pthread_testcancel();
+}
+static void hurry_output(void) { fcntl(1, F_SETFL, fcntl(1, F_GETFL) | O_NONBLOCK); }
 static void forbid_files(void) { umask(0777); }
 static void close_streams(void) {
   for (int file = 0; file < 3; ++file) close(file);
@@ -201,6 +206,8 @@ static void act(const char* when) {
                {"child", leave_child},
                {"buried", leave_buried},
                {"thread_exit", end_its_thread},
+               {"thread_cancel", cancel_its_thread},
+               {"hurry_output", hurry_output},
                {"umask", forbid_files},
                {"close", close_streams},
                {"close_all", close_all},

@@ -148,6 +148,8 @@ TEST_F(SourceLibraryTest, TheCompilersFirstErrorIsALine) {
   EXPECT_EQ(refused(scratch.write("bad2.f", fixed_umat("      INCLUDE 'part.inc'\n"))).substr(0, 11), "part.inc:1:");
   EXPECT_EQ(refused(scratch.write("bad3.f", fixed_umat("      INCLUDE 'absent.inc'\n"))),
             "bad3.f:13: does not compile: Cannot open included file 'absent.inc'");
+  const std::string cut = refused(scratch.write("cut.f", hooke_umat.substr(0, hooke_umat.find("   10   CONTINUE"))));
+  EXPECT_TRUE(cut.starts_with("cut.f: does not compile: Unexpected end of file")) << cut;
   for (const std::string none : {"      IMPLICIT NONE\n      INCLUDE 'ABA_PARAM.INC'\n",
                                  "      IMPLICIT NONE\n      include 'aba_param.inc'\n"}) {
     std::string text = fixed_umat("", "UMAT", "");

@@ -103,6 +103,7 @@ TEST(Csv, refuses_what_can_mean_two_things) {
   expect_refusal("X,t\n\"1,000.5\",1\n", "p.csv:2:1: ", thousands);
   expect_refusal("X,t [s]\n1,2\n", "p.csv:1:3: ", "column 't [s]': the name alone, 't', without its unit");
   expect_refusal("X(m),t\n1,2\n", "p.csv:1:1: ", "the name alone, 'X', without its unit");
+  expect_refusal("X,t\n1,.5 # here\n", "p.csv:2:3: ", "only a line that begins with '#' is a remark");
   expect_refusal("X,t,,\n1,2,,\n", "p.csv:1:5: ", "a column without a name");
   expect_refusal("X,t\n0,5,1,5\n", "p.csv:2:7: ", "with decimal commas, separate by semicolons");
   expect_refusal("X t\n1 2\n", "p.csv:1:1: ", "columns are separated by a comma, a semicolon or a tab");

@@ -38,6 +38,8 @@ TEST(DeformationCsv, RefusesWhatIsNoPath) {
   EXPECT_EQ(line(header + rest + "1,1,0,0,1\n1,1,0,0,1\n"), ":4:1: t: times must ascend, found 1 after 1");
   EXPECT_EQ(line(header + rest + "1e-300,1,0,0,1\n1,1,0,0,1\n"),
             ":3:1: t: rows may not lie closer than 1e-12 of the whole, found 1e-300 after 0");
+  EXPECT_EQ(line(header + rest + "1e-300,1.1,0,0,1\n"),
+            ":3:1: t: a time of 1e-300 s between rows leaves no number for their acceleration");
   EXPECT_EQ(line(header + rest + "1,1,0,0,1\n1.0000000000000002,1,0,0,1\n").find(":4:1: t: rows may not lie"), 0u);
   EXPECT_EQ(line(header + rest + "1,-1,0,0,1\n"), ":3:1: det F <= 0 in this row, at t = 1");
   EXPECT_EQ(line(header + rest + "1,.05,0,0,1\n2,.05,0,0,1\n3,1,0,0,1\n"),

@@ -37,6 +37,11 @@ TEST(Settings, KeysAreJoinedByDots) {
   EXPECT_EQ(changed("a: {b: 1}", " a.b =3").find("a")->find("b")->text, "3") << "blanks beside '='";
   EXPECT_EQ(changed("a: {b: 1}", "a.b=c:/d").find("a")->find("b")->text, "c:/d") << "a value";
   EXPECT_EQ(refused("title=a #b"), "--set title: ' #' begins a comment of YAML: a text with it belongs in quotes");
+  for (const char first : std::string("@`%*&!")) {
+    const std::string begins(1, first);
+    EXPECT_EQ(refused("title=" + begins + "d"),
+              "--set title: a value that begins with '" + begins + "' belongs in quotes");
+  }
   EXPECT_EQ(changed("a: 1", "a='b #c'").find("a")->text, "b #c");
 }
 

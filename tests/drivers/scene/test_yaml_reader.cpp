@@ -191,6 +191,16 @@ TEST(YamlReader, MergeKeysBringWhatAMapLacks) {
   EXPECT_EQ(read_yaml("x-a: 1\n", set_option).entries.size(), 1u) << "of a whole file alone";
 }
 
+TEST(YamlReader, WhatLooksLikeAMarkIsNamedWhereTheParserStops) {
+  const auto ends = [](const std::string& text, const std::string& words) {
+    EXPECT_TRUE(refused(text).ends_with(words)) << refused(text);
+  };
+  ends("g: \uFF5Bs: 1\uFF5D\n", "; U+FF5B stands where '{' belongs");
+  ends("t: a\u0085m: 1: 2\n", "; the line holds U+0085, control character, which cannot be seen: delete it");
+  ends("a: [1, 2\uFF3D\nb: 1\n", "a bracket '[' that is not closed");
+  ends("t: \u041C: 1\n", "keys in braces");
+}
+
 TEST(YamlReader, SlipsOfAliasesAreToldWhereTheyStand) {
   const std::string anchors = "x-a: &A {E: 1}\nx-b: &B {nu: 2}\nx-l: &L [1, 2]\n";
   EXPECT_EQ(refused(anchors + "p: {<<: {*A, *B}}\n"),

@@ -159,6 +159,7 @@ TEST(Comparison, ErrorsAreComparedBeyondRounding) {
   EXPECT_EQ(compared(A, B).errors(0), 9) << "rounding itself";
   B.cases[4].error.reset();
   EXPECT_TRUE(compared(A, B).is_worse()) << "no error any more";
+  EXPECT_EQ(compared(B, A).errors(-1), 1) << "an error at last";
 }
 
 TEST(Comparison, SaysWhetherTheCheapestChanged) {

@@ -2,6 +2,7 @@
 // Shards of a study and studies that share a folder, by the program itself.
 #include <gtest/gtest.h>
 
+#include "drivers/study/study_session.hpp"
 #include "tests/drivers/study/study_program.hpp"
 
 namespace assay::drivers::test_study_shards {
@@ -78,6 +79,18 @@ TEST(StudyShards, TwoStudiesInOneFolderShareItsCases) {
       for (const auto& [folder, mark] : before) EXPECT_NE(after.at(folder), mark) << "not run again";
     }
   }
+}
+
+/// They would share no case, and one would lose its results to the other.
+TEST(StudyShards, AnotherStudyTakesAnotherFolder) {
+  const SmallStudy small;
+  std::filesystem::create_directories(small.scratch / "out/cases");
+  const StudySession first(small.scratch / "out", "one", false, false);
+  const StudySession beside(small.scratch / "out", "one", false, false);
+  EXPECT_FALSE(beside.begun_by().empty());
+  const Ending ending = small.run("out");
+  EXPECT_EQ(ending.status, 3) << ending.said;
+  EXPECT_EQ(lines_with(ending.said, "choose another one with -o"), 1u) << ending.said;
 }
 
 TEST(StudyShards, OneThatComesWhenTheOtherHasGoneIsAlone) {
