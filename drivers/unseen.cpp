@@ -23,11 +23,14 @@ constexpr std::array blanks{
     Named{0x2008, 0x2008, "punctuation space"},  Named{0x2009, 0x2009, "thin space"},
     Named{0x200A, 0x200A, "hair space"},         Named{0x202F, 0x202F, "narrow no-break space"},
     Named{0x205F, 0x205F, "mathematical space"}, Named{0x3000, 0x3000, "ideographic space"},
+    Named{0x1680, 0x1680, "ogham space"},        Named{0x2800, 0x2800, "blank of braille"},
 };
 
 constexpr std::array without_width{
     Named{0x00AD, 0x00AD, "soft hyphen"},
+    Named{0x034F, 0x034F, "grapheme joiner"},
     Named{0x115F, 0x1160, "Hangul filler"},
+    Named{0x17B4, 0x17B5, "inherent vowel"},
     Named{0x180E, 0x180E, "vowel separator"},
     Named{0x200B, 0x200B, "zero width space"},
     Named{0x200C, 0x200C, "zero width non-joiner"},
@@ -37,6 +40,8 @@ constexpr std::array without_width{
     Named{0x3164, 0x3164, "Hangul filler"},
     Named{0xFE00, 0xFE0F, "variation selector"},
     Named{0xFEFF, 0xFEFF, "byte order mark"},
+    Named{0xFFA0, 0xFFA0, "Hangul filler"},
+    Named{0x1D173, 0x1D17A, "mark of musical notation"},
     Named{0xFFF9, 0xFFFB, "annotation mark"},
     Named{0xE0000, 0xE007F, "tag"},
 };

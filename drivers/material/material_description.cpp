@@ -11,6 +11,7 @@
 #include "drivers/material/model_files.hpp"
 #include "drivers/material/source_entry.hpp"
 #include "drivers/material/source_library.hpp"
+#include "drivers/material/source_traps.hpp"
 #include "drivers/scene/file_kind.hpp"
 #include "drivers/scene/yaml_values.hpp"
 #include "drivers/scene/yaml_writer.hpp"

@@ -11,6 +11,7 @@
 #include "drivers/material/source_entry.hpp"
 #include "drivers/material/source_facts.hpp"
 #include "drivers/material/source_library.hpp"
+#include "drivers/material/source_traps.hpp"
 #include "drivers/material/source_yaml.hpp"
 
 namespace assay::drivers {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 #include <optional>
-#include <set>
 
 #include "drivers/input_error.hpp"
 
@@ -14,15 +13,11 @@ namespace {
 
 using adapters::ForeignInterface;
 
-constexpr std::size_t umat_arguments = 37, vumat_arguments = 33;
-
 /// Places of arguments, from 0.
 namespace place {
-constexpr std::size_t umat_statev = 1, umat_dstran = 11, umat_stran = 10, umat_dtime = 13, umat_cmname = 18,
-                      umat_props = 23, umat_drot = 26, umat_dfgrd0 = 29, umat_dfgrd1 = 30;
-constexpr std::size_t vumat_dt = 9, vumat_cmname = 10, vumat_props = 13, vumat_state_old = 22, vumat_state_new = 30;
-const std::set<std::size_t> umat_integers{19, 20, 21, 22, 24, 31, 32, 33, 34, 35, 36},
-    vumat_integers{0, 1, 2, 3, 4, 5, 6};
+constexpr std::size_t umat_statev = 1, umat_dstran = 11, umat_stran = 10, umat_dtime = 13, umat_props = 23,
+                      umat_drot = 26, umat_dfgrd0 = 29, umat_dfgrd1 = 30;
+constexpr std::size_t vumat_dt = 9, vumat_props = 13, vumat_state_old = 22, vumat_state_new = 30;
 }  // namespace place
 
 std::string fortran_name(std::string symbol) {
@@ -143,176 +138,8 @@ EntryNames names_of_entry(const SourceEntry& entry) {
   return names;
 }
 
-namespace {
-
-/// What stands for the types of arguments that are not declared.
-struct ImplicitTypes {
-  bool none = false;  ///< IMPLICIT NONE: all are declared
-  int real_bytes = 4, integer_bytes = 4;
-};
-
-ImplicitTypes implicit_types(const FortranSource& source, const FortranRoutine& routine) {
-  ImplicitTypes types;
-  if (source.includes_parameters(routine)) types.real_bytes = 8;
-  for (const FortranStatement& statement : routine.statements) {
-    const std::string& text = statement.text;
-    if (!text.starts_with("implicit")) continue;
-    if (text == "implicitnone") types.none = true;
-    if (text.starts_with("implicitreal*8") || text.starts_with("implicitreal(8)") ||
-        text.starts_with("implicitreal(kind=8)") || text.starts_with("implicitdoubleprecision")) {
-      types.real_bytes = 8;
-    }
-    if (text.starts_with("implicitinteger*8") || text.starts_with("implicitinteger(8)")) types.integer_bytes = 8;
-  }
-  return types;
-}
-
-std::string capitals(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::toupper(c); });
-  return text;
-}
-
-/// Bytes of each argument as the routine has it; 0 where that is not told.
-int bytes_of_argument(const std::string& name, bool integer, const std::vector<FortranVariable>& variables,
-                      const ImplicitTypes& implicit) {
-  for (const FortranVariable& variable : variables) {
-    if (variable.name != name) continue;
-    const bool known = variable.type == "integer" || variable.type == "real" || variable.type == "doubleprecision";
-    return known && (variable.type == "integer") == integer ? variable.bytes : 0;
-  }
-  const bool named_integer = !name.empty() && name[0] >= 'i' && name[0] <= 'n';
-  if (implicit.none || named_integer != integer) return 0;
-  return integer ? implicit.integer_bytes : implicit.real_bytes;
-}
-
-std::string few_of(const std::vector<std::string>& names) {
-  constexpr std::size_t shown = 4;
-  const std::vector<std::string> first(names.begin(),
-                                       names.begin() + static_cast<std::ptrdiff_t>(std::min(shown, names.size())));
-  return joined(first) + (names.size() > shown ? " and " + std::to_string(names.size() - shown) + " others" : "");
-}
-
-/// "name" of "name=...props(...)", where that is a plain variable and its text makes no whole number of it; or empty.
-std::string receiver_of(const std::string& text, const std::string& props) {
-  const std::size_t equals = text.find('=');
-  if (equals == text.npos || text.find(props + "(", equals) == text.npos) return {};
-  for (const char* whole : {"int(", "floor(", "ceiling("}) {  // nint( too
-    if (text.find(whole, equals) != text.npos) return {};
-  }
-  const std::string name = text.substr(0, equals);
-  const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
-  return plain ? name : std::string();
-}
-
-/// Sentences on variables that hold less of a property than it has.
-void add_lossy(const FortranSource& source, const SourceEntry& entry, const std::vector<FortranVariable>& variables,
-               const ImplicitTypes& implicit, std::vector<std::string>& all) {
-  const std::string props = names_of_entry(entry).props;
-  std::vector<std::string> whole, single;
-  int line_of_whole = 0, line_of_single = 0;
-  for (const FortranStatement& statement : entry.routine.statements) {
-    const std::string name = receiver_of(statement.text, props);
-    if (name.empty()) continue;
-    const auto same = [&](const FortranVariable& variable) { return variable.name == name; };
-    const auto declared = std::find_if(variables.begin(), variables.end(), same);
-    const bool is_declared = declared != variables.end();
-    const bool by_letter = !is_declared && !implicit.none && name[0] >= 'i' && name[0] <= 'n';
-    if (by_letter && whole.empty()) line_of_whole = statement.line;
-    if (by_letter) whole.push_back(capitals(name));
-    if (!is_declared || declared->type != "real" || declared->bytes != 4) continue;
-    if (single.empty()) line_of_single = statement.line;
-    single.push_back(capitals(name));
-  }
-  const auto at = [&](int line) { return source.file + ":" + std::to_string(line) + ": "; };
-  if (!whole.empty()) {
-    all.push_back(at(line_of_whole) + few_of(whole) +
-                  (whole.size() > 1 ? " are integers by their first letter, and take"
-                                    : " is an integer by its first "
-                                      "letter, and takes") +
-                  " PROPS: what stands behind the decimal point is lost (where that is meant, INT says so)");
-  }
-  if (!single.empty()) {
-    all.push_back(at(line_of_single) + few_of(single) +
-                  (single.size() > 1 ? " are reals of 4 bytes, and take" : " is a real of 4 bytes, and takes") +
-                  " PROPS: seven digits of them are left");
-  }
-}
-
-/// As the manual of Abaqus has them. A routine may call them otherwise.
-const std::vector<std::string> usual_of_umat{
-    "stress", "statev", "ddsdde", "sse",   "spd",    "scd",    "rpl",    "ddsddt", "drplde", "drpldt",
-    "stran",  "dstran", "time",   "dtime", "temp",   "dtemp",  "predef", "dpred",  "cmname", "ndi",
-    "nshr",   "ntens",  "nstatv", "props", "nprops", "coords", "drot",   "pnewdt", "celent", "dfgrd0",
-    "dfgrd1", "noel",   "npt",    "layer", "kspt",   "jstep",  "kinc"};
-const std::vector<std::string> usual_of_vumat{
-    "nblock",        "ndir",    "nshr",       "nstatev",    "nfieldv",    "nprops",    "lanneal",  "steptime",
-    "totaltime",     "dt",      "cmname",     "coordmp",    "charlength", "props",     "density",  "straininc",
-    "relspininc",    "tempold", "stretchold", "defgradold", "fieldold",   "stressold", "stateold", "enerinternold",
-    "enerinelasold", "tempnew", "stretchnew", "defgradnew", "fieldnew",   "stressnew", "statenew", "enerinternnew",
-    "enerinelasnew"};
-
-/// Of a list that is longer or shorter, or has the usual names in another order; or empty.
-std::string list_trap(const std::vector<std::string>& arguments, const std::vector<std::string>& usual) {
-  const auto has = [](const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
-  if (arguments.size() != usual.size()) {
-    std::vector<std::string> missing;
-    for (const std::string& name : usual) {
-      if (!has(arguments, name)) missing.push_back(capitals(name));
-    }
-    const bool few = missing.size() + arguments.size() == usual.size();  // the others are called as usual
-    return "takes " + std::to_string(arguments.size()) + " arguments, and Abaqus hands over " +
-           std::to_string(usual.size()) +
-           (few ? ": " + few_of(missing) + (missing.size() > 1 ? " are" : " is") + " not among them" : "") +
-           "; what follows the first that is missing or added is taken for another";
-  }
-  for (std::size_t k = 0; k < usual.size(); ++k) {
-    if (arguments[k] != usual[k] && has(usual, arguments[k]))
-      return capitals(arguments[k]) + " stands where Abaqus hands over " + capitals(usual[k]) +
-             ": arguments go by their places";
-  }
-  return {};
-}
-
-}  // namespace
-
-std::vector<std::string> entry_traps(const FortranSource& source, const SourceEntry& entry) {
-  const FortranRoutine& routine = entry.routine;
-  const bool umat = entry.interface == ForeignInterface::umat;
-  if (routine.line == 0) return {};
-  const std::string list = list_trap(routine.arguments, umat ? usual_of_umat : usual_of_vumat);
-  if (!list.empty()) return {source.file + ":" + std::to_string(routine.line) + ": " + list};
-  const std::vector<FortranVariable> variables = variables_of(routine.statements);
-  const ImplicitTypes implicit = implicit_types(source, routine);
-  const auto& integers = umat ? place::umat_integers : place::vumat_integers;
-  const std::size_t text = umat ? place::umat_cmname : place::vumat_cmname;
-  std::vector<std::string> wide, narrow;
-  for (std::size_t k = 0; k < routine.arguments.size(); ++k) {
-    if (k == text) continue;
-    const bool integer = integers.contains(k);
-    const int bytes = bytes_of_argument(routine.arguments[k], integer, variables, implicit);
-    if (integer && bytes == 8) wide.push_back(capitals(routine.arguments[k]));
-    if (!integer && bytes == 4) narrow.push_back(capitals(routine.arguments[k]));
-  }
-  std::vector<std::string> all;
-  const std::string where = source.file + ":" + std::to_string(routine.line) + ": ";
-  if (!wide.empty()) {
-    all.push_back(where + few_of(wide) + (wide.size() > 1 ? " are" : " is") +
-                  " declared an integer of 8 bytes, and Abaqus hands over 4: what is read is another number");
-  }
-  if (!narrow.empty()) {
-    all.push_back(where + few_of(narrow) + (narrow.size() > 1 ? " are reals" : " is a real") +
-                  " of 4 bytes, and Abaqus hands over 8: INCLUDE '" + (umat ? "ABA_PARAM.INC" : "VABA_PARAM.INC") +
-                  "' or IMPLICIT REAL*8 (A-H,O-Z) is missing, or a declaration says real");
-  }
-  add_lossy(source, entry, variables, implicit, all);
-  return all;
-}
-
-std::vector<std::string> entry_traps(const FortranSource& source, const std::string& symbol) {
-  const auto entry = entry_behind(symbol, source.routines());
-  return entry ? entry_traps(source, *entry) : std::vector<std::string>();
+std::optional<SourceEntry> entry_named(const FortranSource& source, const std::string& symbol) {
+  return entry_behind(symbol, source.routines());
 }
 
 }  // namespace assay::drivers

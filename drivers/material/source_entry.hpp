@@ -2,6 +2,7 @@
 // The entry point of a Fortran source: which of its routines Abaqus would call.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include "drivers/material/fortran_source.hpp"
 
 namespace assay::drivers {
+
+constexpr std::size_t umat_arguments = 37, vumat_arguments = 33;
 
 struct SourceEntry {
   std::string symbol;  ///< in the library
@@ -31,12 +34,7 @@ struct EntryNames {
 
 EntryNames names_of_entry(const SourceEntry& entry);
 
-/// Sentences on a list of arguments that is not what Abaqus hands over, in their number or by their names in another
-/// order; on arguments whose declared size is another: integers of 8 bytes, reals of 4. And on variables that take a
-/// property and hold less of it: integers by their first letter, reals of 4 bytes.
-std::vector<std::string> entry_traps(const FortranSource& source, const SourceEntry& entry);
-
-/// The same of a symbol, which need not be there.
-std::vector<std::string> entry_traps(const FortranSource& source, const std::string& symbol);
+/// The entry of a symbol, which need not be there; nothing where it is neither a UMAT nor a VUMAT.
+std::optional<SourceEntry> entry_named(const FortranSource& source, const std::string& symbol);
 
 }  // namespace assay::drivers

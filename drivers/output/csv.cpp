@@ -91,10 +91,13 @@ class Reader {
     const std::string name(stripped(std::string_view(field.text).substr(0, unit)));
     if (unit != field.text.npos && contains(known_, name))
       fail(field.column, "column " + quoted(field.text) + ": the name alone, " + quoted(name) + ", without its unit");
-    const bool blanks = field.text.find_first_of(" \t|") != std::string::npos;
+    const bool blanks = field.text.find_first_of(" \t|:") != std::string::npos;
+    const bool others = field.text.find_first_of(",;") != std::string::npos;
     fail(field.column,
          unknown("column " + quoted(field.text), field.text, known_) +
-             (blanks ? ": columns are separated by a comma, a semicolon or a tab" : ""),
+             (others   ? separated() + " in this file"
+              : blanks ? ": columns are separated by a comma, a semicolon or a tab"
+                       : ""),
          joined(known_));
   }
 

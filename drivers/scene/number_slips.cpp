@@ -152,6 +152,7 @@ std::string comparison(const std::string& text) {
 }
 
 std::string of_plain(const std::string& text) {
+  if (parse_number(text)) return {};    // of another size than is wanted
   constexpr std::size_t longest = 400;  // more than the digits before the point of any number
   if (text.size() > longest)
     return ": it has " + std::to_string(text.size()) + " characters, and 17 digits are all that a number holds";

@@ -94,9 +94,7 @@ std::optional<Excess> excess_when_held(const Struck& struck) {
 
 std::string held_words(double length, double times) {
   return "a body that is held bears " + rounded(times) + " times its stress after steps of " + rounded(length) +
-         " s: its relaxation is explicit, or its iteration ends without a solution: it overshoots in steps longer than "
-         "its "
-         "time";
+         " s: its relaxation is explicit, or its iteration ends unsolved: it overshoots in steps longer than its time";
 }
 
 TestResult failed(double times, double most, const std::string& words) {

@@ -125,7 +125,9 @@ TestResult step_halving(const Specimen& specimen) {
   result.sentence = "halving the step changes the stress by " + rounded(second) + ", halving it again by " +
                     rounded(third) + (*result.order < 1.5 ? ": correct, but first order in the step" : "");
   if (result.verdict == Verdict::pass && specimen.rate_dependent()) judge_held(specimen, result);
-  if (result.verdict == Verdict::pass) result = short_steps(specimen).value_or(std::move(result));
+  if (result.verdict == Verdict::pass) {
+    if (auto found = short_steps(specimen)) return *found;
+  }
   if (result.verdict == Verdict::pass || result.cause == causes::no_convergence) return result;
   result.cause = causes::no_convergence;
   result.sentence = "halving the step again and again changes the stress by " + rounded(first) + ", " +

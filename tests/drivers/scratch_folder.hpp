@@ -47,7 +47,11 @@ class ScratchFolder {
 
 inline std::string bytes_of(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  try {
+    return {std::istreambuf_iterator<char>(in), {}};
+  } catch (const std::ios_base::failure&) {  // of a process that has gone while it was read
+    return {};
+  }
 }
 
 }  // namespace assay::drivers

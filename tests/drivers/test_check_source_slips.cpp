@@ -188,6 +188,15 @@ INSTANTIATE_TEST_SUITE_P(
                fixed_umat(moduli + tangent +
                           "      IF (SUM(ABS(DSTRAN)).LT.1.D-6) RETURN\n      STRESS=STRESS+MATMUL(DDSDDE,DSTRAN)\n"),
                "1e3,.3", check::causes::no_convergence, "short steps are left out"},
+        Source{"rests_when_held",
+               fixed_umat(moduli + tangent +
+                          "      STRESS=STRESS+MATMUL(DDSDDE,DSTRAN)\n"
+                          "      IF (ALL(DSTRAN.EQ.0.D0)) RETURN\n"
+                          "      X=EXP(-DTIME/PROPS(3))\n"
+                          "      P=SUM(STRESS(1:3))/3.D0\n"
+                          "      STRESS=X*STRESS\n"
+                          "      STRESS(1:3)=STRESS(1:3)+(1.D0-X)*P\n"),
+               "1e3,.3,1", check::causes::drifts, "a step without deformation is left out"},
         Source{"explicit_flow", fixed_umat(explicit_flow), "1e3,.3,1,10", check::causes::dissipation,
                "its relaxation is explicit"},
         Source{"clock_in_the_stress", fixed_umat(moduli + hooke + "      STRESS(1)=STRESS(1)*(1.D0+TIME(1))\n"),

@@ -103,6 +103,8 @@ TEST(Csv, refuses_what_can_mean_two_things) {
   expect_refusal("X,t\n\"1,000.5\",1\n", "p.csv:2:1: ", thousands);
   expect_refusal("X,t [s]\n1,2\n", "p.csv:1:3: ", "column 't [s]': the name alone, 't', without its unit");
   expect_refusal("X(m),t\n1,2\n", "p.csv:1:1: ", "the name alone, 'X', without its unit");
+  expect_refusal("sep=;\nX,Y,t\n1,2,3\n",
+                 "p.csv:2:1: ", "unknown column 'X,Y,t', separated by a semicolon in this file");
   expect_refusal("X,t\n1,.5 # here\n", "p.csv:2:3: ", "only a line that begins with '#' is a remark");
   expect_refusal("X,t,,\n1,2,,\n", "p.csv:1:5: ", "a column without a name");
   expect_refusal("X,t\n0,5,1,5\n", "p.csv:2:7: ", "with decimal commas, separate by semicolons");
