@@ -88,7 +88,12 @@ CheckReporter reporter_to(int records) {
   try {
     checked = task.run(reporter_to(ends.records));
   } catch (const std::bad_alloc&) {  // which the model has taken, or forbidden
-    std::fputs("no memory is left\n", stderr);
+    std::fputs(no_memory_words, stderr);
+    try {
+      std::fputs(lowered_limits_words().c_str(), stderr);
+    } catch (const std::bad_alloc&) {  // nor for that
+    }
+    std::fputs("\n", stderr);
     leave_process(3);
   } catch (const std::exception& error) {
     const std::string lowered = lowered_limits_words();  // by the model, after which nothing can be read

@@ -16,6 +16,9 @@
 
 namespace assay::drivers {
 
+/// How what a process prints begins that had no memory for a report.
+inline constexpr const char* no_memory_words = "no memory is left";
+
 struct Child {
   using Clock = std::chrono::steady_clock;
 

@@ -94,12 +94,13 @@ CheckedMaterial result_of(const Child& child, const CheckTask& task, double limi
   if (whole && child.excess == Child::Excess::none) return *whole;
   const std::string last = adapters::last_line(child.output->text());
   const std::string missing = adapters::missing_file_words(child.output->text());
-  const std::string sentence =
+  std::string sentence =
       how_it_ended(child, limit_s) + " in the test " + test +
       (last.empty() ? "" : "; the last that it printed: " + last) +
       (missing.empty() && gave_up(child) && !task.strain_is_asked && last.find("runtime error") == last.npos
            ? "; it may stand a smaller --strain"
            : missing);
+  if (last.starts_with(no_memory_words)) sentence = last + ", in the test " + test;
   const char* cause =
       test == "calls.arrays" && spoilt_memory(child) ? check::causes::overrun : check::causes::ends_process;
   checked.hangs = child.excess != Child::Excess::none || child.lost;

@@ -100,14 +100,15 @@ void record_process(const Material& material, Result& result) {
 void leave_replay(const Scene& scene, OutputFolder& folder, Result& result) {
   if (!result.printed.empty()) folder.write(material_log, result.printed);
   if (!result.failed_step && !result.disturbed) return;
-  result.replay = "replay.yaml";
-  if (result.failed_step) {
-    folder.write(result.replay, replay_yaml(replay_of(scene, *result.failed_step, result.reason)));
-    return;
+  try {
+    Replay replay = result.failed_step ? replay_of(scene, *result.failed_step, result.reason)
+                                       : replay_of(resolve_material(scene.material), {}, result.warnings.back());
+    if (!result.failed_step) replay.test = process_test;
+    folder.write("replay.yaml", replay_yaml(replay, scene.material.isolation));
+    result.replay = "replay.yaml";
+  } catch (const InputError& error) {  // it does not live so long once more
+    result.warnings.push_back(std::string("no replay.yaml is left: ") + error.what());
   }
-  Replay replay = replay_of(resolve_material(scene.material), {}, result.warnings.back());
-  replay.test = process_test;
-  folder.write(result.replay, replay_yaml(replay));
 }
 
 void leave_replay_scene(const Scene& given, OutputFolder& folder, Result& result) {

@@ -164,7 +164,7 @@ void CsvText::row(std::span<const double> values) {
 void CsvFields::row(const std::vector<std::string>& fields) {
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (i > 0) text_ += ',';
-    const std::string field = guarded(fields[i]);
+    const std::string field = guarded(without_commands(fields[i], "<U+", ">"));
     if (field.find_first_of(",;\"\t\r\n") == std::string::npos) {
       text_ += field;
       continue;

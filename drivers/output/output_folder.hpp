@@ -19,9 +19,9 @@ std::vector<std::string> result_files();
 class OutputFolder {
  public:
   /// Creates `target` and its parents where they are missing, and the staging folder inside it. `names` are the
-  /// patterns of the files that a result may hold. Refuses (InputError) a run in the folder of a study, and the reverse.
-  /// Where the folder holds a complete result (result.json), commit()
-  /// removes the files that match them and were not written again; it never removes any other file.
+  /// patterns of the files that a result may hold. Refuses (InputError) a run in the folder of a study, and the
+  /// reverse. Where the folder holds a complete result (result.json), commit() removes the files that match them and
+  /// were not written again; it never removes any other file.
   explicit OutputFolder(std::filesystem::path target, std::vector<std::string> names = result_files());
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;

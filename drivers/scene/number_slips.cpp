@@ -140,7 +140,7 @@ std::string out_of_range(const std::string& text) {
   if (e == text.npos || parse_number(text) || !parse_number(std::string_view(text).substr(0, e))) return "";
   const auto exponent = parse_integer(std::string_view(text).substr(e + 1));
   if (!exponent) return "";
-  return *exponent < 0 ? ": smaller than a number can be, 4.9e-324: write 0" : ": beyond what a number can be, 1.8e308";
+  return *exponent < 0 ? ": smaller than a number can be, 4.9e-324" : ": beyond what a number can be, 1.8e308";
 }
 
 /// "< 0.1" of an expectation.

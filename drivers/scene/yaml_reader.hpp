@@ -41,8 +41,8 @@ struct YamlLimits {
 };
 
 /// The one document in `text`; `name` stands for the file in messages. Keys `x-...` of the whole hold anchors, and are
-/// left out. Throws InputError: syntax, a second document, no document, duplicate keys, keys that are not scalars, tags, bad UTF-8, control characters, tabs that indent,
-/// self-reference, and what exceeds the limits.
+/// left out. Throws InputError: syntax, a second document, no document, duplicate keys, keys that are not scalars,
+/// tags, bad UTF-8, control characters, tabs that indent, self-reference, and what exceeds the limits.
 Tree read_yaml(std::string_view text, const std::string& name, const YamlLimits& limits = {});
 
 }  // namespace assay::drivers

@@ -100,6 +100,8 @@ class Diagnosis {
       for (std::size_t k = 0; k < line.size(); ++k) {
         const char c = line[k];
         if (c == '{' || c == '[') {
+          if (i == at_ && !open.empty() && is_inside_text(line, k))
+            return slip(i, line.find_last_of(" {[,", k - 1) + 1, "a text with brackets belongs in quotes here");
           if (!open.empty() && open.back().kind == '{' && open.back().part_line == i) {
             const std::size_t word = line.find_first_not_of(' ', open.back().part);
             if (word < k && line.find(':', word) >= k) return slip(i, word, no_colon);
@@ -122,6 +124,12 @@ class Diagnosis {
     }
     if (open.empty()) return std::nullopt;
     return unclosed(open.back().kind, open.back().line, open.back().column);
+  }
+
+  /// "${HOME}", "1[Pa]", "1 {Pa}" where brackets are open: the text before it does not end there.
+  static bool is_inside_text(const std::string& line, std::size_t bracket) {
+    const std::size_t before = bracket == 0 ? line.npos : line.find_last_not_of(' ', bracket - 1);
+    return before != line.npos && std::string_view("{[,:-").find(line[before]) == std::string_view::npos;
   }
 
   static YamlSlip unclosed(char kind, std::size_t line, std::size_t column) {
@@ -225,8 +233,8 @@ class Diagnosis {
   std::optional<YamlSlip> second_colon() const {
     const std::size_t one = key_colon(here());
     if (one == std::string::npos) return std::nullopt;
-    const std::size_t two = key_colon(here(), one + 1);
-    if (two == std::string::npos) return std::nullopt;
+    const std::size_t two = key_colon(here(), one + 1), value = here().find_first_not_of(' ', one + 1);
+    if (two == std::string::npos || here()[value] == '{' || here()[value] == '[') return std::nullopt;
     return slip(at_, two, "a second ': ' in one line: a text with it belongs in quotes, keys in braces");
   }
 

@@ -191,6 +191,15 @@ TEST(YamlReader, MergeKeysBringWhatAMapLacks) {
   EXPECT_EQ(read_yaml("x-a: 1\n", set_option).entries.size(), 1u) << "of a whole file alone";
 }
 
+TEST(YamlReader, BracketsInATextOfAFlowMapAreTold) {
+  const std::string told = "not valid YAML: a text with brackets belongs in quotes here";
+  EXPECT_EQ(refused("m: {a: ${H}/l.so, b: 1}\n"), "f:1:8: " + told);
+  EXPECT_EQ(refused("m: {a: ${r}}\n"), "f:1:8: " + told);
+  EXPECT_EQ(refused("m: {a: 1[Pa], b: 1}\n"), "f:1:8: " + told);
+  EXPECT_EQ(refused("m: {a: 1 {Pa}, b: 1}\n"), "f:1:10: " + told);
+  EXPECT_NE(refused("m: {a: 1, b: 2} extra\n").find("text behind a closing quote or bracket"), std::string::npos);
+}
+
 TEST(YamlReader, WhatLooksLikeAMarkIsNamedWhereTheParserStops) {
   const auto ends = [](const std::string& text, const std::string& words) {
     EXPECT_TRUE(refused(text).ends_with(words)) << refused(text);
