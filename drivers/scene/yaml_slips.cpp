@@ -100,12 +100,12 @@ class Diagnosis {
       for (std::size_t k = 0; k < line.size(); ++k) {
         const char c = line[k];
         if (c == '{' || c == '[') {
-          if (i == at_ && !open.empty() && is_inside_text(line, k))
-            return slip(i, line.find_last_of(" {[,", k - 1) + 1, "a text with brackets belongs in quotes here");
           if (!open.empty() && open.back().kind == '{' && open.back().part_line == i) {
             const std::size_t word = line.find_first_not_of(' ', open.back().part);
             if (word < k && line.find(':', word) >= k) return slip(i, word, no_colon);
           }
+          if (i == at_ && !open.empty() && is_inside_text(line, k))
+            return slip(i, line.find_last_of(" {[,", k - 1) + 1, "a text with brackets belongs in quotes here");
           open.push_back({c, i, k, i, k + 1});
         } else if ((c == '}' || c == ']') && !open.empty()) {
           const char wanted = open.back().kind == '{' ? '}' : ']';

@@ -126,7 +126,7 @@ TestResult step_halving(const Specimen& specimen) {
                     rounded(third) + (*result.order < 1.5 ? ": correct, but first order in the step" : "");
   if (result.verdict == Verdict::pass && specimen.rate_dependent()) judge_held(specimen, result);
   if (result.verdict == Verdict::pass) {
-    if (auto found = short_steps(specimen)) return *found;
+    if (auto left_out = short_steps(specimen)) return *left_out;
   }
   if (result.verdict == Verdict::pass || result.cause == causes::no_convergence) return result;
   result.cause = causes::no_convergence;
