@@ -2,13 +2,11 @@
 #include "drivers/material/foreign_description.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
+#include "drivers/material/foreign_properties.hpp"
 #include "drivers/material/foreign_words.hpp"
 #include "drivers/output/numbers.hpp"
-#include "drivers/scene/number_slips.hpp"
-#include "drivers/scene/yaml_slips.hpp"
 #include "drivers/scene/yaml_values.hpp"
 
 namespace assay::drivers {
@@ -20,7 +18,6 @@ namespace {
 using adapters::Axes;
 using adapters::ForeignInterface;
 using adapters::ForeignModel;
-using adapters::ForeignProperty;
 using adapters::ForeignVariable;
 using adapters::Kinematics;
 using Kind = ForeignVariable::Kind;
@@ -29,14 +26,6 @@ std::size_t index_of(const std::string& word, const std::vector<std::string>& kn
   return static_cast<std::size_t>(std::find(known.begin(), known.end(), word) - known.begin());
 }
 
-/// A scalar that reads as a number.
-std::optional<double> number_in(const Tree& tree) {
-  if (tree.kind != Tree::Kind::scalar || tree.quoted) return std::nullopt;
-  return parse_number(tree.text);
-}
-
-std::string numbered(const std::string& stem, std::size_t k) { return stem + std::to_string(k + 1); }
-
 class Reader {
  public:
   Reader(const Tree& root, ForeignModel& model, std::map<std::string, Location>& where)
@@ -44,7 +33,7 @@ class Reader {
 
   void read() {
     if (const Tree* tree = root_.find("symbol")) model_.symbol = text_value(*tree, "symbol");
-    if (const Tree* tree = root_.find("properties")) read_properties(*tree);
+    if (const Tree* tree = root_.find("properties")) read_properties(*tree, model_, where_);
     if (const Tree* tree = root_.find("state")) read_state(*tree);
     if (const Tree* tree = root_.find("kinematics")) {
       const bool abaqus = choice_value(*tree, "kinematics", {"objective", "abaqus"}) == "abaqus";
@@ -85,68 +74,6 @@ class Reader {
   }
 
  private:
-  void read_properties(const Tree& tree) {
-    if (tree.kind == Tree::Kind::sequence) {
-      for (std::size_t k = 0; k < tree.items.size(); ++k) {
-        const Tree& item = tree.items[k];
-        const std::string key = "properties." + numbered("p", k);
-        if (number_in(item)) {
-          add_property(numbered("p", k), number_value(item, key), item.where);
-        } else {
-          refuse_no_name(item, key);
-          add_property(text_value(item, key), NAN, item.where);
-        }
-      }
-      return;
-    }
-    require_map(tree, "properties", "the properties of the model, in its order: names and values");
-    for (const Tree::Entry& entry : tree.entries) {
-      const std::string key = "properties." + one_line(entry.key, 80);
-      const Tree& value = entry.value;
-      if (value.kind == Tree::Kind::null && entry.key.find('=') != entry.key.npos)
-        throw InputError(entry.key_where, key, "is no name" + key_remedy(entry.key));
-      if (value.kind != Tree::Kind::map) {
-        add_property(entry.key, value.kind == Tree::Kind::null ? NAN : number_value(value, key), value.where);
-        continue;
-      }
-      refuse_unknown_keys(value, key, {"value", "unit", "lower", "upper", "doc"});
-      ForeignProperty& p = add_property(entry.key, NAN, value.where);
-      if (const Tree* at = value.find("value")) p.value = number_value(*at, key + ".value");
-      if (const Tree* at = value.find("lower")) p.lower = number_value(*at, key + ".lower");
-      if (const Tree* at = value.find("upper")) p.upper = number_value(*at, key + ".upper");
-      if (const Tree* at = value.find("unit")) p.unit = text_value(*at, key + ".unit");
-      if (const Tree* at = value.find("doc")) p.doc = text_value(*at, key + ".doc");
-      require_within(p, key, value.where);
-    }
-  }
-
-  /// A number that is written otherwise is no name, nor is "E=1000", or a map behind a hyphen.
-  static void refuse_no_name(const Tree& item, const std::string& key) {
-    const std::string what = "must be a number or a name";
-    if (item.kind == Tree::Kind::map) throw InputError(item.where, key, what + ": keys with values stand without '-'");
-    if (item.kind != Tree::Kind::scalar) return;
-    const bool begins_as_number = !item.quoted && item.text.find_first_of("0123456789.+-") == 0;
-    if (item.text.find('=') != item.text.npos)
-      throw InputError(item.where, key,
-                       what + ", found " + described(item) + ": names with values are a map, {E: 1000}");
-    if (begins_as_number) throw InputError(item.where, key, what + ", found " + described(item) + number_remedy(item));
-  }
-
-  static void require_within(const ForeignProperty& p, const std::string& key, const Location& place) {
-    if (p.lower > p.upper) throw InputError(place, key, "has bounds that leave nothing: lower is above upper");
-    if (p.value < p.lower || p.value > p.upper) throw InputError(place, key, "has a value outside of its own bounds");
-  }
-
-  ForeignProperty& add_property(const std::string& name, double value, const Location& place) {
-    for (const ForeignProperty& other : model_.properties) {
-      if (other.name == name) throw InputError(place, "properties." + one_line(name, 80), "is there twice");
-    }
-    if (name.empty()) throw InputError(place, "properties", "a property needs a name");
-    where_["properties." + name] = place;
-    model_.properties.push_back({name, "", "", value});
-    return model_.properties.back();
-  }
-
   void read_state(const Tree& tree) {
     if (number_in(tree)) {  // so many scalars
       const double count = number_value(tree, "state", {.lower = 0, .upper = most_components, .whole = true});
