@@ -47,10 +47,18 @@ rlimit limit_of(std::size_t k) {
   return limit;
 }
 
+/// Where both streams lead while a model may print: a line of its own would spoil a table that goes on down a pipe.
+int place_of_prints() { return before->streams[STDERR_FILENO]; }
+
+void send_prints_to_errors() {
+  std::fflush(stdout);
+  if (place_of_prints() >= 0) ::dup2(place_of_prints(), STDOUT_FILENO);
+}
+
 bool is_another(int stream) {
   struct stat now = {}, then = {};
   if (::fstat(stream, &now) != 0) return true;
-  return ::fstat(before->streams[stream], &then) == 0 && (now.st_dev != then.st_dev || now.st_ino != then.st_ino);
+  return ::fstat(place_of_prints(), &then) == 0 && (now.st_dev != then.st_dev || now.st_ino != then.st_ino);
 }
 
 /// As far as it may: not beyond a hard limit that the model has lowered.
@@ -104,6 +112,7 @@ void remember_files() {
   const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   if (before->streams[0] >= 0 && nothing >= 0) ::dup2(nothing, 0);
   if (nothing > 0) ::close(nothing);
+  send_prints_to_errors();
   ::umask(before->forbidden);
   for (std::size_t k = 0; k < resources.size(); ++k) before->limits[k] = limit_of(k);
   before->files = before->limits[0];
@@ -118,6 +127,7 @@ void keep_these_streams() {
     if (before->streams[stream] >= 0) ::close(before->streams[stream]);
     before->streams[stream] = adapters::high_copy(stream);
   }
+  send_prints_to_errors();
 }
 
 void require_open_files(std::size_t least) {
@@ -128,6 +138,8 @@ void require_open_files(std::size_t least) {
 }
 
 int user_input() { return before && before->streams[0] >= 0 ? before->streams[0] : 0; }
+
+int user_output() { return before && before->streams[1] >= 0 ? before->streams[1] : STDOUT_FILENO; }
 
 void put_files_right() {
   if (!before) return;
@@ -146,7 +158,7 @@ void put_streams_right() {
     if (!is_another(stream)) continue;
     put_right |= adapters::output_closed;
     std::fflush(stream == 1 ? stdout : stderr);  // what the model has written belongs to its own file
-    ::dup2(before->streams[stream], stream);
+    ::dup2(place_of_prints(), stream);
   }
   keep_standard_streams();
 }

@@ -13,8 +13,8 @@ namespace assay::drivers {
 /// A stream that is closed stays unusable: the first file that is opened must not take its place.
 void keep_standard_streams();
 
-/// Before any foreign code runs in this process. What it opens leaves some numbers of files for ours, and what it reads
-/// from standard input comes to its end at once.
+/// Before any foreign code runs in this process. What it opens leaves some numbers of files for ours, what it reads
+/// from standard input comes to its end at once, and what it prints goes to standard error.
 void remember_files();
 
 /// In a copy of this process that has sent its output elsewhere: that is where it belongs.
@@ -27,11 +27,14 @@ void require_open_files(std::size_t least);
 /// The file that is the user's standard input.
 int user_input();
 
+/// The file that is the user's standard output.
+int user_output();
+
 /// Before a file of ours is opened or looked for: where this process stands, what it may do with files and its limits
 /// are as remember_files() has found them, if that was called, and as far as the system allows it.
 void put_files_right();
 
-/// Before something is said: standard output and standard error are those of the user again.
+/// Before something is said: the streams lead where remember_files() has let them lead.
 void put_streams_right();
 
 /// What was done to this process since remember_files(), or-ed adapters::Habit: what was put right, too.

@@ -21,7 +21,7 @@ void put(const std::string& text) {
   put_streams_right();
   std::fflush(stdout);
   for (std::size_t at = 0; at < text.size();) {
-    const ssize_t written = ::write(STDOUT_FILENO, text.data() + at, text.size() - at);
+    const ssize_t written = ::write(user_output(), text.data() + at, text.size() - at);
     if (written > 0) at += static_cast<std::size_t>(written);
     lost = lost || (written < 0 && errno != EINTR);
     if (lost) return;

@@ -51,12 +51,19 @@ void fail(const fs::path& path, const std::string& what, const std::error_code& 
   throw SystemError(path.string() + ": " + what + ": " + error.message());
 }
 
+/// The user's standard output may have another number while models run.
+fs::path opened_as(const fs::path& path) {
+  const bool is_output = path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+  return is_output ? fs::path("/proc/self/fd/" + std::to_string(user_output())) : path;
+}
+
 /// A pipe without a reader would let nobody in: after some seconds the error is ENXIO.
 int opened(const fs::path& path, int flags) {
+  const fs::path place = opened_as(path);
   constexpr int patience_ms = 2000, step_ms = 20;
   int descriptor = -1;
   for (int waited = 0; waited <= patience_ms; waited += step_ms) {
-    descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | flags, 0666);
+    descriptor = ::open(place.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | flags, 0666);
     if (descriptor >= 0 || errno != ENXIO) break;
     stop_if_interrupted();
     ::usleep(step_ms * 1000);

@@ -144,5 +144,48 @@ INSTANTIATE_TEST_SUITE_P(Deeds, IgnoredSignals,
                            return name;
                          });
 
+/// Words after which a table or a document goes to standard output.
+struct ToOutput {
+  const char* name;
+  std::vector<std::string> words;
+};
+
+class PrintingModel : public testing::TestWithParam<ToOutput> {
+ protected:
+  /// What lies on standard output; `with`: a part of what must lie on standard error.
+  std::string output(const std::string& library, const std::string& with) const {
+    const Misdeeds the;
+    std::vector<std::string> words{GetParam().words.front(), the.scene};
+    words.insert(words.end(), GetParam().words.begin() + 1, GetParam().words.end());
+    if (words.front() == "eval") words.insert(words.end(), {"--points", the.points});
+    if (words.front() == "run") words.insert(words.end(), {"-o", the.scratch / "out"});
+    for (const char* set : {"motion.amplitude.peak=0.05", "grid.spacing=0.25", "time.end=0.02"})
+      words.insert(words.end(), {"--set", set});
+    words.insert(words.end(), {"--set", "material={adapter: " + library + ", parameters: {E: 1.0e3, nu: 0.3}}"});
+    const std::string out = the.scratch / "output";
+    const Ending ending = assay(words, [&] {
+      ::dup2(::open(out.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600), STDOUT_FILENO);
+    });
+    EXPECT_NE(ending.said.find(with), std::string::npos) << ending.said;
+    return bytes_of(out);
+  }
+};
+
+TEST_P(PrintingModel, SpoilsNoTable) {
+  const std::string printed = output(built("tests/plugins/prints.so"), "which is all very well");
+  EXPECT_EQ(printed.find("which is all very well"), std::string::npos) << printed;
+  if (GetParam().words.front() == "run")  // times differ
+    EXPECT_NO_THROW(static_cast<void>(nlohmann::json::parse(printed))) << printed;
+  else
+    EXPECT_EQ(printed, output("neo_hookean", ""));
+}
+
+INSTANTIATE_TEST_SUITE_P(Doors, PrintingModel,
+                         testing::Values(ToOutput{"eval", {"eval"}}, ToOutput{"eval_to_a_dash", {"eval", "-o", "-"}},
+                                         ToOutput{"eval_to_a_device", {"eval", "-o", "/dev/stdout"}},
+                                         ToOutput{"eval_to_a_number", {"eval", "-o", "/dev/fd/1"}},
+                                         ToOutput{"run_as_json", {"run", "--json"}}),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+
 }  // namespace
 }  // namespace assay::drivers::test_own_files

@@ -149,7 +149,7 @@ static void close_descriptors(int first, int last) {
 }
 
 static void close_output(void) { close_descriptors(1, 2); }
-static void close_everything(void) { close_descriptors(0, 255); }
+static void close_everything(void) { close_descriptors(0, 99); }
 
 static void change_folder(void) {
   if (chdir("/") != 0) abort();
