@@ -48,6 +48,7 @@ int main(int argc, char** argv) {
   assay::drivers::settle_library_path(argv);
   keep_freed_memory();
   assay::adapters::enlarge_stack(std::size_t{1} << 23);
+  assay::adapters::leave_time_for_words();
   assay::drivers::allow_supervision();
   const int status = assay::drivers::command_line(argc, argv);
   assay::drivers::results_are_whole(status);

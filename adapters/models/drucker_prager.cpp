@@ -36,6 +36,8 @@ class DruckerPrager {
         dilatancy_(p[4]),
         hardening_(p[5] / unit_) {
     if (dilatancy_ > friction_) throw Failure{"dilatancy must not exceed friction: plastic work would be negative"};
+    if (friction_ == 0 && !(cohesion_ + hardening_ >= least_strength * elastic_.mu))
+      throw Failure{"cohesion must be at least 1e-8 of the shear modulus where friction and hardening_modulus are 0"};
     if (hardening_ > 0 && friction_ > 0 && !(dilatancy_ > 0)) {
       throw Failure{"hardening_modulus > 0 needs dilatancy > 0, by which the apex hardens"};
     }

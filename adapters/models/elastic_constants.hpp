@@ -16,6 +16,9 @@ inline constexpr double tiny = 1e-300, huge = 1e300;  ///< bounds of what must b
 inline constexpr assay_parameter youngs_modulus{"E", "Pa", required, tiny, huge, "Young's modulus"};
 inline constexpr assay_parameter poissons_ratio{"nu", "1", 0.3, -0.999999, 0.499999999, "Poisson's ratio"};
 
+/// Of a plastic model, in shear moduli: with less, rounding of strains beside 1 makes a stress as large as its own.
+inline constexpr double least_strength = 1e-8;
+
 /// A power of two near Young's modulus [Pa], in which models count stress where they square it: the squares then
 /// neither overflow nor vanish, and no bit of the result is another.
 inline double unit_of_stress(double E) { return std::ldexp(1.0, std::ilogb(E)); }

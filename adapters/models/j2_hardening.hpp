@@ -44,6 +44,11 @@ struct J2Hardening {
   J2Hardening(const double* p, double unit)
       : yield(p[0] / unit), linear(p[1] / unit), saturation(p[2] / unit), rate(p[3]), kinematic(p[4] / unit) {}
 
+  void require_strength(double mu) const {
+    if (!(yield + linear + saturation * rate + kinematic >= least_strength * mu))
+      throw Failure{"yield_stress must be at least 1e-8 of the shear modulus where nothing hardens"};
+  }
+
   /// Radius of the yield surface at the equivalent plastic strain p.
   template <class S>
   S radius(const S& p) const {

@@ -23,7 +23,9 @@ class J2Jaumann {
       {"back_stress", "Pa", ASSAY_SYMMETRIC_TENSOR, ASSAY_ROLE_PLAIN, "centre of the yield surface"}};
 
   explicit J2Jaumann(const double* p)
-      : unit_(unit_of_stress(p[0])), elastic_(p[0] / unit_, p[1]), hardening_(p + 2, unit_) {}
+      : unit_(unit_of_stress(p[0])), elastic_(p[0] / unit_, p[1]), hardening_(p + 2, unit_) {
+    hardening_.require_strength(elastic_.mu);
+  }
 
   void initial_state(const Tensor& cauchy, double* now) const {
     hardening_.require_below_yield(Tensor(cauchy / unit_), elastic_.mu);

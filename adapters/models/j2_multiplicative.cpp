@@ -29,7 +29,9 @@ class J2Multiplicative {
       : unit_(unit_of_stress(p[0])),
         elastic_(p[0] / unit_, p[1]),
         hardening_(p + 2, unit_),
-        flow_(elastic_, hardening_) {}
+        flow_(elastic_, hardening_) {
+    hardening_.require_strength(elastic_.mu);
+  }
 
   /// An initial stress is carried by an elastic strain, Cp^-1 = exp(2 e) at F = I; tr e then stands for ln J.
   void initial_state(const Tensor& stress, double* now) const {

@@ -72,6 +72,14 @@ std::string processor_limit() {
                                    : "processor time is limited to " + std::to_string(at_first) + " s (ulimit -t)";
 }
 
+void leave_time_for_words() {
+  rlimit found{};
+  if (processor_limit().empty() || ::getrlimit(RLIMIT_CPU, &found) != 0) return;
+  if (found.rlim_cur < found.rlim_max || found.rlim_max < 2) return;
+  found.rlim_cur = found.rlim_max - 1;
+  ::setrlimit(RLIMIT_CPU, &found);
+}
+
 void note_shortage(const std::string& words) {
   const std::lock_guard lock(guard);
   if (noted.empty()) noted = words;

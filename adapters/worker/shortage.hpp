@@ -19,6 +19,9 @@ std::string tight_limits();
 /// killed.
 std::string processor_limit();
 
+/// Where SIGKILL would come with SIGXCPU, as `ulimit -t` has it: a second earlier, so that a line says what was short.
+void leave_time_for_words();
+
 /// From here on shortage() says this; the first word stands. From any thread.
 void note_shortage(const std::string& words);
 

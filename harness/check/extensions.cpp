@@ -55,14 +55,16 @@ std::optional<Rates> offered_rates(const Material& material, const assay_rate& f
 }
 
 /// Forward differences of steps of h, h/2, h/4 and h/8, within a small share of the elastic strain: a stress that flows
-/// follows the direction of longer ones.
-std::vector<Rates> differences(const Specimen& specimen, const Sample& s, const Tensor& F_rate) {
+/// follows the direction of longer ones. noise: of that of the stress, by rounding of the strain [Pa/s].
+std::vector<Rates> differences(const Specimen& specimen, const Sample& s, const Tensor& F_rate, double& noise) {
   constexpr double share_of_step = 0.01, share_of_strain = 0.02;
+  constexpr double rounding = 1e-14;  // of a strain, in what differences make of four of them
   const Material& material = *specimen.material;
   const double elastic = s.end.cauchy.cwiseAbs().maxCoeff() / specimen.modulus;
   std::vector<Rates> all;
   double h = std::min(share_of_step * s.dt, share_of_strain * elastic / F_rate.cwiseAbs().maxCoeff());
   if (!(h > 0)) h = share_of_step * s.dt;
+  noise = rounding * specimen.modulus / (h / 8);
   for (int k = 0; k < 4; ++k, h /= 2) {
     const Point end = stepped(material, s.t + s.dt, h, s.F1, s.F1 + h * F_rate, s.end.state);
     std::vector<double> state_rate(end.state.size());
@@ -75,9 +77,9 @@ std::vector<Rates> differences(const Specimen& specimen, const Sample& s, const 
 /// How far the offered rate of a part is from the limit of its differences beyond the doubt about that; nothing where
 /// these have none.
 std::optional<double> error_of_part(const std::vector<double>& offered, const std::vector<Rates>& steps,
-                                    std::size_t part, double floor) {
+                                    std::size_t part, double floor, double noise) {
   constexpr double settled = 1e-3;
-  double error = 0, doubt = 0, size = floor;
+  double error = 0, doubt = noise, size = floor;
   for (std::size_t c = 0; c < offered.size(); ++c) {
     const auto q = [&](std::size_t k) { return steps[k][part][c]; };
     const double limit = (64 * q(3) - 56 * q(2) + 14 * q(1) - q(0)) / 21, coarser = (8 * q(2) - 6 * q(1) + q(0)) / 3;
@@ -104,12 +106,14 @@ TestResult rate_form(const Specimen& specimen) {
     const Tensor F_rate = (s.F1 - s.F0) / s.dt;
     const std::optional<Rates> offered = offered_rates(material, *form, s, F_rate);
     if (!offered) continue;
-    const std::vector<Rates> steps = differences(specimen, s, F_rate);
+    double noise = 0;
+    const std::vector<Rates> steps = differences(specimen, s, F_rate, noise);
     const Rates now = in_parts(material, s.end.cauchy, s.end.state);
     for (std::size_t part = 0; part < errors.size(); ++part) {
       double floor = part == 0 ? specimen.least_stress() / s.dt : 1e-300;
       for (const double value : now[part]) floor = std::max(floor, 1e-6 * std::abs(value) / s.dt);
-      if (const auto error = error_of_part((*offered)[part], steps, part, floor)) errors[part].push_back(*error);
+      if (const auto error = error_of_part((*offered)[part], steps, part, floor, part == 0 ? noise : 0))
+        errors[part].push_back(*error);
     }
   }
   if (errors[0].empty())

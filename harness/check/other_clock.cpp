@@ -79,20 +79,35 @@ std::int32_t closed_form(void* self, std::int32_t baseline, std::size_t n, const
       .tau(of(self).inner, baseline, n, eps, tau, slope);
 }
 
+/// A rate per unit of this clock is `pace` times that per second.
+std::int32_t rate(void* self, double t, std::size_t n, const double* F, const double* velocity_gradient,
+                  const double* cauchy, const double* state, double* cauchy_rate, double* state_rate) {
+  const Instance& i = of(self);
+  const double pace = i.table->pace;
+  std::vector<double> per_second(velocity_gradient, velocity_gradient + 9 * n);
+  for (double& component : per_second) component /= pace;
+  const std::int32_t found =
+      i.offered<assay_rate>(ASSAY_EXTENSION_RATE)
+          .rate(i.inner, pace * t, n, F, per_second.data(), cauchy, state, cauchy_rate, state_rate);
+  std::size_t variables = 0;
+  for (std::size_t v = 0; v < i.table->state_count; ++v) variables += components_of_kind(i.table->state[v].kind);
+  std::for_each(cauchy_rate, cauchy_rate + 9 * n, [=](double& each) { each *= pace; });
+  std::for_each(state_rate, state_rate + variables * n, [=](double& each) { each *= pace; });
+  return found;
+}
+
 const char* reason(void* self) { return of(self).offered<assay_reason>(ASSAY_EXTENSION_REASON).reason(of(self).inner); }
 
-/// Rates are per unit of the other clock: a rate form is left out, since what compares it compares increments.
 const void* extension_of_clock(const assay_material* table, const char* id) {
+  static const assay_rate rates{sizeof rates, rate};
   static const assay_tangent tangents{sizeof tangents, tangent};
   static const assay_energy energies{sizeof energies, energy};
   static const assay_wave_speed speeds{sizeof speeds, wave_speed};
   static const assay_closed_form forms{sizeof forms, closed_form};
   static const assay_reason reasons{sizeof reasons, reason};
-  const std::pair<const char*, const void*> own[] = {{ASSAY_EXTENSION_TANGENT, &tangents},
-                                                     {ASSAY_EXTENSION_ENERGY, &energies},
-                                                     {ASSAY_EXTENSION_WAVE_SPEED, &speeds},
-                                                     {ASSAY_EXTENSION_CLOSED_FORM, &forms},
-                                                     {ASSAY_EXTENSION_REASON, &reasons}};
+  const std::pair<const char*, const void*> own[] = {
+      {ASSAY_EXTENSION_RATE, &rates},        {ASSAY_EXTENSION_TANGENT, &tangents},  {ASSAY_EXTENSION_ENERGY, &energies},
+      {ASSAY_EXTENSION_WAVE_SPEED, &speeds}, {ASSAY_EXTENSION_CLOSED_FORM, &forms}, {ASSAY_EXTENSION_REASON, &reasons}};
   const void* const offered = extension_of(static_cast<const ClockTable*>(table)->inner, id);
   if (!offered) return nullptr;
   for (const char* plain : {ASSAY_EXTENSION_EXAMPLE, ASSAY_EXTENSION_SYMMETRY}) {

@@ -30,6 +30,18 @@ bool takes_shorter_increments(const Specimen& specimen) {
   }
 }
 
+/// Of the stress of a small step from rest.
+bool is_no_number_unpressed(const Material& material) {
+  constexpr double small = 1e-6;
+  const Tensor I = Tensor::Identity();
+  try {
+    stepped(material, 0, 1, I, Space(material).stretch(small, 1), state_at_rest(material, 0));
+  } catch (const MaterialFailure& failure) {
+    return failure.not_finite;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<std::string> not_tested(const Specimen& specimen) {
@@ -45,6 +57,8 @@ std::vector<std::string> not_tested(const Specimen& specimen) {
   if (material.has(ASSAY_NON_SMOOTH) && stays_linear(specimen)) {
     all.emplace_back("what lies beyond its first straight line (a kink is declared, and none was met)");
   }
+  if (specimen.pressure > 0 && !specimen.options.effort.pressure && is_no_number_unpressed(material))
+    all.emplace_back("a body without pressure, with which a run begins (its stress is no number there)");
   if (specimen.space.is_plane()) all.emplace_back("shears out of the plane");
   if (specimen.options.effort.step != 1) all.push_back("steps above " + rounded(specimen.options.effort.step) + " s");
   return all;

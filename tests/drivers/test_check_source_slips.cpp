@@ -60,6 +60,22 @@ std::string points(const std::string& more) {
          "   20 CONTINUE\n";
 }
 
+const std::string fluid =
+    "        S=STRESSOLD(K,:)\n"
+    "        S(1:3)=S(1:3)+ELAM*SUM(STRAININC(K,1:3))\n";
+
+/// A VUMAT that counts the work of extensions and of shears so many times.
+std::string counting(const std::string& law, const char* extensions, const char* shears) {
+  return vumat("      DIMENSION DENSITY(NBLOCK),ENERINTERNOLD(NBLOCK),ENERINTERNNEW(NBLOCK)\n" + moduli +
+               points(law + "        W=" + extensions +
+                      "*DOT_PRODUCT(STRESSOLD(K,1:3)+S(1:3),\n"
+                      "     1    STRAININC(K,1:3))+" +
+                      shears +
+                      "*DOT_PRODUCT(STRESSOLD(K,4:6)+S(4:6),\n"
+                      "     2    STRAININC(K,4:6))\n"
+                      "        ENERINTERNNEW(K)=ENERINTERNOLD(K)+W/DENSITY(K)\n"));
+}
+
 /// Perfect plasticity, whose invariant weighs the shears so.
 std::string plasticity(const std::string& weight) {
   return "        P=SUM(S(1:3))/3.D0\n"
@@ -179,6 +195,15 @@ INSTANTIATE_TEST_SUITE_P(
                check::causes::not_isotropic, "not weighed as an invariant does"},
         Source{"vumat_weighs_shears_twice", vumat(moduli + points(plasticity("4.D0"))), "1e3,.3,1",
                check::causes::not_isotropic, "not weighed as an invariant does"},
+        Source{"vumat_fluid", vumat(moduli + points(fluid)), "1e3,.3", "", ""},
+        Source{"vumat_fluid_counts_its_work", counting(fluid, "0.5D0", "1.D0"), "1e3,.3", "", ""},
+        Source{"vumat_counts_its_work", counting("", "0.5D0", "1.D0"), "1e3,.3", "", ""},
+        Source{"vumat_counts_shears_by_half", counting("", "0.5D0", "0.5D0"), "1e3,.3", check::causes::energy,
+               "counts the work of a shear 0.5 times"},
+        Source{"vumat_counts_shears_alone", counting("", "0.D0", "1.D0"), "1e3,.3", check::causes::energy,
+               "counts the work of a shear, and none of that of an extension"},
+        Source{"vumat_counts_backwards", counting("", "-0.5D0", "-1.D0"), "1e3,.3", check::causes::energy,
+               "enerInternNew falls where the stress does work"},
         Source{"constants_by_name", fixed_umat(kept_by_name + hooke), "1e3,.3", "", ""},
         Source{"heals", fixed_umat("      DIMENSION EPS(6),V(6)\n" + healing), "1e3,.3,.05", check::causes::dissipation,
                "once around a square in the space of strains"},
