@@ -229,7 +229,7 @@ TEST_F(CheckSource, ADecksNamesThatAreNoKeysStandInTheText) {
   const Ending ending = run({"check", "job.inp", "--quick"});
   EXPECT_EQ(ending.status, 0) << ending.said;
   const std::string written = bytes_of(scratch / "results/check/job.yaml");
-  EXPECT_NE(written.find("s1: {kind: scalar, doc: EQ PLASTIC}"), std::string::npos) << written;
+  EXPECT_NE(written.find("s1: {kind: scalar, doc: \"EQ PLASTIC\"}"), std::string::npos) << written;
   EXPECT_NE(written.find("P: scalar"), std::string::npos) << written;
 }
 

@@ -180,7 +180,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadKey{"propertys: {E: 1}", "1: propertys: unknown key (nearest: properties); known: library, source, link, n"},
         BadKey{"parameters: {E: 1}", "1: parameters: unknown key"},
-        BadKey{"properties: 3", "13: properties: must be a map of keys, found '3'"},
+        BadKey{"properties: 3", "13: properties: must be a list or a map, found '3': write [3]"},
         BadKey{"properties: {E: {vale: 1}}", "18: properties.E.vale: unknown key (nearest: value); known: value, unit"},
         BadKey{"properties: {E: [1]}", "17: properties.E: must be a number, found a list: write 1 without brackets"},
         BadKey{"properties: {E: .nan}", "17: properties.E: must be a finite number"},
