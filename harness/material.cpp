@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "harness/arithmetic.hpp"
+#include "harness/beginning_failure.hpp"
 #include "harness/foreign_message.hpp"
 #include "harness/instances.hpp"
 #include "harness/material_failure.hpp"
@@ -136,8 +137,7 @@ Material::Material(const assay_material* table, InDeclaredOrder parameters)
   message[ASSAY_MESSAGE_SIZE - 1] = '\0';
   if (!thrown.empty()) throw std::runtime_error("material '" + name() + "' could not be created: it " + thrown);
   if (!self_) {
-    throw std::runtime_error("material '" + name() + "' could not be created" +
-                             (message[0] ? ": " + std::string(message) : std::string()));
+    throw BeginningFailure("material '" + name() + "' could not be created", message);
   }
 }
 
@@ -199,9 +199,12 @@ std::vector<double> Material::initial_state(std::size_t n, std::span<const doubl
   if (status == ASSAY_FAILED) {
     const auto* reasons = extension<assay_reason>(ASSAY_EXTENSION_REASON);
     const std::string reason = reasons ? one_line_of(reasons->reason(self_.get())) : "";
-    throw std::runtime_error("material '" + name() + "' refuses " +
-                             (cauchy.empty() ? "to begin" : "the initial stress") +
-                             (reason.empty() ? "" : ": " + reason));
+    throw BeginningFailure("material '" + name() + "' refuses " + (cauchy.empty() ? "to begin" : "the initial stress"),
+                           reason);
+  }
+  if (status < ASSAY_FAILED || status > ASSAY_GOOD) {
+    throw BeginningFailure("material '" + name() + "'", "initial_state returned the status " + std::to_string(status) +
+                                                            ", which is none of the ABI's");
   }
   std::size_t offset = 0;
   std::uint32_t rank = 0;

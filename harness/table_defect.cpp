@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The rules of assay_material.h for what a table says of itself.
+#include "harness/table_defect.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -27,19 +29,12 @@ bool is_table_name(const std::string& name) {
                      [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
 }
 
-/// A scene and `--props` can set it, a table of results can head a column with it.
-bool can_be_written(const std::string& name) {
-  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-    return c > ' ' && c < 0x7f && std::strchr(",=:;#\"'{}&*!|>%@`", c) == nullptr;
-  });
-}
-
 std::string quoted(const char* name) { return "'" + std::string(name).substr(0, longest_name) + "'"; }
 
 Defect defect_of_name(const char* name, const std::string& whose, std::set<std::string>& others) {
   if (std::strlen(name) > longest_name)
     return "the name of " + whose + " has more than " + std::to_string(longest_name) + " characters";
-  if (!can_be_written(name))
+  if (!can_be_a_key(name))
     return "the name of " + whose + ", " + quoted(name) + ", is empty or holds what cannot stand in a key";
   if (!others.insert(name).second) return "two of its parameters or state variables are named " + quoted(name);
   return std::nullopt;
@@ -60,28 +55,6 @@ Defect defect_of(const assay_state_variable& variable) {
   if (variable.role < ASSAY_ROLE_PLAIN || variable.role > ASSAY_ROLE_DIRECTION) return whose + " has an unknown role";
   if (variable.role == ASSAY_ROLE_DIRECTION && variable.kind != ASSAY_VECTOR)
     return whose + " is a direction, and no vector";
-  return std::nullopt;
-}
-
-Defect defect_of_parameters(const assay_material& table) {
-  std::set<std::string> names;
-  for (std::uint32_t i = 0; i < table.parameter_count; ++i) {
-    const assay_parameter& p = table.parameters[i];
-    if (!p.name || !p.unit) return "parameter " + std::to_string(i) + " has no name or no unit";
-    if (Defect defect = defect_of_name(p.name, "parameter " + std::to_string(i), names)) return defect;
-    if (Defect defect = defect_of(p)) return defect;
-  }
-  return std::nullopt;
-}
-
-Defect defect_of_state(const assay_material& table) {
-  std::set<std::string> names;
-  for (std::uint32_t i = 0; i < table.state_count; ++i) {
-    const assay_state_variable& variable = table.state[i];
-    if (!variable.name) return "state variable " + std::to_string(i) + " has no name";
-    if (Defect defect = defect_of_name(variable.name, "state variable " + std::to_string(i), names)) return defect;
-    if (Defect defect = defect_of(variable)) return defect;
-  }
   return std::nullopt;
 }
 
@@ -117,6 +90,34 @@ int components_of_kind(std::int32_t kind) {
       return 9;
   }
   return 0;
+}
+
+bool can_be_a_key(const std::string& name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return c > ' ' && c < 0x7f && std::strchr(",=:;#\"'{}&*!|>%@`", c) == nullptr;
+  });
+}
+
+std::optional<std::string> defect_of_parameters(const assay_material& table) {
+  std::set<std::string> names;
+  for (std::uint32_t i = 0; i < table.parameter_count; ++i) {
+    const assay_parameter& p = table.parameters[i];
+    if (!p.name || !p.unit) return "parameter " + std::to_string(i) + " has no name or no unit";
+    if (Defect defect = defect_of_name(p.name, "parameter " + std::to_string(i), names)) return defect;
+    if (Defect defect = defect_of(p)) return defect;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> defect_of_state(const assay_material& table) {
+  std::set<std::string> names;
+  for (std::uint32_t i = 0; i < table.state_count; ++i) {
+    const assay_state_variable& variable = table.state[i];
+    if (!variable.name) return "state variable " + std::to_string(i) + " has no name";
+    if (Defect defect = defect_of_name(variable.name, "state variable " + std::to_string(i), names)) return defect;
+    if (Defect defect = defect_of(variable)) return defect;
+  }
+  return std::nullopt;
 }
 
 std::optional<std::string> defect_of(const assay_material* table) {

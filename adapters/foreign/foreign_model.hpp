@@ -86,10 +86,11 @@ struct ForeignModel {
   bool flags_are_said = true;
   ModelUnits units;
   std::vector<ForeignField> fields;
-  int step = 1;                         ///< KSTEP
-  int element = 1, point = 1;           ///< NOEL, NPT
-  bool each_its_element = false;        ///< NOEL counts points, as they begin
-  double temperature = 0;               ///< in the model's own scale
+  int step = 1;                   ///< KSTEP
+  int element = 1, point = 1;     ///< NOEL, NPT
+  bool each_its_element = false;  ///< NOEL counts points, as they begin
+  double temperature = 0;         ///< in the model's own scale
+  bool temperature_is_said = false;
   double characteristic_length = 1;     ///< CELENT, charLength, in units of the model
   double density = 1000;                ///< [kg/m^3], for interfaces that hand it on
   std::string material_name = "ASSAY";  ///< CMNAME

@@ -13,6 +13,7 @@
 #include "adapters/foreign/mfront.hpp"
 #include "adapters/foreign/umat.hpp"
 #include "adapters/foreign/vumat.hpp"
+#include "harness/table_defect.hpp"
 
 namespace assay::adapters {
 
@@ -149,15 +150,14 @@ std::vector<ForeignVariable> bind_interface(ForeignTable& table) {
   return bind<Mfront>(table);
 }
 
-void require_distinct(const ForeignTable& table) {
-  for (std::size_t k = 0; k < table.state_list.size(); ++k) {
-    const std::string name = table.state_list[k].name;
-    for (std::size_t j = 0; j < k; ++j) {
-      if (name == table.state_list[j].name) {
-        throw ForeignError("state." + name, "there is a state variable '" + name + "' already");
-      }
-    }
-  }
+/// The rules of native tables, at the key that breaks them; of MFront that is the library.
+void require_sound(const ForeignTable& table) {
+  const bool library_says = table.model.interface == ForeignInterface::mfront;
+  const auto require = [&](const char* key, const std::optional<std::string>& defect) {
+    if (defect) throw ForeignError(library_says ? "library" : key, "cannot serve: " + *defect);
+  };
+  require("properties", defect_of_parameters(table));
+  require("state", defect_of_state(table));
 }
 
 }  // namespace
@@ -185,7 +185,7 @@ const assay_material* foreign_table(const ForeignModel& model) {
   table->missing = library.missing;
   const std::vector<ForeignVariable> state = bind_interface(*table);
   write_lists(*table, state);
-  require_distinct(*table);
+  require_sound(*table);
   table->abi_major = ASSAY_ABI_MAJOR;
   table->struct_size = sizeof(assay_material);
   table->name = kept(*table, table->model.name);

@@ -108,7 +108,8 @@ void Mfront::set_parameters() {
   for (std::size_t k = 0; k < behaviour_.parameters.size(); ++k) {
     const auto& parameter = behaviour_.parameters[k];
     if (set) {
-      reinterpret_cast<MfrontSetParameter>(set)(parameter.name.c_str(), values[k]);
+      const int taken = reinterpret_cast<MfrontSetParameter>(set)(parameter.name.c_str(), values[k]);
+      if (taken == 0) throw PointFailure("the library does not take its own parameter '" + parameter.name + "'");
     } else if (values[k] != parameter.value) {
       throw PointFailure("the library has no function to set parameter '" + parameter.name + "'");
     }
@@ -174,7 +175,10 @@ std::int32_t Mfront::call(double dt) {
     const std::string words = message[0] ? ": " + std::string(message) : "";
     throw PointFailure("the behaviour could not integrate the step" + words, std::clamp(s[rdt], 0.01, 0.99));
   }
-  return status == ASSAY_GOOD ? ASSAY_GOOD : ASSAY_DOUBTFUL;
+  if (status != ASSAY_GOOD && status != ASSAY_DOUBTFUL) {
+    throw PointFailure("the behaviour returned " + std::to_string(status) + ", which is none of MFront's -1, 0 and 1");
+  }
+  return status;
 }
 
 Tensor Mfront::force() const {

@@ -11,10 +11,9 @@ namespace assay::adapters {
 using Kind = ForeignVariable::Kind;
 
 ForeignVariable::Kind mfront_kind(const MfrontVariable& variable) {
-  constexpr int simple = 7;
-  switch (variable.type & simple) {
-    case 0:
-      return Kind::scalar;
+  constexpr int three_dimensional = 24;  // beside the kind, where a variable has that dimension whatever the hypothesis
+  if (variable.type == 0) return Kind::scalar;
+  switch (variable.type < three_dimensional ? variable.type : variable.type - three_dimensional) {
     case 1:
       return Kind::symmetric_tensor;
     case 2:
@@ -22,7 +21,8 @@ ForeignVariable::Kind mfront_kind(const MfrontVariable& variable) {
     case 3:
       return Kind::tensor;
     default:
-      throw ForeignError("library", "its variable '" + variable.name + "' is of an unknown kind");
+      throw ForeignError(
+          "library", "its variable '" + variable.name + "' is of an unknown kind, " + std::to_string(variable.type));
   }
 }
 
@@ -87,13 +87,20 @@ void Mfront::describe(const MfrontBehaviour& behaviour, ForeignModel& model) {
     add(property.name, "material property", NAN, property.lower, property.upper);
   }
   for (const auto& parameter : behaviour.parameters) add(parameter.name, "parameter", parameter.value);
-  if (behaviour.temperature) add("Temperature", "external state variable", model.temperature);
+  const std::string temperature = "Temperature";
+  if (behaviour.temperature) add(temperature, "external state variable", model.temperature);
   for (const MfrontVariable& variable : behaviour.external) {
     if (mfront_kind(variable) != Kind::scalar) continue;
     const auto field =
         std::find_if(model.fields.begin(), model.fields.end(), [&](const auto& f) { return f.name == variable.name; });
-    add(variable.name, "external state variable", field == model.fields.end() ? 0 : field->value);
+    const bool is_given = field != model.fields.end(), is_temperature = variable.name == temperature;
+    if (is_given && is_temperature && model.temperature_is_said)
+      throw ForeignError("fields." + variable.name, "`temperature` says it too: write one of the two");
+    add(variable.name, "external state variable", is_given ? field->value : is_temperature ? model.temperature : 0);
   }
+  const auto takes_temperature = [&](const ForeignProperty& p) { return p.name == temperature; };
+  if (model.temperature_is_said && std::none_of(model.properties.begin(), model.properties.end(), takes_temperature))
+    throw ForeignError("temperature", "behaviour '" + behaviour.name + "' takes no temperature");
   require_fields(behaviour, model);
   for (const ForeignProperty& property : said) {
     const bool known = std::any_of(model.properties.begin(), model.properties.end(),

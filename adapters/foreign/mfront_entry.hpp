@@ -29,6 +29,7 @@ static_assert(sizeof(MfrontData) == 168);
 
 /// 1: good, 0: unreliable, -1: failed.
 using MfrontEntry = int (*)(MfrontData*);
+/// 0: not taken.
 using MfrontSetParameter = int (*)(const char* name, double value);
 
 }  // namespace assay::adapters

@@ -125,6 +125,29 @@ void require_served(const Symbols& symbols, MfrontBehaviour& behaviour) {
   }
 }
 
+/// The one gradient and the one force that belong to the type and the kinematic, and the hypothesis among those named.
+void require_consistent(const Symbols& symbols, const MfrontBehaviour& behaviour) {
+  const auto require_one = [&](const char* what, int type) {
+    const std::vector<MfrontVariable> list = symbols.variables(what, what + std::string("Types"));
+    if (list.size() == 1 && list[0].type == type) return;
+    throw ForeignError("library", "its symbols for " + std::string(what) + " contradict its type: " +
+                                      (list.size() == 1 ? "a variable of kind " + std::to_string(list[0].type)
+                                                        : std::to_string(list.size()) + " variables") +
+                                      ", not one of kind " + std::to_string(type));
+  };
+  constexpr int symmetric_tensor = 1, tensor = 3;
+  require_one("Gradients", behaviour.finite_strain ? tensor : symmetric_tensor);
+  require_one("ThermodynamicForces", symmetric_tensor);
+  std::string named;
+  for (const MfrontVariable& each : symbols.variables("ModellingHypotheses", "")) {
+    if (each.name == hypothesis) return;
+    named += (named.empty() ? "" : ", ") + each.name;
+  }
+  throw ForeignError("symbol",
+                     "behaviour '" + behaviour.name + "' does not name the hypothesis " + hypothesis + " among its own",
+                     named.empty() ? "none" : named);
+}
+
 /// "p[0]" in names of symbols: p_mfront_index_0.
 std::string symbol_word(std::string name) {
   const std::size_t open = name.find('[');
@@ -183,6 +206,7 @@ MfrontBehaviour mfront_behaviour(void* library, const std::string& name, const s
   if (!behaviour.entry) {
     throw ForeignError("symbol", "behaviour '" + name + "' has no function for the hypothesis " + hypothesis);
   }
+  require_consistent(symbols, behaviour);
   behaviour.orthotropic = symbols.number("SymmetryType").value_or(0) != 0;
   behaviour.temperature = symbols.number("TemperatureRemovedFromExternalStateVariables").value_or(1) != 0;
   behaviour.prepended = prepended(symbols, behaviour.orthotropic);

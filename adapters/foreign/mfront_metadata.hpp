@@ -13,7 +13,7 @@ namespace assay::adapters {
 /// MFront's kinds of variables.
 struct MfrontVariable {
   std::string name;
-  int type = 0;  ///< & 7: 0 scalar, 1 symmetric tensor, 2 vector, 3 tensor
+  int type = 0;  ///< 0 scalar, 1 symmetric tensor, 2 vector, 3 tensor; and 24 where it is always three-dimensional
   double lower = -INFINITY, upper = INFINITY;
 };
 

@@ -65,7 +65,8 @@ int count_in(const std::string& text, const Location& where, const std::string& 
   constexpr std::int64_t most = 100000;
   const auto count = parse_integer(text);
   if (count && *count >= 0 && *count <= most) return static_cast<int>(*count);
-  throw InputError(where, key, "must be a whole number of 0 or more, found '" + one_line(text, 60) + "'");
+  throw InputError(where, key,
+                   "must be a whole number from 0 to " + std::to_string(most) + ", found '" + one_line(text, 60) + "'");
 }
 
 /// CalculiX has a temperature behind the constants.
@@ -239,11 +240,12 @@ std::optional<double> deck_number(std::string text) {
 }
 
 DeckMaterial read_deck(const std::string& file, const std::string& asked, const std::string& key) {
-  std::vector<std::string> notes, others;
-  const std::vector<DeckBlock> blocks = deck_blocks(file, tells_of_material, notes);
+  std::vector<std::string> left_out, others;
+  const std::vector<DeckBlock> blocks = deck_blocks(file, tells_of_material, left_out);
   std::vector<DeckMaterial> all = materials_of(blocks, others);
   if (all.empty()) {
-    throw InputError({file}, "", "has no material with *User Material" + (notes.empty() ? "" : "; " + notes.front()),
+    throw InputError({file}, "",
+                     "has no material with *User Material" + (left_out.empty() ? "" : "; " + left_out.front()),
                      joined(others));
   }
   if (asked.empty() && all.size() > 1) {
@@ -258,7 +260,7 @@ DeckMaterial read_deck(const std::string& file, const std::string& asked, const 
                      names_of_materials(all));
   }
   add_remarks(blocks, *found);
-  found->notes.insert(found->notes.begin(), notes.begin(), notes.end());
+  found->warnings = std::move(left_out);
   return std::move(*found);
 }
 

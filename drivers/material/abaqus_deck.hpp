@@ -21,8 +21,9 @@ struct DeckMaterial {
   std::vector<double> constants;  ///< of *User Material, type MECHANICAL
   int depvar = 0;                 ///< of *Depvar
   std::vector<DeckVariable> variables;
-  std::optional<double> density;   ///< of *Density, in the deck's own units
-  std::vector<std::string> notes;  ///< sentences: what was seen and not taken
+  std::optional<double> density;      ///< of *Density, in the deck's own units
+  std::vector<std::string> notes;     ///< sentences: what was seen and not taken
+  std::vector<std::string> warnings;  ///< sentences: what is not there, and may say of the material what nobody knows
 };
 
 /// Whether a file's name is that of one: .inp.

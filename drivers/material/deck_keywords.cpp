@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -15,6 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t longest_deck_line = std::size_t{1} << 16;
+constexpr std::uintmax_t largest_deck = std::uintmax_t{1} << 28;  // with all that it includes [bytes]
 
 std::string trimmed(const std::string& text) {
   const std::size_t begin = text.find_first_not_of(" \t\r");
@@ -54,13 +56,20 @@ class DeckReader {
  public:
   DeckReader(const std::string& file, bool (*wanted)(const DeckBlock&), std::vector<std::string>& notes)
       : folder_(fs::path(file).parent_path()), wanted_(wanted), notes_(notes) {
-    read(file, 0);
+    read(file, {file}, 0);
   }
 
   std::vector<DeckBlock> blocks() && { return std::move(blocks_); }
 
  private:
-  void read(const std::string& file, int depth) {
+  void read(const std::string& file, const Location& named, int depth) {
+    std::error_code code;
+    bytes_ += fs::file_size(file, code);
+    if (code || bytes_ > largest_deck) {
+      throw InputError(named, "",
+                       (depth > 0 ? "with '" + one_line(file, 200) + "' the deck is " : std::string()) +
+                           "longer than " + std::to_string(largest_deck) + " bytes");
+    }
     std::ifstream in(file);
     note_input(file);
     std::string line;
@@ -112,7 +121,7 @@ class DeckReader {
     const fs::path file = folder_ / name;
     std::error_code code;
     keeps_ = false;
-    if (depth < deepest && fs::is_regular_file(file, code)) return read(file.string(), depth + 1);
+    if (depth < deepest && fs::is_regular_file(file, code)) return read(file.string(), block.where, depth + 1);
     notes_.push_back(block.where.text() + ": *Include: '" + one_line(name, 200) + "' cannot be read, and is left out");
   }
 
@@ -122,6 +131,7 @@ class DeckReader {
   std::vector<DeckBlock> blocks_;
   std::string keyword_;  ///< of the keyword that is being read
   Location begin_;
+  std::uintmax_t bytes_ = 0;
   bool open_ = false, keeps_ = false;
 };
 

@@ -57,7 +57,10 @@ class Reader {
     model_.components_are_said = root_.find("components") != nullptr;
     if (const Tree* tree = root_.find("components")) read_components(*tree);
     if (const Tree* tree = root_.find("units")) read_units(*tree);
-    if (const Tree* tree = root_.find("temperature")) model_.temperature = number_value(*tree, "temperature");
+    if (const Tree* tree = root_.find("temperature")) {
+      model_.temperature = number_value(*tree, "temperature");
+      model_.temperature_is_said = true;
+    }
     if (const Tree* tree = root_.find("characteristic_length")) {
       model_.characteristic_length = number_value(*tree, "characteristic_length", {.lower = 0, .lower_open = true});
     }
@@ -151,9 +154,6 @@ class Reader {
   int counted(const char* key, int otherwise) const {
     const Tree* tree = root_.find(key);
     if (!tree) return otherwise;
-    if (model_.interface == ForeignInterface::mfront) {
-      throw InputError(tree->where, key, "is for UMATs and VUMATs alone: MFront's interface knows no elements");
-    }
     return static_cast<int>(number_value(*tree, key, {.lower = 1, .upper = most_elements, .whole = true}));
   }
 

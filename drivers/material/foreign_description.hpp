@@ -16,6 +16,8 @@ const std::vector<std::string>& interface_names();
 
 /// Keys of a description beside those of a native one.
 const std::vector<std::string>& foreign_keys();
+/// Those of them that an MFront behaviour has no use for.
+const std::vector<std::string>& keys_of_abaqus();
 
 /// Of a description whose `interface` is one of those. `library` is absolute, `name` that of the table where the file
 /// gives none. The place of every key goes to `where`. Throws InputError.

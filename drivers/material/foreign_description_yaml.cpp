@@ -67,6 +67,25 @@ std::string fields_text(const ForeignModel& model) {
   return map.text();
 }
 
+/// What keys_of_abaqus() names.
+std::string abaqus_yaml(const ForeignModel& model) {
+  std::string text;
+  const auto line = [&](const std::string& key, const std::string& value) { text += key + ": " + value + "\n"; };
+  line("kinematics", model.kinematics == Kinematics::abaqus ? "abaqus" : "objective");
+  line("axes", axes_words[static_cast<std::size_t>(model.axes)]);
+  line("step", std::to_string(model.step));
+  if (model.element != 1) line("noel", std::to_string(model.element));
+  if (model.point != 1) line("npt", std::to_string(model.point));
+  if (model.each_its_element) line("elements", "each");
+  if (model.strain_is_said) line("strain", model.finite_strain ? "finite" : "small");
+  std::vector<std::string> components;
+  for (const int n : model.components) components.push_back(std::to_string(n));
+  if (model.components_are_said) line("components", listed(components));
+  line("characteristic_length", yaml_number(model.characteristic_length));
+  line("material_name", yaml_scalar(model.material_name));
+  return text;
+}
+
 }  // namespace
 
 const std::vector<std::string>& interface_names() {
@@ -82,6 +101,13 @@ const std::vector<std::string>& foreign_keys() {
   return keys;
 }
 
+const std::vector<std::string>& keys_of_abaqus() {
+  static const std::vector<std::string> keys{
+      "kinematics",    "axes", "strain", "components", "step", "characteristic_length",
+      "material_name", "noel", "npt",    "elements"};
+  return keys;
+}
+
 std::string foreign_yaml(const ForeignModel& model) {
   std::string text;
   const auto line = [&](const std::string& key, const std::string& value) { text += key + ": " + value + "\n"; };
@@ -91,30 +117,19 @@ std::string foreign_yaml(const ForeignModel& model) {
   for (const ForeignProperty& p : model.properties) line("  " + yaml_scalar(p.name), property_text(p));
   if (!model.state.empty()) text += "state:\n";
   for (const ForeignVariable& v : model.state) line("  " + yaml_scalar(v.name), variable_text(v));
-  line("kinematics", model.kinematics == Kinematics::abaqus ? "abaqus" : "objective");
-  line("axes", axes_words[static_cast<std::size_t>(model.axes)]);
   if (!model.fields.empty()) line("fields", fields_text(model));
-  line("step", std::to_string(model.step));
-  if (model.element != 1) line("noel", std::to_string(model.element));
-  if (model.point != 1) line("npt", std::to_string(model.point));
-  if (model.each_its_element) line("elements", "each");
-  if (model.strain_is_said) line("strain", model.finite_strain ? "finite" : "small");
   if (model.symmetry_is_said)
     line("symmetry", symmetries[static_cast<std::size_t>(model.symmetry + model.material_class)]);
-  std::vector<std::string> flags, components;
+  std::vector<std::string> flags;
   for (std::size_t k = 0; k < std::size(flag_bits); ++k) {
     if (model.flags & flag_bits[k]) flags.push_back(flag_words[k]);
   }
   if (model.flags_are_said) line("flags", listed(flags));
-  for (const int n : model.components) components.push_back(std::to_string(n));
-  if (model.components_are_said) line("components", listed(components));
   line("units", "{stress: " + word_of(model.units.stress, stress_units) +
                     ", time: " + word_of(model.units.time, time_units) +
                     ", length: " + word_of(model.units.length, length_units) + "}");
-  line("temperature", yaml_number(model.temperature));
-  line("characteristic_length", yaml_number(model.characteristic_length));
-  line("material_name", yaml_scalar(model.material_name));
-  return text;
+  if (model.temperature_is_said) line("temperature", yaml_number(model.temperature));
+  return model.interface == adapters::ForeignInterface::mfront ? text : text + abaqus_yaml(model);
 }
 
 }  // namespace assay::drivers

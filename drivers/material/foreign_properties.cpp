@@ -40,6 +40,8 @@ class PropertyReader {
       }
       return;
     }
+    if (const std::string list = list_remedy(tree, 0); !list.empty())
+      throw InputError(tree.where, "properties", "must be a list or a map, found " + described(tree) + list);
     require_map(tree, "properties", "the properties of the model, in its order: names and values");
     for (const Tree::Entry& entry : tree.entries) {
       const std::string key = "properties." + one_line(entry.key, 80);

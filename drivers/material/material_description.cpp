@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/material/material_description.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <iterator>
 
 #include "drivers/input_file.hpp"
 #include "drivers/material/foreign_description.hpp"
@@ -21,6 +23,10 @@ namespace assay::drivers {
 
 namespace {
 
+bool contains(const std::vector<std::string>& list, const std::string& word) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
 /// native, umat, ...
 std::string interface_of(const Tree& root) {
   const Tree* tree = root.find("interface");
@@ -31,8 +37,26 @@ std::vector<std::string> keys_of(const std::string& interface) {
   std::vector<std::string> known{"library", "name", "interface", "density", "time_limit", "memory_limit", "files"};
   if (interface == "umat" || interface == "vumat") known.insert(known.begin() + 1, {"source", "link"});
   const std::vector<std::string> native{"parameters"}, &more = interface == "native" ? native : foreign_keys();
-  known.insert(known.end(), more.begin(), more.end());
+  const bool of_abaqus = interface != "mfront";
+  std::copy_if(more.begin(), more.end(), std::back_inserter(known),
+               [&](const std::string& key) { return of_abaqus || !contains(keys_of_abaqus(), key); });
   return known;
+}
+
+/// What would have no effect.
+void refuse_keys_of_others(const Tree& root, const std::string& interface) {
+  const bool is_said = root.find("interface") != nullptr;
+  const Tree* source = root.find("source");
+  if (source && interface != "umat" && interface != "vumat") {
+    throw InputError(source->where, "source",
+                     "goes with interface: umat or vumat" +
+                         (is_said ? ", found interface: " + interface : ": write one of these lines beside it"));
+  }
+  if (interface != "mfront") return;
+  for (const std::string& key : keys_of_abaqus()) {
+    if (const Tree* tree = root.find(key))
+      throw InputError(tree->where, key, "is for UMATs and VUMATs alone: MFront's interface has nothing like it");
+  }
 }
 
 /// Relative to the description; a bare name that is not there, in a folder of $ASSAY_MATERIAL_PATH.
@@ -63,6 +87,11 @@ void read_library(const Tree& root, const std::string& interface, const std::fil
     throw InputError(root.where, "library", "required and not given", joined(keys_of(interface)));
   const Tree& named = library ? *library : *source;
   description.library_where = description.name_where = named.where;
+  if (source && source->kind == Tree::Kind::sequence) {
+    throw InputError(
+        source->where, "source",
+        "must be one file, found a list: let one INCLUDE the others, or build a library of them, for `link`");
+  }
   if (source) description.source = absolute_path(folder / text_value(*source, "source"));
   const Tree* link = root.find("link");
   if (link && !source) throw InputError(link->where, "link", "goes with a source: a library is linked already");
@@ -127,9 +156,7 @@ MaterialDescription read_description(const std::string& text, const std::string&
   refuse_other_kind(root, FileKind::description);
   const std::string interface = interface_of(root);
   const std::vector<std::string> known = keys_of(interface);
-  if (const Tree* source = root.find("source"); source && interface != "umat" && interface != "vumat") {
-    throw InputError(source->where, "source", "goes with interface: umat or vumat, found interface: " + interface);
-  }
+  refuse_keys_of_others(root, interface);
   refuse_unknown_keys(root, "", known);
   MaterialDescription description;
   read_library(root, interface, std::filesystem::path(file).parent_path(), description);

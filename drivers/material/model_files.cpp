@@ -34,6 +34,12 @@ void add_model_file(const Tree& tree, fs::path name, const fs::path& folder, std
     if (other.name == name.string()) {
       throw InputError(tree.where, "files", "'" + one_line(name.string(), 200) + "' is there twice");
     }
+    const bool holds_it = other.name.starts_with(name.string() + "/");
+    if (holds_it || name.string().starts_with(other.name + "/")) {
+      throw InputError(tree.where, "files",
+                       "'" + one_line(holds_it ? name.string() : other.name, 200) +
+                           "' cannot be a file and the folder of another one");
+    }
   }
   files.push_back({name.string(), path});
 }

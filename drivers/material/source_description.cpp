@@ -95,6 +95,7 @@ class Describer {
     result.text = source_yaml(yaml_);
     result.notes = notes();
     result.warnings = source_.warnings;
+    if (deck_) result.warnings.insert(result.warnings.end(), deck_->warnings.begin(), deck_->warnings.end());
     for (const auto& more : {library_.warnings, entry_traps(source_, entry_)})
       result.warnings.insert(result.warnings.end(), more.begin(), more.end());
     warn_of_too_few(facts_.props, "PROPS", yaml_.properties.size(), result.warnings);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "drivers/scene/yaml_writer.hpp"
+#include "harness/table_defect.hpp"
 
 namespace assay::drivers {
 
@@ -34,7 +35,7 @@ std::string properties_text(const SourceYaml& yaml) {
   return text;
 }
 
-/// The deck's names where they can serve: each once.
+/// The deck's names where they can serve: as keys, each once.
 std::string named_state_text(const SourceYaml& yaml) {
   std::vector<std::string> names(static_cast<std::size_t>(yaml.state)), docs(names.size());
   for (const DeckVariable& variable : yaml.variables) {
@@ -45,7 +46,10 @@ std::string named_state_text(const SourceYaml& yaml) {
   std::string text;
   for (std::size_t k = 0; k < names.size(); ++k) {
     std::string name = names[k];
-    if (name.empty() || !seen.insert(name).second) seen.insert(name = "s" + std::to_string(k + 1));
+    if (!can_be_a_key(name) || !seen.insert(name).second) {
+      if (docs[k].empty()) docs[k] = name;
+      seen.insert(name = "s" + std::to_string(k + 1));
+    }
     const std::string value = docs[k].empty() ? "scalar" : "{kind: scalar, doc: " + yaml_scalar(docs[k]) + "}";
     text += "  " + yaml_scalar(name) + ": " + value + "\n";
   }

@@ -217,7 +217,7 @@ std::string list_remedy(const Tree& found, std::size_t count) {
   if (text.kind != Tree::Kind::scalar) return {};
   std::vector<std::string> numbers = numbers_in(text.text);
   if (numbers.size() == 1 && count == 2 && !one_item) numbers.assign(count, numbers[0]);
-  if (numbers.size() != count) return {};
+  if (count == 0 ? numbers.empty() : numbers.size() != count) return {};
   std::string list;
   for (const std::string& number : numbers) list += (list.empty() ? "" : ", ") + number;
   return std::string(one_item ? ": a comma belongs between them" : "") + (one_item ? ", write [" : ": write [") + list +

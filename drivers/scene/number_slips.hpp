@@ -17,7 +17,7 @@ std::string number_remedy(const std::string& found);
 /// The same where true or false belongs.
 std::string boolean_remedy(const Tree& found);
 
-/// The same where a list of `count` numbers belongs: ": write [2, 2]".
+/// The same where a list of `count` numbers belongs, or of any where that is 0: ": write [2, 2]".
 std::string list_remedy(const Tree& found, std::size_t count);
 
 }  // namespace assay::drivers

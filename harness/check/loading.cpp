@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "harness/beginning_failure.hpp"
 #include "harness/check/specimen.hpp"
 
 namespace assay::check {
@@ -88,7 +89,11 @@ TestResult refused(const std::string& id, const char* cause, const MaterialFailu
 
 TestResult not_loaded(const Material& material, const std::runtime_error& error) {
   const auto* failure = dynamic_cast<const MaterialFailure*>(&error);
-  if (!failure) return {.id = "loading", .verdict = Verdict::fail, .cause = causes::refuses, .sentence = error.what()};
+  if (!failure) {
+    const auto* beginning = dynamic_cast<const BeginningFailure*>(&error);
+    const std::string cause = cause_of_refusal(beginning ? beginning->reason : "", false);
+    return {.id = "loading", .verdict = Verdict::fail, .cause = cause, .sentence = error.what()};
+  }
   TestResult plain = refused("loading", nullptr, *failure);
   if (failure->final || (plain.cause != causes::refuses && plain.cause != causes::not_finite)) return plain;
   const Trials trials(material, *failure);

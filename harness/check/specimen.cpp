@@ -125,6 +125,17 @@ double own_pressure_of(const Specimen& specimen) {
   return std::abs((W(small) - W(-small)) / (6 * small) + p) <= alike * specimen.modulus ? p : 0;
 }
 
+/// Whether that stiffness is what a pressure [Pa] shows that is carried along and converted from one measure to
+/// another, -p det(F)^-m (F F^T)^(n/2) with small whole numbers. Soils have more of their own, and gases another share.
+bool is_of_measures(const Stiffness& C, double pressure) {
+  constexpr double alike = 1e-2;  // single precision leaves no more
+  const double m = std::round(C(0, 1) / pressure), n = std::round(-C(3, 3) / pressure);
+  if (!(std::abs(m) <= 1 && std::abs(n) <= 2)) return false;
+  Stiffness expected = -n * pressure * Stiffness::Identity();
+  expected.topLeftCorner<3, 3>().array() += m * pressure;
+  return (C - expected).cwiseAbs().maxCoeff() <= alike * pressure;
+}
+
 bool carries(const Material& material, double pressure) {
   try {
     state_at_rest(material, pressure);
@@ -138,12 +149,11 @@ bool carries(const Material& material, double pressure) {
 
 double pressure_at_rest(const Material& material) {
   std::optional<MaterialFailure> failure;
-  constexpr double rounding = 1e-6;  // of a stress that is only carried along, over the strain of a probe: 1e-11
   const auto modulus = [&](double pressure) {
     if (!carries(material, pressure)) return 0.0;
     try {
-      const double found = probed(material, pressure, 1).stiffness.cwiseAbs().maxCoeff();
-      return found > rounding * pressure ? found : 0.0;
+      const Stiffness found = probed(material, pressure, 1).stiffness;
+      return pressure > 0 && is_of_measures(found, pressure) ? 0.0 : found.cwiseAbs().maxCoeff();
     } catch (const MaterialFailure& refusal) {
       if (pressure == 0) failure = refusal;
       return 0.0;

@@ -22,6 +22,7 @@ target_compile_definitions(foreign_mfront_neo_hookean_specialised PRIVATE SPECIA
 add_foreign_double(mfront_norton ${foreign}/mfront_norton.c)
 add_foreign_double(mfront_elastic_part ${foreign}/mfront_elastic_part.c)
 add_foreign_double(mfront_malformed ${foreign}/mfront_malformed.c)
+add_foreign_double(mfront_odd ${foreign}/mfront_odd.c)
 add_foreign_double(mfront_norton_writes ${foreign}/mfront_norton.c)
 target_compile_definitions(foreign_mfront_norton_writes PRIVATE WRITES_ITS_BEGINNING)
 add_foreign_double(umat_callbacks ${foreign}/umat_callbacks.c)

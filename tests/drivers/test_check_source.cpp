@@ -202,6 +202,37 @@ TEST_F(CheckSource, ADeckIsEnough) {
   EXPECT_EQ(run_it.status, 0) << run_it.said;
 }
 
+TEST_F(CheckSource, AnIncludeOfADeckThatIsNotThereIsAWarning) {
+  scratch.write("job.f", hooke_umat);
+  scratch.write("job.inp", "*Include, input=density.inc\n*Material, name=A\n*User Material, constants=2\n1.e3, .3\n");
+  const Ending ending = run({"check", "job.f", "--deck", "job.inp", "--quick", "--quiet"});
+  EXPECT_EQ(ending.status, 0) << ending.said;
+  EXPECT_TRUE(says(ending, "job.inp:1:1: *Include: 'density.inc' cannot be read, and is left out")) << ending.said;
+}
+
+TEST_F(CheckSource, AnOverrunOfSdviniIsNamedAsOne) {
+  scratch.write("model.f", std::string(hooke_umat) +
+                               "      SUBROUTINE SDVINI(STATEV,COORDS,NSTATV,NCRDS,NOEL,NPT,LAYER,KSPT)\n"
+                               "      INCLUDE 'ABA_PARAM.INC'\n"
+                               "      DIMENSION STATEV(NSTATV),COORDS(NCRDS)\n"
+                               "      STATEV(NSTATV+2)=3\n"
+                               "      END\n");
+  const Ending ending = run({"check", "model.f", "--props", "1e3,.3", "--statev", "2", "--quick"});
+  EXPECT_EQ(ending.status, 1) << ending.said;
+  EXPECT_TRUE(says(ending, "diagnosis: overrun")) << ending.said;
+}
+
+TEST_F(CheckSource, ADecksNamesThatAreNoKeysStandInTheText) {
+  scratch.write("job.f", hooke_umat);
+  scratch.write("job.inp",
+                "*Material, name=A\n*Depvar\n2\n1, EQ PLASTIC\n2, P\n*User Material, constants=2\n1.e3, .3\n");
+  const Ending ending = run({"check", "job.inp", "--quick"});
+  EXPECT_EQ(ending.status, 0) << ending.said;
+  const std::string written = bytes_of(scratch / "results/check/job.yaml");
+  EXPECT_NE(written.find("s1: {kind: scalar, doc: \"EQ PLASTIC\"}"), std::string::npos) << written;
+  EXPECT_NE(written.find("P: scalar"), std::string::npos) << written;
+}
+
 TEST_F(CheckSource, IsTakenBySceneAndSetting) {
   scratch.write("my dir/modél.f", "");
   fs::create_directories(scratch / "my dir");

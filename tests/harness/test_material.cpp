@@ -144,6 +144,19 @@ TEST(Material, KnowsItsState) {
   EXPECT_EQ(material->initial_state(1), std::vector<double>(9, 0.0));
 }
 
+TEST(Material, DoesNotTrustTheStatusOfItsBeginning) {
+  assay_material table = *jaumann_table();
+  table.initial_state = [](void*, size_t, const double*, double*) -> std::int32_t { return -7; };
+  const Material material(&table, {});
+  try {
+    material.initial_state(1);
+    FAIL() << "accepted";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("returned the status -7, which is none of the ABI's"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(Material, FillsDirectionsForTheModel) {
   assay_material table = *jaumann_table();
   const assay_state_variable state[] = {{"stress", "Pa", ASSAY_TENSOR, ASSAY_ROLE_PLAIN, ""},

@@ -3,10 +3,13 @@
 #include "mfront_behaviour.h"
 
 /* Small strains, no property, no state: what all of them have in common. */
-#define SMALL_STRAIN(B)        \
-  MFRONT_DESCRIPTION(B)        \
-  NUMBER(B##_BehaviourType, 1) \
+#define WITH_GRADIENT(B, KIND)                   \
+  MFRONT_DESCRIPTION(B)                          \
+  ARRAY(int, B##_GradientsTypes, 1, KIND)        \
+  ARRAY(const char*, B##_Gradients, 1, "Strain") \
+  NUMBER(B##_BehaviourType, 1)                   \
   NUMBER(B##_BehaviourKinematic, 1)
+#define SMALL_STRAIN(B) WITH_GRADIENT(B, 1)
 #define FUNCTION(B)                                      \
   EXPORT int B##_Tridimensional(BehaviourData* const d); \
   int B##_Tridimensional(BehaviourData* const d) { return d ? 1 : -1; }
@@ -51,6 +54,43 @@ FUNCTION(SameNames)
 NUMBER(SameNames_nInternalStateVariables, 2)
 ARRAY(const char*, SameNames_InternalStateVariables, 2, "p", "p")
 ARRAY(int, SameNames_InternalStateVariablesTypes, 2, 0, 0)
+
+/* Names that nobody can set. */
+SMALL_STRAIN(SameProperties)
+FUNCTION(SameProperties)
+NUMBER(SameProperties_nMaterialProperties, 2)
+ARRAY(const char*, SameProperties_MaterialProperties, 2, "E", "E")
+SMALL_STRAIN(NameOfLines)
+FUNCTION(NameOfLines)
+NUMBER(NameOfLines_nMaterialProperties, 1)
+ARRAY(const char*, NameOfLines_MaterialProperties, 1, "E\n=x")
+SMALL_STRAIN(NoName)
+FUNCTION(NoName)
+NUMBER(NoName_nExternalStateVariables, 1)
+ARRAY(const char*, NoName_ExternalStateVariables, 1, "")
+ARRAY(int, NoName_ExternalStateVariablesTypes, 1, 0)
+
+/* Metadata that contradict each other, or say what there is not. */
+WITH_GRADIENT(FullGradient, 3)
+FUNCTION(FullGradient)
+WITH_GRADIENT(OddGradient, 77)
+FUNCTION(OddGradient)
+SMALL_STRAIN(FixedPlane)
+FUNCTION(FixedPlane)
+NUMBER(FixedPlane_nInternalStateVariables, 1)
+ARRAY(const char*, FixedPlane_InternalStateVariables, 1, "p")
+ARRAY(int, FixedPlane_InternalStateVariablesTypes, 1, 17)
+SMALL_STRAIN(OtherHypotheses)
+FUNCTION(OtherHypotheses)
+NUMBER(OtherHypotheses_Tridimensional_nModellingHypotheses, 1)
+SMALL_STRAIN(ManyHypotheses)
+FUNCTION(ManyHypotheses)
+NUMBER(ManyHypotheses_Tridimensional_nModellingHypotheses, 60000)
+SMALL_STRAIN(TwoGradients)
+FUNCTION(TwoGradients)
+NUMBER(TwoGradients_Tridimensional_nGradients, 2)
+ARRAY(int, TwoGradients_Tridimensional_GradientsTypes, 2, 1, 0)
+ARRAY(const char*, TwoGradients_Tridimensional_Gradients, 2, "Strain", "Pores")
 
 /* Others than are served. */
 TEXT(Cohesive_mfront_ept, "Cohesive")

@@ -87,10 +87,20 @@ TEST(AbaqusDeck, IncludedFilesAreRead) {
       scratch.write("job.inp", "*Material, name=A\n*Include, input=mat.inc\n*include,input=mesh.inc\n");
   const DeckMaterial found = read_deck(deck, "", "");
   EXPECT_EQ(found.constants.size(), 2u);
-  ASSERT_EQ(found.notes.size(), 1u);
-  EXPECT_NE(found.notes[0].find(":3:1: *Include: 'mesh.inc' cannot be read"), std::string::npos) << found.notes[0];
+  ASSERT_EQ(found.warnings.size(), 1u);
+  EXPECT_NE(found.warnings[0].find(":3:1: *Include: 'mesh.inc' cannot be read"), std::string::npos);
   const std::string loop = scratch.write("loop.inp", "*Include, input=loop.inp\n");
   EXPECT_NE(refusal_of([&] { read_deck(loop, "", ""); }), "accepted") << "and comes to an end";
+}
+
+TEST(AbaqusDeck, HasALargestSizeWithAllThatItIncludes) {
+  const ScratchFolder scratch;
+  const std::string long_one = scratch.write("long.inp", "*Material, name=A\n");
+  std::filesystem::resize_file(long_one, std::uintmax_t{3} << 30);
+  EXPECT_EQ(refusal_of([&] { read_deck(long_one, "", ""); }), long_one + ": longer than 268435456 bytes");
+  const std::string deck = scratch.write("job.inp", "*Heading\n*Include, input=long.inp\n");
+  EXPECT_EQ(refusal_of([&] { read_deck(deck, "", ""); }),
+            deck + ":2:1: with '" + long_one + "' the deck is longer than 268435456 bytes");
 }
 
 TEST(AbaqusDeck, WhatIsWrongIsSaidAtItsLine) {
@@ -107,7 +117,11 @@ TEST(AbaqusDeck, WhatIsWrongIsSaidAtItsLine) {
             "job.inp:3:1: *User Material: must be a number, found '<E>', to which no *Parameter gives one");
   EXPECT_EQ(refused(head + "*User Material\n1\n"), "job.inp:2:1: *User Material: constants= is required and not given");
   EXPECT_EQ(refused(head + "*User Material, constants=two\n1\n"),
-            "job.inp:2:1: constants: must be a whole number of 0 or more, found 'two'");
+            "job.inp:2:1: constants: must be a whole number from 0 to 100000, found 'two'");
+  EXPECT_EQ(refused(head + "*User Material, constants=1000000000\n1\n"),
+            "job.inp:2:1: constants: must be a whole number from 0 to 100000, found '1000000000'");
+  EXPECT_EQ(refused(head + "*User Material, constants=1\n1\n*Depvar\n1000000000\n"),
+            "job.inp:5:1: *Depvar: must be a whole number from 0 to 100000, found '1000000000'");
   EXPECT_EQ(refused(head + "*User Material, constants=1\n1\n*Depvar\n2\n3, X\n"),
             "job.inp:6:1: *Depvar: names variable 3 of 2");
   EXPECT_EQ(refused(head + "*Elastic\n1, .3\n"), "job.inp: has no material with *User Material; known: A");

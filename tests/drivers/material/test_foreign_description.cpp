@@ -63,6 +63,36 @@ TEST(ForeignDescription, ANumberThatIsWrittenOtherwiseIsNoName) {
   EXPECT_EQ(model("properties: [E, nu]").properties.size(), 2u);
 }
 
+TEST(ForeignDescription, NumbersWithoutBracketsAreToldToBeAList) {
+  const std::string at = "/folder/My-Clay.yaml:3:13: properties: must be a list or a map, found ";
+  EXPECT_EQ(refused("properties: 1000, .3\n"), at + "'1000, .3': write [1000, .3]");
+  EXPECT_EQ(refused("properties: (1000 .3)\n"), at + "'(1000 .3)': write [1000, .3]");
+  EXPECT_EQ(refused("properties: 1000\n"), at + "'1000': write [1000]");
+  EXPECT_NE(refused("properties: steel\n").find("must be a map of keys, found 'steel'"), std::string::npos);
+}
+
+TEST(ForeignDescription, WhatHasNoEffectOfMfrontIsRefused) {
+  const auto told = [](const std::string& keys) {
+    return refusal_of([&] { read_description("library: a.so\ninterface: mfront\n" + keys, file); });
+  };
+  for (const std::string& key : keys_of_abaqus()) {
+    EXPECT_EQ(told(key + ": 1\n"), "/folder/My-Clay.yaml:3:" + std::to_string(key.size() + 3) + ": " + key +
+                                       ": is for UMATs and VUMATs alone: MFront's interface has nothing like it");
+  }
+  EXPECT_EQ(told("temperature: 300\nunits: {stress: MPa}\nsymmetry: cubic\nfields: {a: 1}\n"), "accepted");
+}
+
+TEST(ForeignDescription, ASourceNeedsAnInterfaceAndIsOneFile) {
+  const auto told = [](const std::string& text) { return refusal_of([&] { read_description(text, file); }); };
+  EXPECT_EQ(told("source: a.f\n"),
+            "/folder/My-Clay.yaml:1:9: source: goes with interface: umat or vumat: write one of these lines beside it");
+  EXPECT_EQ(told("source: a.f\ninterface: native\n"),
+            "/folder/My-Clay.yaml:1:9: source: goes with interface: umat or vumat, found interface: native");
+  EXPECT_EQ(told("source: [a.f, b.f]\ninterface: umat\n"),
+            "/folder/My-Clay.yaml:1:9: source: must be one file, found a list: let one INCLUDE the others, or build a "
+            "library of them, for `link`");
+}
+
 TEST(ForeignDescription, ANameIsThereOnce) {
   EXPECT_EQ(refused("state: [a, b, a]\n"), "/folder/My-Clay.yaml:3:15: state.a: is there twice");
   EXPECT_EQ(refused("properties: [E, nu, E]\n"), "/folder/My-Clay.yaml:3:21: properties.E: is there twice");
@@ -150,7 +180,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadKey{"propertys: {E: 1}", "1: propertys: unknown key (nearest: properties); known: library, source, link, n"},
         BadKey{"parameters: {E: 1}", "1: parameters: unknown key"},
-        BadKey{"properties: 3", "13: properties: must be a map of keys, found '3'"},
+        BadKey{"properties: 3", "13: properties: must be a list or a map, found '3': write [3]"},
         BadKey{"properties: {E: {vale: 1}}", "18: properties.E.vale: unknown key (nearest: value); known: value, unit"},
         BadKey{"properties: {E: [1]}", "17: properties.E: must be a number, found a list: write 1 without brackets"},
         BadKey{"properties: {E: .nan}", "17: properties.E: must be a finite number"},

@@ -44,6 +44,10 @@ TEST_F(ModelFiles, AreRefusedInOneLine) {
   EXPECT_EQ(refused("[a.txt, ./a.txt]"), "d.yaml:1:16: files: 'a.txt' is there twice");
   EXPECT_EQ(refused("{../x: a.txt}"), "d.yaml:1:15: files: '../x' is no name of a file in a folder");
   EXPECT_EQ(refused("{/x: a.txt}"), "d.yaml:1:13: files: '/x' is no name of a file in a folder");
+  EXPECT_EQ(refused("{a/b/c: a.txt, a: a.txt}"),
+            "d.yaml:1:26: files: 'a' cannot be a file and the folder of another one");
+  EXPECT_EQ(refused("{a: a.txt, a/b: dir/b.dat, ab: a.txt}"),
+            "d.yaml:1:24: files: 'a' cannot be a file and the folder of another one");
   EXPECT_NE(refused("a.txt").find("d.yaml:1:8: files: must be"), std::string::npos) << refused("a.txt");
 }
 

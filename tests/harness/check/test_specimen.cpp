@@ -112,6 +112,88 @@ TEST(Specimen, ABatteryThatIsRefusedBeginsAgainAtSmallerStrains) {
   EXPECT_EQ(never.diagnosis.front().cause, causes::refuses);
 }
 
+/// An initial stress that is converted from some measure to Cauchy's, and moduli in units of it, as of soils.
+struct Converted {
+  static constexpr std::size_t state_size = 6;
+  enum Measure : int { cauchy, kirchhoff, first, second, covariant, inverse, measures };
+
+  explicit Converted(const double* p) : measure(static_cast<int>(p[0])), bulk(p[1]), shear(p[2]) {}
+
+  std::optional<Tensor> take(const check_tests::PointStep& step, const double* state0, double* state1) const {
+    const Tensor S = check_tests::read_symmetric(state0), F = step.F1;
+    const Tensor strain = 0.5 * (F + F.transpose()) - Tensor::Identity();
+    const double p = -S.trace() / 3;
+    std::copy_n(state0, 6, state1);
+    return converted(S, F) + p * (bulk * check_tests::sphere(strain) * 3 + 2 * shear * check_tests::deviator(strain));
+  }
+  Tensor converted(const Tensor& S, const Tensor& F) const {
+    const double J = F.determinant();
+    switch (measure) {
+      case kirchhoff:
+        return S / J;
+      case first:
+        return (S * F.transpose() + F * S) / (2 * J);
+      case second:
+        return F * S * F.transpose() / J;
+      case covariant:
+        return F.transpose().inverse() * S * F.inverse();
+      case inverse:
+        return J * F.inverse() * S * F.transpose().inverse();
+    }
+    return S;
+  }
+  static bool rest(const Tensor& stress, double* state) {
+    check_tests::write_symmetric(stress, state);
+    return true;
+  }
+  static void misbehave(std::size_t, double*, double*) {}
+
+  int measure;
+  double bulk, shear;
+};
+
+Material converted(int measure, double bulk, double shear) {
+  static const assay_parameter parameters[] = {
+      {"measure", "1", 0, 0, 9, ""}, {"bulk", "1", 0, 0, 1e3, ""}, {"shear", "1", 0, 0, 1e3, ""}};
+  static const assay_state_variable state[] = {{"stress", "Pa", ASSAY_SYMMETRIC_TENSOR, ASSAY_ROLE_ROTATES_ITSELF, ""}};
+  static const assay_material table =
+      check_tests::table_of<Converted>("converted", ASSAY_THREAD_SAFE | ASSAY_USES_INCREMENT, parameters, state);
+  return Material(&table, {{"measure", double(measure)}, {"bulk", bulk}, {"shear", shear}});
+}
+
+TEST(Specimen, APressureThatIsOnlyCarriedAlongIsNoStiffness) {
+  for (int measure = 0; measure < Converted::measures; ++measure) {
+    EXPECT_EQ(pressure_at_rest(converted(measure, 0, 0)), 0) << measure;
+    EXPECT_EQ(pressure_at_rest(converted(measure, 20, 10)), 1e5) << measure << ": a soft clay";
+    EXPECT_EQ(pressure_at_rest(converted(measure, 0, 5)), 1e5) << measure << ": a shear stiffness alone";
+  }
+  EXPECT_EQ(pressure_at_rest(converted(Converted::cauchy, 1.4, 0)), 1e5) << "a gas";
+  const Report report = run_battery(converted(Converted::kirchhoff, 0, 0), {.effort = {.quick = true}});
+  ASSERT_FALSE(report.passes());
+  EXPECT_EQ(report.diagnosis.front().cause, causes::no_stress) << report.diagnosis.front().sentence;
+}
+
+/// By whatever function a model says it.
+TEST(Specimen, AnOverrunAtTheBeginningIsNamedAsOne) {
+  static const assay_reason reason{sizeof(assay_reason),
+                                   [](void*) { return "overrun: initial_state writes past the state"; }};
+  static const assay_state_variable state[] = {{"own", "1", ASSAY_SCALAR, ASSAY_ROLE_PLAIN, ""}};
+  static const assay_material table = [] {
+    assay_material t = check_tests::named_table("overruns", 0, {}, state);
+    t.create = [](const double*, char*) -> void* { return new int; };
+    t.destroy = [](void* self) { delete static_cast<int*>(self); };
+    t.update = update_fragile;
+    t.initial_state = [](void*, std::size_t, const double*, double*) -> std::int32_t { return ASSAY_FAILED; };
+    t.extension = [](const char* id) -> const void* {
+      return std::string(id) == ASSAY_EXTENSION_REASON ? &reason : nullptr;
+    };
+    return t;
+  }();
+  const Report report = run_battery(Material(&table, {}), {.effort = {.quick = true}});
+  ASSERT_FALSE(report.passes());
+  EXPECT_EQ(report.diagnosis.front().cause, causes::overrun) << report.diagnosis.front().sentence;
+}
+
 TEST(Specimen, AStepWithoutDeformationIsNoQuestionOfStretches) {
   const Report report = run_battery(fragile({{"needs_strain", 1}}), {.effort = {.quick = true}});
   ASSERT_FALSE(report.passes());

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/foreign/mfront.hpp"
+
+#include <gtest/gtest.h>
+
+#include "harness/check/battery.hpp"
+#include "tests/adapters/foreign/foreign_steps.hpp"
+
+namespace assay::adapters::test_mfront {
+namespace {
+
+ForeignModel odd(const std::string& behaviour) {
+  ForeignModel model;
+  model.interface = ForeignInterface::mfront;
+  model.library = double_library("mfront_odd");
+  model.name = "odd";
+  model.symbol = behaviour;
+  model.temperature = 293.15;
+  return model;
+}
+
+StepEnd stretched(const ForeignModel& model, const std::map<std::string, double>& properties) {
+  Tensor F = Tensor::Identity();
+  F(0, 0) = std::exp(1e-3);
+  return StepsOfOnePoint(model, properties).tried(0, 1, Tensor::Identity(), F);
+}
+
+TEST(Mfront, AValueThatTheInterfaceDoesNotHaveIsAFailure) {
+  const auto report = [](double status) { return stretched(odd("Returns"), {{"status", status}}).report; };
+  EXPECT_EQ(report(1).worst, ASSAY_GOOD);
+  EXPECT_EQ(report(0).worst, ASSAY_DOUBTFUL);
+  EXPECT_EQ(report(-1).worst, ASSAY_FAILED);
+  for (const int status : {-7, 2, 77}) {
+    const UpdateReport found = report(status);
+    EXPECT_EQ(found.worst, ASSAY_FAILED) << status;
+    EXPECT_NE(found.message.find("returned " + std::to_string(status) + ","), std::string::npos) << found.message;
+  }
+}
+
+TEST(Mfront, AParameterThatIsNotTakenIsAFailure) {
+  const UpdateReport found = stretched(odd("Deaf"), {{"YoungModulus", 1e3}}).report;
+  EXPECT_EQ(found.worst, ASSAY_FAILED);
+  EXPECT_EQ(found.message, "the library does not take its own parameter 'theta'");
+}
+
+TEST(Mfront, ABehaviourThatWritesNoForceHasNoStress) {
+  const Material material(foreign_table(odd("Silent")), {{"YoungModulus", 1e3}});
+  const check::Report report = check::run_battery(material, {.effort = {.quick = true}});
+  ASSERT_FALSE(report.diagnosis.empty());
+  EXPECT_EQ(report.diagnosis[0].cause, check::causes::no_stress) << report.diagnosis[0].sentence;
+}
+
+TEST(Mfront, ATemperatureAmongItsOwnVariablesIsThatOfTheDescription) {
+  const auto force = [](const ForeignModel& model) {
+    return stretched(model, {{"YoungModulus", 1}}).cauchy(0, 0) * std::exp(1e-3) / 1e-3;
+  };
+  ForeignModel model = odd("Warm");
+  EXPECT_NEAR(force(model), 293.15, 1e-9);
+  model.temperature = 400, model.temperature_is_said = true;
+  EXPECT_NEAR(force(model), 400, 1e-9);
+  model.fields = {{"Temperature", 300}};
+  EXPECT_THROW(foreign_table(model), ForeignError) << "twice";
+  model.temperature_is_said = false;
+  EXPECT_NEAR(force(model), 300, 1e-9);
+  ForeignModel cold = odd("Cold");
+  EXPECT_NO_THROW(foreign_table(cold));
+  cold.temperature_is_said = true;
+  EXPECT_THROW(foreign_table(cold), ForeignError) << "it takes none";
+}
+
+}  // namespace
+}  // namespace assay::adapters::test_mfront
