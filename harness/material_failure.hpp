@@ -2,6 +2,7 @@
 // A material that cannot go on, with the place on its path and the step.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 
@@ -19,6 +20,12 @@ class MaterialFailure : public std::runtime_error {
   bool not_finite = false;         ///< its stress or state is no number
   bool final = false;              ///< no shorter step would do: its process died
   std::optional<FailedStep> step;  ///< where a call of `update` failed
+};
+
+/// A material has no state to begin with: at no place of a path.
+class CannotBegin : public MaterialFailure {
+ public:
+  explicit CannotBegin(const std::string& what) : MaterialFailure(what, NAN, NAN) { final = true; }
 };
 
 }  // namespace assay

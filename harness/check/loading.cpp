@@ -79,16 +79,17 @@ TestResult refused(const std::string& id, const char* cause, const MaterialFailu
   result.cause = cause_of_refusal(words, failure.not_finite);
   result.refused = result.cause == causes::refuses && !failure.final;
   if (cause && (result.cause == causes::refuses || result.cause == causes::not_finite)) result.cause = cause;
-  const std::string what = failure.not_finite ? words
-                           : words.empty()    ? "the model refuses a step without a word"
-                                              : "the model refuses a step: " + words;
+  const std::string what = failure.not_finite || result.cause == causes::ends_process ? words
+                           : words.empty() ? "the model refuses a step without a word"
+                                           : "the model refuses a step: " + words;
   result.sentence = what + (id == "loading" ? "" : ", in the test " + id);
   return result;
 }
 
 TestResult not_loaded(const Material& material, const std::runtime_error& error) {
   const auto* failure = dynamic_cast<const MaterialFailure*>(&error);
-  if (!failure) return {.id = "loading", .verdict = Verdict::fail, .cause = causes::refuses, .sentence = error.what()};
+  if (!failure || dynamic_cast<const CannotBegin*>(failure))
+    return {.id = "loading", .verdict = Verdict::fail, .cause = causes::refuses, .sentence = error.what()};
   TestResult plain = refused("loading", nullptr, *failure);
   if (failure->final || (plain.cause != causes::refuses && plain.cause != causes::not_finite)) return plain;
   const Trials trials(material, *failure);

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "harness/offer.hpp"
+
 namespace assay::check {
 
 namespace {
@@ -24,8 +26,8 @@ struct Instance {
   void* inner;
 
   template <class Extension>
-  const Extension& offered(const char* id) const {
-    return *static_cast<const Extension*>(extension_of(table->inner, id));
+  Offer<Extension> offered() const {
+    return {*table->inner, inner};
   }
 };
 
@@ -47,39 +49,39 @@ void destroy(void* self) {
 }
 
 std::int32_t initial_state(void* self, std::size_t n, const double* cauchy, double* state) {
-  return of(self).table->inner->initial_state(of(self).inner, n, cauchy, state);
+  return call_model(*of(self).table->inner, "initial_state", of(self).table->inner->initial_state, of(self).inner, n,
+                    cauchy, state);
 }
 
 void update(void* self, const assay_step* step, std::size_t n, const double* state0, double* state1, double* cauchy,
             std::int32_t* status, double* dt_factor, char* message) {
   const assay_step own = paced(of(self), *step);
-  of(self).table->inner->update(of(self).inner, &own, n, state0, state1, cauchy, status, dt_factor, message);
+  const assay_material& inner = *of(self).table->inner;
+  const std::string thrown = thrown_by(
+      inner.update, [&] { inner.update(of(self).inner, &own, n, state0, state1, cauchy, status, dt_factor, message); });
+  if (!thrown.empty()) throw ModelThrew(inner.name, "update", thrown);
 }
 
 std::int32_t tangent(void* self, const assay_step* step, std::size_t n, const double* state0, double* found) {
   const assay_step own = paced(of(self), *step);
-  return of(self).offered<assay_tangent>(ASSAY_EXTENSION_TANGENT).tangent(of(self).inner, &own, n, state0, found);
+  return of(self).offered<assay_tangent>()(&own, n, state0, found);
 }
 
 std::int32_t energy(void* self, std::size_t n, const double* F, const double* state, double* found) {
-  return of(self).offered<assay_energy>(ASSAY_EXTENSION_ENERGY).energy(of(self).inner, n, F, state, found);
+  return of(self).offered<assay_energy>()(n, F, state, found);
 }
 
 std::int32_t wave_speed(void* self, double density, std::size_t n, const double* F, const double* cauchy,
                         const double* state, double* found) {
-  return of(self)
-      .offered<assay_wave_speed>(ASSAY_EXTENSION_WAVE_SPEED)
-      .wave_speed(of(self).inner, density, n, F, cauchy, state, found);
+  return of(self).offered<assay_wave_speed>()(density, n, F, cauchy, state, found);
 }
 
 std::int32_t closed_form(void* self, std::int32_t baseline, std::size_t n, const double* eps, double* tau,
                          double* slope) {
-  return of(self)
-      .offered<assay_closed_form>(ASSAY_EXTENSION_CLOSED_FORM)
-      .tau(of(self).inner, baseline, n, eps, tau, slope);
+  return of(self).offered<assay_closed_form>()(baseline, n, eps, tau, slope);
 }
 
-const char* reason(void* self) { return of(self).offered<assay_reason>(ASSAY_EXTENSION_REASON).reason(of(self).inner); }
+const char* reason(void* self) { return of(self).offered<assay_reason>()(); }
 
 /// Rates are per unit of the other clock: a rate form is left out, since what compares it compares increments.
 const void* extension_of_clock(const assay_material* table, const char* id) {
