@@ -16,6 +16,7 @@
 #include "adapters/worker/table_pack.hpp"
 #include "harness/arithmetic.hpp"
 #include "harness/material.hpp"
+#include "harness/model_threw.hpp"
 #include "harness/thrown.hpp"
 
 namespace assay::adapters {
@@ -66,7 +67,9 @@ assay_material_entry_function entry_of(const std::string& path) {
 /// The entry gave nothing for our major: does it serve another?
 std::string majors_served(assay_material_entry_function entry) {
   for (std::uint32_t major = 0; major < 16; ++major) {
-    if (major != ASSAY_ABI_MAJOR && entry(major, 0)) return "; it serves " + std::to_string(major);
+    const assay_material* table = nullptr;
+    if (major != ASSAY_ABI_MAJOR) thrown_by(entry, [&] { table = entry(major, 0); });
+    if (table) return "; it serves " + std::to_string(major);
   }
   return {};
 }
@@ -133,6 +136,8 @@ void try_library(const std::string& path) {
       for (const assay_material* table : tables_of_library(path)) static_cast<void>(packed(*table));
     } catch (const LibraryError& error) {
       return error.what() + (between + error.known());
+    } catch (const ModelThrew& threw) {
+      return std::string("cannot serve: ") + threw.what() + between;
     }
     return std::string();
   };

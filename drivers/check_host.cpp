@@ -9,6 +9,7 @@
 #include "drivers/check_steps.hpp"
 #include "drivers/material/material_description.hpp"
 #include "harness/check/judge.hpp"
+#include "harness/offer.hpp"
 
 namespace assay::drivers {
 
@@ -70,13 +71,13 @@ class Hosts {
  private:
   /// Empty where there is none.
   std::vector<double> tangent_of(const RepeatedStep& step) const {
-    const auto* form = material_.extension<assay_tangent>(ASSAY_EXTENSION_TANGENT);
+    const Offer<assay_tangent> form(material_);
     if (!form) return {};
     std::vector<double> found(81);
     double F0[9], F1[9];
     for (int c = 0; c < 9; ++c) F0[c] = component(step.F0, c), F1[c] = component(step.F1, c);
     const assay_step of_abi{step.t, step.dt, F0, F1};
-    const std::int32_t status = form->tangent(material_.self(), &of_abi, 1, step.state0.data(), found.data());
+    const std::int32_t status = form(&of_abi, std::size_t{1}, step.state0.data(), found.data());
     return status == ASSAY_FAILED ? std::vector<double>() : found;
   }
 

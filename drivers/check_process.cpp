@@ -36,9 +36,10 @@ std::string how_it_ended_alone(const Child& child, double limit_s) {
   if (child.claim == adapters::Death::ended) return child.words;
   if (WIFSIGNALED(child.status)) {
     return "died of signal " + std::to_string(WTERMSIG(child.status)) +
-           (child.claim == adapters::Death::stack  ? ": the stack overflowed"
-            : child.claim == adapters::Death::null ? ": a null pointer was followed"
-                                                   : std::string(" (") + strsignal(WTERMSIG(child.status)) + ")");
+           (child.claim == adapters::Death::stack       ? ": the stack overflowed"
+            : child.claim == adapters::Death::null      ? ": a null pointer was followed"
+            : child.claim == adapters::Death::unaligned ? ": an address that is not aligned was followed"
+                                                        : std::string(" (") + strsignal(WTERMSIG(child.status)) + ")");
   }
   return "ended the process with status " + std::to_string(WEXITSTATUS(child.status));
 }

@@ -25,6 +25,7 @@
 #include "drivers/own_files.hpp"
 #include "drivers/verb_arguments.hpp"
 #include "drivers/worker.hpp"
+#include "harness/material_failure.hpp"
 
 namespace assay::drivers {
 
@@ -235,6 +236,8 @@ int command_line(int argc, const char* const* argv) noexcept {
     return complain(2, error.what());
   } catch (const SystemError& error) {
     return complain(3, error.what());
+  } catch (const MaterialFailure& failure) {  // before there was a result that could tell it
+    return complain(1, failure.what());
   } catch (const std::bad_alloc&) {
     return complain(3, "assay: out of memory");
   } catch (const std::system_error& error) {

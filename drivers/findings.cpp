@@ -2,6 +2,7 @@
 #include "drivers/findings.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "adapters/foreign/written_inputs.hpp"
 #include "adapters/worker/process_watch.hpp"
@@ -80,9 +81,12 @@ std::string material_provenance(const Material& material, const std::string& lib
 void record_failure(const MaterialFailure& failure, Result& result) {
   stop_if_interrupted();  // it may have failed because nobody waited for it
   result.outcome = "material_failed";
-  result.reason = std::string(failure.what()) + ": on the baseline path at xi = " + rounded_text(failure.xi, 6) +
-                  ", t = " + rounded_text(failure.t, 6) + " s";
-  result.t = failure.t;
+  result.reason = failure.what();
+  if (!std::isnan(failure.xi)) {
+    result.reason +=
+        ": on the baseline path at xi = " + rounded_text(failure.xi, 6) + ", t = " + rounded_text(failure.t, 6) + " s";
+    result.t = failure.t;
+  }
   if (failure.step) result.failed_step = std::make_shared<const FailedStep>(*failure.step);
 }
 

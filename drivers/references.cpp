@@ -8,6 +8,7 @@
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/wrapped_text.hpp"
 #include "harness/largest.hpp"
+#include "harness/offer.hpp"
 #include "harness/point_driver.hpp"
 
 namespace assay::drivers {
@@ -52,7 +53,7 @@ Figure difference_to_closed_form(const std::shared_ptr<const Material>& material
 
 Figure difference_of_forms(const Material& material, const Path& path, double end) {
   // a stepper without events cannot follow a rate form over its kinks
-  if (!material.extension<assay_rate>(ASSAY_EXTENSION_RATE) || material.has(ASSAY_NON_SMOOTH)) return std::nullopt;
+  if (!Offer<assay_rate>(material) || material.has(ASSAY_NON_SMOOTH)) return std::nullopt;
   std::vector<double> t;
   for (int k = 1; k <= times; ++k) t.push_back(end * k / times);
   DriverOptions options;

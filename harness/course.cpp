@@ -9,6 +9,7 @@
 
 #include "harness/checked_update.hpp"
 #include "harness/histories_elsewhere.hpp"
+#include "harness/offer.hpp"
 
 namespace assay {
 
@@ -215,7 +216,7 @@ CoarseMarch seen_coarsely(const Material& material, const Path& path, double end
 }
 
 CourseFacts facts_of(const Material& m, const Path& path, double end, Form form, Telling telling) {
-  const bool has_rate = m.extension<assay_rate>(ASSAY_EXTENSION_RATE) != nullptr;
+  const bool has_rate = bool(Offer<assay_rate>(m));
   const bool by_rate = has_rate && (form == Form::rate || (form == Form::automatic && !m.has(ASSAY_NON_SMOOTH)));
   CoarseMarch seen = seen_coarsely(m, path, end);
   CourseFacts facts{end,

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "harness/history_forms.hpp"
-#include "harness/progress_mark.hpp"
+#include "harness/offer.hpp"
 #include "harness/stiff_integrator.hpp"
 
 namespace assay {
@@ -73,11 +73,10 @@ void History::Rates::slope(const Vector& x, double t, Vector& x_rate) {
   for (int c = 0; c < 9; ++c) F_components[c] = component(F, c), l_components[c] = component(l, c);
   const std::size_t n = scales_.size();
   for (std::size_t i = 0; i < n; ++i) physical_[i] = x[i] * scales_[i];
-  const auto* extension = material.extension<assay_rate>(ASSAY_EXTENSION_RATE);
+  const Offer<assay_rate> rate(material);
   h_->count_call();
-  const CallMark mark;
-  const std::int32_t status = extension->rate(material.self(), t, 1, F_components, l_components, physical_.data(),
-                                              physical_.data() + 9, physical_rate_.data(), physical_rate_.data() + 9);
+  const std::int32_t status = rate(t, 1, F_components, l_components, physical_.data(), physical_.data() + 9,
+                                   physical_rate_.data(), physical_rate_.data() + 9);
   x_rate.resize(x.size());
   bool finite = true;
   for (std::size_t i = 0; i < n; ++i) {
@@ -89,7 +88,9 @@ void History::Rates::slope(const Vector& x, double t, Vector& x_rate) {
     std::copy_n(F_rate.data(), 9, &x_rate[n]);
   }
   if (status == ASSAY_FAILED || !finite) {
-    throw MaterialFailure(finite ? "its rate form failed" : "its rate form is not finite", h_->xi_, t);
+    throw MaterialFailure(
+        status == ASSAY_FAILED ? with_reason("its rate form failed", material) : "its rate form is not finite", h_->xi_,
+        t);
   }
 }
 

@@ -8,11 +8,10 @@
 #include <mutex>
 
 #include "harness/arithmetic.hpp"
-#include "harness/beginning_failure.hpp"
 #include "harness/foreign_message.hpp"
 #include "harness/instances.hpp"
 #include "harness/material_failure.hpp"
-#include "harness/own_process.hpp"
+#include "harness/offer.hpp"
 #include "harness/progress_mark.hpp"
 #include "harness/thrown.hpp"
 
@@ -102,12 +101,20 @@ void destroy_instance(void* self) {
 }  // namespace
 
 void* create_instance(const assay_material* table, const double* parameters, char* message) {
-  return has_create_of(*table) ? table->create_of(table, parameters, message) : table->create(parameters, message);
+  void* made = nullptr;
+  const auto create = has_create_of(*table) ? reinterpret_cast<void (*)()>(table->create_of)
+                                            : reinterpret_cast<void (*)()>(table->create);
+  const std::string thrown = thrown_by(create, [&] {
+    made = has_create_of(*table) ? table->create_of(table, parameters, message) : table->create(parameters, message);
+  });
+  if (!thrown.empty()) message[("it " + thrown).copy(message, ASSAY_MESSAGE_SIZE - 1)] = '\0';
+  return made;
 }
 
 const void* extension_of(const assay_material* table, const char* id) {
-  if (has_second_part(*table) && table->extension_of) return table->extension_of(table, id);
-  return table->extension ? table->extension(id) : nullptr;
+  if (has_second_part(*table) && table->extension_of)
+    return call_model(*table, "extension_of", table->extension_of, table, id);
+  return table->extension ? call_model(*table, "extension", table->extension, id) : nullptr;
 }
 
 Material::Material(const assay_material* table, const std::map<std::string, double>& parameters)
@@ -123,21 +130,17 @@ Material::Material(const assay_material* table, InDeclaredOrder parameters)
   }
   char message[ASSAY_MESSAGE_SIZE] = "";
   reset_arithmetic();  // a library that was linked with -ffast-math changes it when it is loaded
-  const auto create = has_create_of(*table) ? reinterpret_cast<void (*)()>(table->create_of)
-                                            : reinterpret_cast<void (*)()>(table->create);
-  const std::string thrown = thrown_by(create, [&] {
-    const CallMark mark;
+  {
     const PhaseMark phase(CallPhase::creating);
     void* made = create_instance(table, handed_over_.data(), message);
     if (made) instances().add(made, table->destroy);
     self_.reset(made);
-  });
-  end_a_copy();
+  }
   put_arithmetic_right();
   message[ASSAY_MESSAGE_SIZE - 1] = '\0';
-  if (!thrown.empty()) throw std::runtime_error("material '" + name() + "' could not be created: it " + thrown);
   if (!self_) {
-    throw BeginningFailure("material '" + name() + "' could not be created", message);
+    throw std::runtime_error("material '" + name() + "' could not be created" +
+                             (message[0] ? ": " + std::string(message) : std::string()));
   }
 }
 
@@ -183,28 +186,18 @@ std::vector<double> Material::initial_state(std::size_t n, std::span<const doubl
   if (state_size_ == 0) return state;
   const std::vector<double> none(cauchy.empty() ? 9 * n : 0, 0.0);
   const double* stress = cauchy.empty() ? none.data() : cauchy.data();
-  std::int32_t status = ASSAY_FAILED;
-  const std::string thrown = thrown_by(table_->initial_state, [&] {
-    const CallMark mark;
+  const std::int32_t status = [&] {
     const PhaseMark phase(CallPhase::beginning);
-    status = table_->initial_state(self_.get(), n, stress, state.data());
-  });
-  end_a_copy();
+    return call_model(*table_, "initial_state", table_->initial_state, self_.get(), n, stress, state.data());
+  }();
   put_arithmetic_right();
-  if (!thrown.empty()) {
-    MaterialFailure failure("material '" + name() + "': initial_state " + thrown, 0, 0);
-    failure.final = true;
-    throw failure;
-  }
   if (status == ASSAY_FAILED) {
-    const auto* reasons = extension<assay_reason>(ASSAY_EXTENSION_REASON);
-    const std::string reason = reasons ? one_line_of(reasons->reason(self_.get())) : "";
-    throw BeginningFailure("material '" + name() + "' refuses " + (cauchy.empty() ? "to begin" : "the initial stress"),
-                           reason);
+    const std::string refuses = cauchy.empty() ? "refuses to begin" : "refuses the initial stress";
+    throw CannotBegin("material '" + name() + "' " + refuses, reason_of(*table_, self_.get()));
   }
   if (status < ASSAY_FAILED || status > ASSAY_GOOD) {
-    throw BeginningFailure("material '" + name() + "'", "initial_state returned the status " + std::to_string(status) +
-                                                            ", which is none of the ABI's");
+    throw CannotBegin("material '" + name() + "'", "initial_state returned the status " + std::to_string(status) +
+                                                       ", which is none of the ABI's");
   }
   std::size_t offset = 0;
   std::uint32_t rank = 0;

@@ -30,10 +30,11 @@ class ParameterError : public std::runtime_error {
 /// Why a table must be refused (other ABI major, struct too small, a missing function ...), in one sentence.
 std::optional<std::string> defect_of(const assay_material* table);
 
-/// An instance by `create_of`, or by `create` where the table has no other. Null on failure.
+/// An instance by `create_of`, or by `create` where the table has no other. Null on failure, with a message.
 void* create_instance(const assay_material* table, const double* parameters, char* message);
 
 /// An extension's table by `extension_of`, or by `extension` where the table has no other. Null where there is none.
+/// Functions of the ABI's extensions are called by Offer (harness/offer.hpp). Throws ModelThrew.
 const void* extension_of(const assay_material* table, const char* id);
 
 /// With these words a message begins that tells of writing where a model must not; whoever guards its arrays finds it.
@@ -88,7 +89,7 @@ class Material {
   std::size_t state_size() const { return state_size_; }
 
   /// State of n points under the initial Cauchy stress (9 * n, component-major; empty: none) and with the material
-  /// direction (3 * n; empty: E1). Throws std::runtime_error where the material refuses.
+  /// direction (3 * n; empty: E1). Throws CannotBegin where the material refuses, ModelThrew.
   std::vector<double> initial_state(std::size_t n, std::span<const double> cauchy = {},
                                     std::span<const double> direction = {}) const;
 

@@ -2,8 +2,11 @@
 // A material that cannot go on, with the place on its path and the step.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "harness/failed_step.hpp"
 
@@ -19,6 +22,16 @@ class MaterialFailure : public std::runtime_error {
   bool not_finite = false;         ///< its stress or state is no number
   bool final = false;              ///< no shorter step would do: its process died
   std::optional<FailedStep> step;  ///< where a call of `update` failed
+};
+
+/// A material has no state to begin with: at no place of a path.
+class CannotBegin : public MaterialFailure {
+ public:
+  CannotBegin(const std::string& what, std::string because)
+      : MaterialFailure(what + (because.empty() ? "" : ": " + because), NAN, NAN), reason(std::move(because)) {
+    final = true;
+  }
+  std::string reason;  ///< in the model's words
 };
 
 }  // namespace assay

@@ -6,8 +6,6 @@
 #include "harness/arithmetic.hpp"
 #include "harness/foreign_message.hpp"
 #include "harness/material.hpp"
-#include "harness/own_process.hpp"
-#include "harness/progress_mark.hpp"
 #include "harness/thrown.hpp"
 
 namespace assay {
@@ -65,10 +63,8 @@ UpdateReport Material::update(double t, double dt, std::size_t n, const double* 
   std::int32_t status[ASSAY_BATCH_MAX];
   std::fill_n(status, n, ASSAY_GOOD);
   const std::string thrown = thrown_by(table_->update, [&] {
-    const CallMark mark;
     table_->update(self_.get(), &step, n, state0, state1, cauchy, status, &report.dt_factor, message);
   });
-  end_a_copy();
   if (!thrown.empty()) {
     put_arithmetic_right();
     report.worst = ASSAY_FAILED;

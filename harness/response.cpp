@@ -6,15 +6,15 @@
 namespace assay {
 
 std::optional<ClosedForm> ClosedForm::of(std::shared_ptr<const Material> material, const Path& path) {
-  const auto* form = material->extension<assay_closed_form>(ASSAY_EXTENSION_CLOSED_FORM);
+  const Offer<assay_closed_form> form(*material);
   const int baseline = path.name == "simple_shear"      ? ASSAY_BASELINE_SIMPLE_SHEAR
                        : path.name == "uniaxial_strain" ? ASSAY_BASELINE_UNIAXIAL_STRAIN
                                                         : 0;
-  if (!form || !form->tau || baseline == 0) return std::nullopt;
+  if (!form || baseline == 0) return std::nullopt;
   if (path.material_direction != std::array<double, 3>{1, 0, 0}) return std::nullopt;  // a form knows only this one
   const double eps = 0;
   double tau[9], dtau[9];
-  if (form->tau(material->self(), baseline, 1, &eps, tau, dtau) == ASSAY_FAILED) return std::nullopt;
+  if (form(baseline, 1, &eps, tau, dtau) == ASSAY_FAILED) return std::nullopt;
   ClosedForm result;
   result.material_ = std::move(material);
   result.form_ = form;
@@ -26,8 +26,8 @@ std::optional<ClosedForm> ClosedForm::of(std::shared_ptr<const Material> materia
 void ClosedForm::at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const {
   const double g = amplitude_(t), eps = xi * g;
   double values[9], slopes[9];
-  if (form_->tau(material_->self(), baseline_, 1, &eps, values, slopes) == ASSAY_FAILED) {
-    throw MaterialFailure("its closed form failed", xi, t);
+  if ((*form_)(baseline_, 1, &eps, values, slopes) == ASSAY_FAILED) {
+    throw MaterialFailure(with_reason("its closed form failed", *material_), xi, t);
   }
   bool finite = true;
   for (int c = 0; c < 9; ++c) {

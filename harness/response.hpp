@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "harness/in_pieces.hpp"
+#include "harness/offer.hpp"
 #include "harness/shadow.hpp"
 #include "harness/sheet.hpp"
 
@@ -23,7 +24,7 @@ class ClosedForm {
 
  private:
   std::shared_ptr<const Material> material_;
-  const assay_closed_form* form_ = nullptr;
+  std::optional<Offer<assay_closed_form>> form_;
   int baseline_ = 0;
   std::function<double(double)> amplitude_;
 };

@@ -7,6 +7,9 @@
 #include <exception>
 #include <string>
 
+#include "harness/own_process.hpp"
+#include "harness/progress_mark.hpp"
+
 namespace assay {
 
 inline constexpr const char* exception_words = "threw an exception, which must not pass the C ABI";
@@ -20,13 +23,15 @@ std::string words_of_exception(const char* what);
 /// Told where a plug-in ends the thread that calls it, by pthread_exit() or pthread_cancel(); null: nobody is.
 inline void (*on_end_of_thread)() noexcept = nullptr;
 
-/// Calls `function`, a plug-in's, by `call`. Empty, or what it threw; exceptions of this program pass, and so does the
-/// end of a thread.
+/// Calls `function`, a plug-in's, by `call`. Empty, or what it threw, whose words are of the call, for they may not
+/// come back either; exceptions of this program pass, and so does the end of a thread.
 template <class Function, class Call>
 std::string thrown_by(Function* function, const Call& call) {
   const void* code = reinterpret_cast<const void*>(function);
+  const CallMark mark;
   try {
     call();
+    end_a_copy();
     return {};
   } catch (const abi::__forced_unwind&) {
     if (on_end_of_thread) on_end_of_thread();

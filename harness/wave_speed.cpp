@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "harness/acoustic_tensor.hpp"
+#include "harness/offer.hpp"
 #include "harness/point_driver.hpp"
 
 namespace assay {
@@ -15,8 +16,8 @@ constexpr int speed_samples = 9;          ///< of xi, and of t in each piece
 constexpr double speed_tolerance = 1e-3;  ///< of the states at which waves are looked at
 constexpr double probing_share = 1e-4;    ///< the probing step's dt: a usual step of an explicit run
 
-double own_wave_speed(const Material& material, const assay_wave_speed& extension, double density, const Histories& h,
-                      const Path& path) {
+double own_wave_speed(const Material& material, const Offer<assay_wave_speed>& offer, double density,
+                      const Histories& h, const Path& path) {
   const std::size_t n = h.xi.size();
   std::vector<double> F(9 * n), speed(n);
   double fastest = 0;
@@ -25,9 +26,9 @@ double own_wave_speed(const Material& material, const assay_wave_speed& extensio
       const Tensor f = path.deformation_gradient(h.xi[p], h.times[row]);
       for (int c = 0; c < 9; ++c) F[static_cast<std::size_t>(c) * n + p] = component(f, c);
     }
-    if (extension.wave_speed(material.self(), density, n, F.data(), h.points[row].cauchy.data(),
-                             h.points[row].state.data(), speed.data()) == ASSAY_FAILED) {
-      throw MaterialFailure("the material failed to give its wave speed", h.xi[0], h.times[row]);
+    if (offer(density, n, F.data(), h.points[row].cauchy.data(), h.points[row].state.data(), speed.data()) ==
+        ASSAY_FAILED) {
+      throw MaterialFailure(with_reason("the material failed to give its wave speed", material), h.xi[0], h.times[row]);
     }
     for (std::size_t p = 0; p < n; ++p) {
       if (!is_wave_speed(speed[p])) {
@@ -112,9 +113,9 @@ double fastest_wave_on_path(const Material& material, const Path& given, double 
   DriverOptions options;
   options.tolerance = speed_tolerance;
   const Histories h = integrate_histories(material, path, xi, times, options);
-  const auto* extension = material.extension<assay_wave_speed>(ASSAY_EXTENSION_WAVE_SPEED);
-  if (frame == WaveFrame::current && extension && extension->wave_speed) {
-    const double own = own_wave_speed(material, *extension, density, h, path);
+  const Offer<assay_wave_speed> offer(material);
+  if (frame == WaveFrame::current && offer) {
+    const double own = own_wave_speed(material, offer, density, h, path);
     if (own > 0) return own;  // one that is 0 everywhere says nothing
   }
   return probed_wave_speed(material, density, probing_share * end, h, path, frame);

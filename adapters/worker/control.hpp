@@ -20,6 +20,7 @@ enum class Death : std::uint32_t {
   memory,      ///< the process took more than allowed
   stack,       ///< a signal next to the end of the stack
   null,        ///< a signal at an address next to zero
+  unaligned,   ///< a signal at an address that is not a multiple of the size of what lies there
   ended,       ///< by the model's own word, as XIT; words say which
   given_up,    ///< the host was interrupted while it waited
   lost,        ///< the warden itself is gone

@@ -32,9 +32,12 @@ bool next_to_stack(const void* address, const void* context) {
 void on_crash(int signal, siginfo_t* information, void* context) {
   if (marked && information->si_code > 0) {
     constexpr std::uintptr_t next_to_null = 1 << 16;
-    const bool is_null =
-        reinterpret_cast<std::uintptr_t>(information->si_addr) < next_to_null && information->si_code == SEGV_MAPERR;
-    const Death why = next_to_stack(information->si_addr, context) ? Death::stack : is_null ? Death::null : Death::none;
+    const bool is_null = reinterpret_cast<std::uintptr_t>(information->si_addr) < next_to_null && signal == SIGSEGV &&
+                         information->si_code == SEGV_MAPERR;
+    const Death why = signal == SIGBUS && information->si_code == BUS_ADRALN ? Death::unaligned
+                      : next_to_stack(information->si_addr, context)         ? Death::stack
+                      : is_null                                              ? Death::null
+                                                                             : Death::none;
     marked->claim.store(static_cast<std::uint32_t>(why));
   }
   std::signal(signal, SIG_DFL);  // it happens again when this returns

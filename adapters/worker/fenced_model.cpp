@@ -10,6 +10,8 @@
 #include "harness/arithmetic.hpp"
 #include "harness/history_task.hpp"
 #include "harness/material.hpp"
+#include "harness/offer.hpp"
+#include "harness/thrown.hpp"
 
 namespace assay::adapters {
 
@@ -30,10 +32,6 @@ struct FencedModel::Table : assay_material {
   static const void* extension_fenced(const assay_material* table, const char* id);
   static const char* reason_fenced(void* self);
 
-  template <class Extension>
-  const Extension* offered(const char* id) const {
-    return static_cast<const Extension*>(extension_of(model, id));
-  }
   CallArrays room() const { return arrays_inside(memory, size); }
   /// What is written by a call of `update`.
   struct UpdateAnswer {
@@ -112,7 +110,7 @@ std::int32_t FencedModel::Table::initial_state_fenced(void* self, std::size_t n,
   std::int32_t status = ASSAY_FAILED;
   {
     const ModelCall marks(*t.control);
-    status = t.model->initial_state(t.instance, n, stress, found);
+    status = call_model(*t.model, "initial_state", t.model->initial_state, t.instance, n, stress, found);
   }
   t.note(arrays);
   std::copy_n(found, t.state_size * n, state);
@@ -142,11 +140,14 @@ void FencedModel::Table::update_in(CallArrays& arrays, const UpdateArrays& a, co
   std::copy_n(answer.status, n, a.status);
   arrays.raise_fences();
   const assay_step inside{step.t, step.dt, a.F0, a.F1};
-  {
+  const std::string thrown = [&] {
     const ModelCall marks(*control);
-    model->update(instance, &inside, n, a.state0, a.state1, a.cauchy, a.status, answer.dt_factor, answer.message);
-  }
+    return thrown_by(model->update, [&] {
+      model->update(instance, &inside, n, a.state0, a.state1, a.cauchy, a.status, answer.dt_factor, answer.message);
+    });
+  }();
   note(arrays);
+  if (!thrown.empty()) misdeed = "the model " + thrown;
   std::copy_n(a.state1, states, answer.state1);
   std::copy_n(a.cauchy, 9 * n, answer.cauchy);
   std::copy_n(a.status, n, answer.status);
@@ -174,8 +175,8 @@ std::int32_t FencedModel::Table::rate_fenced(void* self, double time, std::size_
   std::int32_t found = ASSAY_FAILED;
   {
     const ModelCall marks(*t.control);
-    found = t.offered<assay_rate>(ASSAY_EXTENSION_RATE)
-                ->rate(t.instance, time, n, F_in, l_in, stress, variables, stress_rate, variables_rate);
+    found =
+        Offer<assay_rate>(*t.model, t.instance)(time, n, F_in, l_in, stress, variables, stress_rate, variables_rate);
   }
   t.note(arrays);
   std::copy_n(stress_rate, 9 * n, cauchy_rate);
@@ -186,8 +187,8 @@ std::int32_t FencedModel::Table::rate_fenced(void* self, double time, std::size_
 const char* FencedModel::Table::reason_fenced(void* self) {
   const Table& t = of(self);
   if (!t.misdeed.empty()) return t.misdeed.c_str();
-  const auto* reasons = t.offered<assay_reason>(ASSAY_EXTENSION_REASON);
-  return reasons ? reasons->reason(t.instance) : "";
+  const Offer<assay_reason> reason(*t.model, t.instance);
+  return reason ? reason() : "";
 }
 
 const void* FencedModel::Table::extension_fenced(const assay_material* table, const char* id) {
@@ -195,7 +196,7 @@ const void* FencedModel::Table::extension_fenced(const assay_material* table, co
   static const assay_reason reason{sizeof(assay_reason), reason_fenced};
   const Table& t = *static_cast<const Table*>(table);
   if (std::strcmp(id, ASSAY_EXTENSION_REASON) == 0) return &reason;
-  if (std::strcmp(id, ASSAY_EXTENSION_RATE) == 0) return t.offered<assay_rate>(id) ? &rate : nullptr;
+  if (std::strcmp(id, ASSAY_EXTENSION_RATE) == 0) return Offer<assay_rate>(*t.model, t.instance) ? &rate : nullptr;
   return nullptr;
 }
 

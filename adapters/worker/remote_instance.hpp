@@ -20,6 +20,8 @@
 #include "adapters/worker/table_pack.hpp"
 #include "harness/arithmetic.hpp"
 #include "harness/material.hpp"
+#include "harness/model_threw.hpp"
+#include "harness/thrown.hpp"
 
 namespace assay::adapters {
 
@@ -171,7 +173,7 @@ class Instance {
     return true;
   }
 
-  /// A call without arrays that come back beside those that `out` knows.
+  /// A call without arrays that come back beside those that `out` knows. Throws ModelThrew, as the call would here.
   template <class In, class Out>
   std::int32_t status_of(Operation operation, std::size_t n, const In& in, const Out& out) {
     std::int32_t status = ASSAY_FAILED;
@@ -181,6 +183,7 @@ class Instance {
       out();
     };
     call(operation, n, in, take, [](const WorkerProcess&) {});
+    if (reason.find(exception_words) != std::string::npos) throw ModelThrew(reason);
     return status;
   }
 

@@ -19,6 +19,7 @@
 #include "adapters/worker/table_pack.hpp"
 #include "harness/arithmetic.hpp"
 #include "harness/material.hpp"
+#include "harness/offer.hpp"
 #include "harness/own_process.hpp"
 #include "harness/progress_mark.hpp"
 #include "harness/thrown.hpp"
@@ -32,7 +33,9 @@ void say(char* out, std::size_t size, const std::string& text) { out[text.copy(o
 /// The answers to one host about one table.
 class Servant {
  public:
-  Servant(WorkerFloor& floor, const assay_material* table) : floor_(floor), table_(*table) {
+  /// Throws ModelThrew.
+  Servant(WorkerFloor& floor, const assay_material* table)
+      : floor_(floor), table_(*table), description_(packed(*table)) {
     for (std::uint32_t i = 0; i < table->state_count; ++i) {
       state_ += static_cast<std::size_t>(components_of_kind(table->state[i].kind));
     }
@@ -43,13 +46,24 @@ class Servant {
     head_ = &arrays.head();
     if (operation == Operation::history) return history(arrays);
     const ForeignCall marks(floor_.control);
+    try {
+      call(operation, arrays);
+    } catch (const ModelThrew& threw) {
+      head_->status = ASSAY_FAILED;
+      say(head_->message, ASSAY_MESSAGE_SIZE, threw.what());
+    }
+  }
+
+ private:
+  using Self = std::unique_ptr<void, void (*)(void*)>;
+
+  /// Throws ModelThrew.
+  void call(Operation operation, CallArrays& arrays) {
     switch (operation) {
       case Operation::describe: {
-        const PhaseMark phase(CallPhase::loading);
-        const std::string bytes = packed(table_);
-        auto* out = arrays.next<char>(bytes.size(), "the table");
-        head_->n = bytes.size();
-        std::copy(bytes.begin(), bytes.end(), out);
+        auto* out = arrays.next<char>(description_.size(), "the table");
+        head_->n = description_.size();
+        std::copy(description_.begin(), description_.end(), out);
         head_->status = ASSAY_GOOD;
         return;
       }
@@ -64,9 +78,6 @@ class Servant {
     }
   }
 
- private:
-  using Self = std::unique_ptr<void, void (*)(void*)>;
-
   void* self() const {
     const auto found = instances_.find(head_->instance);
     return found == instances_.end() ? nullptr : found->second.get();
@@ -75,10 +86,7 @@ class Servant {
   void create(CallArrays& arrays) {
     const auto* parameters = arrays.next<double>(table_.parameter_count, "the parameters");
     const PhaseMark phase(CallPhase::creating);
-    void* made = nullptr;
-    const std::string thrown =
-        thrown_by(table_.update, [&] { made = create_instance(&table_, parameters, head_->message); });
-    if (!thrown.empty()) say(head_->message, ASSAY_MESSAGE_SIZE, "it " + thrown);
+    void* made = create_instance(&table_, parameters, head_->message);
     head_->status = made ? ASSAY_GOOD : ASSAY_FAILED;
     if (!made) return;
     histories_.erase(head_->instance);
@@ -104,7 +112,9 @@ class Servant {
     const auto* cauchy = arrays.next<double>(9 * n, "cauchy");
     auto* state = arrays.next<double>(state_ * n, "the initial state");
     const PhaseMark phase(CallPhase::beginning);
-    head_->status = table_.initial_state ? table_.initial_state(self(), n, cauchy, state) : ASSAY_GOOD;
+    head_->status = table_.initial_state
+                        ? call_model(table_, "initial_state", table_.initial_state, self(), n, cauchy, state)
+                        : ASSAY_GOOD;
     say_reason();
   }
 
@@ -112,12 +122,18 @@ class Servant {
     const std::size_t n = head_->n;
     const UpdateArrays a(arrays, n, state_);
     const assay_step step{head_->t, head_->dt, a.F0, a.F1};
-    table_.update(self(), &step, n, a.state0, a.state1, a.cauchy, a.status, &head_->dt_factor, head_->message);
+    const std::string thrown = thrown_by(table_.update, [&] {
+      table_.update(self(), &step, n, a.state0, a.state1, a.cauchy, a.status, &head_->dt_factor, head_->message);
+    });
+    if (thrown.empty()) return;
+    std::fill_n(a.status, n, ASSAY_FAILED);
+    head_->dt_factor = 0;
+    say(head_->message, ASSAY_MESSAGE_SIZE, "the model " + thrown);
   }
 
   template <class Extension>
-  const Extension* offered(const char* id) const {
-    return static_cast<const Extension*>(extension_of(&table_, id));
+  Offer<Extension> offered() const {
+    return {table_, self()};
   }
 
   void extension(Operation operation, CallArrays& arrays) {
@@ -126,38 +142,35 @@ class Servant {
     if (operation == Operation::tangent) {
       const double *F0 = in(9 * n, "F0"), *F1 = in(9 * n, "F1"), *state0 = in(state_ * n, "state0");
       const assay_step step{head_->t, head_->dt, F0, F1};
-      head_->status =
-          offered<assay_tangent>(ASSAY_EXTENSION_TANGENT)->tangent(self(), &step, n, state0, in(81 * n, "the tangent"));
+      head_->status = offered<assay_tangent>()(&step, n, state0, in(81 * n, "the tangent"));
     } else if (operation == Operation::energy) {
       const double *F = in(9 * n, "F"), *state = in(state_ * n, "state");
-      head_->status = offered<assay_energy>(ASSAY_EXTENSION_ENERGY)->energy(self(), n, F, state, in(n, "the energy"));
+      head_->status = offered<assay_energy>()(n, F, state, in(n, "the energy"));
     } else if (operation == Operation::rate) {
       const double *F = in(9 * n, "F"), *l = in(9 * n, "l"), *cauchy = in(9 * n, "cauchy"),
                    *state = in(state_ * n, "state");
       double *cauchy_rate = in(9 * n, "the rate of stress"), *state_rate = in(state_ * n, "the rate of state");
-      head_->status = offered<assay_rate>(ASSAY_EXTENSION_RATE)
-                          ->rate(self(), head_->t, n, F, l, cauchy, state, cauchy_rate, state_rate);
+      head_->status = offered<assay_rate>()(head_->t, n, F, l, cauchy, state, cauchy_rate, state_rate);
     } else if (operation == Operation::wave_speed) {
       const double *F = in(9 * n, "F"), *cauchy = in(9 * n, "cauchy"), *state = in(state_ * n, "state");
-      head_->status = offered<assay_wave_speed>(ASSAY_EXTENSION_WAVE_SPEED)
-                          ->wave_speed(self(), head_->density, n, F, cauchy, state, in(n, "the speed"));
+      head_->status = offered<assay_wave_speed>()(head_->density, n, F, cauchy, state, in(n, "the speed"));
     } else if (operation == Operation::closed_form) {
       const double* eps = in(n, "eps");
       double *tau = in(9 * n, "tau"), *slope = in(9 * n, "the slope");
-      head_->status =
-          offered<assay_closed_form>(ASSAY_EXTENSION_CLOSED_FORM)->tau(self(), head_->baseline, n, eps, tau, slope);
+      head_->status = offered<assay_closed_form>()(head_->baseline, n, eps, tau, slope);
     }
     say_reason();
   }
 
   void say_reason() {
-    const auto* reasons = offered<assay_reason>(ASSAY_EXTENSION_REASON);
-    const char* reason = reasons && head_->status == ASSAY_FAILED ? reasons->reason(self()) : nullptr;
-    if (reason) say(head_->message, ASSAY_MESSAGE_SIZE, reason);
+    if (head_->status != ASSAY_FAILED) return;
+    const std::string reason = reason_of(table_, self());
+    if (!reason.empty()) say(head_->message, ASSAY_MESSAGE_SIZE, reason);
   }
 
   WorkerFloor& floor_;
   const assay_material& table_;
+  std::string description_;
   std::size_t state_ = 0;
   CallHead* head_ = nullptr;
   std::map<std::uint64_t, Self> instances_;
@@ -265,9 +278,12 @@ void serve_model(WorkerFloor& floor, const std::function<const assay_material*()
     try {
       const assay_material* table = find();
       reset_arithmetic();  // a library that was linked with -ffast-math changes it when it is loaded
+      const PhaseMark phase(CallPhase::loading);  // it asks for the extensions
       servant = std::make_unique<Servant>(floor, table);
     } catch (const ModelRefused& why) {
       refused = why;
+    } catch (const ModelThrew& threw) {
+      refused = {"library", std::string("cannot serve: ") + threw.what(), ""};
     } catch (const std::exception& error) {
       refused = {"", error.what(), ""};
     }

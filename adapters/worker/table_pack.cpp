@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "harness/material.hpp"
+#include "harness/offer.hpp"
 
 namespace assay::adapters {
 
@@ -53,7 +53,10 @@ class Reader {
   std::size_t at_ = 0;
 };
 
-bool has(const assay_material& table, const char* id) { return extension_of(&table, id) != nullptr; }
+template <class... Extensions>
+void abilities(const assay_material& table, Writer& w) {
+  (w.number(bool(Offer<Extensions>(table, nullptr))), ...);
+}
 
 }  // namespace
 
@@ -75,10 +78,7 @@ std::string packed(const assay_material& table) {
     w.number(v.kind);
     w.number(v.role);
   }
-  for (const char* id : {ASSAY_EXTENSION_RATE, ASSAY_EXTENSION_TANGENT, ASSAY_EXTENSION_ENERGY,
-                         ASSAY_EXTENSION_WAVE_SPEED, ASSAY_EXTENSION_CLOSED_FORM, ASSAY_EXTENSION_REASON}) {
-    w.number(has(table, id));
-  }
+  abilities<assay_rate, assay_tangent, assay_energy, assay_wave_speed, assay_closed_form, assay_reason>(table, w);
   const auto* example = static_cast<const assay_example*>(extension_of(&table, ASSAY_EXTENSION_EXAMPLE));
   const bool has_values = example && example->struct_size >= sizeof(assay_example) && example->parameters;
   w.number(has_values);

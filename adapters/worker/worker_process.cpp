@@ -214,6 +214,8 @@ std::string WorkerProcess::how_it_ended() const {
       return "died of signal " + std::to_string(number) + ": the stack overflowed" + heard;
     case Death::null:
       return "died of signal " + std::to_string(number) + ": a null pointer was followed" + heard;
+    case Death::unaligned:
+      return "died of signal " + std::to_string(number) + ": an address that is not aligned was followed" + heard;
     case Death::ended:
       return words + heard;
     case Death::given_up:

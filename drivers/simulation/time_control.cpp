@@ -6,6 +6,7 @@
 
 #include "drivers/simulation/time_steps.hpp"
 #include "harness/material_failure.hpp"
+#include "harness/offer.hpp"
 #include "harness/wave_speed.hpp"
 #include "mpm/blocks.hpp"
 
@@ -76,8 +77,8 @@ std::vector<double> TimeControl::state_of(const mpm::State<2>& s, std::size_t p)
 /// assay.wave_speed/1 at all particles; 0 of a material without, where it gives what is no speed, and in the total
 /// formulation, whose waves it does not know.
 double TimeControl::own_speed(const mpm::State<2>& s) const {
-  const auto* extension = material_.extension<assay_wave_speed>(ASSAY_EXTENSION_WAVE_SPEED);
-  if (!extension || !extension->wave_speed || problem_->setup.method.is_total()) return 0;
+  const Offer<assay_wave_speed> offer(material_);
+  if (!offer || problem_->setup.method.is_total()) return 0;
   std::vector<double> F(9 * mpm::block_size), stress(F.size()), speed(mpm::block_size);
   double fastest = 0;
   for (std::size_t begin = 0; begin < s.particles; begin += mpm::block_size) {
@@ -93,8 +94,7 @@ double TimeControl::own_speed(const mpm::State<2>& s) const {
       }
     }
     const double* state = s.history[0].data() ? s.history[0].data() + begin * material_.state_size() : nullptr;
-    if (extension->wave_speed(material_.self(), s.setup.density, n, F.data(), stress.data(), state, speed.data()) ==
-        ASSAY_FAILED) {
+    if (offer(s.setup.density, n, F.data(), stress.data(), state, speed.data()) == ASSAY_FAILED) {
       return 0;
     }
     for (std::size_t k = 0; k < n; ++k) {

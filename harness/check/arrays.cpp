@@ -11,8 +11,6 @@
 #include "harness/arithmetic.hpp"
 #include "harness/check/call_steps.hpp"
 #include "harness/check/specimen.hpp"
-#include "harness/own_process.hpp"
-#include "harness/progress_mark.hpp"
 #include "harness/thrown.hpp"
 
 namespace assay::check {
@@ -148,11 +146,9 @@ Deed step(const Material& material, const Walk& walk, double t, const Tensor& be
   const assay_step whole{t, length, F0.data(), F1.data()};
   assay_step step = whole;
   const std::string thrown = thrown_by(material.table().update, [&] {
-    const CallMark mark;
     material.table().update(material.self(), &step, n, state.data(), state1.data(), cauchy.data(), status.data(),
                             factor.data(), message.data());
   });
-  end_a_copy();
   if (!thrown.empty()) return ends(exception_prefix + ("it " + thrown));
   if (const std::string words = arithmetic_words(put_arithmetic_right()); !words.empty()) {
     return {arithmetic_prefix + ("it " + words), {}, {}, false};

@@ -17,6 +17,7 @@
 #include "harness/check/rest.hpp"
 #include "harness/check/scope.hpp"
 #include "harness/stopwatch.hpp"
+#include "harness/thrown.hpp"
 
 namespace assay::check {
 
@@ -95,6 +96,7 @@ bool has_state_that_turns(const assay_material& table) {
 std::string cause_of_refusal(const std::string& words, bool not_finite) {
   if (words.starts_with(overrun_words)) return causes::overrun;
   if (words.starts_with(arithmetic_prefix)) return causes::disturbs_process;
+  if (words.find(exception_words) != std::string::npos) return causes::ends_process;
   if (words.find(absent_words) != std::string::npos) return causes::missing_routine;
   return not_finite ? causes::not_finite : causes::refuses;
 }

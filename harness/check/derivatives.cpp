@@ -10,7 +10,6 @@
 #include "harness/check/samples.hpp"
 #include "harness/check/share_along.hpp"
 #include "harness/check/tangent_conventions.hpp"
-#include "harness/progress_mark.hpp"
 #include "harness/stable_norm.hpp"
 
 namespace assay::check {
@@ -50,14 +49,13 @@ double apart(const Tangent& a, const Tangent& b) {
 }
 
 /// Nothing where the model refuses to give one.
-std::optional<Tangent> offered(const Material& material, const assay_tangent& form, const Sample& s) {
+std::optional<Tangent> offered(const Material& material, const Offer<assay_tangent>& form, const Sample& s) {
   double F0[9], F1[9], found[81];
   for (int c = 0; c < 9; ++c) F0[c] = component(s.F0, c), F1[c] = component(s.F1, c);
   std::fill(found, found + 81, NAN);
   const assay_step step{s.t, s.dt, F0, F1};
   Tangent result;
-  const CallMark mark;
-  if (form.tangent(material.self(), &step, 1, s.state0.data(), found) == ASSAY_FAILED) return std::nullopt;
+  if (form(&step, std::size_t{1}, s.state0.data(), found) == ASSAY_FAILED) return std::nullopt;
   for (int row = 0; row < 9; ++row) {
     for (int column = 0; column < 9; ++column) result(row, column) = found[9 * row + column];
   }
@@ -135,7 +133,7 @@ struct Tangents {
   std::vector<std::pair<std::string, double>> shears;  ///< what is wrong with them, and how wrong it is without that
 };
 
-Tangents tangents_of(Specimen specimen, double amplitude, const assay_tangent& form) {
+Tangents tangents_of(Specimen specimen, double amplitude, const Offer<assay_tangent>& form) {
   constexpr double kink = 1e-5;
   const Material& material = *specimen.material;
   specimen.amplitude = amplitude;
@@ -176,7 +174,7 @@ Tangents tangents_of(Specimen specimen, double amplitude, const assay_tangent& f
 
 /// How wrong the tangents are where principal stretches are equal; infinite where one is not finite. A material with
 /// kinks may have one right there: of its tangents no more is asked than that.
-double error_at_equal_stretches(Specimen specimen, double amplitude, const assay_tangent& form) {
+double error_at_equal_stretches(Specimen specimen, double amplitude, const Offer<assay_tangent>& form) {
   constexpr double kink = 1e-5;
   const Material& material = *specimen.material;
   specimen.amplitude = amplitude;
@@ -202,7 +200,7 @@ double error_at_equal_stretches(Specimen specimen, double amplitude, const assay
 }
 
 /// Of a tangent that is right along a history.
-void judge_at_equal_stretches(const Specimen& specimen, const assay_tangent& form, TestResult& result) {
+void judge_at_equal_stretches(const Specimen& specimen, const Offer<assay_tangent>& form, TestResult& result) {
   constexpr double most = 1e-2;  // spectral forms move stretches apart by up to 1e-3 of the strain
   const double error = error_at_equal_stretches(specimen, std::min(specimen.amplitude, 2 * specimen.onset), form);
   if (error <= most) return;
@@ -261,11 +259,11 @@ std::string words_of(const Tangents& found, double worst) {
 TestResult tangent(const Specimen& specimen) {
   constexpr double alike = 1e-3;
   const double most = specimen.options.declarations.tangent_within;
-  const auto* form = specimen.material->extension<assay_tangent>(ASSAY_EXTENSION_TANGENT);
+  const Offer<assay_tangent> form(*specimen.material);
   if (!form) return {.id = "tangent", .verdict = Verdict::not_applicable, .sentence = "the model offers no tangent"};
   Tangents found;
   for (const double far : {10.0, 2.0}) {  // beyond the elastic range, in steps that an implicit law is written for
-    found = tangents_of(specimen, std::min(specimen.amplitude, far * specimen.onset), *form);
+    found = tangents_of(specimen, std::min(specimen.amplitude, far * specimen.onset), form);
     if (found.given > 0) break;
   }
   if (found.given == 0) {
@@ -278,7 +276,7 @@ TestResult tangent(const Specimen& specimen) {
   TestResult result{.id = "tangent", .measure = worst, .threshold = most};
   result.sentence = "the tangent is the derivative of the stress, to " + rounded(worst);
   if (worst <= most) {
-    judge_at_equal_stretches(specimen, *form, result);
+    judge_at_equal_stretches(specimen, form, result);
     return result;
   }
   result.verdict = Verdict::fail;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "harness/check/specimen.hpp"
+#include "harness/offer.hpp"
 
 namespace assay::check {
 
@@ -14,7 +15,6 @@ TestResult tangent(const Specimen& specimen);
 TestResult energy(const Specimen& specimen);
 
 /// Stored energy [J/m^3]; no number where the model fails.
-double stored_energy(const Material& material, const assay_energy& form, const Tensor& F,
-                     const std::vector<double>& state);
+double stored_energy(const Offer<assay_energy>& form, const Tensor& F, const std::vector<double>& state);
 
 }  // namespace assay::check

@@ -20,16 +20,15 @@ namespace assay::check {
 namespace {
 
 /// The most that comes back of what was lost, over the work: what is stored is known.
-double out_of_what_was_lost(const Specimen& specimen, const assay_energy& form) {
-  const Material& material = *specimen.material;
+double out_of_what_was_lost(const Specimen& specimen, const Offer<assay_energy>& form) {
   const int steps = 4 * specimen.steps();
   Work work(specimen, 1.0 / steps);
-  const double stored_at_rest = stored_energy(material, form, Tensor::Identity(), work.state());
+  const double stored_at_rest = stored_energy(form, Tensor::Identity(), work.state());
   double lost = 0, peak = 0, worst = 0;
   for (int k = 0; k < steps; ++k) {
     const Tensor F = specimen.space.stretch(specimen.amplitude, (k + 1.0) / steps);
     work.step(F);
-    lost = work.done() - (stored_energy(material, form, F, work.state()) - stored_at_rest);
+    lost = work.done() - (stored_energy(form, F, work.state()) - stored_at_rest);
     peak = std::max(peak, lost);
     worst = std::max(worst, peak - lost);
   }
@@ -205,9 +204,9 @@ double most_in(const std::vector<double>& times, const Specimen& specimen,
 TestResult dissipation(const Specimen& specimen) {
   constexpr double of_energy = 1e-3;   // what steps of finite length leave
   constexpr double of_history = 0.02;  // what steps of finite length leave is below a thousandth
-  const auto* form = specimen.material->extension<assay_energy>(ASSAY_EXTENSION_ENERGY);
+  const Offer<assay_energy> form(*specimen.material);
   if (form) {
-    TestResult result = judged(out_of_what_was_lost(specimen, *form), of_energy, "");
+    TestResult result = judged(out_of_what_was_lost(specimen, form), of_energy, "");
     if (result.verdict == Verdict::fail) return result;
   }
   if (specimen.rest_pressure() > 0) {

@@ -6,16 +6,13 @@
 #include "harness/check/derivatives.hpp"
 #include "harness/check/judge.hpp"
 #include "harness/check/samples.hpp"
-#include "harness/progress_mark.hpp"
 
 namespace assay::check {
 
-double stored_energy(const Material& material, const assay_energy& form, const Tensor& F,
-                     const std::vector<double>& state) {
+double stored_energy(const Offer<assay_energy>& form, const Tensor& F, const std::vector<double>& state) {
   double nine[9], value = NAN;
   for (int c = 0; c < 9; ++c) nine[c] = component(F, c);
-  const CallMark mark;
-  return form.energy(material.self(), 1, nine, state.data(), &value) == ASSAY_FAILED ? NAN : value;
+  return form(std::size_t{1}, nine, state.data(), &value) == ASSAY_FAILED ? NAN : value;
 }
 
 namespace {
@@ -28,7 +25,7 @@ struct EnergyError {
 
 /// The derivative at a fixed state or, where the state is one of the current body (a conformation that goes with F), at
 /// that which steps in no time bring.
-EnergyError energy_error(const Specimen& specimen, const assay_energy& form, bool at_fixed_state) {
+EnergyError energy_error(const Specimen& specimen, const Offer<assay_energy>& form, bool at_fixed_state) {
   constexpr double brief = 1e-9;  // [s]
   const Material& material = *specimen.material;
   double worst = 0, scale = specimen.least_stress();
@@ -43,8 +40,8 @@ EnergyError energy_error(const Specimen& specimen, const assay_energy& form, boo
       const auto W = [&](double by) {
         Tensor F = s.F1;
         component(F, c) += by;
-        if (at_fixed_state) return stored_energy(material, form, F, held.state);
-        return stored_energy(material, form, F, stepped(material, s.t + s.dt, brief, s.F1, F, held.state).state);
+        if (at_fixed_state) return stored_energy(form, F, held.state);
+        return stored_energy(form, F, stepped(material, s.t + s.dt, brief, s.F1, F, held.state).state);
       };
       const auto slope = [&](double h) { return (8 * (W(h) - W(-h)) - (W(2 * h) - W(-2 * h))) / (12 * h); };
       const double fine = slope(1e-4), coarse = slope(1e-2), of_stress = component(expected, c);
@@ -60,7 +57,7 @@ EnergyError energy_error(const Specimen& specimen, const assay_energy& form, boo
 }
 
 /// INFINITY where the material does not take steps in no time.
-double energy_error_along_steps(const Specimen& specimen, const assay_energy& form) {
+double energy_error_along_steps(const Specimen& specimen, const Offer<assay_energy>& form) {
   try {
     return energy_error(specimen, form, false).worst;
   } catch (const MaterialFailure&) {
@@ -72,9 +69,9 @@ double energy_error_along_steps(const Specimen& specimen, const assay_energy& fo
 
 TestResult energy(const Specimen& specimen) {
   constexpr double most = 2e-4;
-  const auto* form = specimen.material->extension<assay_energy>(ASSAY_EXTENSION_ENERGY);
+  const Offer<assay_energy> form(*specimen.material);
   if (!form) return {.id = "energy", .verdict = Verdict::not_applicable, .sentence = "the model offers no energy"};
-  const EnergyError found = energy_error(specimen, *form, true);
+  const EnergyError found = energy_error(specimen, form, true);
   if (!found.depends_on_F) {
     return {.id = "energy",
             .verdict = Verdict::not_applicable,
@@ -82,7 +79,7 @@ TestResult energy(const Specimen& specimen) {
   }
   double worst = found.worst;
   if (worst > most && specimen.material->state_size() > 0) {
-    worst = std::min(worst, energy_error_along_steps(specimen, *form));
+    worst = std::min(worst, energy_error_along_steps(specimen, form));
   }
   TestResult result{.id = "energy", .measure = worst, .threshold = most};
   result.verdict = worst <= most ? Verdict::pass : Verdict::fail;

@@ -7,7 +7,7 @@
 #include "harness/check/judge.hpp"
 #include "harness/check/samples.hpp"
 #include "harness/largest.hpp"
-#include "harness/progress_mark.hpp"
+#include "harness/offer.hpp"
 #include "harness/wave_speed.hpp"
 
 namespace assay::check {
@@ -35,7 +35,7 @@ Rates in_parts(const Material& material, const Tensor& cauchy, const std::vector
 }
 
 /// Nothing where the model refuses to give its rates.
-std::optional<Rates> offered_rates(const Material& material, const assay_rate& form, const Sample& s,
+std::optional<Rates> offered_rates(const Material& material, const Offer<assay_rate>& form, const Sample& s,
                                    const Tensor& F_rate) {
   const Tensor l = F_rate * s.F1.inverse();
   double F[9], velocity_gradient[9], cauchy[9], cauchy_rate[9];
@@ -44,9 +44,8 @@ std::optional<Rates> offered_rates(const Material& material, const assay_rate& f
     cauchy_rate[c] = NAN;
   }
   std::vector<double> state_rate(s.end.state.size(), NAN);
-  const CallMark mark;
-  if (form.rate(material.self(), s.t + s.dt, 1, F, velocity_gradient, cauchy, s.end.state.data(), cauchy_rate,
-                state_rate.data()) == ASSAY_FAILED) {
+  if (form(s.t + s.dt, std::size_t{1}, F, velocity_gradient, cauchy, s.end.state.data(), cauchy_rate,
+           state_rate.data()) == ASSAY_FAILED) {
     return std::nullopt;
   }
   Tensor found;
@@ -96,7 +95,7 @@ std::optional<double> error_of_part(const std::vector<double>& offered, const st
 TestResult rate_form(const Specimen& specimen) {
   constexpr double most = 5e-4;  // right ones: below 1e-8
   const Material& material = *specimen.material;
-  const auto* form = material.extension<assay_rate>(ASSAY_EXTENSION_RATE);
+  const Offer<assay_rate> form(material);
   if (!form) return left("rate", "the model offers no rate form");
   if (material.has(ASSAY_NON_SMOOTH) && !specimen.linear) {
     return left("rate", "the material yields at once: no step is short beside its elastic strain");
@@ -104,7 +103,7 @@ TestResult rate_form(const Specimen& specimen) {
   std::vector<std::vector<double>> errors(1 + material.table().state_count);
   for (const Sample& s : samples_of(specimen)) {
     const Tensor F_rate = (s.F1 - s.F0) / s.dt;
-    const std::optional<Rates> offered = offered_rates(material, *form, s, F_rate);
+    const std::optional<Rates> offered = offered_rates(material, form, s, F_rate);
     if (!offered) continue;
     double noise = 0;
     const std::vector<Rates> steps = differences(specimen, s, F_rate, noise);
@@ -141,18 +140,14 @@ TestResult rate_form(const Specimen& specimen) {
 TestResult wave_speed(const Specimen& specimen) {
   constexpr double density = 1000, most = 0.05;  // speeds in explicit runs are held to a courant number below 1
   const Material& material = *specimen.material;
-  const auto* form = material.extension<assay_wave_speed>(ASSAY_EXTENSION_WAVE_SPEED);
+  const Offer<assay_wave_speed> form(material);
   if (!form) return left("wave_speed", "the model offers no wave speed");
   if (specimen.rate_dependent()) return left("wave_speed", "steps of the model are stiffer the shorter they are");
   double worst = 0, largest = 0;
   for (const Sample& s : samples_of(specimen)) {
     double F[9], cauchy[9], offered = NAN;
     for (int c = 0; c < 9; ++c) F[c] = component(s.F1, c), cauchy[c] = component(s.end.cauchy, c);
-    bool given = false;
-    {
-      const CallMark mark;
-      given = form->wave_speed(material.self(), density, 1, F, cauchy, s.end.state.data(), &offered) != ASSAY_FAILED;
-    }
+    const bool given = form(density, std::size_t{1}, F, cauchy, s.end.state.data(), &offered) != ASSAY_FAILED;
     const double found =
         fastest_wave(probe_tangent_modulus(material, s.t + s.dt, 0.01 * s.dt, s.F1, s.end.state), s.F1, density);
     worst = larger(worst, given && std::isfinite(offered) ? 1 - offered / found : INFINITY);
@@ -174,7 +169,7 @@ TestResult wave_speed(const Specimen& specimen) {
 namespace {
 
 /// Along one baseline, against increments; nothing where the model has no closed form of it.
-std::optional<Limit> of_baseline(const Specimen& specimen, const assay_closed_form& form, std::int32_t baseline,
+std::optional<Limit> of_baseline(const Specimen& specimen, const Offer<assay_closed_form>& form, std::int32_t baseline,
                                  double& slope_error) {
   const Material& material = *specimen.material;
   Tensor D = Tensor::Zero();
@@ -182,8 +177,7 @@ std::optional<Limit> of_baseline(const Specimen& specimen, const assay_closed_fo
   const double eps = specimen.amplitude, change = 1e-4 * eps;
   const auto tau_of = [&](double at, Tensor& slope) -> std::optional<Tensor> {
     double tau[9], d_tau[9];
-    const CallMark mark;
-    if (form.tau(material.self(), baseline, 1, &at, tau, d_tau) == ASSAY_FAILED) return std::nullopt;
+    if (form(baseline, std::size_t{1}, &at, tau, d_tau) == ASSAY_FAILED) return std::nullopt;
     Tensor value;
     for (int c = 0; c < 9; ++c) component(value, c) = tau[c], component(slope, c) = d_tau[c];
     return value;
@@ -211,14 +205,14 @@ std::optional<Limit> of_baseline(const Specimen& specimen, const assay_closed_fo
 }  // namespace
 
 TestResult closed_form(const Specimen& specimen) {
-  const auto* form = specimen.material->extension<assay_closed_form>(ASSAY_EXTENSION_CLOSED_FORM);
+  const Offer<assay_closed_form> form(*specimen.material);
   if (!form) return left("closed_form", "the model offers no closed form of a baseline");
   if (specimen.pressure != 0) return left("closed_form", "the material needs a pressure at rest");
   TestResult result = left("closed_form", "the model has no closed form of simple shear or uniaxial strain");
   for (const auto& [baseline, name] : {std::pair{ASSAY_BASELINE_SIMPLE_SHEAR, "simple shear"},
                                        std::pair{ASSAY_BASELINE_UNIAXIAL_STRAIN, "uniaxial strain"}}) {
     double slope_error = 0;
-    const std::optional<Limit> limit = of_baseline(specimen, *form, baseline, slope_error);
+    const std::optional<Limit> limit = of_baseline(specimen, form, baseline, slope_error);
     if (!limit) continue;
     const double measure = larger(limit->value, slope_error);
     if (result.measure && measure <= *result.measure) continue;

@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "harness/beginning_failure.hpp"
 #include "harness/check/specimen.hpp"
 
 namespace assay::check {
@@ -80,17 +79,17 @@ TestResult refused(const std::string& id, const char* cause, const MaterialFailu
   result.cause = cause_of_refusal(words, failure.not_finite);
   result.refused = result.cause == causes::refuses && !failure.final;
   if (cause && (result.cause == causes::refuses || result.cause == causes::not_finite)) result.cause = cause;
-  const std::string what = failure.not_finite ? words
-                           : words.empty()    ? "the model refuses a step without a word"
-                                              : "the model refuses a step: " + words;
+  const std::string what = failure.not_finite || result.cause == causes::ends_process ? words
+                           : words.empty() ? "the model refuses a step without a word"
+                                           : "the model refuses a step: " + words;
   result.sentence = what + (id == "loading" ? "" : ", in the test " + id);
   return result;
 }
 
 TestResult not_loaded(const Material& material, const std::runtime_error& error) {
   const auto* failure = dynamic_cast<const MaterialFailure*>(&error);
-  if (!failure) {
-    const auto* beginning = dynamic_cast<const BeginningFailure*>(&error);
+  const auto* beginning = dynamic_cast<const CannotBegin*>(&error);
+  if (!failure || beginning) {
     const std::string cause = cause_of_refusal(beginning ? beginning->reason : "", false);
     return {.id = "loading", .verdict = Verdict::fail, .cause = cause, .sentence = error.what()};
   }

@@ -10,6 +10,7 @@
 #include "harness/check/judge.hpp"
 #include "harness/check/stiffness_axes.hpp"
 #include "harness/check/symmetry_axes.hpp"
+#include "harness/offer.hpp"
 
 namespace assay::check {
 
@@ -145,7 +146,7 @@ TestResult major_symmetry(const Specimen& specimen) {
   const char* id = "elasticity.major";
   if (const auto why = reason_to_leave(specimen)) return left_out(id, *why);
   if (!specimen.linear) return left_out(id, "the response to small strains from rest is not linear");
-  if (specimen.rate_dependent() && !specimen.material->extension<assay_energy>(ASSAY_EXTENSION_ENERGY)) {
+  if (specimen.rate_dependent() && !Offer<assay_energy>(*specimen.material)) {
     return left_out(id, "a material that depends on the rate without an energy to be held to");
   }
   const SymmetryClass symmetry = declared_class(specimen.material->table());

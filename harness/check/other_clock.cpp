@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "harness/offer.hpp"
+
 namespace assay::check {
 
 namespace {
@@ -24,8 +26,8 @@ struct Instance {
   void* inner;
 
   template <class Extension>
-  const Extension& offered(const char* id) const {
-    return *static_cast<const Extension*>(extension_of(table->inner, id));
+  Offer<Extension> offered() const {
+    return {*table->inner, inner};
   }
 };
 
@@ -47,36 +49,36 @@ void destroy(void* self) {
 }
 
 std::int32_t initial_state(void* self, std::size_t n, const double* cauchy, double* state) {
-  return of(self).table->inner->initial_state(of(self).inner, n, cauchy, state);
+  return call_model(*of(self).table->inner, "initial_state", of(self).table->inner->initial_state, of(self).inner, n,
+                    cauchy, state);
 }
 
 void update(void* self, const assay_step* step, std::size_t n, const double* state0, double* state1, double* cauchy,
             std::int32_t* status, double* dt_factor, char* message) {
   const assay_step own = paced(of(self), *step);
-  of(self).table->inner->update(of(self).inner, &own, n, state0, state1, cauchy, status, dt_factor, message);
+  const assay_material& inner = *of(self).table->inner;
+  const std::string thrown = thrown_by(
+      inner.update, [&] { inner.update(of(self).inner, &own, n, state0, state1, cauchy, status, dt_factor, message); });
+  if (!thrown.empty()) throw ModelThrew(inner.name, "update", thrown);
 }
 
 std::int32_t tangent(void* self, const assay_step* step, std::size_t n, const double* state0, double* found) {
   const assay_step own = paced(of(self), *step);
-  return of(self).offered<assay_tangent>(ASSAY_EXTENSION_TANGENT).tangent(of(self).inner, &own, n, state0, found);
+  return of(self).offered<assay_tangent>()(&own, n, state0, found);
 }
 
 std::int32_t energy(void* self, std::size_t n, const double* F, const double* state, double* found) {
-  return of(self).offered<assay_energy>(ASSAY_EXTENSION_ENERGY).energy(of(self).inner, n, F, state, found);
+  return of(self).offered<assay_energy>()(n, F, state, found);
 }
 
 std::int32_t wave_speed(void* self, double density, std::size_t n, const double* F, const double* cauchy,
                         const double* state, double* found) {
-  return of(self)
-      .offered<assay_wave_speed>(ASSAY_EXTENSION_WAVE_SPEED)
-      .wave_speed(of(self).inner, density, n, F, cauchy, state, found);
+  return of(self).offered<assay_wave_speed>()(density, n, F, cauchy, state, found);
 }
 
 std::int32_t closed_form(void* self, std::int32_t baseline, std::size_t n, const double* eps, double* tau,
                          double* slope) {
-  return of(self)
-      .offered<assay_closed_form>(ASSAY_EXTENSION_CLOSED_FORM)
-      .tau(of(self).inner, baseline, n, eps, tau, slope);
+  return of(self).offered<assay_closed_form>()(baseline, n, eps, tau, slope);
 }
 
 /// A rate per unit of this clock is `pace` times that per second.
@@ -87,16 +89,16 @@ std::int32_t rate(void* self, double t, std::size_t n, const double* F, const do
   std::vector<double> per_second(velocity_gradient, velocity_gradient + 9 * n);
   for (double& component : per_second) component /= pace;
   const std::int32_t found =
-      i.offered<assay_rate>(ASSAY_EXTENSION_RATE)
-          .rate(i.inner, pace * t, n, F, per_second.data(), cauchy, state, cauchy_rate, state_rate);
+      i.offered<assay_rate>()(pace * t, n, F, per_second.data(), cauchy, state, cauchy_rate, state_rate);
   std::size_t variables = 0;
-  for (std::size_t v = 0; v < i.table->state_count; ++v) variables += components_of_kind(i.table->state[v].kind);
+  for (std::size_t v = 0; v < i.table->state_count; ++v)
+    variables += static_cast<std::size_t>(components_of_kind(i.table->state[v].kind));
   std::for_each(cauchy_rate, cauchy_rate + 9 * n, [=](double& each) { each *= pace; });
   std::for_each(state_rate, state_rate + variables * n, [=](double& each) { each *= pace; });
   return found;
 }
 
-const char* reason(void* self) { return of(self).offered<assay_reason>(ASSAY_EXTENSION_REASON).reason(of(self).inner); }
+const char* reason(void* self) { return of(self).offered<assay_reason>()(); }
 
 const void* extension_of_clock(const assay_material* table, const char* id) {
   static const assay_rate rates{sizeof rates, rate};

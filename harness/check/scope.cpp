@@ -3,6 +3,7 @@
 
 #include "harness/check/judge.hpp"
 #include "harness/check/loading.hpp"
+#include "harness/offer.hpp"
 
 namespace assay::check {
 
@@ -47,7 +48,7 @@ bool is_no_number_unpressed(const Material& material) {
 std::vector<std::string> not_tested(const Specimen& specimen) {
   const Material& material = *specimen.material;
   std::vector<std::string> all;
-  if (material.table().parameter_count > 0 && !material.extension<assay_closed_form>(ASSAY_EXTENSION_CLOSED_FORM)) {
+  if (material.table().parameter_count > 0 && !Offer<assay_closed_form>(material)) {
     all.emplace_back("the values of its parameters (there is no reference)");
   }
   const char* why = takes_shorter_increments(specimen) ? " (it takes them in shorter increments alone)"

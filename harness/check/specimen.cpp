@@ -6,6 +6,7 @@
 
 #include "harness/check/derivatives.hpp"
 #include "harness/check/judge.hpp"
+#include "harness/offer.hpp"
 
 namespace assay::check {
 
@@ -119,9 +120,9 @@ double own_pressure_of(const Specimen& specimen) {
   const double p = -stress.trace() / 3;
   if (specimen.pressure != 0 || !(p > 0) || !(distance(stress, -p * I) <= own_precision * p)) return 0;
   if (specimen.stiffness.bottomRows<3>().cwiseAbs().maxCoeff() <= own_precision * specimen.modulus) return p;
-  const auto* form = material.extension<assay_energy>(ASSAY_EXTENSION_ENERGY);
+  const Offer<assay_energy> form(material);
   if (!form) return 0;
-  const auto W = [&](double by) { return stored_energy(material, *form, (1 + by) * I, specimen.rest_state()); };
+  const auto W = [&](double by) { return stored_energy(form, (1 + by) * I, specimen.rest_state()); };
   return std::abs((W(small) - W(-small)) / (6 * small) + p) <= alike * specimen.modulus ? p : 0;
 }
 

@@ -53,6 +53,101 @@ INSTANTIATE_TEST_SUITE_P(Kinds, ThrownInUpdate,
                          testing::Values("update runtime_error", "update bad_alloc", "update int"),
                          [](const auto& instance) { return std::string(instance.param).substr(7); });
 
+/// Every function of the ABI's table and of its extensions: "FUNCTION runtime_error".
+const char* const functions[] = {"entry", "create", "create_of", "begin",      "update", "extension", "extension_of",
+                                 "rate",  "tau",    "tangent",   "wave_speed", "energy", "reason"};
+
+class ThrownAnywhere : public testing::TestWithParam<std::tuple<const char*, const char*>> {
+ protected:
+  std::string function_ = std::get<0>(GetParam()), isolation_ = std::get<1>(GetParam());
+  std::string model_ = built("tests/plugins/throws.so");
+  Misdeeds the_;
+
+  Ending ending_of(std::vector<std::string> words) const {
+    words.insert(words.end(), {"--set", "material.isolation=" + isolation_});
+    return the_.program(words, function_ + " runtime_error");
+  }
+  std::vector<std::string> tabulate_words() const {
+    return {"tabulate", the_.scene,
+            "-o",       the_.scratch / "t",
+            "--set",    "material.adapter=" + model_,
+            "--set",    "material.parameters={}",
+            "--set",    "motion.amplitude.peak=0.05",
+            "--set",    "time.end=0.1"};
+  }
+};
+
+/// A verb that comes to the function tells of the exception; one that does not tells of nothing.
+TEST_P(ThrownAnywhere, IsTheModelsInEachVerb) {
+  const bool of_check_alone = function_ == "energy" || function_ == "tangent";
+  for (const auto& words : {the_.run_words(model_), tabulate_words(), the_.eval_words(model_)}) {
+    const Ending found = ending_of(words);
+    const bool may_stay_out = of_check_alone || (function_ == "wave_speed" && words[0] != "run") || function_ == "tau";
+    EXPECT_TRUE((found.status == 0 && may_stay_out) || found.status == 1 || found.status == 2)
+        << words[0] << " ends with " << found.status << ": " << found.said;
+    for (const char* never : {"bug", "out of memory", "signal", "ended the process"})
+      EXPECT_EQ(unwrapped(found.said).find(never), std::string::npos) << words[0] << ": " << found.said;
+    if (found.status == 0) continue;
+    EXPECT_NE(unwrapped(found.said).find(test_thrown::words), std::string::npos) << words[0] << ": " << found.said;
+    EXPECT_NE(unwrapped(found.said).find("no root is found"), std::string::npos) << words[0] << ": " << found.said;
+  }
+}
+
+std::string name_of(const testing::TestParamInfo<std::tuple<const char*, const char*>>& instance) {
+  return std::get<0>(instance.param) + std::string("_") + std::get<1>(instance.param);
+}
+
+INSTANTIATE_TEST_SUITE_P(Functions, ThrownAnywhere,
+                         testing::Combine(testing::ValuesIn(functions), testing::Values("none", "worker")), name_of);
+
+class ThrownInCheck : public Thrown {};
+
+TEST_P(ThrownInCheck, IsNamed) {
+  const std::string deed = GetParam() + std::string(" runtime_error");
+  const Ending check = the_.program({"check", model_, "--quick", "-o", the_.scratch / "r"}, deed);
+  EXPECT_TRUE(check.status == 1 || check.status == 2) << check.status << ": " << check.said;
+  EXPECT_NE(unwrapped(check.said).find(words), std::string::npos) << check.said;
+  for (const char* never : {"bug", "refuses a step", "ended the process"})
+    EXPECT_EQ(unwrapped(check.said).find(never), std::string::npos) << check.said;
+}
+
+INSTANTIATE_TEST_SUITE_P(Functions, ThrownInCheck, testing::ValuesIn(functions),
+                         [](const auto& instance) { return std::string(instance.param); });
+
+class RateForm : public testing::TestWithParam<const char*> {};
+
+TEST_P(RateForm, ThatFailsIsTold) {
+  const Misdeeds the;
+  std::vector<std::string> words = the.run_words(built("tests/plugins/throws.so"));
+  words.insert(words.end(), {"--set", "material.isolation=" + std::string(GetParam())});
+  const Ending failed = the.program(words, "rate fails");
+  EXPECT_EQ(failed.status, 1) << failed.said;
+  EXPECT_NE(unwrapped(failed.said).find("its rate form failed"), std::string::npos) << failed.said;
+  const Ending without = the.program(words, "rate null");
+  EXPECT_EQ(without.status, 0) << without.said;
+}
+
+INSTANTIATE_TEST_SUITE_P(Isolations, RateForm, testing::Values("none", "worker"),
+                         [](const auto& instance) { return std::string(instance.param); });
+
+#if defined(__x86_64__)
+TEST(Unaligned, AddressesAreNamed) {
+  const Misdeeds the;
+  const Ending check =
+      the.program({"check", built("tests/plugins/throws.so"), "--quick", "-o", the.scratch / "r"}, "update unaligned");
+  EXPECT_EQ(check.status, 1) << check.said;
+  EXPECT_NE(unwrapped(check.said).find("an address that is not aligned was followed"), std::string::npos) << check.said;
+}
+#endif
+
+TEST(LongThrown, WordsThatDoNotComeEndWithTheCall) {
+  const Misdeeds the;
+  const Ending check =
+      the.program({"check", built("tests/plugins/throws.so"), "--quick", "-o", the.scratch / "r"}, "update waits");
+  EXPECT_EQ(check.status, 1) << check.said;
+  EXPECT_NE(unwrapped(check.said).find("did not come back from one call within 20 s"), std::string::npos) << check.said;
+}
+
 class ThrownBefore : public Thrown {};
 
 TEST_P(ThrownBefore, IsTheModelsInOneLine) {

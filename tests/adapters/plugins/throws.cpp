@@ -1,14 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A C++ model that throws where the environment says: "update runtime_error", "create int", "entry bad_alloc".
+// A C++ model that throws where the environment says: "update runtime_error", "create int", "entry bad_alloc". It
+// offers the extension whose function is named there: "rate fails" returns a failure, "rate null" has no function,
+// "update waits" throws what never says what it is, "update unaligned" leaves the processor so.
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <new>
 #include <stdexcept>
 #include <string>
 
+#include <unistd.h>
+
 #include "harness/assay_material.h"
 
 namespace {
+
+struct Waits : std::exception {
+  const char* what() const noexcept override {
+    for (;;) pause();
+  }
+};
 
 void act(const std::string& when) {
   const char* asked = std::getenv("ASSAY_TEST_DEED");
@@ -16,6 +27,21 @@ void act(const std::string& when) {
   if (asked == when + " runtime_error") throw std::runtime_error("no root\nis found");
   if (asked == when + " bad_alloc") throw std::bad_alloc();
   if (asked == when + " int") throw 7;
+  if (asked == when + " waits") throw Waits();
+#if defined(__x86_64__)
+  if (asked == when + " unaligned") __asm__ volatile("pushfq; orq $0x40000, (%%rsp); popfq" ::: "cc", "memory");
+#endif
+}
+
+/// Whether the environment names that function.
+bool is_named(const std::string& function) {
+  const char* asked = std::getenv("ASSAY_TEST_DEED");
+  return asked && std::string(asked).starts_with(function + " ");
+}
+
+int32_t fails_in(const char* function) {
+  act(function);
+  return ASSAY_FAILED;
 }
 
 const assay_parameter parameters[] = {{"K", "Pa", 1e3, 0, 1e12, "stiffness"}};
@@ -30,6 +56,7 @@ void destroy(void* self) { delete static_cast<double*>(self); }
 
 int32_t initial_state(void* /*self*/, size_t n, const double* /*cauchy*/, double* state) {
   act("begin");
+  if (is_named("reason")) return ASSAY_FAILED;
   for (size_t p = 0; p < n; ++p) state[p] = 0;
   return ASSAY_GOOD;
 }
@@ -56,6 +83,55 @@ void update(void* self, const assay_step* step, size_t n, const double* state0, 
   }
 }
 
+int32_t rate(void*, double, size_t, const double*, const double*, const double*, const double*, double*, double*) {
+  return fails_in("rate");
+}
+int32_t tangent(void*, const assay_step*, size_t, const double*, double*) { return fails_in("tangent"); }
+int32_t energy(void*, size_t, const double*, const double*, double*) { return fails_in("energy"); }
+int32_t wave_speed(void*, double, size_t, const double*, const double*, const double*, double*) {
+  return fails_in("wave_speed");
+}
+int32_t tau(void*, int32_t, size_t, const double*, double*, double*) { return fails_in("tau"); }
+const char* reason(void*) {
+  act("reason");
+  return "";
+}
+
+const void* offered(const char* id) {
+  static const assay_rate rates{
+      sizeof rates, is_named("rate") && !std::strstr(std::getenv("ASSAY_TEST_DEED"), "null") ? rate : nullptr};
+  static const assay_tangent tangents{sizeof tangents, tangent};
+  static const assay_energy energies{sizeof energies, energy};
+  static const assay_wave_speed speeds{sizeof speeds, wave_speed};
+  static const assay_closed_form forms{sizeof forms, tau};
+  static const assay_reason reasons{sizeof reasons, reason};
+  const struct {
+    const char *function, *id;
+    const void* table;
+  } all[] = {{"rate", ASSAY_EXTENSION_RATE, &rates},        {"tangent", ASSAY_EXTENSION_TANGENT, &tangents},
+             {"energy", ASSAY_EXTENSION_ENERGY, &energies}, {"wave_speed", ASSAY_EXTENSION_WAVE_SPEED, &speeds},
+             {"tau", ASSAY_EXTENSION_CLOSED_FORM, &forms},  {"reason", ASSAY_EXTENSION_REASON, &reasons}};
+  for (const auto& each : all) {
+    if (std::strcmp(id, each.id) == 0) return is_named(each.function) ? each.table : nullptr;
+  }
+  return nullptr;
+}
+
+const void* extension(const char* id) {
+  act("extension");
+  return offered(id);
+}
+
+const void* extension_of(const assay_material* /*table*/, const char* id) {
+  act("extension_of");
+  return offered(id);
+}
+
+void* create_of(const assay_material* /*table*/, const double* parameters, char* message) {
+  act("create_of");
+  return create(parameters, message);
+}
+
 assay_material table() {
   assay_material t = {};
   t.abi_major = ASSAY_ABI_MAJOR;
@@ -64,6 +140,9 @@ assay_material table() {
   t.parameter_count = 1, t.parameters = parameters;
   t.state_count = 1, t.state = variables;
   t.create = create, t.destroy = destroy, t.initial_state = initial_state, t.update = update;
+  t.extension = extension;
+  if (is_named("extension_of")) t.extension_of = extension_of;
+  if (is_named("create_of")) t.create_of = create_of;
   return t;
 }
 
