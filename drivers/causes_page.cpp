@@ -7,6 +7,7 @@
 #include "drivers/input_error.hpp"
 #include "drivers/output/terminal.hpp"
 #include "drivers/output/wrapped_text.hpp"
+#include "drivers/scene/yaml_lines.hpp"
 
 namespace assay::drivers {
 
@@ -88,7 +89,8 @@ class Pager {
       return;
     }
     if (!mark.empty()) mark_ = mark;
-    paragraph_ += (paragraph_.empty() ? "" : " ") + line.substr(mark.size());
+    const std::size_t text = mark.empty() ? indent_of(line) : mark.size();  // lines of an item stand below its text
+    paragraph_ += (paragraph_.empty() ? "" : " ") + line.substr(text);
   }
 
   void flush() {

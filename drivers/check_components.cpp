@@ -21,17 +21,17 @@ namespace {
 using adapters::ForeignModel;
 
 /// A model with the files that it reads where it stands.
-struct Silent {
+struct Described {
   ForeignModel model;
   std::vector<ModelFile> files;
 };
 
-std::optional<Silent> silent_model(const CheckedMaterial& checked) {
+std::optional<Described> umat_of(const CheckedMaterial& checked) {
   if (checked.description.empty()) return std::nullopt;
   const MaterialDescription description = read_description(checked.description);
   const auto& model = description.foreign;
-  const bool silent = model && model->interface == adapters::ForeignInterface::umat && !model->components_are_said;
-  return silent ? std::optional(Silent{*model, description.files}) : std::nullopt;
+  const bool is_umat = model && model->interface == adapters::ForeignInterface::umat;
+  return is_umat ? std::optional(Described{*model, description.files}) : std::nullopt;
 }
 
 using Stress = std::array<double, 9>;  ///< magnitudes, row-major [Pa]; not a number where the step is refused
@@ -51,25 +51,25 @@ Stress stress_of(const Material& material, int place) {
   return stress;
 }
 
-/// The components that a model of six answers as another would.
+/// The components that a model answers as one of so many would.
 enum class Fills { six, plane_strain, plane_stress, unknown };
 
 constexpr double little = 1e-2, much = 1e2;  // of another stress
 
 /// STRESS(1:3) are then 11, 22 and 12, so that DSTRAN(3) makes STRESS(3), and nothing else does.
 bool is_of_plane_stress(const Stress& of_11, const Stress& of_33, const Stress& of_12) {
-  constexpr double none = 1e-9;
+  constexpr double none = 1e-6;  // second order in the strain
   return of_33[in_33] > little * of_11[in_11] && of_33[in_11] <= none * of_33[in_33] &&
          of_33[in_22] <= none * of_33[in_33] && of_11[in_33] <= none * of_11[in_11] &&
          of_12[shear_12] <= none * of_11[in_11];
 }
 
-Fills filled_by(const Silent& silent, const std::map<std::string, double>& parameters) {
+Fills filled_by(const Described& described, const std::map<std::string, double>& parameters) {
   constexpr double limit_s = 20;
   const auto rows = made_elsewhere(
       [&]() -> check::History {
-        place_model_files(silent.files);
-        const Material material(adapters::foreign_table(silent.model), parameters);
+        place_model_files(described.files);
+        const Material material(adapters::foreign_table(described.model), parameters);
         check::History all;
         for (const int place : {in_11, in_33, shear_12, shear_13}) {
           const Stress stress = stress_of(material, place);
@@ -98,11 +98,11 @@ bool may_overrun(const check::Report& report) {
 }
 
 /// The battery with four components.
-CheckedMaterial with_four(const CheckedMaterial& checked, const Silent& silent, const check::Effort& effort,
+CheckedMaterial with_four(const CheckedMaterial& checked, const Described& described, const check::Effort& effort,
                           const CheckProcesses& how) {
   const std::map<std::string, double> parameters(checked.parameters.begin(), checked.parameters.end());
   const auto report_of = [&](std::uint32_t flags, const CheckReporter& reporter) {
-    ForeignModel model = silent.model;
+    ForeignModel model = described.model;
     model.components = {4}, model.flags |= flags;
     check::Effort quick = effort;
     quick.quick = true;
@@ -111,9 +111,9 @@ CheckedMaterial with_four(const CheckedMaterial& checked, const Silent& silent, 
   const CheckTask task{checked.name, [&](const CheckReporter& reporter) {
                          CheckedMaterial found;
                          reporter.begins("loading");
-                         place_model_files(silent.files);
+                         place_model_files(described.files);
                          found.report = report_of(0, reporter);
-                         if (silent.model.flags_are_said || !failed_test(found.report, "clock")) return found;
+                         if (described.model.flags_are_said || !failed_test(found.report, "clock")) return found;
                          check::Report of_rate = report_of(ASSAY_RATE_DEPENDENT, reporter);
                          if (settles_rate(of_rate, found.report)) found.report = std::move(of_rate);
                          return found;
@@ -137,9 +137,12 @@ std::string words_of(const CheckedMaterial& checked, const CheckedMaterial& four
 }  // namespace
 
 void judge_components(CheckedMaterial& checked, const check::Effort& effort, const CheckProcesses& how) {
-  std::optional<Silent> model;
-  if (checked.hangs || checked.passes() || checked.report.diagnosis.empty() || !(model = silent_model(checked))) return;
-  const Fills fills = filled_by(*model, {checked.parameters.begin(), checked.parameters.end()});
+  const bool passes = checked.passes();
+  if (checked.hangs || (!passes && checked.report.diagnosis.empty())) return;
+  const std::optional<Described> umat = umat_of(checked);
+  const auto serves_six = [&] { return std::ranges::count(umat->model.components, 6) > 0; };
+  if (!umat || (passes && serves_six())) return;  // one of plane stress passes no test of six
+  const Fills fills = filled_by(*umat, {checked.parameters.begin(), checked.parameters.end()});
   if (fills == Fills::plane_stress) {
     checked.unsuitable = true;
     checked.error =
@@ -149,8 +152,8 @@ void judge_components(CheckedMaterial& checked, const check::Effort& effort, con
         "makes STRESS(3), and nothing else does. assay drives plane strain and three dimensions, and cannot judge it";
     return;
   }
-  if (fills == Fills::six) return;
-  checked.report.diagnosis.front().sentence += words_of(checked, with_four(checked, *model, effort, how));
+  if (passes || umat->model.components_are_said || fills == Fills::six) return;
+  checked.report.diagnosis.front().sentence += words_of(checked, with_four(checked, *umat, effort, how));
 }
 
 }  // namespace assay::drivers

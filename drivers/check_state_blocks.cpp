@@ -21,8 +21,8 @@ using Kind = ForeignVariable::Kind;
 /// What a tensor in the state can be behind, as the tests of rotation tell it.
 bool is_of_turns(const std::string& cause) {
   using namespace check::causes;
-  const char* const all[] = {rotation_missing, wrong_spin,         explicit_spin, state_not_rotated,
-                             not_indifferent,  components_swapped, shear_factor,  not_isotropic};
+  const char* const all[] = {rotation_missing,   wrong_spin,  explicit_spin, state_not_rotated, not_indifferent,
+                             components_swapped, other_order, shear_factor,  not_isotropic};
   return std::any_of(std::begin(all), std::end(all), [&](const char* each) { return cause == each; });
 }
 

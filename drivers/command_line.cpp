@@ -104,6 +104,26 @@ void refuse_other_dashes(const CLI::App& verb, const std::string& word) {
                    joined(known));
 }
 
+/// "-o=out" would make a folder "=out".
+void refuse_equals_behind_letter(const CLI::App& verb, const std::string& word) {
+  if (word.size() < 3 || word[0] != '-' || word[2] != '=' || !verb.get_option_no_throw(word.substr(0, 2))) return;
+  const std::string name = word.substr(0, 2), value = one_line(word.substr(3), 60);
+  throw InputError({}, "assay " + verb.get_name(),
+                   name + " takes its value behind a blank, without '=': write " + name + " " +
+                       (value.empty() ? "..." : value) + "; a file of that name is ./=" + value);
+}
+
+/// "--set grid.spacing 0.1", "--parameters E = 1e3": a name and its value in several words.
+void refuse_pair_of_words(const std::string& option, const std::string& name, const std::string& value) {
+  const bool is_pair = option == "--set" || option == "--parameters";
+  if (!is_pair || name.empty() || name.find('=') < name.size() - 1) return;
+  if (!parse_number(value) && !value.starts_with('=')) return;
+  const std::string plain = name.substr(0, name.find('=')), meant = value.substr(value.starts_with('=') ? 1 : 0);
+  throw InputError({}, option,
+                   "a name and its value are one word with '=' between them: write " + option + " " +
+                       one_line(plain, 80) + "=" + (meant.empty() ? "..." : one_line(meant, 60)));
+}
+
 /// An option would take the next one for its value, and make a folder of that name.
 void refuse_slips_of_options(const std::vector<Verb>& verbs, int argc, const char* const* argv) {
   const CLI::App* verb = nullptr;
@@ -112,19 +132,22 @@ void refuse_slips_of_options(const std::vector<Verb>& verbs, int argc, const cha
     const auto named =
         std::find_if(verbs.begin(), verbs.end(), [&](const Verb& v) { return v.app->get_name() == word; });
     if (!verb && named != verbs.end()) verb = named->app;
-    if (verb) refuse_other_dashes(*verb, word);
+    if (verb) refuse_other_dashes(*verb, word), refuse_equals_behind_letter(*verb, word);
     const CLI::Option* option = verb && word.starts_with("-") ? verb->get_option_no_throw(word) : nullptr;
     if (!option || option->get_items_expected_min() == 0) continue;
     const std::string next = ++i < argc ? argv[i] : "";
     const std::string type = option->get_type_name();
     if (i < argc && next.empty() && type != "DIR" && type != "FILE" && word != "--set")
       throw InputError({}, "assay " + verb->get_name(), word + " needs a value, and an empty text is given");
-    const bool is_option = next.starts_with("--") || (next.starts_with("-") && verb->get_option_no_throw(next));
+    const bool is_name = type == "DIR" || type == "CSV" || type.starts_with("FILE");
+    const bool is_option = next.starts_with("--") || (next.starts_with("-") && verb->get_option_no_throw(next)) ||
+                           (is_name && next.size() > 1 && next.starts_with("-"));
+    if (i + 1 < argc) refuse_pair_of_words(word, next, argv[i + 1]);
     if (i < argc && !is_option) continue;
     throw InputError({}, "assay " + verb->get_name(),
                      word + " needs a value" +
-                         (is_option ? ", and '" + one_line(next, 60) + "' is an option; a file of that name is ./" +
-                                          one_line(next, 60)
+                         (is_option ? ", and '" + one_line(next, 60) +
+                                          "' begins like an option; a file of that name is ./" + one_line(next, 60)
                                     : ""));
   }
 }

@@ -121,6 +121,7 @@ std::vector<std::string> flags_for(const FortranSource& source, const FortranCom
   flags.emplace_back(fixed ? "-ffixed-form" : "-ffree-form");
   flags.push_back(fixed ? "-ffixed-line-length-" + std::to_string(abaqus_columns) : "-ffree-line-length-none");
   flags.insert(flags.end(), {"-x", source.preprocessed ? "f95-cpp-input" : "f95"});
+  if (source.preprocessed) flags.insert(flags.end(), {"-DABQ_LNX86_64", "-DABQ_FORTRAN"});  // as Abaqus does on Linux
   flags.insert(flags.end(), compiler.options.begin(), compiler.options.end());
   return flags;
 }

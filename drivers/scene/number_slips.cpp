@@ -168,7 +168,7 @@ std::string of_plain(const std::string& text) {
 /// else does.
 std::vector<std::string> numbers_in(std::string text) {
   for (char& c : text) {
-    if (std::string_view(",;x()[]\t").find(c) != std::string_view::npos) c = ' ';
+    if (std::string_view(",;x()[]<>\t").find(c) != std::string_view::npos) c = ' ';
   }
   std::vector<std::string> numbers;
   for (std::size_t begin = 0; (begin = text.find_first_not_of(' ', begin)) != text.npos;) {
@@ -178,6 +178,12 @@ std::vector<std::string> numbers_in(std::string text) {
     begin = end;
   }
   return numbers;
+}
+
+std::string listed(const std::vector<std::string>& numbers) {
+  std::string list;
+  for (const std::string& number : numbers) list += (list.empty() ? "" : ", ") + number;
+  return "[" + list + "]";
 }
 
 bool is_true(const std::string& word) {
@@ -218,10 +224,12 @@ std::string list_remedy(const Tree& found, std::size_t count) {
   std::vector<std::string> numbers = numbers_in(text.text);
   if (numbers.size() == 1 && count == 2 && !one_item) numbers.assign(count, numbers[0]);
   if (count == 0 ? numbers.empty() : numbers.size() != count) return {};
-  std::string list;
-  for (const std::string& number : numbers) list += (list.empty() ? "" : ", ") + number;
-  return std::string(one_item ? ": a comma belongs between them" : "") + (one_item ? ", write [" : ": write [") + list +
-         "]";
+  return (one_item ? ": a comma belongs between them, write " : ": write ") + listed(numbers);
+}
+
+std::string list_of_numbers(const std::string& text) {
+  const std::vector<std::string> numbers = numbers_in(text);
+  return numbers.empty() ? "" : listed(numbers);
 }
 
 }  // namespace assay::drivers

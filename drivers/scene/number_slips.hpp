@@ -20,4 +20,7 @@ std::string boolean_remedy(const Tree& found);
 /// The same where a list of `count` numbers belongs, or of any where that is 0: ": write [2, 2]".
 std::string list_remedy(const Tree& found, std::size_t count);
 
+/// "[2, 2]" of "2; 2"; empty of a text that is not made of numbers.
+std::string list_of_numbers(const std::string& text);
+
 }  // namespace assay::drivers

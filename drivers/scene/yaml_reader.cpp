@@ -71,8 +71,7 @@ class Builder : public YAML::EventHandler {
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const bool key = !stack_.empty() && stack_.back().tree.kind == Tree::Kind::map && !stack_.back().has_key;
-    const std::size_t at =
-        static_cast<std::size_t>(std::max(mark.pos, 0)) + (text_.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+    const std::size_t at = byte_of(mark);
     if (key && at < text_.size() && text_[at] == ',') throw InputError(where(mark), "", "a comma too many");
     Tree tree;
     tree.where = where(mark);
@@ -89,6 +88,7 @@ class Builder : public YAML::EventHandler {
                 const std::string& value) override {
     check_tag(mark, tag);
     if (tag == "!") check_quote(mark);
+    scalar_at_ = byte_of(mark);
     Tree tree;
     tree.where = where(mark);
     tree.quoted = tag == "!";
@@ -115,7 +115,8 @@ class Builder : public YAML::EventHandler {
     bool has_key = false;
     std::string key;
     Location key_where;
-    bool merges = false;  ///< the key is `<<`
+    std::size_t key_at = 0;  ///< byte of the text
+    bool merges = false;     ///< the key is `<<`
     std::set<std::string> seen;
     std::vector<Tree> merged;  ///< the maps that `<<` names
   };
@@ -128,6 +129,18 @@ class Builder : public YAML::EventHandler {
     if (!tag.empty() && tag != "?" && tag != "!") {
       throw InputError(where(mark), "", "a tag ('" + one_line(tag, 40) + "'); tags have no meaning here");
     }
+  }
+
+  std::size_t byte_of(const YAML::Mark& mark) const {
+    return static_cast<std::size_t>(std::max(mark.pos, 0)) + (text_.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+  }
+
+  /// Of a key without a value: "{0.5, 0.5}", "{per_cell: (2, 2)}".
+  void check_brackets(Location key, std::size_t byte) const {
+    const auto list = list_in_other_brackets(text_, byte);
+    if (!list) return;
+    if (key.line > 0) key.column -= static_cast<int>(list->back);
+    throw InputError(key, "", list->what);
   }
 
   void check_quote(const YAML::Mark& mark) const {
@@ -182,7 +195,10 @@ class Builder : public YAML::EventHandler {
       return;
     }
     if (map.has_key) {
-      if (tree.kind == Tree::Kind::null) tree.where = map.key_where;  // yaml-cpp names the next token's place
+      if (tree.kind == Tree::Kind::null) {
+        check_brackets(map.key_where, map.key_at);
+        tree.where = map.key_where;  // yaml-cpp names the next token's place
+      }
       map.tree.entries.push_back({map.key, map.key_where, std::move(tree)});
       map.has_key = false;
       return;
@@ -202,6 +218,7 @@ class Builder : public YAML::EventHandler {
     map.merges = tree.text == merge_key && !tree.quoted;
     map.key = tree.text;
     map.key_where = tree.where;
+    map.key_at = scalar_at_;
     map.has_key = true;
   }
 
@@ -236,6 +253,7 @@ class Builder : public YAML::EventHandler {
   std::map<YAML::anchor_t, Anchored> anchors_;
   Tree root_;
   std::size_t values_ = 0;
+  std::size_t scalar_at_ = 0;  ///< byte at which the last one begins
   int documents_ = 0;
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drivers/output/numbers.hpp"
+#include "drivers/scene/number_slips.hpp"
 #include "drivers/scene/yaml_lines.hpp"
 
 namespace assay::drivers {
@@ -27,9 +28,10 @@ class Diagnosis {
   }
 
   std::optional<YamlSlip> find() const {
-    for (const auto check : {&Diagnosis::aliases, &Diagnosis::quote, &Diagnosis::escape, &Diagnosis::bracket,
-                             &Diagnosis::item, &Diagnosis::long_key, &Diagnosis::reserved, &Diagnosis::key_before,
-                             &Diagnosis::indentation, &Diagnosis::second_colon, &Diagnosis::behind}) {
+    for (const auto check :
+         {&Diagnosis::aliases, &Diagnosis::quote, &Diagnosis::escape, &Diagnosis::bracket, &Diagnosis::item,
+          &Diagnosis::glued_item, &Diagnosis::long_key, &Diagnosis::reserved, &Diagnosis::key_before,
+          &Diagnosis::indentation, &Diagnosis::second_colon, &Diagnosis::behind}) {
       if (auto found = (this->*check)()) return found;
     }
     return std::nullopt;
@@ -85,6 +87,18 @@ class Diagnosis {
     if (column_ >= here().size() || !(here() + ' ').substr(column_).starts_with("- ")) return std::nullopt;
     if (indent_of(here()) == column_) return slip(at_, column_, "an item of a list, and keys of a map stand above");
     return slip(at_, column_, "an item of a list behind its key: each belongs in a line of its own, or write [a, b]");
+  }
+
+  /// "-0.5" below "- 0.5".
+  std::optional<YamlSlip> glued_item() const {
+    const std::size_t first = indent_of(here()), above = before(at_);
+    const std::string_view word = stripped(here());
+    if (above == std::string::npos || word.size() < 2 || word[0] != '-' || word[1] == ' ' || word[1] == '-') return {};
+    if (indent_of(bare_[above].text) != first || !stripped(bare_[above].text).starts_with("- ")) return {};
+    const std::string text(stripped(lines_[at_]).substr(1));
+    return slip(at_, first,
+                "a blank belongs behind the '-' of an item: write - " + text +
+                    (parse_number(text) ? ", or - -" + text + " for a number below 0" : ""));
   }
 
   /// Brackets up to the complaint, and what stands in the innermost that is open.
@@ -258,6 +272,18 @@ class Diagnosis {
 
 std::optional<YamlSlip> yaml_slip(std::string_view text, int line, int column) {
   return Diagnosis(text, line, column).find();
+}
+
+std::optional<BracketedList> list_in_other_brackets(std::string_view text, std::size_t byte) {
+  constexpr std::string_view of_numbers = "0123456789.+-eE,; \t", opening = "({<", closing = ")}>";
+  const std::size_t begin = byte < text.size() ? text.find_last_not_of(of_numbers, byte) : text.npos;
+  const std::size_t kind = begin == text.npos ? text.npos : opening.find(text[begin]);
+  if (kind == text.npos) return std::nullopt;
+  const std::size_t end = text.find_first_not_of(of_numbers, begin + 1);
+  if (end == text.npos || text[end] != closing[kind]) return std::nullopt;
+  const std::string list = list_of_numbers(std::string(text.substr(begin + 1, end - begin - 1)));
+  if (list.find(',') == list.npos) return std::nullopt;
+  return BracketedList{byte - begin, "a list stands in square brackets: write " + list};
 }
 
 std::string key_remedy(const std::string& text) {

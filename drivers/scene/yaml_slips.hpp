@@ -2,6 +2,7 @@
 // What a user may have done where a text is no YAML, or YAML of another meaning than was meant.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +16,14 @@ struct YamlSlip {
 
 /// The slip behind a parser's complaint at a line and a column, from 1; nothing where none is known.
 std::optional<YamlSlip> yaml_slip(std::string_view text, int line, int column);
+
+struct BracketedList {
+  std::size_t back = 0;  ///< bytes from the place that was asked of to the bracket
+  std::string what;      ///< the cause, and what to write instead
+};
+
+/// Around a byte of a line: numbers in other brackets than those of a list, "(2, 2)".
+std::optional<BracketedList> list_in_other_brackets(std::string_view text, std::size_t byte);
 
 /// To follow what is said of a text that stands where a key, or a map of keys, belongs: ": a blank belongs after ':'";
 /// empty for a text without such a slip.

@@ -127,6 +127,12 @@ void warn_of_untimed(Comparison& found) {
                              " known in one of the studies alone");
 }
 
+/// A motion without an error to compare is neither better nor worse.
+void warn_of_rest(const std::string& name, const StudyFindings& findings, Comparison& found) {
+  const std::string words = rest_words(findings);
+  if (!words.empty()) found.warnings.push_back(name + words);
+}
+
 void compare_figures(const StudyFindings& A, const StudyFindings& B, Comparison& found) {
   const CostNoise noise(A, B);
   std::ptrdiff_t same = 0;
@@ -134,6 +140,7 @@ void compare_figures(const StudyFindings& A, const StudyFindings& B, Comparison&
     if (one.standing != Standing::compared) continue;
     const StudyCase &a = A.cases[*one.a], &b = B.cases[*one.b];
     one.error = compared_errors(a, b);
+    if (is_at_rest(A, a) || is_at_rest(B, b)) one.error.trend = 0;
     const CostBound bound = noise.between(a, b);
     one.cost = {a.cost, b.cost, bound.bound, 0};
     one.noise_measured = bound.measured;
@@ -232,6 +239,8 @@ Comparison compared(const StudyFindings& A, const StudyFindings& B) {
   if (is_measured(A)) warn_of_clocks(timed_pairs(found, A, B), found);
   warn_of_load("A", A, found);
   warn_of_load("B", B, found);
+  warn_of_rest("A", A, found);
+  warn_of_rest("B", B, found);
   compare_figures(A, B, found);
   warn_of_untimed(found);
   compare_fronts(A, B, found);

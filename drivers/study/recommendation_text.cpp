@@ -111,7 +111,7 @@ std::string recommendation_text(const StoredStudy& study, const Recommendation& 
   const StudyFindings& findings = study.findings;
   const std::string wanted = findings.error_name + " of at most " + error_text(findings, found.error);
   if (!found.best) {
-    std::string text = wrapped("no measured case has a " + wanted, "", "  ");
+    std::string text = wrapped("no measured case has a " + wanted + rest_words(findings), "", "  ");
     if (!found.nearest) return text + "no case can be recommended at all\n";
     const StudyCase& nearest = findings.cases[*found.nearest];
     return text + wrapped(nearest.label, "the best found: ", "  ") + case_lines(study, nearest);

@@ -100,7 +100,7 @@ std::string answer(const StudyFindings& findings) {
   }
   if (out.empty() && findings.front.empty() && !findings.cases.empty()) {
     out = "<div class=\"digit missed\">" + element("b", "No answer") +
-          element("small", "no case completed that may stand on the front") + "</div>\n";
+          element("small", "no case completed that may stand on the front" + rest_words(findings)) + "</div>\n";
   }
   return out.empty() ? out : "<div class=\"answer\">\n" + out + "</div>\n";
 }

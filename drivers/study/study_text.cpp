@@ -45,8 +45,9 @@ std::string row(const std::string& a, const std::string& b, const std::string& c
 }
 
 std::string digits_text(const StudyFindings& findings) {
-  if (findings.digits.empty())
-    return findings.front.empty() ? "no case has both an error and a cost\n" : "the error is 0: no digit is the last\n";
+  if (findings.digits.empty() && findings.front.empty())
+    return wrapped("no case has both an error and a cost" + rest_words(findings), "", "  ");
+  if (findings.digits.empty()) return "the error is 0: no digit is the last\n";
   std::string text = row("error", "costs", "one more", "the cheapest case that was measured");
   for (const StudyDigit& digit : findings.digits) {
     const std::string level = "<= " + error_text(findings, digit.error);

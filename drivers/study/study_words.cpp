@@ -61,6 +61,18 @@ Figure number_of(const StudyCase& one, const std::string& key) {
   return number && std::isfinite(*number) ? Figure(*number) : std::nullopt;
 }
 
+bool is_at_rest(const StudyFindings& findings, const StudyCase& one) {
+  return findings.error_key == "error.relative" && one.completed() && !one.error && number_of(one, "error.l2_max");
+}
+
+std::string rest_words(const StudyFindings& findings) {
+  const auto count = std::count_if(findings.cases.begin(), findings.cases.end(),
+                                   [&](const StudyCase& one) { return is_at_rest(findings, one); });
+  if (count == 0) return {};
+  return ": the exact displacement is zero in " + std::to_string(count) + (count == 1 ? " case" : " cases") +
+         ", and a relative error is undefined there; error: error.l2_max is one in metres";
+}
+
 std::string outcome_text(const StudyCase& one) {
   std::string text = one.outcome;
   std::replace(text.begin(), text.end(), '_', ' ');

@@ -31,6 +31,12 @@ std::string factor_text(double factor);
 /// A text on its axis; empty where the case does not stand on it.
 std::string value_on(const StudyCase& one, const std::string& axis);
 
+/// A case whose relative error is undefined: the exact solution is zero, as of a motion that stands still.
+bool is_at_rest(const StudyFindings& findings, const StudyCase& one);
+
+/// ": the exact solution is zero in 3 cases, ..."; empty without one.
+std::string rest_words(const StudyFindings& findings);
+
 /// "unstable at t = 0.31 s".
 std::string outcome_text(const StudyCase& one);
 

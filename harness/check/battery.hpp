@@ -95,6 +95,7 @@ inline constexpr const char* explicit_spin = "explicit spin grows stress";
 inline constexpr const char* state_not_rotated = "state variable not rotated";
 inline constexpr const char* wrong_role = "state variable with a wrong role";
 inline constexpr const char* components_swapped = "components 13 and 23 swapped";
+inline constexpr const char* other_order = "components in another order";
 inline constexpr const char* shear_factor = "shear factor 2";
 inline constexpr const char* small_strain = "small-strain law used at finite strain";
 inline constexpr const char* not_isotropic = "material not isotropic";

@@ -149,9 +149,9 @@ TestResult constant_rotation(const Specimen& specimen) {
         "turned by the rotation of that step";
   } else if (where_taken([&] { return turns_by_another_angle(specimen, result); })) {
     return result;
-  } else if (exchanges_shears(specimen, is_right)) {
-    result.cause = causes::components_swapped;
-    result.sentence += "; right in frames that exchange the axes 1 and 2: somewhere 13 and 23 change places";
+  } else if (const auto order = order_by_turns(specimen, is_right)) {
+    result.cause = cause_of(*order);
+    result.sentence += "; right in frames that exchange certain axes: " + misplaced_somewhere(*order);
   } else if (specimen.isotropic() && right(rotation_about_z(right_angle)) &&
              (specimen.space.is_plane() || right(next_axes()))) {
     result.cause = causes::shear_factor;

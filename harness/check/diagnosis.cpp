@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "harness/check/diagnosis_rows.hpp"
+#include "harness/check/shear_order.hpp"
 
 namespace assay::check {
 
@@ -98,6 +99,8 @@ class Diagnostician {
   bool speaks_for_itself(const TestResult& test) const {
     if (test.cause.empty() || findings_.is_explained(test.id)) return false;
     if (!found_.empty() && test.cause == causes::no_convergence) return false;  // the weakest of all
+    const bool of_order = !found_.empty() && is_of_order(found_.front().cause);
+    if (of_order && test.cause == causes::tangent_wrong) return false;  // of the stress in its right order
     if (test.id == "rest" && rest_is_of_stretches(findings_.verdicts)) return false;
     return std::none_of(std::begin(consequences), std::end(consequences),
                         [&](const Consequence& each) { return test.id == each.test && findings_.failed(each.of); });
@@ -124,6 +127,7 @@ class Diagnostician {
 
 const std::vector<std::string>& all_causes() {
   static const std::vector<std::string> all{causes::components_swapped,
+                                            causes::other_order,
                                             causes::shear_factor,
                                             causes::small_strain,
                                             causes::rotation_missing,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/check/diagnosis_rows.hpp"
 
+#include "harness/check/shear_order.hpp"
+
 namespace assay::check {
 
 namespace {
@@ -101,16 +103,15 @@ Found shear_beside_components(const Findings& f) {
   return f.failed("elasticity.components") ? said_by(f, "elasticity.shear") : std::nullopt;
 }
 
-Found swapped_initial_stress(const Findings& f) {
+Found initial_stress_in_other_order(const Findings& f) {
   const Found said = of(f, "initial_stress");
-  return said && said->cause == causes::components_swapped ? said : std::nullopt;
+  return said && is_of_order(said->cause) ? said : std::nullopt;
 }
 
 Found isotropy_row(const Findings& f) {
   if (!f.failed("isotropy")) return std::nullopt;
   const TestResult& test = *f.find("isotropy");
-  const bool swapped = test.cause == causes::components_swapped;
-  return Suspicion{swapped ? causes::components_swapped : causes::not_isotropic,
+  return Suspicion{is_of_order(test.cause) ? test.cause : causes::not_isotropic,
                    "a body that was turned before it is loaded answers otherwise: " + test.sentence};
 }
 
@@ -144,7 +145,7 @@ constexpr Row before[] = {
     {shear_beside_components, Explains::frames, Beside::any},
     {shear, Explains::frames, Beside::no_frames},
     {no_class, Explains::frames, Beside::no_frames},
-    {swapped_initial_stress, Explains::frames, Beside::any},
+    {initial_stress_in_other_order, Explains::frames, Beside::any},
 };
 
 constexpr Row after[] = {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/check/elasticity.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "harness/check/judge.hpp"
+#include "harness/check/shear_order.hpp"
 
 namespace assay::check {
 
@@ -26,15 +29,18 @@ struct Elasticity : StiffnessOf {
     return off.cwiseAbs().maxCoeff() / modulus();
   }
 
-  /// A shear in the plane 13 makes, of a part at least, stress 23 instead.
-  bool exchanges() const {
-    Stiffness expected = C;
-    expected.bottomRows<3>().setZero();
-    expected.rightCols<3>().setZero();
-    expected(3, 3) = shear();
-    expected(4, 5) = expected(5, 4) = C(4, 5);
-    expected(4, 4) = expected(5, 5) = shear() - C(4, 5);
-    return (C - expected).cwiseAbs().maxCoeff() <= share * modulus();
+  /// In which shears make, of a part at least, the stress of others; any where it is isotropic.
+  std::optional<ShearOrder> order() const {
+    const auto fits = [&](const ShearOrder& order) {
+      const Stiffness P = matrix_of(order);
+      const int moved = order[0] == 0 ? 1 : 0;
+      const double part = C(3 + moved, 3 + order[static_cast<std::size_t>(moved)]);
+      Stiffness expected = part * P + (shear() - part) * Stiffness::Identity();
+      expected.topLeftCorner<3, 3>() = C.topLeftCorner<3, 3>();
+      return (C - expected).cwiseAbs().maxCoeff() <= share * modulus();
+    };
+    const auto found = std::find_if(other_orders.begin(), other_orders.end(), fits);
+    return found == other_orders.end() ? std::nullopt : std::optional(*found);
   }
 
   /// Of the plane that is the farthest from an isotropic material: error over the modulus, and ratio to one.
@@ -91,13 +97,13 @@ TestResult shear_components(const Specimen& specimen) {
   for (const Elasticity& each : all) {
     const double coupled = each.coupled();
     if (coupled > *result.measure) result.measure = coupled;
-    if (coupled <= share || result.cause == causes::components_swapped) continue;
-    const bool exchanges = each.exchanges();
+    if (coupled <= share || is_of_order(result.cause)) continue;
+    const std::optional<ShearOrder> order = each.order();
     result.verdict = Verdict::fail;
-    result.cause = exchanges ? causes::components_swapped : causes::not_isotropic;
-    result.sentence = exchanges ? "a shear in the plane 13" + each.of + " makes stress 23, and 23 makes 13"
-                                : "a strain" + each.of + " makes stress of another component, " + rounded(coupled) +
-                                      " of the modulus";
+    result.cause = order ? cause_of(*order) : causes::not_isotropic;
+    result.sentence =
+        order ? "a shear" + each.of + " makes stress of another plane: " + misplaced_in_one(*order)
+              : "a strain" + each.of + " makes stress of another component, " + rounded(coupled) + " of the modulus";
   }
   if (result.verdict == Verdict::pass) {
     result.sentence = "each strain at rest makes its own stress, to " + rounded(*result.measure) + " of the modulus";
@@ -112,7 +118,7 @@ TestResult shear_modulus(const Specimen& specimen) {
   if (all.empty()) return not_applicable(id, why);
   TestResult result{.id = id, .measure = 0, .threshold = share};
   for (const Elasticity& each : all) {
-    const auto [error, ratio] = each.exchanges() ? std::pair(0.0, 1.0) : each.shear_error();
+    const auto [error, ratio] = each.order() ? std::pair(0.0, 1.0) : each.shear_error();
     if (error > *result.measure) result.measure = error;
     if (error <= share || result.cause == causes::shear_factor) continue;
     const bool factor = std::abs(ratio - 2) < 0.02 || std::abs(ratio - 0.5) < 0.005;

@@ -21,8 +21,8 @@ struct StiffnessOf {
 /// Those of a material whose response to small strains from rest is linear, the whole one last.
 std::vector<StiffnessOf> linear_stiffnesses(const Specimen& specimen);
 
-/// Shears couple to their own stress alone: 13 to 13, 23 to 23. Fails with `components_swapped` where they are
-/// exchanged.
+/// Shears couple to their own stress alone: 13 to 13, 23 to 23. Fails with the cause of an order
+/// where they lie in another one.
 TestResult shear_components(const Specimen& specimen);
 
 /// The shear modulus follows from the axial stiffness: sigma_12 = (C11 - C12) eps_12. Fails with `shear_factor` where

@@ -12,12 +12,21 @@ namespace {
 
 Tensor half_turn(const Vector3& axis) { return 2 / axis.squaredNorm() * axis * axis.transpose() - Tensor::Identity(); }
 
-/// The same history without shears 13 and 23.
-Loading in_plane(const Loading& loading) {
-  return {[F = loading.F](double t) {
-            Tensor A = F(t);
+/// Axes whose first two lie in the plane of a shear: 0, 1 and 2 of 12, 13 and 23.
+Tensor axes_with_plane(int shear) {
+  constexpr int first[] = {0, 0, 1}, second[] = {1, 2, 2}, third[] = {2, 1, 0};
+  const Tensor I = Tensor::Identity();
+  Tensor axes;
+  axes << I.col(first[shear]), I.col(second[shear]), I.col(third[shear]);
+  return axes;
+}
+
+/// The same history without shears out of the plane of the first two axes.
+Loading in_plane(const Loading& loading, const Tensor& axes) {
+  return {[F = loading.F, axes](double t) {
+            Tensor A = axes.transpose() * F(t) * axes;
             A(0, 2) = A(1, 2) = A(2, 0) = A(2, 1) = 0;
-            return A;
+            return Tensor(axes * A * axes.transpose());
           },
           loading.phases};
 }
@@ -69,14 +78,25 @@ TestResult twin_or_tolerance(const Specimen& specimen, const FrameTwins& twins) 
   return result;
 }
 
-bool exchanges_shears(const Specimen& specimen, const std::function<bool(const Tensor&, const Loading&)>& is_right) {
-  if (specimen.space.is_plane()) return false;
+std::optional<ShearOrder> order_by_turns(const Specimen& specimen,
+                                         const std::function<bool(const Tensor&, const Loading&)>& is_right) {
+  if (specimen.space.is_plane()) return std::nullopt;
   const Loading still = out_and_back(specimen);
-  if (!is_right(rotation_about_z(turning_angle), in_plane(still))) return false;
   const auto right = [&](const Tensor& R) { return is_right(R, still); };
   const Tensor about_diagonal = Eigen::AngleAxisd(turning_angle, Vector3(1, 1, 0).normalized()).toRotationMatrix();
-  return right(half_turn({0, 0, 1})) && right(half_turn({1, 1, 0})) && !right(half_turn({1, 0, 0})) &&
-         !right(rotation_about_z(right_angle)) && !right(about_diagonal);
+  for (const ShearOrder& order : other_orders) {
+    const int kept = order[0] == 0 ? 0 : order[1] == 1 ? 1 : 2;
+    if (order[static_cast<std::size_t>(kept)] != kept) continue;
+    const Tensor axes = axes_with_plane(kept);  // in which the plane of the shear that stays is 12
+    const auto seen = [&](const Tensor& R) { return Tensor(axes * R * axes.transpose()); };
+    if (is_right(seen(rotation_about_z(turning_angle)), in_plane(still, axes)) && right(seen(half_turn({0, 0, 1}))) &&
+        right(seen(half_turn({1, 1, 0}))) && !right(seen(half_turn({1, 0, 0}))) &&
+        !right(seen(rotation_about_z(right_angle))) && !right(seen(about_diagonal))) {
+      return order;
+    }
+  }
+  const bool moves_all = right(next_axes()) && !right(half_turn({0, 0, 1})) && !right(half_turn({1, -1, 0}));
+  return moves_all ? std::optional(other_orders.back()) : std::nullopt;
 }
 
 Tensor next_axes() {

@@ -4,8 +4,10 @@
 
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <string>
 
+#include "harness/check/shear_order.hpp"
 #include "harness/check/specimen.hpp"
 
 namespace assay::check {
@@ -28,9 +30,10 @@ TestResult exact_twin(const Specimen& specimen, const FrameTwins& twins);
 /// that error falls as steps become shorter than its own, and a defect's does not.
 TestResult twin_or_tolerance(const Specimen& specimen, const FrameTwins& twins);
 
-/// Whether the turns in which a history is right are those that an exchange of 13 and 23 leaves right: none of them
-/// tells it from a law of the shear 12 alone, which is wrong in the plane, too.
-bool exchanges_shears(const Specimen& specimen, const std::function<bool(const Tensor&, const Loading&)>& is_right);
+/// The order of shears by which the turns are right in which a history is: none of a law of the shear in one plane
+/// alone, which is wrong in that plane, too. Of the orders that move all three one stands for both.
+std::optional<ShearOrder> order_by_turns(const Specimen& specimen,
+                                         const std::function<bool(const Tensor&, const Loading&)>& is_right);
 
 /// 1 to 2, 2 to 3, 3 to 1.
 Tensor next_axes();

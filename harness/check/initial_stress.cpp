@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "harness/check/rigid_turn.hpp"
 #include "harness/check/share_along.hpp"
+#include "harness/check/shear_order.hpp"
 #include "harness/check/state_variable.hpp"
 
 namespace assay::check {
@@ -22,8 +24,8 @@ std::vector<double> state_under(const Material& material, const Tensor& sigma) {
 struct Carried {
   double still = INFINITY;  ///< error, relative
   RigidTurn turned;
-  bool ignored = true;   ///< as if there were none
-  bool swapped = false;  ///< 13 and 23 have changed places
+  bool ignored = true;                   ///< as if there were none
+  std::optional<ShearOrder> order = {};  ///< in which its shears come back, where that is another one
   Tensor tried = Tensor::Zero();
 };
 
@@ -34,11 +36,12 @@ Carried carried(const Specimen& specimen, const Tensor& sigma) {
   const double length = acts_in_time ? 1e-9 : 1, scale = deviation.cwiseAbs().maxCoeff();
   const std::vector<double> state = state_under(material, sigma);
   const Tensor found = stepped(material, 0, length, I, I, state).cauchy;
-  Carried result{distance(found, sigma) / scale,
-                 {},
-                 distance(found, -specimen.pressure * I) < own_precision * scale,
-                 !specimen.space.is_plane() && distance(found, exchanged(sigma)) < own_precision * scale,
-                 sigma};
+  Carried result{
+      distance(found, sigma) / scale, {}, distance(found, -specimen.pressure * I) < own_precision * scale, {}, sigma};
+  for (const ShearOrder& order : other_orders) {
+    const bool comes_back = distance(found, in_order(order, sigma)) < own_precision * scale;
+    if (comes_back && !result.order && !specimen.space.is_plane()) result.order = order;
+  }
   const Loading turning{[&](double t) { return specimen.space.turn(turning_angle * t); }, 1};
   const double least = 1e-2 * specimen.modulus;  // single precision leaves 1e-7 of the modulus in each step of a turn
   for (int k = 0; k < 3; ++k) {
@@ -137,12 +140,11 @@ TestResult initial_stress(const Specimen& specimen) {
     result.verdict = Verdict::fail;
     result.measure = best.still;
     result.threshold = own_precision;
-    result.sentence = best.swapped
-                          ? "a step without deformation exchanges 13 and 23 of an initial stress"
+    result.sentence = best.order
+                          ? "after a step without deformation " + misplaced(*best.order, "an initial stress")
                           : "a step without deformation changes an initial stress by " + rounded(best.still) + " of it";
   }
-  if (result.verdict == Verdict::fail)
-    result.cause = best.swapped ? causes::components_swapped : causes::initial_stress;
+  if (result.verdict == Verdict::fail) result.cause = best.order ? cause_of(*best.order) : causes::initial_stress;
   return result;
 }
 

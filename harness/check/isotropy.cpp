@@ -4,6 +4,7 @@
 #include "harness/check/elasticity.hpp"
 #include "harness/check/frame_twins.hpp"
 #include "harness/check/judge.hpp"
+#include "harness/check/shear_order.hpp"
 
 namespace assay::check {
 
@@ -34,11 +35,11 @@ TestResult isotropy(const Specimen& specimen) {
   };
   TestResult result = twin_or_tolerance(specimen, before(specimen.space.turn(turning_angle), still));
   if (result.verdict == Verdict::pass) return result;
-  if (exchanges_shears(specimen, [&](const Tensor& Q, const Loading& history) {
+  if (const auto order = order_by_turns(specimen, [&](const Tensor& Q, const Loading& history) {
         return exact_twin(specimen, before(Q, history)).verdict == Verdict::pass;
       })) {
-    result.cause = causes::components_swapped;
-    result.sentence += "; right where the turn exchanges the axes 1 and 2: somewhere 13 and 23 change places";
+    result.cause = cause_of(*order);
+    result.sentence += "; right where the turn exchanges certain axes: " + misplaced_somewhere(*order);
     return result;
   }
   // A crystal that is not declared is as right; its small strains are those of one, too.

@@ -8,6 +8,7 @@
 
 #include "harness/check/elasticity.hpp"
 #include "harness/check/judge.hpp"
+#include "harness/check/shear_order.hpp"
 #include "harness/check/stiffness_axes.hpp"
 #include "harness/check/symmetry_axes.hpp"
 #include "harness/offer.hpp"
@@ -38,19 +39,18 @@ struct Slip {
   std::string words;
 };
 
-/// Shears of the stress or the strain that are twice or half what they should be; components 13 and 23 in each other's
-/// place.
+/// Shears of the stress or the strain that are twice or half what they should be, or in another order.
 std::vector<Slip> slips_of(const Stiffness& C) {
   std::vector<Slip> all;
-  Stiffness exchange = Stiffness::Identity();
-  exchange.row(4).swap(exchange.row(5));
-  const auto swapped = [&](const Stiffness& undone, const char* of) {
-    all.push_back(
-        {undone, causes::components_swapped, "components 13 and 23 of " + std::string(of) + " in each other's place"});
-  };
-  swapped(exchange * C, "the stress");
-  swapped(C * exchange, "the strain");
-  swapped(exchange * C * exchange, "stress and strain");
+  for (const ShearOrder& order : other_orders) {
+    const Stiffness P = matrix_of(order);
+    const auto add = [&](const Stiffness& undone, const char* of) {
+      all.push_back({undone, cause_of(order), "if " + misplaced(order, of)});
+    };
+    add(P.transpose() * C, "the stress");
+    add(C * P, "the strain");
+    add(P.transpose() * C * P, "stress and strain");
+  }
   const auto shears = [](double factor) {
     Mandel weights = Mandel::Ones();
     weights.tail<3>().setConstant(factor);
@@ -58,7 +58,7 @@ std::vector<Slip> slips_of(const Stiffness& C) {
   };
   const auto weighed = [&](double stress, double strain, const std::string& words) {
     all.push_back({shears(stress) * C * shears(strain), causes::shear_factor,
-                   "the shear components of the " + words + ": engineering and tensor shear are mixed up"});
+                   "with the shear components of the " + words + ": engineering and tensor shear are mixed up"});
   };
   weighed(1, 0.5, "strain halved");
   weighed(1, 2, "strain doubled");
@@ -108,7 +108,7 @@ ClassFinding off_class(const StiffnessOf& each, SymmetryClass symmetry, const st
   for (const Slip& slip : slips_of(each.C)) {
     if (fits_of(slip.undone, symmetry).front().miss > std::min(class_within, restored * miss)) continue;
     result.cause = slip.cause;
-    result.sentence += ", and is that with " + slip.words;
+    result.sentence += ", and is that " + slip.words;
     return {result, axes};
   }
   const SymmetryClass fitting = class_of(each.C, class_within);

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "harness/check/loading.hpp"
 #include "harness/check/rigid_turn.hpp"
 #include "harness/check/share_along.hpp"
+#include "harness/check/shear_order.hpp"
 #include "harness/check/state_variable.hpp"
 #include "harness/stable_norm.hpp"
 
@@ -219,6 +221,20 @@ TestResult revolutions(const Specimen& specimen) {
   return result;
 }
 
+namespace {
+
+/// The order in which the shears of a tensor lie that turns with the body so alone.
+std::optional<ShearOrder> order_in_turn(const Tensor& Q, const Variable& still, const Variable& seen, double within) {
+  const auto fits = [&](const ShearOrder& order) {
+    const Variable meant = still.with(in_order(reversed(order), still.value())).turned(Q);
+    return seen.distance(meant.with(in_order(order, meant.value()))) < within;
+  };
+  const auto found = std::find_if(other_orders.begin(), other_orders.end(), fits);
+  return still.is_tensor() && found != other_orders.end() ? std::optional(*found) : std::nullopt;
+}
+
+}  // namespace
+
 RotationFinding rotation_of_state(const Specimen& specimen) {
   constexpr double same = 1e-3, faded = 1e-6, most = 1e-2;
   const double a = specimen.amplitude;
@@ -229,6 +245,7 @@ RotationFinding rotation_of_state(const Specimen& specimen) {
   const assay_material& table = specimen.material->table();
   double worst = 0;
   std::string which;
+  std::optional<ShearOrder> order;
   std::size_t at = 0;
   bool any = false, symmetric = false;
   for (std::uint32_t v = 0; v < table.state_count; ++v) {
@@ -246,6 +263,7 @@ RotationFinding rotation_of_state(const Specimen& specimen) {
     const double off = seen.distance(turned) / scale;
     if (table.state[v].role == ASSAY_ROLE_PLAIN && !(off <= worst)) {
       worst = off, which = table.state[v].name, symmetric = table.state[v].kind == ASSAY_SYMMETRIC_TENSOR;
+      order = order_in_turn(specimen.space.turn(turning_angle), still, seen, same * scale);
     }
     if (table.state[v].role == ASSAY_ROLE_PLAIN && seen.distance(still) < same * scale) {
       finding.left_behind += (finding.left_behind.empty() ? "" : ", ") + std::string(table.state[v].name);
@@ -269,6 +287,7 @@ RotationFinding rotation_of_state(const Specimen& specimen) {
       (symmetric ? ". The components of a symmetric tensor lie as 11 22 33 12 13 23, none of them "
                    "doubled"
                  : "");
+  if (order) finding.result.sentence = misplaced(*order, "'" + which + "' of the state");
   if (declared.guesses_roles) return finding;
   finding.result.verdict = Verdict::fail;
   finding.result.cause = causes::wrong_role;

@@ -4,6 +4,7 @@
 
 #include "harness/check/diagnosis_rows.hpp"
 #include "harness/check/judge.hpp"
+#include "harness/check/shear_order.hpp"
 
 namespace assay::check {
 
@@ -45,8 +46,8 @@ Found small_strain_of_rates(const Findings& f) {
 Suspicion of_variable(const TurnedVariable& variable, Turned how) {
   const std::string name = variable.is_stress ? "the stress" : "'" + variable.name + "' of the state";
   switch (how) {
-    case Turned::with_13_and_23_exchanged:
-      return {causes::components_swapped, "components 13 and 23 of " + name + " change places when the body turns"};
+    case Turned::in_another_order:
+      return {cause_of(variable.order), "when the body turns, " + misplaced(variable.order, name)};
     case Turned::with_shear_factor:
       return {causes::shear_factor, "the shear components of " + name + " are doubled or halved when it is turned"};
     case Turned::not_at_all:
@@ -70,14 +71,16 @@ Found what_is_left(const TurnedStep& step) {
                    "the stress turns with the body, but '" + other->name + "' of the state does not"};
 }
 
-/// How a variable is treated that is wrong; nothing of one that is right, or turns in a way that has no name.
-std::optional<Turned> wrong_way(const Findings& f, const TurnedStep& step, const TurnedVariable& variable) {
+/// How a variable is treated that is wrong, its order told; nothing of one that is right, or turns in a way that has no
+/// name.
+std::optional<Turned> wrong_way(const Findings& f, const TurnedStep& step, TurnedVariable& variable) {
   const auto same = [&](const TurnedVariable& other) { return other.name == variable.name; };
   const auto taken = std::find_if(step.taken.begin(), step.taken.end(), same);
   const Turned declared = variable.is_own ? Turned::not_at_all : Turned::rightly;
   const Turned as = taken == step.taken.end() ? declared : taken->how;
   const bool own_frame = as == Turned::not_at_all, misread = as != Turned::rightly && !own_frame;
   const Turned how = misread ? as : variable.how;
+  if (misread) variable.order = step.order;
   const bool of_spin = !f.failed("rotation.constant") || f.evidence.right_without_spin;
   if (how == Turned::by_another_angle && !of_spin && !variable.exactly) return std::nullopt;
   if (how == Turned::rightly || how == Turned::otherwise || (own_frame && how == Turned::not_at_all)) {
@@ -99,10 +102,10 @@ bool any_turn_fails(const Findings& f) {
 Found turned_step_of(const Findings& f) {
   if (!any_turn_fails(f) || !f.evidence.turned) return std::nullopt;
   const TurnedStep& step = *f.evidence.turned;
-  if (step.stress != Turned::rightly) return of_variable({.is_stress = true}, step.stress);
+  if (step.stress != Turned::rightly) return of_variable({.is_stress = true, .order = step.order}, step.stress);
   Found found;
   double farthest = -1;
-  for (const TurnedVariable& variable : step.carried) {
+  for (TurnedVariable variable : step.carried) {
     const std::optional<Turned> how = wrong_way(f, step, variable);
     const double far = variable.is_stress ? INFINITY : std::abs(variable.times - 1);
     if (!how || far <= farthest) continue;

@@ -2,20 +2,11 @@
 // A state variable of one point as what it is: a number, a vector or a tensor.
 #pragma once
 
-#include <utility>
-
 #include "harness/largest.hpp"
 #include "harness/material.hpp"
 #include "harness/tensor.hpp"
 
 namespace assay::check {
-
-/// 13 and 23 in each other's place.
-inline Tensor exchanged(Tensor A) {
-  std::swap(A(0, 2), A(1, 2));
-  std::swap(A(2, 0), A(2, 1));
-  return A;
-}
 
 /// Shear components times a factor.
 inline Tensor sheared(Tensor A, double factor) {

@@ -13,19 +13,19 @@ namespace {
 
 constexpr double explained = 1e-3;  ///< of an error that an assumption leaves
 
-/// What components of the state or of the stress are taken for; the first two are no defect. `exchanged` is nothing in
+/// What components of the state or of the stress are taken for; the first two are no defect. `reordered` is nothing in
 /// the plane.
-enum class As { tensor, own_frame, exchanged, half_shear, double_shear, count };
+enum class As { tensor, own_frame, reordered, half_shear, double_shear, count };
 
-Tensor read_as(As as, const Tensor& A) {
-  return as == As::exchanged      ? exchanged(A)
+Tensor read_as(As as, const ShearOrder& order, const Tensor& A) {
+  return as == As::reordered      ? in_order(reversed(order), A)
          : as == As::half_shear   ? sheared(A, 0.5)
          : as == As::double_shear ? sheared(A, 2)
                                   : A;
 }
 
-Tensor written_as(As as, const Tensor& A) {
-  return as == As::exchanged      ? exchanged(A)
+Tensor written_as(As as, const ShearOrder& order, const Tensor& A) {
+  return as == As::reordered      ? in_order(order, A)
          : as == As::half_shear   ? sheared(A, 2)
          : as == As::double_shear ? sheared(A, 0.5)
                                   : A;
@@ -34,7 +34,7 @@ Tensor written_as(As as, const Tensor& A) {
 Turned defect_of(As as) {
   return as == As::tensor      ? Turned::rightly
          : as == As::own_frame ? Turned::not_at_all
-         : as == As::exchanged ? Turned::with_13_and_23_exchanged
+         : as == As::reordered ? Turned::in_another_order
                                : Turned::with_shear_factor;
 }
 
@@ -50,22 +50,22 @@ class Assumptions {
     places_.resize(std::min(places_.size(), most_));
   }
 
-  bool can_be(As as) const { return as != As::exchanged || !space_.is_plane(); }
+  bool can_be(As as) const { return as != As::reordered || !space_.is_plane(); }
 
   /// Of the stress, if each variable is what it is assumed to be, and so is the stress.
-  double error(const std::vector<As>& variables, As output) const {
+  double error(const std::vector<As>& variables, As output, const ShearOrder& order) const {
     const Tensor Q = space_.turn(turning_angle);
     std::vector<double> state = from_.point.state;
     for (std::size_t v = 0; v < places_.size(); ++v) {
       if (variables[v] == As::own_frame) continue;
       const Variable stored = places_[v].in(state);
-      const Variable meant = stored.is_tensor() ? stored.with(read_as(variables[v], stored.value())) : stored;
+      const Variable meant = stored.is_tensor() ? stored.with(read_as(variables[v], order, stored.value())) : stored;
       const Variable turned = meant.turned(Q);
-      (stored.is_tensor() ? turned.with(written_as(variables[v], turned.value())) : turned)
+      (stored.is_tensor() ? turned.with(written_as(variables[v], order, turned.value())) : turned)
           .write(&state[places_[v].at]);
     }
     const Tensor seen = step(Q * from_.F, Q * F1_, state).cauchy;
-    return distance(rotated(Q.transpose(), read_as(output, seen)), read_as(output, expected_)) / scale_;
+    return distance(rotated(Q.transpose(), read_as(output, order, seen)), read_as(output, order, expected_)) / scale_;
   }
 
   const std::vector<StatePlace>& places() const { return places_; }
@@ -92,14 +92,13 @@ class Assumptions {
   double scale_;
 };
 
-/// The least unlikely assumptions that explain the error.
-void explain(const Assumptions& assumptions, TurnedStep& found) {
+/// The least unlikely assumptions that explain the error, of those less unlikely than `least_cost`.
+void explain(const Assumptions& assumptions, const ShearOrder& order, double& least_cost, TurnedStep& found) {
   const std::vector<As> declared = assumptions.declared();
   const std::size_t count = declared.size();
   const auto kinds = static_cast<std::size_t>(As::count);
   std::size_t all = 1;
   for (std::size_t v = 0; v < count; ++v) all *= kinds;
-  double least_cost = INFINITY;
   for (std::size_t code = 0; code < all; ++code) {
     std::vector<As> variables(count);
     double cost = 0;
@@ -109,13 +108,16 @@ void explain(const Assumptions& assumptions, TurnedStep& found) {
       const double of_this = variables[v] == declared[v] ? 0 : likely ? 1 : 2;
       cost += assumptions.can_be(variables[v]) ? of_this : INFINITY;
     }
-    for (const As output : {As::tensor, As::exchanged, As::half_shear, As::double_shear}) {
+    const bool reorders = std::find(variables.begin(), variables.end(), As::reordered) != variables.end();
+    for (const As output : {As::tensor, As::reordered, As::half_shear, As::double_shear}) {
+      if (!reorders && output != As::reordered && order != other_orders.front()) continue;  // tried with the first
       const double with_output = cost + (output == As::tensor ? 0 : 1.5);
       if (!assumptions.can_be(output) || with_output >= least_cost ||
-          assumptions.error(variables, output) > explained * found.error)
+          assumptions.error(variables, output, order) > explained * found.error)
         continue;
       least_cost = with_output;
       found.stress = defect_of(output);
+      found.order = order;
       found.taken.clear();
       for (std::size_t v = 0; v < count; ++v) {
         found.taken.push_back({.name = assumptions.places()[v].name, .how = defect_of(variables[v])});
@@ -129,11 +131,13 @@ void explain(const Assumptions& assumptions, TurnedStep& found) {
 void read_back(const Specimen& specimen, const Loaded& from, double s, TurnedStep& found) {
   const Assumptions assumptions(specimen, from, s);
   const std::vector<As> declared = assumptions.declared();
-  found.error = assumptions.error(declared, As::tensor);
+  found.error = assumptions.error(declared, As::tensor, other_orders.front());
   for (std::size_t v = 0; v < declared.size(); ++v) {
     found.taken.push_back({.name = assumptions.places()[v].name, .how = defect_of(declared[v])});
   }
-  if (found.error > own_precision) explain(assumptions, found);
+  if (!(found.error > own_precision)) return;
+  double least_cost = INFINITY;
+  for (const ShearOrder& order : other_orders) explain(assumptions, order, least_cost, found);
 }
 
 }  // namespace assay::check

@@ -30,6 +30,7 @@ struct Fate {
   Turned how;
   double times;
   Variable expected;
+  ShearOrder order = {0, 1, 2};
 };
 
 std::vector<Fate> fates_of(const Space& space, const Variable& before) {
@@ -37,11 +38,13 @@ std::vector<Fate> fates_of(const Space& space, const Variable& before) {
   const Variable right = before.turned(Q);
   std::vector<Fate> fates{{Turned::rightly, 1, right}, {Turned::not_at_all, 0, before}};
   if (before.is_tensor() && !space.is_plane()) {
-    for (const Variable& each : {right, before}) {
-      fates.push_back({Turned::with_13_and_23_exchanged, 1, each.with(exchanged(each.value()))});
+    for (const ShearOrder& order : other_orders) {
+      for (const Variable& each : {right, before}) {
+        fates.push_back({Turned::in_another_order, 1, each.with(in_order(order, each.value())), order});
+      }
+      const Variable meant = before.with(in_order(reversed(order), before.value())).turned(Q);
+      fates.push_back({Turned::in_another_order, 1, meant.with(in_order(order, meant.value())), order});
     }
-    const Variable misread = before.with(exchanged(before.value())).turned(Q);
-    fates.push_back({Turned::with_13_and_23_exchanged, 1, misread.with(exchanged(misread.value()))});
   }
   if (before.is_tensor()) {
     for (const double factor : {2.0, 0.5}) {
@@ -66,6 +69,7 @@ std::pair<TurnedVariable, double> carried(const Space& space, const Variable& be
     if (!(miss < 0.5 * best.second)) continue;  // the first are the likelier ones
     best.first.how = fate.how;
     best.first.times = fate.times;
+    best.first.order = fate.order;
     best.first.exactly = miss < rounding;
     best.second = miss;
   }
@@ -129,6 +133,7 @@ std::vector<TurnedVariable> carried_variables(const Specimen& specimen, const Lo
       misses[v] = miss;
       all[v].how = found.how;
       all[v].times = found.times;
+      all[v].order = found.order;
       all[v].exactly = found.exactly;
       all[v].is_stress = before.is_tensor() && proportional(whole.value(), held.cauchy);
     }

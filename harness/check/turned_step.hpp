@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "harness/check/shear_order.hpp"
 #include "harness/check/specimen.hpp"
 
 namespace assay::check {
@@ -13,7 +14,7 @@ enum class Turned {
   rightly,
   not_at_all,
   by_another_angle,
-  with_13_and_23_exchanged,
+  in_another_order,
   with_shear_factor,
   otherwise,
 };
@@ -22,14 +23,16 @@ struct TurnedVariable {
   std::string name = {};
   bool is_stress = false;  ///< proportional to the Cauchy stress
   Turned how = Turned::rightly;
-  double times = 1;      ///< by_another_angle: of the body's
-  bool exactly = false;  ///< so, to rounding
-  bool is_own = false;   ///< declared to turn by itself
+  double times = 1;              ///< by_another_angle: of the body's
+  bool exactly = false;          ///< so, to rounding
+  bool is_own = false;           ///< declared to turn by itself
+  ShearOrder order = {0, 1, 2};  ///< in_another_order
 };
 
 struct TurnedStep {
   double error = 0;                     ///< of the stress of one step from a turned state, relative
   Turned stress = Turned::rightly;      ///< the defect of the output that explains the error
+  ShearOrder order = {0, 1, 2};         ///< of what is taken, or the stress, to be in another order
   std::vector<TurnedVariable> carried;  ///< in a step in which a loaded body turns and is not deformed
   std::vector<TurnedVariable> taken;    ///< in a loading from a turned state: as what they are read
 };

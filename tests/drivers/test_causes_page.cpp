@@ -44,7 +44,11 @@ TEST(CausesPage, SaysOfEachWhatItMeansAndHowToRepairIt) {
     EXPECT_EQ(text.find("**Where"), std::string::npos) << cause;
     EXPECT_EQ(std::count(text.begin(), text.end(), '['), std::count(text.begin(), text.end(), ']')) << cause;
     std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << cause << ": " << line;
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_LE(line.size(), 80u) << cause << ": " << line;
+      const bool is_code = line.starts_with("    ");
+      EXPECT_TRUE(is_code || line.find("  ", line.find_first_not_of(' ')) == line.npos) << cause << ": " << line;
+    }
   }
 }
 

@@ -129,6 +129,34 @@ const std::string kept_by_name =
     "      G=KEPT(1,K)/(2.D0*(1.D0+KEPT(2,K)))\n"
     "      ELAM=2.D0*G*KEPT(2,K)/(1.D0-2.D0*KEPT(2,K))\n";
 
+/// A neo-Hookean law of DFGRD1, whose components 4 to 6 are those of these tables of indices.
+std::string neo_hookean_in_order(const std::string& rows, const std::string& columns) {
+  return "      DIMENSION B(3,3),IA(6),IB(6),S(3,3),DK(3,3)\n"
+         "      DATA IA/1,2,3," +
+         rows + "/,IB/1,2,3," + columns + "/\n" + moduli +
+         "      AJ=DFGRD1(1,1)*(DFGRD1(2,2)*DFGRD1(3,3)-DFGRD1(2,3)*DFGRD1(3,2))\n"
+         "     1  -DFGRD1(1,2)*(DFGRD1(2,1)*DFGRD1(3,3)-DFGRD1(2,3)*DFGRD1(3,1))\n"
+         "     2  +DFGRD1(1,3)*(DFGRD1(2,1)*DFGRD1(3,2)-DFGRD1(2,2)*DFGRD1(3,1))\n"
+         "      B=MATMUL(DFGRD1,TRANSPOSE(DFGRD1))\n"
+         "      DK=0\n"
+         "      DO 10 I=1,3\n"
+         "   10   DK(I,I)=1\n"
+         "      S=(G*(B-DK)+ELAM*LOG(AJ)*DK)/AJ\n"
+         "      A=ELAM/AJ\n"
+         "      H=(G-ELAM*LOG(AJ))/AJ\n"
+         "      DO 20 N=1,6\n"
+         "        I=IA(N)\n"
+         "        J=IB(N)\n"
+         "        STRESS(N)=S(I,J)\n"
+         "        DO 20 M=1,6\n"
+         "          K=IA(M)\n"
+         "          L=IB(M)\n"
+         "   20     DDSDDE(N,M)=A*DK(I,J)*DK(K,L)\n"
+         "     1      +H*(DK(I,K)*DK(J,L)+DK(I,L)*DK(J,K))\n"
+         "     2      +.5D0*(DK(I,K)*S(J,L)+DK(J,K)*S(I,L)+DK(I,L)*S(J,K)\n"
+         "     3      +DK(J,L)*S(I,K))\n";
+}
+
 struct Source {
   std::string name, text;
   const char* properties;
@@ -204,6 +232,20 @@ INSTANTIATE_TEST_SUITE_P(
                "counts the work of a shear, and none of that of an extension"},
         Source{"vumat_counts_backwards", counting("", "-0.5D0", "-1.D0"), "1e3,.3", check::causes::energy,
                "enerInternNew falls where the stress does work"},
+        Source{"shears_in_order", fixed_umat(neo_hookean_in_order("1,1,2", "2,3,3")), "1e3,.3", "", ""},
+        Source{"shears_swapped", fixed_umat(neo_hookean_in_order("1,2,1", "2,3,3")), "1e3,.3",
+               check::causes::components_swapped, "components 13 and 23 of stress or strain are in each other's place"},
+        Source{"shears_of_textbooks", fixed_umat(neo_hookean_in_order("2,1,1", "3,3,2")), "1e3,.3",
+               check::causes::other_order, "lie in the order 23, 13, 12, where 12, 13, 23 belong"},
+        Source{"shears_13_first", fixed_umat(neo_hookean_in_order("1,1,2", "3,2,3")), "1e3,.3",
+               check::causes::other_order, "lie in the order 13, 12, 23, where 12, 13, 23 belong"},
+        Source{"shears_moved_on", fixed_umat(neo_hookean_in_order("2,1,1", "3,2,3")), "1e3,.3",
+               check::causes::other_order, "the shears of the stress lie in the order 23, 12, 13"},
+        Source{"shears_of_the_strain",
+               fixed_umat("      DIMENSION E(6)\n" + moduli + tangent +
+                          "      E=DSTRAN\n      E(4)=DSTRAN(6)\n      E(6)=DSTRAN(4)\n"
+                          "      STRESS=STRESS+MATMUL(DDSDDE,E)\n"),
+               "1e3,.3", check::causes::other_order, "lie in the order 23, 13, 12"},
         Source{"constants_by_name", fixed_umat(kept_by_name + hooke), "1e3,.3", "", ""},
         Source{"heals", fixed_umat("      DIMENSION EPS(6),V(6)\n" + healing), "1e3,.3,.05", check::causes::dissipation,
                "once around a square in the space of strains"},

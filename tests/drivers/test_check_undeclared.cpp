@@ -128,6 +128,13 @@ TEST_F(CheckUndeclared, PlaneStressIsToldAndNotJudged) {
   const Found found = check("model.f", {"--props", "210e3,.3"});
   EXPECT_EQ(found.status, 2) << found.said;
   EXPECT_TRUE(found.says("as in plane stress (11, 22 and 12)")) << found.said;
+  const std::string keys = "source: model.f\ninterface: umat\nproperties: [210e3, 0.3]\ncomponents: ";
+  for (const char* said : {"[6]\n", "[4]\n", "[4]\nsymmetry: anisotropic\naxes: corotational\n"}) {
+    scratch.write("said.yaml", keys + said);
+    const Found declared = check("said.yaml");
+    EXPECT_EQ(declared.status, 2) << said << declared.said;
+    EXPECT_TRUE(declared.says("as in plane stress (11, 22 and 12)")) << said << declared.said;
+  }
 }
 
 }  // namespace

@@ -153,13 +153,24 @@ TEST_F(CommandLine, AnOptionIsNoValue) {
   };
   const std::string scene = write("scene.yaml", scene_text());
   EXPECT_EQ(said({"run", scene, "-o", "--quiet"}),
-            "assay run: -o needs a value, and '--quiet' is an option; a file of that name is ./--quiet\n");
+            "assay run: -o needs a value, and '--quiet' begins like an option; a file of that name is ./--quiet\n");
   EXPECT_EQ(said({"run", scene, "--junit", "-v"}),
-            "assay run: --junit needs a value, and '-v' is an option; a file of that name is ./-v\n");
-  EXPECT_EQ(said({"check", "x.so", "--json", "--junit", "a.xml"}),
-            "assay check: --json needs a value, and '--junit' is an option; a file of that name is ./--junit\n");
-  EXPECT_EQ(said({"eval", scene, "--points", "--typo"}),
-            "assay eval: --points needs a value, and '--typo' is an option; a file of that name is ./--typo\n");
+            "assay run: --junit needs a value, and '-v' begins like an option; a file of that name is ./-v\n");
+  EXPECT_EQ(
+      said({"check", "x.so", "--json", "--junit", "a.xml"}),
+      "assay check: --json needs a value, and '--junit' begins like an option; a file of that name is ./--junit\n");
+  EXPECT_EQ(
+      said({"eval", scene, "--points", "--typo"}),
+      "assay eval: --points needs a value, and '--typo' begins like an option; a file of that name is ./--typo\n");
+  EXPECT_EQ(said({"run", scene, "-o", "-x"}),
+            "assay run: -o needs a value, and '-x' begins like an option; a file of that name is ./-x\n");
+  EXPECT_EQ(said({"check", "x.f", "--deck", "-1"}),
+            "assay check: --deck needs a value, and '-1' begins like an option; a file of that name is ./-1\n");
+  EXPECT_EQ(said({"run", scene, "-o=out/eq"}),
+            "assay run: -o takes its value behind a blank, without '=': write -o out/eq; a file of that name is "
+            "./=out/eq\n");
+  EXPECT_EQ(said({"run", scene, "-o="}),
+            "assay run: -o takes its value behind a blank, without '=': write -o ...; a file of that name is ./=\n");
   EXPECT_EQ(said({"run", scene, "-o"}), "assay run: -o needs a value\n");
   EXPECT_EQ(said({"run", scene, "--threads", ""}), "assay run: --threads needs a value, and an empty text is given\n");
   EXPECT_EQ(said({"study", scene, "--jobs", ""}), "assay study: --jobs needs a value, and an empty text is given\n");
@@ -170,6 +181,18 @@ TEST_F(CommandLine, AnOptionIsNoValue) {
   EXPECT_EQ(said({"check", "x.f", "--props", "-1"}).find("needs a value"), std::string::npos) << "a number";
   EXPECT_EQ(said({"check", "x.so", "--strain", "-.5"}).find("needs a value"), std::string::npos) << "a number";
   EXPECT_EQ(said({"check", "x.so", "--json", "-"}).find("needs a value"), std::string::npos) << "standard output";
+}
+
+TEST_F(CommandLine, ANameAndItsValueAreOneWord) {
+  const std::string scene = write("scene.yaml", scene_text()), begin = "a name and its value are one word with '=' ";
+  const std::string set = "--set: " + begin + "between them: write --set ";
+  EXPECT_EQ(call({"run", scene, "--set", "frame.angle", "-0.7"}).err, set + "frame.angle=-0.7\n");
+  EXPECT_EQ(call({"run", scene, "--set", "grid.spacing", "0.1"}).err, set + "grid.spacing=0.1\n");
+  EXPECT_EQ(call({"run", scene, "--set", "grid.spacing", "=0.1"}).err, set + "grid.spacing=0.1\n");
+  EXPECT_EQ(call({"run", scene, "--set", "grid.spacing", "=", "0.1"}).err, set + "grid.spacing=...\n");
+  EXPECT_EQ(call({"run", scene, "--set", "grid.spacing=", "0.1"}).err, set + "grid.spacing=0.1\n");
+  EXPECT_EQ(call({"check", "neo_hookean", "--parameters", "E", "1e3"}).err,
+            "--parameters: " + begin + "between them: write --parameters E=1e3\n");
 }
 
 TEST_F(CommandLine, AnOptionWithAnotherDashIsNamed) {

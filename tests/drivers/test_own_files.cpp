@@ -163,9 +163,8 @@ class PrintingModel : public testing::TestWithParam<ToOutput> {
       words.insert(words.end(), {"--set", set});
     words.insert(words.end(), {"--set", "material={adapter: " + library + ", parameters: {E: 1.0e3, nu: 0.3}}"});
     const std::string out = the.scratch / "output";
-    const Ending ending = assay(words, [&] {
-      ::dup2(::open(out.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600), STDOUT_FILENO);
-    });
+    const Ending ending =
+        assay(words, [&] { ::dup2(::open(out.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600), STDOUT_FILENO); });
     EXPECT_NE(ending.said.find(with), std::string::npos) << ending.said;
     return bytes_of(out);
   }

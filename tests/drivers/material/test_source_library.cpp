@@ -127,6 +127,15 @@ TEST_F(SourceLibraryTest, OldAndLooseSourcesCompile) {
                                  hooke_statements)));
 }
 
+TEST_F(SourceLibraryTest, ThePreprocessorHasTheMacrosOfAbaqus) {
+  for (const char* macro : {"ABQ_LNX86_64", "ABQ_FORTRAN"}) {
+    const std::string statements = "#ifndef " + std::string(macro) + "\n      X=(1\n#endif\n" + hooke_statements;
+    built(scratch.write("macro.f", fixed_umat(statements)));
+    EXPECT_NE(refused(scratch.write("other.f", fixed_umat("#ifdef " + statements.substr(8)))).find("other.f:14"),
+              std::string::npos);
+  }
+}
+
 TEST_F(SourceLibraryTest, FixedFormIsReadAt132Columns) {
   std::string line = "      X=1";
   line.resize(100, ' ');

@@ -83,6 +83,21 @@ TEST(Comparison, FailuresAndCasesOfOneStudy) {
       compared_with([](StudyFindings& B) { B.cases[6] = small_completed("uGIMP, FLIP", 0.1, 1, 1); }).is_worse());
 }
 
+TEST(Comparison, AMotionThatStandsStillHasNoRelativeError) {
+  const auto still = [](StudyFindings study) {
+    for (StudyCase& one : study.cases) {
+      if (one.completed()) one.error.reset(), one.figures["error.l2_max"] = 0.0;
+    }
+    return study;
+  };
+  const StudyFindings moving = two_method_study(), other = of_another_program(still(moving));
+  const Comparison stopped = compared(moving, other), set_off = compared(other, moving);
+  EXPECT_EQ(stopped.errors(1) + stopped.errors(-1) + set_off.errors(1) + set_off.errors(-1), 0);
+  ASSERT_FALSE(stopped.warnings.empty());
+  EXPECT_TRUE(stopped.warnings[0].starts_with("B: the exact displacement is zero in ")) << stopped.warnings[0];
+  EXPECT_EQ(compared_with([](StudyFindings& B) { B.cases[0].error.reset(); }).errors(1), 1) << "not finite any more";
+}
+
 TEST(Comparison, AFifthSlowerIsWorseAndAFifthFasterIsNot) {
   const Comparison slower = compared_with([](StudyFindings& B) { set_clock(B.cases[1], {9.5, 9.6, 9.7}); });
   EXPECT_TRUE(slower.is_worse());

@@ -138,6 +138,14 @@ TEST(StudyText, AStudyWithoutAnythingSaysSo) {
   EXPECT_TRUE(says(failed, "no case has both an error and a cost\n"));
   EXPECT_FALSE(says(failed, "cases that no other beats"));
   EXPECT_FALSE(says(failed, "orders"));
+  StudyFindings still = two_method_study();
+  still.digits.clear(), still.front.clear();
+  for (StudyCase& one : still.cases) one.error.reset(), one.figures["error.l2_max"] = 0.0;
+  EXPECT_TRUE(says(study_text(still, "r"),
+                   "no case has both an error and a cost: the exact displacement is zero in 9\n"
+                   "  cases, and a relative error is undefined there; error: error.l2_max is one in\n"
+                   "  metres\n"))
+      << study_text(still, "r");
   StudyFindings zero = two_method_study();
   zero.digits.clear();
   EXPECT_TRUE(says(study_text(zero, "r"), "the error is 0: no digit is the last\n"));

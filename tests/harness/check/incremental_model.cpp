@@ -67,6 +67,7 @@ double plastic(const Model& m, Tensor& sigma, Tensor& back, double p) {
 /// Elastic stress of a strain, with its defects.
 Tensor elastic(const Model& m, Tensor e) {
   if (m.defect == swapped_strain) e = exchanged(e);
+  if (m.defect == cycled_strain) e = check::in_order({1, 2, 0}, e);
   if (m.defect == engineering_shear || m.defect == halved_shear) {
     e = sheared(e, m.defect == engineering_shear ? 2 : 0.5);
   }
@@ -81,6 +82,7 @@ Tensor carried_back(int defect, const Tensor& R, const Tensor& back, const Tenso
   if (defect == fixed_back_stress) return back;
   if (defect == back_stress_turned_back) return R.transpose() * back * R;
   if (defect == swapped_back_stress) return exchanged(rightly);
+  if (defect == voigt_back_stress) return check::in_order({2, 1, 0}, rightly);
   if (defect == back_stress_as_strain) return sheared(R * sheared(back, 0.5) * R.transpose(), 2);
   return rightly;
 }
@@ -94,6 +96,7 @@ Tensor take(Model& m, const Step& step, Tensor& stress, Tensor& back, double& p)
       return Tensor(A + times * (k.spin * A - A * k.spin));
     }
     const Tensor turned = k.rotation * A * k.rotation.transpose();
+    if (m.defect == cycled_rotation) return check::in_order({2, 0, 1}, turned);
     return m.defect == swapped_rotation ? exchanged(turned) : turned;
   };
   if (m.defect == yields_as_at_first) p = worked;
@@ -114,6 +117,7 @@ Tensor take(Model& m, const Step& step, Tensor& stress, Tensor& back, double& p)
   if (m.defect == viscous_undeclared) cauchy += 1e-2 * m.E * k.strain / step.dt;
   if (m.defect == time_of_day) cauchy *= 1 + 1e-3 * std::sin(step.t + step.dt);
   if (m.defect == swapped_stress) cauchy = exchanged(cauchy);
+  if (m.defect == voigt_stress) cauchy = check::in_order({2, 1, 0}, cauchy);
   if (m.defect == noise_of_its_own) cauchy *= 1 + 0.3 * std::sin(1e9 * step.F1(0, 0));
   if (m.defect == swallows_nan && !cauchy.allFinite()) cauchy = stress = back = Tensor::Zero(), p = 0;
   return cauchy;
