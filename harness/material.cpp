@@ -196,8 +196,8 @@ std::vector<double> Material::initial_state(std::size_t n, std::span<const doubl
     throw CannotBegin("material '" + name() + "' " + refuses, reason_of(*table_, self_.get()));
   }
   if (status < ASSAY_FAILED || status > ASSAY_GOOD) {
-    throw CannotBegin("material '" + name() + "'", "initial_state returned the status " + std::to_string(status) +
-                                                       ", which is none of the ABI's");
+    throw CannotBegin("material '" + name() + "'",
+                      "initial_state returned the status " + std::to_string(status) + ", which is none of the ABI's");
   }
   std::size_t offset = 0;
   std::uint32_t rank = 0;

@@ -174,7 +174,7 @@ TEST_P(PrintingModel, SpoilsNoTable) {
   const std::string printed = output(built("tests/plugins/prints.so"), "which is all very well");
   EXPECT_EQ(printed.find("which is all very well"), std::string::npos) << printed;
   if (GetParam().words.front() == "run")  // times differ
-    EXPECT_NO_THROW(static_cast<void>(nlohmann::json::parse(printed))) << printed;
+    EXPECT_TRUE(nlohmann::json::accept(printed)) << printed;
   else
     EXPECT_EQ(printed, output("neo_hookean", ""));
 }
