@@ -65,7 +65,8 @@ TEST(BatteryInPlane, WhatIsRightPassesAndWhatIsWrongThereIsNamed) {
   for (const Subject& subject : all_subjects()) {
     if (subject.material.table().create_of) continue;  // made from its own table, of which none of the plane knows
     const bool has_axes = subject.material.table().symmetry == ASSAY_ANISOTROPIC;
-    if (has_axes && !subject.cause.empty()) continue;  // a class is told by strains out of the plane
+    if (has_axes && !subject.cause.empty()) continue;    // a class is told by strains out of the plane
+    if (subject.cause == causes::other_order) continue;  // in the plane the shear 12 is lost
     const auto [cause, sentence] = found_in_plane(subject);
     if (subject.cause.empty()) {
       EXPECT_EQ(cause, "") << subject.name;

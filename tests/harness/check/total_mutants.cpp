@@ -22,6 +22,7 @@ enum Defect : int {
   fixed_axis,
   fibre,
   exchanged_shears,
+  shears_with_13_first,
   doubled_shear,
   spectral_blow_up,
   spectral_noise,
@@ -138,6 +139,8 @@ Tensor cauchy_of(const Model& m, const Tensor& F) {
     }
     case exchanged_shears:
       return exchanged(sigma);
+    case shears_with_13_first:
+      return check::in_order({1, 0, 2}, sigma);
     case doubled_shear:
       return sheared(sigma, 2);
     case spectral_blow_up:
@@ -297,6 +300,7 @@ std::vector<Subject> subjects() {
       {"fixed_axis", fixed_axis, not_indifferent},
       {"fibre", fibre, not_isotropic},
       {"exchanged_shears", exchanged_shears, components_swapped},
+      {"shears_with_13_first", shears_with_13_first, other_order},
       {"doubled_shear", doubled_shear, shear_factor},
       {"spectral_blow_up", spectral_blow_up, repeated_stretch},
       {"spectral_noise", spectral_noise, repeated_stretch},
