@@ -12,6 +12,7 @@
 
 #include "drivers/interrupt.hpp"
 #include "drivers/output/numbers.hpp"
+#include "drivers/output/terminal.hpp"
 #include "drivers/own_files.hpp"
 
 namespace assay::drivers {
@@ -51,19 +52,12 @@ void fail(const fs::path& path, const std::string& what, const std::error_code& 
   throw SystemError(path.string() + ": " + what + ": " + error.message());
 }
 
-/// The user's standard output may have another number while models run.
-fs::path opened_as(const fs::path& path) {
-  const bool is_output = path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
-  return is_output ? fs::path("/proc/self/fd/" + std::to_string(user_output())) : path;
-}
-
 /// A pipe without a reader would let nobody in: after some seconds the error is ENXIO.
 int opened(const fs::path& path, int flags) {
-  const fs::path place = opened_as(path);
   constexpr int patience_ms = 2000, step_ms = 20;
   int descriptor = -1;
   for (int waited = 0; waited <= patience_ms; waited += step_ms) {
-    descriptor = ::open(place.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | flags, 0666);
+    descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | flags, 0666);
     if (descriptor >= 0 || errno != ENXIO) break;
     stop_if_interrupted();
     ::usleep(step_ms * 1000);
@@ -137,7 +131,14 @@ void rethrow_with(const SystemError& failure, const fs::path& hidden, const fs::
   throw SystemError(what);
 }
 
+/// Whether a path is another name of "-": the descriptor may be that of a model's prints, and what the user has opened
+/// is not replaced.
+bool is_standard_output(const fs::path& path) {
+  return path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+}
+
 void write_file(const fs::path& path, std::string_view bytes) {
+  if (is_standard_output(path)) return print(bytes);
   put_files_right();
   std::error_code error;
   const fs::file_status there = fs::status(path, error);

@@ -161,7 +161,8 @@ class PrintingModel : public testing::TestWithParam<ToOutput> {
     if (words.front() == "run") words.insert(words.end(), {"-o", the.scratch / "out"});
     for (const char* set : {"motion.amplitude.peak=0.05", "grid.spacing=0.25", "time.end=0.02"})
       words.insert(words.end(), {"--set", set});
-    words.insert(words.end(), {"--set", "material={adapter: " + library + ", parameters: {E: 1.0e3, nu: 0.3}}"});
+    words.insert(words.end(),
+                 {"--set", "material={adapter: " + library + ", parameters: {E: 1.0e3, nu: 0.3}, density: 1000}"});
     const std::string out = the.scratch / "output";
     const Ending ending =
         assay(words, [&] { ::dup2(::open(out.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600), STDOUT_FILENO); });
