@@ -114,11 +114,7 @@ CheckReporter reporter_to(int records) {
 }  // namespace
 
 Child start_child(const std::vector<CheckTask>& tasks, std::size_t task, double limit_s) {
-  const std::string folders = adapters::temporary_folder();
-  std::error_code code;
-  if (!std::filesystem::is_directory(folders, code)) {
-    throw SystemError("$TMPDIR, '" + one_line(folders, 200) + "', is no folder for temporary files");
-  }
+  require_temporary_folder();
   int records[2], output[2];
   if (::pipe2(records, O_CLOEXEC) != 0 || ::pipe2(output, O_CLOEXEC) != 0) throw_system_error("pipe");
   Child child;
@@ -138,7 +134,7 @@ Child start_child(const std::vector<CheckTask>& tasks, std::size_t task, double 
     adapters::mark_crashes(*child.control);
     serve(tasks[task], {out_of_reach(records[1]), output[1]}, folder);
   };
-  child.keeper = start_kept(work, {records[1], output[1]}, {records[0], output[0]}, folders);
+  child.keeper = start_kept(work, {records[1], output[1]}, {records[0], output[0]}, adapters::temporary_folder());
   ::close(records[1]);
   ::close(output[1]);
   for (const int file : {child.in, child.heard}) ::fcntl(file, F_SETFL, O_NONBLOCK);

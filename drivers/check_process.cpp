@@ -25,7 +25,7 @@ std::string how_it_ended_alone(const Child& child, double limit_s) {
     case Child::Excess::call:
       return "did not come back from one call within " + rounded_text(child.limits.seconds, 3) + " s";
     case Child::Excess::time:
-      return "did not come back within " + rounded_text(limit_s, 3) + " s";
+      return "came back from each of its calls, and the tests were not done within " + rounded_text(limit_s, 3) + " s";
     case Child::Excess::memory:
       return "took more than " + rounded_text(child.limits.gigabytes, 3) + " GB of memory";
     case Child::Excess::none:
@@ -93,6 +93,13 @@ CheckedMaterial result_of(const Child& child, const CheckTask& task, double limi
   const auto whole = checked_of_json(child.said.substr(at));
   if (whole && child.phase == CallPhase::destroying) return with_end(*whole, child, limit_s);
   if (whole && child.excess == Child::Excess::none) return *whole;
+  if (child.excess == Child::Excess::time) {
+    checked.unsuitable = true;
+    checked.error =
+        task.name + ": " + how_it_ended(child, limit_s) + ", in the test " + test +
+        ": it is too slow to be judged. What a call does besides (files, commands, prints) may take its time";
+    return checked;
+  }
   const std::string last = adapters::last_line(child.output->text());
   const std::string missing = adapters::missing_file_words(child.output->text());
   std::string sentence =

@@ -11,11 +11,14 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <string>
 
 #include "adapters/worker/high_files.hpp"
+#include "adapters/worker/own_folder.hpp"
 #include "drivers/input_error.hpp"
+#include "drivers/unseen.hpp"
 
 namespace assay::drivers {
 
@@ -135,6 +138,13 @@ void require_open_files(std::size_t least) {
   if (limit != RLIM_INFINITY && limit < least)
     throw SystemError("open files are limited to " + std::to_string(limit) + " (ulimit -n), and " +
                       std::to_string(least) + " are needed");
+}
+
+void require_temporary_folder() {
+  const std::string folder = adapters::temporary_folder();
+  std::error_code code;
+  if (!std::filesystem::is_directory(folder, code) || ::access(folder.c_str(), W_OK | X_OK) != 0)
+    throw SystemError("$TMPDIR, '" + one_line(folder, 200) + "', is no folder for temporary files");
 }
 
 int user_input() { return before && before->streams[0] >= 0 ? before->streams[0] : 0; }

@@ -24,6 +24,9 @@ void keep_these_streams();
 /// verdict would rest on the rest.
 void require_open_files(std::size_t least);
 
+/// Throws SystemError where nothing can be put into the folder of temporary files.
+void require_temporary_folder();
+
 /// The file that is the user's standard input.
 int user_input();
 

@@ -2,6 +2,10 @@
 // The functions that a model offers by extensions, and the one way to call them.
 #pragma once
 
+#include <cstdint>
+#include <string>
+#include <type_traits>
+
 #include "harness/arithmetic.hpp"
 #include "harness/foreign_message.hpp"
 #include "harness/material.hpp"
@@ -74,7 +78,13 @@ class Offer {
   /// The arguments behind `self`. Throws ModelThrew.
   template <class... Arguments>
   auto operator()(Arguments... arguments) const {
-    return call_model(*table_, Offered::name, function_, self_, arguments...);
+    const auto result = call_model(*table_, Offered::name, function_, self_, arguments...);
+    if constexpr (std::is_same_v<decltype(result), const std::int32_t>) {
+      if (result < ASSAY_FAILED || result > ASSAY_GOOD)
+        throw ModelThrew(table_->name, Offered::name,
+                         "returned the status " + std::to_string(result) + ", which is none of the ABI's");
+    }
+    return result;
   }
 
  private:

@@ -93,8 +93,9 @@ int components_of_kind(std::int32_t kind) {
 }
 
 bool can_be_a_key(const std::string& name) {
-  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-    return c > ' ' && c < 0x7f && std::strchr(",=:;#\"'{}&*!|>%@`", c) == nullptr;
+  // A colon within, as in "STATEV(1:6)", ends no key of YAML.
+  return !name.empty() && name.back() != ':' && std::all_of(name.begin(), name.end(), [](char c) {
+    return c > ' ' && c < 0x7f && std::strchr(",=;#\"'{}&*!|>%@`", c) == nullptr;
   });
 }
 

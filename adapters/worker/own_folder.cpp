@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <system_error>
@@ -21,7 +22,7 @@ std::string temporary_folder() {
 OwnFolder::OwnFolder() {
   if (stands_apart) return;
   path_ = temporary_folder() + "/" + worker_folder + "XXXXXX";
-  if (!::mkdtemp(path_.data())) path_.clear();
+  if (!::mkdtemp(path_.data())) reason_ = errno, path_.clear();
 }
 
 OwnFolder::~OwnFolder() {
@@ -29,6 +30,10 @@ OwnFolder::~OwnFolder() {
   if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
 }
 
-bool OwnFolder::enter() const { return stands_apart || stand_in(path_); }
+bool OwnFolder::enter() const {
+  if (stands_apart || stand_in(path_)) return true;
+  if (reason_ != 0) errno = reason_;
+  return false;
+}
 
 }  // namespace assay::adapters

@@ -30,6 +30,7 @@ class OwnFolder {
 
  private:
   std::string path_;
+  int reason_ = 0;  ///< of errno, why there is none
 };
 
 }  // namespace assay::adapters

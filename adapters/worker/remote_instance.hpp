@@ -173,7 +173,8 @@ class Instance {
     return true;
   }
 
-  /// A call without arrays that come back beside those that `out` knows. Throws ModelThrew, as the call would here.
+  /// A call without arrays that come back beside those that `out` knows. Throws ModelThrew, as the call would here, and
+  /// where an extension's function ends the worker or writes where it must not: no model refuses anything so.
   template <class In, class Out>
   std::int32_t status_of(Operation operation, std::size_t n, const In& in, const Out& out) {
     std::int32_t status = ASSAY_FAILED;
@@ -182,8 +183,9 @@ class Instance {
       if (status == ASSAY_FAILED) reason = text_of(head.message, ASSAY_MESSAGE_SIZE);
       out();
     };
-    call(operation, n, in, take, [](const WorkerProcess&) {});
-    if (reason.find(exception_words) != std::string::npos) throw ModelThrew(reason);
+    const bool answered = call(operation, n, in, take, [](const WorkerProcess&) {});
+    const bool of_extension = operation != Operation::initial_state;
+    if ((!answered && of_extension) || reason.find(exception_words) != std::string::npos) throw ModelThrew(reason);
     return status;
   }
 

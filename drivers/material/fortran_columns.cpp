@@ -143,6 +143,24 @@ std::vector<std::string> column_sentences(const ColumnReadings& readings, const 
   return all;
 }
 
+std::vector<std::string> joined_line_sentences(const std::vector<std::string>& lines, FortranForm form,
+                                               const std::string& file) {
+  std::vector<std::string> all;
+  FortranCode code(form, all_columns);
+  for (std::size_t k = 0; k + 1 < lines.size(); ++k) {
+    const std::string& line = lines[k];
+    const std::size_t last = line.find_last_not_of(" \t\r");
+    const std::string of_line = code.of(line);
+    if (last == std::string::npos || line[last] != '\\' || line.starts_with('#') ||
+        of_line.find('\\') != std::string::npos)
+      continue;
+    all.push_back(file + ":" + std::to_string(k + 1) +
+                  ": the comment ends in a backslash, by which the preprocessor makes the next line a part of it: "
+                  "leave the backslash out, or put a full stop behind it");
+  }
+  return all;
+}
+
 std::string card_remedy(const std::string& file) {
   const std::filesystem::path path = std::filesystem::path(file).filename();
   return "cut -c1-72 " + path.string() + " > " + path.stem().string() + "_72" + path.extension().string();

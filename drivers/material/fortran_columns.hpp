@@ -31,6 +31,10 @@ ColumnReadings readings_of(const std::vector<std::string>& lines, FortranForm fo
 /// What to tell of them, a sentence each, for warnings; `file` goes before the number of a line.
 std::vector<std::string> column_sentences(const ColumnReadings& readings, const std::string& file);
 
+/// What to tell of comments that end in a backslash where the preprocessor runs: it joins the next line to them.
+std::vector<std::string> joined_line_sentences(const std::vector<std::string>& lines, FortranForm form,
+                                               const std::string& file);
+
 /// The command that takes the numbers of cards away: "cut -c1-72 model.f > model_72.f".
 std::string card_remedy(const std::string& file);
 

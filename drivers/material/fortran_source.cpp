@@ -136,6 +136,9 @@ FortranSource read_fortran_source(const std::string& file, const Location& where
   source.statements = statements_of(source.lines, source.form.form);
   const ColumnReadings readings = columns_of(said, source.form, form_by_name(file));
   source.warnings = column_sentences(readings, file);
+  if (source.preprocessed)
+    for (std::string& each : joined_line_sentences(said, source.form.form, file))
+      source.warnings.push_back(std::move(each));
   source.has_cards = !readings.cards.empty();
   if (!readings.cut.empty()) source.cut_line = readings.cut.front().line;
   add_includes(source.lines, source);

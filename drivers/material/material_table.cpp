@@ -63,6 +63,7 @@ const assay_material* table_here(const MaterialDescription& description) {
   } catch (const std::system_error& error) {
     constexpr std::size_t open_files = 20;  // that the trial takes
     if (error.code() == std::errc::too_many_files_open) require_open_files(open_files);
+    require_temporary_folder();
     throw SystemError(std::string("a library cannot be tried: ") + error.what());
   } catch (const adapters::ForeignError& error) {
     throw complaint(description, error.key(), error.what(), error.known());

@@ -89,14 +89,24 @@ class Diagnosis {
     return slip(at_, column_, "an item of a list behind its key: each belongs in a line of its own, or write [a, b]");
   }
 
-  /// "-0.5" below "- 0.5".
+  /// "-0.5" below "- 0.5", where the complaint is, or a few lines above it.
   std::optional<YamlSlip> glued_item() const {
-    const std::size_t first = indent_of(here()), above = before(at_);
-    const std::string_view word = stripped(here());
+    constexpr int few = 5;
+    std::size_t line = at_;
+    for (int k = 0; k < few && line != std::string::npos; ++k, line = before(line)) {
+      if (const auto slip = glued_item_in(line)) return slip;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<YamlSlip> glued_item_in(std::size_t line) const {
+    const std::string_view text_of_line = bare_[line].text;
+    const std::size_t first = indent_of(text_of_line), above = before(line);
+    const std::string_view word = stripped(text_of_line);
     if (above == std::string::npos || word.size() < 2 || word[0] != '-' || word[1] == ' ' || word[1] == '-') return {};
     if (indent_of(bare_[above].text) != first || !stripped(bare_[above].text).starts_with("- ")) return {};
-    const std::string text(stripped(lines_[at_]).substr(1));
-    return slip(at_, first,
+    const std::string text(stripped(lines_[line]).substr(1));
+    return slip(line, first,
                 "a blank belongs behind the '-' of an item: write - " + text +
                     (parse_number(text) ? ", or - -" + text + " for a number below 0" : ""));
   }

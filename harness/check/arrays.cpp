@@ -5,12 +5,14 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <deque>
 #include <string>
 #include <utility>
 
 #include "harness/arithmetic.hpp"
 #include "harness/check/call_steps.hpp"
 #include "harness/check/specimen.hpp"
+#include "harness/offer.hpp"
 #include "harness/thrown.hpp"
 
 namespace assay::check {
@@ -243,6 +245,87 @@ std::string misdeed_in_batches(const Material& material, const Effort& effort, s
   return {};
 }
 
+/// The arrays of a call of an extension's function, in its order.
+class OfferedArrays {
+ public:
+  OfferedArrays(std::size_t n, std::size_t bytes) : n_(n), bytes_(bytes) {}
+
+  double* in(const std::vector<double>& values) {
+    given_.push_back(values);
+    return in_.emplace_back(values, bytes_).data();
+  }
+  double* out(std::size_t components) { return out_.emplace_back(components * n_, n_, no_value, bytes_).data(); }
+
+  /// What was done to them.
+  std::string misdeed(const std::string& function) const {
+    if (std::any_of(out_.begin(), out_.end(), [](const Guarded<double>& array) { return array.broken(); }))
+      return function + " writes beyond its results";
+    for (std::size_t k = 0; k < in_.size(); ++k) {
+      if (!same(given_[k], in_[k].values())) return function + " writes into what it is given";
+    }
+    return {};
+  }
+
+ private:
+  std::size_t n_, bytes_;
+  std::vector<std::vector<double>> given_;
+  std::deque<Placed> in_;
+  std::deque<Guarded<double>> out_;
+};
+
+/// What functions of extensions do wrong to their arrays, at the end of a step of some points; or empty.
+std::string misdeed_of_offers(const Material& material, const Effort& effort, std::size_t bytes) {
+  constexpr double density = 1000, small = 0.01;  // [kg/m^3], [1]
+  constexpr std::size_t n = 7;
+  const Walk walk{n, turning_stretch, std::min(small, effort.strain), 1, bytes};
+  const Deed start = begin(material, n, bytes);
+  if (!start.goes_on) return {};
+  const Tensor I = Tensor::Identity(), strained = turning_stretch(Space(material), walk.amplitude, 1);
+  const Deed end = step(material, walk, 0, I, strained, start.state);
+  if (!end.goes_on) return {};
+  const std::vector<double> F0 = repeated(I, n), F1 = repeated(strained, n);
+  const std::vector<double> l = repeated((strained - I) / length * strained.inverse(), n);
+  const auto of = [&]<class Extension>(const Offer<Extension>& offer, const auto& call) -> std::string {
+    if (!offer) return {};
+    OfferedArrays arrays(n, bytes);
+    try {
+      call(offer, arrays);
+    } catch (const MaterialFailure&) {  // the test of that extension tells
+    }
+    return arrays.misdeed(OfferedFunction<Extension>::name);
+  };
+  const auto rate = [&](const auto& form, OfferedArrays& a) {
+    double *F = a.in(F1), *gradient = a.in(l), *cauchy = a.in(end.cauchy), *state = a.in(end.state);
+    double *cauchy_rate = a.out(9), *state_rate = a.out(material.state_size());
+    form(length, n, F, gradient, cauchy, state, cauchy_rate, state_rate);
+  };
+  const auto tangent = [&](const auto& form, OfferedArrays& a) {
+    const assay_step whole{0, length, a.in(F0), a.in(F1)};
+    double* state = a.in(start.state);
+    form(&whole, n, state, a.out(81));
+  };
+  const auto energy = [&](const auto& form, OfferedArrays& a) {
+    double *F = a.in(F1), *state = a.in(end.state);
+    form(n, F, state, a.out(1));
+  };
+  const auto speed = [&](const auto& form, OfferedArrays& a) {
+    double *F = a.in(F1), *cauchy = a.in(end.cauchy), *state = a.in(end.state);
+    form(density, n, F, cauchy, state, a.out(1));
+  };
+  const auto closed = [&](const auto& form, OfferedArrays& a) {
+    double* eps = a.in(std::vector<double>(n, small));
+    double *tau = a.out(9), *slope = a.out(9);
+    form(std::int32_t{ASSAY_BASELINE_SIMPLE_SHEAR}, n, eps, tau, slope);
+  };
+  for (const std::string& what :
+       {of(Offer<assay_rate>(material), rate), of(Offer<assay_tangent>(material), tangent),
+        of(Offer<assay_energy>(material), energy), of(Offer<assay_wave_speed>(material), speed),
+        of(Offer<assay_closed_form>(material), closed)}) {
+    if (!what.empty()) return what;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::array<double, 4> amplitudes_of_first(const Effort& effort) {
@@ -261,6 +344,7 @@ TestResult guarded_arrays(const Material& material, const Options& options, Firs
     if (what.empty()) what = misdeed(material, {1, turning_stretch, amplitude, usual_steps, bytes}, &found);
   }
   if (what.empty()) what = misdeed_in_batches(material, options.effort, bytes, first.batches);
+  if (what.empty()) what = misdeed_of_offers(material, options.effort, bytes);
   if (what.empty() && material.wrote_parameters()) what = "it writes into the parameters that create is given";
   if (what.empty()) return result;
   result.measure = 1;

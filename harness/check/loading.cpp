@@ -2,6 +2,7 @@
 #include "harness/check/loading.hpp"
 
 #include <string>
+#include <system_error>
 
 #include "harness/check/specimen.hpp"
 
@@ -89,6 +90,12 @@ TestResult refused(const std::string& id, const char* cause, const MaterialFailu
 TestResult not_loaded(const Material& material, const std::runtime_error& error) {
   const auto* failure = dynamic_cast<const MaterialFailure*>(&error);
   const auto* beginning = dynamic_cast<const CannotBegin*>(&error);
+  const auto* of_system = dynamic_cast<const std::system_error*>(&error);
+  if (of_system && of_system->code() == std::errc::invalid_argument)
+    return {.id = "loading",
+            .verdict = Verdict::fail,
+            .cause = causes::disturbs_process,
+            .sentence = "after its calls no thread can be started: " + of_system->code().message()};
   if (!failure || beginning) {
     const std::string cause = cause_of_refusal(beginning ? beginning->reason : "", false);
     return {.id = "loading", .verdict = Verdict::fail, .cause = cause, .sentence = error.what()};

@@ -25,8 +25,10 @@ std::optional<double> own_pace(const Material& material, const Report& report) {
     const double size = largest_of(sudden);
     double same = 0;
     for (double length = 10 * shortest; length < 2 * longest; length *= 10) {
-      if (!(distance(stress_of_step(length), sudden) <= alike * size))
-        return same > 0 ? std::optional(per_length * same) : std::nullopt;
+      const Tensor stress = stress_of_step(length);
+      const bool differs = !(distance(stress, sudden) <= alike * size);
+      if (differs && same > 0 && largest_of(stress) < size) return per_length * same;  // it has relaxed
+      if (differs) return std::nullopt;
       same = length;
     }
   } catch (const MaterialFailure&) {  // which says nothing of time

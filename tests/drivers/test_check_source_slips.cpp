@@ -246,6 +246,15 @@ INSTANTIATE_TEST_SUITE_P(
                           "      E=DSTRAN\n      E(4)=DSTRAN(6)\n      E(6)=DSTRAN(4)\n"
                           "      STRESS=STRESS+MATMUL(DDSDDE,E)\n"),
                "1e3,.3", check::causes::other_order, "lie in the order 23, 13, 12"},
+        Source{"cut_off_in_tension",
+               fixed_umat(moduli + tangent +
+                          "      STRESS=STRESS+MATMUL(DDSDDE,DSTRAN)\n"
+                          "      P=SUM(STRESS(1:3))/3.D0\n"
+                          "      IF (P.GT.1.D-3) THEN\n"
+                          "        STRESS(1:3)=STRESS(1:3)-P+1.D-3\n"
+                          "        DDSDDE(1:3,1:3)=DDSDDE(1:3,1:3)-ELAM-2.D0*G/3.D0\n"
+                          "      END IF\n"),
+               "1e3,.3", "", ""},
         Source{"constants_by_name", fixed_umat(kept_by_name + hooke), "1e3,.3", "", ""},
         Source{"heals", fixed_umat("      DIMENSION EPS(6),V(6)\n" + healing), "1e3,.3,.05", check::causes::dissipation,
                "once around a square in the space of strains"},

@@ -114,6 +114,46 @@ TEST_P(ThrownInCheck, IsNamed) {
 INSTANTIATE_TEST_SUITE_P(Functions, ThrownInCheck, testing::ValuesIn(functions),
                          [](const auto& instance) { return std::string(instance.param); });
 
+const char* const of_extensions[] = {"rate", "tau", "tangent", "wave_speed", "energy"};
+
+class ExtensionInCheck : public Thrown {};
+
+TEST_P(ExtensionInCheck, IsHeldToItsArraysAndItsStatus) {
+  const auto said = [&](const std::string& deed) {
+    const Ending check = the_.program({"check", model_, "--quick", "-o", the_.scratch / "r"}, GetParam() + deed);
+    EXPECT_EQ(check.status, 1) << check.said;
+    return unwrapped(check.said);
+  };
+  const std::string overrun = said(" overrun"), status = said(" status");
+  EXPECT_NE(overrun.find("diagnosis: overrun " + std::string(GetParam()) + " writes beyond its results"),
+            std::string::npos)
+      << overrun;
+  EXPECT_NE(status.find(GetParam() + std::string(" returned the status 7, which is none of the ABI's")),
+            std::string::npos)
+      << status;
+}
+
+INSTANTIATE_TEST_SUITE_P(Functions, ExtensionInCheck, testing::ValuesIn(of_extensions),
+                         [](const auto& instance) { return std::string(instance.param); });
+
+/// It is not told as one that is not there, nor asked again.
+TEST_P(Thrown, ADeathInAnExtensionIsNamedFromAWorkerToo) {
+  const std::string function = GetParam();
+  std::vector<std::string> words = the_.run_words(model_);
+  words.insert(words.end(), {"--set", "material.isolation=worker"});
+  if (function == "tau") words.insert(words.end(), {"--set", "force.response=closed_form"});
+  for (const std::string deed : {" abort", " overrun"}) {
+    const Ending run = the_.program(words, function + deed);
+    EXPECT_EQ(run.status, 1) << run.said;
+    const char* said = deed == " abort" ? "died of signal 6" : "overrun";
+    EXPECT_NE(unwrapped(run.said).find(said), std::string::npos) << run.said;
+    EXPECT_EQ(run.said.find("offers no"), std::string::npos) << run.said;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Extensions, Thrown, testing::Values("rate", "tau", "wave_speed"),
+                         [](const auto& instance) { return std::string(instance.param); });
+
 class RateForm : public testing::TestWithParam<const char*> {};
 
 TEST_P(RateForm, ThatFailsIsTold) {

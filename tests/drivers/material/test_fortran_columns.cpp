@@ -152,5 +152,20 @@ TEST(FortranColumns, FreeFormHasNoColumns) {
   EXPECT_TRUE(found.tails.empty() && found.cards.empty() && found.cut.empty());
 }
 
+TEST(FortranColumns, ACommentThatTakesTheNextLineWithItIsTold) {
+  const std::vector<std::string> lines{"C     files lie in C:\\temp\\",
+                                       "      A=1.D0",
+                                       "      B=2.D0 ! and there, too \\  ",
+                                       "      C='\\'",
+                                       "#define HARD 1 \\",
+                                       "      D=1.D0",
+                                       "! the last\\"};
+  const auto sentences = joined_line_sentences(lines, FortranForm::fixed, "m.F");
+  ASSERT_EQ(sentences.size(), 2u);
+  EXPECT_TRUE(sentences[0].starts_with("m.F:1: the comment ends in a backslash")) << sentences[0];
+  EXPECT_TRUE(sentences[1].starts_with("m.F:3: ")) << sentences[1];
+  EXPECT_TRUE(joined_line_sentences({"      A=1.D0", "! none"}, FortranForm::free, "m.F90").empty());
+}
+
 }  // namespace
 }  // namespace assay::drivers::test_fortran_columns
