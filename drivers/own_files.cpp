@@ -11,9 +11,10 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
-#include <filesystem>
+#include <cstdlib>
 #include <optional>
 #include <string>
+#include <system_error>
 
 #include "adapters/worker/high_files.hpp"
 #include "adapters/worker/own_folder.hpp"
@@ -142,9 +143,11 @@ void require_open_files(std::size_t least) {
 
 void require_temporary_folder() {
   const std::string folder = adapters::temporary_folder();
-  std::error_code code;
-  if (!std::filesystem::is_directory(folder, code) || ::access(folder.c_str(), W_OK | X_OK) != 0)
-    throw SystemError("$TMPDIR, '" + one_line(folder, 200) + "', is no folder for temporary files");
+  std::string tried = folder + "/assay-XXXXXX";
+  if (!::mkdtemp(tried.data()))
+    throw SystemError("$TMPDIR, '" + one_line(folder, 200) +
+                      "', is no folder for temporary files: " + std::generic_category().message(errno));
+  ::rmdir(tried.c_str());
 }
 
 int user_input() { return before && before->streams[0] >= 0 ? before->streams[0] : 0; }

@@ -126,6 +126,12 @@ double steps_by_courant(const Problem& problem) {
   return pieces * std::max(1.0, std::ceil(end / pieces / longest));
 }
 
+/// By which particles are fastest.
+const char* key_of_speed(const Problem& problem) {
+  const double own = fastest_of_motion(problem.scene);
+  return problem.scene.frame && problem.particle_speed - own > own ? "frame" : "motion";
+}
+
 /// Of all that the number of steps follows from what is farthest from the usual.
 std::string key_of_steps(const Problem& problem) {
   const Scene& scene = problem.scene;
@@ -136,7 +142,7 @@ std::string key_of_steps(const Problem& problem) {
       {scene.time.end / usual_end, "time.end"},
       {usual_spacing / scene.grid->spacing, "grid.spacing"},
       {problem.wave_speed / usual_speed, "material.parameters"},
-      {problem.particle_speed / usual_speed, "motion"},
+      {problem.particle_speed / usual_speed, key_of_speed(problem)},
   };
   return std::max_element(std::begin(keys), std::end(keys),
                           [](const auto& a, const auto& b) { return a.first < b.first; })
@@ -181,7 +187,8 @@ void plan_steps(Problem& problem) {
                          " m/s, fastest particle " + rounded_text(problem.particle_speed, 3) + " m/s)");
   }
   if (!std::isfinite(problem.wave_speed + problem.particle_speed)) {  // a step that is given asks for neither
-    throw InputError(scene.place("motion"), "motion",
+    const char* key = key_of_speed(problem);
+    throw InputError(scene.place(key), key,
                      "is faster than numbers go: fastest wave on the path " + rounded_text(problem.wave_speed, 3) +
                          " m/s, fastest particle " + rounded_text(problem.particle_speed, 3) + " m/s");
   }

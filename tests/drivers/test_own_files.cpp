@@ -144,6 +144,17 @@ INSTANTIATE_TEST_SUITE_P(Deeds, IgnoredSignals,
                            return name;
                          });
 
+TEST(TemporaryFolder, ThatTakesNoFilesIsNamed) {
+  const Misdeeds the;
+  for (const std::string& folder : {std::string("/nonexistent"), the.points, std::string("/proc")}) {
+    const Ending run =
+        assay(the.run_words(built("tests/plugins/prints.so")), [&] { ::setenv("TMPDIR", folder.c_str(), 1); });
+    EXPECT_EQ(run.status, 3) << run.said;
+    EXPECT_NE(run.said.find("$TMPDIR, '" + folder + "', is no folder for temporary files"), std::string::npos)
+        << run.said;
+  }
+}
+
 /// Words after which a table or a document goes to standard output.
 struct ToOutput {
   const char* name;

@@ -92,5 +92,20 @@ TEST(Problem, RefusesSpeedsThatNoNumberHolds) {
   EXPECT_NE(said.find("motion: is faster than numbers go: fastest wave"), std::string::npos) << said;
 }
 
+/// What is fast is blamed, whichever key it stands under.
+TEST(Problem, BlamesTheFrameForItsOwnSpeed) {
+  for (const std::string& frame : {std::string("{spin: 1e308}"), std::string("{spin: -1e20, angle: 1}")}) {
+    const std::string said = refusal_of([&] {
+      assemble(scene_from_text("motion: {type: vortex, amplitude: {type: sine, peak: 0.5}}\n"
+                               "material: {adapter: neo_hookean, parameters: {E: 1e3, nu: 0}, density: 1}\n"
+                               "grid: {spacing: 0.25}\nmethod: {basis: linear}\nframe: " +
+                                   frame + "\n",
+                               "f.yaml", {}),
+               1);
+    });
+    EXPECT_NE(said.find("f.yaml:5:8: frame: gives "), std::string::npos) << said;
+  }
+}
+
 }  // namespace
 }  // namespace assay::drivers::test_problem
