@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/source_options.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <set>
@@ -57,6 +58,10 @@ std::vector<GivenProperty> props_in(const std::string& list) {
     const auto value = deck_number(equals == item.npos ? item : item.substr(equals + 1));
     if (value && item.starts_with("00") && !props.empty())
       throw InputError({}, "--props", "'" + one_line(item, 60) + "': a comma separates PROPS, not digits");
+    if (std::string with_commas = list; !value && item.find(';') != item.npos) {
+      std::replace(with_commas.begin(), with_commas.end(), ';', ',');
+      throw InputError({}, "--props", "commas separate PROPS: write " + one_line(with_commas, 80));
+    }
     if (!value || equals == 0) {
       throw InputError({}, "--props",
                        "must be NUMBER or NAME=NUMBER, separated by commas, found '" + one_line(item, 60) + "'" +
@@ -133,9 +138,11 @@ void refuse_source_options(const SourceOptions& options, const std::string& mate
       {"--material", &options.material}, {"--symbol", &options.symbol}, {"--link", &options.link}};
   for (const auto& [option, value] : all) {
     if (value->empty()) continue;
-    throw InputError({}, option,
-                     "goes with a Fortran source (model.f) or an Abaqus deck (job.inp)" +
-                         (material.empty() ? "" : ", and '" + one_line(material, 80) + "' is neither"));
+    std::string is_neither;
+    if (!material.empty()) is_neither = ", and '" + one_line(material, 80) + "' is neither";
+    if (material.find('.') != std::string::npos)
+      is_neither += ": sources end in .f, .for, .ftn, .f77, .f90 and the like";
+    throw InputError({}, option, "goes with a Fortran source (model.f) or an Abaqus deck (job.inp)" + is_neither);
   }
 }
 

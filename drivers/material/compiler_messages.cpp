@@ -95,14 +95,17 @@ bool names_a_line(const std::string& said) {
 }
 
 std::vector<std::string> warnings_in(const std::string& said) {
+  // indices above a bound of 1 are an old way to declare arguments
   constexpr const char* seldom_meant[] = {"Missing actual argument", "Type mismatch ", "used uninitialized",
-                                          "Integer division truncated"};
+                                          "Integer division truncated", "out of bounds (0 < "};
+  constexpr const char* own_variable = "'__";  // of the compiler's
   std::vector<std::string> warnings;
   std::istringstream lines(said);
   for (std::string line; std::getline(lines, line);) {
     const auto message = message_of(line, {": Warning: "});
     const auto is_in = [&](const char* words) { return message->text.find(words) != std::string::npos; };
     if (!message || std::none_of(std::begin(seldom_meant), std::end(seldom_meant), is_in)) continue;
+    if (message->text.starts_with(own_variable)) continue;
     std::string text = message->text.substr(0, message->text.find(" [-W"));
     for (const std::string mark : {" at (1)", " at (2)"}) {
       if (const std::size_t at = text.find(mark); at != text.npos) text.erase(at, mark.size());

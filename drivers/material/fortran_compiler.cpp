@@ -113,6 +113,7 @@ std::vector<std::string> flags_for(const FortranSource& source, const FortranCom
                                  "-fdec",
                                  "-Wuninitialized",
                                  "-Winteger-division",
+                                 "-Wdo-subscript",
                                  "-fno-diagnostics-show-caret"};
   constexpr int first_strict_version = 10;  // which takes arguments that do not match for errors
   if (major_version(compiler) >= first_strict_version) {

@@ -83,13 +83,14 @@ std::optional<FortranForm> form_by_directive(const std::string& line) {
 
 bool is_fortran_source(const std::string& file) {
   const std::string ending = extension_of_source(file);
-  constexpr const char* known[] = {".f", ".for", ".ftn", ".f90", ".f95", ".f03", ".f08", ".fpp"};
+  constexpr const char* known[] = {".f",   ".for", ".ftn", ".f77", ".f90", ".f95",
+                                   ".f03", ".f08", ".f15", ".f18", ".fpp"};
   return std::any_of(std::begin(known), std::end(known), [&](const char* each) { return ending == each; });
 }
 
 FortranForm form_by_name(const std::string& file) {
   const std::string ending = extension_of_source(file);
-  const bool named_free = ending.size() == 4 && (ending[2] == '9' || ending[2] == '0');
+  const bool named_free = ending.size() == 4 && (ending[2] == '9' || ending[2] == '0' || ending[2] == '1');
   return named_free ? FortranForm::free : FortranForm::fixed;
 }
 

@@ -64,6 +64,7 @@ TEST_F(CheckSource, WhatIsMissingIsOneLine) {
   EXPECT_NE(line({"check", "no.f", "--props", "1"}).find("no such file"), std::string::npos);
   EXPECT_EQ(line({"check", "model.f", "--props", "1,x"}),
             "--props: must be NUMBER or NAME=NUMBER, separated by commas, found 'x'\n");
+  EXPECT_EQ(line({"check", "model.f", "--props", "1e3;.3"}), "--props: commas separate PROPS: write 1e3,.3\n");
   EXPECT_EQ(line({"check", "model.f", "--props", "E=1,E=2"}), "--props: 'E' is there twice\n");
   for (const char* list : {"1000,,.3", "1000, ,.3", ",1000", "1000,.3,"})
     EXPECT_NE(line({"check", "model.f", "--props", list}).find("has no value at place "), std::string::npos) << list;

@@ -26,6 +26,8 @@ TEST(FortranForm, IsThatOfTheNameUnlessTheTextCannotBe) {
       {"m.F90", bare, free, ""},
       {"m.f95", free_hooke_umat, free, ""},
       {"m.f08", bare, free, ""},
+      {"m.f18", bare, free, ""},
+      {"m.F77", bare, fixed, ""},
       {"m.f", free_hooke_umat, free, "by its text, as in line 1"},
       {"m.for", free_hooke_umat, free, "by its text, as in line 1"},
       {"m.f90", hooke_umat, fixed, "by its text, as in line 2"},
@@ -56,7 +58,8 @@ TEST(FortranForm, IsThatOfTheNameUnlessTheTextCannotBe) {
 }
 
 TEST(FortranForm, NamesOfSources) {
-  for (const char* name : {"a.f", "a.F", "a.for", "a.FOR", "b/c.f90", "a.F90", "a.f95", "a.ftn", "ü b.f", "a.b.For"}) {
+  for (const char* name : {"a.f", "a.F", "a.for", "a.FOR", "b/c.f90", "a.F90", "a.f95", "a.ftn", "ü b.f", "a.b.For",
+                           "a.f77", "a.F77", "a.f18"}) {
     EXPECT_TRUE(is_fortran_source(name)) << name;
   }
   for (const char* name : {"a.so", "f", ".f", "a.f/b", "a.inp", "a.fo", "a.f90x", "a.c", ""}) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "drivers/material/compiler_messages.hpp"
 #include "drivers/material/material_description.hpp"
 #include "drivers/material/registry.hpp"
 #include "drivers/material/source_facts.hpp"
@@ -243,7 +244,16 @@ TEST_F(SourceDescriptionTest, WhatTheCompilerWarnsOfIsTold) {
   EXPECT_NE(unset.find(scratch / "m.f:"), std::string::npos) << unset;
   EXPECT_NE(unset.find("'anu' is used uninitialized"), std::string::npos) << unset;
   EXPECT_NE(warnings("      SSE=2/3*EG\n").find("Integer division truncated"), std::string::npos);
+  const std::string below = "Array reference out of bounds (0 < 1)";
+  const std::string loop = "      DO I=0,2\n        SSE=SSE+DSTRAN(I)\n      END DO\n";
+  EXPECT_NE(warnings(loop).find(below + " in loop"), std::string::npos) << warnings(loop);
   EXPECT_EQ(warnings("      CALL TWICE(EG,SSE)\n"), "");
+  EXPECT_EQ(warnings("      SSE=TIME(2)+PREDEF(1)\n"), "");
+}
+
+TEST(CompilerMessages, OfVariablesOfTheCompilersOwnAreNotTold) {
+  EXPECT_TRUE(warnings_in("m.f:9:72: Warning: '__var_1_mmb.offset' is used uninitialized [-Wuninitialized]\n").empty());
+  EXPECT_EQ(warnings_in("m.f:9:72: Warning: 'anu' is used uninitialized [-Wuninitialized]\n").size(), 1u);
 }
 
 TEST_F(SourceDescriptionTest, VariablesThatHoldLessOfAPropertyAreWarnedOf) {
