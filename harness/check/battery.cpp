@@ -219,6 +219,11 @@ bool is_blurred(const Report& report) {
                                          [](const Diagnosis& each) { return blurred.contains(each.cause); });
 }
 
+/// Whether the first cause is the same: then what is found in the usual steps is told.
+bool begins_alike(const Report& one, const Report& other) {
+  return !one.passes() && one.diagnosis.front().cause == other.diagnosis.front().cause;
+}
+
 /// Again at smaller strains as long as a step is refused.
 Report at_smaller_strains(const Material& material, const Options& options) {
   constexpr double smaller = 0.125, least = 1e-4;
@@ -251,7 +256,7 @@ Report run_battery(const Material& material, const Options& asked) {
     resolved.effort.step = *pace;
     resolved.elsewhere.clear(), resolved.others_elsewhere.clear();
     Report again = run_once(at_pace(material, *pace), resolved);
-    if (!any_refused(again) && (!again.passes() || is_blurred(first))) return again;
+    if (!any_refused(again) && (again.passes() ? is_blurred(first) : !begins_alike(first, again))) return again;
   }
   if (!any_refused(first)) return first;
   const std::optional<double> length = length_taken(own, first);
