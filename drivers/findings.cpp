@@ -133,10 +133,6 @@ void leave_replay_scene(const Scene& given, OutputFolder& folder, Result& result
   if (result.replay.empty()) result.replay = name;
 }
 
-double Stopwatch::seconds() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-}
-
 void close_accounts(const Stopwatch& life, Result& result) {
   if (result.wall_s == 0) result.setup_s = life.seconds();
   result.finish_s = std::max(0.0, life.seconds() - result.setup_s - result.wall_s);

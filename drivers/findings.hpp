@@ -2,8 +2,6 @@
 // What is found on the way enters the result; the result becomes an exit status.
 #pragma once
 
-#include <chrono>
-
 #include "drivers/output/output_folder.hpp"
 #include "drivers/result.hpp"
 #include "drivers/scene/scene.hpp"
@@ -11,6 +9,7 @@
 #include "harness/homogeneous_stress.hpp"
 #include "harness/point_driver.hpp"
 #include "harness/response.hpp"
+#include "harness/stopwatch.hpp"
 
 namespace assay::drivers {
 
@@ -49,15 +48,6 @@ void leave_replay(const Scene& scene, OutputFolder& folder, Result& result);
 
 /// Leaves replay_scene.yaml of a run that did not reach its end: the same steps, with a snapshot of each of the last.
 void leave_replay_scene(const Scene& scene, OutputFolder& folder, Result& result);
-
-/// From when it is made.
-class Stopwatch {
- public:
-  double seconds() const;
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// finish_s and cpu_s: what a verb has taken since `life` began and is not named yet. Set-up where it came to no work.
 void close_accounts(const Stopwatch& life, Result& result);

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "tests/drivers/material/source_fixture.hpp"
 #include "tests/drivers/process.hpp"
+#include "tests/support/wait.hpp"
 
 namespace assay::drivers::test_check_source {
 namespace {
@@ -39,9 +39,9 @@ class CheckSource : public SourceTest {
 
 TEST_F(CheckSource, ANewUserHasTheVerdictAtOnce) {
   scratch.write("model.f", hooke_umat);
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const Ending ending = run({"check", "model.f", "--props", "210e3,.3"});
-  const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double wall_s = watch.seconds();
   EXPECT_EQ(ending.status, 0) << ending.said;
   EXPECT_TRUE(says(ending, "model.f: pass")) << ending.said;
   EXPECT_TRUE(says(ending, "a UMAT (umat_) in fixed form, read at 132 columns")) << ending.said;

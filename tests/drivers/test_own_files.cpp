@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/drivers/misdeeds.hpp"
+#include "tests/support/wait.hpp"
 
 namespace assay::drivers::test_own_files {
 namespace {
@@ -127,9 +128,9 @@ class IgnoredSignals : public testing::TestWithParam<const char*> {};
 
 TEST_P(IgnoredSignals, AreNamedAtOnce) {
   const Misdeeds the;
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const Ending ending = the.program({"check", the.library, "--quick", "-o", the.scratch / "r"}, GetParam());
-  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), 15);
+  EXPECT_LT(watch.seconds(), nobody_waited_s);
   EXPECT_EQ(ending.status, 1) << ending.said;
   EXPECT_NE(ending.said.find("takes over signals"), std::string::npos) << ending.said;
   EXPECT_TRUE(the.nothing_is_left());

@@ -3,13 +3,13 @@
 // which finds the companion library beside the program.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <memory>
 
 #include "adapters/worker/remote_table.hpp"
 #include "harness/material.hpp"
 #include "tests/adapters/foreign/foreign_doubles.hpp"
+#include "tests/support/wait.hpp"
 
 namespace assay::adapters::test_callbacks {
 namespace {
@@ -78,12 +78,12 @@ TEST_F(Callbacks, AnExitInSdviniIsNamed) {
 TEST_F(Callbacks, ACallThatEndsWithALockLeavesNone) {
   make(ends_with_a_lock);
   for (int k = 0; k < 3; ++k) {
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const UpdateReport failed = stretch(2);
     EXPECT_EQ(failed.worst, ASSAY_FAILED);
     EXPECT_NE(failed.message.find("called XIT"), std::string::npos) << failed.message;
     EXPECT_EQ(stretch(1.01).worst, ASSAY_GOOD);
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1)) << "nobody waited";
+    EXPECT_LT(watch.seconds(), nobody_waited_s) << "nobody waited";
   }
 }
 
