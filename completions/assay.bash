@@ -56,7 +56,7 @@ _assay() {
     check) options+=' --parameters --json --junit --quick --strain --pressure --step --methods --markdown --all --replay --explain'
       options+=' --props --statev --deck --material --symbol --link -o'
       ;;
-    materials) options+=' --json' ;;
+    materials) options+=' --json --names' ;;
     register) options+=' --as --remove --props --statev --deck --material --symbol --link' ;;
     new-material) options+=' --language --interface -o' ;;
     schema) options+=' --study' ;;
@@ -73,7 +73,11 @@ _assay() {
     recommend | compare)
       mapfile -t COMPREPLY < <(compgen -f -X '!*.@(json|yaml|yml)' -- "$cur"; compgen -d -- "$cur")
       ;;
-    register | materials | check)
+    materials | check)
+      mapfile -t COMPREPLY < <(compgen -W "$(assay materials --names 2>/dev/null)" -- "$cur"
+        compgen -f -X '!*.@(so|yaml|yml|f|for|f90|f95|F|FOR|F90|inp)' -- "$cur"; compgen -d -- "$cur")
+      ;;
+    register)
       mapfile -t COMPREPLY < <(compgen -f -X '!*.@(so|yaml|yml|f|for|f90|f95|F|FOR|F90|inp)' -- "$cur"; compgen -d -- "$cur")
       ;;
   esac

@@ -20,6 +20,8 @@ complete -c assay -n "__fish_seen_subcommand_from run" -l threads -x -d 'Number 
 complete -c assay -n "__fish_seen_subcommand_from run" -l junit -r -F -d 'Findings for CI'
 complete -c assay -n "__fish_seen_subcommand_from tabulate eval" -l points -r -F -d 'Table of points'
 complete -c assay -n "__fish_seen_subcommand_from run tabulate explain study recommend compare materials" -l json -d 'JSON on standard output'
+complete -c assay -n "__fish_seen_subcommand_from check materials" -a '(assay materials --names 2>/dev/null)' -d 'Material'
+complete -c assay -n "__fish_seen_subcommand_from materials" -l names -d 'Names alone'
 complete -c assay -n "__fish_seen_subcommand_from study" -l jobs -x -d 'Threads of cases side by side'
 complete -c assay -n "__fish_seen_subcommand_from study" -l resume -d 'Keep finished cases'
 complete -c assay -n "__fish_seen_subcommand_from study" -l shard -x -d 'Part i/n of the cases'
