@@ -227,7 +227,8 @@ int check(const CheckOptions& options) {
       require_room({checked});
       throw SystemError(checked.error);
     }
-    return reported(options, {checked}, check_json(checked), check_text(checked, options.verbosity));
+    return reported(options, {checked}, check_json(checked),
+                    check_text(checked, options.verbosity, prints_to_terminal() ? Rows::telling : Rows::all));
   }
   const auto start = std::chrono::steady_clock::now();
   const std::vector<CheckedMaterial> all = check_all(options);

@@ -45,8 +45,12 @@ struct CheckedMaterial {
   bool passes() const { return error.empty() && report.passes(); }
 };
 
-/// A table of the tests and the diagnosis; every sentence with Verbosity::verbose, the diagnosis alone with quiet.
-std::string check_text(const CheckedMaterial& checked, Verbosity verbosity);
+/// Rows of the table of tests: all, or failures and remarks.
+enum class Rows { all, telling };
+
+/// The verdict, its causes and the files that show them again; then the table of the tests. Verbosity::verbose: every
+/// row with its sentence; quiet: no table.
+std::string check_text(const CheckedMaterial& checked, Verbosity verbosity, Rows rows = Rows::all);
 
 /// One line for each, the causes below, and how many passed.
 std::string check_text(const std::vector<CheckedMaterial>& all, double wall_s);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which numbers of a state are tensors: those that, turned with the body, make the next step that of the turned body.
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -56,13 +57,29 @@ class Search {
     found.turns = as_scalars > check::own_precision;
     if (!found.turns) return found;
     as_scalars_ = as_scalars;
-    found.blocks = one_by_one();
-    if (!fits(found.blocks)) found.blocks = axes();
-    if (!fits(found.blocks)) found.blocks = two_at_once();
+    found.blocks = blocks();
+    if (!found.blocks.empty()) return found;
+    hold_axes();
+    as_scalars_ = error({});
+    if (as_scalars_ > check::own_precision) found.blocks = blocks();
     return found;
   }
 
  private:
+  std::vector<StateBlock> blocks() const {
+    std::vector<StateBlock> found = one_by_one();
+    if (!fits(found)) found = axes();
+    return fits(found) ? found : two_at_once();
+  }
+
+  /// Increments without a rotation: of a tensor that the model turns as another kind no other steps are right.
+  void hold_axes() {
+    for (RepeatedStep& step : steps_) {
+      const Tensor increment = step.F1 * step.F0.inverse();
+      step.F1 = Eigen::SelfAdjointEigenSolver<Tensor>(increment.transpose() * increment).operatorSqrt() * step.F0;
+    }
+  }
+
   bool fits(const std::vector<StateBlock>& blocks) const {
     return !blocks.empty() && explains(error(blocks), as_scalars_);
   }

@@ -88,44 +88,55 @@ std::string summary(const CheckedMaterial& checked) {
          (checked.depends_on.empty() ? "" : "; " + dependences(checked));
 }
 
+/// What is printed below a test's row: its sentence where the row alone would not explain the verdict.
+std::string words_of(const TestResult& test, Verbosity verbosity) {
+  const bool whole = verbosity == Verbosity::verbose || test.verdict == Verdict::fail || passes_otherwise(test);
+  return whole ? test.sentence : remark_of(test.sentence);
+}
+
+/// The tests as a table, below a blank line; empty where no row is wanted.
+std::string table_of(const CheckedMaterial& checked, Verbosity verbosity, Rows rows) {
+  std::string page;
+  std::size_t left = 0, shown = 0;
+  for (const TestResult& test : checked.report.tests) {
+    const std::string words = words_of(test, verbosity);
+    const bool not_judged = test.sentence.starts_with(check::not_judged);
+    if (verbosity != Verbosity::verbose && (not_judged || (rows == Rows::telling && words.empty()))) {
+      ++left;
+      continue;
+    }
+    ++shown;
+    page += row(test.id, test.verdict == Verdict::fail ? "FAIL" : verdict_name(test.verdict),
+                measured_text(test.measure), measured_text(test.threshold), measured_text(test.order));
+    if (!words.empty()) page += wrapped(words, "    ", "    ");
+  }
+  if (shown > 0) page.insert(0, "\n" + row("test", "verdict", "measured", "at most", "order"));
+  if (left == 0) return page;
+  const std::string others = "(" + std::to_string(left) + (left == 1 ? " other" : " others");
+  return page + (rows == Rows::telling ? others + ": --verbose)\n" : row(others + ")", "n/a", "-", "-", "-"));
+}
+
 }  // namespace
 
 const char* verdict_name(Verdict verdict) {
   return verdict == Verdict::pass ? "pass" : verdict == Verdict::fail ? "fail" : "n/a";
 }
 
-std::string check_text(const CheckedMaterial& checked, Verbosity verbosity) {
-  std::string page;
-  if (verbosity != Verbosity::quiet) {
-    page += row("test", "verdict", "measured", "at most", "order");
-    int left = 0;
-    for (const TestResult& test : checked.report.tests) {
-      if (verbosity != Verbosity::verbose && test.sentence.starts_with(check::not_judged)) {
-        ++left;
-        continue;
-      }
-      page += row(test.id, test.verdict == Verdict::fail ? "FAIL" : verdict_name(test.verdict),
-                  measured_text(test.measure), measured_text(test.threshold), measured_text(test.order));
-      const bool whole = verbosity == Verbosity::verbose || test.verdict == Verdict::fail || passes_otherwise(test);
-      const std::string words = whole ? test.sentence : remark_of(test.sentence);
-      if (!words.empty()) page += wrapped(words, "    ", "    ");
-    }
-    if (left > 0) page += row("(" + std::to_string(left) + (left == 1 ? " other)" : " others)"), "n/a", "-", "-", "-");
-    page += "\n";
-  }
-  page += wrapped(summary(checked), "", "    ");
-  if (checked.passes() && !checked.report.not_tested.empty()) {
-    page += wrapped(not_tested(checked.report), "not tested: ", "    ");
-  }
-  if (!checked.of_example.empty()) {
-    page += wrapped(example_values(checked), "required and not given, from the model's own example: ", "    ");
-  }
+std::string check_text(const CheckedMaterial& checked, Verbosity verbosity, Rows rows) {
+  std::string page = wrapped(summary(checked), "", "    ");
   for (const check::Diagnosis& d : checked.report.diagnosis) {
     page += wrapped(d.cause, "diagnosis: ", "");
     page += wrapped(d.sentence, "    ", "    ");
     page += "    more: assay check --explain \"" + d.cause + "\"\n";
   }
   for (const auto& [test, file] : checked.replays) page += "replay: " + one_line(file) + "\n";
+  if (checked.passes() && !checked.report.not_tested.empty()) {
+    page += wrapped(not_tested(checked.report), "not tested: ", "    ");
+  }
+  if (!checked.of_example.empty()) {
+    page += wrapped(example_values(checked), "required and not given, from the model's own example: ", "    ");
+  }
+  if (verbosity != Verbosity::quiet) page += table_of(checked, verbosity, rows);
   if (verbosity == Verbosity::verbose && !checked.printed.empty()) page += "the model printed:\n" + checked.printed;
   return page;
 }

@@ -178,18 +178,19 @@ std::vector<std::string> words_of(int argc, const char* const* argv) {
 
 int act(int argc, const char* const* argv) {
   settle_environment();
-  CLI::App app{"Verification of material models and of the material point method.", "assay"};
+  CLI::App app{"Verification of material models and of particle methods.", "assay"};
   app.get_formatter()->column_width(28);
   app.get_formatter()->label("REQUIRED", "(required)");
   app.footer(
-      "\nExample:\n  assay run configs/paper/vortex_cpdi.yaml -o results/vortex\n\n"
-      "assay VERB --help tells more of a verb.");
-  app.set_version_flag("--version", version_text(), "version, and what this was built with");
+      "\nExamples:\n  assay check my_umat.f --props 210e3,.3,250 --statev 7\n  assay run "
+      "configs/paper/vortex_cpdi.yaml -o results/vortex\n\n"
+      "assay VERB --help describes a verb.");
+  app.set_version_flag("--version", version_text(), "version, compiler and libraries");
   app.require_subcommand(0, 1);
   Arguments given;
-  std::vector<Verb> verbs = scene_verbs(app, given);
+  std::vector<Verb> verbs = material_verbs(app, given);
+  for (Verb& verb : scene_verbs(app, given)) verbs.push_back(std::move(verb));
   for (Verb& verb : study_verbs(app, given)) verbs.push_back(std::move(verb));
-  for (Verb& verb : material_verbs(app, given)) verbs.push_back(std::move(verb));
   add_verbosity(app, given);
   for (const Verb& verb : verbs) add_verbosity(*verb.app, given);
 
@@ -209,6 +210,7 @@ int act(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     throw usage_error(app, error);
   }
+  if (given.quiet && given.verbose) throw InputError("assay: --quiet and --verbose exclude each other");
   for (const Verb& verb : verbs) {
     if (verb.app->parsed()) return verb.act();
   }

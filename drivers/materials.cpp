@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay materials`: what is registered, for people (80 columns) and for machines.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "drivers/material/material_path.hpp"
@@ -67,19 +68,28 @@ int materials(const MaterialsOptions& options) {
   const Location command{};
   Json list = Json::array();
   std::string page;
+  const std::vector<RegisteredName> names = options.name.empty() ? registered_names() : std::vector<RegisteredName>{};
+  if (options.names) {
+    for (const RegisteredName& registered : names) page += registered.name + "\n";
+    print(page);
+    return 0;
+  }
+  std::size_t width = 0;
+  for (const RegisteredName& registered : names) width = std::max(width, registered.name.size());
+  const bool a_line_each = options.name.empty() && options.verbosity != Verbosity::verbose;
   const auto add = [&](const std::string& name, const MaterialSource& source) {
     list.push_back(material_json(name, source));
-    page += (page.empty() ? "" : "\n") + material_text(name, source);
+    page += a_line_each ? material_line(name, source, width) : (page.empty() ? "" : "\n") + material_text(name, source);
   };
   if (!options.name.empty()) {
     const MaterialSource source = find_material(options.name, command, "", Isolation::worker);
     for (const std::string& warning : source.warnings) warn(warning);
     add(parse_material(options.name).is_path ? source.table->name : options.name, source);
   }
-  for (const RegisteredName& registered : options.name.empty() ? registered_names() : std::vector<RegisteredName>{}) {
+  for (const RegisteredName& registered : names) {
     const auto add_broken = [&](const char* reason) {  // one broken entry must not hide the others
       list.push_back({{"name", registered.name}, {"broken", reason}});
-      page += "\n" + broken_text(registered.name, reason);
+      page += (a_line_each ? "" : "\n") + broken_text(registered.name, reason);
     };
     try {
       add(registered.name, find_material(registered.name, {registered.file, 0, 0}, "", Isolation::worker));
@@ -89,6 +99,8 @@ int materials(const MaterialsOptions& options) {
       add_broken(error.what());
     }
   }
+  if (a_line_each && options.verbosity != Verbosity::quiet)
+    page += "\nassay materials NAME shows parameters, units, bounds and state.\n";
   if (options.json) {
     print_json((options.name.empty() ? list : list[0]).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   } else {

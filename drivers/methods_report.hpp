@@ -16,8 +16,8 @@ struct CheckedMethods {
   bool passes() const;
 };
 
-/// One row a method and test, and why something is not promised. The sentence of what fails; every sentence with
-/// Verbosity::verbose, the last line alone with quiet.
+/// The verdict; what fails, with its sentence; counts for each basis and formulation; why something is not promised.
+/// For one method, and with Verbosity::verbose, the rows of all tests; with quiet the verdict alone.
 std::string methods_text(const CheckedMethods& checked, Verbosity verbosity);
 
 /// {methods, verdict, tests: [{method, basis, formulation, transfer, update, mass, id, verdict, measure, threshold,

@@ -6,6 +6,7 @@
 
 #include "drivers/input_error.hpp"
 #include "drivers/interrupt.hpp"
+#include "drivers/output/output_folder.hpp"
 #include "drivers/output/terminal.hpp"
 #include "drivers/progress.hpp"
 #include "drivers/study/analysis.hpp"
@@ -167,6 +168,7 @@ int study(const StudyOptions& options) {
     options.json ? print_json(list_json(plan, store)) : print(list_text(plan, store));
     return 0;
   }
+  OutputFolder::refuse_another_kind(options.out, study_file_names());  // not after hours of work
   if (options.merge) {
     gather(plan, store, options);
     return conclude(plan, store, options);

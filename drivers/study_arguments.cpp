@@ -49,45 +49,46 @@ StudyOptions study_options(const Arguments& given) {
 }
 
 Verb study_verb(CLI::App& app, Arguments& given) {
-  CLI::App& verb = add_verb(app, "study", "accuracy against time, over methods and resolutions",
+  CLI::App& verb = add_verb(app, "study", "run a scene over methods and grids: error against cost",
                             "assay study configs/studies/quick.yaml -o results/quick\n"
                             "  assay study big.yaml --shard 2/8 -o /shared/big\n"
                             "  assay study big.yaml --merge -o /shared/big");
-  verb.add_option("STUDY", given.study, "the study, a YAML file")->required()->type_name("");
-  verb.add_option("--jobs", given.jobs, "threads of untimed cases, side by side (all cores)")->type_name("N");
-  verb.add_flag("--resume", given.resume, "keep finished cases");
-  verb.add_option("--shard", given.shard, "run part i of n, leave the report to --merge")->type_name("i/n");
-  verb.add_flag("--merge", given.merge, "run nothing: the report of what is there");
-  verb.add_option("--from", given.from, "with --merge: take over its cases; repeatable")
+  verb.add_option("STUDY", given.study, "YAML file of the study")->required()->type_name("");
+  verb.add_option("--jobs", given.jobs, "untimed cases at the same time (default: all cores)")->type_name("N");
+  verb.add_flag("--resume", given.resume, "keep finished cases of an earlier run");
+  verb.add_option("--shard", given.shard, "run part i of n; --merge writes the report later")->type_name("i/n");
+  verb.add_flag("--merge", given.merge, "run nothing, report on the finished cases");
+  verb.add_option("--from", given.from, "with --merge: cases of this folder too; repeatable")
       ->type_name("DIR")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->allow_extra_args(false);
-  verb.add_flag("--list", given.list, "the cases, and nothing else");
-  add_out(verb, given, "DIR", "folder of the results (results/STUDY)");
-  verb.add_flag("--json", given.json, "study.json on standard output; with --list the cases");
+  verb.add_flag("--list", given.list, "list the cases and run nothing");
+  add_out(verb, given, "DIR", "folder for the results (default: results/STUDY)");
+  verb.add_flag("--json", given.json, "print JSON instead of text");
   return {&verb, [&given] { return study(study_options(given)); }};
 }
 
 Verb recommend_verb(CLI::App& app, Arguments& given) {
-  CLI::App& verb = add_verb(app, "recommend", "cheapest case for an error, or most robust method",
+  CLI::App& verb = add_verb(app, "recommend", "the cheapest method for an error, or the most robust",
                             "assay recommend results/hard\n"
                             "  assay recommend results/methods --error 1e-3\n"
                             "  assay recommend study.yaml --error 1%");
-  verb.add_option("STUDY", given.study, "results of a study, or its YAML file")->required()->type_name("");
-  verb.add_option("--error", given.error, "wanted error, or %; else the most robust method")->type_name("NUMBER");
-  add_out(verb, given, "DIR", "results of the YAML file (results/STUDY)");
+  verb.add_option("STUDY", given.study, "folder of a study's results, or its YAML file")->required()->type_name("");
+  verb.add_option("--error", given.error, "wanted error, such as 1e-3 or 1%")->type_name("NUMBER");
+  add_out(verb, given, "DIR", "results of the YAML file (default: results/STUDY)");
   verb.add_flag("--json", given.json, "as JSON");
   return {&verb, [&given] { return recommend({given.study, given.error, given.out, given.json}); }};
 }
 
 Verb compare_verb(CLI::App& app, Arguments& given) {
-  CLI::App& verb = add_verb(app, "compare", "two studies: failures, times, errors",
+  CLI::App& verb = add_verb(app, "compare", "compare two studies: failures, times, errors",
                             "assay compare results/before results/after --markdown difference.md");
-  verb.add_option("A", given.study, "results of a study")->required()->type_name("");
-  verb.add_option("B", given.after, "those to compare with them")->required()->type_name("");
+  verb.add_option("A", given.study, "folder of a study's results")->required()->type_name("");
+  verb.add_option("B", given.after, "results to compare with those of A")->required()->type_name("");
   verb.add_flag("--json", given.json, "as JSON");
-  verb.add_option("--markdown", given.markdown_file, "tables of all cases (- for standard output)")->type_name("FILE");
+  verb.add_option("--markdown", given.markdown_file, "write tables of all cases (- for standard output)")
+      ->type_name("FILE");
   return {&verb, [&given] {
             if (given.json && given.markdown_file == "-")
               throw InputError("assay compare: --json and --markdown - both want standard output");

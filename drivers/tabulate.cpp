@@ -45,6 +45,7 @@ std::string summary(const Tabulation& tab, const Result& result, const std::stri
   std::string text = wrapped(fmt::format("{}: {} on {}, {}", result.title.empty() ? "tabulate" : result.title,
                                          tab.material->name(), tab.path.name, result.outcome),
                              "", "  ");
+  text += expectations_text(result, false);
   if (!result.reason.empty()) text += wrapped(result.reason, "  ", "  ");
   text += process_lines(result);
   if (result.sheet) {
@@ -52,7 +53,7 @@ std::string summary(const Tabulation& tab, const Result& result, const std::stri
     text += references_text(result.reference, tab.path.name);
     text += times_text(result, "response");
   }
-  return text + expectations_text(result) + "results in " + one_line(folder) + "\n";
+  return text + expectations_text(result, true) + "results in " + one_line(folder) + "\n";
 }
 
 void write_tables(const Tabulation& tab, const std::vector<SheetPoint>& points, OutputFolder& folder) {

@@ -14,7 +14,7 @@ namespace assay::drivers {
 namespace {
 
 void add_scene(CLI::App& verb, Arguments& given) {
-  verb.add_option("SCENE", given.scene, "the scene, a YAML file")->required()->type_name("");
+  verb.add_option("SCENE", given.scene, "YAML file of the scene")->required()->type_name("");
   // Exactly one argument each, kept as it stands: bound to a vector, CLI11 would split "[a,b]" and empty "{}".
   verb.add_option(
           "--set",
@@ -22,7 +22,7 @@ void add_scene(CLI::App& verb, Arguments& given) {
             given.sets = results;
             return true;
           },
-          "replace a value of the scene; repeatable")
+          "replaces a value of the scene; repeatable")
       ->type_name("KEY.PATH=YAML")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
@@ -31,8 +31,8 @@ void add_scene(CLI::App& verb, Arguments& given) {
 
 /// What a verb takes that leaves a folder of results.
 void add_results(CLI::App& verb, Arguments& given) {
-  add_out(verb, given, "DIR", "folder of the results (results/SCENE)");
-  verb.add_flag("--json", given.json, "result.json on standard output");
+  add_out(verb, given, "DIR", "folder for the results (default: results/SCENE)");
+  verb.add_flag("--json", given.json, "print result.json instead of text");
 }
 
 std::string fault_of_empty_name(const std::string& name) { return name.empty() ? "is an empty name" : ""; }
@@ -96,43 +96,43 @@ void add_out(CLI::App& verb, Arguments& given, const std::string& type, const st
 
 void add_verbosity(CLI::App& app, Arguments& given) {
   app.add_flag("--quiet", given.quiet, "no progress, no remarks");
-  app.add_flag("-v,--verbose", given.verbose, "say more");
+  app.add_flag("-v,--verbose", given.verbose, "more detail");
 }
 
 std::vector<Verb> scene_verbs(CLI::App& app, Arguments& given) {
   std::vector<Verb> verbs;
-  CLI::App& run_verb = add_verb(app, "run", "the full simulation of a scene",
+  CLI::App& run_verb = add_verb(app, "run", "run a scene and measure its errors",
                                 "assay run configs/paper/vortex_cpdi.yaml -o results/vortex \\\n"
                                 "      --set grid.spacing=0.025 --set 'expect={}'");
   add_scene(run_verb, given);
-  run_verb.add_option("--threads", given.threads, "number of threads (1)")->type_name("N");
+  run_verb.add_option("--threads", given.threads, "number of threads (default: 1)")->type_name("N");
   add_results(run_verb, given);
-  add_junit(run_verb, given, "outcome and expectations for CI, JUnit's XML");
+  add_junit(run_verb, given, "outcome and expectations as JUnit XML, for CI");
   verbs.push_back({&run_verb, [&given] {
                      return run({given.scene, given.folder(), given.sets, given.thread_count(), given.json,
                                  given.verbosity(), given.junit_file});
                    }});
 
-  CLI::App& tabulate_verb = add_verb(app, "tabulate", "the point driver's sheet and curves",
+  CLI::App& tabulate_verb = add_verb(app, "tabulate", "tabulate a model's response along the scene's motion",
                                      "assay tabulate configs/paper/tabulate_neo_hookean.yaml -o results/sheet");
   add_scene(tabulate_verb, given);
-  tabulate_verb.add_option("--points", given.points, "also the response at xi,t of this file")->type_name("CSV");
+  tabulate_verb.add_option("--points", given.points, "also the response at the xi,t of this file")->type_name("CSV");
   add_results(tabulate_verb, given);
   verbs.push_back(
       {&tabulate_verb, [&given] {
          return tabulate({given.scene, given.folder(), given.sets, given.points, given.json, given.verbosity()});
        }});
 
-  CLI::App& eval_verb = add_verb(app, "eval", "exact motion, stress and body force at points",
+  CLI::App& eval_verb = add_verb(app, "eval", "exact motion, stress and body force at given points",
                                  "assay eval scene.yaml --points X_Y_t.csv -o exact.csv");
   add_scene(eval_verb, given);
   eval_verb.add_option("--points", given.points, "reference points, columns X,Y,t")->type_name("CSV")->required();
-  add_out(eval_verb, given, "CSV", "the table (standard output)");
+  add_out(eval_verb, given, "CSV", "file for the table (default: standard output)");
   verbs.push_back({&eval_verb, [&given] {
                      return eval({given.scene, given.points, given.out, given.sets, given.verbosity()});
                    }});
 
-  CLI::App& explain_verb = add_verb(app, "explain", "passes, columns, bytes, steps; nothing is run",
+  CLI::App& explain_verb = add_verb(app, "explain", "what a run would do and cost; nothing is run",
                                     "assay explain configs/paper/vortex_cpdi.yaml --json");
   add_scene(explain_verb, given);
   explain_verb.add_flag("--json", given.json, "as JSON");
@@ -149,38 +149,40 @@ void add_source_options(CLI::App& verb, SourceOptions& source) {
   const auto add = [&verb](const char* name, std::string& value, const char* type, const char* doc) {
     verb.add_option(name, value, doc)->type_name(type)->check(fault_of_empty_name, "");
   };
-  add("--props", source.props, "NUMBER,...", "PROPS of a Fortran source, or NAME=NUMBER,...");
-  add("--statev", source.statev, "N", "number of its STATEV");
-  add("--deck", source.deck, "FILE.inp", "Abaqus deck with its constants");
-  add("--material", source.material, "NAME", "of the deck, where it has several");
-  add("--symbol", source.symbol, "NAME", "its entry point, where it has several");
-  add("--link", source.link, "NAME,...", "libraries or objects that it needs");
+  add("--props", source.props, "NUMBER,...", "PROPS of a source, as numbers or NAME=NUMBER,...");
+  add("--statev", source.statev, "N", "number of state variables (STATEV)");
+  add("--deck", source.deck, "FILE.inp", "Abaqus deck that holds the constants");
+  add("--material", source.material, "NAME", "material of the deck, if it has several");
+  add("--symbol", source.symbol, "NAME", "entry point, if the source has several");
+  add("--link", source.link, "NAME,...", "libraries or objects that the source needs");
 }
 
 Verb check_verb(CLI::App& app, Arguments& given) {
-  CLI::App& verb = add_verb(app, "check", "whether a material is frame-indifferent, and more",
+  CLI::App& verb = add_verb(app, "check", "test a material model and name its defects",
                             "assay check ./libmodel.so --parameters E=1e3,nu=0.3 --junit check.xml\n"
                             "  assay check umat.f --props 210e3,.3,250 --statev 7");
-  auto* checked = verb.add_option("MATERIAL", given.material, "name, library, description, Fortran source, scene");
+  auto* checked = verb.add_option("MATERIAL", given.material, "name, library, description, source or scene");
   checked->type_name("");
-  auto* all = verb.add_flag("--all", given.all, "everything that is registered, in parallel");
-  auto* replay = verb.add_option("--replay", given.replay, "one saved failure, run again");
+  auto* all = verb.add_flag("--all", given.all, "check all registered materials, in parallel");
+  auto* replay = verb.add_option("--replay", given.replay, "repeat one failed test from its replay file");
   replay->type_name("FILE");
-  auto* methods = verb.add_flag("--methods", given.methods, "patch tests: all particle methods, or the one named");
-  auto* parameters = verb.add_option("--parameters", given.parameters, "in place of the defaults");
+  auto* methods = verb.add_flag("--methods", given.methods, "patch tests of all particle methods, or of MATERIAL");
+  auto* parameters = verb.add_option("--parameters", given.parameters, "parameters of the model");
   parameters->type_name("NAME=NUMBER,...");
-  verb.add_option("--json", given.json_file, "verdicts and diagnosis (- for standard output)")->type_name("FILE");
-  add_junit(verb, given, "the same for CI, JUnit's XML");
-  auto* markdown = verb.add_option("--markdown", given.markdown_file, "the methods' table (- for standard output)");
+  verb.add_option("--json", given.json_file, "write the verdicts as JSON (- for standard output)")->type_name("FILE");
+  add_junit(verb, given, "write the verdicts as JUnit XML, for CI");
+  auto* markdown =
+      verb.add_option("--markdown", given.markdown_file, "with --methods: the table (- for standard output)");
   markdown->type_name("FILE");
-  auto* explain = verb.add_option("--explain", given.explain, "what a cause means, and its repair (all: their list)");
+  auto* explain = verb.add_option("--explain", given.explain, "what a cause means and how to repair it (all: list)");
   explain->type_name("CAUSE");
-  verb.add_flag("--quick", given.quick, "fewer steps and states");
-  verb.add_option("--strain", given.strain, "largest of the histories (0.15)")->type_name("NUMBER");
-  verb.add_option("--step", given.step, "length of a step [s] (1, or the longest it takes)")->type_name("NUMBER");
-  verb.add_option("--pressure", given.pressure, "before any load [Pa] (what the model needs)")->type_name("NUMBER");
+  verb.add_flag("--quick", given.quick, "fewer steps and states: a quicker, weaker check");
+  verb.add_option("--strain", given.strain, "largest strain of the tests (default: 0.15)")->type_name("NUMBER");
+  verb.add_option("--step", given.step, "largest time step of the tests [s] (default: 1)")->type_name("NUMBER");
+  verb.add_option("--pressure", given.pressure, "pressure before loading [Pa] (default: as needed)")
+      ->type_name("NUMBER");
   add_source_options(verb, given.source);
-  add_out(verb, given, "DIR", "folder of failures' replay files (results/check)");
+  add_out(verb, given, "DIR", "folder for replay files (default: results/check)");
   return {&verb, [&given, checked, all, replay, methods, parameters, markdown, explain] {
             const auto given_of = [](const CLI::Option* option) { return option->count() > 0 ? 1 : 0; };
             const int others = given_of(all) + given_of(replay) + given_of(explain);
@@ -200,13 +202,13 @@ Verb check_verb(CLI::App& app, Arguments& given) {
 }
 
 Verb new_material_verb(CLI::App& app, Arguments& given) {
-  CLI::App& verb = add_verb(app, "new-material", "a project to begin a material with",
+  CLI::App& verb = add_verb(app, "new-material", "write a project that builds a material model",
                             "assay new-material clay --language c++\n"
                             "  assay new-material clay --language fortran --interface umat");
-  verb.add_option("NAME", given.name, "the material's name")->required()->type_name("");
+  verb.add_option("NAME", given.name, "name of the material")->required()->type_name("");
   verb.add_option("--language", given.language, "c, c++ or fortran")->required()->type_name("LANGUAGE");
   verb.add_option("--interface", given.interface, "native (default), or umat in Fortran")->type_name("INTERFACE");
-  add_out(verb, given, "DIR", "folder of the project, a new one (NAME)");
+  add_out(verb, given, "DIR", "folder for the project, a new one (default: NAME)");
   return {&verb, [&given] {
             return new_material({given.name, given.language, given.interface, given.out, given.verbosity()});
           }};
@@ -218,20 +220,25 @@ std::vector<Verb> material_verbs(CLI::App& app, Arguments& given) {
   std::vector<Verb> verbs;
   verbs.push_back(check_verb(app, given));
 
-  CLI::App& materials_verb = add_verb(app, "materials", "what is registered, or one material",
+  CLI::App& materials_verb = add_verb(app, "materials", "list the materials, or show one",
                                       "assay materials neo_hookean\n  assay materials ./libmodel.so:name --json");
   materials_verb.add_option("NAME", given.material, "name, library, description or source")->type_name("");
-  materials_verb.add_flag("--json", given.json, "as JSON");
-  verbs.push_back({&materials_verb, [&given] { return materials({given.material, given.json}); }});
+  auto* json = materials_verb.add_flag("--json", given.json, "as JSON");
+  materials_verb.add_flag("--names", given.names, "the names alone, one a line")->excludes(json);
+  verbs.push_back({&materials_verb, [&given] {
+                     if (given.names && !given.material.empty())
+                       throw InputError("assay materials: --names lists all names and takes no NAME");
+                     return materials({given.material, given.json, given.names, given.verbosity()});
+                   }});
 
   CLI::App& register_verb =
-      add_verb(app, "register", "give a material library a name, after a probe",
+      add_verb(app, "register", "give a material library or source a name",
                "assay register ./libmodel.so --as soft_clay\n  assay register --remove soft_clay");
   auto* file = register_verb.add_option("FILE", given.file, "library (or FILE.so:NAME), description or source");
   file->type_name("");
   auto* as = register_verb.add_option("--as", given.name, "the name (default: the material's own)");
   as->type_name("NAME");
-  register_verb.add_option("--remove", given.remove, "take a name out of the registry")
+  register_verb.add_option("--remove", given.remove, "remove a name from the registry")
       ->type_name("NAME")
       ->excludes(file)
       ->excludes(as);
@@ -247,7 +254,7 @@ std::vector<Verb> material_verbs(CLI::App& app, Arguments& given) {
 
   CLI::App& schema_verb =
       add_verb(app, "schema", "JSON Schema of scenes and studies, for editors", "assay schema > scene.schema.json");
-  schema_verb.add_flag("--study", given.of_studies, "of studies instead");
+  schema_verb.add_flag("--study", given.of_studies, "the schema of studies");
   verbs.push_back({&schema_verb, [&given] { return schema({given.of_studies}); }});
   return verbs;
 }

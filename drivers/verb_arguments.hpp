@@ -23,7 +23,7 @@ struct Arguments {
   SourceOptions source;
   std::vector<std::string> sets, from;
   bool resume = false, merge = false, list = false, of_studies = false;
-  bool json = false, quick = false, all = false, methods = false, quiet = false, verbose = false;
+  bool json = false, names = false, quick = false, all = false, methods = false, quiet = false, verbose = false;
 
   Verbosity verbosity() const { return quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::normal; }
   std::string folder() const;        ///< of the results of a scene

@@ -76,8 +76,10 @@ struct CheckOptions {
 };
 
 struct MaterialsOptions {
-  std::string name;  ///< registered name, library or description; empty: all that is registered
+  std::string name = {};  ///< registered name, library or description; empty: all that is registered
   bool json = false;
+  bool names = false;  ///< of all that is registered, without a look into the libraries
+  Verbosity verbosity = Verbosity::normal;
 };
 
 struct RegisterOptions {

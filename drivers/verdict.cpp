@@ -96,9 +96,10 @@ std::string sheet_text(const SheetFigures& sheet) {
       "  ", "    ");
 }
 
-std::string expectations_text(const Result& result) {
+std::string expectations_text(const Result& result, bool that_hold) {
   std::string text;
   for (const ExpectationOutcome& e : result.expect) {
+    if (e.holds != that_hold) continue;
     text +=
         fmt::format("  {:5} {} {}: found {}\n", e.holds ? "holds" : "FAILS", e.key, e.expected, shortened(e.found, 4));
   }
@@ -108,7 +109,7 @@ std::string expectations_text(const Result& result) {
 std::string verdict_text(const Result& result, const std::string& folder, bool with_profile) {
   std::string text = (result.title.empty() ? "" : result.title + ": ") + result.outcome;
   if (result.t) text += fmt::format(" at t = {} s", figure(result.t));
-  text = wrapped(text, "", "  ");
+  text = wrapped(text + ": " + summary_of(result), "", "  ") + expectations_text(result, false);
   if (!result.subject.empty()) text += wrapped(result.subject, "  ", "    ");
   if (!result.reason.empty()) text += wrapped(result.reason, "  ", "  ");
   text += process_lines(result);
@@ -120,7 +121,7 @@ std::string verdict_text(const Result& result, const std::string& folder, bool w
                         rounded_text(result.rim->cells, 2), result.rim->cells < fewest_rim_cells ? ": too few" : "");
   }
   if (with_profile) text += profile_lines(result);
-  text += expectations_text(result);
+  text += expectations_text(result, true);
   text += fmt::format("{}; results in {}\n", summary_of(result), one_line(folder));
   return text;
 }

@@ -8,7 +8,8 @@
 
 namespace assay::drivers {
 
-/// Outcome, error figures, speed, [the profile,] expectations, and where the results lie.
+/// Outcome and verdict, expectations that fail, the reason; then error figures, speed, [the profile,] expectations that
+/// hold, and where the results are.
 std::string verdict_text(const Result& result, const std::string& folder, bool with_profile = false);
 
 /// Warnings, and the files beside the result that tell more of the material.
@@ -20,7 +21,7 @@ std::string times_text(const Result& result, const std::string& work);
 /// Size, time and errors of the response, and what was asked where that is missed.
 std::string sheet_text(const SheetFigures& sheet);
 
-/// The expectations, a line each, "holds" or "FAILS" first.
-std::string expectations_text(const Result& result);
+/// The expectations that hold or that fail, a line each, "holds" or "FAILS" first.
+std::string expectations_text(const Result& result, bool that_hold);
 
 }  // namespace assay::drivers

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Others than the program read its YAML: yaml/check_yaml.py, which says "skipped: ..." where their packages are missing.
-find_program(ASSAY_PYTHON python3)
-mark_as_advanced(ASSAY_PYTHON)
 if(ASSAY_PYTHON)
   set(check_yaml ${ASSAY_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/yaml/check_yaml.py)
 else()

@@ -30,6 +30,7 @@ std::pair<Tensor, Tensor> slope(const F& f) {
 }  // namespace
 
 StepStrain step_strain(const Tensor& F0, const Tensor& F1, Kinematics kinematics) {
+  if (F0 == F1) return {Tensor::Zero(), Tensor::Identity()};  // routines compare with 0
   if (kinematics == Kinematics::abaqus) {
     const Tensor l = midpoint_rate(F0, F1), half_spin = 0.25 * (l - l.transpose()), I = Tensor::Identity();
     return {symmetric_part(l), Tensor((I - half_spin).inverse() * (I + half_spin))};
@@ -46,6 +47,8 @@ CorotationalStep corotational_step(const Tensor& F0, const Tensor& F1, Kinematic
   step.U1 = symmetric_part(step.R1.transpose() * F1);
   if (kinematics == Kinematics::abaqus) {
     step.strain = symmetric_part(midpoint_rate(step.U0, step.U1));
+  } else if (F0 == F1) {
+    step.strain.setZero();
   } else {
     const Tensor g = step.U1 * step.U0.inverse();
     step.strain = 0.5 * (left_strain(g) + left_strain(g.transpose()));

@@ -37,6 +37,8 @@ std::string missing_file_words(const std::string& printed) {
     const std::string file = quoted_behind(printed, at);
     if (absent && !file.empty()) return advice_for(file, "looks for");
   }
+  if (printed.rfind("To resume execution, type go.") != printed.npos)
+    return "; PAUSE waits for standard input, which is empty for a model: remove it";
   // An absent file is made when it is opened, and then it is empty.
   const std::size_t end_of_file = printed.rfind("Fortran runtime error: End of file");
   const std::size_t unit = end_of_file == printed.npos ? printed.npos : printed.rfind("file = '", end_of_file);

@@ -15,7 +15,7 @@ author = copyright = "the authors of assay"  # noqa: A001
 release = re.search(r"^## \[?([0-9.]+)", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.MULTILINE)[1]
 extensions = ["myst_parser", "sphinx.ext.mathjax"]
 root_doc = "index"
-exclude_patterns = ["site"]
+exclude_patterns = ["site", "paper.md"]  # the paper has a form of its own
 source_suffix = {".md": "markdown"}
 html_theme = "furo"
 html_title = f"assay {release}"
@@ -27,7 +27,9 @@ myst_enable_extensions = ["dollarmath", "smartquotes"]
 myst_heading_anchors = 4
 mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_CHTML-full"
 mathjax_options = {"async": "async"}
-mathjax_config = {"showMathMenu": False}
+myst_update_mathjax = False  # it writes the settings of MathJax 3
+mathjax2_config = {"showMathMenu": False, "tex2jax": {"ignoreClass": "tex2jax_ignore", "processClass": "math",
+                                                      "inlineMath": [["\\(", "\\)"]]}}
 suppress_warnings = ["myst.header", "misc.highlighting_failure"]
 highlight_language = "none"
 

@@ -7,6 +7,7 @@
 #include "adapters/worker/remote_table.hpp"
 #include "drivers/input_error.hpp"
 #include "drivers/output/numbers.hpp"
+#include "drivers/output/table_text.hpp"
 #include "drivers/output/wrapped_text.hpp"
 #include "harness/check/symmetry_class.hpp"
 
@@ -135,6 +136,13 @@ std::string material_text(const std::string& name, const MaterialSource& source)
   if (!licence.empty()) out += "  licence  " + licence + "\n";
   out += wrapped(joined(flag_names(table)), "  ", "  ");
   return out + parameters_text(source) + state_text(table);
+}
+
+std::string material_line(const std::string& name, const MaterialSource& source, std::size_t width) {
+  constexpr std::size_t mark = 4;  // of what is cut
+  const std::string begin = padded(name, width) + "  ", doc = words(source.table->doc);
+  const std::size_t room = page_width - std::min(page_width / 2, begin.size());
+  return table_line(begin + (doc.size() <= room ? doc : cut_text(doc, room - mark)));
 }
 
 std::string broken_text(const std::string& name, const std::string& reason) {

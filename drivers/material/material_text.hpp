@@ -13,6 +13,9 @@ namespace assay::drivers {
 /// What it is, where it comes from, its parameters and state; lines of at most 80 columns where its own words allow.
 std::string material_text(const std::string& name, const MaterialSource& source);
 
+/// The name, padded to that width, and the beginning of what it is: one line of at most 80 columns.
+std::string material_line(const std::string& name, const MaterialSource& source, std::size_t width);
+
 /// A registered name that leads nowhere.
 std::string broken_text(const std::string& name, const std::string& reason);
 

@@ -48,6 +48,12 @@ class Moves {
   std::vector<std::pair<fs::path, fs::path>> done_;
 };
 
+bool is_among(const std::vector<std::string>& patterns, const std::string& name) {
+  return std::any_of(patterns.begin(), patterns.end(), [&](std::string_view pattern) {
+    return matches(pattern.starts_with('+') ? pattern.substr(1) : pattern, name);
+  });
+}
+
 }  // namespace
 
 std::vector<std::string> result_files() {
@@ -59,13 +65,15 @@ std::vector<std::string> result_files() {
 
 OutputFolder::OutputFolder(fs::path target, std::vector<std::string> names)
     : target_(target.empty() ? fs::path(".") : std::move(target)), names_(std::move(names)) {
+  constexpr std::size_t most_files_at_once = 8;  // with fewer what is staged cannot be cleared away
+  require_open_files(most_files_at_once);
   put_files_right();
   try {
     // Another run that fails takes its empty folders away, perhaps between our looking and our locking.
     for (int attempt = 0; !make_folders() || !lock(); ++attempt) {
       if (attempt == 100) fail(target_, "folder cannot be created", ENOENT);
     }
-    refuse_another_kind();
+    refuse_another_kind(target_, names_);
     make_staging();
   } catch (...) {
     give_back();
@@ -132,25 +140,21 @@ void OutputFolder::make_staging() {
 }
 
 /// A run and a study both write report.html.
-void OutputFolder::refuse_another_kind() const {
+void OutputFolder::refuse_another_kind(const fs::path& target, const std::vector<std::string>& names) {
   std::error_code error;
   const auto other = [&](const char* mine, const char* theirs) {
-    return is_ours(mine) && fs::is_regular_file(target_ / theirs, error);
+    return is_among(names, mine) && fs::is_regular_file(target / theirs, error);
   };
   constexpr const char* study = "study.json";
   const char* const words = other(last_file, study)   ? "study (study.json), and a run would replace its report.html"
                             : other(study, last_file) ? "run (result.json), and a study would replace its report.html"
                                                       : nullptr;
   if (words)
-    throw InputError({target_.string(), 0, 0}, "",
+    throw InputError({target.string(), 0, 0}, "",
                      std::string("holds the results of a ") + words + ": choose another folder with -o");
 }
 
-bool OutputFolder::is_ours(const std::string& name) const {
-  return std::any_of(names_.begin(), names_.end(), [&](std::string_view pattern) {
-    return matches(pattern.starts_with('+') ? pattern.substr(1) : pattern, name);
-  });
-}
+bool OutputFolder::is_ours(const std::string& name) const { return is_among(names_, name); }
 
 void OutputFolder::keep_inputs() const {
   put_files_right();

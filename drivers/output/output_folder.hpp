@@ -29,6 +29,9 @@ class OutputFolder {
   /// folder is as it was.
   ~OutputFolder();
 
+  /// Refuses (InputError) a folder that holds the results of another kind: a run's for a study, and the reverse.
+  static void refuse_another_kind(const std::filesystem::path& target, const std::vector<std::string>& names);
+
   /// Refuses (InputError) what was read and lies in the folder under a name of the result, which would replace it.
   void keep_inputs() const;
 
@@ -44,7 +47,6 @@ class OutputFolder {
  private:
   bool make_folders();
   bool lock();
-  void refuse_another_kind() const;
   void make_staging();
   bool is_ours(const std::string& name) const;
   bool is_stale(const std::string& name) const;

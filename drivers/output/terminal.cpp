@@ -34,6 +34,8 @@ void print(std::string_view lines) { put(without_commands(lines, "<U+", ">")); }
 
 void print_json(std::string_view json) { put(without_commands(json, "\\u", "")); }
 
+bool prints_to_terminal() { return ::isatty(user_output()) == 1; }
+
 bool all_is_printed() { return !lost; }
 
 void warn(std::string_view sentence) {

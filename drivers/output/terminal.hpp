@@ -14,6 +14,9 @@ void print(std::string_view lines);
 /// JSON: the same characters as \u001b, which leaves the data as they are.
 void print_json(std::string_view json);
 
+/// Whether what is printed goes to a person's terminal, and not to a file or to another program.
+bool prints_to_terminal();
+
 /// False where the system did not take what was printed.
 bool all_is_printed();
 

@@ -23,4 +23,12 @@ std::string wrapped(const std::string& text, const std::string& first, const std
   return result + line + "\n";
 }
 
+std::string cut_text(const std::string& text, std::size_t length) {
+  if (text.size() <= length) return text;
+  const std::size_t blank = text.rfind(' ', length);
+  std::size_t end = blank == std::string::npos || blank < length / 2 ? length : blank;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not within a letter
+  return text.substr(0, end) + " ...";
+}
+
 }  // namespace assay::drivers

@@ -113,18 +113,18 @@ std::vector<Key> amplitude_keys() {
   const std::vector<std::string> polar{"vortex", "twisting_ring"}, boxes{"axis_aligned", "bar_1d"},
       all{"vortex", "twisting_ring", "axis_aligned", "bar_1d"};
   return {
-      {"motion.profile_power", number, "m of h = (1 - s^2)^m; m = 1 would leave a traction on the ring's faces",
+      {"motion.profile_power", number, "m of the profile h = (1 - s^2)^m; m = 1 is excluded: the ring's faces would need tractions",
        GET(double(vortex(s).profile_power)), SET(vortex(s).profile_power = whole(v)),
        {.lower = 2, .upper = 64, .whole = true}, {}, false, {}, polar},
-      {"motion.expansion", number, "e: radii change by e sin(pi t/T) U(R), the outer one by U = 1 [m]",
+      {"motion.expansion", number, "e: radii change by e sin(pi t/T) U(R), with U = 1 at the outer radius [m]",
        GET(as<TwistingRing>(s).expansion), SET(as<TwistingRing>(s).expansion = real(v)), {}, {}, true, {},
        {"twisting_ring"}},
-      {"motion.amplitude.type", choice, "g(t): A sin(pi t/T), A (1 - cos(2 pi t/T))/2, A t/T held after T; sine alone where T = 1/c",
+      {"motion.amplitude.type", choice, "sine: A sin(pi t/T); one_minus_cosine: A (1 - cos(2 pi t/T))/2; ramp: A t/T to T; unit box: sine only",
        GET(name_of(amplitude_types, amplitude(s).type)),
        SET(amplitude(s).type = picked<Amplitude::Type>(amplitude_types, v)), {}, amplitude_types, false, {}, all},
-      {"motion.amplitude.peak", number, "A of a ring [rad]; in the unit box that of the displacement, below 1/pi [m]",
+      {"motion.amplitude.peak", number, "A: peak angle of a ring [rad]; in the unit box, peak displacement, less than 1/pi [m]",
        GET(amplitude(s).peak), SET(amplitude(s).peak = real(v)), {}, {}, false, "1 of a ring, 0.1 in the unit box", all},
-      {"motion.wave_speed", automatic, "c: the motion takes T = 1/c [m/s]; auto: sqrt(E/rho0) by the material's parameter E",
+      {"motion.wave_speed", automatic, "c, which sets T = 1/c [m/s]; auto: c = sqrt(E/rho0) with the material's parameter E",
        GET(as<AxisAligned>(s).given_speed ? Value(as<AxisAligned>(s).wave_speed()) : Value("auto")), set_wave_speed,
        {.lower = least_wave_speed, .upper = most_wave_speed}, {}, false, {}, boxes},
   };
@@ -134,20 +134,20 @@ std::vector<Key> stretch_keys() {
   using enum KeyType;
   const std::vector<std::string> of_stretch{"rotating_stretch"}, of_rigid{"rigid"};
   return {
-      {"motion.stretch", number, "a: along E1 the length is 1 + a sin^2(pi t/T), or 1 + a q(2 t/T) before rotating [1]",
+      {"motion.stretch", number, "a: the stretch along E1 is 1 + a sin^2(pi t/T), or 1 + a q(2 t/T) with rotate: after [1]",
        GET(as<RotatingStretch>(s).stretch), SET(as<RotatingStretch>(s).stretch = real(v)),
        {.lower = -1, .lower_open = true}, {}, true, {}, of_stretch},
-      {"motion.shear", number, "k: U12 = k (U11 - 1)/a [1]", GET(as<RotatingStretch>(s).shear),
+      {"motion.shear", number, "k of the shear U12 = k (U11 - 1)/a [1]", GET(as<RotatingStretch>(s).shear),
        SET(as<RotatingStretch>(s).shear = real(v)), {}, {}, false, {}, of_stretch},
-      {"motion.rotation", number, "beta, the whole angle [rad]", GET(as<RotatingStretch>(s).rotation),
+      {"motion.rotation", number, "total angle of rotation beta [rad]", GET(as<RotatingStretch>(s).rotation),
        SET(as<RotatingStretch>(s).rotation = real(v)), {}, {}, false, {}, of_stretch},
-      {"motion.velocity", vector, "of the whole body [m/s]", GET(list_of(as<Rigid>(s).velocity)),
+      {"motion.velocity", vector, "velocity of the whole body [m/s]", GET(list_of(as<Rigid>(s).velocity)),
        SET(as<Rigid>(s).velocity = vector_of(v)), {}, {}, false, {}, of_rigid},
-      {"motion.spin", number, "of the whole body about the axis through the origin [rad/s]", GET(as<Rigid>(s).spin),
+      {"motion.spin", number, "angular velocity of the whole body about the axis through the origin [rad/s]", GET(as<Rigid>(s).spin),
        SET(as<Rigid>(s).spin = real(v)), {}, {}, false, {}, of_rigid},
-      {"motion.axis", vector, "of the rotation, normalised", GET(list_of(axis(s))), SET(axis(s) = vector_of(v)), {}, {},
+      {"motion.axis", vector, "axis of the rotation; need not be a unit vector", GET(list_of(axis(s))), SET(axis(s) = vector_of(v)), {}, {},
        false, {}, {"rotating_stretch", "rigid"}},
-      {"motion.rotate", choice, "not at all, while it stretches, or after it", 
+      {"motion.rotate", choice, "when the body rotates: never (none), while it stretches (simultaneous) or afterwards (after)", 
        GET(name_of(rotate_types, as<RotatingStretch>(s).rotate)),
        SET(as<RotatingStretch>(s).rotate = picked<RotatingStretch::Rotate>(rotate_types, v)), {}, rotate_types, false, {},
        of_stretch},
@@ -158,11 +158,11 @@ std::vector<Key> frame_keys() {
   using enum KeyType;
   const std::vector<std::string> of_vortex{"vortex"};
   return {
-      {"frame.angle", number, "by which body and motion are turned against the grid, about E_z [rad]",
+      {"frame.angle", number, "angle by which body and motion are rotated against the grid, about E_z [rad]",
        GET(s.frame ? Value(s.frame->angle) : Value()), SET(s.frame->angle = real(v)), {}, {}, false, {}, of_vortex},
-      {"frame.spin", number, "w: the whole motion turns by w t more [rad/s]",
+      {"frame.spin", number, "angular velocity w: the whole motion rotates by a further angle w t [rad/s]",
        GET(s.frame ? Value(s.frame->spin) : Value()), SET(s.frame->spin = real(v)), {}, {}, false, {}, of_vortex},
-      {"frame.velocity", pair, "of the whole motion [m/s]",
+      {"frame.velocity", pair, "velocity of the whole motion [m/s]",
        GET(s.frame ? pair_of({s.frame->velocity.x(), s.frame->velocity.y()}) : Value()),
        SET((s.frame->velocity = {two(v)[0], two(v)[1], 0})), {}, {}, false, {}, of_vortex},
   };
@@ -175,26 +175,26 @@ std::vector<Key> motion_keys() {
   const std::vector<std::string> polar{"vortex", "twisting_ring"}, of_homogeneous{"homogeneous"},
       with_period{"vortex", "homogeneous", "rotating_stretch", "twisting_ring", "rigid"};
   std::vector<Key> keys{
-      {"title", text, "one line for pictures and reports", GET(s.title), SET(s.title = std::get<std::string>(v))},
-      {"motion.type", choice, "the manufactured motion", GET(motion_type(s)), set_motion, {}, motion_types, true},
-      {"motion.inner", number, "inner radius ri [m]", GET(vortex(s).inner), SET(vortex(s).inner = real(v)), positive,
+      {"title", text, "one-line title for pictures and reports", GET(s.title), SET(s.title = std::get<std::string>(v))},
+      {"motion.type", choice, "which manufactured motion the body follows", GET(motion_type(s)), set_motion, {}, motion_types, true},
+      {"motion.inner", number, "inner radius ri of the ring [m]", GET(vortex(s).inner), SET(vortex(s).inner = real(v)), positive,
        {}, false, {}, polar},
-      {"motion.outer", number, "outer radius ro [m]", GET(vortex(s).outer), SET(vortex(s).outer = real(v)), positive,
+      {"motion.outer", number, "outer radius ro of the ring [m]", GET(vortex(s).outer), SET(vortex(s).outer = real(v)), positive,
        {}, false, {}, polar},
-      {"motion.path", text, "CSV file of F(t) in place of final: columns t, F11, F12, F21, F22 and perhaps the others",
+      {"motion.path", text, "CSV file of F(t), in place of motion.final; columns t, F11, F12, F21, F22, others optional",
        path_of, set_path, {}, {}, false, "none: F goes straight to final", of_homogeneous},
       {"motion.interpolation", choice,
-       "of a path between its rows: straight lines; PCHIP, which stays between two rows; a cubic spline, which may not",
+       "F between the rows of motion.path: straight lines, PCHIP (no overshoot) or a cubic spline",
        interpolation_of, set_interpolation, {}, interpolations, false,
        "linear for tabulate, monotone for what needs a body force", of_homogeneous},
-      {"motion.final", matrix, "deformation gradient at t = period, det > 0 [1]", final_gradient, set_final_gradient,
+      {"motion.final", matrix, "deformation gradient at t = motion.period, det F > 0 [1]", final_gradient, set_final_gradient,
        {}, {}, false, "none: required unless path is given", of_homogeneous},
-      {"motion.period", number, "T [s]; of a path the time of its last row", GET(period_of(s.motion)), set_period,
+      {"motion.period", number, "time T of the motion [s]; with motion.path, T is the time of the last row", GET(period_of(s.motion)), set_period,
        positive, {}, false, {}, with_period},
   };
   for (auto part : {amplitude_keys(), stretch_keys()}) keys.insert(keys.end(), part.begin(), part.end());
   keys.push_back({"motion.allow_unstable", boolean,
-                  "run a motion that is not a stable solution for the model: it is refused otherwise",
+                  "run a motion that is not a stable solution for the model; otherwise the run is refused",
                   GET(s.allow_unstable), SET(s.allow_unstable = std::get<bool>(v))});
   for (const Key& key : frame_keys()) keys.push_back(key);
   return keys;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "drivers/output/html.hpp"
+#include "drivers/output/wrapped_text.hpp"
 #include "drivers/picture/label_placer.hpp"
 #include "drivers/study/stability_map.hpp"
 #include "drivers/study/study_words.hpp"

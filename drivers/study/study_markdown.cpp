@@ -109,7 +109,7 @@ std::string stability(const StudyFindings& findings) {
                                             : plain(cell.text + (cell.detail.empty() ? "" : ", " + cell.detail)));
     }
   }
-  return section("What holds and what dies", head, rows);
+  return section("What completes and what does not", head, rows);
 }
 
 std::string survival(const StudyFindings& findings) {
@@ -121,7 +121,7 @@ std::string survival(const StudyFindings& findings) {
                     html::figure(of.error_ratio, 3)});
   }
   const std::string unfinished = unfinished_note(methods);
-  return section("Which method lives through most",
+  return section("Which method completes the most cases",
                  {"method", "completed", "died", "refused", "n/a", "error over the best"}, rows) +
          "\nError over the best: " + ratio_note + ".\n" + (unfinished.empty() ? "" : "\n" + plain(unfinished) + "\n");
 }

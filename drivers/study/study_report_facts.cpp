@@ -31,7 +31,7 @@ double most(const std::vector<double>& values) {
 
 std::string stability(const StudyFindings& findings) {
   if (findings.cases.empty()) return {};
-  return html::section("What holds and what dies",
+  return html::section("What completes and what does not",
                        stability_table(stability_map(findings)) +
                            "<p class=\"tally\"><small>Blue: completed, the darker the smaller the error. Orange: died "
                            "at that time. Grey: refused or stopped.</small></p>\n" +

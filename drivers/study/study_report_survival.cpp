@@ -61,7 +61,7 @@ std::string survival(const StudyFindings& findings) {
                     std::to_string(of.not_applicable), html::figure(of.error_ratio, 3)});
   }
   if (rows.empty()) return {};
-  return html::section("Which method lives through most",
+  return html::section("Which method completes the most cases",
                        html::table({"method", "completed", "died", "refused", "n/a", "error over the best"}, rows) +
                            element("p class=\"tally\"", "Error over the best: " + escaped(ratio_note) + ". " +
                                                             escaped(unfinished_note(methods))));

@@ -16,7 +16,7 @@ namespace assay::drivers {
 
 namespace {
 
-constexpr std::size_t columns = 80, number_width = 10;
+constexpr std::size_t number_width = 10;
 
 /// What begins a line, a blank at its end whatever its length.
 std::string column(const std::string& text, std::size_t width) { return padded(text + " ", width); }
@@ -26,11 +26,26 @@ std::size_t characters(const std::string& text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-/// The line, its end cut where it is too long.
+/// The text with a blank after every `most` characters of a word.
+std::string with_short_words(const std::string& text, std::size_t most) {
+  std::string split;
+  std::size_t length = 0;
+  for (const char c : text) {
+    if (c == ' ') length = 0;
+    const bool begins = (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;  // a character of UTF-8
+    if (c != ' ' && begins && ++length > most) split += ' ', length = 1;
+    split += c;
+  }
+  return split;
+}
+
+/// The line; an end that is too long goes on below its own beginning.
 std::string line_of(const std::string& begin, const std::string& end) {
-  constexpr std::size_t mark = 4, least = 8;  // cut_text() ends what it cuts by " ..."
-  const std::size_t left = columns - std::min(columns - least, characters(begin));
-  return begin + (characters(end) <= left ? end : cut_text(end, left - mark)) + "\n";
+  constexpr std::size_t columns = 80;
+  const std::size_t room = columns - std::min(columns / 2, characters(begin));
+  if (characters(begin) + characters(end) <= columns) return begin + end + "\n";
+  const std::string below(columns - room, ' ');  // of as many characters as `begin`, which may have more bytes
+  return begin + wrapped(with_short_words(end, room), below, below).substr(below.size());
 }
 
 std::string or_dash(const Figure& value, const StudyFindings& findings,
@@ -110,20 +125,26 @@ std::string budget_text(const StudyFindings& findings) {
   return text;
 }
 
-std::string expectations_text(const StudyFindings& findings) {
+std::string failures_text(const StudyFindings& findings) {
   std::string text;
-  std::size_t held = 0;
   for (const auto& [where, outcome] : findings.expect) {
-    if (outcome.holds) {
-      ++held;
-      continue;
-    }
+    if (outcome.holds) continue;
     text += wrapped(
         fmt::format("FAILS {} {}: found {}; {}", outcome.key, outcome.expected, shortened(outcome.found, 4), where),
         "  ", "    ");
   }
-  if (findings.expect.empty()) return text;
-  return text + fmt::format("  {} of {} expectations hold\n", held, findings.expect.size());
+  return text;
+}
+
+std::string held_text(const StudyFindings& findings) {
+  if (findings.expect.empty()) return "";
+  const auto held =
+      std::count_if(findings.expect.begin(), findings.expect.end(), [](const auto& each) { return each.outcome.holds; });
+  return fmt::format("  {} of {} expectations hold\n", held, findings.expect.size());
+}
+
+std::string summary_of(const StudyFindings& findings) {
+  return !findings.holds() ? "NOT AS EXPECTED" : findings.expect.empty() ? "NOTHING WAS EXPECTED" : "AS EXPECTED";
 }
 
 std::string counts_text(const StudyFindings& findings) {
@@ -147,8 +168,10 @@ std::string case_line(const StudyFindings& words, const StudyCase& one, std::siz
 }
 
 std::string study_text(const StudyFindings& findings, const std::string& folder) {
-  std::string text =
-      wrapped((findings.title.empty() ? "study" : findings.title) + ": " + counts_text(findings), "", "  ");
+  const std::string verdict = summary_of(findings);
+  std::string text = wrapped(
+      (findings.title.empty() ? "study" : findings.title) + ": " + counts_text(findings) + ": " + verdict, "", "  ");
+  text += failures_text(findings);
   if (!findings.question.empty()) text += wrapped(findings.question, "  ", "  ");
   text += wrapped("error: " + findings.error_name + "; cost: " + findings.cost_name, "  ", "    ");
   if (findings.asks_survival) {
@@ -163,12 +186,9 @@ std::string study_text(const StudyFindings& findings, const std::string& folder)
   const std::string deaths = deaths_text(findings);
   if (!deaths.empty()) text += "not completed:\n" + deaths;
   for (const std::string& warning : findings.warnings) text += wrapped("warning: " + warning, "  ", "    ");
-  text += expectations_text(findings);
-  const char* summary = !findings.holds()         ? "NOT AS EXPECTED"
-                        : findings.expect.empty() ? "NOTHING EXPECTED"
-                                                  : "AS EXPECTED";
+  text += held_text(findings);
   return text +
-         wrapped(fmt::format("{}; results in {}, begin with its report.html", summary, one_line(folder)), "", "  ");
+         wrapped(fmt::format("{}; results in {}, begin with its report.html", verdict, one_line(folder)), "", "  ");
 }
 
 }  // namespace assay::drivers

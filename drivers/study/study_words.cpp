@@ -81,14 +81,6 @@ std::string outcome_text(const StudyCase& one) {
   return ran && t ? text + " at t = " + plain_text(*t) + " s" : text;
 }
 
-std::string cut_text(const std::string& text, std::size_t length) {
-  if (text.size() <= length) return text;
-  const std::size_t blank = text.rfind(' ', length);
-  std::size_t end = blank == std::string::npos || blank < length / 2 ? length : blank;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not within a letter
-  return text.substr(0, end) + " ...";
-}
-
 std::optional<std::size_t> least_work(const StudyFindings& findings, double error) {
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < findings.cases.size(); ++i) {

@@ -52,9 +52,6 @@ std::string published_text(const StudySeries& series);
 /// Whether somebody has published an order of one of the series.
 bool has_published(const StudyFindings& findings);
 
-/// The beginning of a sentence, cut between words.
-std::string cut_text(const std::string& text, std::size_t length);
-
 inline constexpr const char* work_key = "work.particle_steps";
 
 /// Heads of the columns of the front: particle-steps stand there once.

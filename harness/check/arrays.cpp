@@ -5,21 +5,20 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
-#include <deque>
 #include <string>
 #include <utility>
 
 #include "harness/arithmetic.hpp"
 #include "harness/check/call_steps.hpp"
+#include "harness/check/guarded.hpp"
+#include "harness/check/offered_arrays.hpp"
 #include "harness/check/specimen.hpp"
-#include "harness/offer.hpp"
 #include "harness/thrown.hpp"
 
 namespace assay::check {
 
 namespace {
 
-constexpr double no_value = -7.25e77;
 constexpr double length = 0.05;  ///< of a step [s]
 constexpr int usual_steps = 20;
 
@@ -27,51 +26,10 @@ constexpr int usual_steps = 20;
 /// time.
 constexpr std::size_t promised = 8;
 
-/// An array with guard words around it, all of one value: as many as twenty components of n points.
-template <class T>
-class Guarded {
- public:
-  Guarded(std::size_t used, std::size_t n, T mark, std::size_t bytes)
-      : guard_(20 * n + 256), used_(used), all_(used + 2 * guard_ + Placed::line / sizeof(T), mark), mark_(mark) {
-    guard_ += bytes_to_place(all_.data() + guard_, bytes) / sizeof(T);
-  }
-
-  T* data() { return all_.data() + guard_; }
-  std::vector<T> values() const { return {first(), last()}; }
-  bool broken() const {
-    const auto differs = [&](T v) { return v != mark_; };
-    return std::any_of(all_.begin(), first(), differs) || std::any_of(last(), all_.end(), differs);
-  }
-  bool unwritten() const { return std::find(first(), last(), mark_) != last(); }
-
- private:
-  using Place = typename std::vector<T>::const_iterator;
-  Place first() const { return all_.begin() + static_cast<std::ptrdiff_t>(guard_); }
-  Place last() const { return first() + static_cast<std::ptrdiff_t>(used_); }
-
-  std::size_t guard_, used_;
-  std::vector<T> all_;
-  T mark_;
-};
-
-/// n points that are loaded alike, component-major.
-std::vector<double> repeated(const Tensor& F, std::size_t n) {
-  std::vector<double> all(9 * n);
-  for (std::size_t c = 0; c < 9; ++c) {
-    std::fill_n(all.begin() + static_cast<std::ptrdiff_t>(c * n), n, component(F, static_cast<int>(c)));
-  }
-  return all;
-}
-
 std::vector<double> repeated_vector(const Vector3& v, std::size_t n) {
   std::vector<double> all;
   for (int c = 0; c < 3; ++c) all.insert(all.end(), n, v(c));
   return all;
-}
-
-/// Bit for bit: a state may hold what is no number.
-bool same(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0);
 }
 
 /// A deformation of the course s = 0 .. 1.
@@ -92,14 +50,21 @@ struct Walk {
   bool rests = false;  ///< once, in a step in which nothing moves
 };
 
-/// What a material does wrong to its arrays, or empty; and where it has come to.
+/// What a material does wrong to its arrays, or empty; and where it has come to, or why it refuses a step.
 struct Deed {
   std::string wrong;
   std::vector<double> state, cauchy;
   bool goes_on = true;
+  std::string refusal = {};
 };
 
 Deed ends(std::string wrong) { return {std::move(wrong), {}, {}, false}; }
+
+/// Of a step that is refused: what a host has found in the arrays is a misdeed all the same.
+Deed refusal_of(const std::string& message) {
+  if (message.starts_with(overrun_words)) return ends(message.substr(std::strlen(overrun_words)));
+  return {{}, {}, {}, false, message};
+}
 
 /// Whether a variable other than a direction, which the host fills, still has the mark.
 bool leaves_unwritten(const Material& material, const std::vector<double>& state, std::size_t n) {
@@ -111,6 +76,11 @@ bool leaves_unwritten(const Material& material, const std::vector<double>& state
     at = end;
   }
   return false;
+}
+
+/// A message up to its end.
+std::string text_of(const std::vector<char>& message) {
+  return {message.begin(), std::find(message.begin(), message.end(), '\0')};
 }
 
 Deed begin(const Material& material, std::size_t n, std::size_t bytes) {
@@ -166,14 +136,15 @@ Deed step(const Material& material, const Walk& walk, double t, const Tensor& be
   if (!same(given[0], F0.values()) || !same(given[1], F1.values()) || !same(given[2], state.values()))
     return ends("it writes into what it is given");
   if (status.unwritten()) return ends("it leaves the status of points unwritten");
-  if (std::count(found.begin(), found.end(), ASSAY_FAILED) != 0) return ends("");
+  if (std::count(found.begin(), found.end(), ASSAY_FAILED) != 0) return refusal_of(text_of(message.values()));
   if (cauchy.unwritten()) return ends("it leaves components of the stress unwritten");
   if (state1.unwritten()) return ends("it leaves components of the state unwritten");
   return {{}, state1.values(), cauchy.values(), true};
 }
 
-/// Until the material does not stand it. The results go to `history`.
-std::string misdeed(const Material& material, const Walk& walk, History* history = nullptr) {
+/// Until the material does not stand it. The results go to `history`, why it ends to `refusal`.
+std::string misdeed(const Material& material, const Walk& walk, History* history = nullptr,
+                    std::string* refusal = nullptr) {
   const Space space(material);
   Deed deed = begin(material, walk.n, walk.bytes);
   const auto F = [&](int k) { return walk.course(space, walk.amplitude, static_cast<double>(k) / walk.steps); };
@@ -186,11 +157,13 @@ std::string misdeed(const Material& material, const Walk& walk, History* history
     history->push_back(deed.cauchy);
     history->back().insert(history->back().end(), deed.state.begin(), deed.state.end());
   }
+  if (refusal) *refusal = deed.refusal;
   return deed.wrong;
 }
 
 /// The stress of points that are loaded alike, against that of one alone.
-void compare_alike(const Material& material, const Walk& walk, const History& found, BatchFinding& finding) {
+void compare_alike(const Material& material, const Walk& walk, const History& found, const std::string& refusal,
+                   BatchFinding& finding) {
   Walk single = walk;
   single.n = 1;
   History alone;
@@ -216,6 +189,7 @@ void compare_alike(const Material& material, const Walk& walk, const History& fo
   const auto first = std::find_if(worst.begin(), worst.end(), is_wrong);
   if (first == worst.end() || finding.wrong > 0) return;
   finding.n = walk.n;
+  if (found.size() < alone.size()) finding.refusal = refusal;
   finding.point = static_cast<std::size_t>(first - worst.begin()) + 1;
   finding.wrong = static_cast<std::size_t>(std::count_if(worst.begin(), worst.end(), is_wrong));
 }
@@ -236,94 +210,26 @@ std::string misdeed_in_batches(const Material& material, const Effort& effort, s
         const Walk walk{n, course, std::min(amplitude, effort.strain), steps, bytes, n == 7};
         History found;
         const bool compared = n >= 64 && course == turning_stretch;
-        const std::string what = misdeed(material, walk, compared ? &found : nullptr);
+        std::string refusal;
+        const std::string what = misdeed(material, walk, compared ? &found : nullptr, &refusal);
         if (!what.empty()) return what + " in a step of " + std::to_string(n) + (n == 1 ? " point" : " points");
-        if (compared) compare_alike(material, walk, found, finding);
+        if (compared) compare_alike(material, walk, found, refusal, finding);
       }
     }
   }
   return {};
 }
 
-/// The arrays of a call of an extension's function, in its order.
-class OfferedArrays {
- public:
-  OfferedArrays(std::size_t n, std::size_t bytes) : n_(n), bytes_(bytes) {}
-
-  double* in(const std::vector<double>& values) {
-    given_.push_back(values);
-    return in_.emplace_back(values, bytes_).data();
-  }
-  double* out(std::size_t components) { return out_.emplace_back(components * n_, n_, no_value, bytes_).data(); }
-
-  /// What was done to them.
-  std::string misdeed(const std::string& function) const {
-    if (std::any_of(out_.begin(), out_.end(), [](const Guarded<double>& array) { return array.broken(); }))
-      return function + " writes beyond its results";
-    for (std::size_t k = 0; k < in_.size(); ++k) {
-      if (!same(given_[k], in_[k].values())) return function + " writes into what it is given";
-    }
-    return {};
-  }
-
- private:
-  std::size_t n_, bytes_;
-  std::vector<std::vector<double>> given_;
-  std::deque<Placed> in_;
-  std::deque<Guarded<double>> out_;
-};
-
-/// What functions of extensions do wrong to their arrays, at the end of a step of some points; or empty.
+/// The functions of extensions, at the end of a step of some points.
 std::string misdeed_of_offers(const Material& material, const Effort& effort, std::size_t bytes) {
-  constexpr double density = 1000, small = 0.01;  // [kg/m^3], [1]
-  constexpr std::size_t n = 7;
-  const Walk walk{n, turning_stretch, std::min(small, effort.strain), 1, bytes};
-  const Deed start = begin(material, n, bytes);
+  constexpr double small = 0.01;
+  const Walk walk{7, turning_stretch, std::min(small, effort.strain), 1, bytes};
+  const Deed start = begin(material, walk.n, bytes);
   if (!start.goes_on) return {};
   const Tensor I = Tensor::Identity(), strained = turning_stretch(Space(material), walk.amplitude, 1);
   const Deed end = step(material, walk, 0, I, strained, start.state);
   if (!end.goes_on) return {};
-  const std::vector<double> F0 = repeated(I, n), F1 = repeated(strained, n);
-  const std::vector<double> l = repeated((strained - I) / length * strained.inverse(), n);
-  const auto of = [&]<class Extension>(const Offer<Extension>& offer, const auto& call) -> std::string {
-    if (!offer) return {};
-    OfferedArrays arrays(n, bytes);
-    try {
-      call(offer, arrays);
-    } catch (const MaterialFailure&) {  // the test of that extension tells
-    }
-    return arrays.misdeed(OfferedFunction<Extension>::name);
-  };
-  const auto rate = [&](const auto& form, OfferedArrays& a) {
-    double *F = a.in(F1), *gradient = a.in(l), *cauchy = a.in(end.cauchy), *state = a.in(end.state);
-    double *cauchy_rate = a.out(9), *state_rate = a.out(material.state_size());
-    form(length, n, F, gradient, cauchy, state, cauchy_rate, state_rate);
-  };
-  const auto tangent = [&](const auto& form, OfferedArrays& a) {
-    const assay_step whole{0, length, a.in(F0), a.in(F1)};
-    double* state = a.in(start.state);
-    form(&whole, n, state, a.out(81));
-  };
-  const auto energy = [&](const auto& form, OfferedArrays& a) {
-    double *F = a.in(F1), *state = a.in(end.state);
-    form(n, F, state, a.out(1));
-  };
-  const auto speed = [&](const auto& form, OfferedArrays& a) {
-    double *F = a.in(F1), *cauchy = a.in(end.cauchy), *state = a.in(end.state);
-    form(density, n, F, cauchy, state, a.out(1));
-  };
-  const auto closed = [&](const auto& form, OfferedArrays& a) {
-    double* eps = a.in(std::vector<double>(n, small));
-    double *tau = a.out(9), *slope = a.out(9);
-    form(std::int32_t{ASSAY_BASELINE_SIMPLE_SHEAR}, n, eps, tau, slope);
-  };
-  for (const std::string& what :
-       {of(Offer<assay_rate>(material), rate), of(Offer<assay_tangent>(material), tangent),
-        of(Offer<assay_energy>(material), energy), of(Offer<assay_wave_speed>(material), speed),
-        of(Offer<assay_closed_form>(material), closed)}) {
-    if (!what.empty()) return what;
-  }
-  return {};
+  return check::misdeed_of_offers(material, {walk.n, length, I, strained, start.state, end.state, end.cauchy, bytes});
 }
 
 }  // namespace

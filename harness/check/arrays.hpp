@@ -17,6 +17,7 @@ struct BatchFinding {
   std::size_t n = 0, point = 0;  ///< the batch, and the first point that is wrong there, from 1
   std::size_t wrong = 0;         ///< how many of its points are
   std::size_t largest = 1;       ///< batch that was tried
+  std::string refusal = {};      ///< why the batch is refused whose points alone are not; or empty
 };
 
 inline constexpr double same_in_batch = 1e-12;  ///< vectorised and scalar code may differ in the last digits

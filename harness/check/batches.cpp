@@ -96,6 +96,11 @@ TestResult batches(const Specimen& specimen, const BatchFinding& alike) {
     if (finding.wrong == 0) return result;
     result.verdict = Verdict::fail;
     result.cause = causes::of_batch;
+    if (!finding.refusal.empty()) {
+      result.sentence = "a batch of " + std::to_string(finding.n) +
+                        " points that are loaded alike is refused, and a point alone is not: " + finding.refusal;
+      return result;
+    }
     result.sentence = where(finding) + " otherwise than alone, by " + rounded(finding.worst) +
                       " of the largest stress: points of a batch are not worked on apart";
     return result;

@@ -129,7 +129,14 @@ Found other_class_in_loading(const Findings& f) { return of(f, "symmetry_class")
 
 Found isotropy_and_basis(const Findings& f) { return f.failed("basis") ? isotropy_row(f) : std::nullopt; }
 
+/// A body that is held does not relax, and one that turns does, where rounding makes a strain of its turn.
+Found rests_when_held(const Findings& f) {
+  const bool rests = f.failed("step_halving") && f.find("step_halving")->cause == causes::drifts;
+  return rests ? of(f, "step_halving") : std::nullopt;
+}
+
 constexpr Row before[] = {
+    {rests_when_held, Explains::frames, Beside::any},
     {overshoots_beyond_frames, Explains::frames, Beside::any},
     {overshoots, Explains::time, Beside::any},
     {grows, Explains::time, Beside::any},

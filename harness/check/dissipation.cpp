@@ -32,7 +32,8 @@ double out_of_what_was_lost(const Specimen& specimen, const Offer<assay_energy>&
     peak = std::max(peak, lost);
     worst = std::max(worst, peak - lost);
   }
-  return std::isfinite(lost) ? worst / std::max(work.paid(), specimen.least_stress() * specimen.amplitude) : INFINITY;
+  const bool known = std::isfinite(lost);  // what is refused, or no number, the test of the energy tells
+  return known ? worst / std::max(work.paid(), specimen.least_stress() * specimen.amplitude) : 0;
 }
 
 /// From rest, where nothing is stored, out and back the same way in a time [s]: the most that comes out of it at any

@@ -17,10 +17,17 @@ double stored_energy(const Offer<assay_energy>& form, const Tensor& F, const std
 
 namespace {
 
+bool refuses_energy(const Offer<assay_energy>& form, const Tensor& F, const std::vector<double>& state) {
+  double nine[9], value = NAN;
+  for (int c = 0; c < 9; ++c) nine[c] = component(F, c);
+  return form(std::size_t{1}, nine, state.data(), &value) == ASSAY_FAILED;
+}
+
 /// How far P is from the derivative of the energy, over the largest stress.
 struct EnergyError {
   double worst = 0;
   bool depends_on_F = false;
+  bool refused = false;  ///< at a state that was reached
 };
 
 /// The derivative at a fixed state or, where the state is one of the current body (a conformation that goes with F), at
@@ -31,6 +38,7 @@ EnergyError energy_error(const Specimen& specimen, const Offer<assay_energy>& fo
   double worst = 0, scale = specimen.least_stress();
   bool depends_on_F = material.state_size() == 0;
   for (const Sample& s : samples_of(specimen)) {
+    if (refuses_energy(form, s.F1, s.end.state)) return {INFINITY, true, true};
     // Held for a step: without a rate of deformation the stress is that of the energy.
     const Point held = stepped(material, s.t + s.dt, s.dt, s.F1, s.F1, s.end.state);
     const Tensor expected = first_piola_kirchhoff(held.cauchy, s.F1);
@@ -72,6 +80,11 @@ TestResult energy(const Specimen& specimen) {
   const Offer<assay_energy> form(*specimen.material);
   if (!form) return {.id = "energy", .verdict = Verdict::not_applicable, .sentence = "the model offers no energy"};
   const EnergyError found = energy_error(specimen, form, true);
+  if (found.refused) {
+    return {.id = "energy",
+            .verdict = Verdict::not_applicable,
+            .sentence = "the model refuses to give its energy in states that it reaches"};
+  }
   if (!found.depends_on_F) {
     return {.id = "energy",
             .verdict = Verdict::not_applicable,

@@ -150,7 +150,7 @@ TestResult wave_speed(const Specimen& specimen) {
     const bool given = form(density, std::size_t{1}, F, cauchy, s.end.state.data(), &offered) != ASSAY_FAILED;
     const double found =
         fastest_wave(probe_tangent_modulus(material, s.t + s.dt, 0.01 * s.dt, s.F1, s.end.state), s.F1, density);
-    worst = larger(worst, given && std::isfinite(offered) ? 1 - offered / found : INFINITY);
+    worst = larger(worst, given && std::isfinite(offered) && offered >= 0 ? 1 - offered / found : INFINITY);
     largest = std::max(largest, given ? offered / found : 0);
   }
   TestResult result{.id = "wave_speed", .measure = worst, .threshold = most};
@@ -162,7 +162,8 @@ TestResult wave_speed(const Specimen& specimen) {
   result.sentence =
       std::isfinite(worst)
           ? "the fastest wave of probed steps is faster than the offered wave speed, by " + percent(1 / (1 - worst) - 1)
-          : "the model gives no wave speed, or none that is finite, at a state that it has reached";
+          : "the model gives no wave speed, or none that is a finite number of 0 or more, at a state that it has "
+            "reached";
   return result;
 }
 

@@ -80,8 +80,9 @@ TestResult twin_or_tolerance(const Specimen& specimen, const FrameTwins& twins) 
 
 std::optional<ShearOrder> order_by_turns(const Specimen& specimen,
                                          const std::function<bool(const Tensor&, const Loading&)>& is_right) {
-  if (specimen.space.is_plane()) return std::nullopt;
+  constexpr double small_angle = 0.3;
   const Loading still = out_and_back(specimen);
+  if (specimen.space.is_plane() || is_right(specimen.space.turn(small_angle), still)) return std::nullopt;
   const auto right = [&](const Tensor& R) { return is_right(R, still); };
   const Tensor about_diagonal = Eigen::AngleAxisd(turning_angle, Vector3(1, 1, 0).normalized()).toRotationMatrix();
   for (const ShearOrder& order : other_orders) {

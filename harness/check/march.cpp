@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "harness/checked_update.hpp"
+#include "harness/stable_norm.hpp"
 
 namespace assay::check {
 
@@ -38,6 +39,7 @@ March march(const Material& material, const Loading& loading, const MarchOptions
       if (phase + 1 == loading.phases && k + 1 == options.steps) result.last = {t, dt, F0, F1, now.state};
       now = stepped(material, t, dt, F0, F1, now.state);
       result.largest = std::max(result.largest, now.cauchy.cwiseAbs().maxCoeff());
+      result.sizes.push_back(stable_norm(now.cauchy));
       F0 = F1;
     }
     result.marks.push_back(now);

@@ -25,10 +25,12 @@ struct Point {
   std::vector<double> state;
 };
 
-/// Points at the end of each phase, the largest component of stress on the way [Pa], and the last step taken.
+/// Points at the end of each phase; the largest component of stress on the way and the norm of the stress after each
+/// step [Pa]; the last step taken.
 struct March {
   std::vector<Point> marks;
   double largest = 0;
+  std::vector<double> sizes;
   FailedStep last;
 };
 

@@ -29,10 +29,9 @@ std::array<Square, 2> squares() {
 
 /// Once around a square, from rest: the work that comes out of it, over that which was done and returned. For a model
 /// that is in equilibrium at rest none does, whichever way and however fast.
-double out_of_a_square(const Specimen& specimen, const Square& square, bool other_way, double time) {
+double out_of_a_square(const Specimen& specimen, const Square& square, bool other_way, double time, int steps) {
   const Tensor& A = other_way ? square.second : square.first;
   const Tensor& B = other_way ? square.first : square.second;
-  const int steps = specimen.steps();
   Work work(specimen, 0.25 * time / steps);
   for (int k = 1; k <= 4 * steps; ++k) {
     const double along = static_cast<double>(k) / steps;  // corners at the integers
@@ -42,6 +41,37 @@ double out_of_a_square(const Specimen& specimen, const Square& square, bool othe
   }
   const double share = -work.done() / std::max(work.paid(), specimen.least_stress() * specimen.amplitude);
   return std::isfinite(share) ? share : 0;
+}
+
+/// The most that comes out of any of the squares, whichever way and however fast, in so many steps a side.
+double out_of_squares(const Specimen& specimen, const std::vector<double>& times, int steps) {
+  double worst = 0;
+  for (const Square& square : squares()) {
+    for (const bool other_way : {false, true}) {
+      for (const double time : times) {
+        try {
+          worst = std::max(worst, out_of_a_square(specimen, square, other_way, time, steps));
+        } catch (const MaterialFailure&) {  // it may not stand the corners
+        }
+      }
+    }
+  }
+  return worst;
+}
+
+/// The limit for short steps, of work that comes out in usual ones: kinks, and stiffnesses that change within a few
+/// steps, are quadrature's, and fall with the square of the step. What is below `enough` is none.
+double limit_of_short_steps(const Specimen& specimen, const std::vector<double>& times, double usual, double enough) {
+  constexpr int most_steps = 12800, stays_for = 2;  // a side
+  constexpr double falls = 0.6;                     // in two steps for one, at least; beside kinks not each time
+  double least = usual;
+  for (int finer = 2, stays = 0; least > enough && finer * specimen.steps() <= most_steps && stays < stays_for;
+       finer *= 2) {
+    const double found = out_of_squares(specimen, times, finer * specimen.steps());
+    stays = found > falls * least ? stays + 1 : 0;
+    least = std::min(least, found);
+  }
+  return least;
 }
 
 /// Whether the deviator of the Cauchy or of the Kirchhoff stress is linear in a strain, whichever: then the difference
@@ -70,18 +100,9 @@ void judge_potential(const Specimen& specimen, const std::vector<double>& times,
   // Where a Cauchy stress is linear in a strain, J sigma : d has no potential by the change of volume on the way.
   const double of_linear = std::max(0.05, 0.5 * specimen.amplitude);
   const bool by_increments = specimen.material->has(ASSAY_USES_INCREMENT);
-  double worst = 0;
-  for (const Square& square : squares()) {
-    for (const bool other_way : {false, true}) {
-      for (const double time : times) {
-        try {
-          worst = std::max(worst, out_of_a_square(specimen, square, other_way, time));
-        } catch (const MaterialFailure&) {  // it may not stand the corners
-        }
-      }
-    }
-  }
+  double worst = out_of_squares(specimen, times, specimen.steps());
   const bool elastic = specimen.material->path_independent() && !by_increments;
+  if (elastic) worst = limit_of_short_steps(specimen, times, worst, of_steps);
   const double strict = elastic ? of_elastic : of_others;
   const bool linear = by_increments || (worst > strict && is_linear_in_a_strain(specimen));
   const double most = linear ? of_linear : strict;

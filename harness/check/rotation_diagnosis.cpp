@@ -211,7 +211,7 @@ Found left_behind(const Findings& f) {
 
 Found growth_in_revolutions(const Findings& f) {
   if (!f.failed("rotation.revolutions")) return std::nullopt;
-  return Suspicion{causes::explicit_spin, f.find("rotation.revolutions")->sentence};
+  return Suspicion{f.find("rotation.revolutions")->cause, f.find("rotation.revolutions")->sentence};
 }
 
 Found any_turn(const Findings& f) {

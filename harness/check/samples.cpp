@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/check/samples.hpp"
 
+#include <algorithm>
+
 #include "harness/check/repeated_stretch.hpp"
 
 namespace assay::check {
@@ -40,17 +42,18 @@ Sample last_step(const Specimen& specimen, const std::function<Tensor(double)>& 
 
 }  // namespace
 
-std::vector<Sample> samples_at_equal_stretches(const Specimen& specimen) {
+std::vector<Sample> samples_beside_histories(const Specimen& specimen) {
   const double a = specimen.amplitude;
   const auto along_axes = [a](double t) { return Tensor(Vector3(1 + a * t, 1 + a * t, 1 - 0.5 * a * t).asDiagonal()); };
   const auto equal = [&](bool three) {
     return [&, three](double t) { return equal_stretches(specimen.space, a * t, three, 0); };
   };
+  const auto held = [&](double t) { return specimen.space.stretch(a, std::min(2 * t, 1.0)); };
   std::vector<Sample> samples;
   for (const std::function<Tensor(double)>& F :
        {std::function<Tensor(double)>([](double) { return Tensor(Tensor::Identity()); }),
         std::function<Tensor(double)>(along_axes), std::function<Tensor(double)>(equal(false)),
-        std::function<Tensor(double)>(equal(true))}) {
+        std::function<Tensor(double)>(equal(true)), std::function<Tensor(double)>(held)}) {
     try {
       samples.push_back(last_step(specimen, F));
     } catch (const MaterialFailure&) {

@@ -18,8 +18,9 @@ struct Sample {
 /// Of a history that turns while it is strained.
 std::vector<Sample> samples_of(const Specimen& specimen);
 
-/// The last steps of histories whose principal stretches are equal, two or three of them, to rounding and to the last
-/// bit; the first is a step at rest. Those that the material refuses are left out.
-std::vector<Sample> samples_at_equal_stretches(const Specimen& specimen);
+/// Steps that no general history has: at rest; the last steps of histories whose principal stretches are equal, two or
+/// three of them, to rounding and to the last bit; a step in which a loaded body is held. Those that the material
+/// refuses are left out.
+std::vector<Sample> samples_beside_histories(const Specimen& specimen);
 
 }  // namespace assay::check

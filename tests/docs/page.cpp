@@ -81,7 +81,7 @@ Page parse_page(const std::string& path, const std::string& text) {
 
 std::vector<std::string> pages() {
   std::vector<std::string> found{"README.md", "CONTRIBUTING.md"};
-  for (const std::string& path : house::files_in("docs", {".md"}, false)) found.push_back(path);
+  for (const std::string& path : house::files_in("docs", {".md"}, true)) found.push_back(path);
   return found;
 }
 

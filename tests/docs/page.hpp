@@ -37,7 +37,7 @@ struct Page {
 /// Throws std::runtime_error where a fence is not closed.
 Page parse_page(const std::string& path, const std::string& text);
 
-/// README.md, CONTRIBUTING.md and docs/*.md, paths from the root.
+/// README.md, CONTRIBUTING.md and the pages below docs/, paths from the root.
 std::vector<std::string> pages();
 
 }  // namespace assay::docs

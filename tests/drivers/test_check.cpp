@@ -308,14 +308,31 @@ TEST(CheckReport, JUnitShowsTheCauseInTheMessage) {
   EXPECT_NE(xml.find("<skipped message=\"none is offered\"/>"), std::string::npos);
 }
 
-TEST(CheckReport, TextFitsEightyColumnsAndEndsWithTheDiagnosis) {
+TEST(CheckReport, TextFitsEightyColumnsAndBeginsWithVerdictAndCause) {
   for (const Verbosity verbosity : {Verbosity::quiet, Verbosity::normal, Verbosity::verbose}) {
-    std::istringstream page(check_text(broken(), verbosity));
-    std::string line, last;
-    for (; std::getline(page, line); last = line) EXPECT_LE(line.size(), 80u) << line;
-    EXPECT_EQ(last, "    more: assay check --explain \"increment rotation missing\"");
+    for (const Rows rows : {Rows::all, Rows::telling}) {
+      const std::string text = check_text(broken(), verbosity, rows);
+      std::istringstream page(text);
+      for (std::string line; std::getline(page, line);) EXPECT_LE(line.size(), 80u) << line;
+      EXPECT_EQ(text.find("clay: FAIL; "), 0u) << text;
+      const std::size_t cause = text.find("\ndiagnosis: increment rotation missing\n"), table = text.find("\ntest ");
+      EXPECT_NE(text.find("\n    more: assay check --explain \"increment rotation missing\"\n"), text.npos) << text;
+      EXPECT_EQ(table == text.npos, verbosity == Verbosity::quiet);
+      EXPECT_LT(cause, table) << text;
+    }
   }
   EXPECT_EQ(check_text(broken(), Verbosity::quiet).find("rest"), std::string::npos);
+}
+
+TEST(CheckReport, OnATerminalOnlyFailuresAndRemarksHaveARow) {
+  const std::string text = check_text(broken(), Verbosity::normal, Rows::telling);
+  EXPECT_EQ(text.find("\nrest "), text.npos) << text;
+  EXPECT_NE(text.find("FAIL  "), text.npos) << text;
+  EXPECT_NE(text.find("\n(2 others: --verbose)\n"), text.npos) << text;
+  EXPECT_NE(check_text(broken(), Verbosity::verbose, Rows::telling).find("\nrest "), text.npos);
+  CheckedMaterial good;
+  good.report.tests = {{.id = "rest", .sentence = "no stress at rest"}};
+  EXPECT_EQ(check_text(good, Verbosity::normal, Rows::telling).find("\ntest "), text.npos) << "a table without rows";
 }
 
 TEST(CheckReport, ARemarkIsShownWhereItsTestPasses) {

@@ -16,7 +16,8 @@ namespace {
 TEST(CheckMethods, RunsEveryMethodAndSaysItInJsonJUnitAndTheTableOfTheDocuments) {
   const ScratchFolder scratch;
   const std::string json = scratch / "methods.json", junit = scratch / "methods.xml", table = scratch / "methods.md";
-  const Ending ending = assay({"check", "--methods", "--quick", "--json", json, "--junit", junit, "--markdown", table});
+  const Ending ending =
+      assay({"check", "--methods", "--quick", "--verbose", "--json", json, "--junit", junit, "--markdown", table});
   EXPECT_EQ(ending.status, 0) << ending.said;
   const auto found = nlohmann::json::parse(bytes_of(json));
   EXPECT_EQ(found["verdict"], "pass");
@@ -48,7 +49,9 @@ TEST(CheckMethods, RunsEveryMethodAndSaysItInJsonJUnitAndTheTableOfTheDocuments)
 
   std::istringstream page(ending.said);
   std::string line, method;
-  for (std::getline(page, line); std::getline(page, line) && !line.empty();) {
+  for (int skipped = 0; skipped < 3; ++skipped) std::getline(page, line);  // verdict, blank line, head of the table
+  while (std::getline(page, line) && !line.empty()) {
+    if (line.starts_with("    ")) continue;  // a sentence
     if (line[0] != ' ') {
       method = line;
       continue;
@@ -130,15 +133,29 @@ TEST(MethodsReport, TextFitsEightyColumnsAndShowsWhatFails) {
   for (const Verbosity verbosity : {Verbosity::quiet, Verbosity::normal, Verbosity::verbose}) {
     const std::string text = methods_text(broken(), verbosity);
     std::istringstream page(text);
-    std::string line, last;
-    for (; std::getline(page, line); last = line) EXPECT_LE(line.size(), 80u) << line;
-    EXPECT_EQ(last, "methods: FAIL; 1 method, 1 tests passed, 1 failed, 1 not promised");
+    for (std::string line; std::getline(page, line);) EXPECT_LE(line.size(), 80u) << line;
+    EXPECT_TRUE(text.starts_with("methods: FAIL; 1 method, 1 tests passed, 1 failed, 1 not promised\n")) << text;
     EXPECT_EQ(text.find("unstable & gone") != std::string::npos, verbosity != Verbosity::quiet);
     EXPECT_EQ(text.find("holes") != std::string::npos, verbosity == Verbosity::verbose);
   }
   const std::string text = methods_text(broken(), Verbosity::normal);
   EXPECT_NE(text.find("cpdi/flip/usl\n  weights.unity"), std::string::npos) << text;
   EXPECT_NE(text.find("  rotation.displacement    FAIL     infinite   0.004     0\n"), std::string::npos) << text;
+}
+
+TEST(MethodsReport, ManyMethodsAreCountedByBasisAndFailuresShown) {
+  CheckedMethods two = broken();
+  two.methods.push_back(two.methods.front());
+  two.methods.back().method.basis = mpm::Basis::linear;
+  const std::string text = methods_text(two, Verbosity::normal), all = methods_text(two, Verbosity::verbose);
+  EXPECT_TRUE(text.starts_with("methods: FAIL; 2 methods, 2 tests passed, 2 failed, 2 not promised\n")) << text;
+  for (const char* line : {"\n  rotation.displacement    FAIL     infinite   0.004     0\n", "unstable & gone",
+                           "\n  cpdi, updated            1        1          1         1\n",
+                           "\n  linear, updated          1        1          1         1\n"}) {
+    EXPECT_NE(text.find(line), text.npos) << line << text;
+  }
+  EXPECT_EQ(text.find("weights.unity"), text.npos) << text;
+  EXPECT_NE(all.find("  weights.unity"), all.npos) << all;
 }
 
 TEST(MethodsReport, JsonHasNoNumberForWhatIsInfiniteAndJUnitNamesTheCause) {

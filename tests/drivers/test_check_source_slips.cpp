@@ -157,11 +157,49 @@ std::string neo_hookean_in_order(const std::string& rows, const std::string& col
          "     3      +DK(J,L)*S(I,K))\n";
 }
 
+/// The points of a VUMAT, but for those beyond that one.
+std::string points_up_to(const std::string& last) {
+  std::string text = points("");
+  return text.replace(text.find("K=1,NBLOCK"), 10, "K=1," + last);
+}
+
+const std::string returns_when_held = "      IF (ALL(DSTRAN.EQ.0.D0)) RETURN\n";
+const std::string returns_when_held_under_load = "      IF (ALL(DSTRAN.EQ.0.D0).AND.ANY(STRESS.NE.0.D0)) RETURN\n";
+
+/// Plasticity with a back stress in STATEV(1:6), turned as a stress (1) or as a strain (2).
+std::string back_stress(const std::string& kind) {
+  return "      DIMENSION S(6),A(6)\n" + moduli + tangent + "      CALL ROTSIG(STATEV(1),DROT,A," + kind +
+         ",3,3)\n"
+         "      STRESS=STRESS+MATMUL(DDSDDE,DSTRAN)\n"
+         "      S=STRESS\n"
+         "      S(1:3)=S(1:3)-SUM(STRESS(1:3))/3.D0\n"
+         "      S=S-A\n"
+         "      Q=SQRT(1.5D0*(SUM(S(1:3)**2)+2.D0*SUM(S(4:6)**2)))\n"
+         "      IF (Q.GT.PROPS(3)) THEN\n"
+         "        DP=(Q-PROPS(3))/(3.D0*G+PROPS(4))\n"
+         "        STRESS=STRESS-3.D0*G*DP*S/Q\n"
+         "        A=A+PROPS(4)*DP*S/Q\n"
+         "      END IF\n"
+         "      STATEV(1:6)=A\n";
+}
+
+/// A stress that relaxes, kept in STATEV(1:6) besides.
+std::string overstress(const std::string& kind) {
+  return "      DIMENSION A(6),E(6)\n" + moduli + tangent + "      CALL ROTSIG(STATEV(1),DROT,A," + kind +
+         ",3,3)\n"
+         "      E=DSTRAN\n"
+         "      E(1:3)=2.D0*(E(1:3)-SUM(DSTRAN(1:3))/3.D0)\n"
+         "      X=EXP(-DTIME/PROPS(3))\n"
+         "      STATEV(1:6)=X*(A+.5D0*G*E)\n"
+         "      STRESS=STRESS-A+MATMUL(DDSDDE,DSTRAN)+STATEV(1:6)\n";
+}
+
 struct Source {
   std::string name, text;
   const char* properties;
   const char* cause;  // of the first diagnosis; empty: passes
   const char* words;  // in its sentence
+  const char* statev = "";
 };
 
 void PrintTo(const Source& source, std::ostream* to) { *to << source.name; }
@@ -197,8 +235,10 @@ TEST_P(SourceSlip, IsNamed) {
   if (!has_foreign("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
   const ScratchFolder scratch;
   const std::string file = scratch.write("law.f", GetParam().text);
-  const Ending check = assay(
-      {"check", file, "--props", GetParam().properties, "--quick", "--json", scratch / "c.json", "-o", scratch / "r"});
+  std::vector<std::string> words{
+      "check", file, "--props", GetParam().properties, "--quick", "--json", scratch / "c.json", "-o", scratch / "r"};
+  if (*GetParam().statev) words.insert(words.end(), {"--statev", GetParam().statev});
+  const Ending check = assay(words);
   const bool is_right = *GetParam().cause == '\0';
   EXPECT_EQ(check.status, is_right ? 0 : 1) << check.said;
   const auto found = nlohmann::json::parse(bytes_of(scratch / "c.json"));
@@ -277,6 +317,25 @@ INSTANTIATE_TEST_SUITE_P(
                "its relaxation is explicit"},
         Source{"clock_in_the_stress", fixed_umat(moduli + hooke + "      STRESS(1)=STRESS(1)*(1.D0+TIME(1))\n"),
                "1e3,.3", check::causes::clock, ""},
+        Source{"vumat_of_64_points", vumat(moduli + points_up_to("MIN(NBLOCK,64)")), "1e3,.3", check::causes::overrun,
+               "leaves stressNew 11 unwritten, or makes it of itself, of point 65 of 128"},
+        Source{"vumat_of_three_points", vumat(moduli + points_up_to("MIN(NBLOCK,3)")), "1e3,.3", check::causes::overrun,
+               "of point 4 of 7"},
+        Source{"vumat_of_whole_fours", vumat(moduli + points_up_to("MAX(1,NBLOCK-MOD(NBLOCK,4))")), "1e3,.3",
+               check::causes::overrun, "of point 5 of 7"},
+        Source{"no_moduli_at_rest", fixed_umat(returns_when_held + moduli + hooke), "1e3,.3",
+               check::causes::tangent_wrong, "in a step in which nothing moves"},
+        Source{"no_moduli_when_held", fixed_umat(returns_when_held_under_load + moduli + hooke), "1e3,.3",
+               check::causes::tangent_wrong, "in a step in which nothing moves"},
+        Source{"moduli_when_held",
+               fixed_umat(moduli + tangent + returns_when_held + "      STRESS=STRESS+MATMUL(DDSDDE,DSTRAN)\n"),
+               "1e3,.3", "", ""},
+        Source{"back_stress_as_a_strain", fixed_umat(back_stress("2")), "1e3,.3,10,100", check::causes::shear_factor,
+               "'STATEV(1:6)' of the state are doubled or halved", "6"},
+        Source{"overstress_as_a_strain", fixed_umat(overstress("2")), "1e3,.3,10", check::causes::shear_factor,
+               "'STATEV(1:6)' of the state are doubled or halved", "6"},
+        Source{"back_stress_as_a_stress", fixed_umat(back_stress("1")), "1e3,.3,10,100", check::causes::tangent_wrong,
+               "that of elasticity at rest", "6"},
         // 9.6 MB of the stack, which a thread of Abaqus has
         Source{"a_large_local_array",
                fixed_umat("      DIMENSION BIG(1200000)\n" + moduli + hooke +

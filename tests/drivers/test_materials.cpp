@@ -13,12 +13,31 @@ namespace {
 
 class Materials : public RegistryTest {
  protected:
-  static std::string printed(const std::string& name, bool json = false) {
+  static std::string listed(const MaterialsOptions& options) {
     testing::internal::CaptureStdout();
-    EXPECT_EQ(materials({name, json}), 0);
+    EXPECT_EQ(materials(options), 0);
     return testing::internal::GetCapturedStdout();
   }
+  static std::string printed(const std::string& name, bool json = false) {
+    return listed({.name = name, .json = json});
+  }
 };
+
+TEST_F(Materials, AreListedALineEach) {
+  const std::string page = listed({}), quiet = listed({.verbosity = Verbosity::quiet});
+  EXPECT_TRUE(page.starts_with(quiet)) << page;
+  EXPECT_TRUE(page.ends_with("\nassay materials NAME shows parameters, units, bounds and state.\n")) << page;
+  std::istringstream lines(quiet);
+  std::string names;
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line); ++count) {
+    EXPECT_LE(line.size(), 80u) << line;
+    names += line.substr(0, line.find(' ')) + "\n";
+  }
+  EXPECT_EQ(count, adapters::builtin_tables().size());
+  EXPECT_NE(quiet.find("\nneo_hookean  "), quiet.npos) << quiet;
+  EXPECT_EQ(names, listed({.names = true}));
+}
 
 TEST_F(Materials, OnePageSaysEverything) {
   EXPECT_EQ(printed("neo_hookean"),
@@ -73,7 +92,8 @@ TEST_F(Materials, ABrokenEntryDoesNotHideTheOthers) {
   write("data/materials/gone.yaml", "library: /absent.so\n");
   write("data/materials/soft.yaml",
         "library: " + plugins + "two_models.so\nname: first\nparameters: {modulus: 5}\ndensity: 7\n");
-  const std::string page = printed("");
+  EXPECT_NE(printed("").find("gone: broken\n"), std::string::npos);
+  const std::string page = listed({.verbosity = Verbosity::verbose});
   EXPECT_NE(page.find("gone: broken\n"), std::string::npos) << page;
   EXPECT_NE(page.find("soft 0.1 (model first): test model\n"), std::string::npos) << page;
   EXPECT_NE(page.find("  density  7 kg/m^3\n"), std::string::npos);

@@ -170,6 +170,26 @@ TEST(OpenFiles, OfWhichThereAreTooFewAreNoPass) {
   }
 }
 
+/// Whoever has so few could not clear away what is staged.
+TEST(OpenFiles, OfWhichThereAreTooFewAreNoRun) {
+  for (const rlim_t most : {5, 7, 16}) {
+    const ScratchFolder scratch;
+    const std::string scene = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/vortex_cpdi.yaml";
+    const Ending ending =
+        assay({"run", scene, "--set", "grid.spacing=0.125", "--set", "expect={}", "-o", scratch / "r"}, [&] {
+          const rlimit limit{most, most};
+          ::setrlimit(RLIMIT_NOFILE, &limit);
+        });
+    EXPECT_EQ(ending.status, most < 8 ? 3 : 0) << ending.said;
+    if (most < 8) {
+      EXPECT_EQ(ending.said, "open files are limited to " + std::to_string(most) + " (ulimit -n), and 8 are needed\n");
+    }
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(scratch / "")) {
+      EXPECT_FALSE(entry.path().filename().string().starts_with(".assay")) << entry.path();
+    }
+  }
+}
+
 TEST(KilledByItself, IsTheModelsDeed) {
   const Misdeeds the;
   std::vector<std::string> words = the.run_words(the.library);

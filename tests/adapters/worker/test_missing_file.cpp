@@ -26,6 +26,9 @@ TEST(MissingFile, IsNamedFromWhatFortranPrints) {
 }
 
 TEST(MissingFile, IsNamedFromWhatOthersPrint) {
+  EXPECT_NE(missing_file_words("PAUSE x\nTo resume execution, type go.  Other input will terminate the job.\n")
+                .find("PAUSE waits for standard input"),
+            std::string::npos);
   EXPECT_NE(missing_file_words("table.csv: No such file or directory\n").find("files: [table.csv]"), std::string::npos);
   EXPECT_NE(missing_file_words("fopen: No such file or directory\n").find("`files` in its description"),
             std::string::npos);

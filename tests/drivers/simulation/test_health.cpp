@@ -116,6 +116,9 @@ TEST(DyingRun, IsToldWhatLivesThroughMore) {
       "method={basis: bspline2, formulation: total, transfer: aflip, mass: series, terms: 4, integrator: leapfrog, ";
   EXPECT_NE(advice({}).find(recommended.substr(8, 60)), std::string::npos) << advice({});
   const auto holds = [](const std::string& text, const std::string& part) { return text.find(part) != text.npos; };
+  const std::string left = advice_after_death(
+      assemble(scene_from_text(watched_scene, "w.yaml", {"force={response: none}"}), 1), "a particle left the grid");
+  EXPECT_TRUE(holds(left, "grid.lower and grid.upper")) << left;
   EXPECT_TRUE(holds(advice({recommended + "courant: 0.8}"}), "(method.courant: 0.4)"));
   EXPECT_EQ(advice({recommended + "courant: 0.4}"}), "");
   EXPECT_TRUE(

@@ -142,5 +142,21 @@ TEST(LongStudyFailures, ACrashElsewhereComesWithAMerge) {
   EXPECT_EQ(same_in_every_run(small.scratch / "out"), same_in_every_run(small.scratch / "whole"));
 }
 
+/// Not after hours of work, and without a trace.
+TEST(StudyFolder, OfARunIsRefusedBeforeACaseIsRun) {
+  const std::string study = std::string(ASSAY_SOURCE_DIR) + "/configs/studies/quick.yaml";
+  for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--shard", "1/2"}, {"--merge"}}) {
+    const ScratchFolder scratch;
+    const std::string file = scratch.write("result.json", "{}");
+    std::vector<std::string> words{"study", study, "-o", scratch / ""};
+    words.insert(words.end(), more.begin(), more.end());
+    const Ending ending = assay(words);
+    EXPECT_EQ(ending.status, 2) << ending.said;
+    EXPECT_NE(ending.said.find("holds the results of a run (result.json)"), std::string::npos) << ending.said;
+    const std::filesystem::directory_iterator entries(scratch / ""), end;
+    EXPECT_EQ(std::distance(entries, end), 1) << "result.json alone";
+  }
+}
+
 }  // namespace
 }  // namespace assay::drivers::test_study_failures

@@ -51,9 +51,9 @@ TEST(StudyMarkdown, of_survival_names_methods_in_place_of_costs) {
   StudyFindings findings = two_method_study();
   findings.asks_survival = true;
   const std::string text = study_markdown(findings);
-  EXPECT_NE(text.find("## Which method lives through most\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("## Which method completes the most cases\n"), std::string::npos) << text;
   EXPECT_NE(text.find("| B2, AFLIP | 3 of 3 | 0 | 0 | 0 | 1 |\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("## What holds and what dies\n"), std::string::npos);
+  EXPECT_NE(text.find("## What completes and what does not\n"), std::string::npos);
   EXPECT_EQ(text.find("next digit"), std::string::npos);
   EXPECT_EQ(text.find("front"), std::string::npos);
 }

@@ -31,7 +31,7 @@ TEST(StudyReport, question_and_answer_come_first) {
                            "<h2>Errors over time",
                            "<h2>Orders of convergence",
                            "<h2>Particles",
-                           "<h2>What holds and what dies",
+                           "<h2>What completes and what does not",
                            "<h2>Where the error comes from",
                            "<h2>Where its time went",
                            "<h2>Expectations",
@@ -54,8 +54,8 @@ TEST(StudyReport, of_survival_begins_with_the_methods_that_live) {
   const std::string page = study_report_html(findings, {});
   std::size_t last = 0;
   for (const char* text :
-       {"Which is cheaper?", "<b>3 of 3</b>", "B2, AFLIP", "<h2>Which method lives through most", "<h2>The map", "<svg",
-        "<h2>What holds and what dies", "<h2>Expectations", "<h2>Where it comes from"}) {
+       {"Which is cheaper?", "<b>3 of 3</b>", "B2, AFLIP", "<h2>Which method completes the most cases", "<h2>The map", "<svg",
+        "<h2>What completes and what does not", "<h2>Expectations", "<h2>Where it comes from"}) {
     const std::size_t at = place_in(page, text);
     EXPECT_GT(at, last) << text;
     last = at;

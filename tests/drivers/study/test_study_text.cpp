@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <sstream>
 
 #include "tests/drivers/study/sample_study.hpp"
@@ -79,7 +80,7 @@ TEST(StudyText, ACaseThatHasEndedIsOneLine) {
 TEST(StudyText, TellsTheAnswerFirst) {
   const StudyFindings findings = two_method_study();
   const std::string text = study_text(findings, "results/two");
-  const char* lines[] = {"Two methods: 8 completed, 1 unstable, 1 n/a\n",
+  const char* lines[] = {"Two methods: 8 completed, 1 unstable, 1 n/a: AS EXPECTED\n",
                          "  Which is cheaper?\n",
                          "  error: largest L2 error of u over the largest |u|; cost:",
                          "  error     costs     one more  the cheapest case that was measured\n",
@@ -115,10 +116,34 @@ TEST(StudyText, SaysWhatFailsAndWhatNobodyExpected) {
   EXPECT_TRUE(says(text, "NOT AS EXPECTED; results in r"));
   findings.expect.clear();
   text = study_text(findings, "r");
-  EXPECT_TRUE(says(text, "NOTHING EXPECTED; results in r"));
+  EXPECT_TRUE(says(text, "NOTHING WAS EXPECTED; results in r"));
   EXPECT_EQ(text.find("expectations hold"), text.npos);
   findings.cases[0].outcome = "missing";
   EXPECT_TRUE(says(study_text(findings, "r"), "NOT AS EXPECTED; results in r")) << "a case is missing";
+}
+
+TEST(StudyText, FailuresComeBeforeTheAnswer) {
+  StudyFindings findings = two_method_study();
+  findings.expect.push_back({"CPDI, FLIP", {"order", "above 2.5", "2.00000001", false}});
+  const std::string text = study_text(findings, "r");
+  EXPECT_TRUE(text.starts_with("Two methods: 8 completed, 1 unstable, 1 n/a: NOT AS EXPECTED\n  FAILS order ")) << text;
+}
+
+TEST(StudyText, LongLabelsGoOnBelowAndAreNotCut) {
+  StudyFindings findings = two_method_study();
+  const std::string label = "total B2, AFLIP, k=4, grid.spacing=0.0234375, body.lattice=jittered, method.courant=0.2";
+  for (StudyCase& one : findings.cases) one.label = label;
+  std::string joined, line;
+  for (std::istringstream page(study_text(findings, "r") + case_line(findings, findings.cases[0], 1, 10));
+       std::getline(page, line);) {
+    EXPECT_LE(line.size(), 81u) << line;  // a multiplication sign has two bytes
+    joined += " " + line;
+  }
+  joined = std::regex_replace(joined, std::regex(" +"), " ");
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = joined.find(label, at)) != joined.npos; ++at) ++count;
+  EXPECT_GE(count, findings.front.size() + 3) << joined;
+  EXPECT_EQ(joined.find("..."), joined.npos);
 }
 
 TEST(StudyText, PublishedOrdersStandBelowOurs) {
