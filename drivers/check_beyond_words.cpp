@@ -92,7 +92,7 @@ std::string ranges_of(const std::vector<std::ptrdiff_t>& indices) {
 
 BeyondFinding judged_beyond(const Beyonds& found) {
   BeyondFinding finding{{.id = beyond_test, .measure = 0, .threshold = 0}, {}};
-  finding.test.sentence = "no step reads or writes what stands beyond the arrays that are handed over";
+  finding.test.sentence = "no step reads or writes beyond the arrays that are passed to it";
   const Places read = by_array(found.read), written = by_array(found.written);
   for (const auto& [array, place] : read) {
     const bool of_the_state = is_of_state(array), behind = place.indices.back() > 0;

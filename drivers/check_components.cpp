@@ -131,7 +131,7 @@ std::string words_of(const CheckedMaterial& checked, const CheckedMaterial& four
   const bool reaches_more = count(four, check::Verdict::pass) > 2 * count(checked, check::Verdict::pass) ||
                             2 * count(four, check::Verdict::fail) < count(checked, check::Verdict::fail);
   if (!reaches_more || four.report.diagnosis.empty() || may_overrun(four.report)) return "";
-  return key + "it can be judged, and fails otherwise: " + four.report.diagnosis.front().cause;
+  return key + "it can be judged, and fails for another reason: " + four.report.diagnosis.front().cause;
 }
 
 }  // namespace
@@ -145,11 +145,10 @@ void judge_components(CheckedMaterial& checked, const check::Effort& effort, con
   const Fills fills = filled_by(*umat, {checked.parameters.begin(), checked.parameters.end()});
   if (fills == Fills::plane_stress) {
     checked.unsuitable = true;
-    checked.error =
-        checked.name +
-        ": it has three components of stress alone, as in plane stress (11, 22 and 12) or in a cohesive layer: "
-        "DSTRAN(3) "
-        "makes STRESS(3), and nothing else does. assay drives plane strain and three dimensions, and cannot judge it";
+    checked.error = checked.name +
+                    ": it has only three components of stress, as in plane stress (11, 22 and 12) or in a cohesive "
+                    "layer: STRESS(3) depends on DSTRAN(3) alone. assay tests plane strain and three dimensions, so it "
+                    "cannot judge this model";
     return;
   }
   if (passes || umat->model.components_are_said || fills == Fills::six) return;

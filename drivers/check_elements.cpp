@@ -117,14 +117,15 @@ void judge_elements(const ResolvedMaterial& material, check::Report& report) {
   const bool umat = model->interface == adapters::ForeignInterface::umat;
   std::string words = std::string("the model keeps a state by ") + (umat ? "NOEL" : "the number of the element") +
                       " outside of " + (umat ? "STATEV" : "stateNew") +
-                      ": two bodies in turn are as each alone where each has an element of its own, and are not in one "
-                      "element; ";
+                      ": two bodies in turn behave as each body alone if they have different elements, and differently "
+                      "if they share one; ";
   if (umat) {
-    words += model->each_its_element
-                 ? "elements: each serves runs that take each point once a step, as no implicit program does, but "
-                 : "elements: each in its description gives each point of a run its own, but ";
+    words +=
+        model->each_its_element
+            ? "elements: each is enough for runs that take each point once a step, which no implicit program does, but "
+            : "elements: each in its description gives each point of a run its own, but ";
   }
-  say_instead(report, *test, words + "a step that is taken again, as the tests take it, has another answer");
+  say_instead(report, *test, words + "a step that is repeated, as in the tests, has another result");
 }
 
 }  // namespace assay::drivers

@@ -68,7 +68,7 @@ void judge_energies(const ResolvedMaterial& material, check::Report& report) {
     test->verdict = check::Verdict::fail;
     test->cause = check::causes::energy;
     if (apart <= most)
-      test->sentence = "enerInternNew falls where the stress does work, and grows where it gives work back";
+      test->sentence = "enerInternNew falls when the stress does work, and grows when it gives work back";
     else if (extension_share == 0)
       test->sentence = "enerInternNew counts the work of a shear, and none of that of an extension";
     else

@@ -174,7 +174,8 @@ void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& repo
   if (turns_wrongly(report)) {
     test->verdict = check::Verdict::not_applicable;
     test->cause.clear();
-    test->sentence = before + "; not to be judged beside what does not turn, by which DDSDDE is converted";
+    test->sentence =
+        before + "; it cannot be judged before the rotation is repaired, because assay converts DDSDDE with it";
     std::erase_if(report.diagnosis, [&](const check::Diagnosis& d) { return d.sentence == before; });
     return;
   }
@@ -194,16 +195,17 @@ void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& repo
   }
   std::erase_if(report.diagnosis, [&](const check::Diagnosis& d) { return d.sentence == before; });
   *test = *passed;
-  test->sentence = check::remark_words + strain_words(*model) +
-                   ". Its description says nothing, and both were tried: strain: " + strain_word(model->finite_strain) +
-                   " settles it";
+  test->sentence =
+      check::remark_words + strain_words(*model) +
+      ". The description does not say which, and both were tried: with strain: " + strain_word(model->finite_strain) +
+      " it passes, so declare that";
 }
 
 std::vector<std::string> foreign_not_tested(const ResolvedMaterial& material) {
   const std::optional<ForeignModel>& model = material.foreign;
   if (!model) return {};
   const std::string fields = model->fields.empty() ? "" : " and fields";
-  return {"other temperatures" + fields + " (they are constant)"};
+  return {"other temperatures" + fields + " (the tests keep them constant)"};
 }
 
 void tell_initial_values(const ResolvedMaterial& material, check::Report& report) {
@@ -212,7 +214,7 @@ void tell_initial_values(const ResolvedMaterial& material, check::Report& report
   if (name.empty()) return;
   say_instead(report, *loading,
               loading->sentence + "; " + name +
-                  " of its state begins at zero, where its description may say otherwise: state: {" + name +
+                  " of the state begins at zero; to give it another initial value, declare state: {" + name +
                   ": {initial: [1, 1, 1, 0, 0, 0, 0, 0, 0]}}");
 }
 

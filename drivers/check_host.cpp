@@ -190,8 +190,8 @@ std::string how_much(const HostEffect& effect, const std::string& words) {
          : !effect.taken                ? "another step is refused " + words
          : effect.stress > from_nothing ? "a stress where there was none " + words
          : effect.stress > 0            ? check::percent(effect.stress) + " " + words
-         : effect.tangent > 0           ? "its tangent " + words
-                                        : "its state " + words;
+         : effect.tangent > 0           ? "another tangent " + words
+                                        : "another state " + words;
 }
 
 /// The first that tells most: tables end somewhere, and what stands behind them tells nothing.
@@ -225,7 +225,7 @@ void add_failure(const HostVariation& variation, const HostEffect& effect, const
 void tell_dependences(const HostFinding& finding, check::TestResult& test) {
   for (const Dependence& each : finding.depends_on) {
     test.sentence += "; depends on " + each.on + ": " + each.how;
-    if (is_element(each.on)) test.sentence += "; `noel:` of its description says which element";
+    if (is_element(each.on)) test.sentence += "; `noel:` in its description sets the element";
   }
 }
 
@@ -257,7 +257,7 @@ std::optional<HostFinding> depends_on_host(const ResolvedMaterial& material, dou
     finding.test.sentence = "there are no steps that could be taken again";
     return finding;
   }
-  finding.test.sentence = "a step is the same whatever the host counts";
+  finding.test.sentence = "the result does not depend on counters of the host";
   std::string kept;
   bool counter_matters = false;
   for (std::size_t k = 0; k < all.size(); ++k) {

@@ -23,9 +23,9 @@ namespace {
 std::string how_it_ended_alone(const Child& child, double limit_s) {
   switch (child.excess) {
     case Child::Excess::call:
-      return "did not come back from one call within " + rounded_text(child.limits.seconds, 3) + " s";
+      return "did not return from a call within " + rounded_text(child.limits.seconds, 3) + " s";
     case Child::Excess::time:
-      return "came back from each of its calls, and the tests were not done within " + rounded_text(limit_s, 3) + " s";
+      return "returned from each call, but the tests were not done within " + rounded_text(limit_s, 3) + " s";
     case Child::Excess::memory:
       return "took more than " + rounded_text(child.limits.gigabytes, 3) + " GB of memory";
     case Child::Excess::none:
@@ -35,10 +35,10 @@ std::string how_it_ended_alone(const Child& child, double limit_s) {
   if (!child.over) return "closed the files of the process";
   if (child.claim == adapters::Death::ended) return child.words;
   if (WIFSIGNALED(child.status)) {
-    return "died of signal " + std::to_string(WTERMSIG(child.status)) +
+    return "was ended by signal " + std::to_string(WTERMSIG(child.status)) +
            (child.claim == adapters::Death::stack       ? ": the stack overflowed"
-            : child.claim == adapters::Death::null      ? ": a null pointer was followed"
-            : child.claim == adapters::Death::unaligned ? ": an address that is not aligned was followed"
+            : child.claim == adapters::Death::null      ? ": it used a null pointer"
+            : child.claim == adapters::Death::unaligned ? ": it used an address that is not aligned"
                                                         : std::string(" (") + strsignal(WTERMSIG(child.status)) + ")");
   }
   return "ended the process with status " + std::to_string(WEXITSTATUS(child.status));
@@ -67,7 +67,7 @@ CheckedMaterial with_end(CheckedMaterial checked, const Child& child, double lim
   const check::TestResult end{.id = process_test,
                               .verdict = check::Verdict::fail,
                               .cause = check::causes::ends_process,
-                              .sentence = how_it_ended(child, limit_s) + ", behind the last test"};
+                              .sentence = how_it_ended(child, limit_s) + ", after the last test"};
   std::erase_if(checked.report.tests, [](const check::TestResult& test) { return test.id == process_test; });
   checked.report.tests.push_back(end);
   checked.report.diagnosis.push_back({end.cause, end.sentence});
@@ -95,18 +95,16 @@ CheckedMaterial result_of(const Child& child, const CheckTask& task, double limi
   if (whole && child.excess == Child::Excess::none) return *whole;
   if (child.excess == Child::Excess::time) {
     checked.unsuitable = true;
-    checked.error =
-        task.name + ": " + how_it_ended(child, limit_s) + ", in the test " + test +
-        ": it is too slow to be judged. What a call does besides (files, commands, prints) may take its time";
+    checked.error = task.name + ": " + how_it_ended(child, limit_s) + ", in the test " + test +
+                    ": it is too slow to be judged. Files, commands or output in each call may take the time";
     return checked;
   }
   const std::string last = adapters::last_line(child.output->text());
   const std::string missing = adapters::missing_file_words(child.output->text());
   std::string sentence =
-      how_it_ended(child, limit_s) + " in the test " + test +
-      (last.empty() ? "" : "; the last that it printed: " + last) +
+      how_it_ended(child, limit_s) + " in the test " + test + (last.empty() ? "" : "; its last output: " + last) +
       (missing.empty() && gave_up(child) && !task.strain_is_asked && last.find("runtime error") == last.npos
-           ? "; it may stand a smaller --strain"
+           ? "; a smaller --strain may avoid this"
            : missing);
   if (last.starts_with(no_memory_words)) sentence = last + ", in the test " + test;
   const char* cause =
@@ -129,7 +127,7 @@ void refuse_lack_of_processor_time(const Child& child) {
   const int signal = WTERMSIG(child.status);
   const std::string limit = adapters::processor_limit();
   if (!limit.empty() && (signal == SIGXCPU || signal == SIGKILL))
-    throw SystemError("the process of a check died of signal " + std::to_string(signal) + ": " + limit);
+    throw SystemError("the process of a check was ended by signal " + std::to_string(signal) + ": " + limit);
 }
 
 /// How many tests have begun in a child, and the id of the last.
@@ -215,7 +213,7 @@ std::vector<CheckedMaterial> check_in_processes(const std::vector<CheckTask>& ta
     if (const auto before = killed.find(child.task); before != killed.end()) {
       if (before->second != test)  // a model kills itself again and again
         throw SystemError(
-            "the process of a check was killed (signal 9) from outside, as the system does where memory is short");
+            "the process of a check was killed (signal 9) from outside, as the system does if memory is short");
     } else if (!test.empty()) {
       killed[child.task] = test;
       running.all.push_back(start_child(tasks, child.task, how.limit_s));

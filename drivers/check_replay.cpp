@@ -34,7 +34,7 @@ check::TestResult step_again(const Material& material, const FailedStep& step) {
   result.verdict = check::Verdict::pass;
   result.sentence = "the step is taken; stress 11, 22, 33, 12, 13, 23 [Pa]:";
   for (const int c : {0, 4, 8, 1, 2, 5}) result.sentence += " " + rounded_text(cauchy[c], 6);
-  result.sentence += ". If nothing was changed since, it failed after calls that this replay does not make";
+  result.sentence += ". If nothing has changed since, the failure needs earlier calls, which this replay does not make";
   return result;
 }
 
@@ -66,7 +66,7 @@ int check_replay(const CheckOptions& options) {
   const bool known = !replay.library_sha256.empty();
   if (known && replay_of(resolved, {}, "").library_sha256 != replay.library_sha256 &&
       options.verbosity != Verbosity::quiet) {
-    warn(resolved.library + " is not the library of the failure: it has changed");
+    warn(resolved.library + " has changed since the failure");
   }
   watch_interrupts();
   const CheckTask task{
@@ -75,7 +75,8 @@ int check_replay(const CheckOptions& options) {
       adapters::start_of(&resolved.material.table()).limits};
   CheckedMaterial checked = check_in_processes({task}, {}).front();
   judge_printing(checked);
-  const std::string text = wrapped(replay.reason, "it was: ", "    ") + "\n" + check_text(checked, Verbosity::verbose);
+  const std::string text =
+      wrapped(replay.reason, "the failure was: ", "    ") + "\n" + check_text(checked, Verbosity::verbose);
   tell(options, text, check_json(checked), check_junit({checked}));
   if (checked.unsuitable) throw InputError(checked.error);
   if (!checked.error.empty()) throw SystemError(checked.error);

@@ -134,7 +134,8 @@ std::string check_text(const CheckedMaterial& checked, Verbosity verbosity, Rows
     page += wrapped(not_tested(checked.report), "not tested: ", "    ");
   }
   if (!checked.of_example.empty()) {
-    page += wrapped(example_values(checked), "required and not given, from the model's own example: ", "    ");
+    page +=
+        wrapped(example_values(checked), "required parameters that were not given, from the model's example: ", "    ");
   }
   if (verbosity != Verbosity::quiet) page += table_of(checked, verbosity, rows);
   if (verbosity == Verbosity::verbose && !checked.printed.empty()) page += "the model printed:\n" + checked.printed;

@@ -80,9 +80,8 @@ Dependence say_rate(check::Report& report, double effect) {
   for (check::TestResult& test : report.tests) {
     if (test.id != clock_test || test.verdict == check::Verdict::fail) continue;
     test.sentence += std::string("; ") + check::remark_words +
-                     "its stress depends on the length of a step, and it holds the tests of a material that depends on "
-                     "the rate. Nothing is declared: flags: [rate_dependent] settles it, and flags: [] where no rate "
-                     "is meant to matter";
+                     "the stress depends on the length of a step, and the model passes the tests of a rate-dependent "
+                     "material. Declare flags: [rate_dependent], or flags: [] if the rate is not meant to matter";
   }
   const std::string share = effect < 1 ? check::percent(effect) : check::rounded(effect) + " times itself";
   return {"the rate", share + "; flags: [rate_dependent] declares it"};
@@ -112,10 +111,10 @@ void hint_symmetry(const ResolvedMaterial& material, check::Report& report) {
   }
   const std::string sentence = found->sentence;
   say_also(report, sentence,
-           "; nobody has declared its symmetry, and it was taken for isotropic: `symmetry: anisotropic`" +
+           "; no symmetry is declared, so it was tested as isotropic: `symmetry: anisotropic`" +
                (alone     ? std::string(", with which it passes, declares directions of its own")
                 : turning ? " and " + axes
-                          : ", where directions of its own are meant, does not make it pass"));
+                          : ", for a material with directions of its own, does not make it pass"));
 }
 
 }  // namespace assay::drivers

@@ -113,8 +113,8 @@ TestResult not_applicable(const std::string& why) {
 TestResult judged(double error, std::optional<double> other, std::optional<double> ellipticity) {
   TestResult result{.id = vortex_test, .measure = error, .threshold = std::max(enough, most * other.value_or(0))};
   const std::string figures =
-      "a vortex on a coarse grid: displacements within " + rounded_text(100 * error, 2) + " % of the exact ones" +
-      (other ? ", " + rounded_text(100 * *other, 2) + " % with neo-Hookean elasticity of that stiffness" : "");
+      "the vortex on a coarse grid: displacements within " + rounded_text(100 * error, 2) + " % of the exact ones" +
+      (other ? ", " + rounded_text(100 * *other, 2) + " % for neo-Hookean elasticity of the same stiffness" : "");
   result.sentence = figures;
   if (*result.measure <= *result.threshold) return result;
   if (!ellipticity || !(*ellipticity > 0)) return not_applicable(figures + "; it may not be a stable motion");
@@ -145,11 +145,11 @@ TestResult end_to_end_vortex(const ResolvedMaterial& resolved, std::optional<dou
     error = error_of(resolved.choice, specimen);
   } catch (const TimeIsUp&) {
     return not_applicable("the run takes more than " + rounded_text(most_s, 2) +
-                          " s of processor time: histories of the material are too many small steps");
+                          " s of processor time: the material needs too many small steps");
   }
   const auto twin = comparison(specimen.stiffness);
   const std::optional<double> other = twin ? error_of(*twin, specimen) : std::nullopt;
-  if (twin && !other) return not_applicable("the method does not stand the vortex at this resolution and stiffness");
+  if (twin && !other) return not_applicable("the method is unstable in the vortex at this resolution and stiffness");
   if (!error) return not_applicable("the run did not complete: not a stable motion for the material at this strain");
   return judged(*error, other, ellipticity);
 }

@@ -55,7 +55,7 @@ InputError usage_error(const CLI::App& app, const CLI::ParseError& error) {
     const bool takes_all = each->get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
     if (error.get_name() == "ArgumentMismatch" && !takes_all && each->count() > 1)
       return InputError(who + ": " + each->get_name() + " is given " + std::to_string(each->count()) +
-                        " times, and takes one value");
+                        " times, but takes one value");
   }
   const std::vector<std::string> extra = app.remaining(true);
   const auto is_option = [](const std::string& word) { return word.starts_with("-"); };
@@ -109,7 +109,7 @@ void refuse_equals_behind_letter(const CLI::App& verb, const std::string& word) 
   if (word.size() < 3 || word[0] != '-' || word[2] != '=' || !verb.get_option_no_throw(word.substr(0, 2))) return;
   const std::string name = word.substr(0, 2), value = one_line(word.substr(3), 60);
   throw InputError({}, "assay " + verb.get_name(),
-                   name + " takes its value behind a blank, without '=': write " + name + " " +
+                   name + " takes its value after a space, without '=': write " + name + " " +
                        (value.empty() ? "..." : value) + "; a file of that name is ./=" + value);
 }
 
@@ -138,7 +138,7 @@ void refuse_slips_of_options(const std::vector<Verb>& verbs, int argc, const cha
     const std::string next = ++i < argc ? argv[i] : "";
     const std::string type = option->get_type_name();
     if (i < argc && next.empty() && type != "DIR" && type != "FILE" && word != "--set")
-      throw InputError({}, "assay " + verb->get_name(), word + " needs a value, and an empty text is given");
+      throw InputError({}, "assay " + verb->get_name(), word + " needs a value, but the value is empty");
     const bool is_name = type == "DIR" || type == "CSV" || type.starts_with("FILE");
     const bool is_option = next.starts_with("--") || (next.starts_with("-") && verb->get_option_no_throw(next)) ||
                            (is_name && next.size() > 1 && next.starts_with("-"));

@@ -80,12 +80,11 @@ std::string memory_text(const Problem& problem, const Composition& c) {
     text += wrapped(std::string(info.doc), fmt::format("  {:20} {:4} bytes  ", info.name, use.bytes), indent);
   }
   const auto& grid = problem.setup.grid;
-  text += wrapped(
-      fmt::format("{} x {} nodes of {} bytes, {} of them in tiles that particles reach at first; in all, with lattice "
-                  "and samples, at most {} MiB",
-                  grid.count[0], grid.count[1], c.bytes_per_node, grouped_text(c.nodes_reached),
-                  rounded_text(problem.estimated_bytes() / (1024.0 * 1024), 3)),
-      "grid: ", "  ");
+  text += wrapped(fmt::format("{} x {} nodes of {} bytes, {} of them in tiles that the particles reach at the start; "
+                              "memory of the run, with lattice and samples: at most {} MiB",
+                              grid.count[0], grid.count[1], c.bytes_per_node, grouped_text(c.nodes_reached),
+                              rounded_text(problem.estimated_bytes() / (1024.0 * 1024), 3)),
+                  "grid: ", "  ");
   for (const auto& use : c.grid_fields) {
     text += wrapped(use.doc, fmt::format("  {:20} {:4} bytes  ", use.name, use.bytes), indent);
   }
@@ -96,7 +95,7 @@ std::string work_text(const Composition& c) {
   return wrapped(
       fmt::format("{} of columns and {} of grid fields, {} updates of the material", bytes_text(c.work.column_bytes),
                   bytes_text(c.work.grid_bytes), grouped_text(c.work.material_updates)),
-      "work of a step, counted from its passes and not measured: ", "  ");
+      "work of a step, counted and not measured: ", "  ");
 }
 
 /// What the scene calls for, and by which key; and what it does not.
@@ -115,7 +114,8 @@ std::string effects_text(const Composition& c) {
     }
     there += wrapped("because of " + part.key, indent + "  ", indent);
   }
-  return "effects beyond the spine\n" + (there.empty() ? "  none\n" : there) + wrapped(absent, "not there: ", "  ");
+  return "effects, in addition to the passes of every run\n" + (there.empty() ? "  none\n" : there) +
+         wrapped(absent, "not used: ", "  ");
 }
 
 std::string steps_text(const Problem& problem) {
@@ -143,8 +143,8 @@ std::string frame_line(const Problem& problem) {
 std::string exact_solution_line(const Problem& problem) {
   if (!problem.setup.uses_exact_solution()) return "";
   return wrapped(problem.setup.has_virtual_stress()
-                     ? "forces are those of the stress beyond the exact one: the error says less of the method"
-                     : "particles are given the inertia of the exact motion: the error says less of the method",
+                     ? "forces come from the difference to the exact stress, so the error says less about the method"
+                     : "particles get the acceleration of the exact motion, so the error says less about the method",
                  "uses the exact solution: ", "  ");
 }
 

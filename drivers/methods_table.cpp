@@ -135,7 +135,7 @@ std::string methods_markdown(const CheckedMethods& checked) {
   std::string page = (count == 1 ? "The method passes " : "All " + std::to_string(count) + " methods pass ") +
                      (groups[0].empty() ? "none of the tests" : ids_text(groups[0], first)) + ".";
   if (groups.size() == 1) return wrapped(page, "", "", methods_page_width);
-  page = wrapped(page + " Of the others, -: not promised.", "", "", methods_page_width) + "\n";
+  page = wrapped(page + " In the table, - means not promised.", "", "", methods_page_width) + "\n";
   std::string head = "| Formulation | Basis | Transfer | Methods |", rule = "| --- | --- | --- | --- |";
   for (std::size_t k = 1; k < groups.size(); ++k) {
     head += " " + ids_text(groups[k], first) + " |";

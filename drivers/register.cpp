@@ -108,8 +108,8 @@ std::string notes(const MaterialSource& source, const MaterialDescription& descr
   if (!(source.table->flags & ASSAY_RATE_DEPENDENT) && missing.empty() &&
       adapters::depends_on_duration(source.table, source.parameters)) {
     note(
-        "its stress depends on how long a step takes, and it does not say so: declare it rate-dependent (flags: "
-        "[rate_dependent] in a description), or look for what it does with the time");
+        "the stress depends on the length of a step, but the model does not declare it: declare the model "
+        "rate-dependent (flags: [rate_dependent] in a description), or find out what it does with the time");
   }
   return page;
 }
@@ -132,7 +132,7 @@ std::string chosen_name(const RegisterOptions& options, const MaterialSource& so
 /// The registry is YAML, which holds text and no other bytes.
 void refuse_what_is_no_text(const std::string& path) {
   const bool control = std::any_of(path.begin(), path.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
-  if (control) throw InputError({}, "FILE", "its path holds control characters, which the registry cannot keep");
+  if (control) throw InputError({}, "FILE", "its path has control characters, which the registry cannot store");
   try {
     check_text(path, "FILE", path.size());
   } catch (const InputError&) {

@@ -186,8 +186,10 @@ std::string units_words(const ResolvedMaterial& resolved) {
 std::string replay_yaml(const Replay& replay, Isolation isolation) {
   const ResolvedMaterial resolved = resolved_of(replay, isolation);
   const Material& material = resolved.material;
-  std::string text = "# What a material failed: F0 and state0 at t, F1 at t + dt. Again: assay check --replay\n# " +
-                     units_words(resolved) + "\n";
+  std::string text =
+      "# A step or a test that a material failed: F0 and state0 at t, F1 at t + dt. To repeat it: assay check "
+      "--replay\n# " +
+      units_words(resolved) + "\n";
   text += "material: " + yaml_scalar(replay.material) + "\nparameters:";
   if (replay.parameters.empty()) text += " {}";
   text += "\n";

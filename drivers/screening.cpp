@@ -97,7 +97,7 @@ std::string screen_sentence(const ScreenFigures& screen) {
       "smallest acoustic eigenvalue " + rounded_text(*screen.smallest, 3) + " of the largest at rest";
   if (screen.verdict == "stable") {
     if (screen.unjudged == 0) return "stable: " + smallest;
-    return "stable as far as it was judged: " + smallest + "; the material fails just beyond " +
+    return "stable as far as it was judged: " + smallest + "; the material fails in small steps from " +
            std::to_string(screen.unjudged) + " places of the path";
   }
   return "unstable from " + (screen.gamma ? "gamma = " + rounded_text(*screen.gamma, 3) + ", " : "") +

@@ -175,8 +175,10 @@ std::string described_source(const std::string& material, SourceRequest request,
     page = name.file + ":\n";
     for (const std::string& note : described.notes) page += wrapped(note, "  ", "    ");
     const std::string stays =
-        edited ? "; " + described.name + ".yaml there has been edited: `assay check` of that file takes the edits" : "";
-    page += wrapped("its description, to be edited: " + from_here(file) + stays, "  ", "    ");
+        edited ? "; " + described.name +
+                     ".yaml in that folder has been edited and is kept: check that file to use the edits"
+               : "";
+    page += wrapped("description, which you can edit: " + from_here(file) + stays, "  ", "    ");
   }
   for (const std::string& warning : described.warnings) page += "warning: " + one_line(warning) + "\n";
   std::fputs(without_commands(page, "<U+", ">").c_str(), stderr);

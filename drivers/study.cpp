@@ -110,9 +110,9 @@ void warn_of_strangers(const Plan& plan, const std::vector<CaseStore>& stores, c
   };
   if (std::none_of(plan.cases.begin(), plan.cases.end(), is_missing)) return;
   std::fprintf(stderr,
-               "warning: cases are missing, and %zu finished %s of another key: another program or library, another "
-               "scene, other threads\n",
-               strangers, strangers == 1 ? "one is" : "ones are");
+               "warning: cases are missing, and %zu finished %s to another key: another program, library, scene or "
+               "number of threads\n",
+               strangers, strangers == 1 ? "one belongs" : "ones belong");
 }
 
 /// What other folders have of the cases that are not finished here.

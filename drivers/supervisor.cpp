@@ -143,7 +143,7 @@ std::string signal_words(int signal) { return "signal " + std::to_string(signal)
 std::string how(const Ended& ended) {
   if (ended.replaced) return "became another program";
   if (ended.late) return "did not end";
-  if (WIFSIGNALED(ended.status)) return "died (" + signal_words(WTERMSIG(ended.status)) + ")";
+  if (WIFSIGNALED(ended.status)) return "crashed (" + signal_words(WTERMSIG(ended.status)) + ")";
   return "ended with status " + std::to_string(WEXITSTATUS(ended.status));
 }
 
@@ -153,9 +153,9 @@ std::string line_of(const Ended& ended) {
   if (ended.replaced) return std::string("the process became another program") + by_library;
   if (!WIFSIGNALED(ended.status)) return std::string("the process was ended from inside") + by_library;
   if (WTERMSIG(ended.status) == SIGKILL)
-    return "the process was killed (signal 9): from outside, as the system does where memory is short, or by the "
+    return "the process was killed (signal 9): from outside, as the system does if memory is short, or by the "
            "material's library";
-  return "the process died (" + signal_words(WTERMSIG(ended.status)) + ")" + by_library;
+  return "the process crashed (" + signal_words(WTERMSIG(ended.status)) + ")" + by_library;
 }
 
 [[noreturn]] void die_of(int signal) {

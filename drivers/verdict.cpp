@@ -20,7 +20,7 @@ std::string error_lines(const ErrorFigures& e) {
       fmt::format("  {:22} {:>10} {:>10} {:>10} {:>12}\n", "error", "at T/2", "at end", "max L2", "max Linf");
   text += fmt::format("  {:22} {:>10} {:>10} {:>10} {:>12}\n", "displacement [m]", figure(e.l2_half), figure(e.l2_end),
                       figure(e.l2_max), figure(e.linf_max));
-  text += fmt::format("  {:22} {:>10} {:>10} {:>10}\n", "  rms (36), all [m]", figure(e.rms36_half),
+  text += fmt::format("  {:22} {:>10} {:>10} {:>10}\n", "  rms, all particles", figure(e.rms36_half),
                       figure(e.rms36_end), figure(e.rms36_max));
   const auto maximum = [&](const char* name, const FieldMaximum& m) {
     text += fmt::format("  {:22} {:>10} {:>10} {:>10} {:>12}\n", name, "", "", figure(m.l2_max), figure(m.linf_max));
@@ -71,11 +71,11 @@ std::string process_lines(const Result& result) {
   if (!result.replay.empty()) {
     const bool scene = result.replay == "replay_scene.yaml";
     text += (result.failed_step ? "  the failing step is in "
-             : scene            ? "  its last steps, one by one: assay run "
-                                : "  shown again by ") +
+             : scene            ? "  to see each of its last steps: assay run "
+                                : "  to repeat it: assay check --replay ") +
             result.replay + "\n";
   }
-  if (!result.last_good.empty()) text += "  the particles before it went wrong: " + result.last_good + "\n";
+  if (!result.last_good.empty()) text += "  the particles before the failure: " + result.last_good + "\n";
   if (!result.advice.empty()) text += wrapped(result.advice, "  to try: ", "    ");
   if (!result.printed.empty()) text += std::string("  what the model printed is in ") + material_log + "\n";
   return text;

@@ -50,9 +50,10 @@ class BeyondProbe {
       }
       words_.clear();
       if (!stands) {
-        throw PointFailure(std::string("reads beyond its arrays: with other numbers there the same step has another "
-                                       "answer. ") +
-                           counted + " is declared too small, or PROPS; 'assay check' tells the element");
+        throw PointFailure(
+            std::string(
+                "reads beyond its arrays: the same step gives another result if other numbers are stored there. ") +
+            counted + " or PROPS is declared too small; 'assay check' names the element");
       }
     }
   }

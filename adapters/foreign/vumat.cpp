@@ -206,7 +206,7 @@ void Vumat::require_written(const Block& block) {
   for (std::size_t k = 0; k < 6 * block.n; ++k) {
     if (!is_unwritten(stress[k])) continue;
     throw PointFailure(overrun_words + ("the VUMAT leaves stressNew " + std::string(places[k / block.n]) +
-                                        " unwritten, or makes it of itself, of point " +
+                                        " unwritten, or computes it from itself, at point " +
                                         std::to_string(k % block.n + 1) + " of " + std::to_string(block.n)));
   }
 }

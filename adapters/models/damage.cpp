@@ -16,8 +16,8 @@ class Damage {
       youngs_modulus,
       poissons_ratio,
       {"kappa_0", "J/m^3", required, 0, huge, "energy W_0 at which damage begins"},
-      {"kappa_f", "J/m^3", required, tiny, huge, "energy beyond kappa_0 over which damage grows"},
-      {"D_max", "1", 0.99, 0, 0.999999, "damage that is approached, below 1"}};
+      {"kappa_f", "J/m^3", required, tiny, huge, "energy scale, beyond kappa_0, over which damage grows"},
+      {"D_max", "1", 0.99, 0, 0.999999, "limit of the damage, below 1"}};
   static constexpr double example[] = {1e3, 0.3, 0.5, 20, 0.99};
   static constexpr assay_state_variable state[] = {
       {"kappa", "J/m^3", ASSAY_SCALAR, ASSAY_ROLE_PLAIN, "largest energy W_0 so far, at least kappa_0"}};

@@ -15,9 +15,9 @@ inline constexpr assay_parameter yield_stress{"yield_stress", "Pa", required,
                                               tiny,           huge, "initial uniaxial yield stress"};
 inline constexpr assay_parameter hardening_modulus{"hardening_modulus", "Pa", 0, 0, huge, "slope of linear hardening"};
 inline constexpr assay_parameter saturation_stress{
-    "saturation_stress", "Pa", 0, 0, huge, "Voce hardening: what the yield stress gains in the end"};
+    "saturation_stress", "Pa", 0, 0, huge, "Voce hardening: final increase of the yield stress"};
 inline constexpr assay_parameter saturation_rate{
-    "saturation_rate", "1", 0, 0, huge, "Voce hardening: how fast, per equivalent plastic strain"};
+    "saturation_rate", "1", 0, 0, huge, "Voce hardening: rate per equivalent plastic strain"};
 inline constexpr assay_parameter kinematic_modulus{
     "kinematic_modulus", "Pa", 0, 0, huge, "Prager's linear kinematic hardening: uniaxial slope of the back stress"};
 

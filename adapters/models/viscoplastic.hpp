@@ -23,8 +23,9 @@ inline constexpr assay_state_variable viscoplastic_strain{"p", "1", ASSAY_SCALAR
                                                           "equivalent viscoplastic strain"};
 /// Just above the threshold p grows by less than its last bit: the branch of a step needs a name of its own. A step in
 /// which the flow comes to its end has one too, or the flow that is left after a reversal would be stepped over.
-inline constexpr assay_state_variable flow_regime{"flowing", "regime", ASSAY_SCALAR, ASSAY_ROLE_PLAIN,
-                                                  "of the last step: 0 elastic, 1 flowed, 2 elastic at its end alone"};
+inline constexpr assay_state_variable flow_regime{
+    "flowing", "regime", ASSAY_SCALAR, ASSAY_ROLE_PLAIN,
+    "regime of the last step: 0 elastic, 1 flow, 2 elastic only at the end of the step"};
 
 /// What a model class of either kind does (plugin.hpp); the model adds its name, parameters and state.
 template <bool has_threshold>

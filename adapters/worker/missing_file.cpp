@@ -20,10 +20,10 @@ std::string quoted_behind(const std::string& text, std::size_t at) {
 std::string advice_for(const std::string& file, const std::string& what) {
   const std::string shown = last_line(file);
   if (shown.starts_with('/')) return "; it " + what + " '" + shown + "', a file that is not there or holds too little";
-  if (shown == "stdin") return "; it reads standard input, which is empty for a model: a file is read by OPEN";
+  if (shown == "stdin") return "; it reads standard input, which is empty for a model: read a file with OPEN";
   const std::string item = shown.starts_with("./") ? shown.substr(2) : shown;
-  return "; it " + what + " '" + shown + "' in the folder of its process, which is its own: files: [" + item +
-         "] in its description puts a file there";
+  return "; it " + what + " '" + shown + "' in its own working folder: files: [" + item +
+         "] in its description copies a file there";
 }
 
 }  // namespace
@@ -51,8 +51,7 @@ std::string missing_file_words(const std::string& printed) {
   const std::size_t begin = printed.find_last_of(" \n", other) + 1;
   const std::string name = printed.substr(begin, other - begin);
   if (name.find('.') != name.npos) return advice_for(name, "looks for");
-  return "; a file is looked for in the folder of its process, which is its own: `files` in its description puts files "
-         "there";
+  return "; the model looks for files in its own working folder: `files` in its description copies files there";
 }
 
 }  // namespace assay::adapters

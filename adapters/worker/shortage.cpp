@@ -87,7 +87,7 @@ void note_shortage(const std::string& words) {
 
 void note_killed_worker() {
   const std::string limit = processor_limit();
-  note_shortage(limit.empty() ? "a worker was killed (signal 9) from outside, as the system does where memory is short"
+  note_shortage(limit.empty() ? "a worker was killed (signal 9) from outside, as the system does if memory is short"
                               : "a worker was killed (signal 9), and " + limit + ": that may be why");
 }
 

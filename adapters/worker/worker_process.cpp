@@ -198,24 +198,24 @@ std::string WorkerProcess::how_it_ended() const {
   const int number = c.death_number;
   const std::string said = last_line(output()), words = death_words();
   const std::string heard = phase_words(static_cast<CallPhase>(c.phase.load())) +
-                            (said.empty() ? "" : "; the last that it printed: " + said) + missing_file_words(output());
+                            (said.empty() ? "" : "; its last output: " + said) + missing_file_words(output());
   switch (static_cast<Death>(c.death.load())) {
     case Death::none:
       return "did not answer";
     case Death::signal:
-      return "died of signal " + std::to_string(number) + " (" + strsignal(number) + ")" + heard;
+      return "was ended by signal " + std::to_string(number) + " (" + strsignal(number) + ")" + heard;
     case Death::exit:
       return "ended the process with status " + std::to_string(number) + ", without a result" + heard;
     case Death::time_limit:
-      return "did not come back within " + limit(time_limit_) + " s" + heard;
+      return "did not return within " + limit(time_limit_) + " s" + heard;
     case Death::memory:
       return "took more than " + limit(memory_limit_) + " GB of memory" + heard;
     case Death::stack:
-      return "died of signal " + std::to_string(number) + ": the stack overflowed" + heard;
+      return "was ended by signal " + std::to_string(number) + ": the stack overflowed" + heard;
     case Death::null:
-      return "died of signal " + std::to_string(number) + ": a null pointer was followed" + heard;
+      return "was ended by signal " + std::to_string(number) + ": it used a null pointer" + heard;
     case Death::unaligned:
-      return "died of signal " + std::to_string(number) + ": an address that is not aligned was followed" + heard;
+      return "was ended by signal " + std::to_string(number) + ": it used an address that is not aligned" + heard;
     case Death::ended:
       return words + heard;
     case Death::given_up:

@@ -15,7 +15,7 @@ author = copyright = "the authors of assay"  # noqa: A001
 release = re.search(r"^## \[?([0-9.]+)", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.MULTILINE)[1]
 extensions = ["myst_parser", "sphinx.ext.mathjax"]
 root_doc = "index"
-exclude_patterns = ["site", "paper.md"]  # the paper has a form of its own
+exclude_patterns = ["site"]
 source_suffix = {".md": "markdown"}
 html_theme = "furo"
 html_title = f"assay {release}"
@@ -40,7 +40,7 @@ def tables_of_contents(text):
     """The lists of links of index.md, once more as the menu on the left."""
     menu = ""
     for heading, part in re.findall(r"^## (.+?)\n(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL):
-        pages = re.findall(r"^- \[[^\]]*\]\(([\w/.-]+)\.md\)", part, re.MULTILINE)
+        pages = [f"{title} <{page}>" for title, page in re.findall(r"^- \[([^\]]*)\]\(([\w/.-]+)\.md\)", part, re.MULTILINE)]
         menu += f"\n```{{toctree}}\n:hidden:\n:caption: {heading}\n" + "\n".join(pages) + "\n```\n"
     return text + menu
 

@@ -126,19 +126,18 @@ std::vector<std::string> column_sentences(const ColumnReadings& readings, const 
     all.push_back(begin_of(readings.cards, file) + "columns 73 to 80 hold the numbers of punched cards (" +
                   which(readings.cards) +
                   "), and Abaqus reads them as code, since it takes 132 columns: this line ends " + "in '" +
-                  one_line(joined_word(first), longest) +
-                  "', and so it does here; to take them away: " + card_remedy(file));
+                  one_line(joined_word(first), longest) + "', here too; to remove them: " + card_remedy(file));
   }
   if (!readings.tails.empty()) {
     all.push_back(begin_of(readings.tails, file) + "code beyond column 72 (" + which(readings.tails) + "), here '" +
                   one_line(readings.tails.front().beyond, longest) +
                   "': Abaqus reads it, since it takes 132 columns, and so does assay; a compiler at its usual 72 " +
-                  "columns leaves it out without a word");
+                  "columns drops it silently");
   }
   if (!readings.cut.empty()) {
     all.push_back(begin_of(readings.cut, file) + "code beyond column 132 (" + which(readings.cut) + "), here '" +
                   one_line(readings.cut.front().beyond, longest) +
-                  "': Abaqus takes 132 columns and cuts it off without a word, and so does assay");
+                  "': Abaqus reads 132 columns and cuts this off silently, and so does assay");
   }
   return all;
 }

@@ -112,11 +112,10 @@ ResolvedMaterial resolve_material(const Scene& scene) {
   }
   if (scene.method && std::holds_alternative<AxisAligned>(scene.motion) &&
       resolved.material.table().symmetry != ASSAY_ISOTROPIC) {
-    throw InputError(
-        scene.material.where, "material.adapter",
-        "'" + resolved.material.name() +
-            "' is not isotropic, and the faces of the unit box are symmetry planes, without shear, only of "
-            "one that is");
+    throw InputError(scene.material.where, "material.adapter",
+                     "'" + resolved.material.name() +
+                         "' is not isotropic, but the faces of the unit box are symmetry planes without shear only for "
+                         "an isotropic material");
   }
   const bool directed = has_direction(resolved.material.table());
   if (scene.material.direction && !directed) {

@@ -105,11 +105,11 @@ class Describer {
 
  private:
   std::string uses_of(const ArrayUse& use, const std::string& array) const {
-    if (!use.used) return "it uses none";
+    if (!use.used) return "the source uses none";
     const std::string largest = array + "(" + std::to_string(use.largest) + ")";
-    if (use.whole) return "it reads " + array + "(1) to " + largest;
-    return use.largest > 0 ? "it reads " + largest + ", and others by indices that are computed"
-                           : "it reads it by indices that are computed";
+    if (use.whole) return "the source reads " + array + "(1) to " + largest;
+    return use.largest > 0 ? "the source reads " + largest + ", and others by computed indices"
+                           : "the source computes the indices";
   }
 
   void take_properties() {
@@ -130,7 +130,7 @@ class Describer {
       refuse_what_is_not_told(use, "PROPS", request_.least_properties > 0);
       const auto count = std::max(static_cast<std::size_t>(use.largest), request_.least_properties);
       yaml_.properties.assign(count, {"", NAN});
-      yaml_.properties_from = "its text";
+      yaml_.properties_from = "the source";
     }
   }
 
@@ -165,7 +165,7 @@ class Describer {
       }
       refuse_what_is_not_told(use, "STATEV", false);
       yaml_.state = use.largest;
-      yaml_.state_from = "its text";
+      yaml_.state_from = "the source";
     }
   }
 
@@ -196,14 +196,14 @@ class Describer {
     std::vector<std::string> all{source_note()};
     const auto count = [](std::size_t n, const char* what) { return std::to_string(n) + " " + what; };
     if (!yaml_.properties_from.empty()) {
-      all.push_back(count(yaml_.properties.size(), "PROPS of ") + yaml_.properties_from + "; " +
+      all.push_back(count(yaml_.properties.size(), "PROPS from ") + yaml_.properties_from + "; " +
                     uses_of(facts_.props, "PROPS"));
     }
     if (!yaml_.state_from.empty()) {
       all.push_back(
-          count(static_cast<std::size_t>(yaml_.state), "STATEV of ") + yaml_.state_from + "; " +
+          count(static_cast<std::size_t>(yaml_.state), "STATEV from ") + yaml_.state_from + "; " +
           uses_of(facts_.state, "STATEV") +
-          (yaml_.state >= 6 ? "; which of them are tensors is not known, and all are taken for scalars" : ""));
+          (yaml_.state >= 6 ? "; all are taken as scalars, because the source does not say which are tensors" : ""));
     }
     if (yaml_.density) all.push_back(yaml_.density->words);
     all.push_back(assumptions());
@@ -215,8 +215,8 @@ class Describer {
   std::string assumptions() const {
     const bool umat = entry_.interface == adapters::ForeignInterface::umat;
     const bool units = yaml_.density && !yaml_.density->stress.empty();
-    return std::string("assumed until its description says otherwise: isotropic, smooth, independent of the rate") +
-           (umat ? ", DDSDDE of small strain" : "") + (units ? "" : ", units of SI (no verdict depends on units)");
+    return std::string("assumed unless the description says otherwise: isotropic, smooth, independent of the rate") +
+           (umat ? ", DDSDDE for small strain" : "") + (units ? "" : ", SI units (no verdict depends on the units)");
   }
 
   std::string source_note() const {

@@ -86,7 +86,7 @@ InputError none_found(const FortranSource& source, const std::vector<FortranRout
               "",
               "'" + routine.name + "' has the " + std::to_string(count) + " arguments of a " +
                   (count == 37 ? "UMAT" : "VUMAT") +
-                  ", and no program finds it: it stands in a MODULE or behind CONTAINS, and belongs outside"};
+                  ", but no program can find it: move it out of its MODULE or CONTAINS"};
     }
     names.push_back(routine.name + " (" + std::to_string(count) + ")");
   }

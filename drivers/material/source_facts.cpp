@@ -62,11 +62,12 @@ SourceFacts facts_of(const FortranSource& source, const SourceEntry& entry) {
                                  " is used: if the stress depends on the rate, write flags: [rate_dependent]");
   }
   if (umat && facts.state.used && !gradients && !uses_any(all, names.rotations)) {
-    facts.sentences.emplace_back("neither DROT nor ROTSIG nor DFGRD1 is used: tensors among STATEV would stay behind");
+    facts.sentences.emplace_back(
+        "neither DROT nor ROTSIG nor DFGRD1 is used: a tensor in STATEV would not rotate with the body");
   }
   if (facts.finite_strain) {
     facts.sentences.emplace_back(
-        "it reads DFGRD1 and no strain: DDSDDE is perhaps that of finite strain (strain: finite); nobody has said");
+        "the source reads DFGRD1 and no strain: DDSDDE may be for finite strain (then declare strain: finite)");
   }
   return facts;
 }

@@ -102,12 +102,12 @@ void add_lossy(const FortranSource& source, const SourceEntry& entry, const std:
                   (whole.size() > 1 ? " are integers by their first letter, and take"
                                     : " is an integer by its first "
                                       "letter, and takes") +
-                  " PROPS: what stands behind the decimal point is lost (where that is meant, INT says so)");
+                  " PROPS: digits after the decimal point are lost (if this is intended, write INT)");
   }
   if (!single.empty()) {
     all.push_back(at(line_of_single) + few_of(single) +
                   (single.size() > 1 ? " are reals of 4 bytes, and take" : " is a real of 4 bytes, and takes") +
-                  " PROPS: seven digits of them are left");
+                  " PROPS: only seven digits are kept");
   }
 }
 
@@ -138,7 +138,7 @@ std::string list_trap(const std::vector<std::string>& arguments, const std::vect
     return "takes " + std::to_string(arguments.size()) + " arguments, and Abaqus hands over " +
            std::to_string(usual.size()) +
            (few ? ": " + few_of(missing) + (missing.size() > 1 ? " are" : " is") + " not among them" : "") +
-           "; what follows the first that is missing or added is taken for another";
+           "; every argument after the first missing or added one is read wrongly";
   }
   for (std::size_t k = 0; k < usual.size(); ++k) {
     if (arguments[k] != usual[k] && has(usual, arguments[k]))

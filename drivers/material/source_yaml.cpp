@@ -24,7 +24,7 @@ std::string with_comment(const std::string& line, const std::string& text) {
 
 std::string properties_text(const SourceYaml& yaml) {
   if (yaml.properties.empty()) return {};
-  std::string text = with_comment("properties:", "PROPS, in this order, of " + yaml.properties_from);
+  std::string text = with_comment("properties:", "PROPS, in this order, from " + yaml.properties_from);
   for (std::size_t k = 0; k < yaml.properties.size(); ++k) {
     const GivenProperty& p = yaml.properties[k];
     const std::string name = p.name.empty() ? "p" + std::to_string(k + 1) : p.name;
@@ -59,8 +59,8 @@ std::string named_state_text(const SourceYaml& yaml) {
 std::string state_yaml(const SourceYaml& yaml) {
   if (yaml.state == 0) return {};
   const std::string advice =
-      yaml.state >= 6 ? "; which are tensors is not known: {back_stress: symmetric_tensor, p: scalar} says it" : "";
-  const std::string of = "STATEV, in this order, of " + yaml.state_from + advice;
+      yaml.state >= 6 ? "; declare the tensors among them: {back_stress: symmetric_tensor, p: scalar}" : "";
+  const std::string of = "STATEV, in this order, from " + yaml.state_from + advice;
   if (yaml.variables.empty()) return with_comment("state: " + std::to_string(yaml.state), of);
   return with_comment("state:", of) + named_state_text(yaml);
 }

@@ -17,24 +17,24 @@ namespace {
 
 std::string verdict(const Result& result) {
   const auto failed = std::count_if(result.expect.begin(), result.expect.end(), [](const auto& e) { return !e.holds; });
-  std::string kind = "plain", sentence = "The scene expects nothing";
+  std::string kind = "plain", sentence = "The scene has no expectations";
   if (failed > 0) {
     kind = "bad";
     sentence = std::to_string(failed) + " of " + std::to_string(result.expect.size()) + " expectations " +
                (failed == 1 ? "does" : "do") + " not hold";
   } else if (!result.expect.empty()) {
     kind = "good";
-    sentence = "All that was expected holds";
+    sentence = "All expectations hold";
   } else if (result.outcome != "completed") {
     kind = "bad";
   }
   std::string out = "<div class=\"verdict " + kind + "\">" + element("strong", sentence);
-  out += element("p",
-                 "Outcome: " + element("b", escaped(result.outcome)) +
-                     (result.reason.empty() ? "" : ". " + escaped(result.reason)) +
-                     (result.replay.empty() ? ""
-                                            : (result.failed_step ? ". The failing step is in " : ". Shown again by ") +
-                                                  escaped(result.replay)));
+  out += element(
+      "p", "Outcome: " + element("b", escaped(result.outcome)) +
+               (result.reason.empty() ? "" : ". " + escaped(result.reason)) +
+               (result.replay.empty()
+                    ? ""
+                    : (result.failed_step ? ". The failing step is in " : ". Repeated by ") + escaped(result.replay)));
   return out + "</div>\n";
 }
 

@@ -29,7 +29,7 @@ struct Norm {
 constexpr Norm norms[] = {
     {"displacement, L<sub>2</sub>", "m", [](const ErrorSample& s) { return s.displacement.l2; }},
     {"displacement, L<sub>\u221e</sub>", "m", [](const ErrorSample& s) { return s.displacement.linf; }},
-    {"displacement, (36) over all particles", "m", [](const ErrorSample& s) { return s.rms36; }},
+    {"displacement, rms over all particles", "m", [](const ErrorSample& s) { return s.rms36; }},
     {"velocity, L<sub>2</sub>", "m/s", [](const ErrorSample& s) { return s.velocity.l2; }},
     {"velocity, L<sub>\u221e</sub>", "m/s", [](const ErrorSample& s) { return s.velocity.linf; }},
     {"deformation gradient, L<sub>2</sub>", "1", [](const ErrorSample& s) { return s.deformation_gradient.l2; }},
@@ -61,7 +61,7 @@ std::string error_table(const Result& result, double period) {
   }
   return table({"error of", "unit", "at T/2", "at T", "maximum", "at t [s]"}, rows) +
          "<p><small>L<sub>2</sub>: volume-weighted over the particles that the exact motion moves; L<sub>\u221e</sub>: "
-         "the worst of them.</small></p>\n";
+         "the worst of them; rms: the root mean square over all particles, equation (36) of the paper.</small></p>\n";
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ std::string error_table(const Result& result, double period) {
 const ErrorSample* worst_displacement(const std::vector<ErrorSample>& history) { return largest(history, norms[0]); }
 
 LinePlot error_history_plot(const std::vector<ErrorSample>& history) {
-  Series l2{"L_{2}", {}, {}}, linf{"L_{\u221e}", {}, {}}, rms{"(36), all particles", {}, {}};
+  Series l2{"L_{2}", {}, {}}, linf{"L_{\u221e}", {}, {}}, rms{"rms over all particles", {}, {}};
   rms.dashed = true;
   for (const ErrorSample& sample : history) {
     for (Series* series : {&l2, &linf, &rms}) series->x.push_back(sample.t);

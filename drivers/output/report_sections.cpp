@@ -45,8 +45,8 @@ std::string credibility_section(const Result& result) {
     out += fact("Its error",
                 rounded_text(result.sheet->error_tau, 2) + " in \u03c4" + of_slope + ", of the largest component");
     if (result.sheet->error_b) {
-      out += fact("What it costs and buys", rounded_text(result.sheet->wall_s, 2) + "\u202fs for an error of b of " +
-                                                rounded_text(*result.sheet->error_b, 2) + " of the largest |b|");
+      out += fact("Cost, and error of b", rounded_text(result.sheet->wall_s, 2) + "\u202fs; the error of b is " +
+                                              rounded_text(*result.sheet->error_b, 2) + " of the largest |b|");
     }
   }
   if (result.rim) {
@@ -80,7 +80,7 @@ std::string provenance_section(const Result& result) {
                           rounded_text(result.cpu_s, 3) + "\u202fs processor");
   const double mebibytes = static_cast<double>(result.peak_rss_bytes) / (1024.0 * 1024.0);
   out += fact("Memory", result.peak_rss_bytes > 0 ? rounded_text(mebibytes, 4) + "\u202fMiB at most" : none);
-  return section("Where it comes from", out + "</dl>\n");
+  return section("Origin of the results", out + "</dl>\n");
 }
 
 }  // namespace assay::drivers

@@ -42,7 +42,8 @@ dl.facts dt{color:var(--soft)}dl.facts dd{margin:0;overflow-wrap:anywhere}
 pre{background:var(--panel);padding:14px;border-radius:8px;overflow-x:auto;font:13px/1.45 ui-monospace,monospace;
 margin:0;tab-size:2}
 @media(max-width:520px){main{padding:16px 12px 40px}dl.facts{grid-template-columns:1fr;gap:0}
-dl.facts dd{margin-bottom:8px}h1{font-size:1.3rem}th,td{padding-right:9px;font-size:.9rem}}
+dl.facts dd{margin-bottom:8px}h1{font-size:1.3rem}th,td{padding-right:5px;font-size:.75rem;white-space:normal}
+thead th{font-size:.72rem}th:last-child,td:last-child{padding-right:0}figure img.panorama,figure svg{min-width:0}.bar{min-width:24px}}
 @media print{:root{color-scheme:light;--paper:#fff;--ink:#000;--soft:#444;--line:#bbb;--panel:#f3f3f3;--good:#0a6b46;
 --good-bg:#fff;--bad:#a3260f;--bad-bg:#fff;--plain-bg:#fff;--bar:#666}body{font-size:11pt}main{max-width:none;padding:0}
 figure,tr,.verdict,.figures div{break-inside:avoid}h2{break-after:avoid}figure img,figure img.panorama{max-height:20cm;min-width:0;width:auto}

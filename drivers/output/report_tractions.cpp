@@ -60,17 +60,17 @@ std::string caption_line(const std::string& text) { return "<p><small>" + text +
 
 std::string traction_caption(const TractionTable& table) {
   std::string text =
-      "<code>undeformed_edges</code> multiplies a traction per current area by the length that the edge had at first: "
-      "where the motion changes that length the force is wrong by an amount that no grid changes. ";
+      "<code>undeformed_edges</code> multiplies a traction per current area by the initial length of the edge. If the "
+      "motion changes that length, the force is wrong, and a finer grid does not reduce this error. ";
   if (table.of_paper) {
     text +=
-        "The paper's figures do not fall with h either, and it asks for the cause in its own algorithm of tractions: "
-        "so multiplied, half the force is missing at the end on the faces along the stretch. ";
+        "The errors of the paper do not fall with h either, and the paper asks for the cause in its own algorithm of "
+        "tractions: with the initial length, half the force is missing at the end on the faces along the stretch. ";
   }
   text +=
-      "<code>particles</code> acts half a particle inside the surface, an error of first order in h. "
-      "<code>virtual_stress</code> is given the exact stress: it tests data and transfer, not the quadrature of "
-      "tractions.";
+      "With <code>particles</code>, the force acts half a particle inside the surface, which is an error of first "
+      "order in h. <code>virtual_stress</code> gets the exact stress: it tests data and transfer, not the quadrature "
+      "of tractions.";
   return caption_line(
              "L<sub>2</sub> error of the displacement at the end, and its maximum over time [m]. This scene's run is "
              "the last column of the row in bold; the others took " +

@@ -24,7 +24,7 @@ void check(const Vortex& vortex, const Scene&, const KeyPlace& where) {
 /// det F > 0 all along the straight path: checked at many times, to the scene's end.
 void check(const Homogeneous& motion, const Scene& scene, const KeyPlace& where) {
   if (scene.places.contains("motion.interpolation")) {
-    refuse_at(where, "motion.interpolation", "says what a table of F does between its rows: it comes with motion.path");
+    refuse_at(where, "motion.interpolation", "sets F between the rows of a table, so it needs motion.path");
   }
   if (!scene.places.contains("motion.final")) refuse_at(where, "motion.final", "required and not given");
   const double last = std::max(1.0, scene.time.end / motion.period);
@@ -67,7 +67,7 @@ void check(const TwistingRing& motion, const Scene&, const KeyPlace& where) {
 
 void check(const AxisAligned& motion, const Scene&, const KeyPlace& where) {
   if (motion.amplitude.type != Amplitude::Type::sine) {
-    refuse_at(where, "motion.amplitude.type", "is sine of this motion, whose T is 1/c");
+    refuse_at(where, "motion.amplitude.type", "must be sine for this motion, whose period T is 1/c");
   }
   if (!(std::abs(motion.amplitude.peak) < 1 / std::numbers::pi)) {
     refuse_at(where, "motion.amplitude.peak",
@@ -86,7 +86,7 @@ void check(const RotatingStretch& motion, const Scene&, const KeyPlace& where) {
 /// The file's own check was made when it was read.
 void check(const DeformationTable& motion, const Scene& scene, const KeyPlace& where) {
   if (scene.places.contains("motion.final")) {
-    refuse_at(where, "motion.final", "does not come with motion.path, which says what F is at all times");
+    refuse_at(where, "motion.final", "cannot be combined with motion.path, which gives F at all times");
   }
   if (scene.time.end > motion.last()) {
     refuse_at(where, "time.end",

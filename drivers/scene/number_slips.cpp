@@ -57,7 +57,7 @@ std::string separated(const std::string& text) {
   if (text.find(' ') != text.npos && parse_number(text.substr(0, text.find(' '))) && plain.find('.') != plain.npos) {
     return ": one number belongs here";
   }
-  return ": digits are not separated, write " + plain;
+  return ": write the digits without separators: " + plain;
 }
 
 /// "1d3" of Fortran, "1x10^3", "10^3", "10**3", "1*^3".
@@ -90,12 +90,12 @@ std::string not_finite(const std::string& text) {
 
 std::string expression(const std::string& text) {
   const std::string word = lower(text);
-  if (word == "pi" || word == "π") return ": nothing is computed, write 3.141592653589793";
+  if (word == "pi" || word == "π") return ": expressions are not evaluated, write 3.141592653589793";
   const bool computes = word.find_first_of("*/^(") != word.npos || word.find("sqrt") != word.npos ||
                         word.find_first_of("+-", 1) != word.npos;
   const bool has_digit = std::any_of(word.begin(), word.end(), [](unsigned char c) { return std::isdigit(c); });
   const bool plain = word.find_first_not_of("0123456789.+-*/^() \tepisqrt") == word.npos;
-  return computes && has_digit && plain ? ": nothing is computed, write the value" : std::string();
+  return computes && has_digit && plain ? ": expressions are not evaluated, write the value" : std::string();
 }
 
 /// "[0.1]", "\"0.1\"": on the command line a quote of the text, not of the shell.
@@ -117,9 +117,9 @@ std::string tail(const std::string& text) {
   const std::size_t length = leading_number(text);
   if (length == 0) return {};
   const std::string number = text.substr(0, length), rest = trimmed(text.substr(length));
-  if (rest.starts_with('#')) return ": a blank belongs before '#', which begins a remark";
+  if (rest.starts_with('#')) return ": write a space before '#', which begins a comment";
   if (rest.starts_with("//") || rest.starts_with('!') || rest.starts_with("/*"))
-    return ": a remark begins with ' #', write " + number;
+    return ": a comment begins with ' #', write " + number;
   if (rest.starts_with('.')) return ": it has two decimal points";
   if (parse_number(rest)) return ": one number belongs here";
   if (rest.starts_with(';') || rest.starts_with(',')) return ": write " + number + " alone";

@@ -73,7 +73,7 @@ void check_lattice(const Scene& scene, const KeyPlace& where) {
   const bool jittered = scene.body.lattice == Body::Lattice::jittered;
   for (const char* key : {"body.jitter", "body.seed"}) {
     if (scene.places.contains(key) && !jittered)
-      refuse_at(where, key, "is of lattice: jittered, and lattice is another");
+      refuse_at(where, key, "belongs to lattice: jittered, but body.lattice has another value");
   }
   if (jittered) check_jittered_lattice(scene, where);
   if (scene.body.lattice == Body::Lattice::gauss) check_gauss_lattice(scene, where);
@@ -118,11 +118,11 @@ void check_body(const Scene& scene, const KeyPlace& where) {
 void check_initial_velocity(const Scene& scene, const KeyPlace& where) {
   const std::string key = "body.initial_velocity";
   if (scene.force.response != ForceChoice::Response::none) {
-    refuse_at(where, key, "is of a body left to itself, and b is that of the motion: take force.response: none");
+    refuse_at(where, key, "is for a free body, but the body force drives this body: set force.response: none");
   }
-  if (scene.frame) refuse_at(where, key, "and frame both say what is seen at the beginning");
+  if (scene.frame) refuse_at(where, key, "cannot be combined with frame: both set the initial velocity");
   if (scene.body.outside == Body::Outside::held) {
-    refuse_at(where, key, "moves what body.outside: held holds");
+    refuse_at(where, key, "would move the particles that body.outside: held fixes");
   }
 }
 
@@ -130,11 +130,11 @@ void check_method(const Scene& scene, const KeyPlace& where) {
   const Method& method = *scene.method;
   if (scene.places.contains("method.terms") && !method.has_terms()) {
     refuse_at(where, "method.terms",
-              "counts the terms of mass: series, transfer: xpic or fmpm, and there is none of them");
+              "belongs to mass: series and to transfer: xpic or fmpm, but the method has none of these");
   }
   if (scene.places.contains("method.affine") && !method.is_affine()) {
     refuse_at(where, "method.affine",
-              "is of transfer: apic and aflip, and transfer is " + mpm::names_of(method).transfer);
+              "belongs to transfer: apic and aflip, but transfer is " + mpm::names_of(method).transfer);
   }
   if (const auto found = mpm::contradiction(method)) refuse_at(where, found->key, found->reason);
   if (const auto found = mpm::contradiction(method, scene.remedies)) refuse_at(where, found->key, found->reason);
@@ -176,15 +176,18 @@ void check_frame(const Scene& scene, const KeyPlace& where) {
 void check_inertia(const Scene& scene, const KeyPlace& where) {
   const std::string key = "force.inertia";
   if (scene.force.response == ForceChoice::Response::none) {
-    refuse_at(where, key, "is a part of the body force, and force.response is none");
+    refuse_at(where, key, "needs a body force, but force.response is none");
   }
   if (!scene.method) return;
   if (scene.method->is_affine() && scene.method->affine == mpm::Affine::moment) {
-    refuse_at(where, key, "particles gives the gradient of a, too, and they carry a moment: take affine: gradient");
+    refuse_at(where, key,
+              "particles also gives the particles the gradient of the acceleration, but they carry a moment: set "
+              "affine: gradient");
   }
   if (scene.method->has_stages()) {
     refuse_at(where, key,
-              "particles kicks them before the grid does, and symplectic_rkn4 has its own kicks: take grid");
+              "particles cannot be combined with symplectic_rkn4, which accelerates the particles in stages of its "
+              "own: set grid");
   }
 }
 

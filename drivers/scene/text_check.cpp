@@ -58,7 +58,7 @@ void check_text(std::string_view text, const std::string& name, std::size_t limi
     if (indenting && byte == '\t') {
       const std::size_t word = text.find_first_not_of(" \t\r", i);
       if (word != text.npos && text[word] != '\n' && text[word] != '#') {
-        throw InputError(where, "", "a tab in the indentation; YAML takes blanks");
+        throw InputError(where, "", "a tab in the indentation; YAML needs spaces");
       }
     }
     if (byte != ' ' && byte != '\t') indenting = false;

@@ -14,8 +14,8 @@ namespace assay::drivers {
 
 namespace {
 
-constexpr const char* no_colon = "a key is followed by ':' and a blank, and here is none";
-constexpr const char* no_blank = "a blank belongs after ':'";
+constexpr const char* no_colon = "a key needs ':' and a space after it";
+constexpr const char* no_blank = "write a space after ':'";
 
 /// The lines up to the complaint.
 class Diagnosis {
@@ -85,8 +85,9 @@ class Diagnosis {
   /// "- " where no list is.
   std::optional<YamlSlip> item() const {
     if (column_ >= here().size() || !(here() + ' ').substr(column_).starts_with("- ")) return std::nullopt;
-    if (indent_of(here()) == column_) return slip(at_, column_, "an item of a list, and keys of a map stand above");
-    return slip(at_, column_, "an item of a list behind its key: each belongs in a line of its own, or write [a, b]");
+    if (indent_of(here()) == column_) return slip(at_, column_, "a list item, but the lines above are keys of a map");
+    return slip(at_, column_,
+                "a list item in the line of its key: write each item in a line of its own, or write [a, b]");
   }
 
   /// "-0.5" below "- 0.5", where the complaint is, or a few lines above it.
@@ -107,7 +108,7 @@ class Diagnosis {
     if (indent_of(bare_[above].text) != first || !stripped(bare_[above].text).starts_with("- ")) return {};
     const std::string text(stripped(lines_[line]).substr(1));
     return slip(line, first,
-                "a blank belongs behind the '-' of an item: write - " + text +
+                "write a space after the '-' of an item: - " + text +
                     (parse_number(text) ? ", or - -" + text + " for a number below 0" : ""));
   }
 
@@ -136,7 +137,7 @@ class Diagnosis {
           if (c != wanted) return mixed(open.back().kind, open.back().line, open.back().column, i, k);
           open.pop_back();
         } else if ((c == '}' || c == ']') && i == at_ && key_colon(line) < k) {
-          return slip(i, k, std::string("a bracket '") + c + "' that nothing opens");
+          return slip(i, k, std::string("a bracket '") + c + "' without an opening bracket");
         } else if (c == ',' && !open.empty()) {
           open.back().part_line = i, open.back().part = k + 1;
         } else if (c == ':' && !open.empty() && open.back().kind == '{' &&
@@ -191,15 +192,14 @@ class Diagnosis {
       return slip(at_, value, "several aliases are a list: [*a, *b]");
     const std::size_t end = std::min(here().find_first_of(" ,}]", column_), here().size());
     if (column_ < end && here()[column_] == '*' && here()[end - 1] == ':')
-      return slip(at_, end - 1, "a blank belongs between an alias and ':'");
+      return slip(at_, end - 1, "write a space between an alias and ':'");
     return std::nullopt;
   }
 
   /// A value that begins with a character that YAML keeps for itself.
   std::optional<YamlSlip> reserved() const {
     if (column_ < here().size() && here()[column_] == '*')
-      return slip(at_, column_,
-                  "no anchor of that name stands above, and a text that begins with '*' belongs in quotes");
+      return slip(at_, column_, "there is no anchor of that name above; a text that begins with '*' needs quotes");
     if (column_ >= here().size() || std::string_view("@`%").find(here()[column_]) == std::string_view::npos) return {};
     return slip(at_, column_, std::string("a value that begins with '") + here()[column_] + "' belongs in quotes");
   }
@@ -248,10 +248,10 @@ class Diagnosis {
     if (block == first || first > column) return std::nullopt;
     if (block > first) {
       return slip(top, 0,
-                  "a line that is indented, and line " + std::to_string(at_ + 1) +
+                  "this line is indented, but line " + std::to_string(at_ + 1) +
                       " is not: keys of one map begin in one column");
     }
-    return slip(at_, first, "indented as no line above: keys of one map begin in one column");
+    return slip(at_, first, "this indentation matches no line above: keys of one map begin in one column");
   }
 
   std::optional<YamlSlip> second_colon() const {

@@ -19,7 +19,8 @@ constexpr double safe_courant = 0.4;  ///< of the recommended method, in every c
 /// K/G of nearly incompressible materials, nu = 0.49967: with nu = 0.4999 averaged volumes lower the error 30 times;
 /// with nu = 0.499 they serve fine grids alone (docs/hard.md).
 constexpr double incompressible = 1500;
-constexpr double fine_grid = 64;  ///< cells across the body; with 48 averaged volumes make it unstable at nu = 0.4999 (measured)
+constexpr double fine_grid =
+    64;  ///< cells across the body; with 48 averaged volumes make it unstable at nu = 0.4999 (measured)
 constexpr double least_shear = 1e-8;  ///< of the stiffness: what is less is a fluid's, or rounding of differences
 
 bool is_recommended(const mpm::Method& method) {
@@ -62,7 +63,7 @@ std::array<double, 2> sides_of_body(const Problem& problem) {
 
 std::string advice_after_death(const Problem& problem, const std::string& reason) {
   if (!problem.compared && reason.find("left the grid") != reason.npos)
-    return "grid.lower and grid.upper: a body that moves by itself needs room for all of its way";
+    return "grid.lower and grid.upper: a free body needs room for its whole path";
   const auto& method = *problem.scene.method;
   const mpm::Remedies& remedies = problem.setup.remedies;
   const std::string courant = "courant: " + rounded_text(safe_courant, 2);
@@ -87,8 +88,9 @@ std::string advice_after_death(const Problem& problem, const std::string& reason
   std::string changes;
   for (const std::string& key : keys) changes += (changes.empty() ? "" : "; ") + key;
   const std::string locking = locks ? "; K/G is " + rounded_text(stiffness, 2) +
-                                          ", with which particles lock: remedies.anti_locking: cell, from " +
-                                          rounded_text(fine_grid, 2) + " cells across on, on a coarser grid it makes runs unstable"
+                                          ": particles lock. remedies.anti_locking: cell helps with at least " +
+                                          rounded_text(fine_grid, 2) +
+                                          " cells across; on a coarser grid it makes runs unstable"
                                     : "";
   return "total B-splines (" + changes + ") complete every hard case of the stability map, docs/hard.md" + locking;
 }

@@ -129,20 +129,20 @@ std::optional<mpm::Finding> HealthWatch::look(const mpm::State<2>& s, std::int64
   figures_.energy = larger(figures_.energy.value_or(0), ratio * ratio);
   if (ratio <= most_excess) return std::nullopt;
   return finding("the kinetic energy is " + rounded_text(ratio * ratio, 3) +
-                     " times the most that the known forces can have given; fastest",
+                     " times the largest value that the known forces can produce; fastest",
                  seen.fastest_particle);
 }
 
 std::vector<std::string> HealthWatch::sentences() const {
   std::vector<std::string> all;
   if (figures_.courant.value_or(0) > 1) {
-    all.push_back("waves crossed up to " + rounded_text(*figures_.courant, 3) +
-                  " cells in a step, with particles that moved at up to " + rounded_text(*figures_.fastest, 3) +
-                  " m/s (the Courant number): the step was too long for them");
+    all.push_back("the Courant number reached " + rounded_text(*figures_.courant, 3) +
+                  ", with particles that moved at up to " + rounded_text(*figures_.fastest, 3) +
+                  " m/s: the time step was too long");
   }
   if (figures_.domain_extent.value_or(0) > long_domain) {
     all.push_back("domains reached " + rounded_text(*figures_.domain_extent, 3) +
-                  " cells from their particle to a corner: nodes in between were given no part of it; " +
+                  " cells from their particle to a corner: nodes in between got no mass and force from it; " +
                   "remedies.largest_domain keeps them smaller");
   }
   return all;

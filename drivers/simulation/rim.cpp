@@ -58,7 +58,7 @@ std::optional<RimFigures> rim_of(const Response& response, const Vortex& vortex,
 std::string narrow_rim_sentence(const RimFigures& rim) {
   if (rim.cells >= fewest_rim_cells) return {};
   return "the plastic rim is " + rounded_text(rim.width, 3) + " m wide, " + rounded_text(rim.cells, 2) +
-         " cells: below 2 the grid does not see it; take a smaller grid.spacing";
+         " cells: the grid does not resolve less than 2 cells; take a smaller grid.spacing";
 }
 
 }  // namespace assay::drivers

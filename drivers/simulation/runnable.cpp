@@ -19,11 +19,10 @@ constexpr double most_snapshots = 1e5;  ///< of every step
 void require_acceleration(const Scene& scene) {
   const auto* table = std::get_if<DeformationTable>(&scene.motion);
   if (!table || table->interpolation() != Interpolation::linear) return;
-  throw InputError(
-      scene.place("motion.interpolation"), "motion.interpolation",
-      "linear makes the velocity jump at the rows, and the body force is made of F'', the second derivative "
-      "of F: only tabulate takes it",
-      "monotone, spline");
+  throw InputError(scene.place("motion.interpolation"), "motion.interpolation",
+                   "linear makes the velocity jump at the rows, but the body force needs the second derivative of F: "
+                   "only tabulate accepts linear",
+                   "monotone, spline");
 }
 
 void require_runnable(const Scene& scene) {
@@ -35,7 +34,8 @@ void require_runnable(const Scene& scene) {
   }
   if (vortex && vortex->amplitude.type == Amplitude::Type::ramp && scene.time.end > vortex->amplitude.period) {
     throw InputError(scene.place("time.end"), "time.end",
-                     "a ramp stops dead at its period: the velocity jumps there, which no body force can do");
+                     "a ramp stops at its period: the velocity jumps there, and no body force can do that; end the run "
+                     "at the period");
   }
   if (!scene.method)
     throw InputError(scene.place("method"), "method",

@@ -227,24 +227,43 @@ std::vector<Snapshots::Written> Snapshots::finish() {
   if (const auto ring = ring_of(motion)) picture.rings = {ring->inner, ring->outer};
   picture.lower = box.lower;
   picture.upper = box.upper;
-  const auto add = [&](const std::string& name, const std::string& title, const std::string& label, ColorMap map,
-                       std::vector<double> Frame::*values) {
-    picture.title = title;
+  const auto add = [&](const std::string& name, const std::string& label, std::vector<double> Frame::*values,
+                       const std::string& caption) {
     picture.value_label = label;
-    picture.map = map;
     picture.frames.clear();
     for (const Frame& frame : frames_) {
       picture.frames.push_back(frame.shape);
       picture.frames.back().value = frame.*values;
     }
-    written.push_back({name, title, png(picture)});
+    written.push_back({name, caption, png(picture)});
     folder_->write(name, written.back().png);
   };
-  add("error.png", "Error of the displacement", "|u − u_{exact}| [m]", ColorMap::viridis, &Frame::error);
+  const auto farthest = [&](std::vector<double> Frame::*values, double from) {
+    double most = 0;
+    for (const Frame& frame : frames_) {
+      for (const double value : frame.*values) most = std::max(most, std::isfinite(value) ? std::abs(value - from) : 0);
+    }
+    return most;
+  };
+  constexpr double rounding = 1e-9;  // of the range of colours: what is less is noise, and is not painted
+  const double size = std::max(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
+  picture.title = "Error of the displacement";
+  picture.range = {0, std::max(farthest(&Frame::error, 0), rounding * size)};
+  add("error.png", "|u − u_{exact}| [m]", &Frame::error,
+      "Yellow particles are farthest from their exact positions. All moments have one scale.");
+  picture.map = ColorMap::diverging;
   if (std::holds_alternative<Vortex>(motion)) {
-    add("shear.png", "Shear of the particles", "γ = 2ε [1]", ColorMap::diverging, &Frame::measure);
+    const double most = std::max(farthest(&Frame::measure, 0), rounding);
+    picture.title = "Shear of the particles";
+    picture.range = {-most, most};
+    add("shear.png", "γ = 2ε [1]", &Frame::measure,
+        "In the exact motion all particles of one radius have one colour. White particles are not sheared.");
   } else {
-    add("jacobian.png", "Volume of the particles", "J = det F [1]", ColorMap::viridis, &Frame::measure);
+    const double most = std::max(farthest(&Frame::measure, 1), rounding);
+    picture.title = "Volume of the particles";
+    picture.range = {1 - most, 1 + most};
+    add("jacobian.png", "J = det F [1]", &Frame::measure,
+        "White particles have their initial volume. Red ones are larger, blue ones smaller.");
   }
   return written;
 }

@@ -19,7 +19,7 @@ std::string long_step_sentence(const Problem& problem) {
   const double courant = problem.dt * fastest_signal(problem) / problem.scene.grid->spacing;
   if (!problem.scene.time.step || courant <= 1) return "";
   return "time.step = " + rounded_text(problem.dt, 3) + " s is " + rounded_text(courant, 3) +
-         " times what the fastest wave takes to cross a cell: the run will hardly be stable";
+         " times the time in which the fastest wave crosses a cell: the run is likely to become unstable";
 }
 
 std::string stress_at_rest_sentence(const Problem& problem) {
@@ -35,8 +35,8 @@ std::string stress_at_rest_sentence(const Problem& problem) {
   } catch (const std::runtime_error&) {  // the run itself will tell
   }
   if (!(stress > significant * problem.setup.density * problem.wave_speed * problem.wave_speed)) return "";
-  return "the material bears " + rounded_text(stress, 3) +
-         " Pa at rest, and free faces no traction: the body will not follow the motion there";
+  return "the material has a stress of " + rounded_text(stress, 3) +
+         " Pa at rest, which free faces cannot balance: the body will not follow the motion there";
 }
 
 /// The largest of |F''| behind a row less that before it [1/s^2].
@@ -112,8 +112,8 @@ std::string spline_end_sentence(const Problem& problem) {
     };
     if (!ends_at(*least, !setup.ends[d].lower) && !ends_at(*most, !setup.ends[d].upper)) continue;
     return "body.per_cell: the outermost particles along " + std::string(d == 0 ? "X" : "Y") +
-           " lie in the middle of a cell, where splines of bspline2 end that the face beside them pulls at: the error "
-           "will be some per cent of the motion on any grid, and with an even number per cell it is not there";
+           " are in the middle of a cell. A quadratic spline ends there, and the traction of the face loads it: the "
+           "error will be a few per cent of the motion on any grid. Take an even number per cell to avoid it";
   }
   return "";
 }

@@ -150,7 +150,7 @@ std::vector<std::string> warnings_of(const Plan& plan, const StudyFindings& find
       warnings.push_back("budget: " + line.changed + " changes nothing: the run of '" + line.source + "' is the same");
   }
   if (findings.machines.size() > 1)
-    warnings.emplace_back("the cases were run on different machines: costs do not compare");
+    warnings.emplace_back("the cases were run on different machines: their costs cannot be compared");
   if (const int missing = findings.count("missing"); missing > 0)
     warnings.push_back(std::to_string(missing) + " of " + std::to_string(plan.cases.size()) + " cases are missing");
   return warnings;

@@ -124,7 +124,7 @@ void warn_of_untimed(Comparison& found) {
   });
   if (untimed > 0)
     found.warnings.push_back("the cost of " + std::to_string(untimed) + (untimed == 1 ? " case is" : " cases is") +
-                             " known in one of the studies alone");
+                             " known in only one of the studies");
 }
 
 /// A motion without an error to compare is neither better nor worse.
@@ -152,8 +152,8 @@ void compare_figures(const StudyFindings& A, const StudyFindings& B, Comparison&
   }
   if (same > 0) {
     found.warnings.push_back(cases_text(same) +
-                             " slower or faster with the same key, that of one program and scene: "
-                             "it is the clock, and not judged");
+                             " slower or faster with the same key, so with the same program and scene: this is noise "
+                             "of the clock and is not judged");
   }
 }
 

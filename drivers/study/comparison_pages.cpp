@@ -95,7 +95,7 @@ std::string comparison_markdown(const StoredStudy& A, const StoredStudy& B, cons
     page += "|" + cell(rounded_text(digit.error, 3)) + cell(digit.a) + cell(digit.b) +
             cell(!digit.changed     ? "the same"
                  : digit.told_apart ? "changed"
-                                    : "changed, not told apart by the clocks") +
+                                    : "changed, within the noise of the clock") +
             "\n";
   }
   if (!found.expectations.empty()) page += "\n";

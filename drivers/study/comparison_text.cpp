@@ -55,9 +55,10 @@ std::string digit_lines(const StudyFindings& findings, const Comparison& found) 
   std::string text = "\nthe cheapest case at an error of\n";
   for (const ComparedDigit& digit : found.digits) {
     const std::string unit = findings.error_unit.empty() ? "" : " " + findings.error_unit;
-    const std::string line = !digit.changed ? "the same: " + name(digit.b)
-                                            : (digit.told_apart ? "changed" : "changed, not told apart by the clocks") +
-                                                  std::string(": ") + name(digit.a) + " -> " + name(digit.b);
+    const std::string line = !digit.changed
+                                 ? "the same: " + name(digit.b)
+                                 : (digit.told_apart ? "changed" : "changed, within the noise of the clock") +
+                                       std::string(": ") + name(digit.a) + " -> " + name(digit.b);
     text += wrapped(line, "  " + padded(rounded_text(digit.error, 3) + unit, 8) + " ", "    ");
   }
   return text;

@@ -122,9 +122,9 @@ std::string recommendation_text(const StoredStudy& study, const Recommendation& 
   if (found.runner_up) {
     const StudyCase& other = findings.cases[*found.runner_up];
     text += wrapped(other.label, "by another method: ", "  ") + case_lines(study, other);
-    if (!found.told_apart) text += "  the costs of the two are not told apart by their clocks\n";
+    if (!found.told_apart) text += "  the two costs differ by less than the noise of the clock\n";
   } else {
-    text += "by another method: none meets it\n";
+    text += "by another method: no case meets the error\n";
   }
   const std::string load = load_sentence(findings);
   return text + next_text(study, found.next) + wrapped(findings.cost_name, "cost: ", "  ") +

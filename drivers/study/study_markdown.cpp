@@ -122,7 +122,7 @@ std::string survival(const StudyFindings& findings) {
   }
   const std::string unfinished = unfinished_note(methods);
   return section("Which method completes the most cases",
-                 {"method", "completed", "died", "refused", "n/a", "error over the best"}, rows) +
+                 {"method", "completed", "failed", "refused", "n/a", "error over the best"}, rows) +
          "\nError over the best: " + ratio_note + ".\n" + (unfinished.empty() ? "" : "\n" + plain(unfinished) + "\n");
 }
 

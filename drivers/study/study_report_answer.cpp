@@ -49,7 +49,7 @@ std::string also_measured(const StudyFindings& findings, CostAxis axis) {
     const std::string note = curve.exact ? " (dashed: not eligible, as it uses the exact solution)" : "";
     names += (names.empty() ? "" : "; ") + escaped(curve.name) + note;
   }
-  return names.empty() ? "" : " Thin and grey: " + names + ".";
+  return names.empty() ? "" : " Thin grey lines: " + names + ".";
 }
 
 /// The series of the crosses.
@@ -70,7 +70,7 @@ std::string picture(const StudyFindings& findings, CostAxis axis) {
          element("figcaption",
                  "Down and to the left is better. Cases in grey discs are on the front: no other case is both more "
                  "accurate and cheaper in " +
-                     best + ". Crosses: cases that ended early, at what they had cost" + crossed(findings) + "." +
+                     best + ". Crosses: cases that ended early, at their cost so far" + crossed(findings) + "." +
                      also_measured(findings, axis)) +
          "</figure>\n" + data_link("work_precision.csv");
 }
@@ -100,7 +100,7 @@ std::string answer(const StudyFindings& findings) {
   }
   if (out.empty() && findings.front.empty() && !findings.cases.empty()) {
     out = "<div class=\"digit missed\">" + element("b", "No answer") +
-          element("small", "no case completed that may stand on the front" + rest_words(findings)) + "</div>\n";
+          element("small", "no completed case is eligible for the front" + rest_words(findings)) + "</div>\n";
   }
   return out.empty() ? out : "<div class=\"answer\">\n" + out + "</div>\n";
 }
@@ -109,7 +109,7 @@ std::string verdict(const StudyFindings& findings) {
   const auto failed = std::count_if(findings.expect.begin(), findings.expect.end(),
                                     [](const auto& line) { return !line.outcome.holds; });
   const int missing = findings.count("missing");
-  std::string kind = "plain", sentence = "The study expects nothing";
+  std::string kind = "plain", sentence = "The study has no expectations";
   if (failed > 0) {
     kind = "bad";
     sentence = std::to_string(failed) + " of " + std::to_string(findings.expect.size()) + " expectations " +
@@ -119,7 +119,7 @@ std::string verdict(const StudyFindings& findings) {
     sentence = "The study is not complete";
   } else if (!findings.expect.empty()) {
     kind = "good";
-    sentence = "All that was expected holds";
+    sentence = "All expectations hold";
   }
   std::string tally = std::to_string(findings.cases.size()) + " cases: ";
   bool first = true;
@@ -138,7 +138,7 @@ std::string verdict(const StudyFindings& findings) {
 }
 
 std::string work_precision(const StudyFindings& findings) {
-  const std::string swipe = "<p class=\"swipe\">What is wider than the window can be moved sideways.</p>\n";
+  const std::string swipe = "<p class=\"swipe\"><a href=\"work_precision.svg\">The figure alone</a>, to enlarge it.</p>\n";
   return html::section("What accuracy costs", swipe + picture(findings, CostAxis::cost));
 }
 

@@ -33,8 +33,8 @@ std::string stability(const StudyFindings& findings) {
   if (findings.cases.empty()) return {};
   return html::section("What completes and what does not",
                        stability_table(stability_map(findings)) +
-                           "<p class=\"tally\"><small>Blue: completed, the darker the smaller the error. Orange: died "
-                           "at that time. Grey: refused or stopped.</small></p>\n" +
+                           "<p class=\"tally\"><small>Blue: completed; darker means a smaller error. Orange: failed at "
+                           "that time. Grey: refused or stopped.</small></p>\n" +
                            data_link("stability.csv"));
 }
 
@@ -55,8 +55,8 @@ std::string budget(const StudyFindings& findings) {
   }
   return html::section("Where the error comes from",
                        html::table({"source", "refined alone", "error", "refined", "share", ""}, rows) +
-                           "<p class=\"tally\"><small>Share: largest change of the error over time when this alone is "
-                           "refined, over the largest error of the run.</small></p>\n" +
+                           "<p class=\"tally\"><small>Share: the largest change of the error over time if this source "
+                           "alone is refined, divided by the largest error of the run.</small></p>\n" +
                            data_link("budget.csv"));
 }
 
@@ -66,9 +66,9 @@ std::string profile(const StudyFindings& findings) {
     if (!findings.cases[index].passes.empty()) best = &findings.cases[index];
   }
   if (!best) return {};
-  return html::section("Where its time went",
-                       element("p class=\"tally\"", "Of the most accurate case on the front: " + escaped(best->label)) +
-                           "\n" + profile_table(best->passes) + data_link("passes.csv"));
+  return html::section("Where its time went", element("p class=\"tally\"", "For the most accurate case on the front: " +
+                                                                               escaped(best->label)) +
+                                                  "\n" + profile_table(best->passes) + data_link("passes.csv"));
 }
 
 std::string expectations(const StudyFindings& findings) {
@@ -116,11 +116,11 @@ std::string clock(const StudyFindings& findings) {
          memory ? plain_text(*memory / (1024.0 * 1024.0), 3) + " MiB" : html::none, words_cell(remark)});
   }
   if (rows.empty()) return {};
-  return html::section("The clock",
-                       html::table({"case", "repeats", "median", "spread", "others [cores]", "memory", ""}, rows) +
-                           "<p class=\"tally\"><small>Cases on the front, and those beside which other "
-                           "programs kept more than " +
-                           disturbing_text() + " busy.</small></p>\n" + data_link("timing.csv"));
+  return html::section(
+      "The clock",
+      html::table({"case", "repeats", "median", "spread", "others [cores]", "memory", ""}, rows) +
+          "<p class=\"tally\"><small>Cases on the front, and cases during which other programs kept more than " +
+          disturbing_text() + " busy.</small></p>\n" + data_link("timing.csv"));
 }
 
 std::string provenance(const StudyFindings& findings) {
@@ -132,7 +132,7 @@ std::string provenance(const StudyFindings& findings) {
   out += html::fact("Machines", escaped(joined(findings.machines)));
   out += html::fact("Error", escaped(findings.error_name) + ", <code>" + escaped(findings.error_key) + "</code>");
   out += html::fact("Cost", escaped(findings.cost_name) + ", <code>" + escaped(findings.cost_key) + "</code>");
-  return html::section("Where it comes from", out + "</dl>\n" + data_link("cases.csv"));
+  return html::section("Origin of the results", out + "</dl>\n" + data_link("cases.csv"));
 }
 
 }  // namespace assay::drivers::study_page

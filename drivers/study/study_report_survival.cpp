@@ -21,7 +21,7 @@ std::string completed_text(const Survival& of) {
 
 std::string lost_text(const Survival& of) {
   std::string text;
-  if (of.died > 0) text += std::to_string(of.died) + " died";
+  if (of.died > 0) text += std::to_string(of.died) + " failed";
   if (of.unfinished > 0) text += (text.empty() ? "" : ", ") + std::to_string(of.unfinished) + " not ended";
   if (of.refused > 0) text += (text.empty() ? "" : ", ") + std::to_string(of.refused) + " refused";
   if (of.not_applicable > 0) text += (text.empty() ? "" : ", ") + std::to_string(of.not_applicable) + " n/a";
@@ -62,7 +62,7 @@ std::string survival(const StudyFindings& findings) {
   }
   if (rows.empty()) return {};
   return html::section("Which method completes the most cases",
-                       html::table({"method", "completed", "died", "refused", "n/a", "error over the best"}, rows) +
+                       html::table({"method", "completed", "failed", "refused", "n/a", "error over the best"}, rows) +
                            element("p class=\"tally\"", "Error over the best: " + escaped(ratio_note) + ". " +
                                                             escaped(unfinished_note(methods))));
 }

@@ -62,7 +62,7 @@ std::string row(const std::string& a, const std::string& b, const std::string& c
 std::string digits_text(const StudyFindings& findings) {
   if (findings.digits.empty() && findings.front.empty())
     return wrapped("no case has both an error and a cost" + rest_words(findings), "", "  ");
-  if (findings.digits.empty()) return "the error is 0: no digit is the last\n";
+  if (findings.digits.empty()) return "the error is 0, so there is no next digit\n";
   std::string text = row("error", "costs", "one more", "the cheapest case that was measured");
   for (const StudyDigit& digit : findings.digits) {
     const std::string level = "<= " + error_text(findings, digit.error);
@@ -77,7 +77,7 @@ std::string digits_text(const StudyFindings& findings) {
 }
 
 std::string front_text(const StudyFindings& findings) {
-  std::string text = "cases that no other beats in both:\n";
+  std::string text = "cases that no other case beats in both error and cost:\n";
   for (const std::size_t i : findings.front) {
     const StudyCase& one = findings.cases[i];
     const std::string spread = one.cost_spread ? "+-" + rounded_text(100 * *one.cost_spread, 2) + " %" : "";
@@ -116,7 +116,7 @@ std::string deaths_text(const StudyFindings& findings) {
 }
 
 std::string budget_text(const StudyFindings& findings) {
-  std::string text = "of the error, by refining one source alone:\n";
+  std::string text = "share of each source of error, found by refining it alone:\n";
   for (const BudgetLine& line : findings.budget) {
     const std::string share = line.share ? rounded_text(100 * *line.share, 2) + " %" : line.outcome;
     text += row(share, or_dash(line.error, findings, error_words), or_dash(line.refined, findings, error_words),
@@ -138,8 +138,8 @@ std::string failures_text(const StudyFindings& findings) {
 
 std::string held_text(const StudyFindings& findings) {
   if (findings.expect.empty()) return "";
-  const auto held =
-      std::count_if(findings.expect.begin(), findings.expect.end(), [](const auto& each) { return each.outcome.holds; });
+  const auto held = std::count_if(findings.expect.begin(), findings.expect.end(),
+                                  [](const auto& each) { return each.outcome.holds; });
   return fmt::format("  {} of {} expectations hold\n", held, findings.expect.size());
 }
 

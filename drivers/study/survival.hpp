@@ -37,8 +37,8 @@ const Survival* hardiest(const std::vector<Survival>& found);
 
 /// What their ratio of errors is, for readers.
 inline constexpr const char* ratio_note =
-    "the median, over the cases that a method completes, of its error over the smallest that any method has there. n/a "
-    "is no pass: such a case asks nothing of the method";
+    "the error of the method divided by the smallest error of any method, as the median over the cases that it "
+    "completes. A case that is n/a does not count as completed";
 
 /// Which methods have cases that did not end, and how many; empty where all did.
 std::string unfinished_note(const std::vector<Survival>& found);

@@ -54,12 +54,12 @@ std::string unfinished_note(const std::vector<Survival>& found) {
     if (of.unfinished > 0)
       text += (text.empty() ? "" : "; ") + one_line(of.method, 80) + " " + std::to_string(of.unfinished);
   }
-  return text.empty() ? text : "Neither completed nor died, but stopped or not run yet: " + text + ".";
+  return text.empty() ? text : "Stopped, or not run yet: " + text + ".";
 }
 
 std::string survival_table(const std::vector<Survival>& found) {
   constexpr std::size_t widest = 34;
-  std::string text = padded("method", widest) + "  completed   died  refused    n/a  error/best\n";
+  std::string text = padded("method", widest) + "  completed failed  refused    n/a  error/best\n";
   for (const Survival& of : found) {
     const auto right = [](const std::string& word, std::size_t width) {
       return std::string(width - std::min(width, word.size()), ' ') + word;

@@ -96,7 +96,7 @@ Deed begin(const Material& material, std::size_t n, std::size_t bytes) {
     if (!thrown.empty()) return ends(exception_prefix + ("initial_state " + thrown));
     if (status == ASSAY_FAILED) continue;
     if (state.broken()) return ends("initial_state writes beyond the state that the model declares");
-    if (cauchy.values() != given) return ends("initial_state writes into what it is given");
+    if (cauchy.values() != given) return ends("initial_state changes its input");
     if (leaves_unwritten(material, state.values(), n)) {
       return ends("initial_state leaves components of the state unwritten");
     }
@@ -132,9 +132,9 @@ Deed step(const Material& material, const Walk& walk, double t, const Tensor& be
   if (message.broken()) return ends("it writes beyond the message");
   if (factor.broken()) return ends("it writes beyond dt_factor");
   if (step.t != whole.t || step.dt != whole.dt || step.F0 != whole.F0 || step.F1 != whole.F1)
-    return ends("it writes into the step that it is given");
+    return ends("it changes the step that it gets");
   if (!same(given[0], F0.values()) || !same(given[1], F1.values()) || !same(given[2], state.values()))
-    return ends("it writes into what it is given");
+    return ends("it changes its input");
   if (status.unwritten()) return ends("it leaves the status of points unwritten");
   if (std::count(found.begin(), found.end(), ASSAY_FAILED) != 0) return refusal_of(text_of(message.values()));
   if (cauchy.unwritten()) return ends("it leaves components of the stress unwritten");
@@ -151,7 +151,7 @@ std::string misdeed(const Material& material, const Walk& walk, History* history
   for (int k = 0; k < walk.steps && deed.goes_on; ++k) {
     const std::string at_rest =
         walk.rests && k == 1 ? step(material, walk, length * k, F(k), F(k), deed.state).wrong : std::string();
-    if (!at_rest.empty()) return at_rest + ", where nothing moves,";
+    if (!at_rest.empty()) return at_rest + ", without deformation,";
     deed = step(material, walk, length * k, F(k), F(k + 1), deed.state);
     if (!history || !deed.goes_on) continue;
     history->push_back(deed.cauchy);
@@ -242,7 +242,7 @@ std::array<double, 4> amplitudes_of_first(const Effort& effort) {
 
 TestResult guarded_arrays(const Material& material, const Options& options, FirstCalls& first) {
   TestResult result{.id = "calls.arrays", .measure = 0, .threshold = 0};
-  result.sentence = "nothing is written beyond the arrays, and all that is asked for is";
+  result.sentence = "nothing is written beyond the arrays, and every output is written";
   const std::size_t bytes = options.well_aligned ? 0 : promised;
   std::string what;
   for (const double amplitude : amplitudes_of_first(options.effort)) {

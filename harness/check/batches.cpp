@@ -82,7 +82,7 @@ BatchFinding find_in_batches(const Specimen& specimen, BatchFinding finding) {
 }
 
 TestResult not_loaded_while_it_turns(const char* id) {
-  return {.id = id, .verdict = Verdict::not_applicable, .sentence = "it cannot be loaded while it turns"};
+  return {.id = id, .verdict = Verdict::not_applicable, .sentence = "the model cannot be loaded while it rotates"};
 }
 
 }  // namespace
@@ -92,7 +92,8 @@ TestResult batches(const Specimen& specimen, const BatchFinding& alike) {
   try {
     const BatchFinding finding = alike.wrong > 0 ? alike : find_in_batches(specimen, alike);
     TestResult result{.id = id, .measure = finding.worst, .threshold = same_in_batch};
-    result.sentence = "a point answers in batches of up to " + std::to_string(finding.largest) + " as it does alone";
+    result.sentence =
+        "each point of a batch of up to " + std::to_string(finding.largest) + " points has the same result as alone";
     if (finding.wrong == 0) return result;
     result.verdict = Verdict::fail;
     result.cause = causes::of_batch;
@@ -101,8 +102,8 @@ TestResult batches(const Specimen& specimen, const BatchFinding& alike) {
                         " points that are loaded alike is refused, and a point alone is not: " + finding.refusal;
       return result;
     }
-    result.sentence = where(finding) + " otherwise than alone, by " + rounded(finding.worst) +
-                      " of the largest stress: points of a batch are not worked on apart";
+    result.sentence = where(finding) + " otherwise than alone; the difference is " + rounded(finding.worst) +
+                      " of the largest stress: the points of a batch influence each other";
     return result;
   } catch (const MaterialFailure&) {
     return not_loaded_while_it_turns(id);
@@ -132,7 +133,7 @@ TestResult alignment(const Specimen& specimen) {
     const Expected expected = expected_of(specimen, steps_along(specimen, specimen.options.effort.quick ? 9 : 37));
     const std::vector<Result> batch = together(*specimen.material, expected.steps);
     TestResult result{.id = id, .measure = 0, .threshold = same_in_batch};
-    result.sentence = "a step is the same wherever its arrays begin";
+    result.sentence = "the result does not depend on the addresses of the arrays";
     std::size_t place = 0;
     for (const std::size_t bytes : {8, 16, 24, 32, 48}) {
       const double effect = effect_of_place(*specimen.material, expected, batch, bytes);
@@ -141,8 +142,8 @@ TestResult alignment(const Specimen& specimen) {
     if (*result.measure <= same_in_batch) return result;
     result.verdict = Verdict::fail;
     result.cause = causes::of_alignment;
-    result.sentence = "where the arrays of a step begin " + std::to_string(place) +
-                      " bytes beyond a multiple of 64, and not at one, the answer differs by " +
+    result.sentence = "if the arrays of a step begin " + std::to_string(place) +
+                      " bytes beyond a multiple of 64, and not at a multiple, the result differs by " +
                       rounded(*result.measure) + " of the largest stress";
     return result;
   } catch (const MaterialFailure&) {

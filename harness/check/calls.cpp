@@ -37,7 +37,7 @@ double trace_of_increment(const Specimen& specimen, const Tensor& F0, const Tens
 TestResult undeclared_increment(const Specimen& specimen) {
   constexpr double most = 1e-12;
   TestResult result{.id = "calls.increment", .measure = 0, .threshold = most};
-  result.sentence = "F at the beginning of a step changes nothing, as declared";
+  result.sentence = "the result does not depend on F at the beginning of a step, as declared";
   if (specimen.material->has(ASSAY_USES_INCREMENT)) {
     result = {.id = "calls.increment", .verdict = Verdict::not_applicable};
     result.sentence = "the model declares that it reads F at the beginning of a step";
@@ -100,19 +100,18 @@ TestResult senseless_deformation(const Specimen& specimen) {
   };
   const bool of_nothing = answered(std::numeric_limits<double>::quiet_NaN(), 1);
   const bool of_infinity = answered(std::numeric_limits<double>::infinity(), 0), inverted = answered(-0.5, 8);
-  result.sentence =
-      of_infinity ? "an infinite F has a finite stress; one that is no number is refused"
-      : inverted  ? "a body turned inside out, det F < 0, has a stress; F that is no number or infinite is refused"
-                  : "F that is no number, infinite or turned inside out is refused";
+  result.sentence = of_infinity ? "an infinite F has a finite stress; an F that is not a number is refused"
+                    : inverted  ? "an F with det F < 0 has a stress; an F that is infinite or not a number is refused"
+                                : "an F that is not a number, is infinite or has det F < 0 is refused";
   const bool mirrored = takes_the_mirror_image(specimen);
   if (!of_nothing && !mirrored) return result;
   result.measure = 1;
   result.verdict = Verdict::fail;
   result.cause = causes::not_a_number;
-  result.sentence = of_nothing
-                        ? "an F that is no number has a finite stress: the error of the caller is hidden"
-                        : "a body turned inside out, det F < 0, has the stress of its mirror image, or none: the "
-                          "error of the caller is hidden";
+  result.sentence =
+      of_nothing
+          ? "an F that is not a number has a finite stress, which hides an error of the caller"
+          : "an F with det F < 0 has the stress of its mirror image, or none, which hides an error of the caller";
   return result;
 }
 

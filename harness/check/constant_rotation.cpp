@@ -104,8 +104,8 @@ bool turns_by_another_angle(const Specimen& specimen, TestResult& result) {
   const auto times = multiple_of_angle(specimen);
   if (!times) return false;
   result.cause = causes::wrong_spin;
-  result.sentence += "; of a stretch along axes that stand still the stress turns by " + rounded(*times) +
-                     " times the angle of the frame";
+  result.sentence +=
+      "; for a stretch along fixed axes the stress rotates by " + rounded(*times) + " times the angle of the frame";
   return true;
 }
 
@@ -113,8 +113,8 @@ bool turns_on_in_place(const Specimen& specimen, TestResult& result) {
   if (!turns_on(specimen)) return false;
   result.cause = causes::wrong_spin;
   result.sentence +=
-      "; the stress of a body that was turned turns on in steps in which it does not move: its rotation "
-      "is taken from F, not from the increment";
+      "; after a rotation, the stress goes on rotating in steps without motion: the rotation is taken from F, not from "
+      "the increment";
   return true;
 }
 
@@ -125,7 +125,7 @@ TestResult constant_rotation(const Specimen& specimen) {
   const Loading still = out_and_back(specimen);
   const auto in_frame = [&](const Tensor& R) { return turned_by(R, still); };
   TestResult result = twin_or_tolerance(specimen, {"rotation.constant", still, in_frame(Q), Q, Vector3::UnitX(),
-                                                   "the same history in a frame that is turned once for all"});
+                                                   "the same history in a frame with a constant rotation"});
   if (result.verdict == Verdict::pass) return result;
   if (!specimen.isotropic() && right_after_a_turn(specimen, Q, still, specimen.rest_state())) {
     result.verdict = Verdict::not_applicable;
@@ -141,12 +141,12 @@ TestResult constant_rotation(const Specimen& specimen) {
   const TestResult unturned = exact_twin(specimen, alike);
   if (unturned.verdict == Verdict::pass) {
     result.cause = causes::rotation_missing;
-    result.sentence += ", and the same as if the frame were not: it is the stress of the unturned body";
+    result.sentence += ", and equal to the stress of the unrotated body";
   } else if (!specimen.isotropic() && where_taken([&] { return right_after_rest_and_turn(specimen, Q, still); })) {
     result.cause = causes::state_not_rotated;
     result.sentence +=
-        "; right where a body rests in its first step and turns in its second: what the first call sets up is not "
-        "turned by the rotation of that step";
+        "; right if the body rests in its first step and rotates in the second: the first call sets up a tensor and "
+        "does not rotate it by the rotation of that step";
   } else if (where_taken([&] { return turns_by_another_angle(specimen, result); })) {
     return result;
   } else if (const auto order = order_by_turns(specimen, is_right)) {
@@ -158,7 +158,7 @@ TestResult constant_rotation(const Specimen& specimen) {
              (specimen.space.is_plane() || right(next_axes()))) {
     result.cause = causes::shear_factor;
     result.sentence +=
-        "; right in frames at right angles: shear and normal components are not weighed as an invariant does";
+        "; right in frames at right angles: shear and normal components are not weighted as in an invariant";
   } else {
     where_taken([&] { return turns_on_in_place(specimen, result); });
   }

@@ -162,12 +162,12 @@ TestResult jumps(const Specimen& specimen) {
   const March found = march(material, there, {.steps = specimen.steps() / 2, .state = specimen.rest_state()});
   look(path_from(there.F(1), found.marks[0].state, specimen.amplitude));
   TestResult result{.id = "jumps", .measure = worst.size / largest, .threshold = most};
-  result.sentence = "the stress jumps nowhere along paths of single steps";
+  result.sentence = "the stress has no jumps along paths of single steps";
   if (*result.measure <= most) return result;
   result.verdict = Verdict::fail;
   result.cause = causes::jump;
   result.sentence = "the stress jumps by " + percent(*result.measure) +
-                    " of its largest where F changes in its last digits, and nothing in the state tells of it";
+                    " of its largest value when F changes in its last digits, and no state variable shows it";
   return result;
 }
 

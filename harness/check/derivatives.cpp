@@ -231,8 +231,7 @@ void judge_beside_histories(const Specimen& specimen, const Offer<assay_tangent>
   result.threshold = most;
   result.verdict = Verdict::fail;
   result.cause = causes::tangent_wrong;
-  const std::string where =
-      found.moving <= most ? "in a step in which nothing moves" : "where principal stretches are equal";
+  const std::string where = found.moving <= most ? "in a step without deformation" : "at equal principal stretches";
   result.sentence = std::isfinite(error) ? "the tangent is wrong by " + percent(error) + " " + where
                                          : "the tangent is not finite " + where + ", and only there";
 }
@@ -269,11 +268,11 @@ std::string words_of(const Tangents& found, double worst) {
   if (std::string words = words_of_shears(found, worst); !words.empty()) return words;
   if (found.secant <= within && found.largest_share <= least_share) return "no moduli are given: the tangent is zero";
   if (found.elastic <= within) {
-    return "the tangent is that of elasticity at rest, and the stiffness changes along the history: " + wrong_by;
+    return "the tangent is the elastic tangent at rest, but the stiffness changes along the history: " + wrong_by;
   }
   if (found.secant <= within && found.least_share > least_share) {
-    return "the tangent is the secant, down to " + percent(found.least_share) +
-           " of the stiffness at rest: it leaves out how that share changes, and is " + wrong_by;
+    return "the tangent is the secant modulus, down to " + percent(found.least_share) +
+           " of the stiffness at rest: it leaves out how the secant changes, and is " + wrong_by;
   }
   return "the tangent is " + wrong_by + " of its largest component";
 }
@@ -291,9 +290,10 @@ TestResult tangent(const Specimen& specimen) {
     if (found.given > 0) break;
   }
   if (found.given == 0) {
-    const char* why = found.refused > 0
-                          ? "the model refuses to give its tangent"
-                          : "differences of the stress say nothing: it is too rough, or has kinks at every step";
+    const char* why =
+        found.refused > 0
+            ? "the model refuses to give its tangent"
+            : "finite differences of the stress are useless: the stress is too rough, or has kinks at every step";
     return {.id = "tangent", .verdict = Verdict::not_applicable, .sentence = why};
   }
   const double worst = found.refused > 0 ? INFINITY : found.worst;

@@ -35,11 +35,10 @@ bool is_pressure_beside_frames(const Findings& f) {
 /// A stress that time brings to a body at rest: growth, swelling.
 Found grows(const Findings& f) {
   if (!f.evidence.grows_at_rest || !(f.failed("rest") || f.failed("clock"))) return std::nullopt;
-  return Suspicion{
-      causes::grows,
-      "a body that is not deformed comes under stress as time goes by, whatever the steps: it has a strain "
-      "of its own, as of growth or swelling. Where that is meant, declare " +
-          f.evidence.growth_declaration};
+  return Suspicion{causes::grows,
+                   "an undeformed body becomes stressed with time, for every step length: it has a strain of its own, "
+                   "such as growth or swelling. If this is intended, declare " +
+                       f.evidence.growth_declaration};
 }
 
 /// What is kept elsewhere follows no clock, nor does what hangs on where arrays lie.
@@ -112,7 +111,7 @@ Found isotropy_row(const Findings& f) {
   if (!f.failed("isotropy")) return std::nullopt;
   const TestResult& test = *f.find("isotropy");
   return Suspicion{is_of_order(test.cause) ? test.cause : causes::not_isotropic,
-                   "a body that was turned before it is loaded answers otherwise: " + test.sentence};
+                   "a body that was rotated before it is loaded has another stress: " + test.sentence};
 }
 
 /// Of a stiffness that is mixed up as a whole: a frame shows it as well.

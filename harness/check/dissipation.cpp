@@ -105,8 +105,8 @@ void judge_relaxation(const Specimen& specimen, double from, TestResult& result)
     if (fine <= most || std::abs(fine - coarse) > same * coarse) return;  // of the steps, not of the model
     result = {.id = "dissipation", .verdict = Verdict::fail, .measure = fine, .threshold = most};
     result.cause = causes::dissipation;
-    result.sentence =
-        "the stress of a body that is held grows with time, by " + percent(fine) + ": a part relaxes the wrong way";
+    result.sentence = "at constant strain the stress grows with time, by " + percent(fine) +
+                      ": a part of it relaxes in the wrong direction";
   } catch (const MaterialFailure&) {  // of the length of a step
   }
 }
@@ -138,8 +138,8 @@ void judge_cycles(const Specimen& specimen, TestResult& result) {
   if (growth <= most) return;
   result = {.id = "dissipation", .verdict = Verdict::fail, .measure = growth, .threshold = most};
   result.cause = causes::dissipation;
-  result.sentence = "in cycles between the same strains the stress grows without an end, " + rounded(growth) +
-                    " times while their number doubles: flow feeds what drives it";
+  result.sentence = "in strain cycles of constant amplitude the stress grows without bound, " + rounded(growth) +
+                    " times when the number of cycles doubles: plastic flow increases the stress that drives it";
 }
 
 /// Of what depends on the rate. What fails in steps too brief for 24 bits, and not in longer ones, is no matter of
@@ -171,15 +171,15 @@ void judge_unloading(const Specimen& specimen, TestResult& result) {
   if (worst <= most) return;
   result = {.id = "dissipation", .verdict = Verdict::fail, .measure = worst, .threshold = most};
   result.cause = causes::dissipation;
-  result.sentence = "after yield, a cycle of strain in which the load turns about and is taken back gives " +
-                    percent(worst) + " of the work of loading on: unloading undoes the flow";
+  result.sentence = "after yield, a strain cycle that reverses the load and returns gains " + percent(worst) +
+                    " of the work of continued loading: unloading reverses the plastic flow";
 }
 
 TestResult judged(double worst, double most, const std::string& words) {
   TestResult result{.id = "dissipation", .measure = worst, .threshold = most};
   result.verdict = worst <= most ? Verdict::pass : Verdict::fail;
-  result.sentence = worst <= most ? "work is stored or lost, and none comes out of nothing"
-                                  : percent(worst) + " of the work comes out of nothing" + words;
+  result.sentence = worst <= most ? "work is stored or dissipated, and none is created"
+                                  : percent(worst) + " of the work is created" + words;
   if (worst > most) result.cause = causes::dissipation;
   return result;
 }
@@ -213,16 +213,15 @@ TestResult dissipation(const Specimen& specimen) {
   if (specimen.rest_pressure() > 0) {
     return {.id = "dissipation",
             .verdict = form ? Verdict::pass : Verdict::not_applicable,
-            .sentence = form ? "nothing comes back of what was lost of the work"
+            .sentence = form ? "no dissipated work is recovered"
                              : "the model offers no energy, and stores some at rest: under pressure"};
   }
   const auto times = specimen.rate_dependent() ? std::vector{1.0, 1e-3, 1e3} : std::vector{1.0};
   const double stretched = most_in(times, specimen, out_of_rest);
   const double pressed = most_in(times, specimen, out_of_volume);
   const bool of_volume = stretched <= of_history && pressed > of_history;
-  TestResult result =
-      judged(std::max(stretched, pressed), of_history,
-             of_volume ? ": in a change of volume from rest and back there" : ": from rest and back there");
+  TestResult result = judged(std::max(stretched, pressed), of_history,
+                             of_volume ? ": in a change of volume from rest and back" : ": from rest and back");
   if (result.verdict == Verdict::pass) judge_potential(specimen, times, result);
   if (result.verdict == Verdict::pass) result = viscosity(specimen, times).value_or(std::move(result));
   if (result.verdict != Verdict::pass) return result;

@@ -102,11 +102,12 @@ TestResult shear_components(const Specimen& specimen) {
     result.verdict = Verdict::fail;
     result.cause = order ? cause_of(*order) : causes::not_isotropic;
     result.sentence =
-        order ? "a shear" + each.of + " makes stress of another plane: " + misplaced_in_one(*order)
-              : "a strain" + each.of + " makes stress of another component, " + rounded(coupled) + " of the modulus";
+        order ? "a shear" + each.of + " gives shear stress in another plane: " + misplaced_in_one(*order)
+              : "a strain" + each.of + " gives stress in another component, " + rounded(coupled) + " of the modulus";
   }
   if (result.verdict == Verdict::pass) {
-    result.sentence = "each strain at rest makes its own stress, to " + rounded(*result.measure) + " of the modulus";
+    result.sentence = "at rest, each shear strain gives only its own shear stress, to within " +
+                      rounded(*result.measure) + " of the modulus";
   }
   return result;
 }
@@ -128,7 +129,8 @@ TestResult shear_modulus(const Specimen& specimen) {
                       (factor ? ": engineering and tensor shear are mixed up" : "");
   }
   if (result.verdict == Verdict::pass) {
-    result.sentence = "the shear modulus at rest is that of an isotropic material, to " + rounded(*result.measure);
+    result.sentence =
+        "the shear modulus at rest is that of an isotropic material, to within " + rounded(*result.measure);
   }
   return result;
 }

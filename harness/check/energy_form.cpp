@@ -88,7 +88,7 @@ TestResult energy(const Specimen& specimen) {
   if (!found.depends_on_F) {
     return {.id = "energy",
             .verdict = Verdict::not_applicable,
-            .sentence = "the energy is one of the state alone: it has no derivative at a fixed state"};
+            .sentence = "the energy depends on the state alone: it has no derivative at a fixed state"};
   }
   double worst = found.worst;
   if (worst > most && specimen.material->state_size() > 0) {

@@ -116,7 +116,7 @@ TestResult rate_form(const Specimen& specimen) {
     }
   }
   if (errors[0].empty())
-    return left("rate", "steps have no rate in the limit of no time, or the model refuses its own");
+    return left("rate", "the stress has no rate in the limit of short steps, or the model refuses the call");
   // The median: a state on a yield surface may be beyond it or not by its last digit.
   TestResult result{.id = "rate", .measure = 0, .threshold = most};
   std::string worst = "stress";
@@ -142,7 +142,8 @@ TestResult wave_speed(const Specimen& specimen) {
   const Material& material = *specimen.material;
   const Offer<assay_wave_speed> form(material);
   if (!form) return left("wave_speed", "the model offers no wave speed");
-  if (specimen.rate_dependent()) return left("wave_speed", "steps of the model are stiffer the shorter they are");
+  if (specimen.rate_dependent())
+    return left("wave_speed", "the stiffness of a rate-dependent model depends on the length of a step");
   double worst = 0, largest = 0;
   for (const Sample& s : samples_of(specimen)) {
     double F[9], cauchy[9], offered = NAN;
@@ -154,8 +155,8 @@ TestResult wave_speed(const Specimen& specimen) {
     largest = std::max(largest, given ? offered / found : 0);
   }
   TestResult result{.id = "wave_speed", .measure = worst, .threshold = most};
-  result.sentence = "no wave of probed steps is faster than what the model offers, which is up to " + rounded(largest) +
-                    " times that";
+  result.sentence = "no wave of probed steps is faster than the wave speed of the model, which is at most " +
+                    rounded(largest) + " times as fast";
   if (worst <= most) return result;
   result.verdict = Verdict::fail;
   result.cause = causes::wave_speed;
@@ -223,7 +224,7 @@ TestResult closed_form(const Specimen& specimen) {
     result.threshold = converging_limit;
     result.cause = right ? "" : causes::closed_form;
     const std::string form_of = "the closed form of " + std::string(name);
-    result.sentence = right                 ? "the closed form is the stress of increments, to " + rounded(measure)
+    result.sentence = right ? "the closed form agrees with the stress of increments, to within " + rounded(measure)
                       : std::isinf(measure) ? form_of + " gives what is no finite number"
                                             : form_of + " is off by " + percent(measure) +
                                                   (slope_error > limit->value ? ", its slope against its own tau"

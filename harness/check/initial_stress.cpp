@@ -90,13 +90,12 @@ TestResult ignored_stress(const Specimen& specimen, const Tensor& sigma) {
   result.threshold = own_precision;
   const std::string name = carrier(specimen, sigma + specimen.pressure * Tensor::Identity());
   if (!name.empty()) {
-    result.sentence = "initial_state drops an initial stress that '" + name + "' of the state could carry";
+    result.sentence = "initial_state ignores an initial stress that '" + name + "' of the state could carry";
   } else if (specimen.options.declarations.may_drop_stress) {
     result = {.id = "initial_stress", .verdict = Verdict::not_applicable};
-    result.sentence = "the model takes no notice of an initial stress";
+    result.sentence = "the model ignores an initial stress";
   } else {
-    result.sentence =
-        "initial_state says that it takes an initial stress, and drops it: let it return ASSAY_FAILED for one";
+    result.sentence = "initial_state accepts an initial stress and ignores it: return ASSAY_FAILED to refuse one";
   }
   return result;
 }
@@ -120,7 +119,7 @@ std::vector<Tensor> tried_stresses(const Specimen& specimen) {
 
 TestResult initial_stress(const Specimen& specimen) {
   TestResult result{.id = "initial_stress", .verdict = Verdict::not_applicable};
-  result.sentence = "the model starts free of stress alone";
+  result.sentence = "the model accepts no initial stress";
   if (specimen.material->state_size() == 0) return result;
   Carried best;
   bool taken = false;

@@ -13,7 +13,7 @@ TestResult change_of_basis(const Specimen& specimen) {
   if (!specimen.isotropic() && !directed) {
     return {.id = "basis",
             .verdict = Verdict::not_applicable,
-            .sentence = "the axes of the material are its own: no direction is declared that could turn along"};
+            .sentence = "the material has axes of its own, and declares no direction that could rotate with the frame"};
   }
   const Tensor Q =
       directed ? rotation_about_z(turning_angle) : specimen.space.turn(turning_angle);  // the third axis may be fixed
@@ -31,7 +31,7 @@ TestResult isotropy(const Specimen& specimen) {
   const auto before = [&](const Tensor& Q, const Loading& history) {
     const Loading seen{[=](double t) { return Tensor(history.F(t) * Q.transpose()); }, history.phases};
     return FrameTwins{"isotropy",         history,          seen,
-                      Tensor::Identity(), Vector3::UnitX(), "the same history of a body that was turned before"};
+                      Tensor::Identity(), Vector3::UnitX(), "the same history of a body that was rotated before"};
   };
   TestResult result = twin_or_tolerance(specimen, before(specimen.space.turn(turning_angle), still));
   if (result.verdict == Verdict::pass) return result;
@@ -51,8 +51,8 @@ TestResult isotropy(const Specimen& specimen) {
       shear_modulus(specimen).verdict == Verdict::pass) {
     result.cause = causes::shear_factor;
     result.sentence +=
-        "; right where it was turned by right angles, and isotropic in small strains: shear and normal components are "
-        "not weighed as an invariant does";
+        "; right after rotations by right angles, and isotropic in small strains: shear and normal components are not "
+        "weighted as in an invariant";
   }
   return result;
 }

@@ -27,9 +27,9 @@ std::string how(const Limit& limit, const std::array<double, 3>& e, int steps) {
     return "converges with order " + rounded(*limit.order) + " in the step: " + rounded(e[0]) + " at " +
            std::to_string(steps) + " steps, " + rounded(e[2]) + " at " + std::to_string(4 * steps);
   }
-  if (limit.value <= exact_error) return "exact at any step";
+  if (limit.value <= exact_error) return "exact for every step length";
   if (limit.value <= own_precision) return "to the model's own precision, " + rounded(limit.value);
-  return "off by " + rounded(limit.value) + " of the largest stress, whatever the step";
+  return "off by " + rounded(limit.value) + " of the largest stress, for every step length";
 }
 
 std::string percent(double share) {

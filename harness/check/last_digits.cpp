@@ -138,7 +138,7 @@ TestResult last_digits(const Specimen& specimen, const std::vector<History>& fir
   } catch (const MaterialFailure&) {  // where it is loaded while it turns: the tests of rotation tell
   }
   TestResult result{.id = "calls.bits", .measure = difference.worst, .threshold = 0};
-  result.sentence = "a step that is taken again is the same to the last bit";
+  result.sentence = "a step that is repeated has the same result to the last bit";
   if (difference.worst == 0) return result;
   result.verdict = Verdict::fail;
   result.cause = causes::not_reproducible;

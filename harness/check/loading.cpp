@@ -81,7 +81,7 @@ TestResult refused(const std::string& id, const char* cause, const MaterialFailu
   result.refused = result.cause == causes::refuses && !failure.final;
   if (cause && (result.cause == causes::refuses || result.cause == causes::not_finite)) result.cause = cause;
   const std::string what = failure.not_finite || result.cause == causes::ends_process ? words
-                           : words.empty() ? "the model refuses a step without a word"
+                           : words.empty() ? "the model refuses a step without a message"
                                            : "the model refuses a step: " + words;
   result.sentence = what + (id == "loading" ? "" : ", in the test " + id);
   return result;
@@ -105,33 +105,32 @@ TestResult not_loaded(const Material& material, const std::runtime_error& error)
   const Trials trials(material, *failure);
   if (trials.again()) {
     plain.cause = causes::hidden_state;
-    plain.sentence += "; asked for again, it takes the same step: something is kept outside the state, or never set";
+    plain.sentence += "; when the same step is repeated, it takes it: data is kept outside the state, or is never set";
   } else if (trials.general_strains() && !trials.held()) {
     plain.sentence += "; in a step in which a strained body does not move, too";
   } else if (trials.only_different_stretches()) {
     plain = refused("loading", causes::repeated_stretch, *failure);
-    plain.sentence += ": where principal stretches are equal, and only there";
+    plain.sentence += ": if principal stretches are equal, and only then";
   } else if (!trials.undeformed()) {
     plain.sentence += "; in a step without deformation, too";
   } else if (trials.general_strains()) {
-    plain.sentence += "; not in general strains, where no component of them vanishes";
+    plain.sentence += "; but not in general strains, which have no zero component";
   }
   return plain;
 }
 
 TestResult not_finite_beyond(const MaterialFailure& failure) {
   TestResult result = refused("loading", nullptr, failure);
-  result.sentence += ": as soon as the stress leaves its first straight line";
+  result.sentence += ": as soon as the stress leaves the linear range";
   return result;
 }
 
 TestResult without_stress(const Material& material) {
   TestResult result{.id = "loading", .verdict = Verdict::fail, .cause = causes::no_stress};
-  result.sentence =
-      stress_comes_late(material)
-          ? "a strain makes no stress in its own step, and does so in the next one, in which the body is held: the "
-            "stress is that of the beginning of a step (DFGRD0 for DFGRD1, STRAN without DSTRAN)"
-          : "no small strain from rest makes any stress, under any pressure that was tried";
+  result.sentence = stress_comes_late(material)
+                        ? "a strain gives no stress in its own step, but in the next step, in which the body is held: "
+                          "the stress is that of the beginning of a step (DFGRD0 for DFGRD1, STRAN without DSTRAN)"
+                        : "no small strain from rest makes any stress, under any pressure that was tried";
   return result;
 }
 

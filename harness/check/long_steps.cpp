@@ -93,14 +93,16 @@ std::optional<Excess> excess_when_held(const Struck& struck) {
 }
 
 std::string held_words(double length, double times) {
-  return "a body that is held bears " + rounded(times) + " times its stress after steps of " + rounded(length) +
-         " s: its relaxation is explicit, or its iteration ends unsolved: it overshoots in steps longer than its time";
+  return "at constant strain the stress becomes " + rounded(times) + " times its first value in steps of " +
+         rounded(length) +
+         " s. The relaxation is integrated explicitly, or an iteration ends before it converges: it overshoots in "
+         "steps longer than the relaxation time";
 }
 
 TestResult failed(double times, double most, const std::string& words) {
   TestResult result{.id = "dissipation", .verdict = Verdict::fail, .measure = times, .threshold = most};
   result.cause = causes::dissipation;
-  result.sentence = words + ", and does not ask for a shorter one";
+  result.sentence = words + ", and the model does not request a shorter step";
   return result;
 }
 
@@ -111,8 +113,8 @@ std::optional<TestResult> long_steps(const Specimen& specimen, double sudden) {
     const Struck struck(specimen, sudden);
     if (const auto found = excess(struck, &Struck::moved, most_moved)) {
       return failed(found->worst, most_moved,
-                    "a step of " + rounded(found->length) + " s brings " + rounded(found->times) +
-                        " times the stress of a sudden one");
+                    "a step of " + rounded(found->length) + " s gives " + rounded(found->times) +
+                        " times the stress of a very short step");
     }
     if (const auto found = excess_when_held(struck)) {
       return failed(found->worst, most_held, held_words(found->length, found->times));

@@ -153,7 +153,7 @@ struct Uses {
 
   std::string sentence() const {
     std::string text;
-    if (!unread.empty()) text = "no step reads " + unread.text() + " of the state: no more than an output";
+    if (!unread.empty()) text = "no step reads " + unread.text() + " of the state, which is only an output";
     if (!idle.empty()) text += (text.empty() ? "" : "; ") + ("no step uses " + idle.text() + " of the state");
     if (text.empty()) text = "steps read every variable of the state";
     if (!constant.empty()) {
@@ -166,9 +166,9 @@ struct Uses {
 TestResult forgotten(const std::string& name) {
   TestResult result{.id = "memory", .verdict = Verdict::fail, .measure = 1, .threshold = 0};
   result.cause = causes::forgotten;
-  result.sentence = "no step reads '" + name +
-                    "' of the state, which departs from its first value by what the last step adds: nothing "
-                    "accumulates";
+  result.sentence =
+      "no step reads '" + name +
+      "' of the state. It differs from its initial value only by what the last step adds: nothing accumulates";
   return result;
 }
 

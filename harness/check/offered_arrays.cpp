@@ -29,7 +29,7 @@ class OfferedArrays {
     if (gave && std::any_of(out_.begin(), out_.end(), [](const Guarded<double>& array) { return array.unwritten(); }))
       return function + " leaves results of points unwritten";
     for (std::size_t k = 0; k < in_.size(); ++k) {
-      if (!same(given_[k], in_[k].values())) return function + " writes into what it is given";
+      if (!same(given_[k], in_[k].values())) return function + " changes its input";
     }
     return {};
   }

@@ -48,11 +48,10 @@ std::string words_of(const Eigen::Matrix<double, 6, 1>& strain) {
 std::string words_of(const StiffnessOf& each, const Softest& softest, double least) {
   const double bulk = each.C.topLeftCorner<3, 3>().sum() / 9;
   if (3 * bulk < -least) {
-    return "a body that is pressed alike from all sides swells: the bulk modulus" + each.of + " is " + rounded(bulk) +
-           " Pa";
+    return "a body under uniform pressure swells: the bulk modulus" + each.of + " is " + rounded(bulk) + " Pa";
   }
   return "a strain (" + words_of(softest.strain) + ")" + each.of +
-         " makes a stress that drives it on: the stiffness against it is " + rounded(softest.stiffness) + " Pa";
+         " gives a stress that increases it: the stiffness against it is " + rounded(softest.stiffness) + " Pa";
 }
 
 /// The whole of it, but of what is viscous, and what is left of it in the longest steps. What an explicit rule makes of
@@ -80,7 +79,7 @@ TestResult positive_stiffness(const Specimen& specimen) {
     if (result.verdict == Verdict::fail || better) continue;
     result.measure = measure, result.threshold = threshold;
     result.verdict = measure <= threshold ? Verdict::pass : Verdict::fail;
-    result.sentence = "no small strain from rest makes a stress that drives it on";
+    result.sentence = "the stiffness at rest is not negative for any small strain";
     if (result.verdict == Verdict::pass) continue;
     result.cause = causes::not_positive;
     result.sentence = words_of(each, softest, threshold * specimen.modulus);

@@ -109,13 +109,13 @@ void judge_potential(const Specimen& specimen, const std::vector<double>& times,
   if (worst <= most) {
     if (elastic && worst > of_steps) {
       result.sentence += std::string("; ") + remark_words + "the stress has no potential, " + percent(worst) +
-                         " of the work comes out once around a square in the space of strains";
+                         " of the work is created around a closed square of strains";
     }
     return;
   }
   result = {.id = "dissipation", .verdict = Verdict::fail, .measure = worst, .threshold = most};
   result.cause = causes::dissipation;
-  result.sentence = percent(worst) + " of the work comes out of nothing: once around a square in the space of strains" +
+  result.sentence = percent(worst) + " of the work is created around a closed square of strains" +
                     (elastic ? "; the stress has no potential" : "");
 }
 

@@ -82,10 +82,11 @@ void look_for_trace(const Material& material, const FailedStep& refused, const s
   for (const auto& [step, answer] : before) worst = std::max(worst, difference(answer, asked(material, step)));
   if (!asked(material, refused).refused) {
     trace.measure = INFINITY;
-    trace.words = where + ", which it has refused, it takes when it is asked for it again";
+    trace.words = where + ", which it refused, is taken when it is repeated";
   } else if (worst > as_before) {
     trace.measure = worst;
-    trace.words = "after " + where + ", which it refuses, what it answered before differs by " + rounded(worst);
+    trace.words =
+        "after " + where + ", which it refuses, the earlier steps have other results; they differ by " + rounded(worst);
   }
 }
 
@@ -191,17 +192,18 @@ double share_by_last_digits(const Specimen& specimen) {
 TestResult refusals(const Specimen& specimen) {
   constexpr double most_by_digits = 0.1;  // less than one step
   TestResult result{.id = "calls.refused", .verdict = Verdict::not_applicable};
-  result.sentence = "no step is refused, up to strains of sixteen";
+  result.sentence = "no step is refused, up to a strain of 16";
   if (specimen.options.declarations.guesses_roles) {
-    result.sentence = "foreign routines are not asked for what they may end at";
+    result.sentence = "foreign routines are left out, because they may end the process in such steps";
     return result;
   }
   const double share = share_by_last_digits(specimen);
   if (share > most_by_digits) {
     result = {.id = "calls.refused", .verdict = Verdict::fail, .measure = share, .threshold = most_by_digits};
     result.cause = causes::refuses;
-    result.sentence = "the last digits of F decide which steps are refused, in " + percent(share) +
-                      " of a history's: as where iterations are to end closer than rounding lets them";
+    result.sentence =
+        "the last digits of F decide which steps are refused, in " + percent(share) +
+        " of the steps of a history: for example, the tolerance of an iteration is below its rounding errors";
     return result;
   }
   const Trace trace = trace_of_refusals(specimen);

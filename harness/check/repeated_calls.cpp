@@ -152,20 +152,20 @@ TestResult repeated_calls(const Specimen& specimen, const std::vector<History>& 
   }
   found = difference;
   TestResult result{.id = "calls.repeated", .measure = difference.worst, .threshold = most};
-  result.sentence = "a step taken again, in another order or of another instance is the same";
+  result.sentence = "a step has the same result when it is repeated, in another order or by another instance";
   if (of_stack > most) {
     result.verdict = Verdict::fail;
     result.cause = causes::hidden_state;
     result.measure = std::max(of_stack, difference.worst);
     result.sentence = "the same step differs by " + rounded(of_stack) +
-                      " of itself where the stack held other numbers: a local variable is read before it is set";
+                      " of its value if the stack holds other numbers: a local variable is read before it is set";
     return result;
   }
   if (difference.worst <= most) return result;
   result.verdict = Verdict::fail;
   result.cause = causes::hidden_state;
   result.sentence = "the same step " + difference.how + " differs by " + rounded(difference.worst) +
-                    " of itself: something is kept outside the state";
+                    " of its value: the model keeps data outside the state";
   return result;
 }
 

@@ -88,7 +88,7 @@ TestResult nearly_equal_stretches(const Specimen& specimen) {
   result.measure = worst;
   result.verdict = worst <= most_change ? Verdict::pass : Verdict::fail;
   if (result.verdict == Verdict::fail) result.cause = causes::repeated_stretch;
-  result.sentence = worst <= most_change ? "stretches that nearly agree give nearly the same stress"
+  result.sentence = worst <= most_change ? "stretches that are nearly equal give nearly the same stress"
                                          : "stretches that differ by " + rounded(at) + " change the stress by " +
                                                rounded(worst) + " of itself";
   return result;

@@ -18,10 +18,10 @@ TestResult stress_at_rest(const Specimen& specimen) {
   stepped(material, 2, 1, I, I, stepped(material, 1, 1, I, I, rest.state).state);  // a stress of zero divides nothing
   const double measure = distance(rest.cauchy, -specimen.rest_pressure() * I) / specimen.modulus;
   TestResult result{.id = "rest", .measure = measure, .threshold = most};
-  result.sentence = "stress over modulus of a body that was never deformed: " + rounded(measure);
+  result.sentence = "stress of the undeformed body, relative to the modulus: " + rounded(measure);
   if (specimen.own_pressure > 0) {
-    result.sentence = std::string(remark_words) + "under a pressure of its own at rest, " +
-                      rounded(specimen.own_pressure) + " Pa: faces without a traction do not hold it";
+    result.sentence = std::string(remark_words) + "the material has a pressure at rest, " +
+                      rounded(specimen.own_pressure) + " Pa, which free faces cannot balance";
   }
   if (measure <= most) return result;
   result.verdict = Verdict::fail;
@@ -110,7 +110,7 @@ TestResult symmetry(const Specimen& specimen) {
   }
   result.verdict = *result.measure <= *result.threshold ? Verdict::pass : Verdict::fail;
   result.sentence =
-      "sigma - sigma^T over the stress, of a body that turns while it is loaded: " + rounded(*result.measure);
+      "sigma - sigma^T relative to the stress, for a body that rotates while it is loaded: " + rounded(*result.measure);
   if (result.verdict == Verdict::fail) result.cause = causes::not_symmetric;
   return result;
 }
@@ -138,7 +138,7 @@ TestResult no_time(const Specimen& specimen) {
   result.sentence = "31 steps without deformation, and in no time, change the stress by " + rounded(least);
   if (result.verdict == Verdict::pass) return result;
   result.cause = causes::drifts;
-  result.sentence += " of the largest: it relaxes by the step, not by the time";
+  result.sentence += " of the largest stress: the relaxation follows the number of steps, not the time";
   return result;
 }
 
@@ -173,8 +173,8 @@ void judge_rate(const Specimen& specimen, TestResult& result) {
   result.cause = causes::drifts;
   result.measure = usual / std::max(loaded.largest, specimen.least_stress());
   result.sentence =
-      "a step without deformation takes away the stress that the step before it has brought, however short "
-      "both are: it goes by the step, not by the rate";
+      "a step without deformation removes the stress of the step before it, however short both are: the stress follows "
+      "the step, not the rate";
 }
 
 constexpr double top_of_pauses = 0.3;  ///< of the stretch
@@ -230,7 +230,7 @@ void judge_pause(const Specimen& specimen, TestResult& result) {
   result.order = {};
   result.verdict = Verdict::fail;
   result.cause = causes::drifts;
-  result.sentence = "a hundred steps without deformation change what the next load brings by " + percent(error) +
+  result.sentence = "a hundred steps without deformation change the stress of the next load by " + percent(error) +
                     " of the largest deviator";
 }
 

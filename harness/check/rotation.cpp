@@ -295,12 +295,10 @@ RotationFinding rotation_of_state(const Specimen& specimen) {
   if (worst <= most) return finding;
   const Declarations& declared = specimen.options.declarations;
   finding.result.sentence =
-      "'" + which + "' of the state does not turn with the body" +
-      (declared.guesses_roles ? "" : ", as its role says: a host that turns it spoils it") +
-      ": a defect, unless it has axes of its own, which declares " + declared.own_axes +
-      (symmetric ? ". The components of a symmetric tensor lie as 11 22 33 12 13 23, none of them "
-                   "doubled"
-                 : "");
+      "'" + which + "' of the state does not rotate with the body" +
+      (declared.guesses_roles ? "" : ", although its role says so: a host that rotates it makes it wrong") +
+      ". This is a defect, unless the tensor has axes of its own. To declare such axes, give " + declared.own_axes +
+      (symmetric ? ". A symmetric tensor has its components in the order 11 22 33 12 13 23, none of them doubled" : "");
   if (order) finding.result.sentence = misplaced(*order, "'" + which + "' of the state");
   if (declared.guesses_roles) return finding;
   finding.result.verdict = Verdict::fail;

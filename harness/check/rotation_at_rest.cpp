@@ -80,7 +80,8 @@ RotationFinding rotation_at_rest(const Specimen& specimen) {
   finding.result.step = last;
   finding.result.order = limit.order;
   finding.result.verdict = limit.passes() ? Verdict::pass : Verdict::fail;
-  finding.result.sentence = "stress over modulus of a body that turns and is not loaded: " + rounded(errors[2]);
+  finding.result.sentence =
+      "stress of a body that rotates without load, relative to the modulus: " + rounded(errors[2]);
   finding.small_strain = small_strain_share(specimen);
   if (finding.result.verdict == Verdict::fail && specimen.rate_dependent()) {
     const double later = relaxed_small_strain_share(specimen);

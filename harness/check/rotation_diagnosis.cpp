@@ -31,16 +31,16 @@ Found small_strain_at_rest(const Findings& f) {
     return std::nullopt;
   }
   return Suspicion{causes::small_strain,
-                   "a body that only turns by Q is stressed as by the strain sym(Q - I): the strain is not one of "
-                   "finite deformation"};
+                   "a rigid rotation Q gives the stress of the strain sym(Q - I): the strain measure is not valid for "
+                   "finite rotations"};
 }
 
 Found small_strain_of_rates(const Findings& f) {
   const bool is_small = std::abs(f.evidence.at_rest.relaxing_small_strain - 1) < small_strain_within;
   if (!f.failed("rotation.constant") || !is_small) return std::nullopt;
   return Suspicion{causes::small_strain,
-                   "a body that only turns by Q has the viscous stress of the strain sym(Q - I): its rate is "
-                   "sym(F1 - F0)/dt, not that of finite deformation"};
+                   "a rigid rotation Q gives the viscous stress of the strain sym(Q - I): the strain rate is sym(F1 - "
+                   "F0)/dt, which is not valid for finite rotations"};
 }
 
 Suspicion of_variable(const TurnedVariable& variable, Turned how) {
@@ -52,9 +52,10 @@ Suspicion of_variable(const TurnedVariable& variable, Turned how) {
       return {causes::shear_factor, "the shear components of " + name + " are doubled or halved when it is turned"};
     case Turned::not_at_all:
       return {variable.is_stress ? causes::rotation_missing : causes::state_not_rotated,
-              name + " stays where it was when the body turns, though the next step uses it as a tensor"};
+              name + " does not rotate with the body, although the next step uses it as a tensor"};
     default:
-      return {causes::wrong_spin, name + " turns by " + rounded(variable.times) + " times the angle of the body"};
+      return {causes::wrong_spin,
+              name + " rotates by " + rounded(variable.times) + " times the angle of the body's rotation"};
   }
 }
 
@@ -140,13 +141,13 @@ Found turned_once_for_all(const Findings& f) {
 Found drift(const Findings& f) {
   if (!f.failed("rotation.constant") || f.evidence.drifting.empty()) return std::nullopt;
   return Suspicion{causes::drifts, "'" + f.evidence.drifting + "' of the state changes in steps without deformation, " +
-                                       "and what follows shows it"};
+                                       "and this makes later stresses wrong"};
 }
 
 Found unmoved_at_fixed_stretch(const Findings& f) {
   const RotationFinding& fixed = f.evidence.fixed;
   if (!f.failed("rotation.fixed_stretch") || !fixed.turned || std::abs(*fixed.turned) > unmoved) return std::nullopt;
-  return Suspicion{causes::rotation_missing, "the stress of a stretched body that turns stays where it was"};
+  return Suspicion{causes::rotation_missing, "the stress of a stretched body does not rotate with the body"};
 }
 
 Found wrong_frame_at_fixed_stretch(const Findings& f) {
@@ -155,7 +156,7 @@ Found wrong_frame_at_fixed_stretch(const Findings& f) {
     return unnamed(f, f.find("rotation.constant")->sentence);
   }
   return Suspicion{causes::wrong_spin,
-                   "a stretch along axes that stand still is right in any frame, one along axes that turn is not: "
+                   "the stress is right in every frame if the axes of stretch are fixed, and wrong if they rotate: "
                    "components of the spin are missing or mixed up"};
 }
 
@@ -171,7 +172,8 @@ Found no_rotations(const Findings& f) {
   if (!f.failed("rotation.fixed_stretch") || !of_steps) return std::nullopt;
   return Suspicion{
       causes::explicit_spin,
-      "the stress is turned in steps that are no rotations, or a turn is taken for a strain: " + fixed.result.sentence};
+      "the increment that rotates the stress is not a rotation, or part of the rotation is taken as strain: " +
+          fixed.result.sentence};
 }
 
 Found another_angle(const Findings& f) {
@@ -181,15 +183,16 @@ Found another_angle(const Findings& f) {
   // A large turn may be taken for another one, by which it comes to the same place.
   const std::optional<double> small = other_spin(fixed), times = small || !other_angle ? small : fixed.turned;
   if (!times) return std::nullopt;
-  return Suspicion{causes::wrong_spin, "the stress turns by " + rounded(*times) +
-                                           " times the angle by which the body turns" +
-                                           (fixed.turned ? "" : ", and in steps that are no rotations")};
+  return Suspicion{causes::wrong_spin, "the stress rotates by " + rounded(*times) +
+                                           " times the angle of the body's rotation" +
+                                           (fixed.turned ? "" : ", and its increments are not rotations")};
 }
 
 Found left_behind_at_fixed_stretch(const Findings& f) {
   if (!f.failed("rotation.fixed_stretch") || f.evidence.state.left_behind.empty()) return std::nullopt;
-  return Suspicion{causes::state_not_rotated, "of the state of a body that turns, " + f.evidence.state.left_behind +
-                                                  " does not turn along, and the stress is wrong by that"};
+  return Suspicion{causes::state_not_rotated,
+                   "when the body rotates, " + f.evidence.state.left_behind +
+                       " of the state does not rotate with it, and this makes the stress wrong"};
 }
 
 Found fixed_stretch(const Findings& f) {
@@ -205,8 +208,9 @@ Found constant_with_a_stretch(const Findings& f) {
 Found left_behind(const Findings& f) {
   const bool fails = f.failed("rotation.after") || f.failed("rotation.during");
   if (!fails || f.evidence.state.left_behind.empty()) return std::nullopt;
-  return Suspicion{causes::state_not_rotated, "the stress turns with the body, but " + f.evidence.state.left_behind +
-                                                  " of the state does not, and the loads after that show it"};
+  return Suspicion{causes::state_not_rotated,
+                   "the stress turns with the body, but " + f.evidence.state.left_behind +
+                       " of the state does not, and this makes the stress of later loads wrong"};
 }
 
 Found growth_in_revolutions(const Findings& f) {

@@ -49,17 +49,17 @@ std::vector<std::string> not_tested(const Specimen& specimen) {
   const Material& material = *specimen.material;
   std::vector<std::string> all;
   if (material.table().parameter_count > 0 && !Offer<assay_closed_form>(material)) {
-    all.emplace_back("the values of its parameters (there is no reference)");
+    all.emplace_back("whether the values of the parameters are right (there is no reference)");
   }
   const char* why = takes_shorter_increments(specimen) ? " (it takes them in shorter increments alone)"
                     : specimen.refusal                 ? " (it refuses them)"
-                                       : " (far beyond its first straight line; --strain asks for more)";
+                                                       : " (far beyond the linear range; --strain asks for more)";
   if (!has_reached(specimen)) all.push_back("strains above " + rounded(specimen.amplitude) + why);
   if (material.has(ASSAY_NON_SMOOTH) && stays_linear(specimen)) {
-    all.emplace_back("what lies beyond its first straight line (a kink is declared, and none was met)");
+    all.emplace_back("the response beyond the linear range (a kink is declared, and no history reached one)");
   }
   if (specimen.pressure > 0 && !specimen.options.effort.pressure && is_no_number_unpressed(material))
-    all.emplace_back("a body without pressure, with which a run begins (its stress is no number there)");
+    all.emplace_back("a body without pressure, as at the start of a run (its stress is not a number)");
   if (specimen.space.is_plane()) all.emplace_back("shears out of the plane");
   if (specimen.options.effort.step != 1) all.push_back("steps above " + rounded(specimen.options.effort.step) + " s");
   return all;
@@ -79,10 +79,10 @@ std::optional<TestResult> not_reached(const Specimen& specimen) {
   result.cause = kink ? causes::refuses : causes::not_reached;
   const std::string far = rounded(specimen.amplitude);
   const std::string words = specimen.refusal ? result.sentence + ". " : "";
-  result.sentence = kink ? words + "It refuses whatever leaves its first straight line, to a strain of " + far +
-                               "; a kink is declared (non_smooth), and none can be tested"
-                         : words + "Strains of " + rounded(asked) + " were asked for, and it stands " + far +
-                               (takes_shorter_increments(specimen) ? ", and more in shorter increments alone" : "");
+  result.sentence = kink ? words + "It refuses every step beyond the linear range, up to a strain of " + far +
+                               "; a kink is declared (non_smooth), and cannot be tested"
+                         : words + "The requested strain is " + rounded(asked) + "; the model reaches " + far +
+                               (takes_shorter_increments(specimen) ? ", and more only in shorter increments" : "");
   return result;
 }
 

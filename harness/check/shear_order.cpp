@@ -11,7 +11,7 @@ constexpr int shear_row[] = {0, 0, 1}, shear_column[] = {1, 2, 2};
 constexpr ShearOrder of_13_and_23 = other_orders[0];
 
 std::string lying(const std::string& of, const std::string& order) {
-  return "the shears of " + of + " lie in the order " + order + ", where 12, 13, 23 belong";
+  return "the shear components of " + of + " are in the order " + order + ", instead of 12, 13, 23";
 }
 
 }  // namespace
@@ -53,8 +53,7 @@ std::string words_of(const ShearOrder& order) {
 }
 
 std::string misplaced(const ShearOrder& order, const std::string& of) {
-  return order == of_13_and_23 ? "components 13 and 23 of " + of + " are in each other's place"
-                               : lying(of, words_of(order));
+  return order == of_13_and_23 ? "components 13 and 23 of " + of + " are exchanged" : lying(of, words_of(order));
 }
 
 std::string misplaced_in_one(const ShearOrder& order) {
@@ -64,7 +63,7 @@ std::string misplaced_in_one(const ShearOrder& order) {
 }
 
 std::string misplaced_somewhere(const ShearOrder& order) {
-  if (order == of_13_and_23) return "somewhere 13 and 23 change places";
+  if (order == of_13_and_23) return "13 and 23 are exchanged somewhere";
   const ShearOrder other = reversed(order);
   return "somewhere " + lying("a tensor", words_of(order) + (other == order ? "" : " or " + words_of(other)));
 }

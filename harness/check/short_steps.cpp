@@ -80,9 +80,10 @@ std::optional<TestResult> rests_when_held(const Specimen& specimen) {
       const double apart = stable_norm(Tensor(held - moved)) / size;
       if (apart <= most) continue;
       return failed(apart, most,
-                    "a body that is held for " + rounded(length) + " s bears another stress than one that moves by " +
-                        rounded(hardly) + " meanwhile, by " + percent(apart) +
-                        " of it: a step without deformation is left out",
+                    "a body that does not move for " + rounded(length) +
+                        " s has another stress than a body that is strained by " + rounded(hardly) +
+                        " in this time, by " + percent(apart) +
+                        " of the stress: the model skips steps without deformation",
                     causes::drifts);
     } catch (const MaterialFailure&) {  // of the length of a step
     }
@@ -113,8 +114,8 @@ std::optional<TestResult> short_steps(const Specimen& specimen) {
         if (!(found < share * expected)) continue;
         return failed(found / expected, share,
                       "a strain of " + rounded(strain) +
-                          " in one step makes no stress in a loaded body, where one of " + rounded(usual) +
-                          " does: short steps are left out, and a slow loading makes none at all",
+                          " in one step adds no stress to a loaded body, although a strain of " + rounded(usual) +
+                          " does: the model skips small steps, so a slow loading adds no stress at all",
                       causes::no_convergence);
       }
     } catch (const MaterialFailure&) {  // of a step at once

@@ -98,7 +98,7 @@ TestResult ellipticity(const Specimen& specimen) {
     words += (words.empty() ? "" : "; ") + finding.words;
   }
   result.sentence = std::string("strong ellipticity") + (specimen.space.is_plane() ? " in the plane" : "") +
-                    ", a property of the material and no defect: " + words;
+                    " (a property of the material, not a defect): " + words;
   if (!std::isfinite(smallest)) return result;
   result.measure = smallest;
   result.verdict = Verdict::pass;

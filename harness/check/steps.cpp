@@ -131,7 +131,7 @@ TestResult step_halving(const Specimen& specimen) {
   if (result.verdict == Verdict::pass || result.cause == causes::no_convergence) return result;
   result.cause = causes::no_convergence;
   result.sentence = "halving the step again and again changes the stress by " + rounded(first) + ", " +
-                    rounded(second) + ", " + rounded(third) + ": it has no limit";
+                    rounded(second) + ", " + rounded(third) + ": it does not converge";
   return result;
 }
 
@@ -164,7 +164,7 @@ TestResult clock_independence(const Specimen& specimen) {
   constexpr double most = clock_limit;
   const int steps = specimen.steps() / 2;
   double largest = 0, worst = 0;
-  std::string sentence = "the clock changes nothing";
+  std::string sentence = "the result does not depend on the time";
   const auto compare = [&](double length, double begin, const Tensor& expected, const std::string& words) {
     double ignored = 0, error = INFINITY;
     try {
@@ -179,7 +179,7 @@ TestResult clock_independence(const Specimen& specimen) {
     }
   };
   const Tensor expected = stress_after(specimen, steps, 1, 0, largest);
-  compare(1, 1e6, expected, "a clock that begins at 1e6 s");
+  compare(1, 1e6, expected, "a time that begins at 1e6 s");
   if (!specimen.rate_dependent()) {
     const bool of_steps = step_length_matters(specimen, steps);
     for (const double dt : lengths_of_steps) {

@@ -87,14 +87,14 @@ double in_threads(const Material& material, const std::vector<Batch>& batches,
 TestResult judged(const Material& material, double worst) {
   constexpr double most = 1e-12;  // as in calls.repeated
   TestResult result{.id = "calls.threads", .measure = worst, .threshold = most};
-  result.sentence = "two threads at once get what each gets alone";
+  result.sentence = "two threads at once get the same results as one thread";
   if (worst <= most) return result;
   const bool shared = material.has(ASSAY_THREAD_SAFE);
   result.verdict = Verdict::fail;
   result.cause = causes::hidden_state;
   result.sentence = "the same steps in two threads at once differ by " + rounded(worst) + ": " +
-                    (shared ? "ASSAY_THREAD_SAFE is declared, and something is kept where both write"
-                            : "something is kept outside of the instance that each thread has of its own");
+                    (shared ? "ASSAY_THREAD_SAFE is declared, but both threads write to the same data"
+                            : "data is kept outside the instance, although each thread has its own instance");
   return result;
 }
 

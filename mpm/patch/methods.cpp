@@ -86,26 +86,33 @@ std::string name_of(const Method& method) {
 namespace {
 
 std::string why_angular_momentum_changes(const Method& method) {
-  if (method.is_total()) return "forces in the reference configuration have a moment, as its map of X is not that of x";
-  if (method.keeps_velocity()) return "the increments of FLIP have a moment of their own";
-  if (!method.is_affine()) return "a particle that takes the grid's velocity loses its own spin";
-  if (method.affine == Affine::gradient) return "the gradient carries affine motions exactly, and no other moment";
-  return method.basis == Basis::cpdi2 ? "the middle of a quadrilateral moves a little otherwise than its particle" : "";
+  if (method.is_total())
+    return "forces in the reference configuration have a moment about the current positions, because the grid "
+           "reproduces X and not x";
+  if (method.keeps_velocity()) return "the velocity increments of FLIP have a moment of their own";
+  if (!method.is_affine()) return "a particle that takes over the grid's velocity loses its angular momentum";
+  if (method.affine == Affine::gradient) return "the velocity gradient conserves the moment of affine motions only";
+  return method.basis == Basis::cpdi2 ? "the centre of a quadrilateral moves slightly differently from its particle"
+                                      : "";
 }
 
 /// Of a body that is no longer the lattice that it was.
 std::string why_domains_do_not_fit(Basis basis) {
-  if (basis == Basis::linear) return "a particle of the linear basis counts whole for the cell that it is in";
-  if (basis == Basis::ugimp) return "the boxes of uGIMP keep their size and shape, and leave gaps and overlap";
-  if (basis == Basis::cpgimp) return "the boxes of cpGIMP keep to the axes, and leave gaps and overlap in shear";
-  return is_spline(basis) ? "B-splines are sampled at the particles: points of unequal share are no quadrature" : "";
+  if (basis == Basis::linear) return "with the linear basis, a particle contributes only to the cell that it is in";
+  if (basis == Basis::ugimp) return "the domains of uGIMP keep their size and shape, so they overlap and leave gaps";
+  if (basis == Basis::cpgimp)
+    return "the domains of cpGIMP stay aligned with the axes, so they overlap and leave gaps in shear";
+  return is_spline(basis) ? "B-splines are evaluated at the particles, which are no accurate quadrature points if "
+                            "their volumes differ"
+                          : "";
 }
 
 /// `fits`: the body is a lattice on the grid's cells as it is now.
 std::string why_surface_is_unbalanced(const Method& method, bool fits) {
   if (!method.is_total() && (!fits || method.basis == Basis::ugimp)) return why_domains_do_not_fit(method.basis);
   if (method.basis == Basis::bspline3 || method.basis == Basis::bspline4)
-    return "two points a cell do not integrate cubic and quartic B-splines, which shows where a face cuts them off";
+    return "two points a cell do not integrate cubic and quartic B-splines exactly, and this shows at a face, which "
+           "cuts the splines off";
   return {};
 }
 
@@ -115,13 +122,15 @@ std::string exemption(const Method& method, const std::string& test) {
   const Basis basis = method.basis;
   if (test == "momentum.angular") return why_angular_momentum_changes(method);
   if (test.starts_with("rotation.")) {
-    if (method.transfer == Transfer::pic) return "PIC smooths the velocity in every step, the more the shorter it is";
-    if (basis == Basis::linear) return "the linear basis has a gradient that jumps where a particle changes its cell";
+    if (method.transfer == Transfer::pic)
+      return "PIC smooths the velocity in every step, so shorter steps give more smoothing";
+    if (basis == Basis::linear)
+      return "the gradient of the linear basis jumps when a particle crosses into another cell";
   }
   if (test == "stress.deformed" && method.is_total()) return {};  // the lattice as it was seeded
   if (test == "stress.deformed" || test == "stress.graded" || test == "stress.jittered") {
     if (test == "stress.jittered" && basis == Basis::cpdi)
-      return "domains of CPDI that are moved one by one leave gaps and overlap";
+      return "domains of CPDI that are moved independently overlap and leave gaps";
     return why_domains_do_not_fit(basis);
   }
   if (test.starts_with("surface.")) return why_surface_is_unbalanced(method, test == "surface.free");

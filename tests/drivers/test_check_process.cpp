@@ -20,7 +20,7 @@ CheckedMaterial one_task(const std::function<void(const CheckReporter&)>& work, 
 TEST(CheckProcess, WhatIsNotDoneInTimeIsTooSlow) {
   const CheckedMaterial found = one_task([](const CheckReporter&) { ::sleep(10); }, 0.2);
   EXPECT_TRUE(found.unsuitable);
-  EXPECT_NE(found.error.find("clay: the model came back from each of its calls, and the tests were not done within 0.2 "
+  EXPECT_NE(found.error.find("clay: the model returned from each call, but the tests were not done within 0.2 "
                              "s, in the test continuity: it is too slow to be judged"),
             std::string::npos)
       << found.error;

@@ -110,7 +110,7 @@ TEST_F(CheckScope, TheLengthOfAStepIsToldFromItsStrain) {
 TEST_F(CheckScope, ADoubledShearModulusIsNotTestedAndSaid) {
   const Ending ending = check("      CONTINUE\n");
   EXPECT_EQ(ending.status, 0) << ending.said;
-  EXPECT_TRUE(says(ending, "the values of its parameters (there is no reference)")) << ending.said;
+  EXPECT_TRUE(says(ending, "whether the values of the parameters are right (there is no reference)")) << ending.said;
   EXPECT_TRUE(says(ending, "other temperatures")) << ending.said;
 }
 

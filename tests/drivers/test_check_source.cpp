@@ -45,7 +45,7 @@ TEST_F(CheckSource, ANewUserHasTheVerdictAtOnce) {
   EXPECT_EQ(ending.status, 0) << ending.said;
   EXPECT_TRUE(says(ending, "model.f: pass")) << ending.said;
   EXPECT_TRUE(says(ending, "a UMAT (umat_) in fixed form, read at 132 columns")) << ending.said;
-  EXPECT_TRUE(says(ending, "its description, to be edited: results/check/model.yaml")) << ending.said;
+  EXPECT_TRUE(says(ending, "description, which you can edit: results/check/model.yaml")) << ending.said;
   EXPECT_LT(wall_s, sanitized() ? 600 : 60) << "seconds";
   const Ending again = run({"check", "results/check/model.yaml", "--quick"});
   EXPECT_EQ(again.status, 0) << again.said;
@@ -93,7 +93,7 @@ TEST_F(CheckSource, TheFolderWhereTheUserStandsMayBeGone) {
       if (::chdir((scratch / "gone").c_str()) != 0 || ::rmdir((scratch / "gone").c_str()) != 0) ::_exit(126);
     });
     EXPECT_EQ(ending.status, 0) << ending.said;
-    EXPECT_TRUE(says(ending, "its description, to be edited: ")) << ending.said;
+    EXPECT_TRUE(says(ending, "description, which you can edit: ")) << ending.said;
   }
   fs::create_directories(scratch / "gone");
   const Ending relative = assay({"check", model, "--props", "1,.3", "--quick"}, [&] {

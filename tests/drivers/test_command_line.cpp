@@ -167,16 +167,16 @@ TEST_F(CommandLine, AnOptionIsNoValue) {
   EXPECT_EQ(said({"check", "x.f", "--deck", "-1"}),
             "assay check: --deck needs a value, and '-1' begins like an option; a file of that name is ./-1\n");
   EXPECT_EQ(said({"run", scene, "-o=out/eq"}),
-            "assay run: -o takes its value behind a blank, without '=': write -o out/eq; a file of that name is "
+            "assay run: -o takes its value after a space, without '=': write -o out/eq; a file of that name is "
             "./=out/eq\n");
   EXPECT_EQ(said({"run", scene, "-o="}),
-            "assay run: -o takes its value behind a blank, without '=': write -o ...; a file of that name is ./=\n");
+            "assay run: -o takes its value after a space, without '=': write -o ...; a file of that name is ./=\n");
   EXPECT_EQ(said({"run", scene, "-o"}), "assay run: -o needs a value\n");
-  EXPECT_EQ(said({"run", scene, "--threads", ""}), "assay run: --threads needs a value, and an empty text is given\n");
-  EXPECT_EQ(said({"study", scene, "--jobs", ""}), "assay study: --jobs needs a value, and an empty text is given\n");
-  EXPECT_EQ(said({"run", scene, "-o", "a", "-o", "b"}), "assay run: -o is given 2 times, and takes one value\n");
+  EXPECT_EQ(said({"run", scene, "--threads", ""}), "assay run: --threads needs a value, but the value is empty\n");
+  EXPECT_EQ(said({"study", scene, "--jobs", ""}), "assay study: --jobs needs a value, but the value is empty\n");
+  EXPECT_EQ(said({"run", scene, "-o", "a", "-o", "b"}), "assay run: -o is given 2 times, but takes one value\n");
   EXPECT_EQ(said({"check", "x.f", "--json", "a", "--json", "b", "--json", "c"}),
-            "assay check: --json is given 3 times, and takes one value\n");
+            "assay check: --json is given 3 times, but takes one value\n");
   EXPECT_FALSE(std::filesystem::exists("--quiet"));
   EXPECT_EQ(said({"check", "x.f", "--props", "-1"}).find("needs a value"), std::string::npos) << "a number";
   EXPECT_EQ(said({"check", "x.so", "--strain", "-.5"}).find("needs a value"), std::string::npos) << "a number";

@@ -99,8 +99,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(DamagedLibraries, ANativeOneThatEndsTheProcessIsRefused) {
   const std::string plugins = built("tests/plugins/");
   for (const auto& [name, words] :
-       {std::pair{"entry_crashes", "died of signal 6 (Aborted) when it was loaded"},
-        std::pair{"entry_exits", "without a result when it was loaded; the last that it printed: no licence"}}) {
+       {std::pair{"entry_crashes", "was ended by signal 6 (Aborted) when it was loaded"},
+        std::pair{"entry_exits", "without a result when it was loaded; its last output: no licence"}}) {
     const std::string file = plugins + name + ".so";
     for (const char* verb : {"materials", "register"}) {
       const Ending ending = assay({verb, file});

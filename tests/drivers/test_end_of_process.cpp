@@ -58,7 +58,7 @@ TEST(EndOfProcess, ARunAndATabulationStandToo) {
   for (const char* deed : {"exit abort", "destroy abort"}) {
     const Ending ending = the.program(the.run_words(the.library), deed);
     EXPECT_EQ(ending.status, 0) << ending.said;
-    EXPECT_NE(ending.said.find("\nwarning: the process died (signal 6"), std::string::npos) << ending.said;
+    EXPECT_NE(ending.said.find("\nwarning: the process crashed (signal 6"), std::string::npos) << ending.said;
     EXPECT_TRUE(fs::exists(the.scratch / "out/result.json"));
   }
 }

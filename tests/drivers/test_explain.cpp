@@ -179,7 +179,7 @@ TEST(Explain, SaysWhyAnEffectIsThereAndWhichKeyWouldCallForOneThatIsNot) {
   EXPECT_FALSE(has(with, "energy_account (output.accounts)"));
   EXPECT_TRUE(has(without, "energy_account (output.accounts)")) << without;
   EXPECT_FALSE(has(without, "because of output.accounts"));
-  const std::size_t absent = without.find("not there: ");
+  const std::size_t absent = without.find("not used: ");
   ASSERT_NE(absent, without.npos);
   EXPECT_GT(without.find("energy_account (output.accounts)"), absent);
   EXPECT_TRUE(has(without, "inertia 32 bytes mass and momentum"));

@@ -101,8 +101,8 @@ Tabulated tabulated(const ScratchFolder& scratch, const std::string& name, const
           nlohmann::json::parse(bytes_of(scratch / (name + "/result.json")))};
 }
 
-/// A UMAT with kinks, whether its state counts plastic strain or holds a back stress alone: bounds of counts, which do
-/// not depend on the machine. Its own error of first order costs it several times the calls of the built-in model.
+/// A UMAT with kinks, whether another state counts plastic strain or holds a back stress alone: bounds of counts, which
+/// do not depend on the machine. Its own error of first order costs it several times the calls of the built-in model.
 TEST(ForeignModels, AUmatOfJ2TakesCountedCallsAndFewHandOvers) {
   if (!built("umat_j2")) GTEST_SKIP() << "no Fortran compiler";
   constexpr double agreement = 2e-5, more_calls = 8;  // of the largest value; over those of the built-in model
@@ -191,10 +191,10 @@ TEST(ForeignModels, AFailureLeavesAReplayThatReproducesIt) {
   const ScratchFolder scratch;
   const Ending ending = assay(run_of(scratch, misbehaving(scratch, ""), segmentation_fault));
   EXPECT_EQ(ending.status, 1);
-  EXPECT_NE(ending.said.find("died of signal 11"), std::string::npos) << ending.said;
+  EXPECT_NE(ending.said.find("was ended by signal 11"), std::string::npos) << ending.said;
   const Ending again = assay({"check", "--replay", scratch / "out/replay.yaml"});
   EXPECT_EQ(again.status, 1);
-  EXPECT_NE(again.said.find("died of signal 11"), std::string::npos) << again.said;
+  EXPECT_NE(again.said.find("was ended by signal 11"), std::string::npos) << again.said;
 }
 
 /// Processes whose environment holds that text.

@@ -30,7 +30,7 @@ TEST(MethodsTable, MergesMethodsAndTestsThatAgree) {
        patched_report(Basis::cpdi2, Transfer::flip, all_passed)},
       0};
   EXPECT_EQ(methods_markdown(checked),
-            "All 5 methods pass `stress.seeded`, `translation`. Of the others, -: not promised.\n"
+            "All 5 methods pass `stress.seeded`, `translation`. In the table, - means not promised.\n"
             "\n"
             "| Formulation | Basis | Transfer | Methods | `stress.graded`, `.jittered` |\n"
             "| --- | --- | --- | --- | --- |\n"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every misbehaviour of a foreign model, through the program: survived, named, and shown again by its replay.
+// Every misbehaviour of a foreign model, through the program: survived, named, and to repeat it: assay check --replay
+// its replay.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -31,12 +32,12 @@ constexpr const char *ends = "ends the process", *overrun = "overrun", *disturbs
 const Misbehaviour all[] = {
     {1, "null_pointer", ends, "a null pointer was followed", "a null pointer was followed"},
     {2, "stop", ends, "with status 0", "with status 0, without a result"},
-    {3, "endless_loop", ends, "did not come back from one call within 1 s", "did not come back within 1 s"},
-    {4, "abort", ends, "died of signal 6", "died of signal 6"},
+    {3, "endless_loop", ends, "did not return from a call within 1 s", "did not return within 1 s"},
+    {4, "abort", ends, "was ended by signal 6", "was ended by signal 6"},
     {5, "stack_overflow", ends, "the stack overflowed", "the stack overflowed"},
     {7, "closes_output", disturbs, "closes or redirects standard output", "closes or redirects standard output"},
     {8, "changes_folder", disturbs, "changes the folder", "changes the folder"},
-    {9, "traps_division", ends, "died of signal 8", "died of signal 8"},
+    {9, "traps_division", ends, "was ended by signal 8", "was ended by signal 8"},
     {10, "rounds_upward", disturbs, "changes the rounding mode", "changes the rounding mode"},
     {11, "overruns_statev", overrun, "writes STATEV(2:21), 1 is declared", "writes past STATEV"},
     {13, "asks_for_shorter", refuses, "PNEWDT = 0.25", "PNEWDT = 0.25"},
@@ -44,8 +45,8 @@ const Misbehaviour all[] = {
     {15, "returns_nan", "stress or state not finite", "stress that is not finite", "stress that is not finite"},
     {16, "exits", ends, "with status 0", "with status 0, without a result"},
     {17, "leaves_a_process", disturbs, "leaves processes behind", "leaves processes behind"},
-    {19, "kills_itself", ends, "died of signal 9", "died of signal 9"},
-    {22, "ignores_signals", ends, "did not come back from one call within 1 s", "did not come back within 1 s"},
+    {19, "kills_itself", ends, "was ended by signal 9", "was ended by signal 9"},
+    {22, "ignores_signals", ends, "did not return from a call within 1 s", "did not return within 1 s"},
     {27, "leaves_a_daemon", disturbs, "leaves processes behind", "leaves processes behind"},
     {28, "kills_its_watcher", ends, "ended the process that watches it", "lost with the process that watched it"},
     {31, "blocks_termination", disturbs, "leaves signals blocked", "leaves signals blocked"},
@@ -151,7 +152,7 @@ TEST(AssertingModel, MayDieOfAnFThatIsNoNumber) {
   const Json& last = found["tests"].back();
   EXPECT_EQ(last["id"], "calls.senseless");
   EXPECT_EQ(last["verdict"], "n/a");
-  EXPECT_NE(last["sentence"].get<std::string>().find("died of signal 6"), std::string::npos);
+  EXPECT_NE(last["sentence"].get<std::string>().find("was ended by signal 6"), std::string::npos);
 }
 
 /// What changes by chance does not follow from the words around the arrays.

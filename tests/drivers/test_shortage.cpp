@@ -198,7 +198,7 @@ TEST(KilledByItself, IsTheModelsDeed) {
   EXPECT_EQ(run.status, 1) << run.said;
   const Ending check = the.program({"check", the.library, "--quick", "-o", the.scratch / "r"}, "each kill");
   EXPECT_EQ(check.status, 1) << check.said;
-  EXPECT_NE(check.said.find("died of signal 9"), std::string::npos) << check.said;
+  EXPECT_NE(check.said.find("was ended by signal 9"), std::string::npos) << check.said;
 }
 
 }  // namespace

@@ -145,7 +145,7 @@ TEST_P(Thrown, ADeathInAnExtensionIsNamedFromAWorkerToo) {
   for (const std::string deed : {" abort", " overrun"}) {
     const Ending run = the_.program(words, function + deed);
     EXPECT_EQ(run.status, 1) << run.said;
-    const char* said = deed == " abort" ? "died of signal 6" : "overrun";
+    const char* said = deed == " abort" ? "was ended by signal 6" : "overrun";
     EXPECT_NE(unwrapped(run.said).find(said), std::string::npos) << run.said;
     EXPECT_EQ(run.said.find("offers no"), std::string::npos) << run.said;
   }
@@ -185,7 +185,7 @@ TEST(LongThrown, WordsThatDoNotComeEndWithTheCall) {
   const Ending check =
       the.program({"check", built("tests/plugins/throws.so"), "--quick", "-o", the.scratch / "r"}, "update waits");
   EXPECT_EQ(check.status, 1) << check.said;
-  EXPECT_NE(unwrapped(check.said).find("did not come back from one call within 20 s"), std::string::npos) << check.said;
+  EXPECT_NE(unwrapped(check.said).find("did not return from a call within 20 s"), std::string::npos) << check.said;
 }
 
 class ThrownBefore : public Thrown {};

@@ -94,6 +94,8 @@ std::vector<std::string> verbs() {
     std::smatch match;
     if (std::regex_search(line, std::regex("^(Subcommands|Verbs|verbs|Commands):"))) {
       listed = true;
+    } else if (line.empty()) {
+      listed = false;  // examples
     } else if (listed && std::regex_search(line, match, form)) {
       found.push_back(match[1]);
     }

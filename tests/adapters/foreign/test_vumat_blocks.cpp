@@ -80,9 +80,9 @@ TEST(Vumat, StressThatIsLeftUnwrittenIsNamed) {
   std::vector<double> state1(state0.size()), cauchy(9);
   const UpdateReport report = material.update(0, 1, 1, I, I, state0.data(), state1.data(), cauchy.data());
   EXPECT_EQ(report.worst, ASSAY_FAILED);
-  EXPECT_EQ(
-      report.message,
-      overrun_words + std::string("the VUMAT leaves stressNew 31 unwritten, or makes it of itself, of point 1 of 1"));
+  EXPECT_EQ(report.message,
+            overrun_words +
+                std::string("the VUMAT leaves stressNew 31 unwritten, or computes it from itself, at point 1 of 1"));
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ TEST(WrittenInputs, OfAVumatAreNamedFromItsFirstStepOn) {
   const Material material(foreign_table(foreign_double("vumat_clock")), {{"writes", 1}});
   const ProcessWatch watch;
   material.initial_state(1);
-  EXPECT_EQ(watch.habits(), no_habit) << "at time 0 a model may set its state";
+  EXPECT_EQ(watch.habits(), no_habit) << "at time 0 a model may set another state";
 }
 
 TEST(WrittenInputs, OfMfrontAreNamed) {

@@ -153,12 +153,12 @@ TEST_P(HistoryOfMisdeeds, TellsTheStep) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, HistoryOfMisdeeds,
-                         testing::Values(Misdeed{1, "died of signal 11"},
+                         testing::Values(Misdeed{1, "was ended by signal 11"},
                                          Misdeed{2, "ended the process with status 0, without a result"},
-                                         Misdeed{3, "did not come back within 0.5 s", true, 0.5},
+                                         Misdeed{3, "did not return within 0.5 s", true, 0.5},
                                          Misdeed{5, "the stack overflowed"}, Misdeed{10, "changes the rounding mode"},
                                          Misdeed{14, "called XIT", false},
-                                         Misdeed{22, "did not come back within 0.5 s", true, 0.5}),
+                                         Misdeed{22, "did not return within 0.5 s", true, 0.5}),
                          [](const auto& instance) { return "number_" + std::to_string(instance.param.which); });
 
 /// What a model writes past its own arrays ends one step, as elsewhere: shorter ones are tried.

@@ -80,15 +80,15 @@ TEST_P(Misbehaves, AndIsNamedAndSurvived) {
 
 INSTANTIATE_TEST_SUITE_P(
     Kinds, Misbehaves,
-    testing::Values(Misbehaviour{1, "died of signal 11"},
+    testing::Values(Misbehaviour{1, "was ended by signal 11"},
                     Misbehaviour{2, "ended the process with status 0, without a result"},
-                    Misbehaviour{3, "did not come back within 1 s"}, Misbehaviour{4, "died of signal 6"},
-                    Misbehaviour{5, "the stack overflowed"}, Misbehaviour{9, "died of signal 8"},
+                    Misbehaviour{3, "did not return within 1 s"}, Misbehaviour{4, "was ended by signal 6"},
+                    Misbehaviour{5, "the stack overflowed"}, Misbehaviour{9, "was ended by signal 8"},
                     Misbehaviour{10, "changes the rounding mode"}, Misbehaviour{11, "writes past STATEV"},
                     Misbehaviour{13, "PNEWDT = 0.25"}, Misbehaviour{29, "not a number: PNEWDT"},
                     Misbehaviour{14, "called XIT"}, Misbehaviour{15, "stress that is not finite"},
-                    Misbehaviour{16, "with status 0, without a result"}, Misbehaviour{19, "died of signal 9"},
-                    Misbehaviour{22, "did not come back within 1 s"}),
+                    Misbehaviour{16, "with status 0, without a result"}, Misbehaviour{19, "was ended by signal 9"},
+                    Misbehaviour{22, "did not return within 1 s"}),
     [](const auto& instance) { return "number_" + std::to_string(instance.param.which); });
 
 #if !defined(__SANITIZE_ADDRESS__) && !(defined(__has_feature) && __has_feature(address_sanitizer))
@@ -160,7 +160,7 @@ TEST_F(RemoteTable, APointThatEndsANativeModelIsFoundInItsBatch) {
   const UpdateReport report = batch_with_a_bad_point("crashes_when_sheared.so", 40, 38);
   EXPECT_EQ(report.worst, ASSAY_FAILED);
   EXPECT_EQ(report.worst_point, 38u);
-  EXPECT_NE(report.message.find("died of signal 6"), std::string::npos) << report.message;
+  EXPECT_NE(report.message.find("was ended by signal 6"), std::string::npos) << report.message;
 }
 
 TEST_F(RemoteTable, ABatchOfWhichNoPointAloneEndsTheModelIsTold) {

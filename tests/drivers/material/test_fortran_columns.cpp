@@ -38,7 +38,7 @@ TEST(FortranColumns, CodeBeyond72IsATail) {
   ASSERT_EQ(sentences.size(), 1u);
   EXPECT_EQ(sentences[0],
             "m.f:1: code beyond column 72 (2 lines: 1, 3), here '+0.1d0*props(1)': Abaqus reads it, since it takes 132 "
-            "columns, and so does assay; a compiler at its usual 72 columns leaves it out without a word");
+            "columns, and so does assay; a compiler at its usual 72 columns drops it silently");
 }
 
 TEST(FortranColumns, CommentsAndBlanksRaiseNoAlarm) {
@@ -70,11 +70,10 @@ TEST(FortranColumns, NumbersOfCardsAreKnown) {
   EXPECT_TRUE(found.tails.empty());
   const auto sentences = column_sentences(found, "dir/m.f");
   ASSERT_EQ(sentences.size(), 1u);
-  EXPECT_EQ(
-      sentences[0],
-      "dir/m.f:1: columns 73 to 80 hold the numbers of punched cards (2 lines: 1, 3), and Abaqus reads them as "
-      "code, since it takes 132 columns: this line ends in '1.d000000010', and so it does here; to take them away: "
-      "cut -c1-72 m.f > m_72.f");
+  EXPECT_EQ(sentences[0],
+            "dir/m.f:1: columns 73 to 80 hold the numbers of punched cards (2 lines: 1, 3), and Abaqus reads them as "
+            "code, since it takes 132 columns: this line ends in '1.d000000010', here too; to remove them: "
+            "cut -c1-72 m.f > m_72.f");
 }
 
 TEST(FortranColumns, CardsHaveLettersAndBeginAnewInARoutine) {

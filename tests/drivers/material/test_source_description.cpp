@@ -102,7 +102,7 @@ TEST_F(SourceDescriptionTest, WithoutNumbersTheTextIsAsked) {
   const adapters::ForeignModel model = this->model(describe(hooke));
   ASSERT_EQ(model.properties.size(), 2u);
   EXPECT_TRUE(std::isnan(model.properties[1].value));
-  EXPECT_TRUE(model.state.empty()) << "it uses none";
+  EXPECT_TRUE(model.state.empty()) << "the source uses none";
   SourceRequest check;
   check.needs_values = true;
   EXPECT_EQ(refused(hooke, check),

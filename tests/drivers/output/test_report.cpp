@@ -79,7 +79,7 @@ TEST(Report, verdict_comes_first_and_follows_the_expectations) {
   result.subject = "soft_clay; cpdi, flip";
   const std::string good = report_html(result, {1.0, {}, {}});
   EXPECT_TRUE(contains(good, "<p>soft_clay; cpdi, flip</p>"));
-  EXPECT_TRUE(contains(good, "All that was expected holds"));
+  EXPECT_TRUE(contains(good, "All expectations hold"));
   EXPECT_LT(good.find("All that was expected"), good.find("Errors over time"));
   result.expect.push_back({"outcome", "equals completed", "unstable", false});
   result.outcome = "unstable";
@@ -89,7 +89,7 @@ TEST(Report, verdict_comes_first_and_follows_the_expectations) {
   EXPECT_TRUE(contains(bad, "particle 17: det F &lt;= 0"));
   EXPECT_FALSE(contains(bad, "All that was expected"));
   result.expect.clear();
-  EXPECT_TRUE(contains(report_html(result, {1.0, {}, {}}), "The scene expects nothing"));
+  EXPECT_TRUE(contains(report_html(result, {1.0, {}, {}}), "The scene has no expectations"));
 }
 
 TEST(Report, table_shows_half_period_period_and_maximum_with_its_time) {

@@ -68,7 +68,7 @@ TEST(DeformationCsv, ServesASceneAndItsResolvedForm) {
             "--set motion.period: is the time of the last row of motion.path, 1.5: leave it out");
   EXPECT_EQ(line("time.end=2"), "--set time.end: must not exceed the last time of motion.path, 1.5, found 2");
   EXPECT_EQ(line("motion.final=[[1, 0, 0], [0, 1, 0], [0, 0, 1]]"),
-            "--set motion.final: does not come with motion.path, which says what F is at all times");
+            "--set motion.final: cannot be combined with motion.path, which gives F at all times");
   EXPECT_NE(line("motion.path=nowhere.csv").find("--set motion.path: no such file: '"), std::string::npos);
   EXPECT_NE(line("motion={type: homogeneous}").find("motion.final: required and not given"), std::string::npos);
   EXPECT_NE(
@@ -95,7 +95,7 @@ TEST(DeformationCsv, IsInterpolatedAsTheSceneOrTheVerbSays) {
   EXPECT_EQ(line({"motion.interpolation=cubic"}),
             "--set motion.interpolation: unknown value 'cubic'; known: linear, monotone, spline");
   EXPECT_EQ(line({"motion={type: homogeneous, interpolation: linear, final: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}"}),
-            "--set motion.interpolation: says what a table of F does between its rows: it comes with motion.path");
+            "--set motion.interpolation: sets F between the rows of a table, so it needs motion.path");
   EXPECT_NE(line({"motion={type: vortex, interpolation: linear}"}).find("does not belong to motion.type vortex"),
             std::string::npos);
 }

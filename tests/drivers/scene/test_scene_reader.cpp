@@ -277,9 +277,9 @@ TEST(SceneReader, JitterAndSeedAreOfAJitteredLattice) {
   EXPECT_TRUE(has(jittered(", jitter: 0", "linear"), "3:35: body.jitter: must be"));
   EXPECT_TRUE(has(jittered(", seed: 1.5", "linear"), "3:33: body.seed: must be a whole number, found '1.5'"));
   EXPECT_EQ(refused_extra("body: {jitter: 0.1}"),
-            "f.yaml:3:16: body.jitter: is of lattice: jittered, and lattice is another");
+            "f.yaml:3:16: body.jitter: belongs to lattice: jittered, but body.lattice has another value");
   EXPECT_EQ(refused_extra("body: {lattice: polar, seed: 2}"),
-            "f.yaml:3:30: body.seed: is of lattice: jittered, and lattice is another");
+            "f.yaml:3:30: body.seed: belongs to lattice: jittered, but body.lattice has another value");
 }
 
 TEST(SceneReader, RefusesWhatIsMissing) {

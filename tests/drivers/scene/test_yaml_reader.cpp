@@ -48,8 +48,8 @@ TEST(YamlReader, RefusesWhatIsAmbiguous) {
   EXPECT_EQ(refused("~: 1\n"), "f:1:1: a key must be a word");
   EXPECT_EQ(refused("a: !!str 1\n"), "f:1:4: a tag ('tag:yaml.org,2002:str'); tags have no meaning here");
   EXPECT_EQ(refused("a: !x {b: 1}\n"), "f:1:4: a tag ('!x'); tags have no meaning here");
-  EXPECT_EQ(refused("a:\n\tb: 1\n"), "f:2:1: a tab in the indentation; YAML takes blanks");
-  EXPECT_EQ(refused("a:\n \t b: 1\n"), "f:2:2: a tab in the indentation; YAML takes blanks");
+  EXPECT_EQ(refused("a:\n\tb: 1\n"), "f:2:1: a tab in the indentation; YAML needs spaces");
+  EXPECT_EQ(refused("a:\n \t b: 1\n"), "f:2:2: a tab in the indentation; YAML needs spaces");
   EXPECT_EQ(refused("a: 1\nb:\t2\t# remark\n"), "accepted");
 }
 
@@ -217,7 +217,7 @@ TEST(YamlReader, SlipsOfAliasesAreToldWhereTheyStand) {
   EXPECT_EQ(refused(anchors + "p: {<<: *L}\n"),
             "f:4:9: <<: takes a map, as *name of one with &name, or a list of maps");
   EXPECT_EQ(refused(anchors + "p:\n  <<: *A, *B\n"), "f:5:7: not valid YAML: several aliases are a list: [*a, *b]");
-  EXPECT_EQ(refused(anchors + "p: {*A: 1}\n"), "f:4:7: not valid YAML: a blank belongs between an alias and ':'");
+  EXPECT_EQ(refused(anchors + "p: {*A: 1}\n"), "f:4:7: not valid YAML: write a space between an alias and ':'");
   EXPECT_TRUE(read_yaml("b: &B {k: 1}\n", "f").find("b")->anchored);
 }
 

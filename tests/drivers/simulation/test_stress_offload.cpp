@@ -150,7 +150,7 @@ TEST_F(FailuresInWorkers, ADeadWorkerIsTheFindingOfItsParticle) {
     const mpm::Finding found = finding_of(segmentation_fault, 3 * block + 1, workers);
     EXPECT_EQ(found.kind, mpm::Finding::Kind::material_failed);
     EXPECT_EQ(found.particle, 0);
-    EXPECT_NE(found.reason.find("died of signal 11"), std::string::npos) << found.reason;
+    EXPECT_NE(found.reason.find("was ended by signal 11"), std::string::npos) << found.reason;
     ASSERT_TRUE(found.step);
     EXPECT_NE(found.step->F0, found.step->F1);
   }
@@ -161,7 +161,7 @@ TEST_F(StressInWorkersOfNativeModels, TheParticleThatEndsThemIsFound) {
   const mpm::Finding found = finding_of("crashes_when_sheared");
   EXPECT_EQ(found.kind, mpm::Finding::Kind::material_failed);
   EXPECT_EQ(found.particle, static_cast<std::int64_t>(bad));
-  EXPECT_NE(found.reason.find("died of signal 6"), std::string::npos) << found.reason;
+  EXPECT_NE(found.reason.find("was ended by signal 6"), std::string::npos) << found.reason;
   ASSERT_TRUE(found.step);
   EXPECT_NEAR(found.step->F1(0, 1), 0.5, 1e-12) << "its own step";
 }

@@ -35,7 +35,8 @@ TEST(Warnings, SaysThatFreeFacesDoNotBearTheStressOfRest) {
   const std::string model = "neo_hookean, parameters: {E: 1e3, nu: 0.3}";
   scene.replace(scene.find(model), model.size(), built("tests/plugins/pressed_at_rest.so"));
   EXPECT_EQ(warnings_in(scene),
-            "the material bears 100 Pa at rest, and free faces no traction: the body will not follow the motion there");
+            "the material has a stress of 100 Pa at rest, which free faces cannot balance: the body will not follow "
+            "the motion there");
   scene.replace(scene.find("ring"), 4, "square, outside: held");
   EXPECT_EQ(warnings_in(scene), "");
 }

@@ -310,7 +310,7 @@ TEST(Analysis, WarnsOfWhatMakesCostsDoubtful) {
       found.warnings[1],
       "times were measured while other programs used 7.8 % of the processors, and more than 15 % beside 1 of 2 cases: "
       "compare them with care");
-  EXPECT_EQ(found.warnings[2], "the cases were run on different machines: costs do not compare");
+  EXPECT_EQ(found.warnings[2], "the cases were run on different machines: their costs cannot be compared");
   EXPECT_TRUE(found.warnings[3].starts_with("1 ")) << found.warnings[3];
   EXPECT_EQ(found.machines, (std::vector<std::string>{"a machine, 2 cores", "another, 8 cores"}));
   EXPECT_FALSE(found.holds()) << "a case is missing";

@@ -156,7 +156,7 @@ TEST(Comparison, WarnsOfClocksThatCannotBeCompared) {
   EXPECT_EQ(found.warnings[2],
             "1 case was disturbed, others kept more than 15 % of the machine busy: times are shown and not judged");
   EXPECT_TRUE(found.warnings[3].starts_with("B: times were measured while other programs used ")) << found.warnings[3];
-  EXPECT_EQ(found.warnings[4], "the cost of 1 case is known in one of the studies alone");
+  EXPECT_EQ(found.warnings[4], "the cost of 1 case is known in only one of the studies");
 }
 
 TEST(Comparison, ErrorsAreComparedBeyondRounding) {

@@ -39,7 +39,7 @@ TEST(StudyReport, question_and_answer_come_first) {
                            "<h2>Warnings",
                            "<h2>The same in particle-steps",
                            "<h2>The clock",
-                           "<h2>Where it comes from",
+                           "<h2>Origin of the results",
                            "<h2>The study",
                            "base: vortex.yaml"}) {
     const std::size_t at = place_in(page, text);
@@ -54,8 +54,8 @@ TEST(StudyReport, of_survival_begins_with_the_methods_that_live) {
   const std::string page = study_report_html(findings, {});
   std::size_t last = 0;
   for (const char* text :
-       {"Which is cheaper?", "<b>3 of 3</b>", "B2, AFLIP", "<h2>Which method completes the most cases", "<h2>The map", "<svg",
-        "<h2>What completes and what does not", "<h2>Expectations", "<h2>Where it comes from"}) {
+       {"Which is cheaper?", "<b>3 of 3</b>", "B2, AFLIP", "<h2>Which method completes the most cases", "<h2>The map",
+        "<svg", "<h2>What completes and what does not", "<h2>Expectations", "<h2>Origin of the results"}) {
     const std::size_t at = place_in(page, text);
     EXPECT_GT(at, last) << text;
     last = at;

@@ -87,11 +87,11 @@ TEST(StudyText, TellsTheAnswerFirst) {
                          "  <= 10 %   0.4 s               0.5 s: B2, AFLIP, grid.spacing=0.1\n",
                          "  <= 1 %    3.8 s     \u00d79.5      4 s: B2, AFLIP, grid.spacing=0.05\n",
                          "  <= 0.01 % -                   no case of this study\n",
-                         "cases that no other beats in both:\n",
+                         "cases that no other case beats in both error and cost:\n",
                          "  6 %       0.5 s     +-1 %     B2, AFLIP, grid.spacing=0.1\n",
                          "orders, with 95 % intervals:\n",
                          "  2 [2, 2]            asymptotic      CPDI, FLIP\n",
-                         "of the error, by refining one source alone:\n",
+                         "share of each source of error, found by refining it alone:\n",
                          "  10 %      0.9 %     0.8 %     time step (time.step=0.001), B2, AFLIP,",
                          "not completed:\n",
                          "  unstable: uGIMP, FLIP, grid.spacing=0.1: det F is not above 0\n",
@@ -172,7 +172,7 @@ TEST(StudyText, AStudyWithoutAnythingSaysSo) {
       << study_text(still, "r");
   StudyFindings zero = two_method_study();
   zero.digits.clear();
-  EXPECT_TRUE(says(study_text(zero, "r"), "the error is 0: no digit is the last\n"));
+  EXPECT_TRUE(says(study_text(zero, "r"), "the error is 0, so there is no next digit\n"));
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ TEST(Survival, WhoWasStoppedOrNotRunHasNotDied) {
       EXPECT_EQ(of.asked(), 3) << "they apply to it";
     }
   }
-  const std::string note = "Neither completed nor died, but stopped or not run yet: CPDI, FLIP 3.";
+  const std::string note = "Stopped, or not run yet: CPDI, FLIP 3.";
   EXPECT_EQ(unfinished_note(found), note);
   const StoredStudy stored{"x", "x/study.json", study};
   EXPECT_NE(survival_text(stored, found).find("Neither completed nor died, but stopped"), std::string::npos);

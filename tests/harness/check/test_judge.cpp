@@ -29,10 +29,10 @@ TEST(Limit, TakesTheLargestOfAModelInSinglePrecisionAndNothingOfNaN) {
 
 TEST(Limit, SaysHowInOneSentence) {
   const auto say = [](std::array<double, 3> e) { return how(limit_of(e), e, 100); };
-  EXPECT_EQ(say({0, 0, 0}), "exact at any step");
+  EXPECT_EQ(say({0, 0, 0}), "exact for every step length");
   EXPECT_EQ(say({2.1e-2, 1.0e-2, 5.1e-3}), "converges with order 1.2 in the step: 0.021 at 100 steps, 0.0051 at 400");
   EXPECT_EQ(say({3e-7, 3e-7, 3e-7}), "to the model's own precision, 3e-07");
-  EXPECT_EQ(say({.152, .151, .150}), "off by 0.15 of the largest stress, whatever the step");
+  EXPECT_EQ(say({.152, .151, .150}), "off by 0.15 of the largest stress, for every step length");
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What relaxes: a generalised Maxwell solid with two overstresses in its state, and a Maxwell liquid whose state is its
-// stress; a parameter plants one defect.
+// What relaxes: a generalised Maxwell solid with two overstresses in another state, and a Maxwell liquid whose state is
+// its stress; a parameter plants one defect.
 #include <algorithm>
 #include <utility>
 
