@@ -13,8 +13,9 @@ install(TARGETS ${material_plugins} LIBRARY DESTINATION ${materials_dir})
 install(TARGETS assay_abaqus LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/${abaqus_folder})
 install(FILES harness/assay_material.h harness/assay_material.f90 DESTINATION ${include_dir}/harness)
 install(FILES docs/assay.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-install(FILES LICENSE THIRD_PARTY.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
+install(FILES LICENSE THIRD_PARTY.md CHANGELOG.md CONTRIBUTING.md SECURITY.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN site EXCLUDE)
+install(DIRECTORY bench/results DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # The same as a site, where `./dev docs` has built it.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/build/site/html DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
 # The README stands beside the pages there, not above them.
@@ -23,6 +24,9 @@ file(READ README.md readme)
 string(REPLACE "](docs/" "](" readme "${readme}")
 file(WRITE ${PROJECT_BINARY_DIR}/package/README.md "${readme}")
 install(FILES ${PROJECT_BINARY_DIR}/package/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\"
+  -D \"FOLDER=\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DOCDIR}\"
+  -P \"${PROJECT_SOURCE_DIR}/cmake/installed_links.cmake\" COMMAND_ERROR_IS_FATAL ANY)")
 install(DIRECTORY configs/schema DESTINATION ${CMAKE_INSTALL_DATADIR}/assay) # and beside the scenes, which name it so
 # Those of configs/foreign take libraries that the tests compile.
 install(DIRECTORY configs DESTINATION ${CMAKE_INSTALL_DATADIR}/assay USE_SOURCE_PERMISSIONS PATTERN foreign EXCLUDE)
@@ -42,7 +46,7 @@ configure_package_config_file(cmake/assay-config.cmake.in ${PROJECT_BINARY_DIR}/
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/assay-config-version.cmake
   COMPATIBILITY SameMinorVersion)
 set(package_files assay_add_material.cmake assay_add_foreign_material.cmake assay_add_material_test.cmake
-  check_columns.cmake check_exported.cmake exported_symbols.map)
+  assay_add_scene_test.cmake check_columns.cmake check_exported.cmake exported_symbols.map)
 list(TRANSFORM package_files PREPEND cmake/ OUTPUT_VARIABLE package_sources)
 install(FILES ${PROJECT_BINARY_DIR}/package/assay-config.cmake ${PROJECT_BINARY_DIR}/package/assay-config-version.cmake
   ${package_sources} DESTINATION ${package_dir})

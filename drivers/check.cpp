@@ -15,6 +15,7 @@
 #include "drivers/interrupt.hpp"
 #include "drivers/material/material_path.hpp"
 #include "drivers/material/registry.hpp"
+#include "drivers/output/junit.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/terminal.hpp"
 #include "drivers/own_files.hpp"
@@ -208,6 +209,8 @@ int check(const CheckOptions& options) {
   require_open_files(most_files_at_once);
   forget_inputs();
   refuse_what_contradicts(options);
+  remove_earlier_junit(options.junit);
+  require_junit_folder(options.junit, options.out);
   if (options.material.empty() || options.methods) refuse_source_options(options.source, "");
   if constexpr (mpm::compiled(mpm::Effect::third_dimension)) {
     if (options.methods) return check_methods(options);

@@ -120,10 +120,9 @@ void judge_elements(const ResolvedMaterial& material, check::Report& report) {
                       ": two bodies in turn behave as each body alone if they have different elements, and differently "
                       "if they share one; ";
   if (umat) {
-    words +=
-        model->each_its_element
-            ? "elements: each is enough for runs that take each point once a step, which no implicit program does, but "
-            : "elements: each in its description gives each point of a run its own, but ";
+    words += model->each_its_element ? "`elements: each` is enough only for runs that take each point once a step, "
+                                       "which no implicit program does, but "
+                                     : "elements: each in its description gives each point of a run its own, but ";
   }
   say_instead(report, *test, words + "a step that is repeated, as in the tests, has another result");
 }

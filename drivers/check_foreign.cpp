@@ -197,8 +197,8 @@ void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& repo
   *test = *passed;
   test->sentence =
       check::remark_words + strain_words(*model) +
-      ". The description does not say which, and both were tried: with strain: " + strain_word(model->finite_strain) +
-      " it passes, so declare that";
+      ". The description does not say which, and both were tried: with `strain: " + strain_word(model->finite_strain) +
+      "` it passes, so declare that";
 }
 
 std::vector<std::string> foreign_not_tested(const ResolvedMaterial& material) {

@@ -18,7 +18,7 @@ namespace assay::drivers {
 namespace {
 
 /// The step alone: "step".
-check::TestResult step_again(const Material& material, const FailedStep& step) {
+check::TestResult step_again(const Material& material, const FailedStep& step, bool has_changed) {
   check::TestResult result{.id = "step", .verdict = check::Verdict::fail, .step = step};
   double F0[9], F1[9], cauchy[9];
   for (int c = 0; c < 9; ++c) F0[c] = component(step.F0, c), F1[c] = component(step.F1, c);
@@ -34,11 +34,12 @@ check::TestResult step_again(const Material& material, const FailedStep& step) {
   result.verdict = check::Verdict::pass;
   result.sentence = "the step is taken; stress 11, 22, 33, 12, 13, 23 [Pa]:";
   for (const int c : {0, 4, 8, 1, 2, 5}) result.sentence += " " + rounded_text(cauchy[c], 6);
-  result.sentence += ". If nothing has changed since, the failure needs earlier calls, which this replay does not make";
+  if (!has_changed) result.sentence += ". The failure needs earlier calls, which this replay does not make";
   return result;
 }
 
-CheckedMaterial again(const Replay& replay, const ResolvedMaterial& resolved, const CheckReporter& reporter) {
+CheckedMaterial again(const Replay& replay, const ResolvedMaterial& resolved, bool has_changed,
+                      const CheckReporter& reporter) {
   CheckedMaterial checked;
   if (!replay.test.empty()) {
     checked = check_material(resolved, replay.material,
@@ -52,7 +53,7 @@ CheckedMaterial again(const Replay& replay, const ResolvedMaterial& resolved, co
   }
   if (!replay.step) return checked;
   reporter.begins("step");
-  check::TestResult step = step_again(resolved.material, *replay.step);
+  check::TestResult step = step_again(resolved.material, *replay.step, has_changed);
   if (step.verdict == check::Verdict::fail) checked.report.diagnosis.push_back({step.cause, step.sentence});
   checked.report.tests.insert(checked.report.tests.begin(), std::move(step));
   return checked;
@@ -61,17 +62,16 @@ CheckedMaterial again(const Replay& replay, const ResolvedMaterial& resolved, co
 }  // namespace
 
 int check_replay(const CheckOptions& options) {
-  const Replay replay = read_replay(options.replay, Isolation::worker);  // nobody's code runs in this process
+  const Replay replay =
+      read_replay(options.replay, Isolation::worker, options.material);  // nobody's code runs in this process
   const ResolvedMaterial resolved = resolved_of(replay, Isolation::worker);
   const bool known = !replay.library_sha256.empty();
-  if (known && replay_of(resolved, {}, "").library_sha256 != replay.library_sha256 &&
-      options.verbosity != Verbosity::quiet) {
-    warn(resolved.library + " has changed since the failure");
-  }
+  const bool has_changed = known && replay_of(resolved, {}, "").library_sha256 != replay.library_sha256;
+  if (has_changed && options.verbosity != Verbosity::quiet) warn(resolved.library + " has changed since the failure");
   watch_interrupts();
   const CheckTask task{
       replay.material,
-      [&](const CheckReporter& reporter) { return again(replay, in_this_process(resolved), reporter); },
+      [&](const CheckReporter& reporter) { return again(replay, in_this_process(resolved), has_changed, reporter); },
       adapters::start_of(&resolved.material.table()).limits};
   CheckedMaterial checked = check_in_processes({task}, {}).front();
   judge_printing(checked);

@@ -81,9 +81,8 @@ bool passes_otherwise(const TestResult& test) {
 std::string summary(const CheckedMaterial& checked) {
   const check::Report& report = checked.report;
   return one_line(checked.name) + ": " + (report.passes() ? "pass" : "FAIL") + "; " +
-         std::to_string(count_of(report, Verdict::pass)) + " tests passed, " +
-         std::to_string(count_of(report, Verdict::fail)) + " failed, " +
-         std::to_string(count_of(report, Verdict::not_applicable)) + " not applicable, in " +
+         tests_passed(count_of(report, Verdict::pass)) + ", " + std::to_string(count_of(report, Verdict::fail)) +
+         " failed, " + std::to_string(count_of(report, Verdict::not_applicable)) + " not applicable, in " +
          rounded_text(checked.wall_s, 2) + " s" + unusual_effort(report) +
          (checked.depends_on.empty() ? "" : "; " + dependences(checked));
 }

@@ -182,7 +182,7 @@ int act(int argc, const char* const* argv) {
   app.get_formatter()->column_width(28);
   app.get_formatter()->label("REQUIRED", "(required)");
   app.footer(
-      "\nExamples:\n  assay check my_umat.f --props 210e3,.3,250 --statev 7\n  assay run "
+      "\nExample:\n  assay check my_umat.f --props 210e3,.3,250 --statev 7\n  assay run "
       "configs/paper/vortex_cpdi.yaml -o results/vortex\n\n"
       "assay VERB --help describes a verb.");
   app.set_version_flag("--version", version_text(), "version, compiler and libraries");

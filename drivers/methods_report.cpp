@@ -72,8 +72,8 @@ std::string reasons(const CheckedMethods& checked) {
 std::string verdict_of(const CheckedMethods& checked) {
   const std::size_t count = checked.methods.size();
   return "methods: " + std::string(checked.passes() ? "pass" : "FAIL") + "; " + std::to_string(count) +
-         (count == 1 ? " method, " : " methods, ") + std::to_string(count_of(checked.methods, Verdict::pass)) +
-         " tests passed, " + std::to_string(count_of(checked.methods, Verdict::fail)) + " failed, " +
+         (count == 1 ? " method, " : " methods, ") + tests_passed(count_of(checked.methods, Verdict::pass)) + ", " +
+         std::to_string(count_of(checked.methods, Verdict::fail)) + " failed, " +
          std::to_string(count_of(checked.methods, Verdict::not_applicable)) + " not promised\n";
 }
 

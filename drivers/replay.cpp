@@ -2,6 +2,7 @@
 #include "drivers/replay.hpp"
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -12,6 +13,7 @@
 #include "drivers/check_vortex.hpp"
 #include "drivers/input_file.hpp"
 #include "drivers/material/material_choice.hpp"
+#include "drivers/material/material_path.hpp"
 #include "drivers/material/registry.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/scene/file_kind.hpp"
@@ -190,7 +192,11 @@ std::string replay_yaml(const Replay& replay, Isolation isolation) {
       "# A step or a test that a material failed: F0 and state0 at t, F1 at t + dt. To repeat it: assay check "
       "--replay\n# " +
       units_words(resolved) + "\n";
-  text += "material: " + yaml_scalar(replay.material) + "\nparameters:";
+  text += "material: " + yaml_scalar(replay.material) + "\n";
+  std::string folders;  // in which a description finds its library
+  for (const std::string& folder : material_folders()) folders += (folders.empty() ? "" : ":") + folder;
+  if (!resolved.description.empty() && !folders.empty()) text += "material_path: " + yaml_scalar(folders) + "\n";
+  text += "parameters:";
   if (replay.parameters.empty()) text += " {}";
   text += "\n";
   for (const auto& [name, value] : replay.parameters)
@@ -211,18 +217,23 @@ std::vector<std::string> tests_of_check() {
 
 }  // namespace
 
-Replay read_replay(const std::string& file, Isolation isolation) {
+Replay read_replay(const std::string& file, Isolation isolation, const std::string& material) {
   const Tree root = read_yaml(read_bytes(file), file);
   const std::vector<std::string> known{
-      "material",        "parameters",    "library_sha256", "t",     "dt",     "F0",   "F1",
-      "state0",          "reason",        "test",           "quick", "strain", "step", "pressure",
-      "strain_is_asked", "rate_dependent"};
+      "material",        "parameters",     "library_sha256", "t",     "dt",     "F0",   "F1",
+      "state0",          "reason",         "test",           "quick", "strain", "step", "pressure",
+      "strain_is_asked", "rate_dependent", "material_path"};
   require_map(root, "", joined(known));
   refuse_other_kind(root, FileKind::replay);
   refuse_unknown_keys(root, "", known);
   Replay replay;
   replay.material = text_value(required(root, "", "material"), "material");
   replay.where = required(root, "", "material").where;
+  if (!material.empty()) replay.material = material, replay.where = {};
+  const Tree* folders = root.find("material_path");
+  if (folders && material_folders().empty()) {
+    ::setenv("ASSAY_MATERIAL_PATH", text_value(*folders, "material_path").c_str(), 1);
+  }
   const Tree& parameters = required(root, "", "parameters");
   require_map(parameters, "parameters", "the parameters of the material");
   for (const Tree::Entry& entry : parameters.entries) {

@@ -42,8 +42,11 @@ Replay replay_of(const Scene& scene, const FailedStep& step, const std::string& 
 /// material is gone.
 std::string replay_yaml(const Replay& replay, Isolation isolation = Isolation::automatic);
 
-/// Throws InputError: no such file, not a replay, a material that is not found or has another state.
-Replay read_replay(const std::string& file, Isolation isolation = Isolation::automatic);
+/// `material` takes the place of the file's, unless it is empty. Where $ASSAY_MATERIAL_PATH is not set, that of the
+/// file is from then on. Throws InputError: no such file, not a replay, a material that is not found or has another
+/// state.
+Replay read_replay(const std::string& file, Isolation isolation = Isolation::automatic,
+                   const std::string& material = {});
 
 /// The same with where it was found.
 ResolvedMaterial resolved_of(const Replay& replay, Isolation isolation = Isolation::automatic);

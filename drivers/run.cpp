@@ -7,6 +7,7 @@
 #include "drivers/input_file.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/output/errors_csv.hpp"
+#include "drivers/output/junit.hpp"
 #include "drivers/output/report.hpp"
 #include "drivers/output/result_json.hpp"
 #include "drivers/output/terminal.hpp"
@@ -144,9 +145,11 @@ void tell_findings(const RunOptions& options, const Result& result, const std::s
 
 int run(const RunOptions& options) {
   forget_inputs();
+  remove_earlier_junit(options.junit);
   const Stopwatch life;
   Scene scene = read_scene(options.scene, options.sets);
   refuse_junit_in_the_way(options);
+  require_junit_folder(options.junit, options.out);
   watch_interrupts();
   Result result;
   std::optional<Problem> problem;

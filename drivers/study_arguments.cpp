@@ -49,7 +49,7 @@ StudyOptions study_options(const Arguments& given) {
 }
 
 Verb study_verb(CLI::App& app, Arguments& given) {
-  CLI::App& verb = add_verb(app, "study", "run a scene over methods and grids: error against cost",
+  CLI::App& verb = add_verb(app, "study", "run a scene over methods and grids: error and cost",
                             "assay study configs/studies/quick.yaml -o results/quick\n"
                             "  assay study big.yaml --shard 2/8 -o /shared/big\n"
                             "  assay study big.yaml --merge -o /shared/big");

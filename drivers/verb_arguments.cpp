@@ -164,7 +164,7 @@ Verb check_verb(CLI::App& app, Arguments& given) {
   auto* checked = verb.add_option("MATERIAL", given.material, "name, library, description, source or scene");
   checked->type_name("");
   auto* all = verb.add_flag("--all", given.all, "check all registered materials, in parallel");
-  auto* replay = verb.add_option("--replay", given.replay, "repeat one failed test from its replay file");
+  auto* replay = verb.add_option("--replay", given.replay, "repeat a failed test, of MATERIAL if it is given");
   replay->type_name("FILE");
   auto* methods = verb.add_flag("--methods", given.methods, "patch tests of all particle methods, or of MATERIAL");
   auto* parameters = verb.add_option("--parameters", given.parameters, "parameters of the model");
@@ -183,22 +183,25 @@ Verb check_verb(CLI::App& app, Arguments& given) {
       ->type_name("NUMBER");
   add_source_options(verb, given.source);
   add_out(verb, given, "DIR", "folder for replay files (default: results/check)");
-  return {&verb, [&given, checked, all, replay, methods, parameters, markdown, explain] {
-            const auto given_of = [](const CLI::Option* option) { return option->count() > 0 ? 1 : 0; };
-            const int others = given_of(all) + given_of(replay) + given_of(explain);
-            if (std::max(given_of(checked), given_of(methods)) + others != 1)
-              throw InputError(
-                  "assay check: takes one of MATERIAL, --all, --methods [METHOD], --replay FILE and --explain CAUSE");
-            if (given.explain) return explain_cause(*given.explain);
-            if (given_of(parameters) && given_of(methods) + given_of(replay) > 0)
-              throw InputError("assay check: --methods and --replay take no --parameters");
-            if (given_of(markdown) > given_of(methods)) throw InputError("assay check: --markdown goes with --methods");
-            return check({given.material, given.parameters, given.json_file, given.junit_file,
-                          given.out.empty() ? "results/check" : given.out, given.replay, given.all, given.quick,
-                          given.verbosity(), given.methods, number_in("--strain", given.strain, 0.5, least_strain),
-                          number_in("--pressure", given.pressure, 1e12), number_in("--step", given.step, 1e12),
-                          given.markdown_file, given.source});
-          }};
+  return {
+      &verb, [&given, checked, all, replay, methods, parameters, markdown, explain] {
+        const auto given_of = [](const CLI::Option* option) { return option->count() > 0 ? 1 : 0; };
+        const int subject = std::max({given_of(checked), given_of(methods), given_of(replay)});
+        const bool both = given_of(methods) + given_of(replay) > 1;
+        if (subject + given_of(all) + given_of(explain) != 1 || both)
+          throw InputError(
+              "assay check: takes one of MATERIAL, --all, --methods [METHOD], [MATERIAL] --replay FILE and --explain "
+              "CAUSE");
+        if (given.explain) return explain_cause(*given.explain);
+        if (given_of(parameters) && given_of(methods) + given_of(replay) > 0)
+          throw InputError("assay check: --methods and --replay take no --parameters");
+        if (given_of(markdown) > given_of(methods)) throw InputError("assay check: --markdown goes with --methods");
+        return check({given.material, given.parameters, given.json_file, given.junit_file,
+                      given.out.empty() ? "results/check" : given.out, given.replay, given.all, given.quick,
+                      given.verbosity(), given.methods, number_in("--strain", given.strain, 0.5, least_strain),
+                      number_in("--pressure", given.pressure, 1e12), number_in("--step", given.step, 1e12),
+                      given.markdown_file, given.source});
+      }};
 }
 
 Verb new_material_verb(CLI::App& app, Arguments& given) {

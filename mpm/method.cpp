@@ -49,7 +49,7 @@ std::optional<Contradiction> contradiction(const Method& m) {
   }
   if (m.is_affine() && m.affine == Affine::moment && m.basis == Basis::linear) {
     return Contradiction{"method.affine",
-                         "the second moment of linear functions vanishes at their nodes: take affine: gradient"};
+                         "the second moment of linear functions vanishes at their nodes: set affine: gradient"};
   }
   if (m.flip != 1 && !m.keeps_velocity()) {
     return Contradiction{"method.flip", "blends flip or aflip with the grid's velocity, and transfer is neither"};

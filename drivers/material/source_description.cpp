@@ -109,7 +109,7 @@ class Describer {
     const std::string largest = array + "(" + std::to_string(use.largest) + ")";
     if (use.whole) return "the source reads " + array + "(1) to " + largest;
     return use.largest > 0 ? "the source reads " + largest + ", and others by computed indices"
-                           : "the source computes the indices";
+                           : "the source reads " + array + " by computed indices";
   }
 
   void take_properties() {
@@ -159,9 +159,8 @@ class Describer {
       yaml_.state_from = "*Depvar";
     } else if (use.used) {
       if (request_.needs_values && !use.whole) {
-        throw InputError(
-            {source_.file}, "--statev",
-            "required and not given: the source uses STATEV; " + uses_of(use, "STATEV") + deck_hint(source_.file));
+        throw InputError({source_.file}, "--statev",
+                         "required and not given: " + uses_of(use, "STATEV") + deck_hint(source_.file));
       }
       refuse_what_is_not_told(use, "STATEV", false);
       yaml_.state = use.largest;

@@ -2,14 +2,22 @@
 #include "drivers/output/junit.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <ctime>
+#include <filesystem>
+#include <fstream>
 
+#include "drivers/input_file.hpp"
+#include "drivers/material/material_path.hpp"
+#include "drivers/output/whole_file.hpp"
 #include "drivers/picture/drawing.hpp"
 
 namespace assay::drivers {
 
 namespace {
+
+constexpr const char* file_begin = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
 
 std::string attribute(const char* name, const std::string& value) {
   return std::string(" ") + name + "=\"" + escaped(value) + "\"";
@@ -67,9 +75,31 @@ std::string suite_text(const JunitSuite& suite, std::size_t id) {
 }  // namespace
 
 std::string junit_text(const std::vector<JunitSuite>& suites) {
-  std::string page = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+  std::string page = file_begin;
   for (std::size_t id = 0; id < suites.size(); ++id) page += suite_text(suites[id], id);
   return page + "</testsuites>\n";
+}
+
+void require_junit_folder(const std::string& file, const std::string& made) {
+  if (file.empty() || file == standard_stream) return;
+  namespace fs = std::filesystem;
+  std::error_code code;
+  const std::string folder = fs::path(absolute_path(file)).parent_path().string(), ours = absolute_path(made);
+  const bool is_made = folder == ours || folder.starts_with(ours + "/");
+  if (!is_made && !fs::is_directory(folder, code)) fail(file, "cannot be created", ENOENT);
+}
+
+void remove_earlier_junit(const std::string& file) {
+  if (file.empty() || file == standard_stream) return;
+  namespace fs = std::filesystem;
+  std::error_code code;
+  const fs::path path = file;
+  if (!fs::is_regular_file(path, code)) return;
+  const std::string ours = std::string(file_begin) + "  <testsuite name=\"assay";
+  std::string begin(ours.size(), '\0');
+  std::ifstream earlier(path, std::ios::binary);
+  earlier.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  if (begin == ours) fs::remove(path, code);
 }
 
 }  // namespace assay::drivers

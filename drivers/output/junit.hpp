@@ -29,4 +29,11 @@ struct JunitSuite {
 /// A whole file: tests/drivers/junit.rng describes it.
 std::string junit_text(const std::vector<JunitSuite>& suites);
 
+/// Before work whose findings go to that file ("-" or empty: none): a file of earlier work is removed, so that nobody
+/// takes it for this one's.
+void remove_earlier_junit(const std::string& file);
+
+/// Throws SystemError where the file's folder is missing, unless it lies in `made`, a folder that the work makes.
+void require_junit_folder(const std::string& file, const std::string& made);
+
 }  // namespace assay::drivers

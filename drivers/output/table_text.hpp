@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -23,6 +24,11 @@ inline std::string padded(std::string text, std::size_t width) {
 inline std::string measured_text(const std::optional<double>& value) {
   if (!value) return "-";
   return std::isinf(*value) ? "infinite" : rounded_text(*value, 2);
+}
+
+/// "1 test passed", "37 tests passed".
+inline std::string tests_passed(std::int64_t count) {
+  return std::to_string(count) + (count == 1 ? " test passed" : " tests passed");
 }
 
 /// A line without blanks at its end.

@@ -57,7 +57,7 @@ std::string separated(const std::string& text) {
   if (text.find(' ') != text.npos && parse_number(text.substr(0, text.find(' '))) && plain.find('.') != plain.npos) {
     return ": one number belongs here";
   }
-  return ": write the digits without separators: " + plain;
+  return ": write the number without spaces or separators: " + plain;
 }
 
 /// "1d3" of Fortran, "1x10^3", "10^3", "10**3", "1*^3".

@@ -180,9 +180,10 @@ void check_inertia(const Scene& scene, const KeyPlace& where) {
   }
   if (!scene.method) return;
   if (scene.method->is_affine() && scene.method->affine == mpm::Affine::moment) {
-    refuse_at(where, key,
-              "particles also gives the particles the gradient of the acceleration, but they carry a moment: set "
-              "affine: gradient");
+    refuse_at(
+        where, key,
+        "`particles` gives the particles the gradient of the acceleration too, but with affine: moment they carry a "
+        "moment: set affine: gradient");
   }
   if (scene.method->has_stages()) {
     refuse_at(where, key,

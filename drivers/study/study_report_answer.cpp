@@ -138,7 +138,7 @@ std::string verdict(const StudyFindings& findings) {
 }
 
 std::string work_precision(const StudyFindings& findings) {
-  const std::string swipe = "<p class=\"swipe\"><a href=\"work_precision.svg\">The figure alone</a>, to enlarge it.</p>\n";
+  const std::string swipe = "<p class=\"swipe\">Scroll sideways, or open <a href=\"work_precision.svg\">the figure alone</a>.</p>\n";
   return html::section("What accuracy costs", swipe + picture(findings, CostAxis::cost));
 }
 

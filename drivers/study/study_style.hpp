@@ -24,7 +24,7 @@ linear-gradient(to left,var(--paper) 30%,transparent) 100% 0/36px 100% no-repeat
 linear-gradient(to right,rgba(128,128,128,.45),transparent) 0 0/12px 100% no-repeat scroll,
 linear-gradient(to left,rgba(128,128,128,.45),transparent) 100% 0/12px 100% no-repeat scroll}
 .swipe{display:none;color:var(--soft);font-size:.85rem;margin:0 0 6px}
-@media(max-width:520px){.swipe{display:block}}
+@media(max-width:900px){.swipe{display:block}}
 @media print{.swipe{display:none}figure,.wide{background:none}}
 figure.lead svg{max-width:960px;min-width:820px}
 figure.map svg{max-width:none;width:auto;height:auto}
@@ -42,7 +42,7 @@ border:2px solid var(--paper);print-color-adjust:exact;-webkit-print-color-adjus
 td.state small{color:inherit}
 @media(max-width:520px){.answer{flex-direction:column}.digit{flex:none}.question{font-size:1.1rem}
 .step{display:flex;gap:8px;align-items:baseline}.step small{font-size:.85rem}
-figure svg,figure.lead svg{min-width:0}td.words,tbody th{min-width:0}}
+td.words,tbody th{min-width:0}}
 @media print{.wide{overflow:visible}figure{overflow:visible}figure svg,figure.lead svg{min-width:0}table{font-size:9pt}
 th,td{white-space:normal;padding-right:8px}td.state,td.words,tbody th{min-width:0}.bar{min-width:40px}
 .digit{border:1px solid var(--line);border-top:4px solid #000}a{color:inherit}}

@@ -41,8 +41,8 @@ std::string with_short_words(const std::string& text, std::size_t most) {
 
 /// The line; an end that is too long goes on below its own beginning.
 std::string line_of(const std::string& begin, const std::string& end) {
-  constexpr std::size_t columns = 80;
-  const std::size_t room = columns - std::min(columns / 2, characters(begin));
+  constexpr std::size_t columns = 80, least = 20;  // of an end
+  const std::size_t room = columns - std::min(columns - least, characters(begin));
   if (characters(begin) + characters(end) <= columns) return begin + end + "\n";
   const std::string below(columns - room, ' ');  // of as many characters as `begin`, which may have more bytes
   return begin + wrapped(with_short_words(end, room), below, below).substr(below.size());
@@ -169,8 +169,10 @@ std::string case_line(const StudyFindings& words, const StudyCase& one, std::siz
 
 std::string study_text(const StudyFindings& findings, const std::string& folder) {
   const std::string verdict = summary_of(findings);
-  std::string text = wrapped(
-      (findings.title.empty() ? "study" : findings.title) + ": " + counts_text(findings) + ": " + verdict, "", "  ");
+  const std::string counts = counts_text(findings);
+  std::string text = wrapped((findings.title.empty() ? "study" : findings.title) + ": " +
+                                 (counts.empty() ? "" : counts + ": ") + verdict,
+                             "", "  ");
   text += failures_text(findings);
   if (!findings.question.empty()) text += wrapped(findings.question, "  ", "  ");
   text += wrapped("error: " + findings.error_name + "; cost: " + findings.cost_name, "  ", "    ");

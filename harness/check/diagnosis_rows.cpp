@@ -130,14 +130,15 @@ Found isotropy_and_basis(const Findings& f) { return f.failed("basis") ? isotrop
 
 /// A body that is held does not relax, and one that turns does, where rounding makes a strain of its turn.
 Found rests_when_held(const Findings& f) {
-  const bool rests = f.failed("step_halving") && f.find("step_halving")->cause == causes::drifts;
+  const bool overshoots = !f.evidence.overshoots.empty();  // which grows by anything, as by another step
+  const bool rests = f.failed("step_halving") && f.find("step_halving")->cause == causes::drifts && !overshoots;
   return rests ? of(f, "step_halving") : std::nullopt;
 }
 
 constexpr Row before[] = {
-    {rests_when_held, Explains::frames, Beside::any},
     {overshoots_beyond_frames, Explains::frames, Beside::any},
     {overshoots, Explains::time, Beside::any},
+    {rests_when_held, Explains::frames, Beside::any},
     {grows, Explains::time, Beside::any},
     {clock, Explains::time, Beside::no_time},
     {increment_of_scalars, Explains::frames, Beside::any},

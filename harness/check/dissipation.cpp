@@ -178,8 +178,8 @@ void judge_unloading(const Specimen& specimen, TestResult& result) {
 TestResult judged(double worst, double most, const std::string& words) {
   TestResult result{.id = "dissipation", .measure = worst, .threshold = most};
   result.verdict = worst <= most ? Verdict::pass : Verdict::fail;
-  result.sentence = worst <= most ? "work is stored or dissipated, and none is created"
-                                  : percent(worst) + " of the work is created" + words;
+  result.sentence = worst <= most ? "work is stored or dissipated, and no energy is created"
+                                  : "energy is created: " + percent(worst) + " of the work" + words;
   if (worst > most) result.cause = causes::dissipation;
   return result;
 }

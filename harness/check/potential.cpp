@@ -109,13 +109,13 @@ void judge_potential(const Specimen& specimen, const std::vector<double>& times,
   if (worst <= most) {
     if (elastic && worst > of_steps) {
       result.sentence += std::string("; ") + remark_words + "the stress has no potential, " + percent(worst) +
-                         " of the work is created around a closed square of strains";
+                         " of the work is energy that a closed cycle of strains creates";
     }
     return;
   }
   result = {.id = "dissipation", .verdict = Verdict::fail, .measure = worst, .threshold = most};
   result.cause = causes::dissipation;
-  result.sentence = percent(worst) + " of the work is created around a closed square of strains" +
+  result.sentence = "a closed cycle of strains creates energy: " + percent(worst) + " of the work" +
                     (elastic ? "; the stress has no potential" : "");
 }
 

@@ -51,7 +51,7 @@ std::vector<std::string> not_tested(const Specimen& specimen) {
   if (material.table().parameter_count > 0 && !Offer<assay_closed_form>(material)) {
     all.emplace_back("whether the values of the parameters are right (there is no reference)");
   }
-  const char* why = takes_shorter_increments(specimen) ? " (it takes them in shorter increments alone)"
+  const char* why = takes_shorter_increments(specimen) ? " (it takes them only in shorter increments)"
                     : specimen.refusal                 ? " (it refuses them)"
                                                        : " (far beyond the linear range; --strain asks for more)";
   if (!has_reached(specimen)) all.push_back("strains above " + rounded(specimen.amplitude) + why);

@@ -54,7 +54,7 @@ run(0 "downstream_ideal_gas" ${prefix}/bin/assay materials ${work}/build/ideal_g
 set(tests ${CMAKE_CTEST_COMMAND} --test-dir ${work}/build --output-on-failure)
 run(0 "100% tests passed" ${tests} -LE must_fail)
 run(1 "diagnosis: increment rotation missing" ${tests} -L must_fail)
-foreach(file IN ITEMS kirchhoff.check.xml must_fail.check.xml must_fail.check/downstream_unturned.rotation.during.yaml)
+foreach(file IN ITEMS kirchhoff.check.xml kirchhoff.run.xml must_fail.check.xml must_fail.check/downstream_unturned.rotation.during.yaml)
   if(NOT EXISTS ${work}/build/${file})
     message(FATAL_ERROR "not left by the tests: ${file}")
   endif()

@@ -73,7 +73,8 @@ TEST(Check, WhatIsRequiredAndNotGivenIsThatOfTheExample) {
   EXPECT_EQ(checked({"mooney_rivlin", "--quick", "--parameters", "bulk_modulus=900", "--json", json, "--junit", junit},
                     &said),
             0);
-  EXPECT_NE(said.find("not given, from the model's own example: "), std::string::npos) << said;
+  EXPECT_NE(said.find("required parameters that were not given, from the model's example: "), std::string::npos)
+      << said;
   EXPECT_NE(said.find("c10 = 120"), std::string::npos) << said;
   const auto found = nlohmann::json::parse(read_bytes(json));
   EXPECT_EQ(found["parameters"]["bulk_modulus"], 900);
@@ -140,7 +141,7 @@ TEST(Check, AFailureLeavesAReplayThatFailsAgain) {
     const std::string file = test["replay"];
     std::string said;
     EXPECT_EQ(checked({"--replay", file}, &said), 1) << said;
-    EXPECT_NE(said.find("it was: "), std::string::npos);
+    EXPECT_NE(said.find("the failure was: "), std::string::npos);
     EXPECT_NE(said.find(test["id"].get<std::string>()), std::string::npos) << said;
   }
   EXPECT_GT(failures, 0);

@@ -134,7 +134,7 @@ TEST(MethodsReport, TextFitsEightyColumnsAndShowsWhatFails) {
     const std::string text = methods_text(broken(), verbosity);
     std::istringstream page(text);
     for (std::string line; std::getline(page, line);) EXPECT_LE(line.size(), 80u) << line;
-    EXPECT_TRUE(text.starts_with("methods: FAIL; 1 method, 1 tests passed, 1 failed, 1 not promised\n")) << text;
+    EXPECT_TRUE(text.starts_with("methods: FAIL; 1 method, 1 test passed, 1 failed, 1 not promised\n")) << text;
     EXPECT_EQ(text.find("unstable & gone") != std::string::npos, verbosity != Verbosity::quiet);
     EXPECT_EQ(text.find("holes") != std::string::npos, verbosity == Verbosity::verbose);
   }

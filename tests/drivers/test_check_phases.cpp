@@ -56,13 +56,13 @@ TEST_P(CheckPhases, AreNamed) {
 
 INSTANTIATE_TEST_SUITE_P(
     Ends, CheckPhases,
-    testing::Values(End{"destroy abort", "was ended by signal 6 (Aborted) when it was destroyed in the test "},
-                    End{"destroy _exit", "ended the process with status 0 when it was destroyed in the test "},
-                    End{"destroy pause", "did not return from a call within 1 s when it was destroyed"},
-                    End{"destroy_first abort",
-                        "was ended by signal 6 (Aborted) when it was destroyed, after the last test"},
-                    End{"destroy_first _exit", "ended the process with status 0 when it was destroyed, behind"},
-                    End{"destroy_first pause", "within 1 s when it was destroyed, after the last test"}),
+    testing::Values(
+        End{"destroy abort", "was ended by signal 6 (Aborted) when it was destroyed in the test "},
+        End{"destroy _exit", "ended the process with status 0 when it was destroyed in the test "},
+        End{"destroy pause", "did not return from a call within 1 s when it was destroyed"},
+        End{"destroy_first abort", "was ended by signal 6 (Aborted) when it was destroyed, after the last test"},
+        End{"destroy_first _exit", "ended the process with status 0 when it was destroyed, after the last test"},
+        End{"destroy_first pause", "within 1 s when it was destroyed, after the last test"}),
     [](const auto& instance) {
       std::string name = instance.param.deed;
       std::replace(name.begin(), name.end(), ' ', '_');

@@ -121,7 +121,7 @@ TEST_F(CheckSource, PropsMayStandBetweenBlanks) {
   scratch.write("model.f", hooke_umat);
   const Ending ending = run({"check", "--props", "210e3", ".3", "model.f", "--quick"});
   EXPECT_EQ(ending.status, 0) << ending.said;
-  EXPECT_TRUE(says(ending, "2 PROPS of --props")) << ending.said;
+  EXPECT_TRUE(says(ending, "2 PROPS from --props")) << ending.said;
   EXPECT_EQ(run({"check", "model.f", "--quick", "--props", "1.d3,", ".3"}).status, 0);
   EXPECT_TRUE(says(run({"check", "model.f", "3", "--props", "1e3"}), "unknown argument '3'"));
 }
@@ -197,7 +197,7 @@ TEST_F(CheckSource, ADeckIsEnough) {
        {std::vector<std::string>{"check", "job.inp", "--quick"}, {"check", "job.f", "--deck", "job.inp", "--quick"}}) {
     const Ending ending = run(words);
     EXPECT_EQ(ending.status, 0) << ending.said;
-    EXPECT_TRUE(says(ending, "2 PROPS of *User Material")) << ending.said;
+    EXPECT_TRUE(says(ending, "2 PROPS from *User Material")) << ending.said;
   }
   const Ending run_it = run({"run", scene("{adapter: job.inp}"), "-o", "out"});
   EXPECT_EQ(run_it.status, 0) << run_it.said;
@@ -262,7 +262,7 @@ TEST_F(CheckSource, IsRegisteredAndThenUsed) {
   const Ending registered = run({"register", "model.f", "--as", "mine", "--props", "1e3,.3"});
   EXPECT_EQ(registered.status, 0) << registered.said;
   EXPECT_TRUE(says(registered, "registered mine: model in " + scratch / "model.f")) << registered.said;
-  EXPECT_TRUE(says(run({"materials"}), "\nmine (model model)"));
+  EXPECT_TRUE(says(run({"materials", "--verbose"}), "\nmine (model model)"));
   EXPECT_EQ(run({"check", "mine", "--quick"}).status, 0);
   EXPECT_EQ(run({"run", scene("{adapter: mine, density: 1000}"), "-o", "out"}).status, 0);
   const Ending shown = run({"materials", "mine", "--json"});

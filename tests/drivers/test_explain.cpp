@@ -174,7 +174,7 @@ TEST(Explain, SaysWhyAnEffectIsThereAndWhichKeyWouldCallForOneThatIsNot) {
   const auto has = [](const std::string& text, const std::string& words) { return text.find(words) != text.npos; };
   const std::string there =
       "energy_account accounts of mass, momentum and energy pass accounts; sums over the "
-      "particles, and who checks them because of output.accounts ";
+      "particles, and checks of them because of output.accounts ";
   EXPECT_TRUE(has(with, there)) << with;
   EXPECT_FALSE(has(with, "energy_account (output.accounts)"));
   EXPECT_TRUE(has(without, "energy_account (output.accounts)")) << without;

@@ -46,7 +46,8 @@ TEST(FreeBody, BeginsAsItIsTold) {
 
 TEST(FreeBody, IsRefusedWhereItIsNotFree) {
   EXPECT_EQ(refused(free_body("force: {response: none}\n", "outside: free, ")), "accepted");
-  EXPECT_NE(refused(free_body("", "outside: free, ")).find("take force.response: none"), std::string::npos);
+  EXPECT_NE(refused(free_body("", "outside: free, ")).find("the body force drives this body: set force.response: none"),
+            std::string::npos);
   EXPECT_NE(refused(free_body()).find("body.outside: held"), std::string::npos);
   EXPECT_NE(refused(free_body("force: {response: none}\nframe: {angle: 1}\n", "outside: free, ")).find("frame"),
             std::string::npos);

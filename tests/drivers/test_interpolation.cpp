@@ -127,8 +127,8 @@ TEST(Interpolation, RunAndEvalRefuseWhatHasNoBodyForce) {
   scratch.write("p.csv", triangle);
   const std::string scene = scratch.write("s.yaml", scene_of(neo_hookean) + runnable);
   const std::string refusal =
-      "--set motion.interpolation: linear makes the velocity jump at the rows, and the body force is made of F'', the "
-      "second derivative of F: only tabulate takes it; known: monotone, spline";
+      "--set motion.interpolation: linear makes the velocity jump at the rows, but the body force needs the second "
+      "derivative of F: only tabulate accepts linear; known: monotone, spline";
   RunOptions to_run;
   to_run.scene = scene, to_run.out = scratch / "out", to_run.verbosity = Verbosity::quiet;
   to_run.sets = {"motion.interpolation=linear"};

@@ -30,7 +30,7 @@ constexpr const char *ends = "ends the process", *overrun = "overrun", *disturbs
                      *refuses = "refuses a step";
 
 const Misbehaviour all[] = {
-    {1, "null_pointer", ends, "a null pointer was followed", "a null pointer was followed"},
+    {1, "null_pointer", ends, "it used a null pointer", "it used a null pointer"},
     {2, "stop", ends, "with status 0", "with status 0, without a result"},
     {3, "endless_loop", ends, "did not return from a call within 1 s", "did not return within 1 s"},
     {4, "abort", ends, "was ended by signal 6", "was ended by signal 6"},

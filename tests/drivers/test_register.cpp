@@ -140,7 +140,8 @@ TEST_F(Register, SaysThatTheStressDependsOnTheDuration) {
     const std::string file = write("creep.yaml", "library: " + library + properties + keys);
     testing::internal::CaptureStdout();
     register_material({file, "creep", {}, Verbosity::normal});
-    return testing::internal::GetCapturedStdout().find("depends on how long a step takes") != std::string::npos;
+    return testing::internal::GetCapturedStdout().find("the stress depends on the length of a step") !=
+           std::string::npos;
   };
   EXPECT_TRUE(said(""));
   EXPECT_FALSE(said("flags: [rate_dependent]\n"));

@@ -166,5 +166,39 @@ TEST(Replay, RefusesWhatIsNone) {
   EXPECT_NE(refusal("hypoelastic_jaumann", "nothing").find("nothing"), std::string::npos);
 }
 
+/// A description that finds its library by $ASSAY_MATERIAL_PATH, as in a test of ctest, is found again without it.
+TEST(Replay, KeepsTheFoldersOfLibraries) {
+  const ScratchFolder scratch;
+  const std::string description =
+      scratch.write("model.yaml", "library: fails_when_sheared.so\nparameters: {modulus: 1000}\n");
+  const auto in_folder = [] { ::setenv("ASSAY_MATERIAL_PATH", plugins.c_str(), 1); };
+  const auto without = [] { ::unsetenv("ASSAY_MATERIAL_PATH"); };
+  const Ending check = assay({"check", description, "--quick", "--strain", "0.4", "-o", scratch / "r"}, in_folder);
+  ASSERT_EQ(check.status, 1) << check.said;
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(scratch / "r")) files.push_back(entry.path().string());
+  ASSERT_FALSE(files.empty()) << check.said;
+  EXPECT_NE(bytes_of(files.front()).find("material_path: "), std::string::npos) << bytes_of(files.front());
+  const Ending again = assay({"check", "--replay", files.front()}, without);
+  EXPECT_EQ(again.status, 1) << again.said;
+  EXPECT_EQ(again.said.find("no such library"), std::string::npos) << again.said;
+}
+
+/// As one from a CI server, whose library lies elsewhere here.
+TEST(Replay, TakesAnotherMaterialInPlaceOfItsOwn) {
+  const ScratchFolder scratch;
+  const std::string library = scratch / "moved.so";
+  std::filesystem::copy(plugins + "fails_when_sheared.so", library);
+  const Ending check =
+      assay({"check", library, "--parameters", "modulus=1000", "--quick", "--strain", "0.4", "-o", scratch / "r"});
+  ASSERT_EQ(check.status, 1) << check.said;
+  const std::string file = std::filesystem::directory_iterator(scratch / "r")->path().string();
+  std::filesystem::remove(library);
+  EXPECT_EQ(assay({"check", "--replay", file}).status, 2);
+  const Ending again = assay({"check", plugins + "fails_when_sheared.so", "--replay", file});
+  EXPECT_EQ(again.status, 1) << again.said;
+  EXPECT_EQ(assay({"check", "--methods", "--replay", file}).status, 2);
+}
+
 }  // namespace
 }  // namespace assay::drivers::test_replay

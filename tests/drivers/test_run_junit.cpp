@@ -144,13 +144,38 @@ TEST_F(RunJUnitCommand, GoesWithJsonAndQuiet) {
 }
 
 TEST_F(RunJUnitCommand, AnUnwritablePlaceCostsNoVerdict) {
-  for (const std::string& place : {std::string("/proc/x"), scratch_ / "none/junit.xml"}) {
-    const Ending ending = call({"--junit", place});
-    EXPECT_EQ(ending.status, 3) << place;
-    EXPECT_NE(ending.said.find("AS EXPECTED; results in"), std::string::npos) << ending.said;
-    EXPECT_NE(ending.said.find(place + ": cannot be created"), std::string::npos) << ending.said;
-    EXPECT_EQ(result_in(scratch_ / "out")["outcome"], "completed");
-  }
+  const std::string place = "/proc/x";
+  const Ending ending = call({"--junit", place});
+  EXPECT_EQ(ending.status, 3) << place;
+  EXPECT_NE(ending.said.find("AS EXPECTED; results in"), std::string::npos) << ending.said;
+  EXPECT_NE(ending.said.find(place + ": cannot be created"), std::string::npos) << ending.said;
+  EXPECT_EQ(result_in(scratch_ / "out")["outcome"], "completed");
+}
+
+TEST_F(RunJUnitCommand, AFolderThatIsMissingIsNamedBeforeTheRun) {
+  const std::string place = scratch_ / "none/junit.xml";
+  const Ending ending = call({"--junit", place});
+  EXPECT_EQ(ending.status, 3);
+  EXPECT_EQ(ending.said, place + ": cannot be created: No such file or directory\n");
+  EXPECT_FALSE(std::filesystem::exists(scratch_ / "out"));
+  const Ending check = assay({"check", "neo_hookean", "--junit", place, "-o", scratch_ / "r"});
+  EXPECT_EQ(check.status, 3);
+  EXPECT_EQ(check.said, place + ": cannot be created: No such file or directory\n");
+}
+
+/// Whoever reads the file of an earlier run after one that failed would see a green test. A file of others is left.
+TEST_F(RunJUnitCommand, AnEarlierFileIsGoneBeforeARunOrCheckBegins) {
+  const std::string file = scratch_ / "junit.xml";
+  ASSERT_EQ(call({"--junit", file}).status, 0);
+  ASSERT_TRUE(std::filesystem::exists(file));
+  EXPECT_EQ(call({"--junit", file, "--set", "grid.spacing=-1"}).status, 2);
+  EXPECT_FALSE(std::filesystem::exists(file));
+  ASSERT_EQ(assay({"check", "neo_hookean", "--quick", "--junit", file, "-o", scratch_ / "r"}).status, 0);
+  EXPECT_EQ(assay({"check", "no_such_model", "--junit", file}).status, 2);
+  EXPECT_FALSE(std::filesystem::exists(file));
+  const std::string other = scratch_.write("other.xml", "<?xml version=\"1.0\"?>\n<testsuites>\n</testsuites>\n");
+  EXPECT_EQ(call({"--junit", other, "--set", "grid.spacing=-1"}).status, 2);
+  EXPECT_TRUE(std::filesystem::exists(other));
 }
 
 TEST_F(RunJUnitCommand, BadInputLeavesNoFile) {

@@ -172,7 +172,7 @@ TEST(OpenFiles, OfWhichThereAreTooFewAreNoPass) {
 
 /// Whoever has so few could not clear away what is staged.
 TEST(OpenFiles, OfWhichThereAreTooFewAreNoRun) {
-  for (const rlim_t most : {5, 7, 16}) {
+  for (const rlim_t most : {7, 16}) {
     const ScratchFolder scratch;
     const std::string scene = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/vortex_cpdi.yaml";
     const Ending ending =

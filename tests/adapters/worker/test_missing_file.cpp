@@ -15,7 +15,7 @@ TEST(MissingFile, IsNamedFromWhatFortranPrints) {
       missing_file_words("At line 5 of file m.f (unit = 15)\nFortran runtime error: Cannot open file 'p.dat': No such "
                          "file or directory" +
                          calls),
-      "; it looks for 'p.dat' in its own working folder: files: [p.dat] in its description puts "
+      "; it looks for 'p.dat' in its own working folder: files: [p.dat] in its description copies "
       "a file there");
   EXPECT_NE(missing_file_words("Fortran runtime error: File 'dir/p.dat' does not exist").find("files: [dir/p.dat]"),
             std::string::npos);

@@ -58,7 +58,8 @@ TEST(ForeignDescription, ANumberThatIsWrittenOtherwiseIsNoName) {
   EXPECT_EQ(told("E=1000"), at + ", found 'E=1000': names with values are a map, {E: 1000}");
   EXPECT_EQ(refused("properties:\n  - E: 1000\n"),
             "/folder/My-Clay.yaml:4:5: properties.p1: must be a number or a name: keys with values stand without '-'");
-  EXPECT_NE(refused("properties: {E=1000, nu=.3}\n").find("properties.E=1000: is no name: a key is followed by ':'"),
+  EXPECT_NE(refused("properties: {E=1000, nu=.3}\n")
+                .find("properties.E=1000: is no name: a key needs ':' and a space after it"),
             std::string::npos);
   EXPECT_EQ(model("properties: [E, nu]").properties.size(), 2u);
 }

@@ -104,10 +104,9 @@ TEST(FortranColumns, BeyondColumn132NothingIsRead) {
   const ColumnReadings found = readings(at_column(133, "      A=1", "+2"));
   EXPECT_EQ(numbers(found.cut), "1 +2|");
   EXPECT_TRUE(found.tails.empty()) << "there is nothing in columns 73 to 132";
-  EXPECT_EQ(
-      column_sentences(found, "m.f").at(0),
-      "m.f:1: code beyond column 132 (line 1), here '+2': Abaqus takes 132 columns and cuts it off without a word, "
-      "and so does assay");
+  EXPECT_EQ(column_sentences(found, "m.f").at(0),
+            "m.f:1: code beyond column 132 (line 1), here '+2': Abaqus reads 132 columns and cuts this off silently, "
+            "and so does assay");
   EXPECT_TRUE(readings(at_column(132, "      A=1", "2")).cut.empty());
 }
 

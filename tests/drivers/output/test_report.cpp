@@ -80,14 +80,14 @@ TEST(Report, verdict_comes_first_and_follows_the_expectations) {
   const std::string good = report_html(result, {1.0, {}, {}});
   EXPECT_TRUE(contains(good, "<p>soft_clay; cpdi, flip</p>"));
   EXPECT_TRUE(contains(good, "All expectations hold"));
-  EXPECT_LT(good.find("All that was expected"), good.find("Errors over time"));
+  EXPECT_LT(good.find("All expectations hold"), good.find("Errors over time"));
   result.expect.push_back({"outcome", "equals completed", "unstable", false});
   result.outcome = "unstable";
   result.reason = "particle 17: det F <= 0";
   const std::string bad = report_html(result, {1.0, {}, {}});
   EXPECT_TRUE(contains(bad, "1 of 2 expectations does not hold"));
   EXPECT_TRUE(contains(bad, "particle 17: det F &lt;= 0"));
-  EXPECT_FALSE(contains(bad, "All that was expected"));
+  EXPECT_FALSE(contains(bad, "All expectations hold"));
   result.expect.clear();
   EXPECT_TRUE(contains(report_html(result, {1.0, {}, {}}), "The scene has no expectations"));
 }

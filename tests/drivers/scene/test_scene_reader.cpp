@@ -187,10 +187,12 @@ TEST(SceneReader, RefusesMethodsThatMakeNoSenseWithTheReason) {
       has(refused_method("{basis: cpgimp, formulation: total}"), "do not stretch in the reference configuration"));
   EXPECT_TRUE(has(refused_method("{transfer: fmpm, mass: series}"), "series of the mass matrix themselves"));
   EXPECT_TRUE(has(refused_method("{transfer: pic, mass: series}"), "is transfer: fmpm"));
-  EXPECT_TRUE(has(refused_method("{basis: linear, transfer: apic, affine: moment}"), "take affine: gradient"));
+  EXPECT_TRUE(has(refused_method("{basis: linear, transfer: apic, affine: moment}"), "set affine: gradient"));
   EXPECT_TRUE(has(refused_method("{transfer: apic, flip: 0.9}"), "blends flip or aflip"));
-  EXPECT_TRUE(has(refused_method("{transfer: flip, terms: 3}"), "counts the terms of mass: series"));
-  EXPECT_TRUE(has(refused_method("{transfer: flip, affine: moment}"), "is of transfer: apic and aflip"));
+  EXPECT_TRUE(has(refused_method("{transfer: flip, terms: 3}"),
+                  "method.terms: belongs to mass: series and to transfer: xpic or fmpm, but the method"));
+  EXPECT_TRUE(has(refused_method("{transfer: flip, affine: moment}"),
+                  "method.affine: belongs to transfer: apic and aflip, but transfer is flip"));
   EXPECT_TRUE(has(refused_method("{transfer: xpic, terms: 0}"), "from 1 to 100"));
   EXPECT_TRUE(has(refused_method("{integrator: symplectic_rkn4}"), "take formulation: total"));
   EXPECT_TRUE(has(refused_method("{formulation: total, transfer: aflip, integrator: symplectic_rkn4}"),
@@ -214,8 +216,9 @@ TEST(SceneReader, GivesInertiaToParticlesWhereThatMakesSense) {
   const auto refused_with = [](const std::string& method, const std::string& force) {
     return refused(scene_text("grid: {spacing: .1}\n"), {"method=" + method, "force=" + force});
   };
-  EXPECT_TRUE(has(refused_with("{transfer: flip}", "{inertia: particles, response: none}"), "part of the body force"));
-  EXPECT_TRUE(has(refused_with("{transfer: apic, affine: moment}", "{inertia: particles}"), "take affine: gradient"));
+  EXPECT_TRUE(has(refused_with("{transfer: flip}", "{inertia: particles, response: none}"),
+                  "needs a body force, but force.response is none"));
+  EXPECT_TRUE(has(refused_with("{transfer: apic, affine: moment}", "{inertia: particles}"), "set affine: gradient"));
   EXPECT_TRUE(has(refused_with("{formulation: total, integrator: symplectic_rkn4}", "{inertia: particles}"),
                   "force.inertia: "));
   EXPECT_EQ(refused_with("{transfer: aflip}", "{inertia: particles}"), "accepted");

@@ -80,7 +80,7 @@ TEST(HealthWatch, StopsEnergyThatNoForceHasGiven) {
   u[23] *= 2;
   const auto found = run.look(16, 0.003);
   ASSERT_TRUE(found);
-  EXPECT_NE(found->reason.find("times the most that the known forces can have given"), std::string::npos);
+  EXPECT_NE(found->reason.find("times the largest value that the known forces can produce"), std::string::npos);
   EXPECT_EQ(found->particle, 23);
 }
 

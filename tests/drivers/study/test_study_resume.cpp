@@ -72,7 +72,7 @@ TEST(StudyResume, CasesOfAnotherKeyAreNotTakenAndThatIsSaid) {
   EXPECT_EQ(small.run("out", {"--merge"}).said.find("are missing"), std::string::npos);
   const fs::path first = case_folders(small.scratch / "out").front();
   fs::rename(first, first.parent_path() / std::string(32, 'f'));
-  const std::string warning = "warning: cases are missing, and 1 finished one is of another key";
+  const std::string warning = "warning: cases are missing, and 1 finished one belongs to another key";
   const Ending merged = small.run("out", {"--merge"});
   EXPECT_EQ(merged.status, 1);
   EXPECT_NE(merged.said.find(warning), std::string::npos) << merged.said;

@@ -61,8 +61,10 @@ TEST(StudyText, WhatFitsIsNotCut) {
   StudyCase one = findings.cases[0];
   one.label = std::string(80 - begin.size(), 'l');
   EXPECT_EQ(case_line(findings, one, 1, 10), begin.substr(1) + one.label + "\n");
-  one.label += "lll";
-  EXPECT_TRUE(case_line(findings, one, 1, 10).ends_with("l ...\n"));
+  const std::string room(81 - begin.size(), 'l');
+  one.label = room + "lll";
+  EXPECT_EQ(case_line(findings, one, 1, 10),
+            begin.substr(1) + room + "\n" + std::string(begin.size() - 1, ' ') + "lll\n");
 }
 
 TEST(StudyText, ACaseThatHasEndedIsOneLine) {
@@ -155,13 +157,12 @@ TEST(StudyText, PublishedOrdersStandBelowOurs) {
 }
 
 TEST(StudyText, AStudyWithoutAnythingSaysSo) {
-  EXPECT_EQ(
-      study_text(StudyFindings(), "r"),
-      "study:\n  error: ; cost:\nno case has both an error and a cost\nNOTHING EXPECTED; results in r, begin with "
-      "its report.html\n");
+  EXPECT_EQ(study_text(StudyFindings(), "r"),
+            "study: NOTHING WAS EXPECTED\n  error: ; cost:\nno case has both an error and a cost\n"
+            "NOTHING WAS EXPECTED; results in r, begin with its report.html\n");
   const std::string failed = study_text(failed_study(), "r");
   EXPECT_TRUE(says(failed, "no case has both an error and a cost\n"));
-  EXPECT_FALSE(says(failed, "cases that no other beats"));
+  EXPECT_FALSE(says(failed, "cases that no other case beats"));
   EXPECT_FALSE(says(failed, "orders"));
   StudyFindings still = two_method_study();
   still.digits.clear(), still.front.clear();

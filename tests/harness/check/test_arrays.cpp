@@ -97,7 +97,7 @@ TEST(GuardedArrays, NamesAModelThatWritesIntoTheStep) {
     FirstCalls first;
     const TestResult result = guarded_arrays(Material(&table, {}), {}, first);
     EXPECT_EQ(result.verdict, Verdict::fail);
-    EXPECT_NE(result.sentence.find("writes into the step that it is given"), std::string::npos) << result.sentence;
+    EXPECT_NE(result.sentence.find("changes the step that it gets"), std::string::npos) << result.sentence;
   }
 }
 

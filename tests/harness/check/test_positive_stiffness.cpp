@@ -71,7 +71,8 @@ TEST(PositiveStiffness, ANegativeModulusIsNamedHoweverSmallItIs) {
   for (const double shear : {-300.0, -1.0}) {
     const TestResult found = judged(law(500, shear));
     EXPECT_EQ(found.cause, causes::not_positive) << shear;
-    EXPECT_NE(found.sentence.find("drives it on"), std::string::npos) << found.sentence;
+    EXPECT_NE(found.sentence.find("gives a stress that increases it: the stiffness against it is -"), std::string::npos)
+        << found.sentence;
   }
 }
 
@@ -100,7 +101,7 @@ TEST(PositiveStiffness, AChangeOfVolumeByItselfIsTried) {
   EXPECT_EQ(positive_stiffness(specimen).verdict, Verdict::not_applicable);
   const TestResult found = dissipation(specimen);
   EXPECT_EQ(found.cause, causes::dissipation);
-  EXPECT_NE(found.sentence.find("in a change of volume from rest and back there"), std::string::npos) << found.sentence;
+  EXPECT_NE(found.sentence.find("in a change of volume from rest and back"), std::string::npos) << found.sentence;
   EXPECT_EQ(dissipation(examine(law(20, 500, {{"one_sided", 5.0}}), {})).verdict, Verdict::pass);
 }
 

@@ -62,13 +62,13 @@ bool says(const Report& report, const std::string& words) {
 TEST(Scope, ModuliThatNothingIsComparedWithAreNotTested) {
   const Report report = run_battery(limited({{"mu", 800}}), {.effort = {.quick = true}});
   EXPECT_TRUE(report.passes());
-  EXPECT_TRUE(says(report, "the values of its parameters"));
+  EXPECT_TRUE(says(report, "the values of the parameters"));
   EXPECT_FALSE(says(report, "strains above"));
 }
 
 TEST(Scope, ReferencesAreNoGap) {
   const Report report = run_battery(*elastic_material(), {.effort = {.quick = true}});
-  EXPECT_FALSE(says(report, "the values of its parameters"));  // its closed form is compared
+  EXPECT_FALSE(says(report, "the values of the parameters"));  // its closed form is compared
 }
 
 TEST(Scope, StrainsThatAreNotReachedAreSaid) {
@@ -84,7 +84,7 @@ TEST(Scope, IncrementsThatAreRefusedAreToldFromStrains) {
   for (const std::uint32_t flags : {reads_F0, reads_F0 | ASSAY_NON_SMOOTH}) {
     const Report report = run_battery(limited({{"increment", 1e-3}}, flags), {.effort = {.quick = true}});
     EXPECT_TRUE(report.passes()) << flags << (report.passes() ? "" : report.diagnosis.front().sentence);
-    EXPECT_TRUE(says(report, "it takes them in shorter increments alone")) << flags;
+    EXPECT_TRUE(says(report, "it takes them only in shorter increments")) << flags;
     EXPECT_FALSE(says(report, "it refuses them")) << flags;
   }
 }
@@ -115,7 +115,7 @@ TEST(Scope, AKinkThatIsDeclaredAndNotMetIsSaid) {
                                          {{"E", 1e3}, {"nu", 0.3}, {"yield_stress", 1e6}, {"hardening_modulus", 0}});
   const Report report = run_battery(*material, {.effort = {.quick = true, .strain = 0.01, .strain_is_asked = true}});
   EXPECT_TRUE(report.passes());
-  EXPECT_TRUE(says(report, "a kink is declared, and none was met"));
+  EXPECT_TRUE(says(report, "a kink is declared, and no history reached one"));
 }
 
 /// The length of a step that is refused is told from its strain: shorter ones are taken, and all is judged in them.
