@@ -177,7 +177,11 @@ JunitSuite suite(const CheckedMaterial& checked) {
   }
   for (const std::string& what : checked.report.not_tested) out.properties.emplace_back("not tested", what);
   for (const Dependence& each : checked.depends_on) out.properties.emplace_back("depends on " + each.on, each.how);
-  for (const TestResult& test : checked.report.tests) out.cases.push_back(test_case(checked, test));
+  for (const TestResult& test : checked.report.tests) {
+    out.cases.push_back(test_case(checked, test));
+    if (const std::string remark = remark_of(test); !remark.empty())
+      out.properties.emplace_back("remark of " + test.id, remark);
+  }
   if (!checked.error.empty()) {
     out.cases.push_back({class_of(checked), "loading", 0, JunitCase::Kind::error, checked.error, "not checked"});
   }

@@ -45,6 +45,9 @@ struct CheckedMaterial {
   bool passes() const { return error.empty() && report.passes(); }
 };
 
+/// What a test that passes has to say all the same, or empty: a remark, or why it passes with a measure above its limit.
+std::string remark_of(const check::TestResult& test);
+
 /// Rows of the table of tests: all, or failures and remarks.
 enum class Rows { all, telling };
 

@@ -13,6 +13,13 @@ namespace assay::drivers {
 using check::TestResult;
 using check::Verdict;
 
+std::string remark_of(const TestResult& test) {
+  if (test.verdict != Verdict::pass) return {};
+  if (test.measure && test.threshold && *test.measure > *test.threshold) return test.sentence;  // passes otherwise
+  const std::size_t at = test.sentence.find(check::remark_words);
+  return at == std::string::npos ? "" : test.sentence.substr(at);
+}
+
 int count_of(const check::Report& report, Verdict verdict) {
   return static_cast<int>(std::count_if(report.tests.begin(), report.tests.end(),
                                         [&](const TestResult& test) { return test.verdict == verdict; }));
@@ -58,12 +65,6 @@ std::string example_values(const CheckedMaterial& checked) {
   return text;
 }
 
-/// What a test that passes has to say all the same, or empty.
-std::string remark_of(const std::string& sentence) {
-  const std::size_t at = sentence.find(check::remark_words);
-  return at == std::string::npos ? "" : sentence.substr(at);
-}
-
 /// "depends on TEMP (2 % for +10), COORDS (...)"
 std::string dependences(const CheckedMaterial& checked) {
   std::string text;
@@ -73,9 +74,11 @@ std::string dependences(const CheckedMaterial& checked) {
   return text;
 }
 
-/// Whether it passes for another reason than its measure, which its sentence says.
-bool passes_otherwise(const TestResult& test) {
-  return test.verdict == Verdict::pass && test.measure && test.threshold && *test.measure > *test.threshold;
+/// "; 2 remarks": tests that pass and have something to say all the same.
+std::string remarks_text(const check::Report& report) {
+  const auto count = std::count_if(report.tests.begin(), report.tests.end(),
+                                   [](const TestResult& test) { return !remark_of(test).empty(); });
+  return count == 0 ? "" : "; " + std::to_string(count) + (count == 1 ? " remark" : " remarks");
 }
 
 std::string summary(const CheckedMaterial& checked) {
@@ -83,14 +86,14 @@ std::string summary(const CheckedMaterial& checked) {
   return one_line(checked.name) + ": " + (report.passes() ? "pass" : "FAIL") + "; " +
          tests_passed(count_of(report, Verdict::pass)) + ", " + std::to_string(count_of(report, Verdict::fail)) +
          " failed, " + std::to_string(count_of(report, Verdict::not_applicable)) + " not applicable, in " +
-         rounded_text(checked.wall_s, 2) + " s" + unusual_effort(report) +
+         rounded_text(checked.wall_s, 2) + " s" + remarks_text(report) + unusual_effort(report) +
          (checked.depends_on.empty() ? "" : "; " + dependences(checked));
 }
 
 /// What is printed below a test's row: its sentence where the row alone would not explain the verdict.
 std::string words_of(const TestResult& test, Verbosity verbosity) {
-  const bool whole = verbosity == Verbosity::verbose || test.verdict == Verdict::fail || passes_otherwise(test);
-  return whole ? test.sentence : remark_of(test.sentence);
+  const bool whole = verbosity == Verbosity::verbose || test.verdict == Verdict::fail;
+  return whole ? test.sentence : remark_of(test);
 }
 
 /// The tests as a table, below a blank line; empty where no row is wanted.

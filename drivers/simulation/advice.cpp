@@ -7,6 +7,7 @@
 
 #include "drivers/output/number_format.hpp"
 #include "drivers/simulation/time_steps.hpp"
+#include "drivers/simulation/warnings.hpp"
 #include "harness/acoustic_tensor.hpp"
 #include "harness/check/march.hpp"
 #include "harness/tangent_modulus.hpp"
@@ -64,6 +65,10 @@ std::array<double, 2> sides_of_body(const Problem& problem) {
 std::string advice_after_death(const Problem& problem, const std::string& reason) {
   if (!problem.compared && reason.find("left the grid") != reason.npos)
     return "grid.lower and grid.upper: a free body needs room for its whole path";
+  if (const auto period = shorter_period(problem)) {
+    return "motion.period: " + rounded_text(*period, 2) +
+           ", in which a wave crosses the body some thirty times: errors of very many waves add up";
+  }
   const auto& method = *problem.scene.method;
   const mpm::Remedies& remedies = problem.setup.remedies;
   const std::string courant = "courant: " + rounded_text(safe_courant, 2);

@@ -146,6 +146,7 @@ class Run {
       sampling_s_ += seconds_since(start);
     }
     start = Clock::now();
+    if (sample && !shot) snapshots_.remember(simulation_.state(), *sampler_, t);
     if (shot) {
       snapshots_.add(simulation_.state(), sampler_ ? &*sampler_ : nullptr, t);
       output_s_ += seconds_since(start);

@@ -178,8 +178,18 @@ void Snapshots::add(const mpm::State<2>& state, const ErrorSampler* sampler, dou
     if (problem_->scene.output.writes_particles()) write_vtu(state, sampler, t);
   }
   if (!mpm::compiled(mpm::Effect::pictures) || !problem_->scene.output.pictures || !sampler) return;
-  Frame frame{t, frame_of(state, t), sampler->displacement_error(), sampler->measure()};
-  const double half = 0.5 * problem_->period();
+  show({t, frame_of(state, t), sampler->displacement_error(), sampler->measure()});
+}
+
+void Snapshots::remember(const mpm::State<2>& state, const ErrorSampler& sampler, double t) {
+  if constexpr (mpm::compiled(mpm::Effect::pictures)) {
+    if (!problem_->scene.output.pictures) return;
+    latest_ = {t, frame_of(state, t), sampler.displacement_error(), sampler.measure()};
+  }
+}
+
+void Snapshots::show(Frame frame) {
+  const double t = frame.t, half = 0.5 * problem_->period();
   if (frames_.empty()) {
     frames_.push_back(std::move(frame));
   } else if (std::abs(t - half) < std::abs(frames_.front().t - half)) {
@@ -221,6 +231,7 @@ std::vector<Snapshots::Written> Snapshots::finish() {
   }
   std::vector<Written> written;
   if (frames_.empty()) return written;
+  if (!latest_.shape.x.empty() && latest_.t > frames_.back().t) show(std::move(latest_));
   ParticlePicture picture;
   const Motion& motion = problem_->scene.motion;
   const Box box = picture_box(*problem_);

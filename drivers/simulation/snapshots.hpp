@@ -39,6 +39,9 @@ class Snapshots {
   /// One more snapshot at time t. `sampler`: null where there is no exact solution to compare with, else just sampled.
   void add(const mpm::State<2>& state, const ErrorSampler* sampler, double t);
 
+  /// Keeps the picture of a moment that is sampled, in place of the one before: it is shown where the run ends there.
+  void remember(const mpm::State<2>& state, const ErrorSampler& sampler, double t);
+
   /// Keeps what a snapshot shows of a state that is well, in place of the one before.
   void keep_good(const mpm::State<2>& state, double t) { last_good_.keep(state, t); }
   /// Writes it, with what `add` writes of it. Returns the name of the file.
@@ -63,7 +66,9 @@ class Snapshots {
     ParticleFrame shape;
     std::vector<double> error, measure;
   };
+  void show(Frame frame);
   std::vector<Frame> frames_;  ///< nearest to T/2, and the last
+  Frame latest_;               ///< of `remember`; no shape: none
 };
 
 }  // namespace assay::drivers

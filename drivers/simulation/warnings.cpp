@@ -15,6 +15,12 @@ namespace assay::drivers {
 
 namespace {
 
+/// By the fastest wave, until the end of the run.
+double crossings(const Problem& problem) {
+  const std::array<double, 2> sides = sides_of_body(problem);
+  return problem.wave_speed * problem.scene.time.end / std::max(sides[0], sides[1]);
+}
+
 std::string long_step_sentence(const Problem& problem) {
   const double courant = problem.dt * fastest_signal(problem) / problem.scene.grid->spacing;
   if (!problem.scene.time.step || courant <= 1) return "";
@@ -118,7 +124,25 @@ std::string spline_end_sentence(const Problem& problem) {
   return "";
 }
 
+std::string long_motion_sentence(const Problem& problem) {
+  const std::optional<double> shorter = shorter_period(problem);
+  if (!shorter) return "";
+  return "a wave crosses the body " + rounded_text(crossings(problem), 2) + " times during the motion: the run takes " +
+         rounded_text(static_cast<double>(problem.steps), 2) +
+         " steps, and errors of all these waves add up. With motion.period: " + rounded_text(*shorter, 2) +
+         " the inertia counts, as the test wants it";
+}
+
 }  // namespace
+
+std::optional<double> shorter_period(const Problem& problem) {
+  constexpr double very_many = 1000, some = 30;  // crossings; the paper's vortex has two
+  const bool is_set = problem.scene.time.step.has_value();
+  if (!problem.compared || is_set || !ring_of(problem.scene.motion)) return std::nullopt;
+  const double found = crossings(problem);
+  if (!(found > very_many)) return std::nullopt;
+  return problem.period() * some / found;
+}
 
 std::string swing_sentence(const Scene& scene) {
   const auto* table = std::get_if<DeformationTable>(&scene.motion);
@@ -132,10 +156,10 @@ std::string swing_sentence(const Scene& scene) {
 }
 
 std::vector<std::string> warnings_of(const Problem& problem) {
-  std::vector<std::string> all{long_step_sentence(problem),      stress_at_rest_sentence(problem),
-                               swing_sentence(problem.scene),    jump_sentence(problem),
-                               late_snapshots_sentence(problem), density_sentence(problem),
-                               coarse_grid_sentence(problem),    spline_end_sentence(problem)};
+  std::vector<std::string> all{
+      long_motion_sentence(problem), long_step_sentence(problem),   stress_at_rest_sentence(problem),
+      swing_sentence(problem.scene), jump_sentence(problem),        late_snapshots_sentence(problem),
+      density_sentence(problem),     coarse_grid_sentence(problem), spline_end_sentence(problem)};
   std::erase(all, "");
   return all;
 }

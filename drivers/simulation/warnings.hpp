@@ -2,6 +2,7 @@
 // What whoever runs a scene has to be told of before it runs.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,14 @@ namespace assay::drivers {
 /// Of a table of F whose spline goes beyond two neighbouring rows: where it does so the farthest. Empty: nowhere.
 std::string swing_sentence(const Scene& scene);
 
-/// One sentence each: a time.step beyond a Courant number of 1; stress at rest, which free faces do not bear; a spline
-/// that goes beyond its rows; a body force that jumps at rows by more than steps of this length resolve;
-/// snapshots from a time on that is not reached; a density in t/mm^3; cells larger than the body; particles at the ends
-/// of splines.
+/// For a ring's motion that is very long against the waves in the body: a period that they cross it some thirty times
+/// in [s].
+std::optional<double> shorter_period(const Problem& problem);
+
+/// One sentence each: a motion that is very long against the waves in the body; a time.step beyond a Courant number of
+/// 1; stress at rest, which free faces do not bear; a spline that goes beyond its rows; a body force that jumps at rows
+/// by more than steps of this length resolve; snapshots from a time on that is not reached; a density in t/mm^3; cells
+/// larger than the body; particles at the ends of splines.
 std::vector<std::string> warnings_of(const Problem& problem);
 
 }  // namespace assay::drivers

@@ -5,6 +5,8 @@
 usage: sentences.py PAGE...    each finding as PAGE:LINE: what: the sentence; exit 1 where there is one
        sentences.py --self     planted sentences are found, good ones are not
 
+The sentences that were mended, page by page, are in mended.tsv: what was mended stays so.
+
 A comment <!-- plain: REASON --> on the line before a paragraph leaves that paragraph out: this is a help, no cage.
 """
 import re
@@ -13,6 +15,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 LONGEST = 35  # words
+FEWEST = 8  # words of a sentence that was mended: fewer may be right elsewhere
 # Everybody who reads these pages knows them.
 COMMON = set("""AMD ASCII AVX AVX2 BSD CPU CSV DNS EPYC GB GNU GPU HTML HTTP HTTPS ID II III IV JSON KB LF MB MIT OK OS
 PDF PNG README RAM SHA SI SVG TODO URL UTF VM XML YAML YYYY ZIP MPa GPa kPa GiB MiB KiB CRLF BOM PyYAML CITATION
@@ -98,7 +101,21 @@ def glossary():
     return own, terms
 
 
+def mended():
+    """{page: [(before, after)]} of mended.tsv; rows that were shortened by '...' are left out."""
+    rows = {}
+    for line in (Path(__file__).parent / "mended.tsv").read_text(encoding="utf-8").splitlines()[1:]:
+        page, before, after = line.split("\t")
+        if "..." not in before and len(before.split()) >= FEWEST:
+            rows.setdefault(page, []).append((before, after))
+    return rows
+
+
 def findings(name, text, own, terms):
+    flat = re.sub(r"\s+", " ", text)
+    for before, after in mended().get(Path(name).stem, []):
+        if before in flat:
+            yield 1, f"was mended to '{after[:60]}'", before[:80]
     abbreviation = re.compile(r"\b(?:[a-z]{0,2}[A-Z]{2,}[A-Za-z]*\d*)\b")
     seen, unknown = "", set()
     for line, raw in paragraphs(text):

@@ -22,7 +22,8 @@ TEST(CheckElements, AStateThatIsKeptByElementIsCalledThat) {
   EXPECT_NE(check.sentence().find("elements: each in its description"), std::string::npos) << check.sentence();
   const ForeignCheck each("umat_kinematic", keeping_p("elements: each\n"));
   EXPECT_EQ(each.cause(), check::causes::kept_by_element) << each.said;
-  EXPECT_NE(each.sentence().find("each is enough for runs that take each point once a step"), std::string::npos)
+  EXPECT_NE(each.sentence().find("`elements: each` is enough only for runs that take each point once a step"),
+            std::string::npos)
       << each.sentence();
 }
 

@@ -23,6 +23,18 @@ TEST(CheckText, AMeasureAboveItsThresholdExplainsItself) {
   EXPECT_EQ(below.find("in axes"), std::string::npos) << below;
 }
 
+/// The first line counts them, and CI finds them in the JUnit file.
+TEST(CheckText, RemarksAreCountedInTheVerdictAndKeptForCi) {
+  CheckedMaterial checked = checked_with({.id = "rest", .sentence = "no stress"});
+  EXPECT_EQ(check_text(checked, Verbosity::quiet).find("remark"), std::string::npos);
+  checked.report.tests.push_back({.id = "memory", .sentence = "a remark: no step uses it"});
+  checked.report.tests.push_back({.id = "rotation.state", .measure = 0.5, .threshold = 0.1, .sentence = "own axes"});
+  EXPECT_NE(check_text(checked, Verbosity::quiet).find("; 2 remarks"), std::string::npos);
+  const std::string xml = check_junit({checked});
+  EXPECT_NE(xml.find("name=\"remark of memory\" value=\"a remark: no step uses it\""), std::string::npos) << xml;
+  EXPECT_NE(xml.find("name=\"remark of rotation.state\" value=\"own axes\""), std::string::npos) << xml;
+}
+
 TEST(CheckText, TheVerdictLineSaysWhatTheAnswerDependsOn) {
   CheckedMaterial checked = checked_with({.id = "rest", .sentence = "no stress"});
   checked.depends_on = {{"TEMP", "2 % for +10"}, {"NOEL", "1 % at 2"}};

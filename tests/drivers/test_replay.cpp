@@ -11,6 +11,7 @@
 
 #include "drivers/input_error.hpp"
 #include "drivers/verbs.hpp"
+#include "tests/drivers/foreign_checks.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/refusal.hpp"
@@ -168,12 +169,15 @@ TEST(Replay, RefusesWhatIsNone) {
 
 /// A description that finds its library by $ASSAY_MATERIAL_PATH, as in a test of ctest, is found again without it.
 TEST(Replay, KeepsTheFoldersOfLibraries) {
+  if (!has_foreign("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
   const ScratchFolder scratch;
-  const std::string description =
-      scratch.write("model.yaml", "library: fails_when_sheared.so\nparameters: {modulus: 1000}\n");
-  const auto in_folder = [] { ::setenv("ASSAY_MATERIAL_PATH", plugins.c_str(), 1); };
+  const std::string description = scratch.write(
+      "model.yaml",
+      "library: umat_kinematic.so\ninterface: umat\nflags: [non_smooth]\nstate: 7\nmaterial_name: UNTURNED\n"
+      "properties: {E: 1.0e3, nu: 0.3, yield: 10, C: 50}\n");
+  const auto in_folder = [] { ::setenv("ASSAY_MATERIAL_PATH", built("tests/foreign").c_str(), 1); };
   const auto without = [] { ::unsetenv("ASSAY_MATERIAL_PATH"); };
-  const Ending check = assay({"check", description, "--quick", "--strain", "0.4", "-o", scratch / "r"}, in_folder);
+  const Ending check = assay({"check", description, "--quick", "-o", scratch / "r"}, in_folder);
   ASSERT_EQ(check.status, 1) << check.said;
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::directory_iterator(scratch / "r")) files.push_back(entry.path().string());
