@@ -50,6 +50,8 @@ std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& opt
                                          OutputFolder& folder, Result& result) {
   const Stopwatch of_response;
   std::shared_ptr<const ExactSolution> exact;
+  const std::string long_motion = long_motion_sentence(problem);
+  if (!long_motion.empty() && options.verbosity != Verbosity::quiet) warn(long_motion);
   if (problem.compared) {
     exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end,
                               {.threads = problem.setup.threads, .quiet = options.verbosity == Verbosity::quiet});

@@ -124,15 +124,6 @@ std::string spline_end_sentence(const Problem& problem) {
   return "";
 }
 
-std::string long_motion_sentence(const Problem& problem) {
-  const std::optional<double> shorter = shorter_period(problem);
-  if (!shorter) return "";
-  return "a wave crosses the body " + rounded_text(crossings(problem), 2) + " times during the motion: the run takes " +
-         rounded_text(static_cast<double>(problem.steps), 2) +
-         " steps, and errors of all these waves add up. With motion.period: " + rounded_text(*shorter, 2) +
-         " the inertia counts, as the test wants it";
-}
-
 }  // namespace
 
 std::optional<double> shorter_period(const Problem& problem) {
@@ -142,6 +133,15 @@ std::optional<double> shorter_period(const Problem& problem) {
   const double found = crossings(problem);
   if (!(found > very_many)) return std::nullopt;
   return problem.period() * some / found;
+}
+
+std::string long_motion_sentence(const Problem& problem) {
+  const std::optional<double> shorter = shorter_period(problem);
+  if (!shorter) return "";
+  return "a wave crosses the body " + rounded_text(crossings(problem), 2) + " times during the motion: the run takes " +
+         rounded_text(static_cast<double>(problem.steps), 2) +
+         " steps, and errors of all these waves add up. With motion.period: " + rounded_text(*shorter, 2) +
+         " the inertia counts, as the test wants it";
 }
 
 std::string swing_sentence(const Scene& scene) {
