@@ -9,11 +9,13 @@
 #include <filesystem>
 #include <limits>
 
+#include "drivers/findings.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/advice.hpp"
 #include "mpm/simulation.hpp"
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/simulation/first_breakdown.hpp"
+#include "tests/support/png.hpp"
 #include "tests/support/vtu_reader.hpp"
 
 namespace assay::drivers::test_health {
@@ -152,6 +154,40 @@ TEST(DyingRun, LeavesTheLastGoodParticlesAndASceneOfTheEnd) {
     shots += file.path().filename().string().starts_with("particles_0") ? 1 : 0;
   }
   EXPECT_NEAR(shots, 20, 1);  // every step of the last twenty
+}
+
+/// As of a steel that becomes unstable in the first fifth of 150,000 steps.
+TEST(DyingRun, LeavesASceneThatAsksForNoMoreSnapshotsThanItMay) {
+  const ScratchFolder scratch;
+  const Scene scene = scene_from_text(watched_scene, "w.yaml", {});
+  Result result;
+  result.outcome = "unstable", result.steps = 31093, result.dt = 1 / 150034.0, result.t = 31093 / 150034.0;
+  OutputFolder folder(scratch / "out");
+  leave_replay_scene(scene, folder, result);
+  folder.write("result.json", "{}");
+  folder.commit();
+  const Scene left = scene_from_text(bytes_of(scratch / "out/replay_scene.yaml"), "r.yaml", {});
+  constexpr double most = 1e5;
+  EXPECT_LT((left.time.end - *left.output.each_step_from) / *result.dt, most);
+  EXPECT_GT(left.time.end, *result.t);
+  EXPECT_EQ(left.time.step, result.dt);
+}
+
+/// At the beginning nothing errs, and the picture has one colour.
+TEST(DyingRun, ShowsItsLastMomentWithoutSnapshots) {
+  const ScratchFolder scratch;
+  std::vector<std::string> seen = dying;
+  seen.emplace_back("output.pictures=true");
+  ASSERT_EQ(run(quiet_run("paper/vortex_cpdi", scratch / "dead", seen)), 1);
+  ASSERT_EQ(result_in(scratch / "dead")["outcome"], "unstable");
+  int width = 0, height = 0, channels = 0;
+  unsigned char* const pixels = stbi_load((scratch / "dead/error.png").c_str(), &width, &height, &channels, 3);
+  ASSERT_TRUE(pixels);
+  int yellow = 0;  // the end of the map
+  for (int i = 0; i < width * height; ++i)
+    yellow += pixels[3 * i] > 200 && pixels[3 * i + 1] > 200 && pixels[3 * i + 2] < 90;
+  stbi_image_free(pixels);
+  EXPECT_GT(yellow, 400) << "more than the bar of colours";
 }
 
 /// The last good particles lie before the end, and a history behind the stress does not go back there.

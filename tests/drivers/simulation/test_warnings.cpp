@@ -31,6 +31,25 @@ TEST(Warnings, SaysThatAStepIsTooLongToBeStable) {
       std::string::npos);
 }
 
+/// A steel in a second: errors of thousands of waves add up. In the period that is named the inertia counts.
+TEST(Warnings, SaysThatAMotionIsVeryLongAgainstTheWaves) {
+  const auto of = [](const std::string& E, const std::string& period) {
+    std::string scene = scene_and("");
+    scene.replace(scene.find("E: 1e3"), 6, "E: " + E);
+    scene.replace(scene.find("density: 1000"), 13, "density: 7850");
+    return warnings_in(scene.replace(scene.find("{type: vortex,"), 14, "{type: vortex, period: " + period + ","));
+  };
+  for (const char* E : {"2.1e11", "7e10", "1e13"}) {
+    const std::string found = of(E, "1");
+    EXPECT_NE(found.find("a wave crosses the body "), std::string::npos) << found;
+    const std::size_t at = found.find("With motion.period: ");
+    ASSERT_NE(at, std::string::npos) << found;
+    EXPECT_EQ(of(E, found.substr(at + 20, found.find(" the inertia") - at - 20)), "") << found;
+  }
+  EXPECT_EQ(of("1e3", "1"), "");
+  EXPECT_EQ(of("1e8", "1"), "") << "a stiff case of the stability map";
+}
+
 TEST(Warnings, SaysThatFreeFacesDoNotBearTheStressOfRest) {
   std::string scene = scene_and("");
   const std::string model = "neo_hookean, parameters: {E: 1e3, nu: 0.3}";
