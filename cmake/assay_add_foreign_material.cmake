@@ -5,6 +5,7 @@
 # at 132 columns, as Abaqus does, with a warning where that makes a difference; INCLUDE 'ABA_PARAM.INC' and
 # 'VABA_PARAM.INC' are found. Fails the build where the entry point is missing.
 #   SYMBOL  the entry point in the library, where it is none of umat_, umat, vumat_, vumat
+include(${CMAKE_CURRENT_LIST_DIR}/assay_test_of.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/check_columns.cmake)
 
 function(assay_add_foreign_material name)
@@ -18,6 +19,7 @@ function(assay_add_foreign_material name)
   add_library(${name} MODULE ${given_UNPARSED_ARGUMENTS})
   set_target_properties(${name} PROPERTIES PREFIX "" SUFFIX ".so" POSITION_INDEPENDENT_CODE ON
     Fortran_MODULE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/${name}.modules)
+  _assay_tell_built(${name})
   target_link_libraries(${name} PRIVATE -lm)
   _assay_read_132_columns(${name})
   _assay_write_abaqus_includes()

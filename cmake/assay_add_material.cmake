@@ -7,11 +7,14 @@
 set(_assay_check_exported ${CMAKE_CURRENT_LIST_DIR}/check_exported.cmake)
 set(_assay_exported_symbols ${CMAKE_CURRENT_LIST_DIR}/exported_symbols.map)
 
+include(${CMAKE_CURRENT_LIST_DIR}/assay_test_of.cmake)
+
 function(assay_add_material name)
   if(NOT ARGN)
     message(FATAL_ERROR "assay_add_material(${name}): no source files")
   endif()
   add_library(${name} MODULE ${ARGN})
+  _assay_tell_built(${name})
   target_link_libraries(${name} PRIVATE assay::abi -lm) # a target may be called m
   target_compile_definitions(${name} PRIVATE ASSAY_PLUGIN)
   # Fused multiply-adds would make the model's figures depend on the processor it was built for.

@@ -4,11 +4,13 @@
 # A test <name>.check in ctest: `assay check`, which names the defect of a broken model in the test's output, with
 # <name>.check.xml for CI and replay files in <name>.check of the build folder.
 #   MATERIAL    what to check: a target of assay_add_material (by default <name>), a registered name, a library, or a
-#               description, relative to the source folder; a description's library is also looked for where this
-#               folder's targets, or those of the target <name>, are built
+#               description, relative to the source folder; a description's library is also looked for where the
+#               project's models are built
 #   PARAMETERS  in place of the defaults; what has none takes the value of the model's example (assay.example/1)
 #   QUICK       fewer steps and states
 #   DIAGNOSIS   the test passes where `check` finds that cause: for models that are broken on purpose
+include(${CMAKE_CURRENT_LIST_DIR}/assay_test_of.cmake)
+
 function(assay_add_material_test name)
   cmake_parse_arguments(PARSE_ARGV 1 given "QUICK" "MATERIAL;DIAGNOSIS" "PARAMETERS")
   if(given_UNPARSED_ARGUMENTS)
@@ -17,15 +19,11 @@ function(assay_add_material_test name)
   if(NOT given_MATERIAL)
     set(given_MATERIAL ${name})
   endif()
-  if(TARGET ${given_MATERIAL})
-    set(given_MATERIAL $<TARGET_FILE:${given_MATERIAL}>)
-  elseif(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${given_MATERIAL})
-    set(given_MATERIAL ${CMAKE_CURRENT_SOURCE_DIR}/${given_MATERIAL})
-  endif()
+  _assay_material_of(${given_MATERIAL} material)
   set(files ${CMAKE_CURRENT_BINARY_DIR}/${name}.check)
-  set(command $<TARGET_FILE:assay::assay> check ${given_MATERIAL} -o ${files})
+  set(command $<TARGET_FILE:assay::assay> check ${material} -o ${files})
   if(NOT given_DIAGNOSIS) # what is broken on purpose would be a failure in the eyes of CI
-    list(APPEND command --junit ${files}.xml)
+    list(APPEND command --junit ${files}.xml --junit-name ${name})
   endif()
   if(given_PARAMETERS)
     list(JOIN given_PARAMETERS "," parameters)
@@ -34,20 +32,9 @@ function(assay_add_material_test name)
   if(given_QUICK)
     list(APPEND command --quick)
   endif()
-  add_test(NAME ${name}.check COMMAND ${command})
-  assay_looks_for_libraries(${name}.check ${name})
+  _assay_add_test(${name}.check "${command}")
   if(given_DIAGNOSIS)
     string(REGEX REPLACE "([][+.*()^$?|\\\\])" "\\\\\\1" cause "${given_DIAGNOSIS}")
     set_tests_properties(${name}.check PROPERTIES PASS_REGULAR_EXPRESSION "diagnosis: ${cause}[\n]")
   endif()
-endfunction()
-
-# For the test: libraries of descriptions are also looked for where this folder's targets, or the target <name>, are built.
-function(assay_looks_for_libraries test name)
-  set(built ${CMAKE_CURRENT_BINARY_DIR})
-  if(TARGET ${name})
-    set(built $<TARGET_FILE_DIR:${name}>)
-  endif()
-  set_tests_properties(${test} PROPERTIES LABELS assay TIMEOUT 1800
-    ENVIRONMENT_MODIFICATION ASSAY_MATERIAL_PATH=path_list_prepend:${built})
 endfunction()

@@ -46,7 +46,7 @@ configure_package_config_file(cmake/assay-config.cmake.in ${PROJECT_BINARY_DIR}/
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/assay-config-version.cmake
   COMPATIBILITY SameMinorVersion)
 set(package_files assay_add_material.cmake assay_add_foreign_material.cmake assay_add_material_test.cmake
-  assay_add_scene_test.cmake check_columns.cmake check_exported.cmake exported_symbols.map)
+  assay_add_scene_test.cmake assay_test_of.cmake check_columns.cmake check_exported.cmake exported_symbols.map)
 list(TRANSFORM package_files PREPEND cmake/ OUTPUT_VARIABLE package_sources)
 install(FILES ${PROJECT_BINARY_DIR}/package/assay-config.cmake ${PROJECT_BINARY_DIR}/package/assay-config-version.cmake
   ${package_sources} DESTINATION ${package_dir})

@@ -30,7 +30,7 @@ _assay() {
       compopt -o filenames
       return
       ;;
-    --set | --as | --remove | --parameters | --error | --shard | --props | --statev | --material | --symbol | --link) return ;;
+    --set | --as | --remove | --parameters | --error | --shard | --props | --statev | --material | --symbol | --link | --junit-name) return ;;
     --threads | --jobs)
       mapfile -t COMPREPLY < <(compgen -W "1 2 4 8 16" -- "$cur")
       return
@@ -46,14 +46,14 @@ _assay() {
   esac
   local options='--help --quiet --verbose'
   case $verb in
-    run) options+=' -o --set --threads --json --junit' ;;
+    run) options+=' -o --set --threads --json --junit --junit-name' ;;
     tabulate) options+=' -o --set --points --json' ;;
     eval) options+=' -o --set --points' ;;
     explain) options+=' --set --json' ;;
     study) options+=' -o --jobs --resume --shard --merge --from --list --json' ;;
     recommend) options+=' --error -o --json' ;;
     compare) options+=' --json --markdown' ;;
-    check) options+=' --parameters --json --junit --quick --strain --pressure --step --methods --markdown --all --replay --explain'
+    check) options+=' --parameters --json --junit --junit-name --quick --strain --pressure --step --methods --markdown --all --replay --explain'
       options+=' --props --statev --deck --material --symbol --link -o'
       ;;
     materials) options+=' --json --names' ;;

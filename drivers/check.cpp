@@ -169,7 +169,7 @@ void require_room(const std::vector<CheckedMaterial>& all) {
 int reported(const CheckOptions& options, const std::vector<CheckedMaterial>& all, const std::string& json,
              const std::string& text) {
   require_room(all);
-  tell(options, text, json, check_junit(all));
+  tell(options, text, json, check_junit(all, options.junit_name));
   int status = 0;
   for (const CheckedMaterial& checked : all) {
     if (!checked.unwritten.empty()) throw SystemError(checked.unwritten);

@@ -36,7 +36,7 @@ std::optional<Described> umat_of(const CheckedMaterial& checked) {
 
 using Stress = std::array<double, 9>;  ///< magnitudes, row-major [Pa]; not a number where the step is refused
 
-constexpr int in_11 = 0, shear_12 = 1, shear_13 = 2, in_22 = 4, in_33 = 8;  // components, row-major
+constexpr int in_11 = 0, shear_12 = 1, shear_13 = 2, in_22 = 4, shear_23 = 5, in_33 = 8;  // components, row-major
 
 /// The stress of one small strain from rest.
 Stress stress_of(const Material& material, int place) {
@@ -83,7 +83,8 @@ Fills filled_by(const Described& described, const std::map<std::string, double>&
   for (std::size_t k = 0; k < stress.size(); ++k) std::copy_n((*rows)[k].begin(), 9, stress[k].begin());
   const auto& [of_11, of_33, of_12, of_13] = stress;
   if (is_of_plane_stress(of_11, of_33, of_12)) return Fills::plane_stress;
-  const double in_plane = of_12[shear_12], out_of_plane = of_13[shear_13];
+  // One whose 13 and 23 are exchanged fills six, too.
+  const double in_plane = of_12[shear_12], out_of_plane = std::max(of_13[shear_13], of_13[shear_23]);
   const bool alike = out_of_plane > little * in_plane && out_of_plane < much * in_plane;
   return alike ? Fills::six : Fills::plane_strain;
 }

@@ -46,8 +46,8 @@ int check_methods(const CheckOptions& options) {
   progress.finish();
   checked.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   stop_if_interrupted();
-  tell(options, methods_text(checked, options.verbosity), methods_json(checked), methods_junit(checked),
-       methods_markdown(checked));
+  tell(options, methods_text(checked, options.verbosity), methods_json(checked),
+       methods_junit(checked, options.junit_name), methods_markdown(checked));
   return checked.passes() ? 0 : 1;
 }
 

@@ -77,7 +77,7 @@ int check_replay(const CheckOptions& options) {
   judge_printing(checked);
   const std::string text =
       wrapped(replay.reason, "the failure was: ", "    ") + "\n" + check_text(checked, Verbosity::verbose);
-  tell(options, text, check_json(checked), check_junit({checked}));
+  tell(options, text, check_json(checked), check_junit({checked}, options.junit_name));
   if (checked.unsuitable) throw InputError(checked.error);
   if (!checked.error.empty()) throw SystemError(checked.error);
   return checked.passes() ? 0 : 1;

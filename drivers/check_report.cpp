@@ -151,8 +151,8 @@ std::string class_of(const CheckedMaterial& checked) {
   return "assay.check." + (is_material_name(checked.name) || checked.model.empty() ? checked.name : checked.model);
 }
 
-JunitCase test_case(const CheckedMaterial& checked, const TestResult& test) {
-  JunitCase out{class_of(checked), test.id, test.wall_s};
+JunitCase test_case(const CheckedMaterial& checked, const TestResult& test, const std::string& classname) {
+  JunitCase out{classname, test.id, test.wall_s};
   if (test.verdict == Verdict::pass) return out;
   if (test.verdict == Verdict::not_applicable) {
     out.kind = JunitCase::Kind::skipped;
@@ -168,8 +168,9 @@ JunitCase test_case(const CheckedMaterial& checked, const TestResult& test) {
   return out;
 }
 
-JunitSuite suite(const CheckedMaterial& checked) {
-  JunitSuite out{"assay check " + checked.name, "assay.check"};
+JunitSuite suite(const CheckedMaterial& checked, const std::string& name) {
+  const std::string classname = name.empty() ? class_of(checked) : "assay.check." + name;
+  JunitSuite out{"assay check " + (name.empty() ? checked.name : name), "assay.check"};
   out.seconds = checked.wall_s;
   for (const auto& [name, value] : checked.parameters) out.properties.emplace_back(name, number_text(value));
   if (!checked.of_example.empty()) {
@@ -178,12 +179,12 @@ JunitSuite suite(const CheckedMaterial& checked) {
   for (const std::string& what : checked.report.not_tested) out.properties.emplace_back("not tested", what);
   for (const Dependence& each : checked.depends_on) out.properties.emplace_back("depends on " + each.on, each.how);
   for (const TestResult& test : checked.report.tests) {
-    out.cases.push_back(test_case(checked, test));
+    out.cases.push_back(test_case(checked, test, classname));
     if (const std::string remark = remark_of(test); !remark.empty())
       out.properties.emplace_back("remark of " + test.id, remark);
   }
   if (!checked.error.empty()) {
-    out.cases.push_back({class_of(checked), "loading", 0, JunitCase::Kind::error, checked.error, "not checked"});
+    out.cases.push_back({classname, "loading", 0, JunitCase::Kind::error, checked.error, "not checked"});
   }
   for (const check::Diagnosis& d : checked.report.diagnosis) out.said += d.cause + ": " + d.sentence + "\n";
   return out;
@@ -191,9 +192,9 @@ JunitSuite suite(const CheckedMaterial& checked) {
 
 }  // namespace
 
-std::string check_junit(const std::vector<CheckedMaterial>& all) {
+std::string check_junit(const std::vector<CheckedMaterial>& all, const std::string& name) {
   std::vector<JunitSuite> suites;
-  for (const CheckedMaterial& checked : all) suites.push_back(suite(checked));
+  for (const CheckedMaterial& checked : all) suites.push_back(suite(checked, name));
   return junit_text(suites);
 }
 

@@ -45,7 +45,8 @@ struct CheckedMaterial {
   bool passes() const { return error.empty() && report.passes(); }
 };
 
-/// What a test that passes has to say all the same, or empty: a remark, or why it passes with a measure above its limit.
+/// What a test that passes has to say all the same, or empty: a remark, or why it passes with a measure above its
+/// limit.
 std::string remark_of(const check::TestResult& test);
 
 /// Rows of the table of tests: all, or failures and remarks.
@@ -69,8 +70,8 @@ std::string check_json(const std::vector<CheckedMaterial>& all);
 /// What check_json has made; none where it is not whole.
 std::optional<CheckedMaterial> checked_of_json(const std::string& text);
 
-/// One test suite for each; the message of a failure is "cause: sentence".
-std::string check_junit(const std::vector<CheckedMaterial>& all);
+/// One test suite for each; the message of a failure is "cause: sentence". A name stands in place of the materials'.
+std::string check_junit(const std::vector<CheckedMaterial>& all, const std::string& name = {});
 
 /// Of a whole material: "pass", "fail", "error".
 std::string overall(const CheckedMaterial& checked);

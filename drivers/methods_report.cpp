@@ -154,7 +154,7 @@ std::string methods_json(const CheckedMethods& checked) {
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string methods_junit(const CheckedMethods& checked) {
+std::string methods_junit(const CheckedMethods& checked, const std::string& name) {
   CheckedMaterial all;
   all.name = "methods";
   all.wall_s = checked.wall_s;
@@ -164,7 +164,7 @@ std::string methods_junit(const CheckedMethods& checked) {
       all.report.tests.push_back(std::move(test));
     }
   }
-  return check_junit({all});
+  return check_junit({all}, name);
 }
 
 }  // namespace assay::drivers

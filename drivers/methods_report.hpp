@@ -25,6 +25,6 @@ std::string methods_text(const CheckedMethods& checked, Verbosity verbosity);
 std::string methods_json(const CheckedMethods& checked);
 
 /// One test suite; a test case is named "cpdi/flip/usl translation".
-std::string methods_junit(const CheckedMethods& checked);
+std::string methods_junit(const CheckedMethods& checked, const std::string& name = {});
 
 }  // namespace assay::drivers

@@ -64,6 +64,8 @@ std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& opt
   simulate(problem, exact, snapshots, progress, result);
   if (result.outcome != "completed") result.last_good = snapshots.leave_last_good(exact);
   if (result.outcome == "unstable") result.advice = advice_after_death(problem, result.reason);
+  if (result.outcome == "completed")
+    result.advice = advice_after_large_error(problem, result.error.relative.value_or(0));
   if (exact && exact->response()) record_shadow(problem.scene, **exact->response(), result);
   if (exact && exact->box()) record_box(problem.scene, **exact->box(), response_s, result);
   if (exact && exact->homogeneous()) record_history(problem.scene, **exact->homogeneous(), result);

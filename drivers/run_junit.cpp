@@ -72,8 +72,9 @@ bool is_of_the_result(const fs::path& file, const fs::path& folder) {
 }  // namespace
 
 std::string run_junit(const Result& result, const RunOptions& options, double seconds) {
-  const std::string stem = stem_of_scene(options), classname = "assay.run." + stem;
-  JunitSuite suite{"assay run " + (result.title.empty() ? stem : result.title), "assay.run"};
+  const std::string& given = options.junit_name;
+  const std::string stem = given.empty() ? stem_of_scene(options) : given, classname = "assay.run." + stem;
+  JunitSuite suite{"assay run " + (result.title.empty() || !given.empty() ? stem : result.title), "assay.run"};
   suite.seconds = seconds;
   suite.properties = {{"scene", options.scene}, {"results", options.out}, {"subject", result.subject}};
   suite.cases.push_back(outcome_case(result, classname, seconds));

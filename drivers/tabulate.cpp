@@ -47,7 +47,7 @@ std::string summary(const Tabulation& tab, const Result& result, const std::stri
                              "", "  ");
   text += expectations_text(result, false);
   if (!result.reason.empty()) text += wrapped(result.reason, "  ", "  ");
-  text += process_lines(result);
+  text += process_lines(result, folder);
   if (result.sheet) {
     text += sheet_text(*result.sheet);
     text += references_text(result.reference, tab.path.name);

@@ -39,6 +39,14 @@ std::string fault_of_empty_name(const std::string& name) { return name.empty() ?
 
 void add_junit(CLI::App& verb, Arguments& given, const std::string& doc) {
   verb.add_option("--junit", given.junit_file, doc)->type_name("FILE")->check(fault_of_empty_name, "");
+  verb.add_option("--junit-name", given.junit_name, "name of the suite and class in that file")
+      ->type_name("NAME")
+      ->check(fault_of_empty_name, "");
+}
+
+void require_file_of_name(const std::string& verb, const Arguments& given) {
+  if (!given.junit_name.empty() && given.junit_file.empty())
+    throw InputError("assay " + verb + ": --junit-name goes with --junit");
 }
 
 constexpr double least_strain = 1e-6;  ///< of a check: in smaller ones F keeps too few digits of it
@@ -109,8 +117,9 @@ std::vector<Verb> scene_verbs(CLI::App& app, Arguments& given) {
   add_results(run_verb, given);
   add_junit(run_verb, given, "outcome and expectations as JUnit XML, for CI");
   verbs.push_back({&run_verb, [&given] {
+                     require_file_of_name("run", given);
                      return run({given.scene, given.folder(), given.sets, given.thread_count(), given.json,
-                                 given.verbosity(), given.junit_file});
+                                 given.verbosity(), given.junit_file, given.junit_name});
                    }});
 
   CLI::App& tabulate_verb = add_verb(app, "tabulate", "tabulate a model's response along the scene's motion",
@@ -195,12 +204,15 @@ Verb check_verb(CLI::App& app, Arguments& given) {
         if (given.explain) return explain_cause(*given.explain);
         if (given_of(parameters) && given_of(methods) + given_of(replay) > 0)
           throw InputError("assay check: --methods and --replay take no --parameters");
+        require_file_of_name("check", given);
+        if (given_of(all) > 0 && !given.junit_name.empty())
+          throw InputError("assay check: --junit-name names one suite, and --all writes one for each material");
         if (given_of(markdown) > given_of(methods)) throw InputError("assay check: --markdown goes with --methods");
         return check({given.material, given.parameters, given.json_file, given.junit_file,
                       given.out.empty() ? "results/check" : given.out, given.replay, given.all, given.quick,
                       given.verbosity(), given.methods, number_in("--strain", given.strain, 0.5, least_strain),
                       number_in("--pressure", given.pressure, 1e12), number_in("--step", given.step, 1e12),
-                      given.markdown_file, given.source});
+                      given.markdown_file, given.junit_name, given.source});
       }};
 }
 

@@ -16,7 +16,8 @@ namespace assay::drivers {
 
 /// Everything that any verb takes, as text.
 struct Arguments {
-  std::string scene, out, points, threads, material, file, name, remove, parameters, json_file, junit_file, replay;
+  std::string scene, out, points, threads, material, file, name, remove, parameters, json_file, junit_file, junit_name,
+      replay;
   std::string markdown_file, study, after, jobs, shard;
   std::optional<std::string> error, explain;
   std::string language, interface = "native", strain, pressure, step;

@@ -21,7 +21,8 @@ struct RunOptions {
   int threads = 1;
   bool json = false;  ///< result.json on standard output
   Verbosity verbosity = Verbosity::normal;
-  std::string junit = {};  ///< file; "-": standard output; empty: none
+  std::string junit = {};       ///< file; "-": standard output; empty: none
+  std::string junit_name = {};  ///< of the suite in that file; empty: the scene's
 };
 
 struct TabulateOptions {
@@ -72,6 +73,7 @@ struct CheckOptions {
   std::optional<double> strain = {}, pressure = {};  ///< of the battery's histories [1], at rest [Pa]
   std::optional<double> step = {};                   ///< the longest usual step [s]
   std::string markdown = {};                         ///< file of the methods' table; "-": standard output
+  std::string junit_name = {};                       ///< of the suite in the JUnit file; empty: the material's
   SourceOptions source = {};
 };
 

@@ -3,6 +3,8 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
+
 #include "drivers/findings.hpp"
 #include "drivers/input_error.hpp"
 #include "drivers/output/number_format.hpp"
@@ -65,7 +67,8 @@ std::string times_text(const Result& result, const std::string& work) {
                      work, rounded_text(result.wall_s, 3), rounded_text(result.finish_s, 3));
 }
 
-std::string process_lines(const Result& result) {
+std::string process_lines(const Result& result, const std::string& folder) {
+  const auto there = [&](const std::string& file) { return one_line((std::filesystem::path(folder) / file).string()); };
   std::string text;
   for (const std::string& warning : result.warnings) text += wrapped("warning: " + warning, "  ", "    ");
   if (!result.replay.empty()) {
@@ -73,11 +76,11 @@ std::string process_lines(const Result& result) {
     text += (result.failed_step ? "  the failing step is in "
              : scene            ? "  to see each of its last steps: assay run "
                                 : "  to repeat it: assay check --replay ") +
-            result.replay + "\n";
+            there(result.replay) + "\n";
   }
-  if (!result.last_good.empty()) text += "  the particles before the failure: " + result.last_good + "\n";
+  if (!result.last_good.empty()) text += "  the particles before the failure: " + there(result.last_good) + "\n";
   if (!result.advice.empty()) text += wrapped(result.advice, "  to try: ", "    ");
-  if (!result.printed.empty()) text += std::string("  what the model printed is in ") + material_log + "\n";
+  if (!result.printed.empty()) text += std::string("  what the model printed is in ") + there(material_log) + "\n";
   return text;
 }
 
@@ -112,7 +115,7 @@ std::string verdict_text(const Result& result, const std::string& folder, bool w
   text = wrapped(text + ": " + summary_of(result), "", "  ") + expectations_text(result, false);
   if (!result.subject.empty()) text += wrapped(result.subject, "  ", "    ");
   if (!result.reason.empty()) text += wrapped(result.reason, "  ", "  ");
-  text += process_lines(result);
+  text += process_lines(result, folder);
   if (result.error.l2_max) text += error_lines(result.error);
   if (result.steps) text += work_line(result);
   if (result.sheet) text += sheet_text(*result.sheet);

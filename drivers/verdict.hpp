@@ -12,8 +12,8 @@ namespace assay::drivers {
 /// hold, and where the results are.
 std::string verdict_text(const Result& result, const std::string& folder, bool with_profile = false);
 
-/// Warnings, and the files beside the result that tell more of the material.
-std::string process_lines(const Result& result);
+/// Warnings, and the files in the result's folder that tell more of the material.
+std::string process_lines(const Result& result, const std::string& folder);
 
 /// How long it has taken: set-up, the work, and what came behind it.
 std::string times_text(const Result& result, const std::string& work);

@@ -65,36 +65,36 @@ struct ModelUnits {
 enum class Moduli { jaumann, truesdell, jaumann_of_tau, truesdell_of_tau };
 
 struct ForeignModel {
-  ForeignInterface interface = ForeignInterface::umat;
   std::string library;  ///< absolute path
   std::string symbol;   ///< entry point; of MFront the behaviour's name
   std::string name;     ///< of the table; [a-z0-9_]+
   std::string doc, version, licence;
   std::vector<ForeignProperty> properties;
   std::vector<ForeignVariable> state;
-  Kinematics kinematics = Kinematics::objective;
-  Axes axes = Axes::fixed;
-  bool finite_strain = false;  ///< the tangent is that of J sigma (Jaumann), and the model may read F alone
-  Moduli moduli = Moduli::jaumann;
-  bool strain_is_said = true;      ///< or which tangent it is has not been said
   std::vector<int> components{6};  ///< NTENS that the model serves: 6, 4 (plane strain) or both
-  bool components_are_said = true;
-  int symmetry = ASSAY_ISOTROPIC;  ///< of the ABI
-  bool symmetry_is_said = true;
-  int material_class = 0;   ///< of assay_symmetry, of what is anisotropic; 0: none is declared
-  std::uint32_t flags = 0;  ///< of the ABI
-  bool flags_are_said = true;
   ModelUnits units;
   std::vector<ForeignField> fields;
-  int step = 1;                   ///< KSTEP
-  int element = 1, point = 1;     ///< NOEL, NPT
-  bool each_its_element = false;  ///< NOEL counts points, as they begin
-  double temperature = 0;         ///< in the model's own scale
-  bool temperature_is_said = false;
+  double temperature = 0;               ///< in the model's own scale
   double characteristic_length = 1;     ///< CELENT, charLength, in units of the model
   double density = 1000;                ///< [kg/m^3], for interfaces that hand it on
   std::string material_name = "ASSAY";  ///< CMNAME
   std::string folder = {};              ///< GETOUTDIR; empty: that of the library
+  ForeignInterface interface = ForeignInterface::umat;
+  Kinematics kinematics = Kinematics::objective;
+  Axes axes = Axes::fixed;
+  Moduli moduli = Moduli::jaumann;
+  int symmetry = ASSAY_ISOTROPIC;  ///< of the ABI
+  int material_class = 0;          ///< of assay_symmetry, of what is anisotropic; 0: none is declared
+  std::uint32_t flags = 0;         ///< of the ABI
+  int step = 1;                    ///< KSTEP
+  int element = 1, point = 1;      ///< NOEL, NPT
+  bool each_its_element = false;   ///< NOEL counts points, as they begin
+  bool finite_strain = false;      ///< the tangent is that of J sigma (Jaumann), and the model may read F alone
+  bool strain_is_said = true;      ///< or which tangent it is has not been said
+  bool components_are_said = true;
+  bool symmetry_is_said = true;
+  bool flags_are_said = true;
+  bool temperature_is_said = false;
 };
 
 }  // namespace assay::adapters

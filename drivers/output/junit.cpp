@@ -48,8 +48,10 @@ std::string case_text(const JunitCase& one) {
     return head + ">\n      <skipped" + attribute("message", one.message) + "/>\n    </testcase>\n";
   }
   const std::string tag = one.kind == JunitCase::Kind::failure ? "failure" : "error";
-  return head + ">\n      <" + tag + attribute("message", one.message) + attribute("type", one.type) +
-         (one.text.empty() ? "/>" : ">" + escaped(one.text) + "</" + tag + ">") + "\n    </testcase>\n";
+  // Some servers show the attribute and some the text of the element: both say why.
+  const std::string why = one.message + (one.text.empty() ? "" : "\n" + one.text);
+  return head + ">\n      <" + tag + attribute("message", one.message) + attribute("type", one.type) + ">" +
+         escaped(why) + "</" + tag + ">\n    </testcase>\n";
 }
 
 /// In the order and with the attributes that Ant's schema and that of Jenkins ask for.

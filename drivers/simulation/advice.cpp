@@ -62,6 +62,15 @@ std::array<double, 2> sides_of_body(const Problem& problem) {
   return sides;
 }
 
+std::string advice_after_large_error(const Problem& problem, double relative) {
+  if (!(relative > 1)) return {};
+  const std::string why = ". The error is larger than the motion, so the run tells nothing about the material";
+  const auto period = period_of_few_waves(problem);
+  if (!period) return "a finer grid" + why;
+  return "motion.period: " + rounded_text(*period, 2) +
+         ", in which a wave crosses the body twice as in the paper's vortex; or a finer grid" + why;
+}
+
 std::string advice_after_death(const Problem& problem, const std::string& reason) {
   if (!problem.compared && reason.find("left the grid") != reason.npos)
     return "grid.lower and grid.upper: a free body needs room for its whole path";
@@ -97,7 +106,8 @@ std::string advice_after_death(const Problem& problem, const std::string& reason
                                           rounded_text(fine_grid, 2) +
                                           " cells across; on a coarser grid it makes runs unstable"
                                     : "";
-  return "total B-splines (" + changes + ") complete every hard case of the stability map, docs/hard.md" + locking;
+  const std::string model = problem.library.empty() ? "" : "assay check of the model, if it has not passed yet; ";
+  return model + "total B-splines (" + changes + ") complete every hard case that was measured" + locking;
 }
 
 }  // namespace assay::drivers

@@ -135,6 +135,13 @@ std::optional<double> shorter_period(const Problem& problem) {
   return problem.period() * some / found;
 }
 
+std::optional<double> period_of_few_waves(const Problem& problem) {
+  constexpr double several = 10, few = 2;
+  if (!problem.compared || problem.scene.time.step || !ring_of(problem.scene.motion)) return std::nullopt;
+  const double found = crossings(problem);
+  return found > several ? std::optional(problem.period() * few / found) : std::nullopt;
+}
+
 std::string long_motion_sentence(const Problem& problem) {
   const std::optional<double> shorter = shorter_period(problem);
   if (!shorter) return "";

@@ -17,6 +17,10 @@ std::string swing_sentence(const Scene& scene);
 /// in [s].
 std::optional<double> shorter_period(const Problem& problem);
 
+/// The period [s] in which the fastest wave crosses the body twice, of a vortex that has several times as many
+/// crossings; nothing for others.
+std::optional<double> period_of_few_waves(const Problem& problem);
+
 /// That it is, which is to be told before a run of hours; empty: it is not.
 std::string long_motion_sentence(const Problem& problem);
 

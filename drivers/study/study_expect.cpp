@@ -39,6 +39,13 @@ std::vector<StudyExpectationOutcome> judged_of(const Study& study, const StudyFi
   const auto meant = [&](const StudyExpectation& each, std::size_t i) {
     return !findings.cases[i].budget && each.where.holds(findings.cases[i].values);
   };
+  /// Whether that line's `outcome: completed` is told of the case already, by a line of the author or an earlier one.
+  const auto is_said = [&](const StudyExpectation& implied, std::size_t i) {
+    return std::any_of(study.expect.begin(), study.expect.end(), [&](const StudyExpectation& each) {
+      return each.line.key == implied.line.key && each.line.text == implied.line.text && meant(each, i) &&
+             (!each.implied || &each < &implied);
+    });
+  };
   for (const StudyExpectation& each : study.expect) {
     const std::string& key = each.line.key;
     const std::size_t before = outcomes.size();
@@ -50,7 +57,7 @@ std::vector<StudyExpectationOutcome> judged_of(const Study& study, const StudyFi
       }
     } else {
       for (std::size_t i = 0; i < findings.cases.size(); ++i) {
-        if (meant(each, i) && !(each.implied && findings.cases[i].completed()))
+        if (meant(each, i) && !(each.implied && (findings.cases[i].completed() || is_said(each, i))))
           outcomes.push_back({findings.cases[i].label, judged(each.line, found_of(findings.cases[i], key))});
       }
     }

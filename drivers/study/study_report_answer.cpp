@@ -138,7 +138,8 @@ std::string verdict(const StudyFindings& findings) {
 }
 
 std::string work_precision(const StudyFindings& findings) {
-  const std::string swipe = "<p class=\"swipe\">Scroll sideways, or open <a href=\"work_precision.svg\">the figure alone</a>.</p>\n";
+  const std::string swipe =
+      "<p class=\"swipe\">Scroll sideways, or open <a href=\"work_precision.svg\">the figure alone</a>.</p>\n";
   return html::section("What accuracy costs", swipe + picture(findings, CostAxis::cost));
 }
 

@@ -170,9 +170,9 @@ std::string case_line(const StudyFindings& words, const StudyCase& one, std::siz
 std::string study_text(const StudyFindings& findings, const std::string& folder) {
   const std::string verdict = summary_of(findings);
   const std::string counts = counts_text(findings);
-  std::string text = wrapped((findings.title.empty() ? "study" : findings.title) + ": " +
-                                 (counts.empty() ? "" : counts + ": ") + verdict,
-                             "", "  ");
+  std::string text = wrapped(
+      (findings.title.empty() ? "study" : findings.title) + ": " + (counts.empty() ? "" : counts + ": ") + verdict, "",
+      "  ");
   text += failures_text(findings);
   if (!findings.question.empty()) text += wrapped(findings.question, "  ", "  ");
   text += wrapped("error: " + findings.error_name + "; cost: " + findings.cost_name, "  ", "    ");

@@ -11,6 +11,9 @@ namespace assay::check {
 /// agree is compared with those of other conventions.
 TestResult tangent(const Specimen& specimen);
 
+/// How the sentence begins of one whose largest components agree, but not what a change of shape adds.
+inline constexpr const char* tangent_of_shape = "the tangent of a change of shape";
+
 /// assay.energy/1: P = dW/dF at fixed state.
 TestResult energy(const Specimen& specimen);
 

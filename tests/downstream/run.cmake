@@ -59,5 +59,16 @@ foreach(file IN ITEMS kirchhoff.check.xml kirchhoff.run.xml must_fail.check.xml 
     message(FATAL_ERROR "not left by the tests: ${file}")
   endif()
 endforeach()
+if(fortran) # two checks of one model, and two scenes of one name, can be told apart
+  foreach(test IN ITEMS hooke_umat.check elsewhere/elsewhere.check kirchhoff.run elsewhere/elsewhere.run)
+    file(READ ${work}/build/${test}.xml found)
+    string(REGEX REPLACE ".*/" "" name ${test})
+    string(REGEX REPLACE "(.*)[.](.*)" "assay.\\2.\\1" name ${name})
+    if(NOT found MATCHES "classname=\"${name}\"")
+      message(FATAL_ERROR "${test}.xml: no test of the class ${name}")
+    endif()
+  endforeach()
+endif()
+run(1 "find_package.assay REQUIRED. in this CMakeLists.txt" ${configure} -S ${SOURCE_DIR}/no_package -B ${work}/no_package)
 run(1 "rotation.during +FAIL" ${prefix}/bin/assay check --replay
   ${work}/build/must_fail.check/downstream_unturned.rotation.during.yaml)

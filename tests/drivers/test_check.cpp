@@ -303,10 +303,19 @@ TEST(CheckReport, JUnitShowsTheCauseInTheMessage) {
       << xml;
   EXPECT_NE(xml.find("skipped=\"1\""), std::string::npos);
   EXPECT_NE(xml.find("<failure message=\"increment rotation missing: the stress &lt;stays&gt; &amp; "
-                     "&quot;waits&quot;\" type=\"increment rotation missing\">"),
+                     "&quot;waits&quot;\" type=\"increment rotation missing\">increment rotation missing: the stress "
+                     "&lt;stays&gt; &amp; &quot;waits&quot;\nmeasured 0.15, at most 2e-05"),
             std::string::npos)
       << xml;
   EXPECT_NE(xml.find("<skipped message=\"none is offered\"/>"), std::string::npos);
+}
+
+TEST(CheckReport, ASuiteTakesTheNameThatIsGiven) {
+  const std::string own = check_junit({broken()}), named = check_junit({broken()}, "clay.coarse");
+  EXPECT_NE(own.find("<testsuite name=\"assay check clay\""), std::string::npos) << own;
+  EXPECT_NE(named.find("<testsuite name=\"assay check clay.coarse\""), std::string::npos) << named;
+  EXPECT_NE(named.find("<testcase classname=\"assay.check.clay.coarse\""), std::string::npos) << named;
+  EXPECT_EQ(named.find("classname=\"assay.check.clay\""), std::string::npos) << named;
 }
 
 TEST(CheckReport, TextFitsEightyColumnsAndBeginsWithVerdictAndCause) {

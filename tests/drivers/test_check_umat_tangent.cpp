@@ -56,5 +56,86 @@ INSTANTIATE_TEST_SUITE_P(
                     Slip{"not_symmetric", "      DDSDDE=C\n", "0.1D0", "passes"}),
     [](const auto& instance) { return instance.param.name; });
 
+/// Rubber, W = C10 (I1 of the isochoric part - 3) + (J - 1)^2/D1, from DFGRD1; `shape` is a factor of what a change of
+/// shape adds to DDSDDE, and the stress stays right.
+std::string rubber(const std::string& shape) {
+  return fixed_umat(
+      "      DIMENSION B(3,3),D(3,3),II(6),JJ(6)\n"
+      "      DATA II/1,2,3,1,1,2/, JJ/1,2,3,2,3,3/\n"
+      "      D=0.D0\n"
+      "      D(1,1)=1.D0\n"
+      "      D(2,2)=1.D0\n"
+      "      D(3,3)=1.D0\n"
+      "      DET=DFGRD1(1,1)*(DFGRD1(2,2)*DFGRD1(3,3)-DFGRD1(2,3)*DFGRD1(3,2))\n"
+      "     1   -DFGRD1(1,2)*(DFGRD1(2,1)*DFGRD1(3,3)-DFGRD1(2,3)*DFGRD1(3,1))\n"
+      "     2   +DFGRD1(1,3)*(DFGRD1(2,1)*DFGRD1(3,2)-DFGRD1(2,2)*DFGRD1(3,1))\n"
+      "      B=DET**(-2.D0/3.D0)*MATMUL(DFGRD1,TRANSPOSE(DFGRD1))\n"
+      "      TRB=B(1,1)+B(2,2)+B(3,3)\n"
+      "      EG=2.D0*PROPS(1)/DET\n"
+      "      EK=2.D0/PROPS(2)*(2.D0*DET-1.D0)\n"
+      "      DO 20 N=1,NTENS\n"
+      "        I=II(N)\n"
+      "        J=JJ(N)\n"
+      "        STRESS(N)=EG*(B(I,J)-TRB/3.D0*D(I,J))\n"
+      "     1    +2.D0/PROPS(2)*(DET-1.D0)*D(I,J)\n"
+      "        DO 20 M=1,NTENS\n"
+      "          K=II(M)\n"
+      "          L=JJ(M)\n"
+      "   20     DDSDDE(N,M)=" +
+      shape +
+      "*EG*(0.5D0*(D(I,K)*B(J,L)\n"
+      "     1      +B(I,K)*D(J,L)+D(I,L)*B(J,K)+B(I,L)*D(J,K))\n"
+      "     2      -2.D0/3.D0*(D(I,J)*B(K,L)+B(I,J)*D(K,L))\n"
+      "     3      +2.D0/9.D0*TRB*D(I,J)*D(K,L))+EK*D(I,J)*D(K,L)\n");
+}
+
+struct RubberSlip {
+  const char *name, *shape, *D1, *words;
+};
+
+class UmatTangentOfRubber : public testing::TestWithParam<RubberSlip> {};
+
+/// K/G is 2/D1 with C10 = 0.5. Beside a bulk modulus that is a thousand times the shear modulus, no shear modulus at
+/// all is some per mille of the largest component.
+TEST_P(UmatTangentOfRubber, IsJudgedByItsShapeToo) {
+  if (!has_foreign("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
+  const ScratchFolder scratch;
+  const std::string file = scratch.write("rubber.f", rubber(GetParam().shape));
+  assay({"check", file, "--props", std::string("0.5,") + GetParam().D1, "--quick", "--json", scratch / "c.json", "-o",
+         scratch / "r"});
+  const auto found = nlohmann::json::parse(bytes_of(scratch / "c.json"));
+  std::string sentence = found["verdict"];
+  for (const auto& test : found["tests"]) {
+    if (test["id"] == "tangent" && test["verdict"] == "fail") sentence = test["sentence"];
+  }
+  EXPECT_NE(sentence.find(GetParam().words), sentence.npos) << sentence;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, UmatTangentOfRubber,
+    testing::Values(RubberSlip{"right_soft", "1.D0", "0.4", "pass"}, RubberSlip{"right", "1.D0", "0.002", "pass"},
+                    RubberSlip{"right_hard", "1.D0", "2D-5", "pass"},
+                    RubberSlip{"without_shape", "0.D0", "0.002", "the tangent of a change of shape is wrong by 100 %"},
+                    RubberSlip{"half_a_shape", "0.5D0", "0.002", "the tangent of a change of shape is wrong by 50 %"},
+                    RubberSlip{"doubled_shape", "2.D0", "2D-5", "the tangent of a change of shape is wrong by 100 %"}),
+    [](const auto& instance) { return instance.param.name; });
+
+/// One whose shears 13 and 23 are exchanged answers all six, so that a body of plane strain is no way out.
+TEST(UmatOfRubber, WithExchangedShearsIsNotAdvisedToLeaveThemOut) {
+  if (!has_foreign("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
+  const ScratchFolder scratch;
+  std::string text = rubber("1.D0");
+  const std::string right = "II/1,2,3,1,1,2/, JJ/1,2,3,2,3,3/", exchanged = "II/1,2,3,1,2,1/, JJ/1,2,3,2,3,3/";
+  text.replace(text.find(right), right.size(), exchanged);
+  const std::string source = scratch.write("rubber.f", text);
+  const std::string file = scratch.write(
+      "rubber.yaml", "source: rubber.f\ninterface: umat\nproperties: {C10: 0.5, D1: 0.4}\nstrain: finite\n");
+  assay({"check", file, "--quick", "--json", scratch / "c.json", "-o", scratch / "r"});
+  const auto found = nlohmann::json::parse(bytes_of(scratch / "c.json"));
+  ASSERT_FALSE(found["diagnosis"].empty()) << source;
+  EXPECT_EQ(found["diagnosis"][0]["cause"], "components 13 and 23 swapped");
+  EXPECT_EQ(found["diagnosis"].dump().find("components: [4]"), std::string::npos) << found["diagnosis"].dump();
+}
+
 }  // namespace
 }  // namespace assay::drivers::test_check_umat_tangent

@@ -153,6 +153,10 @@ TEST_F(CommandLine, AnOptionIsNoValue) {
             "assay run: -o needs a value, and '--quiet' begins like an option; a file of that name is ./--quiet\n");
   EXPECT_EQ(said({"run", scene, "--junit", "-v"}),
             "assay run: --junit needs a value, and '-v' begins like an option; a file of that name is ./-v\n");
+  EXPECT_EQ(said({"run", scene, "--junit-name", "clay"}), "assay run: --junit-name goes with --junit\n");
+  EXPECT_EQ(said({"check", "j2_jaumann", "--junit-name", "clay"}), "assay check: --junit-name goes with --junit\n");
+  EXPECT_EQ(said({"check", "--all", "--junit", "a.xml", "--junit-name", "clay"}),
+            "assay check: --junit-name names one suite, and --all writes one for each material\n");
   EXPECT_EQ(
       said({"check", "x.so", "--json", "--junit", "a.xml"}),
       "assay check: --json needs a value, and '--junit' begins like an option; a file of that name is ./--junit\n");

@@ -57,7 +57,19 @@ TEST(RunJUnit, HoldsTheOutcomeAndEveryExpectation) {
        "tests=\"5\" failures=\"1\" errors=\"0\" skipped=\"0\"",
        "<testcase classname=\"assay.run.vortex_cpdi\" name=\"outcome equals\" time=\"0\"/>",
        "name=\"error.l2_max below\" time=\"0\">\n      <failure message=\"error.l2_max: expected below 1e-09, found ",
-       "type=\"expectation\"/>", "name=\"t between\" time=\"0\"/>", "name=\"particles equals\""});
+       "type=\"expectation\">error.l2_max: expected below 1e-09, found ", "name=\"t between\" time=\"0\"/>",
+       "name=\"particles equals\""});
+}
+
+TEST(RunJUnit, TakesTheNameThatIsGiven) {
+  const ScratchFolder scratch;
+  RunOptions options = quiet_run("paper/vortex_cpdi", scratch / "out",
+                                 {"expect={outcome: completed}", "time.end=0.01", "output.pictures=false"});
+  options.junit = scratch / "junit.xml";
+  options.junit_name = "clay.fine";
+  EXPECT_EQ(run(options), 0);
+  expect_in(bytes_of(options.junit), {"<testsuite name=\"assay run clay.fine\" package=\"assay.run\"",
+                                      "<testcase classname=\"assay.run.clay.fine\" name=\"outcome equals\""});
 }
 
 TEST(RunJUnit, WithoutExpectationsThereIsStillTheOutcome) {
@@ -69,7 +81,7 @@ TEST(RunJUnit, ARunThatDiesSaysWhy) {
   std::vector<std::string> sets = dies;
   sets.push_back("expect={error.l2_end: {below: 1}}");
   expect_in(junit_of(1, sets), {"tests=\"2\" failures=\"2\" errors=\"0\"", "<failure message=\"the run was unstable: ",
-                                "type=\"unstable\"/>", "found null; the run was unstable: "});
+                                "type=\"unstable\">the run was unstable: ", "found null; the run was unstable: "});
   sets.back() = "expect={outcome: unstable}";
   expect_in(junit_of(0, sets), {"tests=\"2\" failures=\"0\" errors=\"0\""});
   sets.back() = "expect={outcome: completed}";
@@ -83,13 +95,13 @@ TEST(RunJUnit, AMaterialThatFailsIsAFailure) {
                            ", parameters: {modulus: 1000}, density: 1000}";
   expect_in(junit_of(1, {sets, "time.end=1"}),
             {"tests=\"1\" failures=\"1\" errors=\"0\"",
-             "<failure message=\"the material failed: ", "type=\"material_failed\"/>"});
+             "<failure message=\"the material failed: ", "type=\"material_failed\">the material failed: "});
 }
 
 TEST(RunJUnit, ARefusedRunIsAnError) {
   const std::string jaumann = "material={adapter: hypoelastic_jaumann, parameters: {E: 1e3, nu: 0.3}, density: 1000}";
   const std::string text = junit_of(1, {jaumann, "force.tolerance=1e-6", "expect={error.l2_max: {below: 1}}"});
-  expect_in(text, {"tests=\"2\" failures=\"0\" errors=\"2\"", "type=\"refused\"/>",
+  expect_in(text, {"tests=\"2\" failures=\"0\" errors=\"2\"", "type=\"refused\">the run was refused: ",
                    "<error message=\"the run was refused: this motion is not a stable solution"});
 }
 

@@ -124,10 +124,9 @@ TEST_F(SourceDescriptionTest, StateIsTakenWhereTheTextLeavesNoDoubt) {
   const std::string loop = scratch.write(
       "loop.f",
       fixed_umat(hooke_statements + "      DO 50 I=1,NTENS\n   50 STATEV(I)=STATEV(I)+DSTRAN(I)\n      STATEV(7)=1\n"));
-  EXPECT_EQ(
-      refused(loop, check),
-      "loop.f: --statev: required and not given: the source reads STATEV(7), and others by "
-      "computed indices");
+  EXPECT_EQ(refused(loop, check),
+            "loop.f: --statev: required and not given: the source reads STATEV(7), and others by "
+            "computed indices");
   EXPECT_NE(refused(loop).find("f:1:2: k: 'loop.f' does not tell how many STATEV it needs"), std::string::npos)
       << refused(loop);
   check.statev = 7;

@@ -14,10 +14,10 @@ TEST(Junit, counts_and_escapes) {
                  {"c", "bad", 0, JunitCase::Kind::failure, "m & m", "type", "text <"},
                  {"c", "broken", 0, JunitCase::Kind::error, "m", "type"}};
   const std::string text = junit_text({suite});
-  for (const char* part :
-       {"name=\"a &lt;suite&gt;\"", "tests=\"4\" failures=\"1\" errors=\"1\" skipped=\"1\"", "value=\"va&quot;lue\"",
-        "name=\"good\" time=\"1.500\"/>", "<skipped message=\"why\"/>",
-        "<failure message=\"m &amp; m\" type=\"type\">text &lt;</failure>", "<error message=\"m\" type=\"type\"/>"}) {
+  for (const char* part : {"name=\"a &lt;suite&gt;\"", "tests=\"4\" failures=\"1\" errors=\"1\" skipped=\"1\"",
+                           "value=\"va&quot;lue\"", "name=\"good\" time=\"1.500\"/>", "<skipped message=\"why\"/>",
+                           "<failure message=\"m &amp; m\" type=\"type\">m &amp; m\ntext &lt;</failure>",
+                           "<error message=\"m\" type=\"type\">m</error>"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   }
 }

@@ -246,6 +246,33 @@ TEST(Advice, OfABodyThatFliesOutOfItsGridIsRoom) {
   EXPECT_EQ(outcome_of(scene, {"grid.upper=[5, 1.5]"}), "completed");
 }
 
+/// Of a body that is much stiffer than the motion is fast; one of the paper has no such advice, however coarse its
+/// grid.
+TEST(Advice, OfAnErrorLargerThanTheMotionMakesItSmaller) {
+  const ScratchFolder scratch;
+  const auto result_of = [&](Sets sets) {
+    sets.insert(sets.begin(), {"motion.amplitude={type: sine, peak: 0.1}", "method.basis=cpdi", "time.end=1"});
+    RunOptions options = quiet_run("", scratch / "out", sets);
+    options.scene = file_with(scratch, advised_scene);
+    testing::internal::CaptureStdout();
+    options.verbosity = Verbosity::normal;
+    run(options);
+    return std::pair(result_in(scratch / "out")["error"]["relative"].get<double>(),
+                     testing::internal::GetCapturedStdout());
+  };
+  const Sets stiff{"material.parameters={E: 2.8e6, nu: 0.4}"};
+  const auto [large, said] = result_of(stiff);
+  EXPECT_GT(large, 1);
+  std::smatch period;
+  ASSERT_TRUE(std::regex_search(said, period, std::regex("to try: (motion[.]period): ([0-9.]+),"))) << said;
+  Sets taken = stiff;
+  taken.insert(taken.end(), {"motion.period=" + period[2].str(), "time.end=" + period[2].str()});
+  const auto [small, then] = result_of(taken);
+  EXPECT_LT(small, 0.5 * large);
+  EXPECT_LT(small, 1);
+  EXPECT_EQ(result_of({}).second.find("to try"), std::string::npos);
+}
+
 /// What the sentences of a run name beside that.
 TEST(Advice, OfSentencesAboutARunIsAccepted) {
   const std::string square = "body={domain: square, lower: [-1.5, -1.5], upper: [1.5, 1.5], outside: free}";

@@ -42,6 +42,19 @@ TEST(StudyExpect, IsJudgedOfEveryCaseOfItsSelection) {
                    "outcome completed: n/a, fails; Cheat, grid.spacing=0.05"}));
 }
 
+TEST(StudyExpect, ThatACaseCompletesIsToldOnce) {
+  const std::string where = "where: {method: Cheat, grid.spacing: 0.05}", told = "; Cheat, grid.spacing=0.05";
+  const std::string figure = "error.relative equals 1e-05: null, fails" + told;
+  const std::string outcome = "outcome completed: n/a, fails" + told;
+  const std::string line = "{" + where + ", error.relative: 1e-5}";
+  EXPECT_EQ(judged_lines("[{" + where + ", outcome: completed}, " + line + "]"), (Lines{outcome, figure}));
+  EXPECT_EQ(judged_lines("[" + line + ", {" + where + ", outcome: completed}]"), (Lines{figure, outcome}));
+  EXPECT_EQ(judged_lines("[" + line + ", " + line + "]"), (Lines{figure, outcome, figure}));
+  // An author who expects another outcome has not said that the figures are those of a case that completed.
+  EXPECT_EQ(judged_lines("[{" + where + ", outcome: n/a}, " + line + "]"),
+            (Lines{"outcome n/a: n/a, holds" + told, figure, outcome}));
+}
+
 TEST(StudyExpect, ThoseOfTheBudgetAreNotMeant) {
   EXPECT_EQ(judged_lines("[{where: {method: 'B2, AFLIP', grid.spacing: 0.05}, error.relative: {above: 1e-3}}]"),
             Lines{"error.relative above 0.001: 0.009, holds; B2, AFLIP, grid.spacing=0.05"});

@@ -15,7 +15,9 @@ TEST(StudyJunit, a_death_is_a_finding_and_no_failure) {
   StudyFindings findings = sample_study();
   const auto has = [&](const std::string& text) { return study_junit(findings).find(text) != std::string::npos; };
   EXPECT_TRUE(has("tests=\"33\" failures=\"1\" errors=\"0\" skipped=\"1\"")) << study_junit(findings);
-  EXPECT_TRUE(has("<failure message=\"order: expected above 1.5, found 1.12\" type=\"expectation\"/>"));
+  EXPECT_TRUE(
+      has("<failure message=\"order: expected above 1.5, found 1.12\" type=\"expectation\">order: expected above 1.5, "
+          "found 1.12</failure>"));
   for (const char* outcome : {"missing", "crashed", "stopped"}) {
     findings.cases[0].outcome = outcome;
     EXPECT_TRUE(has("failures=\"2\"")) << outcome;
