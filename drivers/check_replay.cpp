@@ -17,8 +17,8 @@ namespace assay::drivers {
 
 namespace {
 
-/// The step alone: "step".
-check::TestResult step_again(const Material& material, const FailedStep& step, bool has_changed) {
+/// The step alone: "step". `is_all`: nothing else of the failure is repeated.
+check::TestResult step_again(const Material& material, const FailedStep& step, bool is_all) {
   check::TestResult result{.id = "step", .verdict = check::Verdict::fail, .step = step};
   double F0[9], F1[9], cauchy[9];
   for (int c = 0; c < 9; ++c) F0[c] = component(step.F0, c), F1[c] = component(step.F1, c);
@@ -34,7 +34,7 @@ check::TestResult step_again(const Material& material, const FailedStep& step, b
   result.verdict = check::Verdict::pass;
   result.sentence = "the step is taken; stress 11, 22, 33, 12, 13, 23 [Pa]:";
   for (const int c : {0, 4, 8, 1, 2, 5}) result.sentence += " " + rounded_text(cauchy[c], 6);
-  if (!has_changed) result.sentence += ". The failure needs earlier calls, which this replay does not make";
+  if (is_all) result.sentence += ". The failure needs earlier calls, which this replay does not make";
   return result;
 }
 
@@ -53,7 +53,7 @@ CheckedMaterial again(const Replay& replay, const ResolvedMaterial& resolved, bo
   }
   if (!replay.step) return checked;
   reporter.begins("step");
-  check::TestResult step = step_again(resolved.material, *replay.step, has_changed);
+  check::TestResult step = step_again(resolved.material, *replay.step, !has_changed && replay.test.empty());
   if (step.verdict == check::Verdict::fail) checked.report.diagnosis.push_back({step.cause, step.sentence});
   checked.report.tests.insert(checked.report.tests.begin(), std::move(step));
   return checked;

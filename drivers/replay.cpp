@@ -188,10 +188,9 @@ std::string units_words(const ResolvedMaterial& resolved) {
 std::string replay_yaml(const Replay& replay, Isolation isolation) {
   const ResolvedMaterial resolved = resolved_of(replay, isolation);
   const Material& material = resolved.material;
-  std::string text =
-      "# A step or a test that a material failed: F0 and state0 at t, F1 at t + dt. To repeat it: assay check "
-      "--replay\n# " +
-      units_words(resolved) + "\n";
+  std::string text = std::string(replay.step ? "# A step that a material failed: F0 and state0 at t, F1 at t + dt."
+                                             : "# A test that a material failed, in many steps.") +
+                     " To repeat it: assay check --replay\n# " + units_words(resolved) + "\n";
   text += "material: " + yaml_scalar(replay.material) + "\n";
   std::string folders;  // in which a description finds its library
   for (const std::string& folder : material_folders()) folders += (folders.empty() ? "" : ":") + folder;
