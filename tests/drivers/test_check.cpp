@@ -143,6 +143,11 @@ TEST(Check, AFailureLeavesAReplayThatFailsAgain) {
     EXPECT_EQ(checked({"--replay", file}, &said), 1) << said;
     EXPECT_NE(said.find("the failure was: "), std::string::npos);
     EXPECT_NE(said.find(test["id"].get<std::string>()), std::string::npos) << said;
+    // The test makes the calls before the step again; the file's first line says whether it has a step.
+    EXPECT_EQ(said.find("needs earlier calls"), std::string::npos) << said;
+    const std::string text = read_bytes(file);
+    EXPECT_EQ(text.starts_with("# A step that a material failed: F0 "), text.find("\nF0: ") != text.npos) << text;
+    EXPECT_NE(text.starts_with("# A step"), text.starts_with("# A test")) << text;
   }
   EXPECT_GT(failures, 0);
   // The model, cured, does not fail any more
