@@ -168,9 +168,9 @@ JunitCase test_case(const CheckedMaterial& checked, const TestResult& test, cons
   return out;
 }
 
-JunitSuite suite(const CheckedMaterial& checked, const std::string& name) {
-  const std::string classname = name.empty() ? class_of(checked) : "assay.check." + name;
-  JunitSuite out{"assay check " + (name.empty() ? checked.name : name), "assay.check"};
+JunitSuite suite(const CheckedMaterial& checked, const std::string& given) {
+  const std::string classname = given.empty() ? class_of(checked) : "assay.check." + given;
+  JunitSuite out{"assay check " + (given.empty() ? checked.name : given), "assay.check"};
   out.seconds = checked.wall_s;
   for (const auto& [name, value] : checked.parameters) out.properties.emplace_back(name, number_text(value));
   if (!checked.of_example.empty()) {

@@ -130,7 +130,7 @@ bool CheckedMethods::passes() const {
 }
 
 std::string methods_text(const CheckedMethods& checked, Verbosity verbosity) {
-  const std::string verdict = verdict_of(checked);
+  std::string verdict = verdict_of(checked);
   if (verbosity == Verbosity::quiet) return verdict;
   std::string page = verdict + "\n";
   if (verbosity == Verbosity::verbose || checked.methods.size() == 1) {
