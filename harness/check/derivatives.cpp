@@ -8,8 +8,7 @@
 
 #include "harness/check/judge.hpp"
 #include "harness/check/samples.hpp"
-#include "harness/check/share_along.hpp"
-#include "harness/check/tangent_conventions.hpp"
+#include "harness/check/tangent_comparison.hpp"
 #include "harness/stable_norm.hpp"
 
 namespace assay::check {
@@ -33,60 +32,6 @@ Tangent by_differences(const Space& space, const F& f, const Tensor& at, double 
   return slope;
 }
 
-/// Without the columns that are not of the space.
-Tangent within(const Space& space, const Tangent& A) {
-  Tangent result = A;
-  for (int column = 0; column < 9; ++column) {
-    if (!space.has(column)) result.col(column).setZero();
-  }
-  return result;
-}
-
-double apart(const Tangent& a, const Tangent& b) {
-  if (!a.allFinite() || !b.allFinite()) return INFINITY;
-  const double d = (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
-  return std::isfinite(d) ? d : INFINITY;
-}
-
-/// The part that a change of shape brings, of the deviator: beside a large bulk modulus it is hardly seen in the whole.
-Tangent of_shape(const Tangent& A, const Tensor& F) {
-  constexpr int diagonal[] = {0, 4, 8};
-  Tangent a = spatial_moduli(A, F);
-  for (int c = 0; c < 9; ++c) {
-    const double mean = (a(0, c) + a(4, c) + a(8, c)) / 3;
-    for (const int d : diagonal) a(d, c) -= mean;
-  }
-  for (int r = 0; r < 9; ++r) {
-    const double mean = (a(r, 0) + a(r, 4) + a(r, 8)) / 3;
-    for (const int d : diagonal) a(r, d) -= mean;
-  }
-  return a;
-}
-
-/// How far their parts of shape are apart, relative to that part; 0 of a fluid, which has none.
-double apart_in_shape(const Tangent& a, const Tangent& b, const Tensor& F) {
-  constexpr double none = 1e-6;  // of the whole: less is rounding of the differences
-  if (!a.allFinite() || !b.allFinite()) return INFINITY;
-  const Tangent wanted = of_shape(b, F);
-  const double size = wanted.cwiseAbs().maxCoeff();
-  if (!(size > none * b.cwiseAbs().maxCoeff())) return 0;
-  return (of_shape(a, F) - wanted).cwiseAbs().maxCoeff() / size;
-}
-
-/// "farthest off: the stress 11 by the strain 22, which is 1.3 in place of 6.3", of spatial moduli.
-std::string farthest_component(const Tangent& given, const Tangent& right, const Tensor& F) {
-  const Tangent is = spatial_moduli(given, F), wanted = spatial_moduli(right, F);
-  int row = 0, column = 0;
-  if (!(is - wanted).allFinite()) return {};
-  (is - wanted).cwiseAbs().maxCoeff(&row, &column);
-  const auto name = [](int component) {
-    const int i = component / 3 + 1, j = component % 3 + 1;
-    return std::to_string(std::min(i, j)) + std::to_string(std::max(i, j));
-  };
-  return "farthest off: what the strain " + name(column) + " adds to the stress " + name(row) + ", which is " +
-         rounded(is(row, column)) + " in place of " + rounded(wanted(row, column));
-}
-
 /// Nothing where the model refuses to give one.
 std::optional<Tangent> offered(const Material& material, const Offer<assay_tangent>& form, const Sample& s) {
   double F0[9], F1[9], found[81];
@@ -99,67 +44,6 @@ std::optional<Tangent> offered(const Material& material, const Offer<assay_tange
     for (int column = 0; column < 9; ++column) result(row, column) = found[9 * row + column];
   }
   return within(Space(material), result);
-}
-
-/// d sigma / d F of a law whose Jaumann rate of sigma, or of J sigma, is C : d.
-Tangent hypoelastic_tangent(const Specimen& specimen, const Sample& s, const Stiffness& C, bool of_kirchhoff) {
-  Tangent A;
-  for (int column = 0; column < 9; ++column) {
-    Tensor E = Tensor::Zero();
-    component(E, column) = 1;
-    const Tensor l = E * s.F1.inverse(), w = 0.5 * (l - l.transpose()), &sigma = s.end.cauchy;
-    Tensor d = stress_of(C, l) + w * sigma - sigma * w;
-    if (of_kirchhoff) d -= l.trace() * sigma;
-    for (int row = 0; row < 9; ++row) A(row, column) = component(d, row);
-  }
-  return within(specimen.space, A);
-}
-
-/// How far a tangent is from that of elasticity with a share of the stiffness at rest: with the whole of it, and with
-/// the share that fits best.
-struct FromElasticity {
-  double whole = INFINITY, fitted = INFINITY, share = 1;
-};
-
-FromElasticity from_elasticity(const Specimen& specimen, const Sample& s, const Tangent& given) {
-  FromElasticity found;
-  for (const bool of_kirchhoff : {false, true}) {
-    const Tangent turned = hypoelastic_tangent(specimen, s, Stiffness::Zero(), of_kirchhoff);
-    const Tangent whole = hypoelastic_tangent(specimen, s, specimen.stiffness, of_kirchhoff);
-    const Tangent elastic = whole - turned;
-    const double share = share_along(given - turned, elastic);
-    const Tangent nearest = turned + share * elastic;
-    double miss = apart(given, nearest);
-    if (!specimen.space.is_plane()) miss = std::max(miss, apart_in_shape(given, nearest, s.F1));
-    found.whole = std::min(found.whole, apart(given, whole));
-    if (miss < found.fitted) found.fitted = miss, found.share = share;
-  }
-  return found;
-}
-
-/// The multiple of the right one that a tangent is, apart from what turns the stress, and by how much it misses that;
-/// and how far its moduli are from those of the right one, transposed and as they are.
-struct FromRight {
-  double factor = 1, miss = INFINITY, transposed = INFINITY, straight = INFINITY;
-};
-
-FromRight from_right(const Specimen& specimen, const Sample& s, const Tangent& given, const Tangent& right) {
-  FromRight found;
-  std::vector<Tangent> turning{Tangent::Zero()};
-  for (const bool of_kirchhoff : {false, true})
-    turning.push_back(hypoelastic_tangent(specimen, s, Stiffness::Zero(), of_kirchhoff));
-  for (const Tangent& turned : turning) {
-    const double factor = share_along(given - turned, right - turned);
-    const Tangent multiple = turned + factor * (right - turned);
-    double miss = apart(given, multiple);
-    if (!specimen.space.is_plane()) miss = std::max(miss, apart_in_shape(given, multiple, s.F1));
-    if (miss < found.miss) found.miss = miss, found.factor = factor;
-    if (specimen.space.is_plane()) continue;  // whose moduli have no columns for what leaves it
-    const Tangent wanted = spatial_moduli(right - turned, s.F1), moduli = spatial_moduli(given - turned, s.F1);
-    found.transposed = std::min(found.transposed, apart(moduli, wanted.transpose()));
-    found.straight = std::min(found.straight, apart(moduli, wanted));
-  }
-  return found;
 }
 
 /// The tangents that a model gives along a history, against differences of its stress.
@@ -195,7 +79,7 @@ Tangents tangents_of(Specimen specimen, double amplitude, const Offer<assay_tang
       found.worst = std::max(found.worst, off);
       found.farthest = farthest_component(*given, expected, s.F1);
     }
-    if (!specimen.space.is_plane()) found.shape = std::max(found.shape, apart_in_shape(*given, expected, s.F1));
+    found.shape = std::max(found.shape, apart_in_shape(specimen.space, *given, expected, s.F1));
     const FromElasticity elasticity = from_elasticity(specimen, s, *given);
     found.elastic = std::max(found.elastic, elasticity.whole);
     found.secant = std::max(found.secant, elasticity.fitted);
@@ -216,8 +100,7 @@ Tangents tangents_of(Specimen specimen, double amplitude, const Offer<assay_tang
     for (const auto& [name, other] : other_conventions(expected, s.end.cauchy, s.F1)) {
       double& off = found.conventions[name];
       const Tangent wanted = within(specimen.space, other);
-      off = std::max(off, apart(*given, wanted));
-      if (!specimen.space.is_plane()) off = std::max(off, apart_in_shape(*given, wanted, s.F1));
+      off = std::max(off, apart_in_whole_and_shape(specimen.space, *given, wanted, s.F1));
     }
   }
   return found;
@@ -287,10 +170,6 @@ void judge_beside_histories(const Specimen& specimen, const Offer<assay_tangent>
                                          : "the tangent is not finite " + where + ", and only there";
 }
 
-}  // namespace
-
-namespace {
-
 /// Of tangents that are right but for their shears, as far as can be told; nothing where they are not.
 std::string words_of_shears(const Tangents& found, double worst) {
   constexpr double within = 0.03, share = 0.2;  // of a step's own strain and turn; of the error
@@ -332,8 +211,7 @@ std::string words_of(const Tangents& found, double worst) {
 
 TestResult tangent(const Specimen& specimen) {
   constexpr double alike = 1e-3;
-  constexpr double most_of_shape =
-      0.1;  // a law that leaves out products of its strain and its pressure has some per cent
+  constexpr double most_of_shape = 0.1;  // without products of strain and pressure it is some per cent off
   const double most = specimen.options.declarations.tangent_within;
   const Offer<assay_tangent> form(*specimen.material);
   if (!form) return {.id = "tangent", .verdict = Verdict::not_applicable, .sentence = "the model offers no tangent"};
