@@ -124,23 +124,20 @@ std::string spline_end_sentence(const Problem& problem) {
   return "";
 }
 
-}  // namespace
-
-std::optional<double> shorter_period(const Problem& problem) {
-  constexpr double very_many = 1000, some = 30;  // crossings; the paper's vortex has two
+/// The period in which a wave crosses the body `wanted` times, of a ring's motion with more than `most` crossings.
+std::optional<double> period_with(const Problem& problem, double most, double wanted) {
   const bool is_set = problem.scene.time.step.has_value();
   if (!problem.compared || is_set || !ring_of(problem.scene.motion)) return std::nullopt;
   const double found = crossings(problem);
-  if (!(found > very_many)) return std::nullopt;
-  return problem.period() * some / found;
+  return found > most ? std::optional(problem.period() * wanted / found) : std::nullopt;
 }
 
-std::optional<double> period_of_few_waves(const Problem& problem) {
-  constexpr double several = 10, few = 2;
-  if (!problem.compared || problem.scene.time.step || !ring_of(problem.scene.motion)) return std::nullopt;
-  const double found = crossings(problem);
-  return found > several ? std::optional(problem.period() * few / found) : std::nullopt;
-}
+}  // namespace
+
+std::optional<double> shorter_period(const Problem& problem) { return period_with(problem, 1000, 30); }
+
+// The paper's vortex has two crossings.
+std::optional<double> period_of_few_waves(const Problem& problem) { return period_with(problem, 10, 2); }
 
 std::string long_motion_sentence(const Problem& problem) {
   const std::optional<double> shorter = shorter_period(problem);
