@@ -209,7 +209,6 @@ int check(const CheckOptions& options) {
   require_open_files(most_files_at_once);
   forget_inputs();
   refuse_what_contradicts(options);
-  remove_earlier_junit(options.junit);
   require_junit_folder(options.junit, options.out);
   if (options.material.empty() || options.methods) refuse_source_options(options.source, "");
   if constexpr (mpm::compiled(mpm::Effect::third_dimension)) {

@@ -27,7 +27,7 @@ constexpr Fill other_fills[] = {Fill::no_number, Fill::of_strain, Fill::of_one, 
 /// Each word another number, since some read only what differs between them.
 double word_of(Fill fill, std::size_t word, double stress) {
   constexpr double golden = 0.6180339887498949;
-  const double share = 0.5 + std::fmod(static_cast<double>(word) * golden, 1.0);
+  const double turns = static_cast<double>(word) * golden, share = 0.5 + (turns - std::floor(turns));
   switch (fill) {
     case Fill::zero:
       return 0;

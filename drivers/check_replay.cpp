@@ -67,7 +67,8 @@ int check_replay(const CheckOptions& options) {
   const ResolvedMaterial resolved = resolved_of(replay, Isolation::worker);
   const bool known = !replay.library_sha256.empty();
   const bool has_changed = known && replay_of(resolved, {}, "").library_sha256 != replay.library_sha256;
-  if (has_changed && options.verbosity != Verbosity::quiet) warn(resolved.library + " has changed since the failure");
+  if (has_changed && options.verbosity != Verbosity::quiet)
+    warn((resolved.source.empty() ? resolved.library : resolved.source) + " has changed since the failure");
   watch_interrupts();
   const CheckTask task{
       replay.material,

@@ -132,7 +132,7 @@ void judge_state_blocks(const ResolvedMaterial& material, check::Report& report)
   if (guess.blocks.empty()) {
     const std::string words = found->sentence;
     say_also(report, words,
-             "; one of the numbers of `state` may belong to a tensor: declare it, as in "
+             "; or, if the source is right, one of the numbers of `state` belongs to a tensor: declare it, as in "
              "`state: {back_stress: symmetric_tensor}`");
     return;
   }

@@ -20,6 +20,7 @@
 #include "drivers/interrupt.hpp"
 #include "drivers/lookalikes.hpp"
 #include "drivers/material/abaqus_deck.hpp"
+#include "drivers/output/junit.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/terminal.hpp"
 #include "drivers/own_files.hpp"
@@ -176,8 +177,20 @@ std::vector<std::string> words_of(int argc, const char* const* argv) {
   return words;
 }
 
+/// Before the words are understood: if they are not, nobody must find the file of an earlier call there either.
+void remove_earlier_junit_of(int argc, const char* const* argv) {
+  constexpr std::string_view option = "--junit";
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == option && i + 1 < argc) remove_earlier_junit(argv[i + 1]);
+    if (word.starts_with(option) && word.substr(option.size()).starts_with("="))
+      remove_earlier_junit(std::string(word.substr(option.size() + 1)));
+  }
+}
+
 int act(int argc, const char* const* argv) {
   settle_environment();
+  remove_earlier_junit_of(argc, argv);
   CLI::App app{"Verification of material models and of particle methods.", "assay"};
   app.get_formatter()->column_width(28);
   app.get_formatter()->label("REQUIRED", "(required)");

@@ -138,6 +138,8 @@ void tell_findings(const RunOptions& options, const Result& result, const std::s
   std::string said;
   if (options.verbosity != Verbosity::quiet) {
     said = verdict_text(result, options.out, options.verbosity == Verbosity::verbose);
+  } else if (exit_status(result) != 0) {
+    said = contradiction_text(result);
   }
   if (options.json) said = json;
   if (options.junit == "-") said = junit;
@@ -149,7 +151,6 @@ void tell_findings(const RunOptions& options, const Result& result, const std::s
 
 int run(const RunOptions& options) {
   forget_inputs();
-  remove_earlier_junit(options.junit);
   const Stopwatch life;
   Scene scene = read_scene(options.scene, options.sets);
   refuse_junit_in_the_way(options);

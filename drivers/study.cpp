@@ -155,6 +155,8 @@ int conclude(const Plan& plan, const CaseStore& store, const StudyOptions& optio
     print_json(study_json(findings));
   } else if (options.verbosity != Verbosity::quiet) {
     print(study_text(findings, options.out));
+  } else if (!findings.holds()) {
+    print(contradiction_text(findings));
   }
   return findings.holds() ? 0 : 1;
 }

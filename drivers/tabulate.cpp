@@ -125,6 +125,8 @@ int tabulate(const TabulateOptions& options) {
     print_json(json);
   else if (options.verbosity != Verbosity::quiet)
     print(summary(tab, result, options.out));
+  else if (exit_status(result) != 0)
+    print(contradiction_text(result));
   return exit_status(result);
 }
 

@@ -186,7 +186,8 @@ Verb check_verb(CLI::App& app, Arguments& given) {
   auto* explain = verb.add_option("--explain", given.explain, "what a cause means and how to repair it (all: list)");
   explain->type_name("CAUSE");
   verb.add_flag("--quick", given.quick, "fewer steps and states: a quicker, weaker check");
-  verb.add_option("--strain", given.strain, "largest strain of the tests (default: 0.15)")->type_name("NUMBER");
+  verb.add_option("--strain", given.strain, "largest strain (default: at most 0.15, by the model)")
+      ->type_name("NUMBER");
   verb.add_option("--step", given.step, "largest time step of the tests [s] (default: 1)")->type_name("NUMBER");
   verb.add_option("--pressure", given.pressure, "pressure before loading [Pa] (default: as needed)")
       ->type_name("NUMBER");

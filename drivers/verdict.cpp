@@ -109,12 +109,26 @@ std::string expectations_text(const Result& result, bool that_hold) {
   return text;
 }
 
-std::string verdict_text(const Result& result, const std::string& folder, bool with_profile) {
+namespace {
+
+std::string outcome_text(const Result& result) {
   std::string text = (result.title.empty() ? "" : result.title + ": ") + result.outcome;
   if (result.t) text += fmt::format(" at t = {} s", figure(result.t));
-  text = wrapped(text + ": " + summary_of(result), "", "  ") + expectations_text(result, false);
+  return wrapped(text + ": " + summary_of(result), "", "  ") + expectations_text(result, false);
+}
+
+std::string reason_text(const Result& result) {
+  return result.reason.empty() ? "" : wrapped(result.reason, "  ", "  ");
+}
+
+}  // namespace
+
+std::string contradiction_text(const Result& result) { return outcome_text(result) + reason_text(result); }
+
+std::string verdict_text(const Result& result, const std::string& folder, bool with_profile) {
+  std::string text = outcome_text(result);
   if (!result.subject.empty()) text += wrapped(result.subject, "  ", "    ");
-  if (!result.reason.empty()) text += wrapped(result.reason, "  ", "  ");
+  text += reason_text(result);
   text += process_lines(result, folder);
   if (result.error.l2_max) text += error_lines(result.error);
   if (result.steps) text += work_line(result);

@@ -12,6 +12,9 @@ namespace assay::drivers {
 /// hold, and where the results are.
 std::string verdict_text(const Result& result, const std::string& folder, bool with_profile = false);
 
+/// The first part of it, down to the reason: what a run that ends with 1 says even with --quiet.
+std::string contradiction_text(const Result& result);
+
 /// Warnings, and the files in the result's folder that tell more of the material.
 std::string process_lines(const Result& result, const std::string& folder);
 

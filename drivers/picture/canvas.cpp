@@ -3,12 +3,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <new>
 #include <numbers>
 #include <stdexcept>
 
 #include "drivers/picture/stroke_font.hpp"
 
+#include <zlib.h>
+
+namespace {
+
+/// Of zlib, which takes a tenth of the time of stb's own; stb frees what it is given.
+unsigned char* zlib_of_picture(unsigned char* data, int size, int* compressed_size, int) {
+  constexpr int level = 6;
+  uLongf room = compressBound(static_cast<uLong>(size));
+  auto* const out = static_cast<unsigned char*>(std::malloc(room));  // NOLINT(cppcoreguidelines-no-malloc)
+  if (!out) return nullptr;
+  if (compress2(out, &room, data, static_cast<uLong>(size), level) != Z_OK) {
+    std::free(out);  // NOLINT(cppcoreguidelines-no-malloc)
+    return nullptr;
+  }
+  *compressed_size = static_cast<int>(room);
+  return out;
+}
+
+}  // namespace
+
+#define STBIW_ZLIB_COMPRESS zlib_of_picture
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
 #define STBI_WRITE_NO_STDIO
@@ -176,12 +198,12 @@ Color Canvas::pixel(int x, int y) const {
 }
 
 std::string Canvas::png() const {
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 3);
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 3);
+  std::uint8_t* next = bytes.data();
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x) {
       const Color c = pixel(x, y);
-      bytes.insert(bytes.end(), {c.r, c.g, c.b});
+      for (const std::uint8_t value : {c.r, c.g, c.b}) *next++ = value;
     }
   }
   std::string out;

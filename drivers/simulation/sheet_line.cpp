@@ -11,8 +11,8 @@ std::string long_sheet_sentence(double seconds, double tolerance) {
   constexpr double usual = 1e-10, coarser = 1e3;
   const double other = std::max(tolerance, usual) * coarser;
   return "to tabulate this material's response may take up to " + duration_text(seconds) +
-         "; shorter with force.tolerance: " + rounded_text(other, 2) + " in place of " + rounded_text(tolerance, 2) +
-         ", or with a smaller time.end";
+         ", often a third of it or less; shorter with force.tolerance: " + rounded_text(other, 2) + " in place of " +
+         rounded_text(tolerance, 2) + ", or with a smaller time.end";
 }
 
 SheetLine::SheetLine(double tolerance, bool quiet) : tolerance_(tolerance), quiet_(quiet), progress_("sheet", quiet) {}

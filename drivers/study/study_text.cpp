@@ -167,13 +167,15 @@ std::string case_line(const StudyFindings& words, const StudyCase& one, std::siz
   return line_of(begin, one.label);
 }
 
-std::string study_text(const StudyFindings& findings, const std::string& folder) {
-  const std::string verdict = summary_of(findings);
+std::string contradiction_text(const StudyFindings& findings) {
   const std::string counts = counts_text(findings);
-  std::string text = wrapped(
-      (findings.title.empty() ? "study" : findings.title) + ": " + (counts.empty() ? "" : counts + ": ") + verdict, "",
-      "  ");
-  text += failures_text(findings);
+  const std::string verdict = (findings.title.empty() ? "study" : findings.title) + ": " +
+                              (counts.empty() ? "" : counts + ": ") + summary_of(findings);
+  return wrapped(verdict, "", "  ") + failures_text(findings);
+}
+
+std::string study_text(const StudyFindings& findings, const std::string& folder) {
+  std::string text = contradiction_text(findings);
   if (!findings.question.empty()) text += wrapped(findings.question, "  ", "  ");
   text += wrapped("error: " + findings.error_name + "; cost: " + findings.cost_name, "  ", "    ");
   if (findings.asks_survival) {
@@ -190,7 +192,8 @@ std::string study_text(const StudyFindings& findings, const std::string& folder)
   for (const std::string& warning : findings.warnings) text += wrapped("warning: " + warning, "  ", "    ");
   text += held_text(findings);
   return text +
-         wrapped(fmt::format("{}; results in {}, begin with its report.html", verdict, one_line(folder)), "", "  ");
+         wrapped(fmt::format("{}; results in {}, begin with its report.html", summary_of(findings), one_line(folder)),
+                 "", "  ");
 }
 
 }  // namespace assay::drivers

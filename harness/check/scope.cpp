@@ -53,7 +53,7 @@ std::vector<std::string> not_tested(const Specimen& specimen) {
   }
   const char* why = takes_shorter_increments(specimen) ? " (it takes them only in shorter increments)"
                     : specimen.refusal                 ? " (it refuses them)"
-                                                       : " (far beyond the linear range; --strain asks for more)";
+                                       : " (that is far beyond the linear range; --strain asks for more)";
   if (!has_reached(specimen)) all.push_back("strains above " + rounded(specimen.amplitude) + why);
   if (material.has(ASSAY_NON_SMOOTH) && stays_linear(specimen)) {
     all.emplace_back("the response beyond the linear range (a kink is declared, and no history reached one)");

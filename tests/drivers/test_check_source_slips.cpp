@@ -340,7 +340,8 @@ INSTANTIATE_TEST_SUITE_P(
         // 9.6 MB of the stack, which a thread of Abaqus has
         Source{"a_large_local_array",
                fixed_umat("      DIMENSION BIG(1200000)\n" + moduli + hooke +
-                          "      BIG=1.D0\n      STRESS(1)=STRESS(1)*BIG(KINC)\n"),
+                          "      BIG(KINC)=1.D0\n      BIG(1200000)=1.D0\n"
+                          "      STRESS(1)=STRESS(1)*BIG(KINC)*BIG(1200000)\n"),
                "1e3,.3", "", ""}),
     [](const auto& instance) { return instance.param.name; });
 

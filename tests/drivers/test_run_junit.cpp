@@ -185,9 +185,30 @@ TEST_F(RunJUnitCommand, AnEarlierFileIsGoneBeforeARunOrCheckBegins) {
   ASSERT_EQ(assay({"check", "neo_hookean", "--quick", "--junit", file, "-o", scratch_ / "r"}).status, 0);
   EXPECT_EQ(assay({"check", "no_such_model", "--junit", file}).status, 2);
   EXPECT_FALSE(std::filesystem::exists(file));
+  for (const auto& wrong : std::vector<std::vector<std::string>>{{"--nonsense", "--junit", file},
+                                                                 {"--junit=" + file, "--quiet", "--verbose"},
+                                                                 {"--junit", file, "--threads", "many"}}) {
+    ASSERT_EQ(call({"--junit", file}).status, 0);
+    EXPECT_EQ(call(wrong).status, 2);
+    EXPECT_FALSE(std::filesystem::exists(file)) << wrong.front();
+  }
   const std::string other = scratch_.write("other.xml", "<?xml version=\"1.0\"?>\n<testsuites>\n</testsuites>\n");
   EXPECT_EQ(call({"--junit", other, "--set", "grid.spacing=-1"}).status, 2);
   EXPECT_TRUE(std::filesystem::exists(other));
+}
+
+/// A log of CI would otherwise hold an exit status alone.
+TEST_F(RunJUnitCommand, QuietSaysWhatIsNotAsExpectedAndNothingElse) {
+  EXPECT_EQ(call({"--quiet"}).said, "");
+  const Ending ending = call({"--quiet", "--set", "expect={error.l2_max: {below: 1.0e-9}}"});
+  EXPECT_EQ(ending.status, 1);
+  EXPECT_NE(ending.said.find(": NOT AS EXPECTED\n  FAILS error.l2_max below 1e-09: found "), std::string::npos)
+      << ending.said;
+  EXPECT_EQ(std::count(ending.said.begin(), ending.said.end(), '\n'), 2) << ending.said;
+  const Ending table = assay({"tabulate", vortex_scene, "-o", scratch_ / "table", "--quiet", "--set",
+                              "expect={sheet.error_tau: {below: 1.0e-300}}"});
+  EXPECT_EQ(table.status, 1);
+  EXPECT_NE(table.said.find("  FAILS sheet.error_tau below 1e-300: found "), std::string::npos) << table.said;
 }
 
 TEST_F(RunJUnitCommand, BadInputLeavesNoFile) {

@@ -73,13 +73,15 @@ TEST(FuzzCorpus, ScenesOfManyParticlesAreRefused) {
   }
 }
 
-/// Of all damages those whose number leaves this rest when it is divided by three.
+constexpr std::size_t shares = 6;
+
+/// Of all damages those whose number leaves this rest when it is divided by the number of shares.
 void feed_damaged(std::size_t rest) {
   const std::string damages("\0[{}]:\"'\n&*!-#9\xff", 16);
   std::size_t turn = 0;
   for (std::string text : seeds()) {
     for (std::size_t at = 0; at < text.size(); at += 1 + text.size() / places, ++turn) {
-      if (turn % 3 != rest) continue;
+      if (turn % shares != rest) continue;
       const char kept = text[at];
       text[at] = damages[turn % damages.size()];
       feed(text);
@@ -91,8 +93,7 @@ void feed_damaged(std::size_t rest) {
 TEST(FuzzCorpus, DamagedBytes) { feed_damaged(0); }
 
 TEST(LongFuzzCorpus, MoreDamagedBytes) {
-  feed_damaged(1);
-  feed_damaged(2);
+  for (std::size_t rest = 1; rest < shares; ++rest) feed_damaged(rest);
 }
 
 /// As those that run through the program itself, others of them.

@@ -289,7 +289,7 @@ TEST(StabilityScreen, OfATableOnlyWhatTheBodyGoesThroughCounts) {
 }
 
 TEST(StabilityScreen, ALossBetweenManyRowsIsFoundWhereFewShowIt) {
-  const StabilityScreen many = screen_stability(*j2(50, 100), tabulated(2000, 7), 1);
+  const StabilityScreen many = screen_stability(*j2(50, 100), tabulated(1100, 7), 1);
   const StabilityScreen few = screen_stability(*j2(50, 100), tabulated(100, 7), 1);
   ASSERT_EQ(few.verdict, Verdict::unstable);
   ASSERT_EQ(many.verdict, Verdict::unstable);

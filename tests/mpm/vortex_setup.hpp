@@ -21,6 +21,17 @@ inline std::string way_name(const testing::TestParamInfo<Method>& info) {
   std::replace(name.begin(), name.end(), '/', '_');
   return name;
 }
+/// The methods that every change waits for, and the others: of lumped mass with the stress last, or of B-splines of
+/// degree 2.
+inline std::vector<Method> methods_that_are(bool usual) {
+  std::vector<Method> methods;
+  for (const Method& method : all_methods()) {
+    const bool plain = method.is_lumped() && method.update == Update::usl;
+    if ((plain || method.basis == Basis::bspline2) == usual) methods.push_back(method);
+  }
+  return methods;
+}
+
 inline void PrintTo(const Method& method, std::ostream* out) { *out << name_of(method); }
 
 /// The free ring of the paper's vortex, 2x2 particles a cell, so many cells across; body force in closed form.

@@ -17,6 +17,7 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
   integer, parameter :: row(6) = [1, 2, 3, 1, 1, 2], column(6) = [1, 2, 3, 2, 3, 3]
   real(dp) :: lambda, mu, jacobian, b(3, 3)
   integer :: i, j
+  logical :: truesdell, of_tau
 
   lambda = props(1) * props(2) / ((1 + props(2)) * (1 - 2 * props(2)))
   mu = props(1) / (2 * (1 + props(2)))
@@ -30,14 +31,16 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
       b(i, j) = dot_product(dfgrd1(i, :), dfgrd1(j, :))
     end do
   end do
+  truesdell = index(cmname, 'TRUESDELL') > 0
+  of_tau = index(cmname, 'OF_TAU') > 0
   do i = 1, ntens
     associate (p => row(i), q => column(i))
       stress(i) = cauchy(p, q)
     end associate
     do j = 1, ntens
       ddsdde(i, j) = jaumann_modulus(row(i), column(i), row(j), column(j))
-      if (index(cmname, 'TRUESDELL') > 0) ddsdde(i, j) = ddsdde(i, j) - turned(row(i), column(i), row(j), column(j))
-      if (index(cmname, 'OF_TAU') > 0) ddsdde(i, j) = jacobian * ddsdde(i, j)
+      if (truesdell) ddsdde(i, j) = ddsdde(i, j) - turned(row(i), column(i), row(j), column(j))
+      if (of_tau) ddsdde(i, j) = jacobian * ddsdde(i, j)
     end do
   end do
   sse = lambda / 2 * log(jacobian)**2 - mu * log(jacobian) + mu / 2 * (b(1, 1) + b(2, 2) + b(3, 3) - 3)

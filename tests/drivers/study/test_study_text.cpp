@@ -129,6 +129,7 @@ TEST(StudyText, FailuresComeBeforeTheAnswer) {
   findings.expect.push_back({"CPDI, FLIP", {"order", "above 2.5", "2.00000001", false}});
   const std::string text = study_text(findings, "r");
   EXPECT_TRUE(text.starts_with("Two methods: 8 completed, 1 unstable, 1 n/a: NOT AS EXPECTED\n  FAILS order ")) << text;
+  EXPECT_TRUE(text.starts_with(contradiction_text(findings)));
 }
 
 TEST(StudyText, LongLabelsGoOnBelowAndAreNotCut) {

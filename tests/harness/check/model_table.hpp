@@ -47,9 +47,19 @@ inline void write_symmetric(const Tensor& A, double* six) {
 inline Tensor deviator(const Tensor& A) { return A - A.trace() / 3 * Tensor::Identity(); }
 inline Tensor sphere(const Tensor& A) { return A.trace() / 3 * Tensor::Identity(); }
 
+/// The rotation of F, by Newton's iteration with Higham's scaling.
 inline Tensor polar(const Tensor& F) {
-  const Eigen::JacobiSVD<Tensor> svd(F, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return svd.matrixU() * svd.matrixV().transpose();
+  constexpr int always_enough = 30;
+  Tensor R = F;
+  for (int k = 0; k < always_enough; ++k) {
+    const Tensor S = R.inverse().transpose();
+    const double scale = std::sqrt(S.norm() / R.norm());
+    const Tensor next = 0.5 * (scale * R + S / scale);
+    const double change = (next - R).norm();
+    R = next;
+    if (change < 1e-8) break;  // squared by the step just taken
+  }
+  return R;
 }
 
 /// Of the symmetric part of a positive definite tensor.

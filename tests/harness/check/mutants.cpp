@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/harness/check/mutants.hpp"
 
+#include <map>
+#include <set>
 #include <utility>
 
 #include "tests/harness/check/model_table.hpp"
@@ -17,6 +19,19 @@ std::vector<Subject> all_subjects() {
     for (Subject& subject : subjects()) all.push_back(std::move(subject));
   }
   return all;
+}
+
+std::vector<Subject> few_subjects() {
+  constexpr std::size_t most = 2;
+  std::vector<Subject> few;
+  std::map<std::string, std::set<std::string>> kinds;  // of model, of each cause
+  for (Subject& subject : all_subjects()) {
+    const std::string kind = subject.material.table().name;
+    std::set<std::string>& known = kinds[subject.cause];
+    if (!subject.cause.empty() && (known.size() == most || !known.insert(kind).second)) continue;
+    few.push_back(std::move(subject));
+  }
+  return few;
 }
 
 check::Report battery_of(const Subject& subject, const check::Options& options) {

@@ -82,6 +82,9 @@ std::vector<Subject> subjects();
 /// All of them.
 std::vector<Subject> all_subjects();
 
+/// What every change waits for: all that are right, and of each cause two, on two kinds of model where there are two.
+std::vector<Subject> few_subjects();
+
 /// `run_battery` of a subject as the first of a process: what mutants keep in statics is forgotten.
 check::Report battery_of(const Subject& subject, const check::Options& options = {});
 
