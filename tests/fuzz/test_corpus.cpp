@@ -48,7 +48,7 @@ TEST(FuzzCorpus, SeedsAndTheirPrefixes) {
   const auto texts = seeds();
   ASSERT_GE(texts.size(), 5u);
   for (const std::string& text : texts) {
-    for (std::size_t n = 0; n < text.size(); n += 1 + text.size() / places) feed(text.substr(0, n));
+    for (std::size_t n = 0; n < text.size(); n += 1 + 2 * text.size() / places) feed(text.substr(0, n));
     feed(text);
   }
 }
@@ -73,7 +73,7 @@ TEST(FuzzCorpus, ScenesOfManyParticlesAreRefused) {
   }
 }
 
-constexpr std::size_t shares = 6;
+constexpr std::size_t shares = 10;
 
 /// Of all damages those whose number leaves this rest when it is divided by the number of shares.
 void feed_damaged(std::size_t rest) {
