@@ -13,6 +13,7 @@
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/replay.hpp"
+#include "drivers/scene/expect.hpp"
 #include "drivers/scene/resolved.hpp"
 #include "drivers/simulation/simulate.hpp"
 #include "drivers/supervisor.hpp"
@@ -128,10 +129,7 @@ void leave_replay_scene(const Scene& given, OutputFolder& folder, Result& result
     scene.time.step = *result.dt;
     scene.time.end = static_cast<double>(*result.steps + 1) * *result.dt;
   }
-  Expectation again;
-  again.key = "outcome";
-  again.text = result.outcome;
-  scene.expect = {again};
+  scene.expect = expected_again(result);
   const std::string name = "replay_scene.yaml";
   folder.write(name, resolved_yaml(scene));
   if (result.replay.empty()) result.replay = name;

@@ -84,20 +84,18 @@ std::string expected_text(const Expectation& line) {
 /// An error of the response beyond both says that its figures say nothing.
 constexpr double largest_response_error = 0.05, times_asked = 100;
 
-void judge_response(const SheetFigures& response, std::vector<ExpectationOutcome>& outcomes) {
+/// The lines that no scene need say, of those errors that are known.
+std::vector<Expectation> of_any_response(const SheetFigures& response) {
+  std::vector<Expectation> lines;
   const std::pair<const char*, Figure> errors[] = {{"sheet.error_tau", response.error_tau},
                                                    {"sheet.error_dtau", response.error_dtau}};
   for (const auto& [key, error] : errors) {
-    const auto same = [&key = key](const ExpectationOutcome& e) { return e.key == key; };
-    if (!error || std::any_of(outcomes.begin(), outcomes.end(), same)) continue;
-    Expectation line;
-    line.key = key;
-    line.op = Operator::below;
-    line.number = std::max(largest_response_error, times_asked * response.asked);
-    ExpectationOutcome outcome = judged(line, *error);
-    outcome.expected += ", as of any response";
-    if (!outcome.holds) outcomes.push_back(std::move(outcome));
+    if (!error) continue;
+    lines.emplace_back().key = key;
+    lines.back().op = Operator::below;
+    lines.back().number = std::max(largest_response_error, times_asked * response.asked);
   }
+  return lines;
 }
 
 }  // namespace
@@ -158,8 +156,26 @@ std::vector<ExpectationOutcome> judge(const std::vector<Expectation>& expectatio
     const auto found = figures.find(line.key);
     outcomes.push_back(judged(line, found == figures.end() ? FlatValue{} : found->second));
   }
-  if (result.sheet) judge_response(*result.sheet, outcomes);
+  for (const Expectation& line : result.sheet ? of_any_response(*result.sheet) : std::vector<Expectation>()) {
+    const auto same = [&](const ExpectationOutcome& e) { return e.key == line.key; };
+    ExpectationOutcome outcome = judged(line, figures.at(line.key));
+    outcome.expected += ", as of any response";
+    if (!outcome.holds && std::none_of(outcomes.begin(), outcomes.end(), same)) outcomes.push_back(std::move(outcome));
+  }
   return outcomes;
+}
+
+std::vector<Expectation> expected_again(const Result& result) {
+  std::vector<Expectation> lines(1);
+  lines[0].key = "outcome";
+  lines[0].text = result.outcome;
+  const auto figures = flatten(result);
+  for (Expectation& line : result.sheet ? of_any_response(*result.sheet) : std::vector<Expectation>()) {
+    if (judged(line, figures.at(line.key)).holds) continue;
+    line.op = Operator::above;
+    lines.push_back(line);
+  }
+  return lines;
 }
 
 }  // namespace assay::drivers

@@ -36,6 +36,9 @@ ExpectationOutcome judged(const Expectation& line, const FlatValue& found);
 /// below 0.05, or below 100 times force.tolerance where that is more.
 std::vector<ExpectationOutcome> judge(const std::vector<Expectation>& expectations, const Result& result);
 
+/// What a repetition of a run that failed is to find: its outcome, and errors of the response that are as large.
+std::vector<Expectation> expected_again(const Result& result);
+
 /// What an expected number may be compared by, in the order of Expectation::Operator.
 const std::vector<std::string>& expectation_operators();
 

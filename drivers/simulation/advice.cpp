@@ -64,7 +64,9 @@ std::array<double, 2> sides_of_body(const Problem& problem) {
 
 std::string advice_after_large_error(const Problem& problem, double relative) {
   if (!(relative > 1)) return {};
-  const std::string why = ". The error is larger than the motion, so the run tells nothing about the material";
+  const std::string why =
+      ". The error is larger than the motion. If it stays on a finer grid, the cause is most likely the material: "
+      "assay check of the model";
   const auto period = period_of_few_waves(problem);
   if (!period) return "a finer grid" + why;
   return "motion.period: " + rounded_text(*period, 2) +

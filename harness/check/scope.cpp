@@ -56,7 +56,9 @@ std::vector<std::string> not_tested(const Specimen& specimen) {
                                        : " (that is far beyond the linear range; --strain asks for more)";
   if (!has_reached(specimen)) all.push_back("strains above " + rounded(specimen.amplitude) + why);
   if (material.has(ASSAY_NON_SMOOTH) && stays_linear(specimen)) {
-    all.emplace_back("the response beyond the linear range (a kink is declared, and no history reached one)");
+    all.emplace_back(
+        "a threshold such as first yield (a kink is declared, and the stress grows almost linearly over the first half "
+        "of the strains)");
   }
   if (specimen.pressure > 0 && !specimen.options.effort.pressure && is_no_number_unpressed(material))
     all.emplace_back("a body without pressure, as at the start of a run (its stress is not a number)");

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "drivers/findings.hpp"
+#include "drivers/scene/expect.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/advice.hpp"
 #include "mpm/simulation.hpp"
@@ -162,6 +163,8 @@ TEST(DyingRun, LeavesASceneThatAsksForNoMoreSnapshotsThanItMay) {
   const Scene scene = scene_from_text(watched_scene, "w.yaml", {});
   Result result;
   result.outcome = "unstable", result.steps = 31093, result.dt = 1 / 150034.0, result.t = 31093 / 150034.0;
+  result.sheet.emplace();
+  result.sheet->error_tau = 1e-9, result.sheet->error_dtau = 0.06;
   OutputFolder folder(scratch / "out");
   leave_replay_scene(scene, folder, result);
   folder.write("result.json", "{}");
@@ -171,6 +174,8 @@ TEST(DyingRun, LeavesASceneThatAsksForNoMoreSnapshotsThanItMay) {
   EXPECT_LT((left.time.end - *left.output.each_step_from) / *result.dt, most);
   EXPECT_GT(left.time.end, *result.t);
   EXPECT_EQ(left.time.step, result.dt);
+  ASSERT_EQ(left.expect.size(), 2u) << "an inaccurate sheet is no news either";
+  for (const ExpectationOutcome& outcome : judge(left.expect, result)) EXPECT_TRUE(outcome.holds) << outcome.key;
 }
 
 /// At the beginning nothing errs, and the picture has one colour.
