@@ -20,8 +20,8 @@
 #include "adapters/worker/descendants.hpp"
 #include "adapters/worker/high_files.hpp"
 #include "adapters/worker/own_folder.hpp"
-#include "harness/own_process.hpp"
-#include "harness/progress_mark.hpp"
+#include "harness/material/own_process.hpp"
+#include "harness/material/progress_mark.hpp"
 
 namespace assay::adapters {
 

@@ -14,10 +14,10 @@
 #include "adapters/elf_symbols.hpp"
 #include "adapters/forked.hpp"
 #include "adapters/worker/table_pack.hpp"
-#include "harness/arithmetic.hpp"
-#include "harness/material.hpp"
-#include "harness/model_threw.hpp"
-#include "harness/thrown.hpp"
+#include "harness/material/material.hpp"
+#include "harness/material/model_threw.hpp"
+#include "harness/material/thrown.hpp"
+#include "harness/numeric/arithmetic.hpp"
 
 namespace assay::adapters {
 

@@ -8,7 +8,7 @@
 
 #include "adapters/forked.hpp"
 #include "adapters/worker/remote_table.hpp"
-#include "harness/material.hpp"
+#include "harness/material/material.hpp"
 
 namespace assay::adapters {
 

@@ -6,7 +6,7 @@
 
 #include "adapters/foreign/foreign_table.hpp"
 #include "drivers/material/material_description.hpp"
-#include "harness/material.hpp"
+#include "harness/material/material.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "harness/material.hpp"
+#include "harness/material/material.hpp"
 
 extern "C" const assay_material* assay_builtin_neo_hookean(std::uint32_t host_major, std::uint32_t index);
 

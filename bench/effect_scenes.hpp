@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "mpm/effect.hpp"
+#include "mpm/data/effect.hpp"
 
 namespace assay::bench {
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "harness/vector_clones.h"
-#include "mpm/crew.hpp"
+#include "harness/numeric/vector_clones.h"
+#include "mpm/data/crew.hpp"
 
 namespace assay::bench {
 

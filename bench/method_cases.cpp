@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bench/method_cases.hpp"
 
-#include "harness/sheet.hpp"
-#include "mpm/lattice.hpp"
-#include "mpm/particle_order.hpp"
+#include "harness/sheet/sheet.hpp"
+#include "mpm/seeding/lattice.hpp"
+#include "mpm/seeding/particle_order.hpp"
 
 extern "C" const assay_material* assay_builtin_neo_hookean(std::uint32_t host_major, std::uint32_t index);
 

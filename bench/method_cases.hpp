@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mpm/setup.hpp"
+#include "mpm/setup/setup.hpp"
 
 namespace assay::bench {
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# ASSAY_EFFECTS=spine: a program without the optional effects (mpm/effect.hpp), against which `./dev test --deep` shows
+# ASSAY_EFFECTS=spine: a program without the optional effects (mpm/data/effect.hpp), against which `./dev test --deep` shows
 # that what a scene does not call for costs nothing. compose() does not name their passes, so their sources are left out:
 # what still called for one would not link. What else nothing calls for any more, the linker takes out. No tests.
 # The drivers have their functions in sections in either build, so that what the two have in common is compiled once.

@@ -3,7 +3,7 @@
 # is taken at run time. Optimised builds only: in others, functions of the standard library that are not inlined would
 # be compiled with these instructions, too, and could be the ones that the linker takes for the whole program.
 # Loops over particles become vector instructions where no comparison is thought to trap.
-file(GLOB kernels CONFIGURE_DEPENDS mpm/kernels/*.cpp)
+file(GLOB kernels CONFIGURE_DEPENDS mpm/kernels/variants/*.cpp)
 set(kernel_options -fno-trapping-math -fno-math-errno)
 string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
 if(NOT ASSAY_SANITIZE AND NOT build_type STREQUAL "RELEASE") # which has it
@@ -25,8 +25,8 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND build_type MATCHE
 endif()
 target_compile_options(assay_mpm PUBLIC $<$<COMPILE_LANGUAGE:CXX>:-Wno-psabi>)
 
-# Three dimensions (mpm/dimension.hpp): the sources that are instantiated for a dimension once more, for what links them.
-file(GLOB sources_3d CONFIGURE_DEPENDS mpm/*.cpp mpm/kernels/*.cpp)
+# Three dimensions (mpm/data/dimension.hpp): the sources that are instantiated for a dimension once more, for what links them.
+file(GLOB_RECURSE sources_3d CONFIGURE_DEPENDS mpm/*.cpp)
 foreach(source IN LISTS sources_3d)
   file(STRINGS ${source} mentions REGEX ASSAY_DIMENSION LIMIT_COUNT 1)
   if(NOT mentions)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# With ASSAY_UNITY_BUILD the sources of a room, which is a folder, are compiled together: headers are read once for
-# all of them. So an internal name is unique in its room; where it is not, the
-# compiler says so, and one of the two gets a better name. Kernels stand alone: their time is not in headers.
+# With ASSAY_UNITY_BUILD the sources of a folder are compiled together: headers are read once for all of them. So an
+# internal name is unique in its folder; where it is not, the compiler says so, and one of the two gets a better name.
+# The rooms of harness and of mpm are too small for units of their own: each of these floors is one folder here.
+# Kernels stand alone: their time is not in headers.
 # Included last: what sources a target has is known.
 if(NOT ASSAY_UNITY_BUILD)
   return()
@@ -16,12 +17,13 @@ function(compile_rooms_together target size)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP
     UNITY_BUILD_CODE_BEFORE_INCLUDE "#pragma GCC diagnostic ignored \"-Wshadow\"")
   list(FILTER sources INCLUDE REGEX "[.]cpp$")
-  list(FILTER sources EXCLUDE REGEX "stiff_integrator|mpm/kernels/|picture/canvas") # which have options of their own
+  list(FILTER sources EXCLUDE REGEX "stiff_integrator|mpm/kernels/variants/|picture/canvas") # which have options of their own
   set(rooms "")
   foreach(source IN LISTS sources)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${directory})
     cmake_path(GET source PARENT_PATH room)
     cmake_path(RELATIVE_PATH room BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+    string(REGEX REPLACE "(harness|mpm)/.*" "\\1" room ${room})
     string(MAKE_C_IDENTIFIER ${room} room)
     list(APPEND rooms ${room})
     list(APPEND sources_of_${room} ${source})

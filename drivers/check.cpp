@@ -22,7 +22,7 @@
 #include "drivers/progress.hpp"
 #include "drivers/source_options.hpp"
 #include "drivers/verbs.hpp"
-#include "mpm/effect.hpp"
+#include "mpm/data/effect.hpp"
 
 namespace assay::drivers {
 

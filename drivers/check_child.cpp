@@ -23,8 +23,8 @@
 #include "drivers/input_error.hpp"
 #include "drivers/own_files.hpp"
 #include "drivers/supervisor.hpp"
-#include "harness/own_process.hpp"
-#include "harness/progress_mark.hpp"
+#include "harness/material/own_process.hpp"
+#include "harness/material/progress_mark.hpp"
 
 namespace assay::drivers {
 

@@ -12,7 +12,7 @@
 #include "adapters/worker/kept_output.hpp"
 #include "drivers/check_keeper.hpp"
 #include "drivers/check_process.hpp"
-#include "harness/progress_mark.hpp"
+#include "harness/material/progress_mark.hpp"
 
 namespace assay::drivers {
 

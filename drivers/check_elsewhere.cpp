@@ -25,8 +25,8 @@
 #include "drivers/exit_guard.hpp"
 #include "drivers/own_files.hpp"
 #include "harness/check/calls.hpp"
-#include "harness/own_process.hpp"
-#include "harness/progress_mark.hpp"
+#include "harness/material/own_process.hpp"
+#include "harness/material/progress_mark.hpp"
 
 namespace assay::drivers {
 

@@ -8,7 +8,7 @@
 #include "drivers/check_foreign.hpp"
 #include "harness/check/judge.hpp"
 #include "harness/check/march.hpp"
-#include "harness/material_failure.hpp"
+#include "harness/material/material_failure.hpp"
 
 namespace assay::drivers {
 

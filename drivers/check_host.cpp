@@ -9,7 +9,7 @@
 #include "drivers/check_steps.hpp"
 #include "drivers/material/material_description.hpp"
 #include "harness/check/judge.hpp"
-#include "harness/offer.hpp"
+#include "harness/material/offer.hpp"
 
 namespace assay::drivers {
 

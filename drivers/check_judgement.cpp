@@ -11,7 +11,7 @@
 #include "drivers/check_host.hpp"
 #include "drivers/check_state_blocks.hpp"
 #include "drivers/check_undeclared.hpp"
-#include "harness/stopwatch.hpp"
+#include "harness/numeric/stopwatch.hpp"
 
 namespace assay::drivers {
 

@@ -20,7 +20,7 @@
 #include "drivers/output/whole_file.hpp"
 #include "drivers/own_files.hpp"
 #include "drivers/replay.hpp"
-#include "harness/stopwatch.hpp"
+#include "harness/numeric/stopwatch.hpp"
 
 namespace assay::drivers {
 

@@ -11,7 +11,7 @@
 #include "drivers/output/terminal.hpp"
 #include "drivers/output/wrapped_text.hpp"
 #include "drivers/replay.hpp"
-#include "harness/checked_update.hpp"
+#include "harness/material/checked_update.hpp"
 
 namespace assay::drivers {
 

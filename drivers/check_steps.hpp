@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "harness/material.hpp"
-#include "harness/tensor.hpp"
+#include "harness/material/material.hpp"
+#include "harness/numeric/tensor.hpp"
 
 namespace assay::drivers {
 

@@ -26,7 +26,7 @@
 #include "drivers/own_files.hpp"
 #include "drivers/verb_arguments.hpp"
 #include "drivers/worker.hpp"
-#include "harness/material_failure.hpp"
+#include "harness/material/material_failure.hpp"
 
 namespace assay::drivers {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "drivers/simulation/simulate.hpp"
-#include "mpm/nodes_reached.hpp"
-#include "mpm/stages.hpp"
+#include "mpm/seeding/nodes_reached.hpp"
+#include "mpm/step/stages.hpp"
 
 namespace assay::drivers {
 

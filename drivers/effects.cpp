@@ -2,7 +2,7 @@
 #include "drivers/effects.hpp"
 
 #include "adapters/worker/remote_table.hpp"
-#include "mpm/with_basis.hpp"
+#include "mpm/setup/with_basis.hpp"
 
 namespace assay::drivers {
 

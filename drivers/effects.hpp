@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "drivers/simulation/problem.hpp"
-#include "mpm/effect.hpp"
+#include "mpm/data/effect.hpp"
 
 namespace assay::drivers {
 

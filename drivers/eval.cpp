@@ -19,7 +19,7 @@
 #include "drivers/simulation/runnable.hpp"
 #include "drivers/simulation/warnings.hpp"
 #include "drivers/verbs.hpp"
-#include "harness/stable_norm.hpp"
+#include "harness/numeric/stable_norm.hpp"
 
 namespace assay::drivers {
 

@@ -10,7 +10,7 @@
 #include "drivers/progress.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "drivers/simulation/response_source.hpp"
-#include "harness/axis_aligned_force.hpp"
+#include "harness/exact/axis_aligned_force.hpp"
 
 namespace assay::drivers {
 

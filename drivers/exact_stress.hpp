@@ -7,7 +7,7 @@
 
 #include "drivers/output/points_csv.hpp"
 #include "drivers/scene/scene.hpp"
-#include "harness/material.hpp"
+#include "harness/material/material.hpp"
 
 namespace assay::drivers {
 

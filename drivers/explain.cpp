@@ -15,7 +15,7 @@
 #include "drivers/screening.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/verbs.hpp"
-#include "mpm/stages.hpp"
+#include "mpm/step/stages.hpp"
 
 namespace assay::drivers {
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/composition.hpp"
-#include "mpm/stages.hpp"
+#include "mpm/step/stages.hpp"
 
 namespace assay::drivers {
 

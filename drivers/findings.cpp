@@ -17,7 +17,7 @@
 #include "drivers/scene/resolved.hpp"
 #include "drivers/simulation/simulate.hpp"
 #include "drivers/supervisor.hpp"
-#include "harness/force_error.hpp"
+#include "harness/sheet/force_error.hpp"
 
 namespace assay::drivers {
 

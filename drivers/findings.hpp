@@ -5,11 +5,11 @@
 #include "drivers/output/output_folder.hpp"
 #include "drivers/result.hpp"
 #include "drivers/scene/scene.hpp"
-#include "harness/box_stress.hpp"
-#include "harness/homogeneous_stress.hpp"
-#include "harness/point_driver.hpp"
-#include "harness/response.hpp"
-#include "harness/stopwatch.hpp"
+#include "harness/exact/box_stress.hpp"
+#include "harness/exact/homogeneous_stress.hpp"
+#include "harness/exact/response.hpp"
+#include "harness/history/point_driver.hpp"
+#include "harness/numeric/stopwatch.hpp"
 
 namespace assay::drivers {
 

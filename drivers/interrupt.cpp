@@ -13,7 +13,7 @@
 #include "adapters/worker/worker_process.hpp"
 #include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
-#include "harness/own_process.hpp"
+#include "harness/material/own_process.hpp"
 
 namespace assay::drivers {
 

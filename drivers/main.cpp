@@ -12,7 +12,7 @@
 #include "drivers/exit_guard.hpp"
 #include "drivers/own_files.hpp"
 #include "drivers/supervisor.hpp"
-#include "harness/thrown.hpp"
+#include "harness/material/thrown.hpp"
 
 // These stand before libc's for every library that is loaded: _exit() runs no handler, and a model that calls it must
 // not end a run as if it had succeeded.

@@ -7,9 +7,9 @@
 #include "drivers/interrupt.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/wrapped_text.hpp"
-#include "harness/largest.hpp"
-#include "harness/offer.hpp"
-#include "harness/point_driver.hpp"
+#include "harness/history/point_driver.hpp"
+#include "harness/material/offer.hpp"
+#include "harness/numeric/largest.hpp"
 
 namespace assay::drivers {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "drivers/result.hpp"
-#include "harness/response.hpp"
+#include "harness/exact/response.hpp"
 
 namespace assay::drivers {
 

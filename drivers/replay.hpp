@@ -12,8 +12,8 @@
 #include "drivers/result.hpp"
 #include "drivers/scene/scene.hpp"
 #include "harness/check/battery.hpp"
-#include "harness/failed_step.hpp"
-#include "harness/material.hpp"
+#include "harness/material/failed_step.hpp"
+#include "harness/material/material.hpp"
 
 namespace assay::drivers {
 

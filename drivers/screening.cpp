@@ -10,8 +10,8 @@
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/terminal.hpp"
 #include "drivers/progress.hpp"
-#include "harness/material_failure.hpp"
-#include "harness/stability_screen.hpp"
+#include "harness/material/material_failure.hpp"
+#include "harness/stability/stability_screen.hpp"
 
 namespace assay::drivers {
 

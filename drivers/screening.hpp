@@ -7,7 +7,7 @@
 
 #include "drivers/result.hpp"
 #include "drivers/scene/scene.hpp"
-#include "harness/material.hpp"
+#include "harness/material/material.hpp"
 
 namespace assay::drivers {
 

@@ -25,8 +25,8 @@
 #include "drivers/input_error.hpp"
 #include "drivers/own_files.hpp"
 #include "drivers/own_terminal.hpp"
-#include "harness/instances.hpp"
-#include "harness/own_process.hpp"
+#include "harness/material/instances.hpp"
+#include "harness/material/own_process.hpp"
 
 namespace assay::drivers {
 

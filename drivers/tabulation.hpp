@@ -10,7 +10,7 @@
 
 #include "drivers/output/points_csv.hpp"
 #include "drivers/picture/line_plot.hpp"
-#include "harness/response.hpp"
+#include "harness/exact/response.hpp"
 
 namespace assay::drivers {
 

@@ -3,24 +3,24 @@
 
 #include <algorithm>
 
-#include "mpm/affine.hpp"
-#include "mpm/dimension.hpp"
-#include "mpm/mass_matrix.hpp"
-#include "mpm/material_batch.hpp"
-#include "mpm/passes_affine.hpp"
-#include "mpm/passes_body_force.hpp"
-#include "mpm/passes_grid.hpp"
-#include "mpm/passes_images.hpp"
-#include "mpm/passes_inertia.hpp"
-#include "mpm/passes_mass.hpp"
-#include "mpm/passes_massless.hpp"
-#include "mpm/passes_particle.hpp"
-#include "mpm/passes_remedies.hpp"
-#include "mpm/passes_to_grid.hpp"
-#include "mpm/passes_to_particles.hpp"
-#include "mpm/passes_traction.hpp"
-#include "mpm/sweep.hpp"
-#include "mpm/with_basis.hpp"
+#include "mpm/data/dimension.hpp"
+#include "mpm/effects/passes_affine.hpp"
+#include "mpm/effects/passes_body_force.hpp"
+#include "mpm/effects/passes_images.hpp"
+#include "mpm/effects/passes_inertia.hpp"
+#include "mpm/effects/passes_massless.hpp"
+#include "mpm/effects/passes_remedies.hpp"
+#include "mpm/effects/passes_traction.hpp"
+#include "mpm/kernels/affine.hpp"
+#include "mpm/mass/mass_matrix.hpp"
+#include "mpm/mass/passes_mass.hpp"
+#include "mpm/material/material_batch.hpp"
+#include "mpm/material/passes_particle.hpp"
+#include "mpm/setup/with_basis.hpp"
+#include "mpm/step/passes_grid.hpp"
+#include "mpm/step/passes_to_grid.hpp"
+#include "mpm/step/passes_to_particles.hpp"
+#include "mpm/step/sweep.hpp"
 
 namespace assay::mpm {
 
@@ -43,7 +43,7 @@ Pass<Dim> again_of(Pass<Dim> pass) {
 
 }  // namespace
 
-/// The order of the passes in each update scheme. What this build leaves out (mpm/effect.hpp) is not even named.
+/// The order of the passes in each update scheme. What this build leaves out (mpm/data/effect.hpp) is not even named.
 template <int Dim>
 std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
   std::vector<Pass<Dim>> step;

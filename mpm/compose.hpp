@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mpm/pass.hpp"
+#include "mpm/step/pass.hpp"
 
 namespace assay::mpm {
 

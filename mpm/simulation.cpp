@@ -3,10 +3,11 @@
 
 #include <cmath>
 
-#include "mpm/affine.hpp"
-#include "mpm/corners.hpp"
-#include "mpm/dimension.hpp"
-#include "mpm/sweep.hpp"
+#include "mpm/basis/corners.hpp"
+#include "mpm/data/dimension.hpp"
+#include "mpm/kernels/affine.hpp"
+#include "mpm/material/offload.hpp"
+#include "mpm/step/sweep.hpp"
 
 namespace assay::mpm {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mpm/compose.hpp"
-#include "mpm/stages.hpp"
+#include "mpm/step/stages.hpp"
 
 namespace assay::mpm {
 

@@ -4,8 +4,8 @@
 if(NOT ASSAY_SANITIZE MATCHES "thread")
   return()
 endif()
-add_executable(test_races harness/test_parallel.cpp harness/test_point_driver.cpp mpm/test_blocks.cpp mpm/test_crew.cpp
-  mpm/test_material_batch.cpp mpm/test_stress_blocks.cpp mpm/test_sweep.cpp)
+add_executable(test_races harness/numeric/test_parallel.cpp harness/history/test_point_driver.cpp mpm/data/test_blocks.cpp
+  mpm/data/test_crew.cpp mpm/material/test_material_batch.cpp mpm/material/test_stress_blocks.cpp mpm/step/test_sweep.cpp)
 target_link_libraries(test_races PRIVATE assay_mpm_3d assay_mpm assay_adapters assay_options GTest::gtest_main)
 target_compile_definitions(test_races PRIVATE ASSAY_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 string(JOIN ":" threaded "Parallel.*" "Blocks.*" "Crew.TakesEach*" "Crew.Members*" "Crew.Helpers*"

@@ -15,7 +15,7 @@
 
 #include "adapters/elf_symbols.hpp"
 #include "adapters/foreign/model_end.hpp"
-#include "harness/material.hpp"
+#include "harness/material/material.hpp"
 
 namespace assay::adapters {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "harness/tensor.hpp"
+#include "harness/numeric/tensor.hpp"
 
 namespace assay::adapters {
 

@@ -13,8 +13,8 @@
 
 #include "adapters/foreign/foreign_point.hpp"
 #include "adapters/foreign/host_values.hpp"
-#include "harness/material.hpp"
-#include "harness/progress_mark.hpp"
+#include "harness/material/material.hpp"
+#include "harness/material/progress_mark.hpp"
 
 namespace assay::adapters {
 

@@ -13,8 +13,8 @@
 #include "adapters/foreign/foreign_model.hpp"
 #include "adapters/foreign/foreign_table.hpp"
 #include "adapters/foreign/mfront_metadata.hpp"
-#include "harness/material.hpp"
-#include "harness/tensor.hpp"
+#include "harness/material/material.hpp"
+#include "harness/numeric/tensor.hpp"
 
 namespace assay::adapters {
 

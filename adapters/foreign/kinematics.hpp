@@ -3,7 +3,7 @@
 #pragma once
 
 #include "adapters/foreign/foreign_model.hpp"
-#include "harness/tensor.hpp"
+#include "harness/numeric/tensor.hpp"
 
 namespace assay::adapters {
 

@@ -9,7 +9,7 @@
 #include "adapters/foreign/foreign_state.hpp"
 #include "adapters/foreign/model_end.hpp"
 #include "adapters/foreign/vumat_entry.hpp"
-#include "harness/progress_mark.hpp"
+#include "harness/material/progress_mark.hpp"
 
 namespace assay::adapters {
 

@@ -6,7 +6,7 @@
 
 #include "adapters/models/vector_log.h"
 #include "harness/assay_material.h"
-#include "harness/vector_clones.h"
+#include "harness/numeric/vector_clones.h"
 
 typedef struct { double lambda, mu; } Model;
 

@@ -24,7 +24,7 @@ enum class Operation : std::uint32_t {
   rate,
   wave_speed,
   closed_form,
-  history,  ///< a history as a whole, or a coarse march: harness/history_task.hpp
+  history,  ///< a history as a whole, or a coarse march: harness/history/history_task.hpp
   end,      ///< the task is done
 };
 

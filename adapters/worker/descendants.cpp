@@ -15,7 +15,7 @@
 #include <cstring>
 #include <vector>
 
-#include "harness/progress_mark.hpp"
+#include "harness/material/progress_mark.hpp"
 
 namespace assay::adapters {
 

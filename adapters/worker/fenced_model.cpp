@@ -7,11 +7,11 @@
 
 #include "adapters/worker/call_arrays.hpp"
 #include "adapters/worker/servant.hpp"
-#include "harness/arithmetic.hpp"
-#include "harness/history_task.hpp"
-#include "harness/material.hpp"
-#include "harness/offer.hpp"
-#include "harness/thrown.hpp"
+#include "harness/history/history_task.hpp"
+#include "harness/material/material.hpp"
+#include "harness/material/offer.hpp"
+#include "harness/material/thrown.hpp"
+#include "harness/numeric/arithmetic.hpp"
 
 namespace assay::adapters {
 

@@ -23,7 +23,7 @@ class FencedModel {
   FencedModel(const FencedModel&) = delete;
   FencedModel& operator=(const FencedModel&) = delete;
 
-  /// Of a task of harness/history_task.hpp.
+  /// Of a task of harness/history/history_task.hpp.
   std::vector<double> answer(std::span<const double> task);
 
  private:

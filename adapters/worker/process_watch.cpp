@@ -16,8 +16,8 @@
 #include <limits>
 
 #include "adapters/worker/descendants.hpp"
-#include "harness/arithmetic.hpp"
-#include "harness/progress_mark.hpp"
+#include "harness/material/progress_mark.hpp"
+#include "harness/numeric/arithmetic.hpp"
 
 namespace assay::adapters {
 

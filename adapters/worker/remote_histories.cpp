@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "adapters/worker/remote_instance.hpp"
-#include "harness/foreign_message.hpp"
-#include "harness/history_task.hpp"
-#include "harness/tensor.hpp"
+#include "harness/history/history_task.hpp"
+#include "harness/material/foreign_message.hpp"
+#include "harness/numeric/tensor.hpp"
 
 namespace assay::adapters {
 

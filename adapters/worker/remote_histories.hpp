@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "harness/histories_elsewhere.hpp"
+#include "harness/history/histories_elsewhere.hpp"
 
 namespace assay::adapters {
 

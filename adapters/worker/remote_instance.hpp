@@ -18,10 +18,10 @@
 #include "adapters/worker/servant.hpp"
 #include "adapters/worker/shortage.hpp"
 #include "adapters/worker/table_pack.hpp"
-#include "harness/arithmetic.hpp"
-#include "harness/material.hpp"
-#include "harness/model_threw.hpp"
-#include "harness/thrown.hpp"
+#include "harness/material/material.hpp"
+#include "harness/material/model_threw.hpp"
+#include "harness/material/thrown.hpp"
+#include "harness/numeric/arithmetic.hpp"
 
 namespace assay::adapters {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "adapters/worker/remote_instance.hpp"
-#include "harness/material.hpp"
+#include "harness/material/material.hpp"
 
 namespace assay::adapters {
 

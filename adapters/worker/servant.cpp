@@ -17,12 +17,12 @@
 #include "adapters/worker/futex.hpp"
 #include "adapters/worker/process_watch.hpp"
 #include "adapters/worker/table_pack.hpp"
-#include "harness/arithmetic.hpp"
-#include "harness/material.hpp"
-#include "harness/offer.hpp"
-#include "harness/own_process.hpp"
-#include "harness/progress_mark.hpp"
-#include "harness/thrown.hpp"
+#include "harness/material/material.hpp"
+#include "harness/material/offer.hpp"
+#include "harness/material/own_process.hpp"
+#include "harness/material/progress_mark.hpp"
+#include "harness/material/thrown.hpp"
+#include "harness/numeric/arithmetic.hpp"
 
 namespace assay::adapters {
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "harness/offer.hpp"
+#include "harness/material/offer.hpp"
 
 namespace assay::adapters {
 

@@ -24,8 +24,8 @@
 #include "adapters/worker/process_watch.hpp"
 #include "adapters/worker/shortage.hpp"
 #include "adapters/worker/worker_process.hpp"
-#include "harness/own_process.hpp"
-#include "harness/progress_mark.hpp"
+#include "harness/material/own_process.hpp"
+#include "harness/material/progress_mark.hpp"
 
 namespace assay::adapters {
 

@@ -17,7 +17,7 @@
 #include "adapters/worker/high_files.hpp"
 #include "adapters/worker/missing_file.hpp"
 #include "adapters/worker/shortage.hpp"
-#include "harness/progress_mark.hpp"
+#include "harness/material/progress_mark.hpp"
 
 namespace assay::adapters {
 

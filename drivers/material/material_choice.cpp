@@ -10,8 +10,8 @@
 #include "drivers/output/numbers.hpp"
 #include "drivers/unseen.hpp"
 #include "harness/check/material_symmetry.hpp"
-#include "harness/foreign_message.hpp"
-#include "harness/thrown.hpp"
+#include "harness/material/foreign_message.hpp"
+#include "harness/material/thrown.hpp"
 
 namespace assay::drivers {
 

@@ -8,7 +8,7 @@
 #include "drivers/input_error.hpp"
 #include "drivers/material/material_description.hpp"
 #include "drivers/scene/scene.hpp"
-#include "harness/material.hpp"
+#include "harness/material/material.hpp"
 
 namespace assay::drivers {
 

@@ -13,7 +13,7 @@
 #include "drivers/material/raw_library.hpp"
 #include "drivers/own_files.hpp"
 #include "drivers/supervisor.hpp"
-#include "harness/progress_mark.hpp"
+#include "harness/material/progress_mark.hpp"
 
 namespace assay::drivers {
 

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "drivers/scene/yaml_writer.hpp"
-#include "harness/table_defect.hpp"
+#include "harness/material/table_defect.hpp"
 
 namespace assay::drivers {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "harness/stable_norm.hpp"
+#include "harness/numeric/stable_norm.hpp"
 
 namespace assay::drivers {
 

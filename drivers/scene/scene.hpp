@@ -10,10 +10,10 @@
 
 #include "drivers/input_error.hpp"
 #include "drivers/material/isolation.hpp"
-#include "harness/frame.hpp"
-#include "harness/motion.hpp"
-#include "mpm/method.hpp"
-#include "mpm/traction.hpp"
+#include "harness/motion/frame.hpp"
+#include "harness/motion/motion.hpp"
+#include "mpm/setup/method.hpp"
+#include "mpm/setup/traction.hpp"
 
 namespace assay::drivers {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/largest.hpp"
+#include "harness/numeric/largest.hpp"
 
 namespace assay::drivers {
 

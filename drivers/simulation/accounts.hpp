@@ -3,7 +3,7 @@
 #pragma once
 
 #include "drivers/result.hpp"
-#include "mpm/state.hpp"
+#include "mpm/step/state.hpp"
 
 namespace assay::drivers {
 

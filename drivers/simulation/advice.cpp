@@ -8,9 +8,9 @@
 #include "drivers/output/number_format.hpp"
 #include "drivers/simulation/time_steps.hpp"
 #include "drivers/simulation/warnings.hpp"
-#include "harness/acoustic_tensor.hpp"
 #include "harness/check/march.hpp"
-#include "harness/tangent_modulus.hpp"
+#include "harness/stability/acoustic_tensor.hpp"
+#include "harness/stability/tangent_modulus.hpp"
 
 namespace assay::drivers {
 

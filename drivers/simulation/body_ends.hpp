@@ -5,7 +5,7 @@
 #include <array>
 
 #include "drivers/scene/scene.hpp"
-#include "mpm/images.hpp"
+#include "mpm/grid/images.hpp"
 
 namespace assay::drivers {
 

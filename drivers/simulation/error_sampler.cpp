@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/largest.hpp"
-#include "harness/norms.hpp"
+#include "harness/numeric/largest.hpp"
+#include "harness/numeric/norms.hpp"
 
 namespace assay::drivers {
 

@@ -4,8 +4,8 @@
 
 #include "drivers/result.hpp"
 #include "drivers/simulation/problem.hpp"
-#include "harness/exact_field.hpp"
-#include "mpm/state.hpp"
+#include "harness/exact/exact_field.hpp"
+#include "mpm/step/state.hpp"
 
 namespace assay::drivers {
 

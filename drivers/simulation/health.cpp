@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "drivers/output/number_format.hpp"
-#include "harness/largest.hpp"
-#include "mpm/with_basis.hpp"
+#include "harness/numeric/largest.hpp"
+#include "mpm/setup/with_basis.hpp"
 
 namespace assay::drivers {
 

@@ -5,7 +5,7 @@
 
 #include "drivers/result.hpp"
 #include "drivers/simulation/problem.hpp"
-#include "mpm/state.hpp"
+#include "mpm/step/state.hpp"
 
 namespace assay::drivers {
 

@@ -18,11 +18,11 @@
 #include "drivers/simulation/seeds.hpp"
 #include "drivers/simulation/time_steps.hpp"
 #include "drivers/simulation/traction_choice.hpp"
-#include "mpm/corners.hpp"
-#include "mpm/lattice.hpp"
-#include "mpm/particle_order.hpp"
+#include "mpm/basis/corners.hpp"
 #include "mpm/patch/methods.hpp"
-#include "mpm/with_basis.hpp"
+#include "mpm/seeding/lattice.hpp"
+#include "mpm/seeding/particle_order.hpp"
+#include "mpm/setup/with_basis.hpp"
 
 namespace assay::drivers {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "drivers/scene/scene.hpp"
-#include "harness/response.hpp"
+#include "harness/exact/response.hpp"
 #include "mpm/compose.hpp"
 
 namespace assay::drivers {

@@ -7,7 +7,7 @@
 #include "drivers/output/number_format.hpp"
 #include "drivers/simulation/sheet_cache.hpp"
 #include "drivers/simulation/sheet_line.hpp"
-#include "mpm/effect.hpp"
+#include "mpm/data/effect.hpp"
 
 namespace assay::drivers {
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "drivers/scene/scene.hpp"
-#include "harness/exact_solution.hpp"
+#include "harness/exact/exact_solution.hpp"
 
 namespace assay::drivers {
 

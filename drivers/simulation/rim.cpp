@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "drivers/output/number_format.hpp"
-#include "harness/radii_of_xi.hpp"
+#include "harness/motion/radii_of_xi.hpp"
 
 namespace assay::drivers {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "drivers/result.hpp"
-#include "harness/response.hpp"
-#include "harness/vortex.hpp"
+#include "harness/exact/response.hpp"
+#include "harness/motion/vortex.hpp"
 
 namespace assay::drivers {
 

@@ -6,9 +6,9 @@
 
 #include "drivers/scene/body_box.hpp"
 #include "drivers/simulation/body_ends.hpp"
-#include "mpm/gauss_lattice.hpp"
-#include "mpm/lattice.hpp"
-#include "mpm/surface_edges.hpp"
+#include "mpm/seeding/gauss_lattice.hpp"
+#include "mpm/seeding/lattice.hpp"
+#include "mpm/seeding/surface_edges.hpp"
 
 namespace assay::drivers {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "drivers/scene/scene.hpp"
-#include "mpm/setup.hpp"
+#include "mpm/setup/setup.hpp"
 
 namespace assay::drivers {
 

@@ -15,7 +15,7 @@
 #include "drivers/output/whole_file.hpp"
 #include "drivers/program_identity.hpp"
 #include "drivers/scene/sha256.hpp"
-#include "harness/point_driver.hpp"
+#include "harness/history/point_driver.hpp"
 
 namespace assay::drivers {
 

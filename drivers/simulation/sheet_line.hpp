@@ -6,7 +6,7 @@
 #include <string>
 
 #include "drivers/progress.hpp"
-#include "harness/sheet.hpp"
+#include "harness/sheet/sheet.hpp"
 
 namespace assay::drivers {
 

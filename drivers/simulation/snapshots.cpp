@@ -9,8 +9,8 @@
 
 #include "drivers/output/number_format.hpp"
 #include "drivers/scene/body_box.hpp"
-#include "harness/exact_field.hpp"
-#include "mpm/gauss_lattice.hpp"
+#include "harness/exact/exact_field.hpp"
+#include "mpm/seeding/gauss_lattice.hpp"
 
 namespace assay::drivers {
 

@@ -10,7 +10,7 @@
 #include "drivers/output/vtu.hpp"
 #include "drivers/picture/particle_picture.hpp"
 #include "drivers/simulation/error_sampler.hpp"
-#include "harness/exact_solution.hpp"
+#include "harness/exact/exact_solution.hpp"
 
 namespace assay::drivers {
 

@@ -8,7 +8,7 @@
 #include "adapters/worker/shared_memory.hpp"
 #include "adapters/worker/warden.hpp"
 #include "drivers/simulation/problem.hpp"
-#include "mpm/offload.hpp"
+#include "mpm/material/offload.hpp"
 
 namespace assay::drivers {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "harness/assay_material.h"
-#include "mpm/stress_blocks.hpp"
+#include "mpm/material/stress_blocks.hpp"
 
 namespace assay::drivers {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "drivers/simulation/time_steps.hpp"
-#include "harness/material_failure.hpp"
-#include "harness/offer.hpp"
-#include "harness/wave_speed.hpp"
-#include "mpm/blocks.hpp"
+#include "harness/material/material_failure.hpp"
+#include "harness/material/offer.hpp"
+#include "harness/stability/wave_speed.hpp"
+#include "mpm/data/blocks.hpp"
 
 namespace assay::drivers {
 

@@ -10,7 +10,7 @@
 #include "drivers/output/number_format.hpp"
 #include "drivers/scene/body_box.hpp"
 #include "drivers/scene/initial_velocity.hpp"
-#include "harness/wave_speed.hpp"
+#include "harness/stability/wave_speed.hpp"
 
 namespace assay::drivers {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "drivers/scene/scene.hpp"
-#include "mpm/traction.hpp"
+#include "mpm/setup/traction.hpp"
 
 namespace assay::drivers {
 

@@ -13,7 +13,7 @@
 #include "drivers/study/figure_names.hpp"
 #include "drivers/study/study_expect.hpp"
 #include "drivers/study/study_words.hpp"
-#include "harness/convergence.hpp"
+#include "harness/numeric/convergence.hpp"
 
 namespace assay::drivers {
 

@@ -9,7 +9,7 @@
 
 #include "drivers/output/result_json.hpp"
 #include "drivers/result.hpp"
-#include "harness/convergence.hpp"
+#include "harness/numeric/convergence.hpp"
 
 namespace assay::drivers {
 

@@ -8,12 +8,12 @@
 #include <string>
 #include <utility>
 
-#include "harness/arithmetic.hpp"
 #include "harness/check/call_steps.hpp"
 #include "harness/check/guarded.hpp"
 #include "harness/check/offered_arrays.hpp"
 #include "harness/check/specimen.hpp"
-#include "harness/thrown.hpp"
+#include "harness/material/thrown.hpp"
+#include "harness/numeric/arithmetic.hpp"
 
 namespace assay::check {
 

@@ -7,7 +7,7 @@
 
 #include "harness/check/call_steps.hpp"
 #include "harness/check/judge.hpp"
-#include "harness/progress_mark.hpp"
+#include "harness/material/progress_mark.hpp"
 
 namespace assay::check {
 

@@ -16,8 +16,8 @@
 #include "harness/check/own_pace.hpp"
 #include "harness/check/rest.hpp"
 #include "harness/check/scope.hpp"
-#include "harness/stopwatch.hpp"
-#include "harness/thrown.hpp"
+#include "harness/material/thrown.hpp"
+#include "harness/numeric/stopwatch.hpp"
 
 namespace assay::check {
 

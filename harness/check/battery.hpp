@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/failed_step.hpp"
-#include "harness/material.hpp"
+#include "harness/material/failed_step.hpp"
+#include "harness/material/material.hpp"
 
 namespace assay::check {
 

@@ -9,7 +9,7 @@
 #include "harness/check/judge.hpp"
 #include "harness/check/samples.hpp"
 #include "harness/check/tangent_comparison.hpp"
-#include "harness/stable_norm.hpp"
+#include "harness/numeric/stable_norm.hpp"
 
 namespace assay::check {
 

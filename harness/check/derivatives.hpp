@@ -3,7 +3,7 @@
 #pragma once
 
 #include "harness/check/specimen.hpp"
-#include "harness/offer.hpp"
+#include "harness/material/offer.hpp"
 
 namespace assay::check {
 

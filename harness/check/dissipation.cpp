@@ -13,7 +13,7 @@
 #include "harness/check/strain_cycle.hpp"
 #include "harness/check/viscosity.hpp"
 #include "harness/check/work.hpp"
-#include "harness/stable_norm.hpp"
+#include "harness/numeric/stable_norm.hpp"
 
 namespace assay::check {
 

@@ -6,9 +6,9 @@
 
 #include "harness/check/judge.hpp"
 #include "harness/check/samples.hpp"
-#include "harness/largest.hpp"
-#include "harness/offer.hpp"
-#include "harness/wave_speed.hpp"
+#include "harness/material/offer.hpp"
+#include "harness/numeric/largest.hpp"
+#include "harness/stability/wave_speed.hpp"
 
 namespace assay::check {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "harness/check/call_steps.hpp"
-#include "harness/tensor.hpp"
+#include "harness/numeric/tensor.hpp"
 
 namespace assay::check {
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "harness/check/battery.hpp"
-#include "harness/material_failure.hpp"
+#include "harness/material/material_failure.hpp"
 
 namespace assay::check {
 

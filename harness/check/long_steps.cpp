@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "harness/check/judge.hpp"
-#include "harness/largest.hpp"
-#include "harness/material_failure.hpp"
-#include "harness/stable_norm.hpp"
+#include "harness/material/material_failure.hpp"
+#include "harness/numeric/largest.hpp"
+#include "harness/numeric/stable_norm.hpp"
 
 namespace assay::check {
 

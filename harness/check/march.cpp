@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "harness/checked_update.hpp"
-#include "harness/stable_norm.hpp"
+#include "harness/material/checked_update.hpp"
+#include "harness/numeric/stable_norm.hpp"
 
 namespace assay::check {
 

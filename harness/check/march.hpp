@@ -5,11 +5,11 @@
 #include <functional>
 #include <vector>
 
-#include "harness/failed_step.hpp"
-#include "harness/largest.hpp"
-#include "harness/material.hpp"
-#include "harness/material_failure.hpp"
-#include "harness/tensor.hpp"
+#include "harness/material/failed_step.hpp"
+#include "harness/material/material.hpp"
+#include "harness/material/material_failure.hpp"
+#include "harness/numeric/largest.hpp"
+#include "harness/numeric/tensor.hpp"
 
 namespace assay::check {
 

@@ -11,7 +11,7 @@
 #include "harness/check/shear_order.hpp"
 #include "harness/check/stiffness_axes.hpp"
 #include "harness/check/symmetry_axes.hpp"
-#include "harness/offer.hpp"
+#include "harness/material/offer.hpp"
 
 namespace assay::check {
 

@@ -5,7 +5,7 @@
 #include <deque>
 
 #include "harness/check/guarded.hpp"
-#include "harness/offer.hpp"
+#include "harness/material/offer.hpp"
 
 namespace assay::check {
 

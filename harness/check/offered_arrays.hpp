@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/material.hpp"
-#include "harness/tensor.hpp"
+#include "harness/material/material.hpp"
+#include "harness/numeric/tensor.hpp"
 
 namespace assay::check {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "harness/offer.hpp"
+#include "harness/material/offer.hpp"
 
 namespace assay::check {
 

@@ -2,7 +2,7 @@
 // A material under a clock that goes at another pace: for models that take no step as long as those of the tests.
 #pragma once
 
-#include "harness/material.hpp"
+#include "harness/material/material.hpp"
 
 namespace assay::check {
 

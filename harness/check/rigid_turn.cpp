@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "harness/check/march.hpp"
-#include "harness/largest.hpp"
+#include "harness/numeric/largest.hpp"
 
 namespace assay::check {
 

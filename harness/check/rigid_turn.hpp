@@ -6,7 +6,7 @@
 #include <string>
 
 #include "harness/check/judge.hpp"
-#include "harness/tensor.hpp"
+#include "harness/numeric/tensor.hpp"
 
 namespace assay::check {
 

@@ -11,7 +11,7 @@
 #include "harness/check/share_along.hpp"
 #include "harness/check/shear_order.hpp"
 #include "harness/check/state_variable.hpp"
-#include "harness/stable_norm.hpp"
+#include "harness/numeric/stable_norm.hpp"
 
 namespace assay::check {
 

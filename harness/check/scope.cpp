@@ -3,7 +3,7 @@
 
 #include "harness/check/judge.hpp"
 #include "harness/check/loading.hpp"
-#include "harness/offer.hpp"
+#include "harness/material/offer.hpp"
 
 namespace assay::check {
 

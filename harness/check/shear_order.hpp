@@ -6,7 +6,7 @@
 #include <string>
 
 #include "harness/check/stiffness.hpp"
-#include "harness/tensor.hpp"
+#include "harness/numeric/tensor.hpp"
 
 namespace assay::check {
 

@@ -7,7 +7,7 @@
 #include "harness/check/judge.hpp"
 #include "harness/check/precision.hpp"
 #include "harness/check/samples.hpp"
-#include "harness/stable_norm.hpp"
+#include "harness/numeric/stable_norm.hpp"
 
 namespace assay::check {
 
@@ -25,9 +25,9 @@ Tensor direction(const Space& space) {
 }
 
 /// The stress that steps of a strain from the beginning of a sample make, over that strain.
-class Answer {
+class AnswerToStep {
  public:
-  Answer(const Specimen& specimen, const Sample& sample)
+  AnswerToStep(const Specimen& specimen, const Sample& sample)
       : material_(*specimen.material), s_(sample), d_(direction(specimen.space)), still_(after(0)) {}
 
   double to(double strain) const { return stable_norm(Tensor(after(strain) - still_)) / strain; }
@@ -104,7 +104,7 @@ std::optional<TestResult> short_steps(const Specimen& specimen) {
   const double digits = is_of_single_precision(specimen) ? 1e-5 : 1e-10;
   for (const Sample& sample : samples_of(specimen)) {
     try {
-      const Answer answer(specimen, sample);
+      const AnswerToStep answer(specimen, sample);
       const double expected = answer.to(usual);
       const bool is_straight = std::abs(answer.to(less_than_usual) - expected) <= alike * expected;
       if (!(expected >= least_stiffness * specimen.modulus) || !is_straight) continue;

@@ -2,8 +2,8 @@
 // Which deformations a material can be asked for, and those that the tests are made of.
 #pragma once
 
-#include "harness/material.hpp"
-#include "harness/tensor.hpp"
+#include "harness/material/material.hpp"
+#include "harness/numeric/tensor.hpp"
 
 namespace assay::check {
 

@@ -6,7 +6,7 @@
 
 #include "harness/check/derivatives.hpp"
 #include "harness/check/judge.hpp"
-#include "harness/offer.hpp"
+#include "harness/material/offer.hpp"
 
 namespace assay::check {
 

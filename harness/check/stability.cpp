@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "harness/check/judge.hpp"
-#include "harness/stability_probe.hpp"
+#include "harness/stability/stability_probe.hpp"
 
 namespace assay::check {
 

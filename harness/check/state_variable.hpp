@@ -2,9 +2,9 @@
 // A state variable of one point as what it is: a number, a vector or a tensor.
 #pragma once
 
-#include "harness/largest.hpp"
-#include "harness/material.hpp"
-#include "harness/tensor.hpp"
+#include "harness/material/material.hpp"
+#include "harness/numeric/largest.hpp"
+#include "harness/numeric/tensor.hpp"
 
 namespace assay::check {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/check/stiffness_axes.hpp"
 
-#include "harness/stable_norm.hpp"
+#include "harness/numeric/stable_norm.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

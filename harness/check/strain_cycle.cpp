@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "harness/check/work.hpp"
-#include "harness/stable_norm.hpp"
+#include "harness/numeric/stable_norm.hpp"
 
 namespace assay::check {
 

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "harness/tensor.hpp"
+#include "harness/numeric/tensor.hpp"
 
 namespace assay::check {
 

@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "harness/check/judge.hpp"
-#include "harness/parallel.hpp"
-#include "harness/progress_mark.hpp"
+#include "harness/material/progress_mark.hpp"
+#include "harness/numeric/parallel.hpp"
 
 namespace assay::check {
 

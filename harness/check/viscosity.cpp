@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "harness/check/judge.hpp"
-#include "harness/stable_norm.hpp"
+#include "harness/numeric/stable_norm.hpp"
 
 namespace assay::check {
 

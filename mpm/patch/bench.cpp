@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "mpm/corner_average.hpp"
-#include "mpm/lattice.hpp"
+#include "mpm/basis/corner_average.hpp"
+#include "mpm/seeding/lattice.hpp"
 
 namespace assay::mpm {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "harness/check/battery.hpp"
-#include "mpm/basis.hpp"
+#include "mpm/basis/basis.hpp"
 #include "mpm/patch/methods.hpp"
 #include "mpm/simulation.hpp"
 

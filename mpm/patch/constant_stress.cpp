@@ -5,8 +5,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "harness/largest.hpp"
-#include "mpm/affine.hpp"
+#include "harness/numeric/largest.hpp"
+#include "mpm/kernels/affine.hpp"
 #include "mpm/patch/patch.hpp"
 
 namespace assay::mpm {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mpm/method.hpp"
+#include "mpm/setup/method.hpp"
 
 namespace assay::mpm {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/largest.hpp"
-#include "harness/norms.hpp"
+#include "harness/numeric/largest.hpp"
+#include "harness/numeric/norms.hpp"
 #include "mpm/patch/patch.hpp"
 
 namespace assay::mpm {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "harness/homogeneous.hpp"
-#include "harness/wave_speed.hpp"
+#include "harness/motion/homogeneous.hpp"
+#include "harness/stability/wave_speed.hpp"
 
 namespace assay::mpm {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/norms.hpp"
-#include "mpm/affine.hpp"
+#include "harness/numeric/norms.hpp"
+#include "mpm/kernels/affine.hpp"
 #include "mpm/patch/patch.hpp"
 
 namespace assay::mpm {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/exact_solution.hpp"
-#include "harness/largest.hpp"
+#include "harness/exact/exact_solution.hpp"
+#include "harness/numeric/largest.hpp"
 #include "mpm/patch/patch.hpp"
-#include "mpm/surface_edges.hpp"
+#include "mpm/seeding/surface_edges.hpp"
 
 namespace assay::mpm {
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/material.hpp"
+#include "harness/material/material.hpp"
 
 namespace assay::adapters::test_builtin {
 namespace {

@@ -10,7 +10,7 @@
 #include <fstream>
 
 #include "adapters/builtin.hpp"
-#include "harness/material.hpp"
+#include "harness/material/material.hpp"
 #include "tests/support/built.hpp"
 
 namespace assay::adapters::test_library {

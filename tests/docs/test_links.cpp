@@ -48,8 +48,8 @@ const std::set<std::string>& tests() {
   return found;
 }
 
-/// What is wrong with a word in backticks that is a path (`mpm/basis.hpp`, `harness/sheet.cpp:slice`, where the file
-/// must hold the name) or the name of a test (`Suite.Test`); empty: nothing, or it is neither.
+/// What is wrong with a word in backticks that is a path (`mpm/basis/basis.hpp`, `harness/sheet/sheet.cpp:slice`, where
+/// the file must hold the name) or the name of a test (`Suite.Test`); empty: nothing, or it is neither.
 std::string defect_of(const std::string& word) {
   static const std::regex path_form(
       R"(((?:harness|adapters|mpm|drivers|tests|configs|bench|docs|cmake|completions|\.ci)/[\w./-]*)(?::(\w+))?)");
@@ -103,7 +103,7 @@ TEST(LinksNegativeControl, WhatIsNotThereIsMissed) {
   EXPECT_EQ(defect_of(page, page.links[3]), "no such heading");
   EXPECT_EQ(defect_of("harness/assay_material.h:update"), "");
   EXPECT_EQ(defect_of("harness/nothing.hpp"), "no such file");
-  EXPECT_EQ(defect_of("harness/sheet.cpp:no_such_function"), "the file does not hold this name");
+  EXPECT_EQ(defect_of("harness/sheet/sheet.cpp:no_such_function"), "the file does not hold this name");
   EXPECT_EQ(defect_of("LinksNegativeControl.WhatIsNotThereIsMissed"), "");
   EXPECT_EQ(defect_of("LinksNegativeControl.Nothing"), "no such test");
   EXPECT_EQ(defect_of("error.l2_max"), "");

@@ -8,8 +8,8 @@
 #include "drivers/output/csv.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/verbs.hpp"
-#include "harness/central_difference.hpp"
-#include "harness/tensor.hpp"
+#include "harness/numeric/central_difference.hpp"
+#include "harness/numeric/tensor.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
 namespace assay::drivers::test_eval_frames {

@@ -10,7 +10,7 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/error_sampler.hpp"
 #include "drivers/simulation/response_source.hpp"
-#include "harness/norms.hpp"
+#include "harness/numeric/norms.hpp"
 #include "mpm/simulation.hpp"
 
 namespace assay::drivers::test_motion_runs {

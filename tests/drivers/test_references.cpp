@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "adapters/builtin.hpp"
-#include "harness/motion.hpp"
+#include "harness/motion/motion.hpp"
 
 namespace assay::drivers::test_references {
 namespace {

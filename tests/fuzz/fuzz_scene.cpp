@@ -13,7 +13,7 @@
 #include "drivers/input_error.hpp"
 #include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_reader.hpp"
-#include "harness/material_failure.hpp"
+#include "harness/material/material_failure.hpp"
 #include "tests/fuzz/composition.hpp"
 
 namespace {

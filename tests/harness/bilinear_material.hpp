@@ -5,7 +5,7 @@
 #include <cmath>
 #include <memory>
 
-#include "harness/material.hpp"
+#include "harness/material/material.hpp"
 
 namespace assay {
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "harness/material.hpp"
+#include "harness/material/material.hpp"
 
 extern "C" {
 const assay_material* assay_builtin_compressible_fluid(std::uint32_t host_major, std::uint32_t index);

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <memory>
 
-#include "harness/material.hpp"
+#include "harness/material/material.hpp"
 
 namespace assay {
 

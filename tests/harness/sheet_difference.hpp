@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/sheet.hpp"
+#include "harness/sheet/sheet.hpp"
 
 namespace assay {
 

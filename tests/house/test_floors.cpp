@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// drivers -> {adapters, mpm} -> harness, read off the include lines.
+// drivers -> {adapters, mpm} -> harness, read off the include lines; and within a floor from room to room.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -17,6 +18,13 @@ const std::map<std::string, std::set<std::string>> may_include{
     {"adapters", {"harness", "adapters"}},
     {"mpm", {"harness", "mpm"}},
     {"drivers", {"harness", "adapters", "mpm", "drivers"}},
+};
+
+/// The rooms of a floor, the lowest first; "": files in no room. A room includes itself and those below.
+const std::map<std::string, std::vector<std::string>> rooms{
+    {"harness", {"", "numeric", "material", "motion", "history", "sheet", "stability", "exact", "check"}},
+    {"mpm",
+     {"data", "grid", "basis", "setup", "seeding", "kernels", "step", "mass", "material", "effects", "", "patch"}},
 };
 
 /// Foreign headers that only one floor may know.
@@ -35,6 +43,23 @@ const std::map<std::string, std::string> only_in{
 };
 
 std::string floor_of(const std::string& path) { return path.substr(0, path.find('/')); }
+
+std::string room_of(const std::string& path) {
+  const std::size_t begin = path.find('/') + 1, end = path.find('/', begin);
+  return end == path.npos ? "" : path.substr(begin, end - begin);
+}
+
+/// What is wrong with a file of a floor that has rooms and what it includes of that floor; empty where nothing is.
+std::string fault_of_rooms(const std::string& path, const std::string& included) {
+  const auto floor = rooms.find(floor_of(path));
+  if (floor == rooms.end() || floor_of(included) != floor->first) return {};
+  const auto rank = [&](const std::string& file) {
+    return std::find(floor->second.begin(), floor->second.end(), room_of(file)) - floor->second.begin();
+  };
+  const auto end = static_cast<std::ptrdiff_t>(floor->second.size());
+  if (rank(path) == end) return "'" + room_of(path) + "' is no room of " + floor->first;
+  return rank(included) <= rank(path) ? "" : "is in a room above '" + room_of(path) + "'";
+}
 
 /// What is wrong with one include of a file on `floor`; empty where nothing is.
 std::string fault(const std::string& floor, const Include& include) {
@@ -59,7 +84,7 @@ TEST(Floors, EveryIncludeRespectsThem) {
     for (const std::string& path : files_in(floor, {".hpp", ".cpp", ".h", ".c"}, true)) {
       for (const Include& include : includes_of(text_of(path))) {
         ++seen;
-        const std::string what = fault(floor, include);
+        const std::string what = fault(floor, include) + fault_of_rooms(path, include.quoted ? include.name : "");
         EXPECT_TRUE(what.empty()) << path << ":" << include.line << ": " << include.name << " " << what;
       }
     }
@@ -85,6 +110,16 @@ TEST(Floors, FaultsAreCaught) {
   EXPECT_EQ(fault("drivers", {1, "zlib.h", false}), "");
   EXPECT_EQ(fault("harness", {1, "boost/numeric/odeint.hpp", false}), "");
   EXPECT_EQ(fault("drivers", {1, "mpm/grid.hpp", true}), "");
+}
+
+TEST(Rooms, AnIncludeThatPointsUpIsCaught) {
+  EXPECT_NE(fault_of_rooms("harness/motion/vortex.hpp", "harness/sheet/sheet.hpp"), "");
+  EXPECT_NE(fault_of_rooms("harness/attic/box.hpp", "harness/numeric/tensor.hpp"), "") << "no such room";
+  EXPECT_NE(fault_of_rooms("mpm/effects/images.cpp", "mpm/compose.hpp"), "");
+  EXPECT_EQ(fault_of_rooms("harness/sheet/sheet.hpp", "harness/motion/vortex.hpp"), "");
+  EXPECT_EQ(fault_of_rooms("mpm/compose.cpp", "mpm/effects/images.hpp"), "");
+  EXPECT_EQ(fault_of_rooms("mpm/effects/images.cpp", "harness/check/judge.hpp"), "") << "another floor";
+  EXPECT_EQ(fault_of_rooms("drivers/run.cpp", "drivers/scene/scene.hpp"), "") << "no rooms yet";
 }
 
 TEST(Floors, HeadersOfOursAreLight) {

@@ -28,9 +28,9 @@ TEST(Namespaces, EachTestFileHasItsOwn) {
 }
 
 TEST(Namespaces, OnesOfAnotherNameAreCaught) {
-  EXPECT_TRUE(has_its_own("tests/mpm/test_sweep.cpp", "namespace assay::mpm::test_sweep {\n"));
-  EXPECT_FALSE(has_its_own("tests/mpm/test_sweep.cpp", "namespace assay::mpm {\n"));
-  EXPECT_FALSE(has_its_own("tests/mpm/test_sweep.cpp", "namespace assay::mpm::test_blocks {\n"));
+  EXPECT_TRUE(has_its_own("tests/mpm/step/test_sweep.cpp", "namespace assay::mpm::test_sweep {\n"));
+  EXPECT_FALSE(has_its_own("tests/mpm/step/test_sweep.cpp", "namespace assay::mpm {\n"));
+  EXPECT_FALSE(has_its_own("tests/mpm/step/test_sweep.cpp", "namespace assay::mpm::test_blocks {\n"));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "mpm/with_basis.hpp"
+#include "mpm/setup/with_basis.hpp"
 
 namespace assay::mpm {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "mpm/grid_field.hpp"
+#include "mpm/grid/grid_field.hpp"
 
 namespace assay::mpm {
 

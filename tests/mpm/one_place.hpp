@@ -2,7 +2,7 @@
 // Particles at one place of a grid, for tests of what is done to each.
 #pragma once
 
-#include "mpm/setup.hpp"
+#include "mpm/setup/setup.hpp"
 
 namespace assay::mpm {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The list of passes, and that what is absent costs nothing.
-#include "mpm/affine.hpp"
 #include "mpm/compose.hpp"
-#include "mpm/mass_matrix.hpp"
+#include "mpm/kernels/affine.hpp"
+#include "mpm/mass/mass_matrix.hpp"
 
 #include <algorithm>
 

@@ -6,10 +6,10 @@
 
 #include <cmath>
 
-#include "mpm/basis.hpp"
-#include "mpm/gauss_lattice.hpp"
-#include "mpm/lattice.hpp"
+#include "mpm/basis/basis.hpp"
 #include "mpm/patch/methods.hpp"
+#include "mpm/seeding/gauss_lattice.hpp"
+#include "mpm/seeding/lattice.hpp"
 #include "mpm/simulation.hpp"
 #include "tests/harness/elastic_material.hpp"
 

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <memory>
 
-#include "harness/material.hpp"
+#include "harness/material/material.hpp"
 
 namespace assay::test_materials {
 

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "harness/assay_material.h"
-#include "harness/tensor.hpp"
+#include "harness/numeric/tensor.hpp"
 
 namespace assay::test_materials {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "harness/stopwatch.hpp"
+#include "harness/numeric/stopwatch.hpp"
 
 namespace assay {
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "harness/tensor.hpp"
+#include "harness/numeric/tensor.hpp"
 #include "tests/support/built.hpp"
 
 namespace assay::adapters {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "adapters/foreign/foreign_table.hpp"
-#include "harness/material.hpp"
-#include "harness/tensor.hpp"
+#include "harness/material/material.hpp"
+#include "harness/numeric/tensor.hpp"
 #include "tests/adapters/foreign/foreign_doubles.hpp"
 
 namespace assay::adapters {

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "adapters/worker/remote_table.hpp"
-#include "harness/material.hpp"
+#include "harness/material/material.hpp"
 #include "tests/adapters/foreign/foreign_doubles.hpp"
 #include "tests/support/wait.hpp"
 

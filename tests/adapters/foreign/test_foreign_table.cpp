@@ -11,7 +11,7 @@
 #include "adapters/builtin.hpp"
 #include "adapters/library.hpp"
 #include "harness/check/battery.hpp"
-#include "harness/material.hpp"
+#include "harness/material/material.hpp"
 #include "tests/adapters/foreign/foreign_doubles.hpp"
 
 namespace assay::adapters::test_foreign_table {

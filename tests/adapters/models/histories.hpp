@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "adapters/builtin.hpp"
-#include "harness/material.hpp"
+#include "harness/material/material.hpp"
 
 namespace assay::model_tests {
 

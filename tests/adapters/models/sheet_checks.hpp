@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <random>
 
-#include "harness/body_force.hpp"
-#include "harness/central_difference.hpp"
-#include "harness/sheet.hpp"
-#include "harness/vortex.hpp"
+#include "harness/exact/body_force.hpp"
+#include "harness/motion/vortex.hpp"
+#include "harness/numeric/central_difference.hpp"
+#include "harness/sheet/sheet.hpp"
 #include "tests/adapters/models/model_cases.hpp"
 #include "tests/adapters/models/property_samples.hpp"
 

@@ -8,9 +8,9 @@
 
 #include "adapters/worker/call_arrays.hpp"
 #include "adapters/worker/servant.hpp"
-#include "harness/history_task.hpp"
-#include "harness/progress_mark.hpp"
-#include "harness/vortex.hpp"
+#include "harness/history/history_task.hpp"
+#include "harness/material/progress_mark.hpp"
+#include "harness/motion/vortex.hpp"
 
 namespace assay::adapters::test_fenced_model {
 namespace {

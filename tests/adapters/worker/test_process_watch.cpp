@@ -24,7 +24,7 @@
 #endif
 
 #include "adapters/worker/kept_output.hpp"
-#include "harness/arithmetic.hpp"
+#include "harness/numeric/arithmetic.hpp"
 
 namespace assay::adapters::test_process_watch {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "adapters/foreign/foreign_table.hpp"
 #include "adapters/worker/remote_table.hpp"
-#include "harness/shadow.hpp"
-#include "harness/vortex.hpp"
+#include "harness/exact/shadow.hpp"
+#include "harness/motion/vortex.hpp"
 #include "tests/adapters/foreign/foreign_doubles.hpp"
 #include "tests/support/wait.hpp"
 

@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "adapters/builtin.hpp"
-#include "harness/material.hpp"
+#include "harness/material/material.hpp"
 #include "tests/adapters/foreign/foreign_doubles.hpp"
 #include "tests/support/built.hpp"
 #include "tests/support/wait.hpp"

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "adapters/worker/remote_table.hpp"
-#include "harness/material.hpp"
+#include "harness/material/material.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/registry_fixture.hpp"
 #include "tests/support/built.hpp"

@@ -11,7 +11,7 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "drivers/simulation/response_source.hpp"
-#include "harness/point_driver.hpp"
+#include "harness/history/point_driver.hpp"
 #include "tests/drivers/material/source_fixture.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/scratch_folder.hpp"

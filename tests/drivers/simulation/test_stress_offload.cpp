@@ -9,9 +9,9 @@
 
 #include "adapters/worker/remote_table.hpp"
 #include "drivers/material/material_table.hpp"
-#include "mpm/passes_particle.hpp"
+#include "mpm/material/passes_particle.hpp"
 #include "mpm/simulation.hpp"
-#include "mpm/sweep.hpp"
+#include "mpm/step/sweep.hpp"
 #include "tests/mpm/one_place.hpp"
 #include "tests/support/built.hpp"
 

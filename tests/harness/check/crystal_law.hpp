@@ -6,7 +6,7 @@
 #include <Eigen/Dense>
 #include <numbers>
 
-#include "harness/tensor.hpp"
+#include "harness/numeric/tensor.hpp"
 
 namespace assay::check_tests {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "harness/check/battery.hpp"
-#include "harness/material.hpp"
+#include "harness/material/material.hpp"
 
 namespace assay::check_tests {
 

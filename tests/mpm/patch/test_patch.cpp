@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "mpm/basis_linear.hpp"
-#include "mpm/basis_ugimp.hpp"
-#include "mpm/kernels/table.hpp"
+#include "mpm/basis/basis_linear.hpp"
+#include "mpm/basis/basis_ugimp.hpp"
+#include "mpm/kernels/variants/table.hpp"
 #include "tests/mpm/patch/planted.hpp"
 
 namespace assay::mpm::test_patch {

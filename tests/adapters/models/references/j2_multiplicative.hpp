@@ -2,7 +2,7 @@
 // The equations of j2_multiplicative.
 #pragma once
 
-#include "harness/central_difference.hpp"
+#include "harness/numeric/central_difference.hpp"
 #include "tests/adapters/models/j2_hardening_reference.hpp"
 #include "tests/adapters/models/reference_integration.hpp"
 

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/history/history.hpp"
+
+#include <algorithm>
+
+#include "harness/history/history_forms.hpp"
+
+namespace assay {
+
+namespace {
+
+/// Of `update` or `rate`, in all of a piece of the path and for each time that is asked for. A piece takes some 1e4; a
+/// path of 1e5 rows, which is one piece, 1e6. Beyond, the motion has so many turns that nobody could run it.
+constexpr std::int64_t calls_of_piece = 3'000'000, calls_of_advance = 1000;
+
+/// A step is refused now and then where a law ends; where the lengths of all steps are a law's own, one of some ten.
+constexpr std::int64_t most_refusals = 1000;
+
+}  // namespace
+
+History::History(const Course& course, double xi, const HistoryOptions& options) : course_(&course), xi_(xi) {
+  const std::vector<double> state = course.material->initial_state(1, {}, course.path->material_direction);
+  y_.assign(9, 0.0);
+  y_.insert(y_.end(), state.begin(), state.end());
+  if (course.by_rate) {
+    rates_ = std::make_unique<Rates>(*this, options);
+  } else {
+    increments_ = std::make_unique<Increments>(*this, options);
+  }
+}
+
+History::~History() = default;
+
+void History::count_call() {
+  if (++calls_ <= most_calls_) return;
+  const bool is_refused = refused_ && refusals_ >= most_refusals;
+  MaterialFailure failure(is_refused ? "its history takes too many steps, for it refuses all but short ones: " +
+                                           std::string(refused_->what())
+                          : rates_ ? "its history takes too many steps: the motion turns or vibrates too fast for it"
+                                   : "its history takes too many steps: its increments converge too slowly for "
+                                     "the accuracy that is asked for, or the motion turns or vibrates too fast",
+                          is_refused ? refused_->xi : xi_, is_refused ? refused_->t : t_);
+  if (is_refused) failure.step = refused_->step, failure.not_finite = refused_->not_finite;
+  failure.final = true;  // shorter steps would be more of them
+  throw failure;
+}
+
+void History::note_refusal(const MaterialFailure& failure) {
+  ++refusals_;
+  refused_ = std::make_shared<MaterialFailure>(failure);
+}
+
+void History::advance(double to) {
+  while (t_ < to) {
+    const double end = course_->piece_at(t_).upper;
+    if (end != piece_end_) piece_end_ = end, most_calls_ = calls_ + calls_of_piece;
+    most_calls_ += calls_of_advance;
+    const double stop = std::min(to, end > t_ ? end : to);
+    if (rates_) {
+      rates_->advance(stop);
+    } else {
+      increments_->advance(stop);
+    }
+  }
+}
+
+Tensor History::cauchy() const {
+  Tensor sigma;
+  for (int c = 0; c < 9; ++c) component(sigma, c) = y_[static_cast<std::size_t>(c)];
+  return sigma;
+}
+
+Tensor History::tau() const { return first_piola_kirchhoff(cauchy(), course_->path->deformation_gradient(xi_, t_)); }
+
+std::span<const double> History::state() const { return std::span(y_).subspan(9); }
+
+}  // namespace assay

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What histories are made of, for archives of numbers (number_archive.hpp).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "harness/history/history_trail.hpp"
+#include "harness/numeric/number_archive.hpp"
+
+namespace assay {
+
+enum class HistoryTaskKind { coarse, follow, gather, advance, disband };
+
+/// A path without its functions.
+struct PathFacts {
+  std::vector<double> recipe = {};
+  Interval parameter = {};
+  std::array<double, 3> direction = {};
+};
+
+/// An exception on its way: a MaterialFailure, or another.
+struct FailureFacts {
+  enum class Kind { none, material, other } kind = Kind::none;
+  std::string what = {};
+  double xi = 0, t = 0;
+  bool not_finite = false, is_final = false, has_step = false;
+  FailedStep step = {};
+};
+
+template <class Archive>
+void fields(Archive& archive, Interval& interval) {
+  archive(interval.lower, interval.upper);
+}
+template <class Archive>
+void fields(Archive& archive, PathFacts& facts) {
+  archive(facts.recipe, facts.parameter, facts.direction[0], facts.direction[1], facts.direction[2]);
+}
+template <class Archive>
+void fields(Archive& archive, HistoryScales& scales) {
+  archive(scales.cauchy, scales.state);
+}
+template <class Archive>
+void fields(Archive& archive, ShortestTelling& shortest) {
+  archive(shortest.norm, shortest.stress);
+}
+template <class Archive>
+void fields(Archive& archive, CourseFacts& facts) {
+  archive(facts.end, facts.by_rate, facts.telling, facts.regimes, facts.scales, facts.shortest);
+}
+template <class Archive>
+void fields(Archive& archive, HistoryOptions& options) {
+  archive(options.tolerance, options.watch);
+}
+template <class Archive>
+void fields(Archive& archive, StateSigns& signs) {
+  archive(signs.changes, signs.always, signs.ever, signs.any_start);
+}
+template <class Archive>
+void fields(Archive& archive, CoarseMarch& seen) {
+  archive(seen.largest, seen.signs, seen.shortest);
+}
+template <class Archive>
+void fields(Archive& archive, Branch& branch) {
+  archive(branch.begin, branch.regime);
+}
+template <class Archive>
+void fields(Archive& archive, HistoryTrail& trail) {
+  archive(trail.width, trail.rows, trail.branches, trail.flickers, trail.error, trail.calls);
+}
+template <class Archive>
+void fields(Archive& archive, FailedStep& step) {
+  archive(step.t, step.dt, step.F0, step.F1, step.state0);
+}
+template <class Archive>
+void fields(Archive& archive, FailureFacts& facts) {
+  archive(facts.kind, facts.what, facts.xi, facts.t, facts.not_finite, facts.is_final, facts.has_step, facts.step);
+}
+
+template <class... Parts>
+std::vector<double> numbers_of(Parts... parts) {
+  NumberWriter writer;
+  writer(parts...);
+  return std::move(writer.numbers);
+}
+
+}  // namespace assay

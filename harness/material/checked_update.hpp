@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `update` for callers that cannot go on without it.
+#pragma once
+
+#include "harness/material/material.hpp"
+#include "harness/material/material_failure.hpp"
+
+namespace assay {
+
+/// Material::update of n points. Throws MaterialFailure with the first point that failed, at t + dt and `xi`.
+inline void checked_update(const Material& material, double xi, double t, double dt, std::size_t n, const double* F0,
+                           const double* F1, const double* state0, double* state1, double* cauchy) {
+  const UpdateReport report = material.update(t, dt, n, F0, F1, state0, state1, cauchy);
+  if (report.worst != ASSAY_FAILED) return;
+  MaterialFailure failure(report.message, xi, t + dt,
+                          failed_step(t, dt, n, report.worst_point, F0, F1, state0, material.state_size()));
+  failure.not_finite = report.not_finite;
+  failure.final = report.dt_factor == 0;
+  throw failure;
+}
+
+}  // namespace assay

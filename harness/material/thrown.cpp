@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/material/thrown.hpp"
+
+#include <cstdint>
+
+#include "harness/material/foreign_message.hpp"
+
+extern "C" {
+extern const char __executable_start, etext;  // of the linker: where the code of this program lies
+}
+
+namespace assay {
+
+bool is_own_code(const void* function) {
+  const auto at = [](const void* place) { return reinterpret_cast<std::uintptr_t>(place); };
+  return at(function) >= at(&__executable_start) && at(function) < at(&etext);
+}
+
+std::string words_of_exception(const char* what) {
+  constexpr std::size_t longest = 300;
+  const std::string said = one_line_of(what).substr(0, longest);
+  return exception_words + (said.empty() ? "" : ": " + said);
+}
+
+}  // namespace assay

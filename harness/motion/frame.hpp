@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The frame from which a plane motion is seen: turned, spinning, in uniform flight.
+#pragma once
+
+#include "harness/motion/exact_state.hpp"
+
+namespace assay {
+
+/// With R(t) the rotation about E_z by angle + spin t, and X' = R(0) X,
+///   x'(X', t) = R(t) x(R(0)^T X', t) + velocity t.
+/// The angle is a change of basis: the body is turned against the grid. Spin and velocity are a change of frame.
+struct Frame {
+  double angle = 0;                    ///< [rad]
+  double spin = 0;                     ///< w, of the observed motion against the body's [rad/s]
+  Vector3 velocity = Vector3::Zero();  ///< c [m/s]
+
+  bool moves() const { return spin != 0 || velocity != Vector3::Zero(); }
+
+  Tensor rotation(double t) const { return rotation_about_z(angle + spin * t); }
+
+  /// X = R(0)^T X' [m].
+  Vector3 body_point(const Vector3& X) const { return rotation(0).transpose() * X; }
+
+  /// 2 w x v + w x (w x x), w = spin E_z, of a point of the body, along the body's axes [m/s^2].
+  Vector3 coriolis_and_centrifugal(const ExactState& state) const;
+
+  /// x', v' = R (v + w x x) + c, a' = R (a + 2 w x v + w x (w x x)), F' = R(t) F R(0)^T.
+  ExactState seen(const ExactState& state, double t) const;
+
+  /// P' = R(t) P R(0)^T, sigma' = R sigma R^T, b' = R (b + 2 w x v + w x (w x x)); state: of the body's own motion.
+  ExactStress seen(const ExactStress& stress, const ExactState& state, double t) const;
+};
+
+}  // namespace assay

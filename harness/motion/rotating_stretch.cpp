@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/motion/rotating_stretch.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "harness/motion/path_recipe.hpp"
+#include "harness/numeric/stable_norm.hpp"
+
+namespace assay {
+
+namespace {
+
+using std::numbers::pi;
+
+/// A function of time with its first two rates [1], [1/s], [1/s^2].
+struct Smooth {
+  double value = 0, rate = 0, acceleration = 0;
+};
+
+/// q(u) = u^3 (10 - 15 u + 6 u^2), 0 before u = 0 and 1 after u = 1, where q' = q'' = 0; u' constant [1/s].
+Smooth smooth_ramp(double u, double u_rate) {
+  if (u <= 0) return {};
+  if (u >= 1) return {1, 0, 0};
+  return {u * u * u * (10 - 15 * u + 6 * u * u), 30 * u * u * (1 - u) * (1 - u) * u_rate,
+          60 * u * (1 - u) * (1 - 2 * u) * u_rate * u_rate};
+}
+
+/// sin^2(pi t/T).
+Smooth sine_squared(double t, double T) {
+  const double phase = pi / T * std::fmod(t, T), s = std::sin(phase);
+  return {s * s, pi / T * std::sin(2 * phase), 2 * pi * pi / (T * T) * std::cos(2 * phase)};
+}
+
+/// (Lambda - 1)/a.
+Smooth stretching(const RotatingStretch& m, double t) {
+  return m.rotate == RotatingStretch::Rotate::after ? smooth_ramp(2 * t / m.period, 2 / m.period)
+                                                    : sine_squared(t, m.period);
+}
+
+/// angle/beta.
+Smooth turning(const RotatingStretch& m, double t) {
+  switch (m.rotate) {
+    case RotatingStretch::Rotate::none:
+      return {};
+    case RotatingStretch::Rotate::simultaneous:
+      return smooth_ramp(t / m.period, 1 / m.period);
+    case RotatingStretch::Rotate::after:
+      return smooth_ramp(2 * t / m.period - 1, 2 / m.period);
+  }
+  return {};
+}
+
+/// F and its first two rates [1], [1/s], [1/s^2].
+struct Deformation {
+  Tensor F, rate, acceleration;
+};
+
+Deformation deformation(const RotatingStretch& m, double xi, double t) {
+  const Smooth s = stretching(m, t), angle = turning(m, t);
+  Tensor D = Tensor::Zero();
+  D(0, 0) = xi * m.stretch;
+  D(0, 1) = xi * m.shear;
+  const Vector3 n = unit_along(m.axis);
+  Tensor W;  // W v = n x v
+  W << 0, -n.z(), n.y(), n.z(), 0, -n.x(), -n.y(), n.x(), 0;
+  const Tensor Q = Eigen::AngleAxisd(m.rotation * angle.value, n).toRotationMatrix();
+  const double omega = m.rotation * angle.rate;
+  const Tensor Q_rate = omega * W * Q,
+               Q_acceleration = (m.rotation * angle.acceleration * W + omega * omega * W * W) * Q;
+  const Tensor U = Tensor::Identity() + s.value * D;
+  return {Q * U, Q_rate * U + s.rate * Q * D, Q_acceleration * U + 2 * s.rate * Q_rate * D + s.acceleration * Q * D};
+}
+
+}  // namespace
+
+ExactState RotatingStretch::at(const Vector3& X, double t) const {
+  const Deformation d = deformation(*this, 1, t);
+  return {d.F * X, d.rate * X, d.acceleration * X, d.F, d.rate};
+}
+
+Path RotatingStretch::baseline() const {
+  Path path;
+  path.name = "rotating_stretch";
+  path.parameter = {0, 1};
+  path.curved = [m = *this](double xi, double t) {
+    const Deformation d = deformation(m, xi, t);
+    return PathPoint{d.F, d.rate};
+  };
+  // Lambda' = 0 at the multiples of T/2; the ramps begin and end there
+  path.reversals = [m = *this](double end) {
+    std::vector<double> times;
+    const bool ends = m.rotate == Rotate::after;  // after T nothing moves
+    for (long k = 1; 0.5 * m.period * static_cast<double>(k) < end && (!ends || k <= 2); ++k) {
+      times.push_back(0.5 * m.period * static_cast<double>(k));
+    }
+    return times;
+  };
+  path.recipe = recipe_of(*this);
+  return path;
+}
+
+}  // namespace assay

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/motion/vortex.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/motion/path_recipe.hpp"
+#include "harness/motion/radii_of_xi.hpp"
+
+namespace assay {
+
+namespace {
+
+/// Radii this close to ri or ro [relative] count as ri or ro: a point given on the edge must not fall outside by the
+/// rounding of sqrt(X^2 + Y^2).
+constexpr double edge_tolerance = 1e-14;
+
+}  // namespace
+
+Vortex::Profile Vortex::profile(double R) const {
+  if (std::abs(R - inner) <= edge_tolerance * inner) R = inner;
+  if (std::abs(R - outer) <= edge_tolerance * outer) R = outer;
+  if (R < inner || R > outer) return {};
+  const int m = profile_power;
+  const double half_width = 0.5 * (outer - inner);
+  const double s = (R - 0.5 * (inner + outer)) / half_width;
+  const double q = (outer - R) * (R - inner) / (half_width * half_width);  // 1 - s^2, exactly 0 on the edges
+  const double lower_power = std::pow(q, m - 2);                           // 1 for m = 2, on the edges too
+  Profile p;
+  p.h = lower_power * q * q;
+  p.h_prime = -2 * m * lower_power * q * s / half_width;
+  const double h_second = (4 * m * (m - 1) * lower_power * s * s - 2 * m * lower_power * q) / (half_width * half_width);
+  p.xi = 0.5 * R * p.h_prime;  // (13)
+  p.xi_prime = 0.5 * (p.h_prime + R * h_second);
+  return p;
+}
+
+bool Vortex::moves(const Vector3& X) const {
+  const double R = std::hypot(X.x(), X.y());
+  return R > inner && R < outer;
+}
+
+RingKinematics Vortex::ring(double R, const Profile& p, const AmplitudeValue& g) {
+  RingKinematics k;
+  k.rho = R;
+  k.alpha = g.value * p.h;      // (5)
+  k.alpha_rate = g.rate * p.h;  // (30)
+  k.alpha_acceleration = g.acceleration * p.h;
+  k.alpha_slope = g.value * p.h_prime;
+  k.alpha_slope_rate = g.rate * p.h_prime;
+  k.alpha_slope_acceleration = g.acceleration * p.h_prime;
+  return k;
+}
+
+ExactState Vortex::at(const Vector3& X, double t) const {
+  const double R = std::hypot(X.x(), X.y());
+  const Profile p = profile(R);
+  const AmplitudeValue g = amplitude.at(t);
+  const Tensor Q = rotation_about_z(g.value * p.h);  // (4), (5)
+  ExactState state;
+  state.x = Q * X;                                  // (3)
+  const Vector3 A_x(-state.x.y(), state.x.x(), 0);  // A x = E_z x x (8)
+  const Vector3 in_plane(state.x.x(), state.x.y(), 0);
+  const double omega = g.rate * p.h;                                // (30) [rad/s]
+  state.v = omega * A_x;                                            // (28)
+  state.a = g.acceleration * p.h * A_x - omega * omega * in_plane;  // (29)
+  Tensor shear = Tensor::Identity(), shear_rate = Tensor::Zero();
+  if (R > 0) {
+    const Vector3 E_R(X.x() / R, X.y() / R, 0), E_Theta(-X.y() / R, X.x() / R, 0);
+    shear += R * g.value * p.h_prime * E_Theta * E_R.transpose();
+    shear_rate = R * g.rate * p.h_prime * E_Theta * E_R.transpose();
+  }
+  state.F = Q * shear;        // (12)
+  Tensor W = Tensor::Zero();  // A of (8)
+  W(0, 1) = -1, W(1, 0) = 1;
+  state.F_rate = omega * W * state.F + Q * shear_rate;
+  return state;
+}
+
+Interval Vortex::xi_range() const {
+  Interval range;
+  for (const double R : turning_radii(*this)) {
+    const double extreme = profile(R).xi;
+    range.lower = std::min(range.lower, extreme);
+    range.upper = std::max(range.upper, extreme);
+  }
+  return range;
+}
+
+Path Vortex::baseline() const {
+  Path path;
+  path.name = "simple_shear";
+  path.direction(1, 0) = 2;  // (16): F = I + 2 eps E2 E1
+  path.amplitude = [g = amplitude](double t) { return g.at(t).value; };
+  path.amplitude_rate = [g = amplitude](double t) { return g.at(t).rate; };
+  path.parameter = xi_range();
+  path.reversals = [g = amplitude](double end) { return g.reversals(end); };
+  path.amplitude_range = [g = amplitude](double end) {
+    const auto [lower, upper] = g.range(end);
+    return Interval{lower, upper};
+  };
+  path.recipe = recipe_of(*this);
+  return path;
+}
+
+}  // namespace assay

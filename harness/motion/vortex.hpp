@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The generalized vortex, section 2 of the paper: circular motion, simple shear with rotation everywhere.
+#pragma once
+
+#include "harness/motion/amplitude.hpp"
+#include "harness/motion/exact_state.hpp"
+#include "harness/motion/path.hpp"
+#include "harness/motion/ring_kinematics.hpp"
+
+namespace assay {
+
+/// x = Q(alpha) X (3), alpha = g(t) h(R) (5), h = (1 - s^2)^m with s = (R - (ri+ro)/2) / ((ro-ri)/2) inside the
+/// ring, 0 outside. m = 2, ri = .75, ro = 1.25 is the h of section 2.4.
+struct Vortex {
+  double inner = 0.75;    ///< ri, the paper's a [m]
+  double outer = 1.25;    ///< ro, the paper's b [m]
+  int profile_power = 2;  ///< m
+  Amplitude amplitude;
+
+  /// Everything that depends on R alone.
+  struct Profile {
+    double h = 0;         ///< [1]
+    double h_prime = 0;   ///< h' [1/m]
+    double xi = 0;        ///< xi = R h' / 2 (13) [1]
+    double xi_prime = 0;  ///< d xi / d R = (h' + R h'') / 2 [1/m]
+  };
+
+  /// At the radii ri and ro themselves: the limit from inside.
+  Profile profile(double R) const;
+
+  /// Whether the exact motion moves the point: ri < R < ro.
+  bool moves(const Vector3& X) const;
+
+  /// Position (3), velocity (28), acceleration (29) and deformation gradient (12) of reference point X at time t.
+  ExactState at(const Vector3& X, double t) const;
+
+  /// rho = R, alpha = g h, at a radius.
+  RingKinematics ring(double R, double t) const { return ring(R, profile(R), amplitude.at(t)); }
+  static RingKinematics ring(double R, const Profile& profile, const AmplitudeValue& g);
+
+  /// Smallest and largest xi in the ring.
+  Interval xi_range() const;
+
+  /// The baseline F = I + 2 g(t) xi E2 E1 (16) with parameter xi.
+  Path baseline() const;
+};
+
+}  // namespace assay

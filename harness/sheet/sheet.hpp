@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The sheet tau(xi, t) of a material on a family of baseline histories, and (d tau / d xi) at fixed t.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "harness/sheet/band_table.hpp"
+#include "harness/sheet/curve.hpp"
+#include "harness/sheet/slice.hpp"
+
+namespace assay {
+
+/// How far the making of a sheet is. A second look for kinks, or a second round, begins again.
+struct SheetProgress {
+  enum class Stage { bands, histories, error };
+  Stage stage = Stage::bands;
+  double done = 0, planned = 0;  ///< histories; planned: as far as is known by now, 0: nothing is
+};
+
+struct SheetOptions {
+  double tolerance = 1e-10;  ///< requested relative error of tau and of d tau / d xi
+  double end = 1;            ///< times 0 .. end [s]
+  int most_nodes = 129;      ///< in xi of a band, and in the time of a stretch
+  Workers workers = {};
+  std::function<void(const SheetProgress&)> report = {};  ///< called between histories, by the calling thread
+};
+
+/// What is known of a sheet's errors, from histories off its nodes.
+struct SheetError {
+  double tau = 0, dtau = 0;              ///< relative to the largest component
+  double tau_scale = 0, dtau_scale = 0;  ///< those largest components [Pa]
+};
+
+/// Spectral in xi and t on patches whose edges follow the reversals of the path and the changes of the material's
+/// regime: smooth materials converge spectrally, materials with kinks do so between their kinks. For a path-independent
+/// material the sheet collapses onto the curve tau(eps), eps = xi g(t).
+class Sheet {
+ public:
+  /// Refines until the estimated errors are as requested, or refining no longer helps. Throws MaterialFailure.
+  Sheet(const Material& material, const Path& path, const SheetOptions& options);
+
+  /// A sheet kept as numbers; `pack` is empty for a curve, which costs less than keeping it.
+  explicit Sheet(std::span<const double> packed);
+  std::vector<double> pack() const;
+  bool restored() const { return restored_; }  ///< from numbers: no material was asked
+
+  /// tau and (d tau / d xi)_t at one point [Pa].
+  void at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const;
+
+  /// For many points of one time.
+  Slice slice(double t) const;
+
+  bool is_curve() const { return std::holds_alternative<Curve>(table_); }
+  std::int64_t points() const;               ///< nodes
+  int nodes_in_xi() const;                   ///< of all bands together; in eps for a curve
+  int nodes_in_t() const;                    ///< largest over the bands, all stretches together; 1 for a curve
+  bool has_kinks() const { return kinks_; }  ///< changes of the material's regime were found
+  const SheetError& error() const { return error_; }
+  double error_tau() const { return error_.tau; }
+  double error_dtau() const { return error_.dtau; }
+  std::int64_t material_calls() const { return calls_; }
+
+ private:
+  using Bands = std::vector<BandTable>;
+  std::variant<Curve, Bands> table_;
+  SheetError error_;
+  std::int64_t calls_ = 0;
+  bool restored_ = false, kinks_ = false;
+};
+
+}  // namespace assay

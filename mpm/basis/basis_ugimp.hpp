@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// uGIMP: the generalized interpolation material point method with particle domains that keep their size. Ref. [4].
+//
+// In each direction, with r = x - x_i and half size l <= h/2:
+//   |r| < l:            1 - (r^2 + l^2) / (2 h l)
+//   l <= |r| < h - l:   1 - |r| / h
+//   h - l <= |r| < h+l: (h + l - |r|)^2 / (4 h l)
+// From the nearest node, |r| <= h/2, the nodes on its sides have these in one of two forms, and what they leave to one
+// is its own:
+//   r > l: r / h of the node above, none of the one below; |r| <= l: (l +- r)^2 / (4 h l)
+#pragma once
+
+#include "mpm/basis/basis_separable.hpp"
+
+namespace assay::mpm {
+
+template <int Dim>
+class UgimpBasis : public SeparableBasis<UgimpBasis<Dim>, Dim, 3> {
+ public:
+  static constexpr const char* name = "ugimp";
+  static constexpr bool uses_deformation = false;
+  static constexpr std::size_t domain_components = Dim;
+  static constexpr bool may_cross_edges = false;
+  static constexpr std::size_t bytes = 2 * Dim * sizeof(double);  ///< of the weights a particle
+
+  UgimpBasis(const GridGeometry<Dim>& grid, const Vec<Dim>& half_size, std::size_t particles)
+      : SeparableBasis<UgimpBasis<Dim>, Dim, 3>(grid), half_size_(half_size), places_(particles) {}
+
+  ASSAY_INLINE bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>& F) { return place(p, x, F, half_size_); }
+
+  ASSAY_INLINE bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>&, const Vec<Dim>& half_size) {
+    Place& at = places_[p];
+    bool inside = true;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      at.along[d] = x[d] * this->locator_.inverse_spacing - this->locator_.first[d];
+      at.half[d] = half_size[d] * this->locator_.inverse_spacing;
+      inside = inside && at.along[d] >= 0.5 && at.along[d] < this->locator_.last_cell[d] - 0.5;
+    }
+    if (!inside) at.along.fill(1);
+    return inside;
+  }
+
+  ASSAY_INLINE double along(std::size_t p, std::size_t d) const { return places_[p].along[d]; }
+
+  ASSAY_INLINE void line(std::size_t p, std::size_t d, double* value, double* slope, std::int32_t& first) const {
+    const Place& at = places_[p];
+    const double above_half = at.along[d] + 0.5;  // the nearest node: along is positive
+    const auto middle = static_cast<std::int32_t>(above_half);
+    const double r = at.along[d] - middle, l = at.half[d], s = this->locator_.inverse_spacing;
+    first = middle - 1;
+    const double half = 0.5 / l, below = l - r, above = l + r;
+    const double lower = below > 0 ? below : 0, upper = above > 0 ? above : 0;
+    value[0] = above < 0 ? -r : 0.5 * half * lower * lower;
+    value[2] = below < 0 ? r : 0.5 * half * upper * upper;
+    value[1] = 1 - value[0] - value[2];
+    slope[0] = above < 0 ? -s : -s * half * lower;
+    slope[2] = below < 0 ? s : s * half * upper;
+    slope[1] = -slope[0] - slope[2];
+  }
+
+ private:
+  struct Place {
+    Vec<Dim> along, half;  ///< cell coordinates; half sizes [h]
+  };
+  static_assert(sizeof(Place) == bytes);
+
+  Vec<Dim> half_size_;
+  std::vector<Place> places_;
+};
+
+}  // namespace assay::mpm

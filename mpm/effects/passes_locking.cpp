@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// F-bar: de Souza Neto, Peric, Dutko and Owen (1996); averaged over the cells of the grid by Coombs, Charlton, Cortis
+// and Augarde (2018).
+#include <algorithm>
+#include <cmath>
+
+#include "mpm/data/dimension.hpp"
+#include "mpm/effects/passes_remedies.hpp"
+#include "mpm/kernels/affine.hpp"
+#include "mpm/kernels/column_access.hpp"
+
+namespace assay::mpm {
+
+namespace {
+
+/// Of the volume over which averages are taken and that after the step [m^Dim]: in the total formulation the reference
+/// one, in the updated one that before the step.
+template <int Dim>
+std::size_t find_volumes(State<Dim>& s, const Block& block, double dt) {
+  const auto F = components<Dim * Dim>(s, Column::deformation_gradient);
+  const auto rate = components<Dim * Dim>(s, Column::velocity_gradient);
+  const double* V = s.column(Column::volume);
+  double *base = s.column(Column::step_volumes, 0), *after = s.column(Column::step_volumes, 1);
+  const bool total = s.method.is_total();
+  for (std::size_t p = block.begin; p < block.end; ++p) {
+    const Mat<Dim> before = load(F, p);
+    Mat<Dim> change = load(rate, p);
+    if (!total) change = product<Dim>(change, before);
+    for (std::size_t c = 0; c < change.size(); ++c) change[c] = before[c] + dt * change[c];
+    base[p] = total ? V[p] : V[p] * determinant<Dim>(before);
+    after[p] = V[p] * determinant<Dim>(change);
+  }
+  return none_bad;
+}
+
+/// Sums over the cells, or over the nodes' multilinear functions, of the grid.
+template <int Dim>
+class VolumeAverage {
+ public:
+  VolumeAverage(const GridGeometry<Dim>& grid, AntiLocking over) : grid_(grid), over_(over) {
+    sums_.allocate(grid.nodes());
+    touched_.reserve(grid.nodes());
+  }
+
+  void run(State<Dim>& s) {
+    const bool total = s.method.is_total();
+    const auto x = components<Dim>(s, total ? Column::reference_position : Column::position);
+    const double *base = s.column(Column::step_volumes, 0), *after = s.column(Column::step_volumes, 1);
+    double *now = s.column(Column::volume_scale, 0), *before = total ? s.column(Column::volume_scale, 1) : nullptr;
+    for (std::size_t p = 0; p < s.particles; ++p) {
+      visit(load(x, p), s.images, [&](std::size_t at, double share) {
+        double* sums = sums_.node(at);
+        if (sums[0] == 0) touched_.push_back(at);
+        sums[0] += share * base[p];
+        sums[1] += share * after[p];
+      });
+    }
+    if (over_ == AntiLocking::node && !s.images.empty()) {
+      s.images.fold(sums_, 2);  // scalars
+      s.images.unfold(sums_, 2);
+    }
+    for (std::size_t p = 0; p < s.particles; ++p) {
+      double average = 0;
+      visit(load(x, p), s.images,
+            [&](std::size_t at, double share) { average += share * sums_.node(at)[1] / sums_.node(at)[0]; });
+      if (before) before[p] = now[p] > 0 ? now[p] : 1;  // zero before the first step
+      const double own = after[p] / base[p];
+      now[p] = own > 0 && average > 0 ? std::pow(average / own, 1.0 / Dim) : 1;  // the stress pass reports it
+    }
+    if (s.images.empty()) {
+      for (const std::size_t at : touched_) std::fill_n(sums_.node(at), 2, 0.0);
+    } else {
+      sums_.zero();
+    }
+    touched_.clear();
+  }
+
+ private:
+  /// body(cell or node, share of it)
+  template <class Body>
+  void visit(const std::array<double, Dim>& x, const Images<Dim>& images, const Body& body) const {
+    std::array<double, Dim> part{};
+    std::size_t lowest = 0, stride = 1;
+    std::array<std::size_t, Dim> strides{};
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const double along = x[d] / grid_.spacing - (grid_.first[d] + grid_.offset[d]);
+      const double cell = std::clamp(std::floor(along), 0.0, static_cast<double>(grid_.count[d] - 2));
+      part[d] = std::clamp(along - cell, 0.0, 1.0);
+      lowest += static_cast<std::size_t>(cell) * stride;
+      strides[d] = stride;
+      stride *= static_cast<std::size_t>(grid_.count[d]);
+    }
+    if (over_ == AntiLocking::cell) return body(images.cell(lowest), 1.0);
+    for (std::size_t n = 0; n < std::size_t{1} << Dim; ++n) {
+      double share = 1;
+      std::size_t node = lowest;
+      for (std::size_t d = 0; d < Dim; ++d) {
+        const bool upper = (n >> d & 1) != 0;
+        share *= upper ? part[d] : 1 - part[d];
+        node += upper ? strides[d] : 0;
+      }
+      if (share > 0) body(node, share);
+    }
+  }
+
+  GridGeometry<Dim> grid_;
+  AntiLocking over_;
+  GridField<2> sums_;                 ///< of reference and current volume [m^Dim]
+  std::vector<std::size_t> touched_;  ///< where they are not zero; a node can stand here more than once
+};
+
+}  // namespace
+
+template <int Dim>
+Pass<Dim> step_volumes_pass() {
+  Pass<Dim> pass;
+  pass.name = "step_volumes";
+  pass.doc = "volume of each particle before and after the step, or in the reference configuration and after it";
+  pass.called_for_by = "remedies.anti_locking";
+  pass.effects = {Effect::anti_locking};
+  pass.reads = {Column::velocity_gradient, Column::deformation_gradient, Column::volume};
+  pass.writes = {Column::step_volumes};
+  pass.bind = [](State<Dim>& s) -> Kernel {
+    Kernel kernel;
+    kernel.block = [&s](const Instant& now, const Block& block) { return find_volumes(s, block, now.dt); };
+    return kernel;
+  };
+  return pass;
+}
+
+template <int Dim>
+Pass<Dim> average_volume_pass(const Method& method, AntiLocking over) {
+  Pass<Dim> pass;
+  pass.name = "average_volume";
+  pass.doc = over == AntiLocking::cell ? "J averaged over the particles of each cell, for the stress"
+                                       : "J averaged over the nodes' functions, for the stress";
+  pass.called_for_by = "remedies.anti_locking";
+  pass.effects = {Effect::anti_locking};
+  pass.reads = {Column::step_volumes, method.is_total() ? Column::reference_position : Column::position};
+  pass.writes = {Column::volume_scale};
+  pass.grid_fields = {"cell_volume"};
+  pass.bind = [over](State<Dim>& s) -> Kernel {
+    auto average = std::make_shared<VolumeAverage<Dim>>(s.setup.grid, over);
+    return [&s, average](const Instant&) { average->run(s); };
+  };
+  return pass;
+}
+
+template Pass<ASSAY_DIMENSION> step_volumes_pass<ASSAY_DIMENSION>();
+template Pass<ASSAY_DIMENSION> average_volume_pass<ASSAY_DIMENSION>(const Method&, AntiLocking);
+
+}  // namespace assay::mpm

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/effects/passes_traction.hpp"
+
+#include "harness/exact/exact_field.hpp"
+#include "mpm/basis/corners.hpp"
+#include "mpm/kernels/affine.hpp"
+#include "mpm/kernels/column_access.hpp"
+#include "mpm/setup/with_basis.hpp"
+#include "mpm/step/surface_loads.hpp"
+
+namespace assay::mpm {
+
+namespace {
+
+/// Of the stress that forces are made of: USF takes that of the end of the step.
+double time_of_forces(const Method& method, const Instant& now) {
+  return method.update == Update::usf ? now.t + now.dt : now.t;
+}
+
+Mat<2> deformation_gradient(const State<2>& s, std::size_t p) {
+  Mat<2> F;
+  for (std::size_t c = 0; c < 4; ++c) F[c] = s.column(Column::deformation_gradient, static_cast<int>(c))[p];
+  return F;
+}
+
+Vec<2> times(const Mat<2>& A, const Vec<2>& v) { return {A[0] * v[0] + A[1] * v[1], A[2] * v[0] + A[3] * v[1]}; }
+
+/// n ds of an edge: of the line between its corners where these move, else J F^-T N dA0 of its particle.
+Vec<2> current_normal(const State<2>& s, const SurfaceEdge& edge) {
+  if (s.has(Column::corners) && edge.on_corners) {
+    const auto corner = [&](std::size_t k, std::size_t d) {
+      return s.column(Column::corners, static_cast<int>(2 * edge.corners[k] + d))[edge.particle];
+    };
+    const double dx = corner(1, 0) - corner(0, 0), dy = corner(1, 1) - corner(0, 1);
+    const double X = edge.X[1][0] - edge.X[0][0], Y = edge.X[1][1] - edge.X[0][1];
+    const double side = Y * edge.N_dA[0] - X * edge.N_dA[1] > 0 ? 1 : -1;  // (dy, -dx) points out of the body, or in
+    return {side * dy, -side * dx};
+  }
+  const Mat<2> cofactor = inverse_transpose<2>(deformation_gradient(s, edge.particle), 1);
+  return {cofactor[0] * edge.N_dA[0] + cofactor[1] * edge.N_dA[1],
+          cofactor[2] * edge.N_dA[0] + cofactor[3] * edge.N_dA[1]};
+}
+
+/// Force on an edge, of whose middle the field speaks at `k` [N].
+Vec<2> force_on(const State<2>& s, const SurfaceEdge& edge, const ExactField& field, std::size_t k) {
+  const Traction& traction = *s.setup.traction;
+  const bool undeformed = traction.algorithm == TractionAlgorithm::undeformed_edges;
+  if (traction.form == TractionForm::reference && !undeformed) {
+    return times(field.first_piola_kirchhoff(k), edge.N_dA);
+  }
+  Vec<2> n = current_normal(s, edge);
+  if (undeformed) {
+    const double share = std::hypot(edge.N_dA[0], edge.N_dA[1]) / std::hypot(n[0], n[1]);
+    for (double& component : n) component *= share;
+  }
+  const auto sigma = field.at(k).sigma;
+  return times(Mat<2>{sigma[0], sigma[1], sigma[2], sigma[3]}, n);
+}
+
+/// Where the force of an edge acts: the reference vectors from the particle, and the shares.
+std::vector<SurfacePoint> points_of(const State<2>& s, const SurfaceEdge& edge) {
+  const auto from_particle = [&](const std::array<double, 2>& X) {
+    return Vec<2>{X[0] - s.setup.seeds.X[0][edge.particle], X[1] - s.setup.seeds.X[1][edge.particle]};
+  };
+  if (s.setup.traction->algorithm == TractionAlgorithm::particles) return {{edge.particle, -1, {}, 1}};
+  if (is_spline(s.method.basis)) return {{edge.particle, -1, from_particle(edge.middle), 1}};
+  const auto corner = [&](std::size_t k) { return edge.on_corners ? edge.corners[k] : -1; };
+  return {{edge.particle, corner(0), from_particle(edge.X[0]), 0.5},
+          {edge.particle, corner(1), from_particle(edge.X[1]), 0.5}};
+}
+
+/// x of a point of the surface: where its corner is, or by its particle's F.
+Vec<2> position_of(const State<2>& s, const SurfacePoint& point, bool in_reference) {
+  const std::size_t p = point.particle;
+  if (s.has(Column::corners) && point.corner >= 0) {
+    return {s.column(Column::corners, 2 * point.corner)[p], s.column(Column::corners, 2 * point.corner + 1)[p]};
+  }
+  const Column at = in_reference ? Column::reference_position : Column::position;
+  const Mat<2> F = in_reference ? Mat<2>{1, 0, 0, 1} : deformation_gradient(s, p);
+  return {s.column(at, 0)[p] + F[0] * point.offset[0] + F[1] * point.offset[1],
+          s.column(at, 1)[p] + F[2] * point.offset[0] + F[3] * point.offset[1]};
+}
+
+/// What the surface gives to the accounts: impulse and its moment.
+void book(State<2>& s, const SurfacePoint& point, double kick) {
+  const Vec<2> x = position_of(s, point, false);
+  for (std::size_t d = 0; d < 2; ++d) s.ledger.impulse[d] += kick * point.force[d];
+  s.ledger.angular_impulse += kick * (x[0] * point.force[1] - x[1] * point.force[0]);
+}
+
+/// Forces of the edges, shared out to the points of the surface.
+void load_points(State<2>& s, SurfaceLoads& loads, const ExactField& field) {
+  std::size_t k = 0;
+  const std::vector<SurfaceEdge>& surface = s.setup.seeds.surface;
+  for (std::size_t e = 0; e < surface.size(); ++e) {
+    const SurfaceEdge& edge = surface[e];
+    const Vec<2> force = force_on(s, edge, field, e);
+    for (; k < loads.points.size() && loads.points[k].edge == &edge; ++k) {
+      SurfacePoint& point = loads.points[k];
+      point.force = {point.share * force[0], point.share * force[1]};
+    }
+  }
+}
+
+/// At the middles of the edges.
+std::shared_ptr<ExactField> field_of(const State<2>& s) {
+  std::vector<double> X, Y;
+  for (const SurfaceEdge& edge : s.setup.seeds.surface) X.push_back(edge.middle[0]), Y.push_back(edge.middle[1]);
+  return std::make_shared<ExactField>(s.setup.exact, Frame{}, X, Y);
+}
+
+std::shared_ptr<SurfaceLoads> loads_of(State<2>& s) {
+  std::vector<SurfacePoint> points;
+  for (const SurfaceEdge& edge : s.setup.seeds.surface) {
+    for (SurfacePoint& point : points_of(s, edge)) {
+      point.edge = &edge;
+      points.push_back(point);
+    }
+  }
+  const bool at_particles = s.setup.traction->algorithm == TractionAlgorithm::particles;
+  return surface_loads(s, std::move(points), at_particles);
+}
+
+}  // namespace
+
+Pass<2> traction_pass(const Method& method, const Traction& traction, bool accounts) {
+  Pass<2> pass;
+  pass.name = "traction";
+  pass.stages = Stages::kicks;
+  const bool reference = traction.form == TractionForm::reference;
+  pass.doc = std::string("tractions of the exact motion on the surface, ") +
+             (traction.algorithm == TractionAlgorithm::undeformed_edges ? "sigma n times the undeformed length"
+              : reference                                               ? "P N dA0"
+                                                                        : "sigma n ds");
+  pass.called_for_by = "traction.algorithm";
+  pass.effects = {effect_of(traction.algorithm)};
+  pass.reads = {Column::position};
+  if (!method.is_total() || !reference) pass.reads.push_back(Column::deformation_gradient);
+  if (traits_of<2>(method.basis).moves_corners) pass.reads.push_back(Column::corners);
+  pass.grid_fields = {"force"};
+  pass.bind = [accounts](State<2>& s) -> Kernel {
+    s.loads = loads_of(s);
+    return [&s, accounts, field = field_of(s)](const Instant& now) {
+      SurfaceLoads& loads = *s.loads;
+      const double t = time_of_forces(s.method, now);
+      field->set_time(t, t);
+      load_points(s, loads, *field);
+      for (std::size_t k = 0; k < loads.points.size(); ++k) {
+        SurfacePoint& point = loads.points[k];
+        if (!loads.place(k, position_of(s, point, s.method.is_total()))) {
+          s.finding = Finding{Finding::Kind::unstable, "a point of the surface left the grid", point.particle};
+          return;
+        }
+        loads.scatter(k, s.force.data());
+        s.live.mark(loads.reach(k));
+        if (accounts) book(s, point, now.kick);
+      }
+      s.live.merge();
+    };
+  };
+  return pass;
+}
+
+Pass<2> traction_work_pass(TractionAlgorithm algorithm) {
+  Pass<2> pass;
+  pass.name = "traction_work";
+  pass.stages = Stages::kicks;
+  pass.doc = "work of the tractions with the velocity that they leave";
+  pass.called_for_by = "output.accounts";
+  pass.effects = {effect_of(algorithm), Effect::energy_account};
+  pass.grid_fields = {"velocity"};
+  pass.bind = [](State<2>& s) -> Kernel {
+    return [&s](const Instant& now) {
+      for (std::size_t k = 0; k < s.loads->points.size(); ++k) {
+        const Vec<2> v = s.loads->velocity(k, s.motion.data()), &f = s.loads->points[k].force;
+        s.ledger.external_work += now.kick * (f[0] * v[0] + f[1] * v[1]);
+      }
+    };
+  };
+  return pass;
+}
+
+Pass<2> virtual_stress_pass(TractionForm form) {
+  Pass<2> pass;
+  pass.name = "virtual_stress";
+  pass.stages = Stages::kicks;
+  pass.doc = form == TractionForm::reference ? "the particles' stress without that of the exact P"
+                                             : "the particles' stress without that of the exact motion";
+  pass.called_for_by = "traction.algorithm";
+  pass.effects = {Effect::virtual_stress};
+  pass.reads = {Column::reference_position, Column::deformation_gradient, Column::stress};
+  pass.writes = {Column::excess_stress};
+  pass.bind = [form](State<2>& s) -> Kernel {
+    s.stress_of_forces = Column::excess_stress;
+    const std::span X(s.column(Column::reference_position, 0), s.particles),
+        Y(s.column(Column::reference_position, 1), s.particles);
+    auto field = std::make_shared<ExactField>(s.setup.exact, Frame{}, X, Y);
+    Kernel kernel;
+    kernel.begin = [&s, field](const Instant& now) {
+      const double t = time_of_forces(s.method, now);
+      field->set_time(t, t);
+    };
+    kernel.block = [&s, field, form](const Instant&, const Block& block) {
+      const auto sigma = components<5>(s, Column::stress), excess = components<5>(s, Column::excess_stress);
+      for (std::size_t p = block.begin; p < block.end; ++p) {
+        const PlaneState exact = field->at(p);
+        Mat<2> taken{exact.sigma[0], exact.sigma[1], exact.sigma[2], exact.sigma[3]};
+        if (form == TractionForm::reference) {  // P F^T / J with the particle's own F
+          const Mat<2> F = deformation_gradient(s, p), own = product<2>(F, inverse<2>(exact.F));
+          const double ratio = determinant<2>(exact.F) / determinant<2>(F);
+          taken = product<2>(taken, {own[0], own[2], own[1], own[3]});  // J_e sigma_e F_e^-T F^T / J
+          for (double& component : taken) component *= ratio;
+        }
+        for (std::size_t c = 0; c < 4; ++c) excess[c][p] = sigma[c][p] - taken[c];
+      }
+      return none_bad;
+    };
+    return kernel;
+  };
+  return pass;
+}
+
+}  // namespace assay::mpm

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the kernels see of a running simulation: plain numbers. They are compiled for several sets of instructions, and
+// what stands here must be the same for all of them; Eigen's types need not be.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "mpm/data/columns.hpp"
+#include "mpm/grid/grid_field.hpp"
+#include "mpm/setup/method.hpp"
+
+namespace assay::mpm {
+
+template <int Dim>
+struct KernelState {
+  Method method;
+  std::size_t particles = 0;
+  std::array<ColumnData, column_count> columns{};
+  GridField<Dim + 1> inertia{};              ///< mass, momentum
+  GridField<Dim> force{};                    ///< internal and body force [N]
+  GridField<2 * Dim> motion{};               ///< velocity, acceleration
+  std::shared_ptr<void> basis{};             ///< the weights of all particles; its type is known to the kernels
+  std::vector<NodeBox<Dim>> reach{};         ///< of the particles of each block
+  std::vector<unsigned char> on_lines{};     ///< whether a particle of each block is; empty where it does not matter
+  Column stress_of_forces = Column::stress;  ///< what internal forces are made of
+  std::vector<double> block_power{};         ///< of the body force, by block; empty where accounts are not kept [W]
+
+  double* column(Column which, int component = 0) {
+    return columns[static_cast<std::size_t>(which)].component(component);
+  }
+  const double* column(Column which, int component = 0) const {
+    return columns[static_cast<std::size_t>(which)].component(component);
+  }
+  bool has(Column which) const { return !columns[static_cast<std::size_t>(which)].empty(); }
+};
+
+}  // namespace assay::mpm

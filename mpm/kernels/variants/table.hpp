@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The kernels of one basis.
+#pragma once
+
+#include "mpm/data/effect.hpp"
+#include "mpm/kernels/variants/to_grid.hpp"
+#include "mpm/kernels/variants/to_particles.hpp"
+
+namespace assay::mpm::ASSAY_INSTRUCTIONS {
+
+template <class B, Velocity Kind, bool Fits, int Dim>
+constexpr std::array<std::array<BlockKernel<Dim>, 2>, 2> gathers() {
+  return {{{gather<B, Kind, false, false, Fits, Dim>, gather<B, Kind, false, true, Fits, Dim>},
+           {gather<B, Kind, true, false, Fits, Dim>, gather<B, Kind, true, true, Fits, Dim>}}};
+}
+
+template <class B, bool Fits, int Dim>
+constexpr Gathers<Dim> all_gathers() {
+  return {gathers<B, Velocity::of_grid, Fits, Dim>(), gathers<B, Velocity::kept, Fits, Dim>(),
+          gathers<B, Velocity::blended, Fits, Dim>()};
+}
+
+template <class B, Around Kind, int Dim>
+constexpr std::array<BlockKernel<Dim>, 2> both() {
+  return {momentum_and_force<B, Kind, false, Dim>, momentum_and_force<B, Kind, true, Dim>};
+}
+
+/// Of what this build leaves out no kernel is made.
+template <class B, int Dim>
+Kernels<Dim> table() {
+  constexpr bool matrix = compiled(Effect::mass_matrix), affine = compiled(Effect::affine_velocity);
+  constexpr bool forces_alone = compiled(Effect::stress_first) || compiled(Effect::force_stages);
+  Kernels<Dim> k;
+  k.place = place<B, Dim>;
+  k.momentum[0] = momentum<B, Around::nothing, Dim>;
+  k.momentum_and_force[0] = both<B, Around::nothing, Dim>();
+  k.gather = all_gathers<B, false, Dim>();
+  if constexpr (forces_alone) k.force = {force<B, false, Dim>, force<B, true, Dim>};
+  if constexpr (forces_alone || compiled(Effect::remapped_velocity)) k.velocity_gradient = velocity_gradient<B, Dim>;
+  if constexpr (matrix) k.multiply_mass = multiply_mass<B, Dim>;
+  if constexpr (affine) {
+    k.momentum[1] = momentum<B, Around::gradient, Dim>;
+    k.momentum[2] = momentum<B, Around::moment, Dim>;
+    k.momentum_and_force[1] = both<B, Around::gradient, Dim>();
+    k.momentum_and_force[2] = both<B, Around::moment, Dim>();
+    if constexpr (MovesCorners<B>) k.gather_and_fit = all_gathers<B, true, Dim>();
+    k.moment = carry<B, Carried::moment, Dim>;
+    k.gradient = carry<B, Carried::gradient, Dim>;
+    k.convected = carry<B, Carried::convected, Dim>;
+    k.fitted = carry_fitted<B, Dim>;
+    k.first_moment = first_moment<B, Dim>;
+  }
+  return k;
+}
+
+}  // namespace assay::mpm::ASSAY_INSTRUCTIONS

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/mass/passes_mass.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mpm/data/dimension.hpp"
+#include "mpm/mass/mass_matrix.hpp"
+#include "mpm/step/passes_grid.hpp"
+
+namespace assay::mpm {
+
+namespace {
+
+/// Momentum of every node.
+template <int Dim>
+void load_momentum(const State<Dim>& s, GridField<Dim>& x) {
+  s.live.each([&](std::size_t i) {
+    for (std::size_t d = 0; d < Dim; ++d) x.node(i)[d] = s.inertia.node(i)[1 + d];
+  });
+}
+
+/// Momentum that the particles gain against what the nodes were given.
+template <int Dim>
+void book_reaction(State<Dim>& s, const Reaction& share, double kick) {
+  if (!s.setup.accounts || !s.images.empty()) return;  // of images the pass that unfolds them keeps the account
+  s.live.each([&](std::size_t i) {
+    const double m = s.inertia.node(i)[0] - (s.held_mass.empty() ? 0 : s.held_mass[i]);
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const double force = kick * s.force.node(i)[d];
+      s.ledger.impulse[d] += share.of_velocity * (m * s.motion.node(i)[d] - s.inertia.node(i)[1 + d] - force) +
+                             share.of_acceleration * (m * kick * s.motion.node(i)[Dim + d] - force);
+    }
+  });
+}
+
+/// v and a as row sums give them; of FMPM v is that after the kick.
+template <int Dim>
+void divide_by_sums(const State<Dim>& s, const MassMatrix<Dim>& matrix, double kick, GridField<Dim>& v,
+                    GridField<Dim>& a) {
+  matrix.for_nodes([&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const double inverse = matrix.inverse_sum(i);
+      for (std::size_t d = 0; d < Dim; ++d) {
+        v.node(i)[d] = inverse * (s.inertia.node(i)[1 + d] + kick * s.force.node(i)[d]);
+        a.node(i)[d] = inverse * s.force.node(i)[d];
+      }
+    }
+  });
+}
+
+/// False where M could not be inverted.
+template <int Dim>
+bool find_velocity(State<Dim>& s, const Method& method, double kick, MassMatrix<Dim>& matrix) {
+  GridField<Dim>&v = s.solver[0], &a = s.solver[1];
+  const bool fmpm = method.transfer == Transfer::fmpm, consistent = method.mass == Mass::consistent;
+  if (!consistent) {
+    divide_by_sums(s, matrix, fmpm ? kick : 0, v, a);
+    matrix.add_terms(method.mass == Mass::series ? a : v, method.terms);  // v: of XPIC and FMPM
+    return true;
+  }
+  matrix.find_edges();
+  load_momentum(s, v);
+  a.copy(s.force, s.live.runs());
+  bool solved = true;
+  if (method.is_affine()) {
+    matrix.divide(v);
+  } else {
+    solved = matrix.solve(v);
+  }
+  return matrix.solve(a) && solved;
+}
+
+template <int Dim>
+Kernel mass_matrix_kernel(State<Dim>& s, const Method& method) {
+  s.solver = std::vector<GridField<Dim>>(solver_fields(method));
+  for (auto& field : s.solver) field.allocate(s.setup.grid.nodes());
+  auto matrix_of_run = std::make_shared<MassMatrix<Dim>>(s);
+  return [&s, method, matrix_of_run](const Instant& now) {
+    MassMatrix<Dim>& matrix = *matrix_of_run;
+    matrix.assemble();
+    matrix.invert_sums();
+    const bool solved = find_velocity(s, method, now.kick, matrix);
+    const GridField<Dim>&v = s.solver[0], &a = s.solver[1];
+    const double kick = method.transfer == Transfer::fmpm ? 0 : now.kick;
+    matrix.for_nodes([&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        for (std::size_t d = 0; d < Dim; ++d) {
+          s.motion.node(i)[d] = v.node(i)[d] + kick * a.node(i)[d];
+          s.motion.node(i)[Dim + d] = a.node(i)[d];
+        }
+      }
+    });
+    book_reaction(s, reaction_of(method), now.kick);
+    if (!solved) s.finding = Finding{Finding::Kind::unstable, "the consistent mass matrix could not be inverted", 0};
+  };
+}
+
+/// x = M^-1 q, which x holds at first. False where it could not be found.
+template <int Dim>
+bool invert(MassMatrix<Dim>& matrix, const Method& method, GridField<Dim>& x) {
+  if (method.mass == Mass::consistent) return matrix.solve(x);
+  matrix.apply_series(x, method.mass == Mass::series ? method.terms : 1);
+  return true;
+}
+
+/// Momentum of the nodes that of the particles after they gained kick a.
+template <int Dim>
+void kick_momentum(State<Dim>& s, GridField<Dim>& a, double kick, MassMatrix<Dim>& matrix) {
+  const GridField<Dim>& gained = matrix.image_of(a);
+  s.live.each([&](std::size_t i) {
+    for (std::size_t d = 0; d < Dim; ++d) s.inertia.node(i)[1 + d] += kick * gained.node(i)[d];
+  });
+}
+
+/// Forces work with the mean of the velocities before and after the kick; the accounts take the one after it.
+template <int Dim>
+void book_kick(State<Dim>& s, const GridField<Dim>& v, double kick) {
+  double power = 0;
+  s.live.each([&](std::size_t i) {
+    for (std::size_t d = 0; d < Dim; ++d) power += s.force.node(i)[d] * (v.node(i)[d] - s.motion.node(i)[d]);
+  });
+  s.ledger.internal_work += 0.5 * kick * power;
+}
+
+template <int Dim>
+Kernel kick_kernel(State<Dim>& s, const Method& method) {
+  s.solver = std::vector<GridField<Dim>>(solver_fields(method));
+  for (auto& field : s.solver) field.allocate(s.setup.grid.nodes());
+  auto matrix_of_run = std::make_shared<MassMatrix<Dim>>(s);
+  return [&s, method, matrix_of_run](const Instant& now) {
+    MassMatrix<Dim>& matrix = *matrix_of_run;
+    GridField<Dim>&v = s.solver[0], &a = s.solver[1];
+    const bool kicks = now.kick != 0;  // the first stage of a step does not
+    bool solved = true;
+    if (!kicks) {
+      matrix.assemble();
+      matrix.invert_sums();
+      if (method.mass == Mass::consistent) matrix.find_edges();
+      a.zero(s.live.runs());
+    } else {
+      a.copy(s.force, s.live.runs());
+      solved = invert(matrix, method, a);
+      kick_momentum(s, a, now.kick, matrix);
+    }
+    load_momentum(s, v);
+    solved = invert(matrix, method, v) && solved;
+    if (kicks) book_kick(s, v, now.kick);
+    s.live.each([&](std::size_t i) {
+      for (std::size_t d = 0; d < Dim; ++d) {
+        s.motion.node(i)[d] = v.node(i)[d];
+        s.motion.node(i)[Dim + d] = a.node(i)[d];
+      }
+    });
+    if (kicks) book_reaction(s, reaction_of(method), now.kick);
+    if (!solved) s.finding = Finding{Finding::Kind::unstable, "the consistent mass matrix could not be inverted", 0};
+  };
+}
+
+}  // namespace
+
+template <int Dim>
+Pass<Dim> mass_matrix_pass(const Method& method) {
+  Pass<Dim> pass;
+  pass.name = "grid_update";
+  const std::string terms = std::to_string(method.terms) + " terms of the inverse mass matrix";
+  pass.doc = method.mass == Mass::consistent ? "nodal acceleration and velocity by the consistent mass matrix"
+                                             : "nodal acceleration and velocity by " + terms;
+  pass.called_for_by = method.mass == Mass::lumped ? "method.transfer" : "method.mass";
+  pass.effects = effects_of_matrix(method);
+  pass.reads = {Column::weights, Column::mass};
+  pass.grid_fields = {"mass", "momentum", "force", "velocity", "acceleration"};
+  pass.bind = [method](State<Dim>& s) -> Kernel { return mass_matrix_kernel(s, method); };
+  return pass;
+}
+
+template <int Dim>
+Pass<Dim> kick_pass(const Method& method) {
+  Pass<Dim> pass;
+  pass.name = "grid_update";
+  pass.doc = method.mass == Mass::lumped
+                 ? "nodal acceleration and velocity, and the particles' momentum after the kick"
+                 : "nodal acceleration and velocity by the mass matrix, momentum after the kick";
+  pass.called_for_by = "method.integrator";
+  pass.effects = effects_of_matrix(method);
+  pass.reads = {Column::weights, Column::mass};
+  pass.grid_fields = {"mass", "momentum", "force", "velocity", "acceleration"};
+  pass.bind = [method](State<Dim>& s) -> Kernel { return kick_kernel(s, method); };
+  return pass;
+}
+
+template Pass<ASSAY_DIMENSION> mass_matrix_pass(const Method&);
+template Pass<ASSAY_DIMENSION> kick_pass(const Method&);
+
+}  // namespace assay::mpm

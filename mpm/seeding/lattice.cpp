@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/seeding/lattice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace assay::mpm {
+
+namespace {
+
+/// A bound that is a multiple of h up to rounding counts as that multiple.
+constexpr double rounding = 1e-9;
+
+std::int32_t cell_below(double x, double h) { return static_cast<std::int32_t>(std::floor(x / h + rounding)); }
+std::int32_t cell_above(double x, double h) { return static_cast<std::int32_t>(std::ceil(x / h - rounding)); }
+
+}  // namespace
+
+Seeds<2> lattice_of(const std::array<double, 2>& lower, const std::array<double, 2>& upper, double spacing,
+                    const std::array<int, 2>& per_cell, const CellPoint& coordinate,
+                    const std::function<Fate(const std::array<double, 2>&)>& fate) {
+  Seeds<2> seeds;
+  for (std::size_t d = 0; d < 2; ++d) seeds.half_size[d] = 0.5 * spacing / per_cell[d];
+  for (std::int32_t j = cell_below(lower[1], spacing); j < cell_above(upper[1], spacing); ++j) {
+    for (std::int32_t i = cell_below(lower[0], spacing); i < cell_above(upper[0], spacing); ++i) {
+      for (int b = 0; b < per_cell[1]; ++b) {
+        for (int a = 0; a < per_cell[0]; ++a) {
+          const std::array<double, 2> X{coordinate(0, i, a), coordinate(1, j, b)};
+          if (X[0] < lower[0] || X[0] > upper[0] || X[1] < lower[1] || X[1] > upper[1]) continue;
+          const Fate what = fate(X);
+          if (what == Fate::held) seeds.held.push_back(X);
+          if (what != Fate::stepped) continue;
+          seeds.X[0].push_back(X[0]);
+          seeds.X[1].push_back(X[1]);
+        }
+      }
+    }
+  }
+  return seeds;
+}
+
+Seeds<2> cartesian_lattice(const std::array<double, 2>& lower, const std::array<double, 2>& upper, double spacing,
+                           const std::array<int, 2>& per_cell,
+                           const std::function<Fate(const std::array<double, 2>&)>& fate) {
+  // (2 i + 1) half: the same |X| to the last bit on both sides of the origin
+  const std::array<double, 2> half{0.5 * spacing / per_cell[0], 0.5 * spacing / per_cell[1]};
+  const auto coordinate = [&](std::size_t d, std::int32_t cell, int k) {
+    return (2.0 * (static_cast<double>(cell) * per_cell[d] + k) + 1) * half[d];
+  };
+  return lattice_of(lower, upper, spacing, per_cell, coordinate, fate);
+}
+
+namespace {
+
+/// All bits of the result depend on all bits of x (the finaliser of SplitMix64; Steele, Lea and Flood 2014).
+std::uint64_t mixed(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15u;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+/// Between -1 and 1, both excluded: 52 bits of a hash, no rounding.
+double noise(std::uint64_t seed, std::uint64_t number) {
+  return (static_cast<double>(mixed(mixed(seed) ^ number) >> 12) + 0.5) * 0x1p-51 - 1;
+}
+
+}  // namespace
+
+void disturb(Seeds<2>& seeds, double fraction, std::uint64_t seed, const std::function<bool(const Point&)>& inside) {
+  const auto offset = [&](std::size_t particle, std::size_t d) {
+    return fraction * 2 * seeds.half_size[d] * noise(seed, 2 * particle + d);
+  };
+  for (std::size_t p = 0; p < seeds.size(); ++p) {
+    const Point X{seeds.X[0][p] + offset(p, 0), seeds.X[1][p] + offset(p, 1)};
+    if (inside && !inside(X)) continue;
+    for (std::size_t d = 0; d < 2; ++d) seeds.X[d][p] = X[d];
+  }
+  for (std::size_t d = 0; d < 2; ++d) {
+    for (std::size_t k = 0; k < seeds.held.size(); ++k) seeds.held[k][d] += offset(seeds.size() + k, d);
+  }
+}
+
+namespace {
+
+/// All lattice cells of the square around the ring that may have a part in it.
+std::vector<Rectangle> cells_around(const Annulus& ring, double spacing, const std::array<int, 2>& per_cell) {
+  std::array<double, 2> half{};
+  std::array<std::int64_t, 2> reach{};
+  for (std::size_t d = 0; d < 2; ++d) {
+    half[d] = 0.5 * spacing / per_cell[d];
+    reach[d] = static_cast<std::int64_t>(cell_above(ring.outer, spacing)) * per_cell[d];
+  }
+  const auto corner = [&](std::size_t d, std::int64_t i) { return 2.0 * static_cast<double>(i) * half[d]; };
+  std::vector<Rectangle> cells;
+  for (std::int64_t j = -reach[1]; j < reach[1]; ++j) {
+    for (std::int64_t i = -reach[0]; i < reach[0]; ++i) {
+      const Rectangle cell{{corner(0, i), corner(1, j)}, {corner(0, i + 1), corner(1, j + 1)}};
+      const auto near = [&](std::size_t d) { return std::min(std::abs(cell.lower[d]), std::abs(cell.upper[d])); };
+      const auto far = [&](std::size_t d) { return std::max(std::abs(cell.lower[d]), std::abs(cell.upper[d])); };
+      if (std::hypot(near(0), near(1)) < ring.outer && std::hypot(far(0), far(1)) > ring.inner) cells.push_back(cell);
+    }
+  }
+  return cells;
+}
+
+}  // namespace
+
+Seeds<2> clipped_lattice(const Annulus& ring, double spacing, const std::array<int, 2>& per_cell) {
+  Seeds<2> seeds;
+  for (std::size_t d = 0; d < 2; ++d) seeds.half_size[d] = 0.5 * spacing / per_cell[d];
+  ReferenceDomains domains = domains_of(cells_around(ring, spacing, per_cell), ring, true);
+  std::vector<Point> centroids;
+  for (const auto& shape : domains.shapes) centroids.push_back(moments_of(shape.boundary).centroid);
+  const double least = rounding * seeds.volume();
+  std::erase_if(domains.places, [&](const auto& place) { return !(domains.shapes[place.shape].volume > least); });
+  for (const auto& place : domains.places) {
+    const Point X = place.turned(centroids[place.shape]);
+    seeds.X[0].push_back(X[0]);
+    seeds.X[1].push_back(X[1]);
+    seeds.volumes.push_back(domains.shapes[place.shape].volume);
+  }
+  seeds.domains = std::make_shared<const ReferenceDomains>(std::move(domains));
+  return seeds;
+}
+
+Seeds<2> polar_lattice(const Annulus& ring, double spacing, const std::array<int, 2>& per_cell, bool share_corners) {
+  Seeds<2> seeds;
+  for (std::size_t d = 0; d < 2; ++d) seeds.half_size[d] = 0.5 * spacing / per_cell[d];
+  const double width = ring.outer - ring.inner;
+  const int rings = static_cast<int>(std::ceil(width / (2 * seeds.half_size[0]) - rounding));
+  std::vector<Sector> sectors;
+  std::vector<int> count;
+  for (int k = 0; k < rings; ++k) {
+    const double inner = ring.inner + width * k / rings, outer = ring.inner + width * (k + 1) / rings;
+    const double quarter = 0.25 * std::numbers::pi * (share_corners ? ring.inner + ring.outer : inner + outer);
+    count.push_back(4 * static_cast<int>(std::ceil(quarter / (2 * seeds.half_size[1]) - rounding)));
+    const double half = std::numbers::pi / count.back();
+    sectors.push_back({inner, outer, -half, half});
+  }
+  ReferenceDomains domains = domains_of(sectors, count);
+  for (const auto& place : domains.places) {
+    const Sector& s = sectors[place.shape];
+    const double volume = domains.shapes[place.shape].volume, half = 0.5 * (s.outer - s.inner);
+    const double R = 4.0 / 3 * (std::pow(s.outer, 3) - std::pow(s.inner, 3)) /
+                     ((s.outer - s.inner) * (s.outer + s.inner)) * std::sin(s.end) / (s.end - s.begin);  // centroid
+    const double c = place.cos_turn, si = place.sin_turn, across = 0.25 * volume / half;
+    seeds.X[0].push_back(R * c);
+    seeds.X[1].push_back(R * si);
+    seeds.volumes.push_back(volume);
+    seeds.half_edges.push_back({half * c, -across * si, half * si, across * c});  // along E_R, E_Theta
+    if (!share_corners) continue;
+    const auto corner = [&](double radius, double angle) {
+      return place.turned({radius * std::cos(angle), radius * std::sin(angle)});
+    };
+    seeds.corners.push_back(
+        {corner(s.inner, s.begin), corner(s.outer, s.begin), corner(s.inner, s.end), corner(s.outer, s.end)});
+  }
+  seeds.domains = std::make_shared<const ReferenceDomains>(std::move(domains));
+  return seeds;
+}
+
+ReferenceDomains rectangles_of(const Seeds<2>& seeds, const Annulus& ring) {
+  std::vector<Rectangle> rectangles(seeds.size());
+  for (std::size_t p = 0; p < seeds.size(); ++p) {
+    for (std::size_t d = 0; d < 2; ++d) {
+      const double half = seeds.half_size[d], X = seeds.X[d][p], odd = std::round(X / half);
+      const bool on_lattice = std::abs(X - odd * half) <= 1e-12 * std::abs(X);
+      rectangles[p].lower[d] = on_lattice ? (odd - 1) * half : X - half;
+      rectangles[p].upper[d] = on_lattice ? (odd + 1) * half : X + half;
+    }
+  }
+  return domains_of(rectangles, ring, false);
+}
+
+void turn(Seeds<2>& seeds, double angle, bool half_edges) {
+  const ReferenceDomains::Place by{0, std::cos(angle), std::sin(angle)};
+  if (seeds.domains) {
+    ReferenceDomains domains = *seeds.domains;
+    for (auto& place : domains.places) {
+      const Point direction = by.turned({place.cos_turn, place.sin_turn});
+      place.cos_turn = direction[0], place.sin_turn = direction[1];
+    }
+    seeds.domains = std::make_shared<const ReferenceDomains>(std::move(domains));
+  }
+  if (half_edges && seeds.half_edges.empty()) {
+    seeds.half_edges.assign(seeds.size(), {seeds.half_size[0], 0, 0, seeds.half_size[1]});
+  }
+  for (auto& H : seeds.half_edges) {
+    const Point first = by.turned({H[0], H[2]}), second = by.turned({H[1], H[3]});
+    H = {first[0], second[0], first[1], second[1]};
+  }
+  for (auto& corners : seeds.corners) {
+    for (Point& X : corners) X = by.turned(X);
+  }
+  for (std::size_t p = 0; p < seeds.size(); ++p) {
+    const Point X = by.turned({seeds.X[0][p], seeds.X[1][p]});
+    seeds.X[0][p] = X[0], seeds.X[1][p] = X[1];
+  }
+  for (auto& X : seeds.held) X = by.turned(X);
+  if (!half_edges && seeds.half_size[0] != seeds.half_size[1]) {
+    seeds.half_size.fill(0.5 * std::sqrt(seeds.volume()));
+  }
+  seeds.angle += angle;
+}
+
+GridGeometry<2> grid_around(const std::array<double, 2>& lower, const std::array<double, 2>& upper, double spacing,
+                            int margin) {
+  GridGeometry<2> grid;
+  grid.spacing = spacing;
+  for (std::size_t d = 0; d < 2; ++d) {
+    grid.first[d] = cell_below(lower[d], spacing) - margin;
+    grid.count[d] = cell_above(upper[d], spacing) + margin - grid.first[d] + 1;
+  }
+  return grid;
+}
+
+}  // namespace assay::mpm

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/seeding/particle_order.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "mpm/setup/with_basis.hpp"
+
+namespace assay::mpm {
+
+namespace {
+
+/// The first node of each particle; empty where there is none.
+template <class B>
+std::vector<std::int32_t> first_nodes(const Setup<2>& setup) {
+  std::vector<std::int32_t> found;
+  if constexpr (B::nodes_across > 0) {
+    const Seeds<2>& seeds = setup.seeds;
+    B basis(setup.grid, seeds.half_size, 1);
+    typename B::Nodes nodes;
+    for (std::size_t p = 0; p < seeds.size(); ++p) {
+      basis.place(0, {seeds.X[0][p], seeds.X[1][p]}, {1, 0, 0, 1});
+      basis.expand(0, 1, nodes);
+      found.push_back(nodes.node[0]);
+    }
+  }
+  return found;
+}
+
+template <class T>
+void permute(std::vector<T>& values, const std::vector<std::size_t>& order) {
+  if (values.empty()) return;
+  std::vector<T> permuted;
+  permuted.reserve(values.size());
+  for (const std::size_t p : order) permuted.push_back(values[p]);
+  values = std::move(permuted);
+}
+
+}  // namespace
+
+void order_by_nodes(Setup<2>& setup) {
+  Seeds<2>& seeds = setup.seeds;
+  if (!seeds.half_edges.empty()) return;
+  const std::vector<std::int32_t> node =
+      with_basis<2>(setup.method.basis, [&](auto tag) { return first_nodes<typename decltype(tag)::type>(setup); });
+  if (node.empty()) return;
+  std::vector<std::size_t> order(seeds.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return node[a] < node[b]; });
+  for (auto& X : seeds.X) permute(X, order);
+  permute(seeds.volumes, order);
+  std::vector<std::uint32_t> place(seeds.size());
+  for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<std::uint32_t>(k);
+  for (SurfaceEdge& edge : seeds.surface) edge.particle = place[edge.particle];
+  if (!seeds.domains) return;
+  ReferenceDomains domains = *seeds.domains;
+  permute(domains.places, order);
+  seeds.domains = std::make_shared<const ReferenceDomains>(std::move(domains));
+}
+
+}  // namespace assay::mpm

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The choices that make a particle method.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "mpm/setup/remedies.hpp"
+
+namespace assay::mpm {
+
+enum class Basis { linear, ugimp, cpgimp, cpdi, cpdi2, bspline2, bspline3, bspline4 };
+constexpr bool is_spline(Basis basis) { return basis >= Basis::bspline2; }
+/// Configuration in which weights are made and forces integrated: the current one, or that of the beginning.
+enum class Formulation { updated, total };
+enum class Transfer { pic, flip, xpic, fmpm, apic, aflip };
+enum class Update { usf, usl, musl };
+/// Velocities are those of the time of the positions, to first order in dt; of half a step before, to second; of the
+/// time of the positions, to fourth, by stages.
+enum class Integrator { symplectic_euler, leapfrog, symplectic_rkn4 };
+/// What carries the velocity around a particle: its gradient, convected with the body, so that affine motions are
+/// exact; or its first moment, so that no angular momentum is lost.
+enum class Affine { gradient, moment };
+/// M between grid accelerations and forces: its row sums; k terms of the series of its inverse in these; itself.
+enum class Mass { lumped, series, consistent };
+/// Of the body force: at the particle's reference position, or averaged over its reference domain.
+enum class Evaluation { point, domain_average };
+/// b reaches the particles by the grid; or its part a, of the exact motion, is given to them and b - a goes by the
+/// grid.
+enum class Inertia { grid, particles };
+
+struct Method {
+  Basis basis = Basis::cpdi;
+  Transfer transfer = Transfer::flip;
+  Update update = Update::usl;
+  Formulation formulation = Formulation::updated;
+  Mass mass = Mass::lumped;
+  Affine affine = Affine::gradient;
+  Integrator integrator = Integrator::symplectic_euler;
+  int terms = 2;    ///< k of mass series, XPIC(k) and FMPM(k)
+  double flip = 1;  ///< share of the particle's own velocity in FLIP and AFLIP; the rest is the grid's
+
+  bool is_total() const { return formulation == Formulation::total; }
+  /// Whether particles carry the velocity around them, too.
+  bool is_affine() const { return transfer == Transfer::apic || transfer == Transfer::aflip; }
+  /// Whether particles keep their velocity and add what the grid gains, besides a share of the grid's own.
+  bool keeps_velocity() const { return transfer == Transfer::flip || transfer == Transfer::aflip; }
+  /// Whether a step has stages: kicks by the forces, and drifts of the body in between, forth and back.
+  bool has_stages() const { return integrator == Integrator::symplectic_rkn4; }
+  bool has_terms() const { return mass == Mass::series || transfer == Transfer::xpic || transfer == Transfer::fmpm; }
+  /// Whether the grid's accelerations and velocities are sums divided by masses, node by node.
+  bool is_lumped() const {
+    return mass == Mass::lumped && transfer != Transfer::xpic && transfer != Transfer::fmpm && !has_stages();
+  }
+};
+
+/// Why a combination makes no sense, and the scene key of the choice that is one too many.
+struct Contradiction {
+  std::string key, reason;
+};
+std::optional<Contradiction> contradiction(const Method& method);
+
+/// Likewise of a remedy that the method has no place for.
+std::optional<Contradiction> contradiction(const Method& method, const Remedies& remedies);
+
+}  // namespace assay::mpm

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a simulation is asked to be: plain values, no files, no YAML.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "harness/exact/body_force.hpp"
+#include "harness/exact/exact_solution.hpp"
+#include "harness/exact/reference_domain.hpp"
+#include "harness/material/material.hpp"
+#include "harness/motion/frame.hpp"
+#include "harness/motion/motion.hpp"
+#include "mpm/data/instructions.hpp"
+#include "mpm/grid/grid_geometry.hpp"
+#include "mpm/grid/images.hpp"
+#include "mpm/setup/method.hpp"
+#include "mpm/setup/remedies.hpp"
+#include "mpm/setup/traction.hpp"
+
+namespace assay::mpm {
+
+struct Offload;  // mpm/material/offload.hpp
+
+/// Particles of a body in the reference configuration, in cell order.
+template <int Dim>
+struct Seeds {
+  std::array<std::vector<double>, Dim> X;  ///< reference positions [m]
+  std::array<double, Dim> half_size{};     ///< half edges of the reference domain of each particle [m]
+  std::vector<double> volumes;             ///< of each particle where they differ, else empty [m^Dim]
+  /// Of each particle where they differ, else empty: column d is half edge d of its domain for the basis [m].
+  std::vector<std::array<double, Dim * Dim>> half_edges;
+  /// Of each particle where its domain is no parallelepiped, else empty; in the order of `Corners` [m].
+  std::vector<std::array<std::array<double, Dim>, 1 << Dim>> corners;
+  /// What the body force is averaged over; null: half_size around each particle.
+  std::shared_ptr<const ReferenceDomains> domains;
+  std::vector<std::array<double, Dim>> held;  ///< reference positions of particles that never move [m]
+  std::vector<double> held_volumes;           ///< of these where they differ, else empty [m^Dim]
+  std::vector<SurfaceEdge> surface;           ///< on which tractions act; empty where there are none
+  double angle = 0;                           ///< by which the lattice is turned against the grid, about E_z [rad]
+  std::size_t size() const { return X[0].size(); }
+  double volume() const {  ///< reference volume of a particle whose domain is half_size around it [m^Dim]
+    double product = 1;
+    for (const double half : half_size) product *= 2 * half;
+    return product;
+  }
+  double volume(std::size_t p) const { return volumes.empty() ? volume() : volumes[p]; }
+  double held_volume(std::size_t k) const { return held_volumes.empty() ? volume() : held_volumes[k]; }
+};
+
+/// v = velocity + gradient X.
+template <int Dim>
+struct AffineVelocity {
+  std::array<double, Dim> velocity{};        ///< [m/s]
+  std::array<double, Dim * Dim> gradient{};  ///< row-major [1/s]
+};
+
+/// The method and the effects that a scene calls for.
+template <int Dim>
+struct Setup {
+  Method method;
+  GridGeometry<Dim> grid;
+  Seeds<Dim> seeds;
+  double density = 0;  ///< rho0 [kg/m^3]
+  std::shared_ptr<const Material> material;
+  /// Unit direction of a material with one: along E_R, E_Theta, E_Z at the particle for the vortex, Cartesian
+  /// otherwise.
+  std::array<double, 3> material_direction{1, 0, 0};
+  bool body_force = false;  ///< b of the exact motion acts
+  Evaluation evaluation = Evaluation::point;
+  Inertia inertia = Inertia::grid;
+  std::shared_ptr<const Response> response;             ///< what b is made of; needed to run, not to compose
+  std::optional<Traction> traction;                     ///< on the surface of the seeds
+  std::shared_ptr<const ExactSolution> exact;           ///< what tractions are made of; needed to run, not to compose
+  std::optional<Motion> motion;                         ///< gives the initial velocity; null: at rest
+  std::optional<AffineVelocity<Dim>> initial_velocity;  ///< in place of the motion's
+  std::optional<Frame> frame;                           ///< from which the motion is seen; null: the body's own
+  bool hold_outside = false;                            ///< nodes and particles outside the vortex's ring are held
+  std::array<AxisEnds, Dim> ends{};                     ///< symmetry planes and periodic ends of the body
+  bool accounts = false;                                ///< momentum and energy accounts
+  Remedies remedies;
+  /// Whether the method is told where particles belong: of such a one the error says less.
+  bool uses_exact_solution() const { return (body_force && inertia == Inertia::particles) || has_virtual_stress(); }
+  /// Whether b is a alone: where F is the same everywhere, and where the virtual stress leaves no more of b.
+  bool force_is_acceleration() const { return has_virtual_stress() || (motion && is_homogeneous(*motion)); }
+  bool averages_force() const {
+    return body_force && evaluation == Evaluation::domain_average && !force_is_acceleration();
+  }
+  bool has_virtual_stress() const { return traction && traction->algorithm == TractionAlgorithm::virtual_stress; }
+  bool has_images() const {
+    for (const AxisEnds& axis : ends) {
+      if (axis.any()) return true;
+    }
+    return false;
+  }
+  int threads = 1;
+  Instructions instructions = best_instructions();  ///< of the kernels
+  std::shared_ptr<const Offload> offload;           ///< of the stress pass; null: in this process. In two dimensions
+};
+
+}  // namespace assay::mpm

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What every motion must be, whatever its formulas: rates are those of the position, F is its gradient.
+#include "harness/motion/motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace assay::test_motion {
+namespace {
+
+constexpr double difference_step = 1e-4;  ///< [m], [s]; central differences of fourth order leave rounding / step
+constexpr double close = 2e-9;            ///< of first differences of fields of size 1 to 10
+constexpr double close_twice = 2e-7;      ///< of differences of rates, which are larger
+
+Vortex sample_vortex() {
+  Vortex vortex;
+  vortex.amplitude = {Amplitude::Type::one_minus_cosine, 0.7, 1.3};
+  vortex.profile_power = 4;
+  return vortex;
+}
+
+std::vector<std::pair<const char*, Motion>> motions() {
+  Homogeneous homogeneous;
+  homogeneous.final << 1.4, 0.2, 0.1, -0.3, 0.8, 0, 0.05, 0, 1.1;
+  RotatingStretch stretch;
+  stretch.stretch = 0.4, stretch.shear = 0.6, stretch.rotation = 1.9, stretch.axis = {1, 2, 3}, stretch.period = 1.7;
+  const std::array<double, 4> times{0, 0.5, 1.1, 2};
+  std::array<Tensor, 4> rows;
+  for (std::size_t k = 0; k < 4; ++k) {
+    rows[k] = Tensor::Identity() * (1 + 0.1 * static_cast<double>(k));
+    rows[k](0, 1) = 0.05 * static_cast<double>(k * k);
+  }
+  const TwistingRing ring{sample_vortex(), 0.06};
+  const AxisAligned box{{Amplitude::Type::sine, 0.2, 0.8}, false, true},
+      bar{{Amplitude::Type::sine, -0.15, 1.2}, true, true};
+  return {{"vortex", sample_vortex()},
+          {"homogeneous", homogeneous},
+          {"rotating_stretch", stretch},
+          {"table", DeformationTable("rows", times, rows, Interpolation::spline)},
+          {"twisting_ring", ring},
+          {"axis_aligned", box},
+          {"bar_1d", bar},
+          {"rigid", Rigid{{0.4, -0.3, 0.2}, 1.7, {1, 2, 3}, 1}}};
+}
+
+const std::vector<Vector3> places{{0.8, 0.31, 0.2}, {-0.53, 0.77, -0.4}, {0.6, -0.75, 0}};
+const std::vector<double> times{0.17, 0.61, 0.93};
+
+/// (f(-2) - 8 f(-1) + 8 f(1) - f(2)) / 12 step.
+template <class Function>
+auto slope(const Function& f, double h = difference_step) {
+  return ((f(-2 * h) - 8 * f(-h) + 8 * f(h) - f(2 * h)) / (12 * h)).eval();
+}
+
+TEST(Motion, VelocityAndAccelerationAreRatesOfThePosition) {
+  for (const auto& [name, motion] : motions()) {
+    for (const Vector3& X : places) {
+      for (const double t : times) {
+        const ExactState now = state_at(motion, X, t);
+        const auto x = [&, &motion = motion](double dt) { return state_at(motion, X, t + dt).x; };
+        const auto v = [&, &motion = motion](double dt) { return state_at(motion, X, t + dt).v; };
+        EXPECT_LT((slope(x) - now.v).norm(), close) << name;
+        EXPECT_LT((slope(v) - now.a).norm(), close_twice) << name;
+      }
+    }
+  }
+}
+
+TEST(Motion, DeformationGradientAndItsRateAreGradients) {
+  for (const auto& [name, motion] : motions()) {
+    for (const Vector3& X : places) {
+      for (const double t : times) {
+        const ExactState now = state_at(motion, X, t);
+        for (int d = 0; d < 3; ++d) {
+          const auto x = [&, &motion = motion](double h) { return state_at(motion, X + h * Vector3::Unit(d), t).x; };
+          const auto v = [&, &motion = motion](double h) { return state_at(motion, X + h * Vector3::Unit(d), t).v; };
+          EXPECT_LT((slope(x) - now.F.col(d)).norm(), close) << name << d;
+          EXPECT_LT((slope(v) - now.F_rate.col(d)).norm(), close_twice) << name << d;
+        }
+      }
+    }
+  }
+}
+
+TEST(Motion, BeginsUndeformed) {
+  for (const auto& [name, motion] : motions()) {
+    const ExactState state = state_at(motion, places[0], 0);
+    EXPECT_LT((state.F - Tensor::Identity()).norm(), 1e-15) << name;
+    EXPECT_LT((state.x - places[0]).norm(), 1e-15) << name;
+  }
+}
+
+/// The baseline is F without the rotations that stand beside it: the same C = F^T F in the baseline's frame.
+TEST(Motion, BaselineStretchesAsTheMotionDoes) {
+  for (const auto& [name, motion] : motions()) {
+    const Vector3& X = places[1];
+    for (const double t : times) {
+      const double R = std::hypot(X.x(), X.y());
+      double parameter = 1;
+      if (const auto* vortex = std::get_if<Vortex>(&motion)) parameter = vortex->profile(R).xi;
+      if (std::holds_alternative<TwistingRing>(motion)) parameter = R;
+      Path path = baseline_of(motion);
+      if (const auto* box = std::get_if<AxisAligned>(&motion)) {
+        parameter = std::cos(M_PI * X.x());
+        path = box->section(std::cos(M_PI * X.y()));
+      }
+      const Tensor q = ring_of(motion) ? rotation_about_z(std::atan2(X.y(), X.x())) : Tensor(Tensor::Identity());
+      const Tensor F = state_at(motion, X, t).F * q, B = path.deformation_gradient(parameter, t);
+      EXPECT_LT((F.transpose() * F - B.transpose() * B).norm(), 1e-13) << name;
+      const double h = difference_step;
+      const auto of_t = [&](double dt) { return path.deformation_gradient(parameter, t + dt); };
+      EXPECT_LT((slope(of_t, h) - path.at(parameter, t).F_rate).norm(), close) << name;
+    }
+  }
+}
+
+TEST(Motion, KnowsWhatItHas) {
+  for (const auto& [name, motion] : motions()) {
+    const std::string who = name;
+    EXPECT_EQ(ring_of(motion).has_value(), who == "vortex" || who == "twisting_ring") << who;
+    EXPECT_EQ(amplitude_of(motion) != nullptr,
+              who == "vortex" || who == "twisting_ring" || who == "axis_aligned" || who == "bar_1d")
+        << who;
+    EXPECT_GT(period_of(motion), 0) << who;
+    const Tensor here = state_at(motion, places[0], 0.4).F, there = state_at(motion, places[1], 0.4).F;
+    EXPECT_EQ(is_homogeneous(motion), here == there) << who;
+  }
+}
+
+}  // namespace
+}  // namespace assay::test_motion
