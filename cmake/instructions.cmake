@@ -25,7 +25,8 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND build_type MATCHE
 endif()
 target_compile_options(assay_mpm PUBLIC $<$<COMPILE_LANGUAGE:CXX>:-Wno-psabi>)
 
-# Three dimensions (mpm/data/dimension.hpp): the sources that are instantiated for a dimension once more, for what links them.
+# Three dimensions (mpm/data/dimension.hpp): the sources that are instantiated for a dimension once more, for what links
+# them.
 file(GLOB_RECURSE sources_3d CONFIGURE_DEPENDS mpm/*.cpp)
 foreach(source IN LISTS sources_3d)
   file(STRINGS ${source} mentions REGEX ASSAY_DIMENSION LIMIT_COUNT 1)

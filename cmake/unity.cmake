@@ -17,7 +17,7 @@ function(compile_rooms_together target size)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP
     UNITY_BUILD_CODE_BEFORE_INCLUDE "#pragma GCC diagnostic ignored \"-Wshadow\"")
   list(FILTER sources INCLUDE REGEX "[.]cpp$")
-  list(FILTER sources EXCLUDE REGEX "stiff_integrator|mpm/kernels/variants/|picture/canvas") # which have options of their own
+  list(FILTER sources EXCLUDE REGEX "stiff_integrator|mpm/kernels/variants/|picture/canvas") # they have own options
   set(rooms "")
   foreach(source IN LISTS sources)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${directory})

@@ -14,6 +14,7 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/screening.hpp"
 #include "drivers/simulation/response_source.hpp"
+#include "drivers/simulation/warnings.hpp"
 #include "drivers/verbs.hpp"
 #include "mpm/step/stages.hpp"
 
@@ -205,6 +206,10 @@ int explain(const ExplainOptions& options) {
   const bool quiet = options.verbosity == Verbosity::quiet || options.json;
   try {
     const Problem problem = assemble(read_scene(options.scene, options.sets), 1);
+    if (!quiet) {
+      for (const std::string& sentence : warnings_of(problem)) warn(sentence);
+      if (const std::string sentence = long_motion_sentence(problem); !sentence.empty()) warn(sentence);
+    }
     std::shared_ptr<const ExactSolution> exact;
     if (problem.compared) {
       exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end, {.quiet = quiet});

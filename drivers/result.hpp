@@ -152,8 +152,9 @@ struct Result {
   /// One after the other, of a clock on the wall: until the first step, the steps, and what comes behind them. Together
   /// they are the life of the verb until its verdict; `tabulate` makes its response in place of steps.
   double setup_s = 0, wall_s = 0, finish_s = 0;
-  double cpu_s = 0;   ///< of the process until then
-  Figure step_cpu_s;  ///< processor time of the steps alone: no set-up, no sampling of the error, no snapshots
+  double observed_s = 0;  ///< of wall_s: sampling of the error and snapshots
+  double cpu_s = 0;       ///< of the process until then
+  Figure step_cpu_s;      ///< processor time of the steps alone: no set-up, no sampling of the error, no snapshots
   std::int64_t peak_rss_bytes = 0;
   std::int64_t particle_steps = 0, material_calls = 0;
   std::int64_t hand_overs = 0, wake_ups = 0;  ///< to workers and back; 0 of a material in this process

@@ -62,9 +62,10 @@ std::string summary_of(const Result& result) {
 }  // namespace
 
 std::string times_text(const Result& result, const std::string& work) {
-  return fmt::format("  {} s: set-up {} s, {} {} s, pictures and files {} s\n",
+  return fmt::format("  {} s: set-up {} s, {} {} s, {}pictures and files {} s\n",
                      rounded_text(result.setup_s + result.wall_s + result.finish_s, 3), rounded_text(result.setup_s, 3),
-                     work, rounded_text(result.wall_s, 3), rounded_text(result.finish_s, 3));
+                     work, rounded_text(result.wall_s - result.observed_s, 3), result.observed_s > 0 ? "errors, " : "",
+                     rounded_text(result.finish_s + result.observed_s, 3));
 }
 
 std::string process_lines(const Result& result, const std::string& folder) {

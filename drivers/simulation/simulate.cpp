@@ -181,6 +181,7 @@ class Run {
       stepping += time.seconds;
     }
     if (workers_) result_.passes.push_back({"isolation", workers_->hand_over_s(), 0});
+    result_.observed_s = sampling_s_ + output_s_;
     if (sampler_) result_.passes.push_back({"error_sampling", sampling_s_, 0});
     if (!due_.shots.empty()) result_.passes.push_back({"snapshots", output_s_, 0});
     if (stepping > 0) result_.particle_steps_per_s = static_cast<double>(result_.particle_steps) / stepping;
