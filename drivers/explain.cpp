@@ -166,9 +166,13 @@ std::string ends_text(const Problem& problem) {
   return text.empty() ? "" : wrapped(text, "faces: ", "  ");
 }
 
-std::string response_text(const Problem& problem, const ExactSolution* exact) {
+bool is_refused(const Problem& problem, const ScreenFigures& screen) {
+  return !problem.scene.allow_unstable && !instability_sentence(screen, problem.material->name()).empty();
+}
+
+std::string response_text(const Problem& problem, const ExactSolution* exact, const ScreenFigures& screen) {
   if (!problem.compared) return "no body force\n";
-  if (!exact) return "";
+  if (!exact) return is_refused(problem, screen) ? "response: not computed, because the run is refused\n" : "";
   if (exact->box()) {
     const BoxStress& box = **exact->box();
     return fmt::format("response: a cosine series of {} x {} modes, {} at each node\n", box.modes(0), box.modes(1),
@@ -199,22 +203,19 @@ std::string explanation(const Problem& problem, const ExactSolution* exact, cons
     return explanation_json(problem, c, exact && exact->response() ? exact->response()->get() : nullptr, screen);
   return passes_text(problem, c) + observers_text(problem) + memory_text(problem, c) + work_text(c) + effects_text(c) +
          steps_text(problem) + frame_line(problem) + exact_solution_line(problem) + ends_text(problem) +
-         response_text(problem, exact) + wrapped(screen_sentence(screen), "motion: ", "  ");
+         response_text(problem, exact, screen) + wrapped(screen_sentence(screen), "motion: ", "  ");
 }
 
 int explain(const ExplainOptions& options) {
   const bool quiet = options.verbosity == Verbosity::quiet || options.json;
   try {
     const Problem problem = assemble(read_scene(options.scene, options.sets), 1);
-    if (!quiet) {
-      for (const std::string& sentence : warnings_of(problem)) warn(sentence);
-      if (const std::string sentence = long_motion_sentence(problem); !sentence.empty()) warn(sentence);
-    }
+    for (const std::string& sentence : quiet ? std::vector<std::string>() : warnings_of(problem)) warn(sentence);
+    const ScreenFigures screen = screen_of(problem.scene, *problem.material, problem.scene.time.end, quiet);
     std::shared_ptr<const ExactSolution> exact;
-    if (problem.compared) {
+    if (problem.compared && !is_refused(problem, screen)) {  // minutes for the sheet of a run that would not begin
       exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end, {.quiet = quiet});
     }
-    const ScreenFigures screen = screen_of(problem.scene, *problem.material, problem.scene.time.end, quiet);
     const std::string text = explanation(problem, exact.get(), screen, options.json);
     options.json ? print_json(text) : print(text);
     return 0;

@@ -63,11 +63,12 @@ std::array<double, 2> sides_of_body(const Problem& problem) {
 }
 
 std::string advice_after_large_error(const Problem& problem, double relative) {
-  if (!(relative > 1)) return {};
-  const std::string why =
-      ". The error is larger than the motion. If it stays on a finer grid, the cause is most likely the material: "
-      "assay check of the model";
+  constexpr double large = 0.3;  ///< where the waves of a stiff model are to blame
   const auto period = period_of_few_waves(problem);
+  if (!(relative > (period ? large : 1))) return {};
+  const std::string why =
+      ". The error is " + (relative > 1 ? "larger than the motion" : rounded_text(relative, 2) + " of the motion") +
+      ". If it stays on a finer grid, the cause is most likely the material: assay check of the model";
   if (!period) return "a finer grid" + why;
   return "motion.period: " + rounded_text(*period, 2) +
          ", in which a wave crosses the body twice as in the paper's vortex; or a finer grid" + why;

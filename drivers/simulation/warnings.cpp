@@ -144,8 +144,9 @@ std::string long_motion_sentence(const Problem& problem) {
   if (!shorter) return "";
   return "a wave crosses the body " + rounded_text(crossings(problem), 2) + " times during the motion: the run takes " +
          rounded_text(static_cast<double>(problem.steps), 2) +
-         " steps, and errors of all these waves add up. With motion.period: " + rounded_text(*shorter, 2) +
-         " the inertia counts, as the test wants it";
+         " steps, and errors of all these waves add up. motion.period: " + rounded_text(*shorter, 2) +
+         " shortens the run, and " + rounded_text(*period_of_few_waves(problem), 2) +
+         " makes the waves as few as in the paper's vortex";
 }
 
 std::string swing_sentence(const Scene& scene) {
