@@ -47,11 +47,13 @@ std::shared_ptr<const Response> response_of(const Scene& scene, const std::share
   options.workers = {how.threads, stop_if_interrupted};
   SheetLine line(options.tolerance, how.quiet);
   options.report = [&line](const SheetProgress& now) { line.update(now); };
-  if (curve || !scene.force.cache) return std::make_shared<const Response>(Sheet(*material, path, options));
-  const SheetCache cache(scene, *material, path, end);
-  if (std::optional<Sheet> kept = cache.load()) return std::make_shared<const Response>(std::move(*kept));
+  std::optional<SheetCache> cache;
+  if (!curve && scene.force.cache) cache.emplace(scene, *material, path, end);
+  if (std::optional<Sheet> kept = cache ? cache->load() : std::nullopt)
+    return std::make_shared<const Response>(std::move(*kept));
   Sheet sheet(*material, path, options);
-  cache.store(sheet);
+  line.end();
+  if (cache) cache->store(sheet);
   return std::make_shared<const Response>(std::move(sheet));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/simulation/sheet_line.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "drivers/output/number_format.hpp"
@@ -27,16 +28,30 @@ void SheetLine::update(const SheetProgress& now) {
 }
 
 void SheetLine::foresee(const SheetProgress& now) {
-  constexpr double enough_s = 5, long_s = 30;
-  if (quiet_ || foreseen_ || now.stage != SheetProgress::Stage::histories) return;
+  if (quiet_ || now.stage != SheetProgress::Stage::histories) return;
   if (behind_ < 0) begin_ = Clock::now(), behind_ = now.done;
-  const double elapsed_s = std::chrono::duration<double>(Clock::now() - begin_).count(), done = now.done - behind_;
-  if (elapsed_s < enough_s || !(done > 0)) return;
-  const double expected_s = elapsed_s * (now.planned - behind_) / done;
-  if (expected_s < long_s) return;
-  foreseen_ = true;
+  const double planned = now.planned - behind_;
+  const auto seconds = forecast_.told(elapsed_s(), planned > 0 ? (now.done - behind_) / planned : 0);
+  if (!seconds) return;
   progress_.finish();
-  std::fprintf(stderr, "%s\n", long_sheet_sentence(expected_s, tolerance_).c_str());
+  std::fprintf(stderr, "%s\n", long_sheet_sentence(*seconds, tolerance_).c_str());
+}
+
+double SheetLine::elapsed_s() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+
+void SheetLine::end() {
+  progress_.finish();
+  if (forecast_.was_told())
+    std::fprintf(stderr, "the response is tabulated, in %s\n", duration_text(elapsed_s()).c_str());
+}
+
+std::optional<double> Forecast::told(double elapsed_s, double share) {
+  constexpr double enough_s = 5, long_s = 30, least_more = 1.5;
+  if (elapsed_s < std::max(enough_s, told_s_) || !(share > 0)) return std::nullopt;
+  const double expected_s = elapsed_s / share;
+  if (expected_s < long_s) return std::nullopt;
+  told_s_ = std::max(expected_s, least_more * elapsed_s);
+  return told_s_;
 }
 
 }  // namespace assay::drivers

@@ -15,6 +15,20 @@ TEST(SheetLine, SaysWhatMakesALongSheetShorter) {
   EXPECT_NE(long_sheet_sentence(250, 1e-6).find("0.001 in place of 1e-06"), std::string::npos);
 }
 
+/// The work that is planned grows on the way: a time that was told is corrected when it is over.
+TEST(Forecast, IsCorrectedWhenItIsExceeded) {
+  Forecast forecast;
+  EXPECT_FALSE(forecast.told(1, 0.01)) << "too early";
+  EXPECT_FALSE(forecast.told(6, 0.5)) << "short";
+  EXPECT_FALSE(forecast.was_told());
+  EXPECT_EQ(forecast.told(6, 0.125), 48);
+  EXPECT_FALSE(forecast.told(40, 0.1)) << "not over";
+  EXPECT_EQ(forecast.told(50, 0.1), 500);
+  EXPECT_EQ(forecast.told(510, 0.99), 765) << "not at each update from then on";
+  EXPECT_FALSE(forecast.told(600, 0.995));
+  EXPECT_TRUE(forecast.was_told());
+}
+
 /// A call is cheap, and nothing is written where there is no terminal.
 TEST(SheetLine, TakesAnyProgress) {
   SheetLine line(1e-10, true);
