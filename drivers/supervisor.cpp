@@ -167,8 +167,7 @@ std::string line_of(const Ended& ended) {
   leave_process(128 + signal);
 }
 
-[[noreturn]] void watch(pid_t child, const Parting& word) {
-  const OwnTerminal terminal;
+[[noreturn]] void watch(pid_t child, const Parting& word, const OwnTerminal& terminal) {
   const Ended ended = end_of(child, word);
   if (adapters::end_descendants()) {
     std::fputs("warning: the model leaves processes behind, which were ended\n", stderr);
@@ -239,9 +238,10 @@ void supervise(const std::string& library) {
   const sigset_t awaited = awaited_signals();
   sigset_t before;
   ::sigprocmask(SIG_BLOCK, &awaited, &before);
+  const OwnTerminal terminal;  // the model may be done with it before the watching process goes on
   const pid_t child = ::fork();
   const int reason = errno;
-  if (child > 0) watch(child, *word);
+  if (child > 0) watch(child, *word, terminal);
   ::sigprocmask(SIG_SETMASK, &before, nullptr);
   if (child < 0) throw SystemError("a library cannot be loaded: fork: " + std::generic_category().message(reason));
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
