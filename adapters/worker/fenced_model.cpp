@@ -6,7 +6,7 @@
 #include <string>
 
 #include "adapters/worker/call_arrays.hpp"
-#include "adapters/worker/servant.hpp"
+#include "adapters/worker/watched_call.hpp"
 #include "harness/history/history_task.hpp"
 #include "harness/material/material.hpp"
 #include "harness/material/offer.hpp"

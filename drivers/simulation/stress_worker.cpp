@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "adapters/worker/servant.hpp"
+#include "adapters/worker/watched_call.hpp"
 #include "adapters/worker/worker_process.hpp"
 #include "drivers/material/material_table.hpp"
 #include "drivers/output/numbers.hpp"

@@ -8,6 +8,7 @@
 
 #include "adapters/worker/call_arrays.hpp"
 #include "adapters/worker/servant.hpp"
+#include "adapters/worker/watched_call.hpp"
 #include "harness/history/history_task.hpp"
 #include "harness/material/progress_mark.hpp"
 #include "harness/motion/vortex.hpp"
