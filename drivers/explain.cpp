@@ -166,13 +166,9 @@ std::string ends_text(const Problem& problem) {
   return text.empty() ? "" : wrapped(text, "faces: ", "  ");
 }
 
-bool is_refused(const Problem& problem, const ScreenFigures& screen) {
-  return !problem.scene.allow_unstable && !instability_sentence(screen, problem.material->name()).empty();
-}
-
-std::string response_text(const Problem& problem, const ExactSolution* exact, const ScreenFigures& screen) {
+std::string response_text(const Problem& problem, const ExactSolution* exact) {
   if (!problem.compared) return "no body force\n";
-  if (!exact) return is_refused(problem, screen) ? "response: not computed, because the run is refused\n" : "";
+  if (!exact) return "response: not computed, because the run is refused\n";
   if (exact->box()) {
     const BoxStress& box = **exact->box();
     return fmt::format("response: a cosine series of {} x {} modes, {} at each node\n", box.modes(0), box.modes(1),
@@ -203,7 +199,7 @@ std::string explanation(const Problem& problem, const ExactSolution* exact, cons
     return explanation_json(problem, c, exact && exact->response() ? exact->response()->get() : nullptr, screen);
   return passes_text(problem, c) + observers_text(problem) + memory_text(problem, c) + work_text(c) + effects_text(c) +
          steps_text(problem) + frame_line(problem) + exact_solution_line(problem) + ends_text(problem) +
-         response_text(problem, exact, screen) + wrapped(screen_sentence(screen), "motion: ", "  ");
+         response_text(problem, exact) + wrapped(screen_sentence(screen), "motion: ", "  ");
 }
 
 int explain(const ExplainOptions& options) {
@@ -213,7 +209,8 @@ int explain(const ExplainOptions& options) {
     for (const std::string& sentence : quiet ? std::vector<std::string>() : warnings_of(problem)) warn(sentence);
     const ScreenFigures screen = screen_of(problem.scene, *problem.material, problem.scene.time.end, quiet);
     std::shared_ptr<const ExactSolution> exact;
-    if (problem.compared && !is_refused(problem, screen)) {  // minutes for the sheet of a run that would not begin
+    const bool refused = !refusal_sentence(problem.scene, screen, problem.material->name()).empty();
+    if (problem.compared && !refused) {  // minutes for the sheet of a run that would not begin
       exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end, {.quiet = quiet});
     }
     const std::string text = explanation(problem, exact.get(), screen, options.json);
@@ -222,7 +219,8 @@ int explain(const ExplainOptions& options) {
   } catch (const MaterialFailure& failure) {
     Result result;
     record_failure(failure, result);
-    std::fprintf(stderr, "%s\n", one_line(result.reason).c_str());
+    const std::string advice = result.advice.empty() ? "" : "; to try: " + result.advice;
+    std::fprintf(stderr, "%s\n", one_line(result.reason + advice).c_str());
     return 1;
   }
 }

@@ -11,7 +11,7 @@
 namespace assay::drivers {
 
 /// Passes, columns, observers, memory, steps, response and stability of a problem, as text or as JSON. Without an exact
-/// solution nothing is said of the response.
+/// solution, which is not made where the run is refused, there is no response.
 std::string explanation(const Problem& problem, const ExactSolution* exact, const ScreenFigures& screen, bool json);
 
 }  // namespace assay::drivers

@@ -84,8 +84,8 @@ bool admitted(const Problem& problem, bool quiet, Result& result) {
   if (!problem.compared) return true;  // then the body does not move as the motion says
   result.screen = screen_of(scene, *problem.material, scene.time.end, quiet);
   if (result.screen->unjudged > 0) warn(screen_sentence(*result.screen));
-  const std::string sentence = instability_sentence(*result.screen, problem.material->name());
-  if (sentence.empty() || scene.allow_unstable) return true;
+  const std::string sentence = refusal_sentence(scene, *result.screen, problem.material->name());
+  if (sentence.empty()) return true;
   result.outcome = "refused";
   result.reason = sentence;
   return false;

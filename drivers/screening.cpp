@@ -91,6 +91,10 @@ std::string instability_sentence(const ScreenFigures& screen, const std::string&
          safe_text(screen, screen.gamma ? "" : " of the path's") + " (motion.allow_unstable: true overrides)";
 }
 
+std::string refusal_sentence(const Scene& scene, const ScreenFigures& screen, const std::string& material) {
+  return scene.allow_unstable ? "" : instability_sentence(screen, material);
+}
+
 std::string screen_sentence(const ScreenFigures& screen) {
   if (screen.verdict == "neutral") return "neutral: nothing resists a shear wave, as in a fluid";
   const std::string smallest =

@@ -17,6 +17,9 @@ ScreenFigures screen_of(const Scene& scene, const Material& material, double end
 /// Why the motion is no stable solution, one sentence; empty where it is one.
 std::string instability_sentence(const ScreenFigures& screen, const std::string& material);
 
+/// The same where the scene does not allow it: why a run is refused.
+std::string refusal_sentence(const Scene& scene, const ScreenFigures& screen, const std::string& material);
+
 /// "stable, ...", for explain and for people, one line without its end.
 std::string screen_sentence(const ScreenFigures& screen);
 
