@@ -14,7 +14,7 @@
 
 namespace {
 
-/// Of zlib, which takes a tenth of the time of stb's own; stb frees what it is given.
+/// Of zlib, which is faster than stb's own and makes a quarter less of it; stb frees what it is given.
 unsigned char* zlib_of_picture(unsigned char* data, int size, int* compressed_size, int) {
   constexpr int level = 6;
   uLongf room = compressBound(static_cast<uLong>(size));
