@@ -42,6 +42,7 @@ void History::count_call() {
                           is_refused ? refused_->xi : xi_, is_refused ? refused_->t : t_);
   if (is_refused) failure.step = refused_->step, failure.not_finite = refused_->not_finite;
   failure.final = true;  // shorter steps would be more of them
+  failure.too_accurate = !is_refused && !rates_;
   throw failure;
 }
 

@@ -25,6 +25,7 @@ FailureFacts facts_of_failure(const MaterialFailure& failure) {
   FailureFacts facts{FailureFacts::Kind::material, failure.what(), failure.xi, failure.t};
   facts.not_finite = failure.not_finite;
   facts.is_final = failure.final;
+  facts.too_accurate = failure.too_accurate;
   facts.has_step = failure.step.has_value();
   if (failure.step) facts.step = *failure.step;
   return facts;

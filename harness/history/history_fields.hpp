@@ -27,7 +27,7 @@ struct FailureFacts {
   enum class Kind { none, material, other } kind = Kind::none;
   std::string what = {};
   double xi = 0, t = 0;
-  bool not_finite = false, is_final = false, has_step = false;
+  bool not_finite = false, is_final = false, too_accurate = false, has_step = false;
   FailedStep step = {};
 };
 
@@ -77,7 +77,8 @@ void fields(Archive& archive, FailedStep& step) {
 }
 template <class Archive>
 void fields(Archive& archive, FailureFacts& facts) {
-  archive(facts.kind, facts.what, facts.xi, facts.t, facts.not_finite, facts.is_final, facts.has_step, facts.step);
+  archive(facts.kind, facts.what, facts.xi, facts.t, facts.not_finite, facts.is_final, facts.too_accurate,
+          facts.has_step, facts.step);
 }
 
 template <class... Parts>

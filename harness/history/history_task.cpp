@@ -26,6 +26,7 @@ NumberReader read_answer(std::span<const double> answer) {
   MaterialFailure failure(facts.what, facts.xi, facts.t);
   failure.not_finite = facts.not_finite;
   failure.final = facts.is_final;
+  failure.too_accurate = facts.too_accurate;
   if (facts.has_step) failure.step = facts.step;
   throw failure;
 }

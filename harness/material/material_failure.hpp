@@ -21,6 +21,7 @@ class MaterialFailure : public std::runtime_error {
   double xi, t;
   bool not_finite = false;         ///< its stress or state is no number
   bool final = false;              ///< no shorter step would do: its process died
+  bool too_accurate = false;       ///< a larger tolerance of its history may do
   std::optional<FailedStep> step;  ///< where a call of `update` failed
 };
 

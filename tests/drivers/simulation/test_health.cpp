@@ -157,6 +157,17 @@ TEST(DyingRun, LeavesTheLastGoodParticlesAndASceneOfTheEnd) {
   EXPECT_NEAR(shots, 20, 1);  // every step of the last twenty
 }
 
+TEST(FailedMaterial, IsToldOfALargerToleranceWhereThatMayDo) {
+  MaterialFailure failure("its history takes too many steps", 1, 0.5);
+  Result refused, slow;
+  record_failure(failure, refused);
+  EXPECT_EQ(refused.advice, "");
+  failure.too_accurate = true;
+  record_failure(failure, slow);
+  EXPECT_TRUE(slow.advice.starts_with("force.tolerance: 1e-5"));
+  EXPECT_EQ(slow.outcome, "material_failed");
+}
+
 /// As of a steel that becomes unstable in the first fifth of 150,000 steps.
 TEST(DyingRun, LeavesASceneThatAsksForNoMoreSnapshotsThanItMay) {
   const ScratchFolder scratch;

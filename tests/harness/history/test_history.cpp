@@ -54,9 +54,35 @@ TEST(History, GivesUpAMotionOfTooManyTurns) {
     ADD_FAILURE() << "went through";
   } catch (const MaterialFailure& failure) {
     EXPECT_TRUE(failure.final);
+    EXPECT_FALSE(failure.too_accurate);
     EXPECT_NE(std::string(failure.what()).find("too many steps"), std::string::npos) << failure.what();
   }
   EXPECT_LT(history.calls(), 4'000'000);
+}
+
+/// A stress of increments that converges with the tenth root of their length: with a larger tolerance it is found.
+TEST(History, SaysThatIncrementsConvergeTooSlowly) {
+  static const auto inner = builtin_material(assay_builtin_hypoelastic_jaumann, elastic);
+  static assay_material slow;
+  slow = inner->table();
+  slow.extension = nullptr, slow.extension_of = nullptr, slow.create_of = nullptr;
+  slow.update = [](void* self, const assay_step* step, std::size_t n, const double* state0, double* state1,
+                   double* cauchy, std::int32_t* status, double* factor, char* message) {
+    inner->table().update(self, step, n, state0, state1, cauchy, status, factor, message);
+    const double more = 10 * std::pow(step->dt, 1.1);
+    for (std::size_t p = 0; p < n; ++p) state1[p] += more, cauchy[p] += more;
+  };
+  const Material material(&slow, elastic);
+  const Course course(material, cyclic, 2, Form::increments);
+  History loose(course, -2.2, {.tolerance = 1e-2}), strict(course, -2.2, {.tolerance = 1e-12});
+  EXPECT_NO_THROW(loose.advance(0.5));
+  try {
+    strict.advance(0.5);
+    ADD_FAILURE() << "went through";
+  } catch (const MaterialFailure& failure) {
+    EXPECT_TRUE(failure.final && failure.too_accurate) << failure.what();
+    EXPECT_NE(std::string(failure.what()).find("converge too slowly"), std::string::npos) << failure.what();
+  }
 }
 
 /// An elastic model that refuses a step of more than `longest`.
@@ -92,6 +118,7 @@ TEST(History, SaysWhatStepsAreRefusedFor) {
                 std::string::npos)
           << failure.what();
       EXPECT_NE(std::string(failure.what()).find("no root is found"), std::string::npos) << failure.what();
+      EXPECT_FALSE(failure.too_accurate);
       ASSERT_TRUE(failure.step);  // for its replay
       EXPECT_GT(failure.step->dt, longest);
     }

@@ -78,6 +78,7 @@ TEST(HistoryTask, CarriesAFailureWithItsStep) {
   EXPECT_EQ(there->t, here->t);
   EXPECT_EQ(there->xi, here->xi);
   EXPECT_EQ(there->final, here->final);
+  EXPECT_EQ(there->too_accurate, here->too_accurate);
   ASSERT_TRUE(here->step && there->step);
   EXPECT_EQ(there->step->F1, here->step->F1);
   EXPECT_EQ(there->step->state0, here->step->state0);
