@@ -3,7 +3,7 @@
 // amplitudes at 200 times each. `points` are nodes of the sheet, `update` calls of the material.
 #include <benchmark/benchmark.h>
 
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "harness/sheet/sheet.hpp"
 
 extern "C" const assay_material* assay_builtin_j2_jaumann(std::uint32_t host_major, std::uint32_t index);

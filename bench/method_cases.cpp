@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bench/method_cases.hpp"
 
+#include "harness/motion/kinds/vortex.hpp"
 #include "harness/sheet/sheet.hpp"
 #include "mpm/seeding/lattice.hpp"
 #include "mpm/seeding/particle_order.hpp"

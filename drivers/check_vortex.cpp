@@ -15,6 +15,7 @@
 #include "drivers/simulation/simulate.hpp"
 #include "harness/check/material_symmetry.hpp"
 #include "harness/check/specimen.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 
 namespace assay::drivers {
 

@@ -25,11 +25,6 @@ namespace assay::drivers {
 
 namespace {
 
-/// Whether all components are written: of what happens out of the plane, and of motions about any axis.
-bool three_dimensional(const Motion& motion) {
-  return std::holds_alternative<RotatingStretch>(motion) || std::holds_alternative<Rigid>(motion) || !is_plane(motion);
-}
-
 std::vector<std::string> column_names(bool three, bool normals) {
   std::vector<std::string> names;
   const auto add = [&](const std::string& list) {
@@ -103,7 +98,7 @@ std::string evaluated(const EvalOptions& options) {
   refuse_input_as_output(options.out, "-o");
   warn_of_instability(scene, *material, end, quiet);
   if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
-  const bool three = three_dimensional(scene.motion);
+  const bool three = scene.motion->is_spatial();
   CsvText csv(column_names(three, points.has_normals));
   const std::vector<ExactPoint> exact = exact_points(scene, material, points.points, end, quiet);
   for (std::size_t i = 0; i < exact.size(); ++i) {

@@ -11,6 +11,8 @@
 #include "drivers/simulation/problem.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "harness/exact/axis_aligned_force.hpp"
+#include "harness/motion/kinds/axis_aligned.hpp"
+#include "harness/motion/kinds/deformation_table.hpp"
 
 namespace assay::drivers {
 
@@ -95,7 +97,7 @@ void add_stress(const Scene& scene, const std::shared_ptr<const Material>& mater
                 std::vector<ExactPoint>& out) {
   if (ring_of(scene.motion)) {
     add_ring_stress(scene, material, points, X, end, quiet, out);
-  } else if (const auto* box = std::get_if<AxisAligned>(&scene.motion)) {
+  } else if (const auto* box = scene.motion.as<AxisAligned>()) {
     Progress progress("eval", quiet);
     add_box_stress(scene, *box, *material, points, X, progress, out);
   } else {
@@ -109,16 +111,16 @@ void add_stress(const Scene& scene, const std::shared_ptr<const Material>& mater
 }  // namespace
 
 void require_within_motion(const Scene& scene, const std::vector<ReferencePoint>& points, const std::string& file) {
-  if (const auto* ring = std::get_if<TwistingRing>(&scene.motion)) {
+  if (const auto ring = ring_of(scene.motion); ring && !is_vortex(scene.motion)) {
     for (const ReferencePoint& point : points) {
       const double R = std::hypot(point.X, point.Y);
-      if (R >= ring->inner() * (1 - edge_rounding) && R <= ring->outer() * (1 + edge_rounding)) continue;
+      if (R >= ring->inner * (1 - edge_rounding) && R <= ring->outer * (1 + edge_rounding)) continue;
       throw InputError({file, point.line, 1}, "X",
                        "the point is at the radius " + rounded_text(R, 6) + ", outside of the ring between " +
-                           rounded_text(ring->inner(), 6) + " and " + rounded_text(ring->outer(), 6));
+                           rounded_text(ring->inner, 6) + " and " + rounded_text(ring->outer, 6));
     }
   }
-  const auto* table = std::get_if<DeformationTable>(&scene.motion);
+  const auto* table = scene.motion.as<DeformationTable>();
   for (const ReferencePoint& point : points) {
     if (!table || point.t <= table->last()) continue;
     throw InputError({file, point.line, 1}, "t",

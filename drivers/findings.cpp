@@ -83,7 +83,7 @@ void record_failure(const MaterialFailure& failure, Result& result) {
   stop_if_interrupted();  // it may have failed because nobody waited for it
   result.outcome = "material_failed";
   result.reason = failure.what();
-  if (failure.too_accurate) result.advice = "force.tolerance: 1e-5, which asks for less accuracy of the response";
+  if (failure.too_accurate) result.advice = "force.tolerance: 1e-4, which asks for less accuracy of the response";
   if (!std::isnan(failure.xi)) {
     result.reason +=
         ": on the baseline path at xi = " + rounded_text(failure.xi, 6) + ", t = " + rounded_text(failure.t, 6) + " s";

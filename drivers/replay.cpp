@@ -22,6 +22,7 @@
 #include "drivers/scene/yaml_reader.hpp"
 #include "drivers/scene/yaml_values.hpp"
 #include "drivers/scene/yaml_writer.hpp"
+#include "harness/motion/kinds/deformation_table.hpp"
 
 namespace assay::drivers {
 
@@ -280,7 +281,7 @@ UpdateReport take_again(const Material& material, const FailedStep& step) {
 std::string replay_hint(const Scene& scene, const std::vector<std::string>& sets, double end) {
   std::string command = "assay tabulate " + scene.file;
   // tabulate takes another function between the rows unless it is told
-  const bool table = std::holds_alternative<DeformationTable>(scene.motion);
+  const bool table = scene.motion.as<DeformationTable>();
   if (table && !scene.places.contains("motion.interpolation")) command += " --set motion.interpolation=monotone";
   for (const std::string& set : sets) command += " --set '" + set + "'";
   return "`" + command + " --set time.end=" + yaml_number(end) + "` leaves the step in a replay.yaml";

@@ -25,6 +25,7 @@
 #include "drivers/simulation/warnings.hpp"
 #include "drivers/verbs.hpp"
 #include "drivers/verdict.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 
 namespace assay::drivers {
 
@@ -32,7 +33,7 @@ namespace {
 
 /// The plastic rim, with a warning where the grid is too coarse for it.
 void record_rim(const Problem& problem, const Response& response, Result& result) {
-  const auto* vortex = std::get_if<Vortex>(&problem.scene.motion);
+  const auto* vortex = problem.scene.motion.as<Vortex>();
   if (!vortex) return;
   result.rim = rim_of(response, *vortex, problem.scene.grid->spacing, problem.scene.time.end);
   const std::string sentence = result.rim ? narrow_rim_sentence(*result.rim) : "";

@@ -26,6 +26,7 @@
 #include "drivers/tabulation.hpp"
 #include "drivers/verbs.hpp"
 #include "drivers/verdict.hpp"
+#include "harness/motion/kinds/deformation_table.hpp"
 
 namespace assay::drivers {
 
@@ -87,7 +88,7 @@ int tabulate(const TabulateOptions& options) {
   tab.path = baseline_path(scene);
   tab.end = scene.time.end;
   tab.period = period_of(scene.motion);
-  if (const auto* table = std::get_if<DeformationTable>(&scene.motion)) tab.last = table->last();
+  if (const auto* table = scene.motion.as<DeformationTable>()) tab.last = table->last();
   cover(points, options.points, tab);
   OutputFolder folder(options.out);
   folder.keep_inputs();

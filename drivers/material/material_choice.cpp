@@ -110,8 +110,7 @@ ResolvedMaterial resolve_material(const Scene& scene) {
             "for a material that is isotropic about the ring's axis (or transversely isotropic about it, and declared "
             "so), or whose axes turn with the radius (cylindrically orthotropic)");
   }
-  if (scene.method && std::holds_alternative<AxisAligned>(scene.motion) &&
-      resolved.material.table().symmetry != ASSAY_ISOTROPIC) {
+  if (scene.method && is_box(scene.motion) && resolved.material.table().symmetry != ASSAY_ISOTROPIC) {
     throw InputError(scene.material.where, "material.adapter",
                      "'" + resolved.material.name() +
                          "' is not isotropic, but the faces of the unit box are symmetry planes without shear only for "

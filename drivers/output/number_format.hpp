@@ -5,10 +5,11 @@
 #include <cstdint>
 #include <string>
 
+#include "harness/numeric/number_text.hpp"
+
 namespace assay::drivers {
 
-/// At most `significant` (1 to 17) digits, trailing zeros dropped, "1.2e-05" where that is shorter; "nan", "inf".
-std::string rounded_text(double value, int significant);
+using assay::rounded_text;
 
 /// A text that is one number, at that many digits; any other text as it is.
 std::string shortened(const std::string& text, int significant);

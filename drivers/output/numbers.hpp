@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "harness/numeric/number_text.hpp"
+
 namespace assay::drivers {
 
 /// The whole text as a decimal number: `2`, `-1.5`, `1e3`, `.5`, `+2.`; nothing for anything else (hexadecimal, `1,5`,
@@ -16,7 +18,6 @@ std::optional<double> parse_number(std::string_view text);
 /// The whole text as a whole number, digits with at most a sign before them; nothing for anything else.
 std::optional<std::int64_t> parse_integer(std::string_view text);
 
-/// The shortest text that reads back to the same double; "inf", "-inf", "nan" for what is not finite.
-std::string number_text(double value);
+using assay::number_text;
 
 }  // namespace assay::drivers

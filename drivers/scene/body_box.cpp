@@ -77,10 +77,11 @@ Box body_box(const Scene& scene) {
 Box swept_box(const Scene& scene) {
   if (scene.body.initial_velocity) return flight_box(scene, *scene.body.initial_velocity);
   if (!ring_of(scene.motion)) return corner_swept_box(scene);
-  if (const auto* ring = std::get_if<TwistingRing>(&scene.motion)) {
-    double outer = ring->outer();
+  if (!is_vortex(scene.motion)) {
+    const double face = ring_of(scene.motion)->outer;
+    double outer = face;
     for (int k = 0; k <= looks; ++k) {
-      outer = std::max(outer, ring->ring(ring->outer(), scene.time.end * k / looks).rho);
+      outer = std::max(outer, ring_kinematics(scene.motion, face, scene.time.end * k / looks).rho);
     }
     return {{-outer, -outer}, {outer, outer}};
   }

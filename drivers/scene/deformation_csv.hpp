@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "harness/motion/deformation_table.hpp"
+#include "harness/motion/kinds/deformation_table.hpp"
 
 namespace assay::drivers {
 

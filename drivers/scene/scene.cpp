@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "harness/motion/kinds/axis_aligned.hpp"
 #include "harness/numeric/stable_norm.hpp"
 
 namespace assay::drivers {
@@ -41,7 +42,7 @@ Interval cosines(double lower, double upper) {
 Path baseline_path(const Scene& scene) { return with_direction(baseline_of(scene.motion), scene); }
 
 std::vector<Path> baseline_paths(const Scene& scene) {
-  const auto* box = std::get_if<AxisAligned>(&scene.motion);
+  const auto* box = scene.motion.as<AxisAligned>();
   if (!box || box->one_dimensional) return {baseline_path(scene)};
   constexpr int sections = 4;
   const Interval along_X = cosines(scene.body.lower[0], scene.body.upper[0]);

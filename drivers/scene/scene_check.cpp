@@ -7,9 +7,9 @@
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/scene/body_box.hpp"
-#include "drivers/scene/motion_check.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/unseen.hpp"
+#include "harness/motion/kinds/axis_aligned.hpp"
 #include "mpm/patch/methods.hpp"
 
 namespace assay::drivers {
@@ -81,7 +81,6 @@ void check_lattice(const Scene& scene, const KeyPlace& where) {
 
 void check_body(const Scene& scene, const KeyPlace& where) {
   const Body& body = scene.body;
-  const auto* vortex = std::get_if<Vortex>(&scene.motion);
   if (body.domain == Body::Domain::ring) {
     if (!ring_of(scene.motion)) {
       refuse_at(where, "body.domain",
@@ -95,7 +94,8 @@ void check_body(const Scene& scene, const KeyPlace& where) {
     }
     return;
   }
-  if (std::holds_alternative<TwistingRing>(scene.motion)) {
+  const auto ring = ring_of(scene.motion);
+  if (ring && !is_vortex(scene.motion)) {
     refuse_at(where, "body.domain", "a twisting ring is a ring: nothing is known of the motion outside it");
   }
   if (body.lattice == Body::Lattice::polar) {
@@ -107,10 +107,10 @@ void check_body(const Scene& scene, const KeyPlace& where) {
     refuse_at(where, "body.upper",
               "a square has equal sides, found " + number_text(width) + " and " + number_text(height));
   }
-  for (std::size_t i = 0; vortex && i < 2; ++i) {
-    if (body.lower[i] <= -vortex->outer && body.upper[i] >= vortex->outer) continue;
+  for (std::size_t i = 0; ring && i < 2; ++i) {
+    if (body.lower[i] <= -ring->outer && body.upper[i] >= ring->outer) continue;
     refuse_at(where, "body.domain",
-              "must contain the ring of the vortex (outer " + number_text(vortex->outer) + "), reaches from " +
+              "must contain the ring of the vortex (outer " + number_text(ring->outer) + "), reaches from " +
                   text(body.lower) + " to " + text(body.upper));
   }
 }
@@ -160,7 +160,7 @@ void check_grid(const Scene& scene, const KeyPlace& where) {
 }
 
 void check_frame(const Scene& scene, const KeyPlace& where) {
-  if (!std::holds_alternative<Vortex>(scene.motion)) {
+  if (!is_vortex(scene.motion)) {
     refuse_at(where, "frame", "serves the vortex, and motion.type is " + motion_type(scene));
   }
   const Frame& frame = *scene.frame;
@@ -207,7 +207,9 @@ void check_scene(const Scene& scene, const KeyPlace& where) {
   if (one_line(scene.title, scene.title.size()) != scene.title) {
     refuse_at(where, "title", "must be one line of text, found '" + shown(scene.title, 200) + "'");
   }
-  check_motion(scene, where);
+  const MotionUse use{scene.time.end, scene.method.has_value(),
+                      [&](const std::string& key) { return scene.places.contains(key); }};
+  if (const auto found = scene.motion->fault(use)) refuse_at(where, found->key, found->what);
   const auto& direction = scene.material.direction;
   if (direction && (*direction)[0] == 0 && (*direction)[1] == 0 && (*direction)[2] == 0) {
     refuse_at(where, "material.direction", "must not be zero");
@@ -223,7 +225,7 @@ void check_scene(const Scene& scene, const KeyPlace& where) {
   if (scene.output.tractions && scene.force.response == ForceChoice::Response::none) {
     refuse_at(where, "output.tractions", "compares tractions, and with force.response: none no forces act");
   }
-  const auto* box = std::get_if<AxisAligned>(&scene.motion);
+  const auto* box = scene.motion.as<AxisAligned>();
   if (scene.time.step && scene.time.control == TimeChoice::Control::current) {
     refuse_at(where, "time.control", "current takes steps by method.courant, and time.step fixes them");
   }

@@ -27,8 +27,8 @@ const std::vector<std::string> inertias{"grid", "particles"};
 const std::vector<std::string> traction_algorithms{"edges", "virtual_stress", "particles", "undeformed_edges"};
 const std::vector<std::string> periodics{"none", "x", "y", "both"};
 const std::vector<std::string> traction_forms{"follower", "reference"};
-const std::vector<std::string> with_traction{"homogeneous", "rotating_stretch", "twisting_ring", "axis_aligned",
-                                             "bar_1d"};
+const auto bears_tractions = [](const Motion& motion) { return motion->bears_tractions(); };
+const auto may_repeat = [](const Motion& motion) { return motion->may_repeat(); };
 const std::vector<std::string> anti_lockings{"none", "cell", "node"};
 const std::vector<std::string> controls{"planned", "current"};
 const std::vector<std::string> responses{"none", "closed_form", "sheet", "shadow"};
@@ -59,7 +59,7 @@ std::vector<Key> body_keys() {
        "ring for the vortex and the twisting ring, square otherwise"},
       {"body.outside", choice, "what surrounds the ring in a square or box: fixed (held) or free to move (free)",
        GET(name_of(outsides, s.body.outside)), SET(s.body.outside = picked<Body::Outside>(outsides, v)), {}, outsides,
-       false, "free for a ring, held for square and box", {"vortex"}},
+       false, "free for a ring, held for square and box", types_of(is_vortex)},
       {"body.lower", pair, "lower corner of a square or box [m]", GET(pair_of(s.body.lower)), SET(s.body.lower = two(v)), {}, {}, false,
        {}, {}, cornered},
       {"body.upper", pair, "upper corner of a square or box [m]", GET(pair_of(s.body.upper)), SET(s.body.upper = two(v)), {}, {}, false,
@@ -82,7 +82,7 @@ std::vector<Key> body_keys() {
        SET(s.body.seed = whole(v)), {.lower = 0, .upper = 1e9, .whole = true}, {}, false, "1"},
       {"body.periodic", choice, "directions in which the body repeats; unit box: other faces at whole metres are symmetry planes",
        GET(name_of(periodics, s.body.periodic)), SET(s.body.periodic = picked<Body::Periodic>(periodics, v)), {},
-       periodics, false, {}, {"axis_aligned", "bar_1d", "rigid"}, cornered},
+       periodics, false, {}, types_of(may_repeat), cornered},
       {"body.initial_velocity.velocity", pair, "velocity at the origin [m/s]",
        GET(s.body.initial_velocity ? pair_of(s.body.initial_velocity->velocity) : Value()),
        SET(s.body.initial_velocity->velocity = two(v))},
@@ -151,15 +151,16 @@ std::vector<Key> method_keys() {
       {"force.cache", boolean, "keep the sheet on disk and reuse it in later runs", GET(s.force.cache),
        SET(s.force.cache = std::get<bool>(v))},
       {"force.tolerance", number, "requested relative error of the sheet", GET(s.force.tolerance),
-       SET(s.force.tolerance = real(v)), {.lower = 1e-14, .upper = 1e-2}},
+       SET(s.force.tolerance = real(v)), {.lower = 1e-14, .upper = 1e-2}, {}, false,
+       "1e-8; 1e-5 for a UMAT, VUMAT or MFront model"},
       {"traction.algorithm", choice, "forces on domain edges, from the exact stress, at surface particles, or on edges of undeformed length",
        GET(name_of(traction_algorithms, s.traction.algorithm)),
        SET(s.traction.algorithm = picked<mpm::TractionAlgorithm>(traction_algorithms, v)), {}, traction_algorithms,
-       false, {}, with_traction},
+       false, {}, types_of(bears_tractions)},
       {"traction.form", choice, "sigma n ds on the current surface (follower), or P N dA0 (reference)",
        GET(s.traction.form ? name_of(traction_forms, *s.traction.form) : Value()),
        SET(s.traction.form = picked<mpm::TractionForm>(traction_forms, v)), {}, traction_forms, false,
-       "the stable one: reference where the body is stretched, follower where it is compressed", with_traction},
+       "the stable one: reference where the body is stretched, follower where it is compressed", types_of(bears_tractions)},
   };
 }
 
@@ -206,7 +207,7 @@ std::vector<Key> run_keys() {
       {"output.accounts", boolean, "compute the accounts of mass, momentum and energy", GET(s.output.accounts),
        SET(s.output.accounts = std::get<bool>(v))},
       {"output.tractions", boolean, "repeat the run with each traction algorithm on grids of 4h, 2h and h, for report.html and result.json",
-       GET(s.output.tractions), SET(s.output.tractions = std::get<bool>(v)), {}, {}, false, {}, with_traction},
+       GET(s.output.tractions), SET(s.output.tractions = std::get<bool>(v)), {}, {}, false, {}, types_of(bears_tractions)},
       {"limits.memory_gib", number, "refuse a run that would need more memory [GiB]", GET(s.limits.memory_gib),
        SET(s.limits.memory_gib = real(v)), positive},
       {"limits.particle_steps", number, "refuse a run of more particles times steps",

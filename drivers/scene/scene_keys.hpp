@@ -2,6 +2,7 @@
 // The one table of scene keys: the reader, resolved.yaml and the JSON Schema are all made from it.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -21,8 +22,8 @@ struct Key {
   std::string path;  ///< "motion.amplitude.peak"
   KeyType type = KeyType::number;
   std::string doc;  ///< one line, with the unit
-  Value (*get)(const Scene&) = nullptr;
-  void (*set)(Scene&, const Value&) = nullptr;
+  std::function<Value(const Scene&)> get;
+  std::function<void(Scene&, const Value&)> set;
   Range range = {};  ///< of a number, or of each in a pair or matrix
   std::vector<std::string> choices = {};
   bool required = false;

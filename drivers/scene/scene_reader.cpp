@@ -18,6 +18,7 @@
 #include "drivers/scene/sha256.hpp"
 #include "drivers/scene/yaml_slips.hpp"
 #include "drivers/unseen.hpp"
+#include "harness/motion/kinds/deformation_table.hpp"
 
 namespace assay::drivers {
 
@@ -171,7 +172,7 @@ void read_material(const Tree& root, Scene& scene) {
 void read_motion_path(const Tree& root, Interpolation otherwise, Scene& scene) {
   const Tree* given = value_at(root, "motion.path");
   if (!given) return;
-  const auto& named = std::get<DeformationTable>(scene.motion);
+  const auto& named = *scene.motion.as<DeformationTable>();
   const Interpolation interpolation = value_at(root, "motion.interpolation") ? named.interpolation() : otherwise;
   const std::string table = absolute_path(folder_of(given->where) / named.source());
   if (const std::string fault = fault_of_file(table); !fault.empty()) {
@@ -188,21 +189,20 @@ void read_motion_path(const Tree& root, Interpolation otherwise, Scene& scene) {
 
 /// What the body is unless the scene says otherwise.
 void begin_body(Scene& scene) {
-  if (ring_of(scene.motion)) return;
-  scene.body.domain = Body::Domain::square;
-  if (std::holds_alternative<AxisAligned>(scene.motion)) scene.body.lower = {0, 0}, scene.body.upper = {1, 1};
+  if (!ring_of(scene.motion)) scene.body.domain = Body::Domain::square;
+  scene.body.lower = scene.motion->usual_lower(), scene.body.upper = scene.motion->usual_upper();
 }
 
 /// Defaults that follow from other keys.
 void derive(const Tree& root, Scene& scene) {
   if (!value_at(root, "body.outside")) {
     const bool ring = scene.body.domain == Body::Domain::ring;
-    const bool holds = std::holds_alternative<Vortex>(scene.motion) && !ring;
+    const bool holds = is_vortex(scene.motion) && !ring;
     scene.body.outside = holds ? Body::Outside::held : Body::Outside::free;
   }
   if (!value_at(root, "body.cut")) {
     const bool average = scene.force.evaluation == ForceChoice::Evaluation::domain_average;
-    const bool loaded = std::holds_alternative<TwistingRing>(scene.motion);  // on its faces
+    const bool loaded = scene.motion->bears_tractions();  // on the ring's faces
     scene.body.cut = average || loaded ? Body::Cut::clipped : Body::Cut::whole;
   }
   if (!value_at(root, "time.end")) scene.time.end = period_of(scene.motion);

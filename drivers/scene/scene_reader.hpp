@@ -7,6 +7,7 @@
 
 #include "drivers/scene/scene.hpp"
 #include "drivers/scene/yaml_reader.hpp"
+#include "harness/numeric/interpolant.hpp"
 
 namespace assay::drivers {
 

@@ -9,6 +9,7 @@
 #include "drivers/output/result_json.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/schema_parts.hpp"
+#include "harness/motion/registry.hpp"
 
 namespace assay::drivers {
 
@@ -26,12 +27,11 @@ std::vector<Scene> kinds_of_scene() {
     kinds.back().motion = motion;
     kinds.back().body.domain = domain;
   };
-  for (const Motion& motion : {Motion(Homogeneous{}), Motion(RotatingStretch{}), Motion(Rigid{}),
-                               Motion(AxisAligned{{}, false, false}), Motion(AxisAligned{{}, true, false})}) {
-    add(motion, Body::Domain::square);
+  for (const Motion& motion : motion_registry().samples()) {
+    if (motion->type() == ring.motion->type()) continue;
+    add(motion, ring_of(motion) ? Body::Domain::ring : Body::Domain::square);
   }
-  add(TwistingRing{}, Body::Domain::ring);
-  add(Homogeneous{}, Body::Domain::box);
+  add(ring.motion, Body::Domain::box);
   return kinds;
 }
 

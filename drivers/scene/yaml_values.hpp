@@ -2,26 +2,16 @@
 // Typed values out of a YAML tree. Each function throws InputError at the value's place, naming `key`.
 #pragma once
 
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "drivers/scene/yaml_reader.hpp"
+#include "harness/numeric/range.hpp"
 
 namespace assay::drivers {
 
-/// What a number may be. A whole number is at most 2^53 in size.
-struct Range {
-  double lower = -std::numeric_limits<double>::infinity();
-  double upper = std::numeric_limits<double>::infinity();
-  bool lower_open = false, upper_open = false;
-  bool whole = false;
-  /// "greater than 0", "from 1 to 16"; empty for any number.
-  std::string text() const;
-  bool holds(double value) const;
-};
-
-inline constexpr Range positive{.lower = 0, .lower_open = true};
+using assay::positive;
+using assay::Range;
 
 /// Finite, in range.
 double number_value(const Tree& tree, const std::string& key, const Range& range = {});

@@ -70,7 +70,7 @@ std::string advice_after_large_error(const Problem& problem, double relative) {
       ". The error is " + (relative > 1 ? "larger than the motion" : rounded_text(relative, 2) + " of the motion") +
       ". If it stays on a finer grid, the cause is most likely the material: assay check of the model";
   if (!period) return "a finer grid" + why;
-  return "motion.period: " + rounded_text(*period, 2) +
+  return "motion.period: " + period_text(problem, *period) +
          ", in which a wave crosses the body twice as in the paper's vortex; or a finer grid" + why;
 }
 
@@ -78,7 +78,7 @@ std::string advice_after_death(const Problem& problem, const std::string& reason
   if (!problem.compared && reason.find("left the grid") != reason.npos)
     return "grid.lower and grid.upper: a free body needs room for its whole path";
   if (const auto period = shorter_period(problem)) {
-    return "motion.period: " + rounded_text(*period, 2) +
+    return "motion.period: " + period_text(problem, *period) +
            ", in which a wave crosses the body some thirty times: errors of very many waves add up";
   }
   const auto& method = *problem.scene.method;

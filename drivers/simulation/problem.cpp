@@ -18,6 +18,7 @@
 #include "drivers/simulation/seeds.hpp"
 #include "drivers/simulation/time_steps.hpp"
 #include "drivers/simulation/traction_choice.hpp"
+#include "harness/motion/kinds/axis_aligned.hpp"
 #include "mpm/basis/corners.hpp"
 #include "mpm/patch/methods.hpp"
 #include "mpm/seeding/lattice.hpp"
@@ -78,9 +79,7 @@ std::string frame_text(const Frame& frame) {
 }
 
 std::string Problem::motion_text() const {
-  if (const auto* vortex = std::get_if<Vortex>(&scene.motion)) {
-    return "; amplitude " + rounded_text(vortex->amplitude.peak, 4);
-  }
+  if (is_vortex(scene.motion)) return "; amplitude " + rounded_text(amplitude_of(scene.motion)->peak, 4);
   std::string text = "; " + motion_type(scene);
   constexpr const char* algorithms[] = {"edges", "virtual stress", "particles", "undeformed edges"};
   constexpr const char* forms[] = {"follower", "reference"};
@@ -148,7 +147,7 @@ namespace {
 
 /// c = sqrt(E/rho0) of a motion in the unit box that does not say it, and the end of the run that follows from it.
 void resolve_wave_speed(Scene& scene) {
-  auto* box = std::get_if<AxisAligned>(&scene.motion);
+  auto* box = scene.motion.as<AxisAligned>();
   if (!box || box->given_speed) return;
   const auto modulus = scene.material.parameters.find("E");
   if (modulus == scene.material.parameters.end() || !(modulus->second > 0)) {
@@ -156,10 +155,11 @@ void resolve_wave_speed(Scene& scene) {
                      "auto takes sqrt(E/rho0), and the material has no parameter E above 0: give it [m/s]");
   }
   const double speed = std::sqrt(modulus->second / scene.material.density);
-  if (!(speed >= least_wave_speed && speed <= most_wave_speed)) {
+  if (!(speed >= AxisAligned::least_wave_speed && speed <= AxisAligned::most_wave_speed)) {
     throw InputError(scene.place("motion.wave_speed"), "motion.wave_speed",
                      "auto takes sqrt(E/rho0), which is " + rounded_text(speed, 3) + " m/s, beyond " +
-                         rounded_text(speed > 1 ? most_wave_speed : least_wave_speed, 3) + ": give it [m/s]");
+                         rounded_text(speed > 1 ? AxisAligned::most_wave_speed : AxisAligned::least_wave_speed, 3) +
+                         ": give it [m/s]");
   }
   box->amplitude.period = 1 / speed;
   box->given_speed = true;
@@ -173,6 +173,9 @@ std::shared_ptr<const Material> material_of(Scene& scene, std::string& library) 
   for (const std::string& sentence : resolved.warnings) warn(sentence);
   scene.material = std::move(resolved.choice);
   library = std::move(resolved.library);
+  // Histories of its increments converge slowly: to 1e-8 they take minutes, and errors of a method are far larger.
+  constexpr double tolerance_of_foreign = 1e-5;
+  if (resolved.foreign && !scene.places.contains("force.tolerance")) scene.force.tolerance = tolerance_of_foreign;
   resolve_wave_speed(scene);
   return std::make_shared<const Material>(std::move(resolved.material));
 }

@@ -7,6 +7,7 @@
 #include "drivers/output/number_format.hpp"
 #include "drivers/simulation/sheet_cache.hpp"
 #include "drivers/simulation/sheet_line.hpp"
+#include "harness/motion/kinds/axis_aligned.hpp"
 #include "mpm/data/effect.hpp"
 
 namespace assay::drivers {
@@ -68,7 +69,7 @@ std::shared_ptr<const ExactSolution> exact_solution_of(const Scene& scene,
     return std::make_shared<const ExactSolution>(scene.motion, density,
                                                  response_of(scene, material, path, end, marching));
   }
-  if (const auto* box = std::get_if<AxisAligned>(&scene.motion)) {
+  if (const auto* box = scene.motion.as<AxisAligned>()) {
     if (scene.force.response != ForceChoice::Response::sheet) {
       throw InputError(scene.place("force.response"), "force.response",
                        "the motion in the unit box is run by a series of its own, which sheet stands for",

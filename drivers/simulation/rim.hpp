@@ -9,7 +9,7 @@
 
 #include "drivers/result.hpp"
 #include "harness/exact/response.hpp"
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 
 namespace assay::drivers {
 

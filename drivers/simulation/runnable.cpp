@@ -7,6 +7,7 @@
 #include "drivers/output/number_format.hpp"
 #include "drivers/scene/body_box.hpp"
 #include "drivers/simulation/traction_choice.hpp"
+#include "harness/motion/kinds/deformation_table.hpp"
 
 namespace assay::drivers {
 
@@ -17,7 +18,7 @@ constexpr double most_snapshots = 1e5;  ///< of every step
 }  // namespace
 
 void require_acceleration(const Scene& scene) {
-  const auto* table = std::get_if<DeformationTable>(&scene.motion);
+  const auto* table = scene.motion.as<DeformationTable>();
   if (!table || table->interpolation() != Interpolation::linear) return;
   throw InputError(scene.place("motion.interpolation"), "motion.interpolation",
                    "linear makes the velocity jump at the rows, but the body force needs the second derivative of F: "
@@ -27,12 +28,12 @@ void require_acceleration(const Scene& scene) {
 
 void require_runnable(const Scene& scene) {
   require_acceleration(scene);
-  const auto* vortex = std::get_if<Vortex>(&scene.motion);
   if (!is_plane(scene.motion)) {
     throw InputError(scene.place("motion"), "motion",
                      "the method is plane strain: nothing may happen out of the plane, and axes must be [0, 0, 1]");
   }
-  if (vortex && vortex->amplitude.type == Amplitude::Type::ramp && scene.time.end > vortex->amplitude.period) {
+  const Amplitude* amplitude = is_vortex(scene.motion) ? amplitude_of(scene.motion) : nullptr;
+  if (amplitude && amplitude->type == Amplitude::Type::ramp && scene.time.end > amplitude->period) {
     throw InputError(scene.place("time.end"), "time.end",
                      "a ramp stops at its period: the velocity jumps there, and no body force can do that; end the run "
                      "at the period");

@@ -18,14 +18,14 @@ namespace {
 constexpr double edge_rounding = 1e-12;
 
 /// Whether a part of a particle's domain lies in the ring.
-bool partly_inside(const Vortex& vortex, const Rectangle& domain) {
+bool partly_inside(const Annulus& ring, const Rectangle& domain) {
   std::array<double, 2> nearest{}, farthest{};
   for (std::size_t d = 0; d < 2; ++d) {
     nearest[d] = std::max({0.0, domain.lower[d], -domain.upper[d]});
     farthest[d] = std::max(-domain.lower[d], domain.upper[d]);
   }
-  return std::hypot(nearest[0], nearest[1]) < vortex.outer * (1 - edge_rounding) &&
-         std::hypot(farthest[0], farthest[1]) > vortex.inner * (1 + edge_rounding);
+  return std::hypot(nearest[0], nearest[1]) < ring.outer * (1 - edge_rounding) &&
+         std::hypot(farthest[0], farthest[1]) > ring.inner * (1 + edge_rounding);
 }
 
 Rectangle around(const Point& X, const Point& half) {
@@ -36,7 +36,7 @@ bool is_averaged(const Scene& scene) { return scene.force.evaluation == ForceCho
 
 /// Particles in the cells of the grid, whole.
 mpm::Seeds<2> whole_cells(const Scene& scene) {
-  const auto& vortex = std::get<Vortex>(scene.motion);
+  const Annulus ring = *ring_of(scene.motion);
   const Body& body = scene.body;
   const double h = scene.grid->spacing;
   const bool gauss = body.lattice == Body::Lattice::gauss;
@@ -46,16 +46,15 @@ mpm::Seeds<2> whole_cells(const Scene& scene) {
     return around(X, {0.5 * h / body.per_cell[0], 0.5 * h / body.per_cell[1]});
   };
   const auto fate = [&](const std::array<double, 2>& X) {
-    if (vortex.moves({X[0], X[1], 0})) return mpm::Fate::stepped;
+    if (ring.holds(std::hypot(X[0], X[1]))) return mpm::Fate::stepped;
     if (body.domain == Body::Domain::ring) return mpm::Fate::absent;
     if (body.outside == Body::Outside::free) return mpm::Fate::stepped;
-    return is_averaged(scene) && partly_inside(vortex, domain_of(X)) ? mpm::Fate::stepped : mpm::Fate::held;
+    return is_averaged(scene) && partly_inside(ring, domain_of(X)) ? mpm::Fate::stepped : mpm::Fate::held;
   };
   const Box box = body_box(scene);
   if (!gauss) return mpm::cartesian_lattice(box.lower, box.upper, h, body.per_cell, fate);
   mpm::Seeds<2> seeds = mpm::gauss_lattice(box.lower, box.upper, h, body.per_cell, fate);
   if (is_averaged(scene)) {
-    const Annulus ring{vortex.inner, vortex.outer};
     seeds.domains = std::make_shared<const ReferenceDomains>(mpm::gauss_domains(seeds, cells, ring));
   }
   return seeds;
@@ -98,7 +97,7 @@ mpm::Seeds<2> still_seeds_of(const Scene& scene) {
 
 mpm::Seeds<2> seeds_of(const Scene& scene) {
   mpm::Seeds<2> seeds = still_seeds_of(scene);
-  if (std::holds_alternative<TwistingRing>(scene.motion)) mpm::add_face_arcs(*ring_of(scene.motion), seeds);
+  if (ring_of(scene.motion) && !is_vortex(scene.motion)) mpm::add_face_arcs(*ring_of(scene.motion), seeds);
   const bool jittered = scene.body.lattice == Body::Lattice::jittered;
   const bool turned = scene.frame && scene.frame->angle != 0;
   if ((jittered || turned) && !seeds.domains && is_averaged(scene) &&
@@ -108,7 +107,7 @@ mpm::Seeds<2> seeds_of(const Scene& scene) {
   if (jittered) {
     std::function<bool(const Point&)> inside;
     if (scene.body.domain == Body::Domain::ring) {
-      inside = [&](const Point& X) { return turn_of(scene.motion).moves({X[0], X[1], 0}); };
+      inside = [ring = *ring_of(scene.motion)](const Point& X) { return ring.holds(std::hypot(X[0], X[1])); };
     }
     mpm::disturb(seeds, scene.body.jitter, static_cast<std::uint64_t>(scene.body.seed), inside);
   }

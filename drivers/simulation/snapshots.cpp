@@ -64,7 +64,7 @@ std::string particles_vtu(const ColumnView& of, std::size_t particles, const std
 /// What a comparison with the exact motion adds.
 std::vector<VtuArray> compared_arrays(const Problem& problem, const std::vector<double>& error,
                                       const std::vector<double>& measure) {
-  const bool vortex = std::holds_alternative<Vortex>(problem.scene.motion);
+  const bool vortex = is_vortex(problem.scene.motion);
   return {{"displacement_error", 1, std::span<const double>(error)},
           {vortex ? "shear" : "jacobian", 1, std::span<const double>(measure)}};
 }
@@ -263,7 +263,7 @@ std::vector<Snapshots::Written> Snapshots::finish() {
   add("error.png", "|u − u_{exact}| [m]", &Frame::error,
       "Yellow particles are farthest from their exact positions. All moments have one scale.");
   picture.map = ColorMap::diverging;
-  if (std::holds_alternative<Vortex>(motion)) {
+  if (is_vortex(motion)) {
     const double most = std::max(farthest(&Frame::measure, 0), rounding);
     picture.title = "Shear of the particles";
     picture.range = {-most, most};

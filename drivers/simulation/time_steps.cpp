@@ -44,13 +44,14 @@ std::vector<Vector3> places_of(const Scene& scene) {
 }
 
 /// |v| = R h |g'| is largest where both are (28).
-double fastest_of_vortex(const Vortex& vortex, double end) {
+double fastest_of_vortex(const PolarMotion& vortex, double end) {
+  const Annulus ring = vortex.ring();
   double profile = 0, rate = 0;
   for (int k = 0; k <= speed_samples; ++k) {
     const double s = static_cast<double>(k) / speed_samples;
-    const double R = vortex.inner + s * (vortex.outer - vortex.inner);
+    const double R = ring.inner + s * (ring.outer - ring.inner);
     profile = std::max(profile, R * vortex.profile(R).h);
-    rate = std::max(rate, std::abs(vortex.amplitude.at(s * std::min(end, vortex.amplitude.period)).rate));
+    rate = std::max(rate, std::abs(vortex.turn().at(s * std::min(end, vortex.turn().period)).rate));
   }
   return profile * rate;
 }
@@ -69,7 +70,7 @@ double fastest_of(const InitialVelocity& v, const Box& box) {
 
 double fastest_of_motion(const Scene& scene) {
   if (scene.body.initial_velocity) return fastest_of(*scene.body.initial_velocity, body_box(scene));
-  if (const auto* vortex = std::get_if<Vortex>(&scene.motion)) return fastest_of_vortex(*vortex, scene.time.end);
+  if (is_vortex(scene.motion)) return fastest_of_vortex(*scene.motion->polar(), scene.time.end);
   double fastest = 0;
   for (const Vector3& X : places_of(scene)) {
     for (int k = 0; k <= speed_samples; ++k) {

@@ -17,9 +17,9 @@ constexpr double whole_pieces = 1e-9;  ///< a number of particles this close to 
 
 void require_surface(const Scene& scene) {
   const Body& body = scene.body;
-  if (std::holds_alternative<Vortex>(scene.motion)) return;
-  if (std::holds_alternative<TwistingRing>(scene.motion)) {
-    if (body.lattice == Body::Lattice::polar || body.cut == Body::Cut::clipped) return;
+  if (ring_of(scene.motion)) {
+    if (!scene.motion->bears_tractions() || body.lattice == Body::Lattice::polar || body.cut == Body::Cut::clipped)
+      return;
     throw InputError(scene.place("body.cut"), "body.cut",
                      "tractions act on the ring's faces, which whole cells do not follow: take clipped, or lattice: "
                      "polar");
@@ -86,8 +86,7 @@ mpm::TractionForm stable_form(const Scene& scene) {
 }  // namespace
 
 std::optional<mpm::Traction> traction_of(Scene& scene) {
-  const bool deformed = !std::holds_alternative<Vortex>(scene.motion) && !std::holds_alternative<Rigid>(scene.motion);
-  if (!deformed || scene.force.response == ForceChoice::Response::none) return std::nullopt;
+  if (!scene.motion->bears_tractions() || scene.force.response == ForceChoice::Response::none) return std::nullopt;
   if (!scene.traction.form) scene.traction.form = stable_form(scene);
   return mpm::Traction{scene.traction.algorithm, *scene.traction.form};
 }

@@ -10,6 +10,7 @@
 #include "drivers/scene/body_box.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/simulate.hpp"
+#include "harness/motion/kinds/homogeneous.hpp"
 
 namespace assay::drivers {
 
@@ -93,7 +94,7 @@ void run_variant(const Scene& scene, int threads, OutputFolder& folder, bool qui
 
 bool is_table_1(const Problem& problem) {
   const Scene& scene = problem.scene;
-  const auto* motion = std::get_if<Homogeneous>(&scene.motion);
+  const auto* motion = scene.motion.as<Homogeneous>();
   if (!motion || motion->final != Tensor(Vector3(2, 1, 1).asDiagonal()) || motion->period != 1) return false;
   const Body& body = scene.body;
   const std::array<double, 2> origin{0, 0}, far{1, 1};

@@ -10,6 +10,7 @@
 #include "drivers/simulation/advice.hpp"
 #include "drivers/simulation/time_steps.hpp"
 #include "harness/check/march.hpp"
+#include "harness/motion/kinds/deformation_table.hpp"
 
 namespace assay::drivers {
 
@@ -63,7 +64,7 @@ double largest_jump(const DeformationTable& table, double end) {
 /// velocity on average, and grows in the displacement.
 std::string jump_sentence(const Problem& problem) {
   constexpr double noticeable = 0.05;
-  const auto* table = std::get_if<DeformationTable>(&problem.scene.motion);
+  const auto* table = problem.scene.motion.as<DeformationTable>();
   if (!table || !problem.compared) return "";
   const double end = problem.scene.time.end, jump = largest_jump(*table, end);
   double largest = 0;
@@ -139,18 +140,25 @@ std::optional<double> shorter_period(const Problem& problem) { return period_wit
 // The paper's vortex has two crossings.
 std::optional<double> period_of_few_waves(const Problem& problem) { return period_with(problem, 10, 2); }
 
+std::string period_text(const Problem& problem, double period) {
+  const Scene& scene = problem.scene;
+  const std::string text = rounded_text(period, 2);
+  if (!scene.places.contains("time.end")) return text;
+  return text + " with time.end: " + rounded_text(period * scene.time.end / problem.period(), 2);
+}
+
 std::string long_motion_sentence(const Problem& problem) {
   const std::optional<double> shorter = shorter_period(problem);
   if (!shorter) return "";
   return "a wave crosses the body " + rounded_text(crossings(problem), 2) + " times during the motion: the run takes " +
          rounded_text(static_cast<double>(problem.steps), 2) +
-         " steps, and errors of all these waves add up. motion.period: " + rounded_text(*shorter, 2) +
-         " shortens the run, and " + rounded_text(*period_of_few_waves(problem), 2) +
+         " steps, and errors of all these waves add up. motion.period: " + period_text(problem, *shorter) +
+         " shortens the run, and " + period_text(problem, *period_of_few_waves(problem)) +
          " makes the waves as few as in the paper's vortex";
 }
 
 std::string swing_sentence(const Scene& scene) {
-  const auto* table = std::get_if<DeformationTable>(&scene.motion);
+  const auto* table = scene.motion.as<DeformationTable>();
   if (!table || table->interpolation() != Interpolation::spline) return "";
   const auto far = table->farthest_departure();
   if (!far) return "";

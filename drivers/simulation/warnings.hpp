@@ -21,6 +21,9 @@ std::optional<double> shorter_period(const Problem& problem);
 /// crossings; nothing for others.
 std::optional<double> period_of_few_waves(const Problem& problem);
 
+/// A period [s] for motion.period; where the scene says when it ends, with the time.end that goes with it.
+std::string period_text(const Problem& problem, double period);
+
 /// That it is, which is to be told before a run of hours; empty: it is not.
 std::string long_motion_sentence(const Problem& problem);
 

@@ -15,6 +15,7 @@
 #include "drivers/output/number_format.hpp"
 #include "drivers/program_identity.hpp"
 #include "drivers/scene/sha256.hpp"
+#include "harness/motion/kinds/deformation_table.hpp"
 
 namespace assay::drivers {
 
@@ -103,7 +104,7 @@ std::string case_key(const Scene& scene, const std::string& resolved, int thread
   for (const std::string& file : files_beside(material)) files.push_back(file);
   for (const std::string& file : files) all += "\n" + kept_hash_of(file);
   if (!material.library.empty()) all += "\n" + kept_answer(scene, material);
-  if (const auto* table = std::get_if<DeformationTable>(&scene.motion)) all += "\n" + kept_hash_of(table->source());
+  if (const auto* table = scene.motion.as<DeformationTable>()) all += "\n" + kept_hash_of(table->source());
   return sha256_hex(all).substr(0, key_digits);
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "harness/material/material.hpp"
-#include "harness/motion/axis_aligned.hpp"
+#include "harness/motion/kinds/axis_aligned.hpp"
 
 namespace assay {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/exact/body_force.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,7 @@ struct BaselineStress {
 
 /// With J sigma = tau F^T symmetric: interpolation is only to its error, by which the two forms of the divergence would
 /// differ. A stress further from symmetry is the model's own, and stays.
-BaselineStress balanced(const Vortex::Profile& p, double g, const Tensor& tau, const Tensor& dtau_dxi) {
+BaselineStress balanced(const RingProfile& p, double g, const Tensor& tau, const Tensor& dtau_dxi) {
   constexpr double error_at_most = 1e-5;
   const double gamma = 2 * g * p.xi, gamma_slope = 2 * g;  // sigma12 = tau12 + gamma tau11, sigma21 = tau21
   const double pushed = gamma * tau(0, 0), pushed_slope = gamma * dtau_dxi(0, 0) + gamma_slope * tau(0, 0);
@@ -32,13 +33,13 @@ BaselineStress balanced(const Vortex::Profile& p, double g, const Tensor& tau, c
 
 }  // namespace
 
-Polar divergence_piola(const Vortex::Profile& p, double g, double R, const Tensor& given, const Tensor& given_slope) {
+Polar divergence_piola(const RingProfile& p, double g, double R, const Tensor& given, const Tensor& given_slope) {
   const auto [tau, dtau_dxi] = balanced(p, g, given, given_slope);
   return {p.xi_prime * dtau_dxi(0, 0) - g * p.h_prime * tau(1, 0) + (tau(0, 0) - tau(1, 1)) / R,   // (26)
           p.xi_prime * dtau_dxi(1, 0) + g * p.h_prime * tau(0, 0) + (tau(0, 1) + tau(1, 0)) / R};  // (27)
 }
 
-Polar divergence_cauchy(const Vortex::Profile& p, double g, double R, const Tensor& given, const Tensor& given_slope) {
+Polar divergence_cauchy(const RingProfile& p, double g, double R, const Tensor& given, const Tensor& given_slope) {
   const auto [tau, dtau_dxi] = balanced(p, g, given, given_slope);
   Tensor F = Tensor::Identity(), dF_dR = Tensor::Zero();
   F(1, 0) = 2 * g * p.xi;  // (16); J = 1, so sigma = tau F^T
@@ -48,7 +49,7 @@ Polar divergence_cauchy(const Vortex::Profile& p, double g, double R, const Tens
   return {dsigma_dR(0, 0) + (sigma(0, 0) - sigma(1, 1)) / R, dsigma_dR(0, 1) + 2 * sigma(0, 1) / R};
 }
 
-Polar body_force(const Vortex::Profile& p, const AmplitudeValue& g, double density, double R, const Tensor& tau,
+Polar body_force(const RingProfile& p, const AmplitudeValue& g, double density, double R, const Tensor& tau,
                  const Tensor& dtau_dxi) {
   if (p.h == 0 && p.xi_prime == 0) return {};
   const double omega = g.rate * p.h;  // (30)
@@ -68,20 +69,20 @@ BodyForceField::BodyForceField(const Motion& motion, double density, std::span<c
                                std::span<const double> Y)
     : motion_(motion), density_(density), points_(X, Y), force_(points_.radius.size()) {
   for (const double R : points_.radius) {
-    profile_.push_back(turn_of(motion).profile(R));
+    profile_.push_back(motion->polar()->profile(R));
     xi_.push_back(ring_parameter(motion, R).value);
   }
-  if (!std::holds_alternative<Vortex>(motion)) rings_ = RingsInMotion(motion, points_.radius);
+  if (motion->polar()->widens()) rings_ = RingsInMotion(motion, points_.radius);
 }
 
 void BodyForceField::evaluate(const Response& response, double t, std::span<double> b_x, std::span<double> b_y) {
-  const bool is_vortex = std::holds_alternative<Vortex>(motion_);
-  const AmplitudeValue g = turn_of(motion_).amplitude.at(t);
-  if (!is_vortex) rings_.set_time(t);
+  const bool widens = motion_->polar()->widens();
+  const AmplitudeValue g = motion_->polar()->turn().at(t);
+  if (widens) rings_.set_time(t);
   response.at_time(t, xi_, [&](std::size_t k, const Tensor& tau, const Tensor& dtau_dxi) {
     const double R = points_.radius[k];
-    const Polar b = is_vortex ? body_force(profile_[k], g, density_, R, tau, dtau_dxi)
-                              : rings_[k].body_force(density_, R, tau, dtau_dxi);
+    const Polar b = widens ? rings_[k].body_force(density_, R, tau, dtau_dxi)
+                           : body_force(profile_[k], g, density_, R, tau, dtau_dxi);
     const double alpha = g.value * profile_[k].h;  // (5)
     const double c = std::cos(alpha), s = std::sin(alpha);
     force_[k] = {c * b.r - s * b.theta, s * b.r + c * b.theta};  // along E_R, E_Theta

@@ -8,20 +8,21 @@
 
 #include "harness/exact/response.hpp"
 #include "harness/exact/ring_points.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "harness/motion/motion.hpp"
 
 namespace assay {
 
 /// DIV(T) in the first Piola-Kirchhoff form, (26) and (27), with (d tau / d R)_t = (d tau / d xi)_t xi' [N/m^3].
-Polar divergence_piola(const Vortex::Profile& profile, double g, double R, const Tensor& tau, const Tensor& dtau_dxi);
+Polar divergence_piola(const RingProfile& profile, double g, double R, const Tensor& tau, const Tensor& dtau_dxi);
 
 /// The same in the Cauchy form: d sigma11/dR + (sigma11 - sigma22)/R, d sigma12/dR + 2 sigma12/R, in baseline
 /// components at fixed t [N/m^3]. Independent of divergence_piola; the two agree to round-off.
-Polar divergence_cauchy(const Vortex::Profile& profile, double g, double R, const Tensor& tau, const Tensor& dtau_dxi);
+Polar divergence_cauchy(const RingProfile& profile, double g, double R, const Tensor& tau, const Tensor& dtau_dxi);
 
 /// b = a - DIV(T)/rho0 at the radius R with its profile and the amplitude of the time, (32) and (33) with the inertia
 /// term + R g'' h [m/s^2]; zero outside the ring.
-Polar body_force(const Vortex::Profile& profile, const AmplitudeValue& g, double density, double R, const Tensor& tau,
+Polar body_force(const RingProfile& profile, const AmplitudeValue& g, double density, double R, const Tensor& tau,
                  const Tensor& dtau_dxi);
 
 /// The same from the radius and the time.
@@ -48,8 +49,8 @@ class BodyForceField {
   Motion motion_;
   double density_;
   RingPoints points_;
-  std::vector<Vortex::Profile> profile_;  // of each distinct radius
-  RingsInMotion rings_;                   // of a twisting ring
+  std::vector<RingProfile> profile_;  // of each distinct radius
+  RingsInMotion rings_;               // where radii change
   std::vector<double> xi_;
   std::vector<Polar> force_;  // of each distinct radius: components along E_R, E_Theta
 };

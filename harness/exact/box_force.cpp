@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/exact/box_force.hpp"
+#include "harness/motion/kinds/axis_aligned.hpp"
 
 #include <array>
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "harness/history/troop.hpp"
-#include "harness/motion/axis_aligned.hpp"
+#include "harness/motion/kinds/axis_aligned.hpp"
 #include "harness/numeric/chebyshev.hpp"
 
 namespace assay {

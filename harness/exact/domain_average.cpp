@@ -46,7 +46,7 @@ Point DomainAverage::flux_of(std::span<const BoundaryPoint> points, std::span<co
 
 /// Where |a + s (b - a)| takes one of the radii, s in (0, 1), with 0 and 1 around; empty where it takes none.
 void DomainAverage::cuts_of(const Edge& edge, std::span<const double> radii, std::vector<double>& cuts) const {
-  const double near = front_snap * turn_of(motion_).outer;
+  const double near = front_snap * motion_->polar()->ring().outer;
   const Point &a = edge.a, d{edge.b[0] - a[0], edge.b[1] - a[1]};
   const double dd = d[0] * d[0] + d[1] * d[1], ad = a[0] * d[0] + a[1] * d[1];
   cuts.clear();
@@ -116,7 +116,7 @@ void DomainAverage::accelerations(double t) {
 
 void DomainAverage::evaluate(const PlaneResponse& response, double t, std::span<double> b_x, std::span<double> b_y,
                              const InPieces& pieces) {
-  const AmplitudeValue g = turn_of(motion_).amplitude.at(t);
+  const AmplitudeValue g = motion_->polar()->turn().at(t);
   response.tau(t, xi_, tau_);
   pieces(xi_.size(), [&](std::size_t begin, std::size_t end) {
     rotate(g.value, h_.data(), tau_.data(), xi_.size(), begin, end, rotated_.data());

@@ -28,7 +28,7 @@ ExactField::ExactField(std::shared_ptr<const ExactSolution> solution, const Fram
   if (!ring) return;
   points_ = RingPoints(X, Y);
   rings_.resize(points_.radius.size());
-  const bool all = std::holds_alternative<TwistingRing>(solution_->motion());  // its faces move, too
+  const bool all = solution_->motion()->polar()->widens();  // its faces move, too
   for (const double R : points_.radius) {
     moves_.push_back(all || (R > ring->inner && R < ring->outer));
     parameter_.push_back(ring_parameter(solution_->motion(), R).value);
@@ -132,7 +132,7 @@ std::array<double, 4> ExactField::first_piola_kirchhoff(std::size_t p) const {
 }
 
 double ExactField::measure(std::size_t p, const std::array<double, 4>& F) const {
-  if (!std::holds_alternative<Vortex>(solution_->motion())) return F[0] * F[3] - F[1] * F[2];
+  if (!is_vortex(solution_->motion())) return F[0] * F[3] - F[1] * F[2];
   const Ring& ring = rings_[points_.ring[p]];
   const Matrix2 q = rotation(points_.cos_theta[p], points_.sin_theta[p]);
   const Matrix2 r = product(rotation(ring.cos_alpha, ring.sin_alpha), q);

@@ -13,9 +13,9 @@ ExactStress ExactSolution::ring_stress(const Vector3& X, double t) const {
   const RingKinematics kinematics = ring_kinematics(motion_, R, t);
   Tensor tau, dtau_dxi;
   (*response())->at(ring_parameter(motion_, R).value, t, tau, dtau_dxi);
-  const auto* vortex = std::get_if<Vortex>(&motion_);
-  const Polar b = vortex ? assay::body_force(*vortex, density_, R, t, tau, dtau_dxi)
-                         : kinematics.body_force(density_, R, tau, dtau_dxi);
+  const PolarMotion& polar = *motion_->polar();
+  const Polar b = polar.widens() ? kinematics.body_force(density_, R, tau, dtau_dxi)
+                                 : assay::body_force(polar.profile(R), polar.turn().at(t), density_, R, tau, dtau_dxi);
   return {kinematics.first_piola_kirchhoff(X, tau), Tensor::Zero(), kinematics.cartesian(X, b)};
 }
 

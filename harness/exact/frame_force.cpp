@@ -5,16 +5,16 @@
 
 namespace assay {
 
-FrameForce::FrameForce(const Vortex& vortex, double spin, std::span<const double> X, std::span<const double> Y)
-    : vortex_(vortex), spin_(spin), X_(X.begin(), X.end()), Y_(Y.begin(), Y.end()), points_(X, Y) {
+FrameForce::FrameForce(const Motion& motion, double spin, std::span<const double> X, std::span<const double> Y)
+    : motion_(motion), spin_(spin), X_(X.begin(), X.end()), Y_(Y.begin(), Y.end()), points_(X, Y) {
   factor_.resize(points_.radius.size());
 }
 
-FrameForce::FrameForce(const Vortex& vortex, double spin, std::span<const double> X, std::span<const double> Y,
+FrameForce::FrameForce(const Motion& motion, double spin, std::span<const double> X, std::span<const double> Y,
                        const ReferenceDomains& domains)
-    : vortex_(vortex), spin_(spin), X_(X.begin(), X.end()), Y_(Y.begin(), Y.end()), places_(domains.places) {
-  moments_.emplace(Annulus{vortex.inner, vortex.outer}, domains);
-  for (const double R : moments_->nodes()) node_h_.push_back(vortex.profile(R).h);
+    : motion_(motion), spin_(spin), X_(X.begin(), X.end()), Y_(Y.begin(), Y.end()), places_(domains.places) {
+  moments_.emplace(motion->polar()->ring(), domains);
+  for (const double R : moments_->nodes()) node_h_.push_back(motion->polar()->profile(R).h);
   for (const auto& shape : domains.shapes) volume_.push_back(shape.volume);
   factor_.resize(node_h_.size());
   force_.resize(volume_.size());
@@ -28,7 +28,8 @@ Point FrameForce::factor(const AmplitudeValue& g, double h) const {
 }
 
 void FrameForce::add_at_points(const AmplitudeValue& g, std::span<double> b_x, std::span<double> b_y) {
-  for (std::size_t k = 0; k < factor_.size(); ++k) factor_[k] = factor(g, vortex_.profile(points_.radius[k]).h);
+  for (std::size_t k = 0; k < factor_.size(); ++k)
+    factor_[k] = factor(g, motion_->polar()->profile(points_.radius[k]).h);
   for (std::size_t p = 0; p < X_.size(); ++p) {
     const Point& f = factor_[points_.ring[p]];
     b_x[p] += f[0] * X_[p] - f[1] * Y_[p];
@@ -55,7 +56,7 @@ void FrameForce::add_means(const AmplitudeValue& g, std::span<double> b_x, std::
 }
 
 void FrameForce::apply(double t, std::span<double> b_x, std::span<double> b_y) {
-  const AmplitudeValue g = vortex_.amplitude.at(t);
+  const AmplitudeValue g = motion_->polar()->turn().at(t);
   if (moments_)
     add_means(g, b_x, b_y);
   else

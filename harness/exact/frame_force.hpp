@@ -13,17 +13,17 @@
 #include "harness/exact/reference_domain.hpp"
 #include "harness/exact/ring_moments.hpp"
 #include "harness/exact/ring_points.hpp"
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/motion.hpp"
 
 namespace assay {
 
 class FrameForce {
  public:
-  /// spin: w [rad/s]; X, Y: reference positions at which b is given [m].
-  FrameForce(const Vortex& vortex, double spin, std::span<const double> X, std::span<const double> Y);
+  /// motion: whose radii do not change; spin: w [rad/s]; X, Y: reference positions at which b is given [m].
+  FrameForce(const Motion& motion, double spin, std::span<const double> X, std::span<const double> Y);
 
   /// b is given as the mean over each domain, and X, Y are the domains' centroids: the added terms are means too.
-  FrameForce(const Vortex& vortex, double spin, std::span<const double> X, std::span<const double> Y,
+  FrameForce(const Motion& motion, double spin, std::span<const double> X, std::span<const double> Y,
              const ReferenceDomains& domains);
 
   /// Replaces b [m/s^2] of each particle by b'.
@@ -34,7 +34,7 @@ class FrameForce {
   void add_at_points(const AmplitudeValue& g, std::span<double> b_x, std::span<double> b_y);
   void add_means(const AmplitudeValue& g, std::span<double> b_x, std::span<double> b_y);
 
-  Vortex vortex_;
+  Motion motion_;
   double spin_;
   std::vector<double> X_, Y_;
   RingPoints points_;                   // of terms taken at the points

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/exact/inertia.hpp"
+#include "harness/motion/kinds/axis_aligned.hpp"
 
 #include <complex>
 
@@ -8,7 +9,7 @@ namespace assay {
 InertiaField::InertiaField(const Motion& motion, double spin, std::span<const double> X, std::span<const double> Y)
     : motion_(motion), spin_(spin) {
   if (!ring_of(motion)) {
-    in_box_ = std::holds_alternative<AxisAligned>(motion);
+    in_box_ = is_box(motion);
     X_.assign(X.begin(), X.end()), Y_.assign(Y.begin(), Y.end());
     return;
   }
@@ -46,7 +47,7 @@ void InertiaField::set_time(double t) {
 
 InertiaField::Inertia InertiaField::at(std::size_t point) const {
   if (in_box_) {
-    const auto& motion = std::get<AxisAligned>(motion_);
+    const auto& motion = *motion_.as<AxisAligned>();
     const Vector3 X(X_[point], Y_[point], 0), a = motion.at(X, t_).a;
     const Tensor gradient = motion.acceleration_gradient(X, t_);
     return {{a.x(), a.y()}, {gradient(0, 0), 0, 0, gradient(1, 1)}};

@@ -2,6 +2,7 @@
 // The amplitude g(t) of a motion, with its first two rates.
 #pragma once
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct AmplitudeValue {
 /// `sine` A sin(pi t/T); `one_minus_cosine` A (1 - cos(2 pi t/T))/2; `ramp` A t/T, held after T.
 struct Amplitude {
   enum class Type { sine, one_minus_cosine, ramp };
+  static constexpr std::array type_words{"sine", "one_minus_cosine", "ramp"};
   Type type = Type::sine;
   double peak = 1;    ///< A [1]
   double period = 1;  ///< T [s]
@@ -27,5 +29,10 @@ struct Amplitude {
   /// Times in (0, end) at which g' changes its sign or jumps: a history may kink there.
   std::vector<double> reversals(double end) const;
 };
+
+template <class Archive>
+void fields(Archive& archive, Amplitude& g) {
+  archive(g.type, g.peak, g.period);
+}
 
 }  // namespace assay

@@ -1,59 +1,84 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The exact motions that a scene can ask for. A new motion is a new alternative here.
+// An exact motion that a scene can ask for. A new one is a new file in harness/motion/kinds.
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
-#include <variant>
 #include <vector>
 
-#include "harness/motion/annulus.hpp"
-#include "harness/motion/axis_aligned.hpp"
-#include "harness/motion/deformation_table.hpp"
-#include "harness/motion/homogeneous.hpp"
-#include "harness/motion/rigid.hpp"
-#include "harness/motion/rotating_stretch.hpp"
-#include "harness/motion/twisting_ring.hpp"
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/motion_kind.hpp"
 
 namespace assay {
 
-using Motion = std::variant<Vortex, Homogeneous, RotatingStretch, DeformationTable, TwistingRing, AxisAligned, Rigid>;
+/// A value: copies are independent.
+class Motion {
+ public:
+  Motion();  ///< the vortex of the paper
 
-inline ExactState state_at(const Motion& motion, const Vector3& X, double t) {
-  return std::visit([&](const auto& m) { return m.at(X, t); }, motion);
-}
+  /// Of a struct of harness/motion/kinds.
+  template <class Struct>
+  requires requires(const Struct& motion) { kind_of(motion); }
+  Motion(const Struct& motion) : kind_(kind_of(motion)) {}
 
-inline Path baseline_of(const Motion& motion) {
-  return std::visit([](const auto& m) { return m.baseline(); }, motion);
-}
+  Motion(const Motion& other) : kind_(other.kind_->copy()) {}
+  Motion(Motion&& other) = default;
+  Motion& operator=(Motion other) {
+    kind_.swap(other.kind_);
+    return *this;
+  }
+
+  const MotionKind* operator->() const { return kind_.get(); }
+  MotionKind* operator->() { return kind_.get(); }
+
+  /// The struct that it was made of; null where that is another.
+  template <class Struct>
+  const Struct* as() const {
+    return static_cast<const Struct*>(kind_->as(typeid(Struct)));
+  }
+  template <class Struct>
+  Struct* as() {
+    return static_cast<Struct*>(kind_->as(typeid(Struct)));
+  }
+
+ private:
+  std::unique_ptr<MotionKind> kind_;
+};
+
+inline ExactState state_at(const Motion& motion, const Vector3& X, double t) { return motion->at(X, t); }
+
+inline Path baseline_of(const Motion& motion) { return motion->baseline(); }
 
 /// T [s]; of a table the time of its last row.
-double period_of(const Motion& motion);
+inline double period_of(const Motion& motion) { return motion->period(); }
 
 /// Whether F is the same at all points, so that b = a and P depends on time alone.
-bool is_homogeneous(const Motion& motion);
+inline bool is_homogeneous(const Motion& motion) { return motion->is_homogeneous(); }
 
 /// Whether any point is ever accelerated.
-bool accelerates(const Motion& motion);
+inline bool accelerates(const Motion& motion) { return motion->accelerates(); }
 
 /// Whether nothing happens out of the plane: F13 .. F32 = 0, F33 = 1.
-bool is_plane(const Motion& motion);
+inline bool is_plane(const Motion& motion) { return motion->is_plane(); }
 
 /// The parameter of the baseline at which a motion whose F is the same everywhere runs.
-double own_parameter(const Motion& motion);
+inline double own_parameter(const Motion& motion) { return motion->own_parameter(); }
 
 /// g(t) of a motion that has one, else null.
-const Amplitude* amplitude_of(const Motion& motion);
+inline const Amplitude* amplitude_of(const Motion& motion) { return motion->amplitude(); }
+
+/// Whether F depends on cos(pi X) and cos(pi Y), as in the unit box.
+inline bool is_box(const Motion& motion) { return !motion->polar() && !motion->is_homogeneous(); }
+
+/// Whether the motion turns a ring whose radii stay, so that what lies outside it is at rest and the baseline is simple
+/// shear.
+inline bool is_vortex(const Motion& motion) { return motion->polar() && !motion->polar()->widens(); }
 
 /// The ring in which the motion takes place; absent where it is not polar.
 std::optional<Annulus> ring_of(const Motion& motion);
 
 // Of a polar motion, the vortex or the twisting ring, at a radius R [m]:
-
-/// The turn alpha = g(t) h(R) alone, without a change of the radii.
-const Vortex& turn_of(const Motion& motion);
 
 /// rho, alpha and their derivatives.
 RingKinematics ring_kinematics(const Motion& motion, double R, double t);
@@ -69,12 +94,11 @@ class RingsInMotion {
   RingKinematics operator[](std::size_t k) const;  ///< at the time that was set
 
  private:
-  double expansion_ = 0, period_ = 1;  ///< of a twisting ring; 0: none
-  Amplitude amplitude_;
+  Motion motion_;
   AmplitudeValue turn_, widening_;
   std::vector<double> radius_;
-  std::vector<Vortex::Profile> profile_;
-  std::vector<TwistingRing::Radial> radial_;  ///< of a twisting ring
+  std::vector<RingProfile> profile_;
+  std::vector<RingRadial> radial_;  ///< empty where no radius changes
 };
 
 /// The parameter of the baseline and its slope: xi and xi' of the vortex; R and 1 of the twisting ring; with h.

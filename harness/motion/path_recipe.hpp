@@ -3,28 +3,21 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "harness/motion/path.hpp"
+#include "harness/numeric/number_archive.hpp"
 
 namespace assay {
 
-struct AxisAligned;
-class DeformationTable;
-struct Homogeneous;
-struct Rigid;
-struct RotatingStretch;
-struct TwistingRing;
-struct Vortex;
-
-/// What a motion keeps in its path's `recipe`.
-std::vector<double> recipe_of(const Vortex& motion);
-std::vector<double> recipe_of(const Homogeneous& motion);
-std::vector<double> recipe_of(const RotatingStretch& motion);
-std::vector<double> recipe_of(const DeformationTable& motion);
-std::vector<double> recipe_of(const TwistingRing& motion);
-std::vector<double> recipe_of(const AxisAligned& motion, double cosine_of_Y);  ///< of a section
-std::vector<double> recipe_of(const Rigid& motion);
+/// What a motion keeps in its path's `recipe`. name: under which its file registers who makes the path again.
+template <class Parts>
+std::vector<double> recipe(std::string name, Parts parts) {
+  NumberWriter writer;
+  writer(name, parts);
+  return std::move(writer.numbers);
+}
 
 /// The path of a recipe as its motion makes it: range and material direction may have been changed since. Throws
 /// std::runtime_error where it is no recipe.

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 
 namespace assay {
 

@@ -11,6 +11,27 @@ double angle_of(const Vector3& X) { return std::atan2(X.y(), X.x()); }
 
 }  // namespace
 
+RingKinematics RingKinematics::turned(double R, const RingProfile& p, const AmplitudeValue& g) {
+  RingKinematics k;
+  k.rho = R;
+  k.alpha = g.value * p.h;      // (5)
+  k.alpha_rate = g.rate * p.h;  // (30)
+  k.alpha_acceleration = g.acceleration * p.h;
+  k.alpha_slope = g.value * p.h_prime;
+  k.alpha_slope_rate = g.rate * p.h_prime;
+  k.alpha_slope_acceleration = g.acceleration * p.h_prime;
+  return k;
+}
+
+void RingKinematics::widen(const RingRadial& u, const AmplitudeValue& w) {
+  rho += w.value * u.U;
+  rho_slope += w.value * u.slope;
+  rho_rate = w.rate * u.U;
+  rho_slope_rate = w.rate * u.slope;
+  rho_acceleration = w.acceleration * u.U;
+  rho_slope_acceleration = w.acceleration * u.slope;
+}
+
 Tensor RingKinematics::baseline(double R) const {
   Tensor B = Tensor::Identity();
   B(0, 0) = rho_slope;

@@ -4,6 +4,7 @@
 // where the baseline B and tau depend on R and t alone.
 #pragma once
 
+#include "harness/motion/amplitude.hpp"
 #include "harness/motion/exact_state.hpp"
 
 namespace assay {
@@ -13,12 +14,31 @@ struct Polar {
   double r = 0, theta = 0;
 };
 
+/// Of the turn alpha = g(t) h(R), everything that depends on R alone.
+struct RingProfile {
+  double h = 0;         ///< [1]
+  double h_prime = 0;   ///< h' [1/m]
+  double xi = 0;        ///< xi = R h' / 2 (13) [1]
+  double xi_prime = 0;  ///< d xi / d R = (h' + R h'') / 2 [1/m]
+};
+
+/// Of the change of the radii rho - R = w(t) U(R): U and U' [1], [1/m].
+struct RingRadial {
+  double U = 0, slope = 0;
+};
+
 /// rho [m] and alpha [rad] at one R and t; slope: d / d R, rate: d / d t.
 struct RingKinematics {
   double rho = 0, rho_slope = 1, rho_rate = 0, rho_slope_rate = 0, rho_acceleration = 0;
   double rho_slope_acceleration = 0;
   double alpha = 0, alpha_slope = 0, alpha_rate = 0, alpha_slope_rate = 0, alpha_acceleration = 0;
   double alpha_slope_acceleration = 0;
+
+  /// rho = R, alpha = g h.
+  static RingKinematics turned(double R, const RingProfile& profile, const AmplitudeValue& g);
+
+  /// Adds w U to rho. w: with its rates [m], [m/s], [m/s^2].
+  void widen(const RingRadial& u, const AmplitudeValue& w);
 
   /// B = [[rho', 0], [rho alpha', rho/R]], 1 in E3 E3 [1].
   Tensor baseline(double R) const;

@@ -53,7 +53,7 @@ Kernel box_kernel(State<2>& s, Evaluation evaluation) {
 }
 
 [[maybe_unused]] Kernel averaged_kernel(State<2>& s) {
-  if (std::holds_alternative<AxisAligned>(*s.setup.motion)) return box_kernel(s, Evaluation::domain_average);
+  if (is_box(*s.setup.motion)) return box_kernel(s, Evaluation::domain_average);
   auto field = std::make_shared<DomainAverage>(*s.setup.motion, s.setup.density, domains_of_setup(s.setup));
   const InPieces pieces = [threads = s.setup.threads](std::size_t n, const auto& body) {
     for_blocks(n, threads, body);
@@ -93,7 +93,7 @@ Pass<Dim> body_force_pass(Evaluation evaluation, bool is_acceleration) {
   pass.called_for_by = "force.response";
   pass.reads = {Column::reference_position};
   pass.bind = [](State<Dim>& s) -> Kernel {
-    if (std::holds_alternative<AxisAligned>(*s.setup.motion)) return box_kernel(s, Evaluation::point);
+    if (is_box(*s.setup.motion)) return box_kernel(s, Evaluation::point);
     const std::size_t n = s.particles;
     auto field = std::make_shared<BodyForceField>(*s.setup.motion, s.setup.density,
                                                   std::span(s.column(Column::reference_position, 0), n),
@@ -117,13 +117,12 @@ Pass<Dim> moving_frame_pass(Evaluation evaluation) {
   pass.reads = {Column::reference_position, Column::body_force};
   pass.writes = {Column::body_force};
   pass.bind = [evaluation](State<Dim>& s) -> Kernel {
-    const auto& vortex = std::get<Vortex>(*s.setup.motion);
     const double spin = s.setup.frame->spin;
     const std::span X(s.column(Column::reference_position, 0), s.particles),
         Y(s.column(Column::reference_position, 1), s.particles);
     auto force = evaluation == Evaluation::point
-                     ? std::make_shared<FrameForce>(vortex, spin, X, Y)
-                     : std::make_shared<FrameForce>(vortex, spin, X, Y, domains_of_setup(s.setup));
+                     ? std::make_shared<FrameForce>(*s.setup.motion, spin, X, Y)
+                     : std::make_shared<FrameForce>(*s.setup.motion, spin, X, Y, domains_of_setup(s.setup));
     return [&s, force](const Instant& now) {
       force->apply(now.t, std::span(s.column(Column::body_force, 0), s.particles),
                    std::span(s.column(Column::body_force, 1), s.particles));

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "harness/motion/homogeneous.hpp"
+#include "harness/motion/kinds/homogeneous.hpp"
 #include "harness/stability/wave_speed.hpp"
 
 namespace assay::mpm {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "harness/exact/exact_solution.hpp"
+#include "harness/motion/kinds/homogeneous.hpp"
 #include "harness/numeric/largest.hpp"
 #include "mpm/patch/patch.hpp"
 #include "mpm/seeding/surface_edges.hpp"
@@ -94,7 +95,7 @@ double imbalance(const Method& method, const Bench& bench, const Loading& loadin
   Simulation<2> simulation(setup, bench.passes(setup));
   State<2>& s = simulation.state();
   load_body(s, loading.F);
-  const double t = std::get<Homogeneous>(setup.exact->motion()).period;
+  const double t = period_of(setup.exact->motion());
   constexpr double no_time = 1e-30;  // t and that are t: the tractions are those of F in every update
   if (simulation.step(t, no_time)) return INFINITY;
   const ExactStress stress = setup.exact->stress(Vector3::Zero(), t);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "adapters/builtin.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "harness/motion/motion.hpp"
 
 namespace assay::drivers::test_references {

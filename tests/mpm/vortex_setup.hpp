@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "harness/motion/kinds/vortex.hpp"
 #include "mpm/basis/basis.hpp"
 #include "mpm/patch/methods.hpp"
 #include "mpm/seeding/gauss_lattice.hpp"
@@ -65,7 +66,7 @@ inline Setup<2> free_square_setup(int across, const Method& way) {
 /// The same ring, clipped from the lattice or cut into sectors, with the averaged body force.
 inline Setup<2> averaged_setup(int across, bool polar, const Method& way = {}) {
   Setup<2> setup = vortex_setup(across, way);
-  const auto& motion = std::get<Vortex>(*setup.motion);
+  const auto& motion = *setup.motion->as<Vortex>();
   const Annulus ring{motion.inner, motion.outer};
   setup.seeds =
       polar ? polar_lattice(ring, setup.grid.spacing, {2, 2}) : clipped_lattice(ring, setup.grid.spacing, {2, 2});

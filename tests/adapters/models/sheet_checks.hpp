@@ -6,7 +6,7 @@
 #include <random>
 
 #include "harness/exact/body_force.hpp"
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "harness/numeric/central_difference.hpp"
 #include "harness/sheet/sheet.hpp"
 #include "tests/adapters/models/model_cases.hpp"

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 
+#include "harness/motion/kinds/vortex.hpp"
 #include "tests/adapters/models/sheet_checks.hpp"
 
 namespace assay::model_tests::test_body_forces {

@@ -11,7 +11,7 @@
 #include "adapters/worker/watched_call.hpp"
 #include "harness/history/history_task.hpp"
 #include "harness/material/progress_mark.hpp"
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 
 namespace assay::adapters::test_fenced_model {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_reader.hpp"
+#include "harness/motion/kinds/deformation_table.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
@@ -83,7 +84,7 @@ TEST(DeformationCsv, IsInterpolatedAsTheSceneOrTheVerbSays) {
       "motion: {type: homogeneous, path: p.csv}\nmaterial: {adapter: neo_hookean, parameters: {E: 1e3}, density: 1}\n";
   const auto of = [&](const std::vector<std::string>& sets, Interpolation otherwise) {
     const Scene scene = scene_from_text(text, scratch / "scene.yaml", sets, otherwise);
-    return std::get<DeformationTable>(scene.motion).interpolation();
+    return scene.motion.as<DeformationTable>()->interpolation();
   };
   EXPECT_EQ(of({}, to_run), Interpolation::monotone);
   EXPECT_EQ(of({}, to_tabulate), Interpolation::linear);

@@ -16,7 +16,7 @@ namespace assay::drivers::test_resolved {
 namespace {
 
 void expect_same(const Scene& a, const Scene& b, const std::string& what) {
-  EXPECT_EQ(a.motion.index(), b.motion.index()) << what;
+  EXPECT_EQ(a.motion->type(), b.motion->type()) << what;
   for (const Key& key : scene_keys()) {
     ASSERT_EQ(applies(key, a), applies(key, b)) << what << " " << key.path;
     if (applies(key, a)) {

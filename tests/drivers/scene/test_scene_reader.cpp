@@ -8,6 +8,8 @@
 
 #include "drivers/input_file.hpp"
 #include "drivers/scene/sha256.hpp"
+#include "harness/motion/kinds/homogeneous.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/scene_text.hpp"
 
@@ -37,7 +39,7 @@ TEST(SceneReader, ReadsEveryKeyOfTheVortex) {
       "limits: {memory_gib: 2, particle_steps: 1e6}\n"
       "expect: {outcome: unstable, error.l2_max: {below: .5}, steps: 3, t: {between: [1, 2]}, dt: {above: 0}}\n",
       "f.yaml");
-  const Vortex& v = std::get<Vortex>(s.motion);
+  const Vortex& v = *s.motion.as<Vortex>();
   EXPECT_EQ(s.title, "T");
   EXPECT_EQ(v.inner, 0.5);
   EXPECT_EQ(v.outer, 1.5);
@@ -82,7 +84,7 @@ TEST(SceneReader, ReadsEveryKeyOfTheVortex) {
 
 TEST(SceneReader, FillsDefaults) {
   const Scene s = scene_from_text(scene_text(), "f.yaml");
-  EXPECT_EQ(std::get<Vortex>(s.motion).inner, 0.75);
+  EXPECT_EQ(s.motion.as<Vortex>()->inner, 0.75);
   EXPECT_EQ(s.body.domain, Body::Domain::ring);
   EXPECT_EQ(s.body.outside, Body::Outside::free);
   EXPECT_FALSE(s.grid || s.method || s.time.step);
@@ -90,7 +92,7 @@ TEST(SceneReader, FillsDefaults) {
   EXPECT_EQ(scene_from_text(scene_text(), "f", {"motion.period=3"}).time.end, 3) << "one period";
   const Scene h = scene_from_text(homogeneous_text(), "f.yaml");
   EXPECT_EQ(h.body.domain, Body::Domain::square);
-  EXPECT_EQ(std::get<Homogeneous>(h.motion).final(0, 1), 0.1);
+  EXPECT_EQ(h.motion.as<Homogeneous>()->final(0, 1), 0.1);
 }
 
 TEST(SceneReader, KeepsPlacesAndTheHash) {

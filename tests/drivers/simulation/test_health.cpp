@@ -164,7 +164,7 @@ TEST(FailedMaterial, IsToldOfALargerToleranceWhereThatMayDo) {
   EXPECT_EQ(refused.advice, "");
   failure.too_accurate = true;
   record_failure(failure, slow);
-  EXPECT_TRUE(slow.advice.starts_with("force.tolerance: 1e-5"));
+  EXPECT_TRUE(slow.advice.starts_with("force.tolerance: 1e-4"));
   EXPECT_EQ(slow.outcome, "material_failed");
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/verbs.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/harness/builtin_material.hpp"

@@ -12,6 +12,8 @@
 #include "drivers/simulation/problem.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "harness/history/point_driver.hpp"
+#include "harness/motion/kinds/deformation_table.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "tests/drivers/material/source_fixture.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/scratch_folder.hpp"
@@ -81,17 +83,17 @@ TEST_F(Cached, EverythingThatMattersIsInTheName) {
   scene_.force.tolerance = 1e-5;
   EXPECT_NE(file(), before);
   scene_.force.tolerance = 1e-4;
-  std::get<Vortex>(scene_.motion).amplitude.peak = 0.06;
+  scene_.motion.as<Vortex>()->amplitude.peak = 0.06;
   path_ = baseline_path(scene_);
   EXPECT_NE(file(), before);
-  std::get<Vortex>(scene_.motion).amplitude.peak = 0.05;
+  scene_.motion.as<Vortex>()->amplitude.peak = 0.05;
   path_ = baseline_path(scene_);
   EXPECT_EQ(file(), before);
   // of every period as much as of the first: equal times would all meet the zeros of g
   scene_.time.end = 32;
-  std::get<Vortex>(scene_.motion).amplitude.type = Amplitude::Type::one_minus_cosine;
+  scene_.motion.as<Vortex>()->amplitude.type = Amplitude::Type::one_minus_cosine;
   const auto of_peak = [&](double peak) {
-    std::get<Vortex>(scene_.motion).amplitude.peak = peak;
+    scene_.motion.as<Vortex>()->amplitude.peak = peak;
     return SheetCache(scene_, *material_, baseline_path(scene_), 32).file();
   };
   EXPECT_NE(of_peak(0.02), of_peak(0.05));

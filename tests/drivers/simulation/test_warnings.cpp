@@ -53,6 +53,22 @@ TEST(Warnings, SaysThatAMotionIsVeryLongAgainstTheWaves) {
   EXPECT_EQ(of("1e8", "1"), "") << "a stiff case of the stability map";
 }
 
+/// A shorter period alone would only repeat the motion more often.
+TEST(Warnings, AShorterPeriodComesWithTheEndThatTheSceneGives) {
+  const auto of = [](const std::string& period, const std::string& end) {
+    std::string scene = scene_and("time: {end: " + end + "}\n");
+    scene.replace(scene.find("E: 1e3"), 6, "E: 2.1e11");
+    return warnings_in(scene.replace(scene.find("{type: vortex,"), 14, "{type: vortex, period: " + period + ","));
+  };
+  const std::string found = of("1", "2"), words = "motion.period: ", with = " with time.end: ";
+  const std::size_t at = found.find(words) + words.size(), then = found.find(with, at);
+  ASSERT_NE(then, std::string::npos) << found;
+  const std::string period = found.substr(at, then - at), rest = found.substr(then + with.size());
+  const std::string end = rest.substr(0, rest.find(' '));
+  EXPECT_EQ(of(period, end), "");
+  EXPECT_NEAR(std::stod(end) / std::stod(period), 2, 0.15) << "the same number of periods, to two digits each";
+}
+
 TEST(Warnings, SaysThatFreeFacesDoNotBearTheStressOfRest) {
   std::string scene = scene_and("");
   const std::string model = "neo_hookean, parameters: {E: 1e3, nu: 0.3}";

@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 
+#include "harness/motion/kinds/vortex.hpp"
 #include "harness/numeric/central_difference.hpp"
 #include "tests/harness/elastic_material.hpp"
 

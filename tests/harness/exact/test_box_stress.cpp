@@ -10,6 +10,7 @@
 #include "harness/exact/axis_aligned_force.hpp"
 #include "harness/exact/box_field.hpp"
 #include "harness/exact/box_force.hpp"
+#include "harness/motion/kinds/axis_aligned.hpp"
 #include "harness/numeric/gauss.hpp"
 #include "tests/harness/builtin_material.hpp"
 #include "tests/harness/elastic_material.hpp"

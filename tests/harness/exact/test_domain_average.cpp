@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "harness/exact/body_force.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "harness/motion/radii_of_xi.hpp"
 #include "harness/numeric/gauss.hpp"
 

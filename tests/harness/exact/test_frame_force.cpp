@@ -8,6 +8,7 @@
 
 #include "harness/exact/body_force.hpp"
 #include "harness/motion/frame.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "tests/harness/elastic_material.hpp"
 
 namespace assay::test_frame_force {

@@ -6,6 +6,10 @@
 #include <cmath>
 
 #include "harness/motion/frame.hpp"
+#include "harness/motion/kinds/axis_aligned.hpp"
+#include "harness/motion/kinds/rotating_stretch.hpp"
+#include "harness/motion/kinds/twisting_ring.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 
 namespace assay::test_inertia {
 namespace {
@@ -73,8 +77,8 @@ TEST(Inertia, IsTheMotionsAccelerationAndItsGradient) {
         for (std::size_t i = 0; i < 2; ++i) {
           const auto d = static_cast<int>(i);
           EXPECT_NEAR(found.a[i], right[d], rounding * size);
-          EXPECT_NEAR(found.gradient[2 * i], along_x[d], of_differences * size) << motion.index() << " " << p;
-          EXPECT_NEAR(found.gradient[2 * i + 1], along_y[d], of_differences * size) << motion.index() << " " << p;
+          EXPECT_NEAR(found.gradient[2 * i], along_x[d], of_differences * size) << motion->type() << " " << p;
+          EXPECT_NEAR(found.gradient[2 * i + 1], along_y[d], of_differences * size) << motion->type() << " " << p;
         }
       }
     }

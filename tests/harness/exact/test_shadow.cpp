@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/exact/response.hpp"
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "tests/harness/builtin_material.hpp"
 
 namespace assay::test_shadow {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "harness/sheet/sheet.hpp"
 #include "tests/harness/disguised_material.hpp"
 

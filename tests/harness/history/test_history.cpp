@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "harness/motion/rotating_stretch.hpp"
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/kinds/rotating_stretch.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "tests/harness/builtin_material.hpp"
 
 namespace assay::test_history {

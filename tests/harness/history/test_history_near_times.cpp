@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/history/history_trail.hpp"
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "harness/sheet/band.hpp"
 #include "tests/harness/disguised_material.hpp"
 

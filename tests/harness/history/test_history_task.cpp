@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "tests/harness/builtin_material.hpp"
 #include "tests/harness/jaumann_material.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "harness/numeric/central_difference.hpp"
 
 namespace assay::test_frame {

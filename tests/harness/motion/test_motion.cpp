@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What every motion must be, whatever its formulas: rates are those of the position, F is its gradient.
+#include "harness/motion/kinds/axis_aligned.hpp"
+#include "harness/motion/kinds/deformation_table.hpp"
+#include "harness/motion/kinds/homogeneous.hpp"
+#include "harness/motion/kinds/rigid.hpp"
+#include "harness/motion/kinds/rotating_stretch.hpp"
+#include "harness/motion/kinds/twisting_ring.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "harness/motion/motion.hpp"
 
 #include <gtest/gtest.h>
@@ -98,10 +105,10 @@ TEST(Motion, BaselineStretchesAsTheMotionDoes) {
     for (const double t : times) {
       const double R = std::hypot(X.x(), X.y());
       double parameter = 1;
-      if (const auto* vortex = std::get_if<Vortex>(&motion)) parameter = vortex->profile(R).xi;
-      if (std::holds_alternative<TwistingRing>(motion)) parameter = R;
+      if (const auto* vortex = motion.as<Vortex>()) parameter = vortex->profile(R).xi;
+      if (motion.as<TwistingRing>()) parameter = R;
       Path path = baseline_of(motion);
-      if (const auto* box = std::get_if<AxisAligned>(&motion)) {
+      if (const auto* box = motion.as<AxisAligned>()) {
         parameter = std::cos(M_PI * X.x());
         path = box->section(std::cos(M_PI * X.y()));
       }

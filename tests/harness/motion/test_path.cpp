@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/motion/homogeneous.hpp"
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/kinds/homogeneous.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 
 namespace assay::test_path {
 namespace {

@@ -5,6 +5,13 @@
 
 #include <cmath>
 
+#include "harness/motion/kinds/axis_aligned.hpp"
+#include "harness/motion/kinds/deformation_table.hpp"
+#include "harness/motion/kinds/homogeneous.hpp"
+#include "harness/motion/kinds/rigid.hpp"
+#include "harness/motion/kinds/rotating_stretch.hpp"
+#include "harness/motion/kinds/twisting_ring.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "harness/motion/motion.hpp"
 
 namespace assay::test_path_recipe {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "harness/sheet/band_table.hpp"
 #include "tests/harness/builtin_material.hpp"
 

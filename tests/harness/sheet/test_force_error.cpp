@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "harness/exact/body_force.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "tests/harness/builtin_material.hpp"
 
 namespace assay::test_force_error {

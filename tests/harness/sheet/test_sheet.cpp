@@ -7,8 +7,8 @@
 
 #include "harness/exact/response.hpp"
 #include "harness/history/point_driver.hpp"
-#include "harness/motion/homogeneous.hpp"
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/kinds/homogeneous.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "tests/harness/bilinear_material.hpp"
 #include "tests/harness/builtin_material.hpp"
 #include "tests/harness/elastic_material.hpp"

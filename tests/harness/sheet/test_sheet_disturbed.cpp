@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/history/history.hpp"
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "tests/harness/disturbed_material.hpp"
 #include "tests/harness/elastic_material.hpp"
 #include "tests/harness/sheet_difference.hpp"

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "harness/stability/stability_screen.hpp"
 #include "harness/stability/wave_speed.hpp"
 #include "tests/harness/jaumann_material.hpp"

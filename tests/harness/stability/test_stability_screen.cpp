@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "harness/history/point_driver.hpp"
-#include "harness/motion/deformation_table.hpp"
-#include "harness/motion/homogeneous.hpp"
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/kinds/deformation_table.hpp"
+#include "harness/motion/kinds/homogeneous.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "harness/stability/acoustic_tensor.hpp"
 #include "tests/harness/builtin_material.hpp"
 #include "tests/harness/elastic_material.hpp"

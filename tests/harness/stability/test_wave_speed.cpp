@@ -8,8 +8,8 @@
 #include <string>
 
 #include "harness/material/material_failure.hpp"
-#include "harness/motion/homogeneous.hpp"
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/kinds/homogeneous.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "tests/harness/elastic_material.hpp"
 #include "tests/harness/jaumann_material.hpp"
 

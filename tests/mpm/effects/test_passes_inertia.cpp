@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/effects/passes_inertia.hpp"
 
+#include "harness/motion/kinds/vortex.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
 namespace assay::mpm::test_passes_inertia {
@@ -18,7 +19,7 @@ Method in_leapfrog(Method method) {
 /// A free ring that only turns, seen so from a spinning frame.
 Setup<2> turning(int across, const Method& method, Inertia inertia) {
   Setup<2> setup = vortex_setup(across, method);
-  auto& vortex = std::get<Vortex>(*setup.motion);
+  auto& vortex = *setup.motion->as<Vortex>();
   vortex.amplitude.peak = 0;
   setup.response = std::make_shared<const Response>(*ClosedForm::of(setup.material, vortex.baseline()));
   setup.frame.emplace();

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "harness/motion/kinds/homogeneous.hpp"
 #include "mpm/effects/passes_traction.hpp"
 #include "mpm/seeding/lattice.hpp"
 #include "mpm/simulation.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "harness/exact/box_stress.hpp"
+#include "harness/motion/kinds/axis_aligned.hpp"
 #include "mpm/seeding/lattice.hpp"
 #include "mpm/seeding/nodes_reached.hpp"
 #include "mpm/simulation.hpp"

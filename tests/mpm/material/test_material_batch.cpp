@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "harness/motion/kinds/vortex.hpp"
 #include "mpm/data/blocks.hpp"
 #include "mpm/material/passes_particle.hpp"
 #include "mpm/step/sweep.hpp"
@@ -177,7 +178,7 @@ TEST(MaterialBatches, AnInstanceServesOneThreadUnlessItIsThreadSafe) {
 /// Largest difference of the Cauchy stress of all particles at the exact F to the exact one (20), over the largest.
 double difference_to_exact_stress(const std::array<double, 3>& direction, bool turned) {
   Setup<2> setup = vortex_setup(6);
-  const auto vortex = std::get<Vortex>(*setup.motion);
+  const auto vortex = *setup.motion->as<Vortex>();
   setup.material = builtin_material(assay_builtin_orthotropic_cylindrical, {{"E_r", 3e3},
                                                                             {"E_t", 1e3},
                                                                             {"E_z", 2e3},

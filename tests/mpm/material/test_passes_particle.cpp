@@ -6,6 +6,7 @@
 
 #include <functional>
 
+#include "harness/motion/kinds/vortex.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
 namespace assay::mpm::test_passes_particle {
@@ -77,7 +78,7 @@ TEST(BodyForceNegativeControl, AMissingInitialVelocityIsCaught) {
 TEST(BodyForceNegativeControl, ARotationAppliedTwiceIsCaught) {
   Simulation<2> simulation(vortex_setup(across));
   const auto turn_again = [](State<2>& s, double t) {
-    const auto& vortex = std::get<Vortex>(*s.setup.motion);
+    const auto& vortex = *s.setup.motion->as<Vortex>();
     double* b[] = {s.column(Column::body_force, 0), s.column(Column::body_force, 1)};
     for (std::size_t p = 0; p < s.particles; ++p) {
       const double R =

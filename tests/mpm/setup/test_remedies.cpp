@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "harness/motion/kinds/rigid.hpp"
 #include "mpm/effects/passes_remedies.hpp"
 #include "mpm/kernels/affine.hpp"
 #include "mpm/simulation.hpp"

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "harness/motion/kinds/vortex.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
 namespace assay::mpm::test_passes_grid {

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstring>
 
+#include "harness/motion/kinds/vortex.hpp"
 #include "mpm/patch/methods.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 Setup<2> large(const Method& method, int threads, Instructions instructions) {
   Setup<2> setup = averaged_setup(24, false, method);
   static const auto response =
-      std::make_shared<const Response>(Sheet(*setup.material, std::get<Vortex>(*setup.motion).baseline(), {}));
+      std::make_shared<const Response>(Sheet(*setup.material, setup.motion->as<Vortex>()->baseline(), {}));
   setup.response = response;
   setup.threads = threads;
   setup.instructions = instructions;

@@ -2,8 +2,7 @@
 // Homogeneous stretch under a rotation about any axis: F = Q(t) U(t), x = F X.
 #pragma once
 
-#include "harness/motion/exact_state.hpp"
-#include "harness/motion/path.hpp"
+#include "harness/motion/motion_kind.hpp"
 
 namespace assay {
 
@@ -13,6 +12,7 @@ namespace assay {
 /// after: Lambda = 1 + a q(2 t/T), angle = beta q(2 t/T - 1).
 struct RotatingStretch {
   enum class Rotate { none, simultaneous, after };
+  static constexpr std::array rotate_words{"none", "simultaneous", "after"};
   double stretch = 0;     ///< a > -1 [1]
   double shear = 0;       ///< k [1]
   double rotation = 0;    ///< beta [rad]
@@ -27,5 +27,12 @@ struct RotatingStretch {
   /// k (Lambda - 1)/a, and leaves the rotation as it is.
   Path baseline() const;
 };
+
+template <class Archive>
+void fields(Archive& archive, RotatingStretch& m) {
+  archive(m.stretch, m.shear, m.rotation, m.axis, m.rotate, m.period);
+}
+
+std::unique_ptr<MotionKind> kind_of(const RotatingStretch& motion);
 
 }  // namespace assay

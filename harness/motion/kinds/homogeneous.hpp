@@ -2,8 +2,7 @@
 // Homogeneous deformation, section 3 of the paper: F = I (1 - t/T) + final t/T.
 #pragma once
 
-#include "harness/motion/exact_state.hpp"
-#include "harness/motion/path.hpp"
+#include "harness/motion/motion_kind.hpp"
 
 namespace assay {
 
@@ -21,5 +20,12 @@ struct Homogeneous {
   /// The parameter of the scene's own path.
   double own_parameter() const;
 };
+
+template <class Archive>
+void fields(Archive& archive, Homogeneous& m) {
+  archive(m.final, m.period);
+}
+
+std::unique_ptr<MotionKind> kind_of(const Homogeneous& motion);
 
 }  // namespace assay

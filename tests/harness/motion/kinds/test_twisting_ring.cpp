@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/motion/twisting_ring.hpp"
+#include "harness/motion/kinds/twisting_ring.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 
 #include "harness/exact/body_force.hpp"
 #include "harness/exact/domain_average.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 #include "harness/numeric/gauss.hpp"
 
 namespace assay::test_twisting_ring {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/motion/deformation_table.hpp"
+#include "harness/motion/kinds/deformation_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,6 +7,8 @@
 #include <memory>
 
 #include "harness/motion/path_recipe.hpp"
+#include "harness/motion/registry.hpp"
+#include "harness/numeric/number_text.hpp"
 
 namespace assay {
 
@@ -17,6 +19,17 @@ constexpr double least_share = 0.25;  ///< of its own path's smallest det F that
 constexpr int fractions = 16;         ///< of xi between the family's ends at which that is looked at
 constexpr int halvings = 40;
 constexpr double rounding = 1e-12;  ///< of a component's largest value
+
+struct Rows {
+  std::vector<double> times;
+  std::vector<Tensor> F;
+  Interpolation interpolation = Interpolation::monotone;
+};
+
+template <class Archive>
+void fields(Archive& archive, Rows& rows) {
+  archive(rows.times, rows.F, rows.interpolation);
+}
 
 }  // namespace
 
@@ -118,7 +131,7 @@ Path DeformationTable::baseline() const {
     std::vector<double> inner(times.begin() + 1, std::lower_bound(times.begin() + 1, times.end() - 1, end));
     return inner;
   };
-  path.recipe = recipe_of(*this);
+  path.recipe = recipe("table", Rows{times_, rows(), interpolation_});
   return path;
 }
 
@@ -128,6 +141,45 @@ bool DeformationTable::plane() const {
     if (F(0, 2) != 0 || F(1, 2) != 0 || F(2, 0) != 0 || F(2, 1) != 0 || F(2, 2) != 1) return false;
   }
   return true;
+}
+
+namespace {
+
+/// `homogeneous` with a path: the file behind it is read by whoever reads the scene.
+class DeformationTableKind final : public MotionOf<DeformationTableKind, DeformationTable> {
+ public:
+  using MotionOf::MotionOf;
+  std::string_view type() const override { return "homogeneous"; }
+  double period() const override { return m.last(); }
+  bool is_plane() const override { return m.plane(); }
+  void keys(MotionKeys& keys) override {
+    double last = m.last();
+    keys.number(period_key, last);
+  }
+  std::optional<MotionFault> fault(const MotionUse& use) const override {
+    if (use.gives("motion.final"))
+      return MotionFault{"motion.final", "cannot be combined with motion.path, which gives F at all times"};
+    if (use.end > m.last())
+      return MotionFault{"time.end", "must not exceed the last time of motion.path, " + number_text(m.last()) +
+                                         ", found " + number_text(use.end)};
+    return std::nullopt;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<MotionKind> kind_of(const DeformationTable& motion) {
+  return std::make_unique<DeformationTableKind>(motion);
+}
+
+void register_deformation_table(MotionRegistry& registry) {
+  registry.path("table", [](NumberReader& numbers) {
+    Rows rows;
+    numbers(rows);
+    if (rows.times.size() < 2 || rows.F.size() != rows.times.size() || rows.interpolation > Interpolation::spline)
+      throw std::runtime_error("no table");
+    return DeformationTable("", rows.times, rows.F, rows.interpolation).baseline();
+  });
 }
 
 }  // namespace assay

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/motion/homogeneous.hpp"
+#include "harness/motion/kinds/homogeneous.hpp"
 
 #include <gtest/gtest.h>
 
+#include "harness/motion/kinds/vortex.hpp"
 #include "harness/motion/motion.hpp"
 
 namespace assay::test_homogeneous {

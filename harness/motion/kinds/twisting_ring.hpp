@@ -3,7 +3,7 @@
 // bear tractions. peak = 0 is the expanding ring, expansion = 0 the vortex.
 #pragma once
 
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 
 namespace assay {
 
@@ -18,16 +18,9 @@ struct TwistingRing {
   double outer() const { return twist.outer; }
   double period() const { return twist.amplitude.period; }
 
-  /// U and U' at a radius [1], [1/m].
-  struct Radial {
-    double U = 0, slope = 0;
-  };
-  Radial radial(double R) const;
-
-  /// sin(pi t/T) with its first two rates [1], [1/s], [1/s^2].
-  static AmplitudeValue widening(double t, double period);
-  /// Adds e sin(pi t/T) U to rho = R.
-  static void widen(RingKinematics& k, double expansion, const Radial& u, const AmplitudeValue& s);
+  RingRadial radial(double R) const;
+  /// e sin(pi t/T) with its rates [m], [m/s], [m/s^2].
+  AmplitudeValue widening(double t) const;
 
   /// The motion of a radius; beyond the faces by the same formula, where h = 0.
   RingKinematics ring(double R, double t) const;
@@ -37,5 +30,12 @@ struct TwistingRing {
   /// The baseline B(R, t) with the parameter R in [ri, ro].
   Path baseline() const;
 };
+
+template <class Archive>
+void fields(Archive& archive, TwistingRing& m) {
+  archive(m.twist, m.expansion);
+}
+
+std::unique_ptr<MotionKind> kind_of(const TwistingRing& motion);
 
 }  // namespace assay

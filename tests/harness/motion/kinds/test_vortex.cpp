@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/motion/rotating_stretch.hpp"
+#include "harness/motion/kinds/rotating_stretch.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
 #include "harness/motion/path_recipe.hpp"
+#include "harness/motion/registry.hpp"
 #include "harness/numeric/stable_norm.hpp"
 
 namespace assay {
@@ -97,8 +98,47 @@ Path RotatingStretch::baseline() const {
     }
     return times;
   };
-  path.recipe = recipe_of(*this);
+  path.recipe = recipe("rotating_stretch", *this);
   return path;
+}
+
+namespace {
+
+class RotatingStretchKind final : public MotionOf<RotatingStretchKind, RotatingStretch> {
+ public:
+  using MotionOf::MotionOf;
+  std::string_view type() const override { return "rotating_stretch"; }
+  double period() const override { return m.period; }
+  bool is_plane() const override {
+    return m.rotate == RotatingStretch::Rotate::none || m.rotation == 0 || (m.axis.x() == 0 && m.axis.y() == 0);
+  }
+  bool is_spatial() const override { return true; }
+  void keys(MotionKeys& keys) override {
+    keys.number(period_key, m.period);
+    keys.number({.name = "stretch",
+                 .doc = "a: the stretch along E1 is 1 + a sin^2(pi t/T), or 1 + a q(2 t/T) with rotate: after [1]",
+                 .range = {.lower = -1, .lower_open = true},
+                 .required = true},
+                m.stretch);
+    keys.number({"shear", "k of the shear U12 = k (U11 - 1)/a [1]"}, m.shear);
+    keys.number({"rotation", "total angle of rotation beta [rad]"}, m.rotation);
+    keys.vector(axis_key, m.axis);
+    keys.choice(
+        {"rotate", "when the body rotates: never (none), while it stretches (simultaneous) or afterwards (after)"},
+        RotatingStretch::rotate_words, m.rotate);
+  }
+  std::optional<MotionFault> fault(const MotionUse&) const override { return fault_of_axis(m.axis); }
+};
+
+}  // namespace
+
+std::unique_ptr<MotionKind> kind_of(const RotatingStretch& motion) {
+  return std::make_unique<RotatingStretchKind>(motion);
+}
+
+void register_rotating_stretch(MotionRegistry& registry) {
+  registry.motion(3, RotatingStretch{});
+  registry.path<RotatingStretch>("rotating_stretch");
 }
 
 }  // namespace assay

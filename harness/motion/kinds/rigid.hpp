@@ -2,8 +2,7 @@
 // Rigid motion: x = Q(spin t) X + velocity t.
 #pragma once
 
-#include "harness/motion/exact_state.hpp"
-#include "harness/motion/path.hpp"
+#include "harness/motion/motion_kind.hpp"
 
 namespace assay {
 
@@ -18,5 +17,12 @@ struct Rigid {
   /// F = Q(spin t), the same for every value of the parameter.
   Path baseline() const;
 };
+
+template <class Archive>
+void fields(Archive& archive, Rigid& m) {
+  archive(m.velocity, m.spin, m.axis, m.period);
+}
+
+std::unique_ptr<MotionKind> kind_of(const Rigid& motion);
 
 }  // namespace assay

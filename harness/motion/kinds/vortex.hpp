@@ -2,10 +2,7 @@
 // The generalized vortex, section 2 of the paper: circular motion, simple shear with rotation everywhere.
 #pragma once
 
-#include "harness/motion/amplitude.hpp"
-#include "harness/motion/exact_state.hpp"
-#include "harness/motion/path.hpp"
-#include "harness/motion/ring_kinematics.hpp"
+#include "harness/motion/motion_kind.hpp"
 
 namespace assay {
 
@@ -17,13 +14,7 @@ struct Vortex {
   int profile_power = 2;  ///< m
   Amplitude amplitude;
 
-  /// Everything that depends on R alone.
-  struct Profile {
-    double h = 0;         ///< [1]
-    double h_prime = 0;   ///< h' [1/m]
-    double xi = 0;        ///< xi = R h' / 2 (13) [1]
-    double xi_prime = 0;  ///< d xi / d R = (h' + R h'') / 2 [1/m]
-  };
+  using Profile = RingProfile;
 
   /// At the radii ri and ro themselves: the limit from inside.
   Profile profile(double R) const;
@@ -35,8 +26,7 @@ struct Vortex {
   ExactState at(const Vector3& X, double t) const;
 
   /// rho = R, alpha = g h, at a radius.
-  RingKinematics ring(double R, double t) const { return ring(R, profile(R), amplitude.at(t)); }
-  static RingKinematics ring(double R, const Profile& profile, const AmplitudeValue& g);
+  RingKinematics ring(double R, double t) const { return RingKinematics::turned(R, profile(R), amplitude.at(t)); }
 
   /// Smallest and largest xi in the ring.
   Interval xi_range() const;
@@ -44,5 +34,18 @@ struct Vortex {
   /// The baseline F = I + 2 g(t) xi E2 E1 (16) with parameter xi.
   Path baseline() const;
 };
+
+template <class Archive>
+void fields(Archive& archive, Vortex& m) {
+  archive(m.inner, m.outer, m.profile_power, m.amplitude);
+}
+
+std::unique_ptr<MotionKind> kind_of(const Vortex& motion);
+
+/// The keys of a ring that turns, but for those of its amplitude.
+void ring_keys(MotionKeys& keys, Vortex& motion);
+
+/// Whether the inner radius is the smaller one.
+std::optional<MotionFault> fault_of_radii(const Annulus& ring);
 
 }  // namespace assay

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/motion/vortex.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "harness/motion/motion.hpp"
 #include "harness/motion/path_recipe.hpp"
 #include "harness/motion/radii_of_xi.hpp"
+#include "harness/motion/registry.hpp"
+#include "harness/numeric/number_text.hpp"
 
 namespace assay {
 
@@ -38,18 +41,6 @@ Vortex::Profile Vortex::profile(double R) const {
 bool Vortex::moves(const Vector3& X) const {
   const double R = std::hypot(X.x(), X.y());
   return R > inner && R < outer;
-}
-
-RingKinematics Vortex::ring(double R, const Profile& p, const AmplitudeValue& g) {
-  RingKinematics k;
-  k.rho = R;
-  k.alpha = g.value * p.h;      // (5)
-  k.alpha_rate = g.rate * p.h;  // (30)
-  k.alpha_acceleration = g.acceleration * p.h;
-  k.alpha_slope = g.value * p.h_prime;
-  k.alpha_slope_rate = g.rate * p.h_prime;
-  k.alpha_slope_acceleration = g.acceleration * p.h_prime;
-  return k;
 }
 
 ExactState Vortex::at(const Vector3& X, double t) const {
@@ -99,8 +90,56 @@ Path Vortex::baseline() const {
     const auto [lower, upper] = g.range(end);
     return Interval{lower, upper};
   };
-  path.recipe = recipe_of(*this);
+  path.recipe = recipe("vortex", *this);
   return path;
+}
+
+namespace {
+
+class VortexKind final : public MotionOf<VortexKind, Vortex>, public PolarMotion {
+ public:
+  using MotionOf::MotionOf;
+  std::string_view type() const override { return "vortex"; }
+  double period() const override { return m.amplitude.period; }
+  const Amplitude* amplitude() const override { return &m.amplitude; }
+  bool bears_tractions() const override { return false; }
+  const PolarMotion* polar() const override { return this; }
+
+  Annulus ring() const override { return {m.inner, m.outer}; }
+  const Amplitude& turn() const override { return m.amplitude; }
+  RingProfile profile(double R) const override { return m.profile(R); }
+  std::function<std::vector<double>(double)> radii_of_parameter() const override { return RadiiOfXi(m); }
+
+  void keys(MotionKeys& keys) override {
+    ring_keys(keys, m);
+    amplitude_keys(keys, m.amplitude);
+  }
+  std::optional<MotionFault> fault(const MotionUse&) const override { return fault_of_radii(ring()); }
+};
+
+}  // namespace
+
+std::unique_ptr<MotionKind> kind_of(const Vortex& motion) { return std::make_unique<VortexKind>(motion); }
+
+void ring_keys(MotionKeys& keys, Vortex& m) {
+  keys.number({"inner", "inner radius ri of the ring [m]", positive}, m.inner);
+  keys.number({"outer", "outer radius ro of the ring [m]", positive}, m.outer);
+  keys.number(period_key, m.amplitude.period);
+  keys.whole({"profile_power",
+              "m of the profile h = (1 - s^2)^m; m = 1 is excluded: the ring's faces would need tractions",
+              {.lower = 2, .upper = 64, .whole = true}},
+             m.profile_power);
+}
+
+std::optional<MotionFault> fault_of_radii(const Annulus& ring) {
+  if (ring.inner < ring.outer) return std::nullopt;
+  return MotionFault{"motion.inner", "must be less than motion.outer, found " + number_text(ring.inner) + " and " +
+                                         number_text(ring.outer)};
+}
+
+void register_vortex(MotionRegistry& registry) {
+  registry.motion(1, Vortex{});
+  registry.path<Vortex>("vortex");
 }
 
 }  // namespace assay

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/motion/deformation_table.hpp"
+#include "harness/motion/kinds/deformation_table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/motion/exact_state.hpp"
-#include "harness/motion/path.hpp"
+#include "harness/motion/motion_kind.hpp"
 #include "harness/numeric/interpolant.hpp"
 
 namespace assay {
@@ -63,5 +62,7 @@ class DeformationTable {
   Interpolation interpolation_;
   std::vector<Interpolant> components_;  // nine, row-major
 };
+
+std::unique_ptr<MotionKind> kind_of(const DeformationTable& motion);
 
 }  // namespace assay

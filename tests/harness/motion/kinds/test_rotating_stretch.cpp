@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/motion/rotating_stretch.hpp"
+#include "harness/motion/kinds/rotating_stretch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "harness/motion/kinds/rigid.hpp"
 #include "harness/motion/motion.hpp"
-#include "harness/motion/rigid.hpp"
 
 namespace assay::test_rotating_stretch {
 namespace {

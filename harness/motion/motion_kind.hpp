@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is asked of a motion. A motion is a file in harness/motion/kinds: it answers these questions, and is listed
+// nowhere else.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <typeinfo>
+#include <vector>
+
+#include "harness/motion/annulus.hpp"
+#include "harness/motion/exact_state.hpp"
+#include "harness/motion/motion_keys.hpp"
+#include "harness/motion/path.hpp"
+#include "harness/motion/ring_kinematics.hpp"
+
+namespace assay {
+
+/// A polar motion: rho = R + w(t) U(R), alpha = g(t) h(R). With w = 0 it is simple shear on the baseline, and what lies
+/// outside the ring is at rest.
+class PolarMotion {
+ public:
+  virtual ~PolarMotion() = default;
+
+  virtual Annulus ring() const = 0;           ///< in which it takes place
+  virtual const Amplitude& turn() const = 0;  ///< g
+  virtual RingProfile profile(double R) const = 0;
+
+  /// Whether radii change, so that J != 1 and the ring's faces move.
+  virtual bool widens() const { return false; }
+  virtual RingRadial radial(double) const { return {}; }        ///< U and its slope [1], [1/m]
+  virtual AmplitudeValue widening(double) const { return {}; }  ///< w and its rates [m], [m/s], [m/s^2]
+
+  /// The radii, ascending, at which the baseline's parameter has a value [m].
+  virtual std::function<std::vector<double>(double)> radii_of_parameter() const {
+    return [](double R) { return std::vector{R}; };
+  }
+};
+
+/// In what a motion is used: what its own check depends on.
+struct MotionUse {
+  double end = 0;                                     ///< of the scene [s]
+  bool by_method = false;                             ///< a particle method, which is plane strain, runs it
+  std::function<bool(const std::string& key)> gives;  ///< whether the scene gives the key
+};
+
+class MotionKind {
+ public:
+  virtual ~MotionKind() = default;
+  virtual std::unique_ptr<MotionKind> copy() const = 0;
+  /// The motion itself if it is of that type, else null.
+  virtual void* as(const std::type_info& type) = 0;
+
+  virtual std::string_view type() const = 0;  ///< the word of `motion.type`
+  virtual void keys(MotionKeys& keys) = 0;
+  virtual std::optional<MotionFault> fault(const MotionUse&) const { return std::nullopt; }
+
+  virtual ExactState at(const Vector3& X, double t) const = 0;
+  virtual Path baseline() const = 0;
+  virtual double period() const = 0;                  ///< T [s]; of a table the time of its last row
+  virtual double own_parameter() const { return 1; }  ///< of the baseline, where F is the same everywhere
+
+  virtual const PolarMotion* polar() const { return nullptr; }
+  virtual bool is_homogeneous() const { return !polar(); }  ///< F is the same at all points
+  virtual const Amplitude* amplitude() const { return nullptr; }
+  virtual bool accelerates() const { return true; }        ///< any point, ever
+  virtual bool is_plane() const { return true; }           ///< F13 .. F32 = 0, F33 = 1
+  virtual bool is_spatial() const { return !is_plane(); }  ///< tables of it have all components
+  virtual bool bears_tractions() const { return true; }    ///< on the surface of the body
+
+  /// Corners of a square or box unless the scene says otherwise [m].
+  virtual std::array<double, 2> usual_lower() const { return {-1.5, -1.5}; }
+  virtual std::array<double, 2> usual_upper() const { return {1.5, 1.5}; }
+  /// Whether the motion is its own mirror image at a plane across axis d.
+  virtual bool is_symmetry_plane(std::size_t, double) const { return false; }
+  virtual bool may_repeat() const { return false; }  ///< body.periodic exists for it
+  /// Why a body so wide [m] does not repeat along axis d; empty: it does.
+  virtual std::string fault_of_period(std::size_t, double) const { return {}; }
+};
+
+/// What every kind answers alike: Kind derives from it, Struct has at() and baseline().
+template <class Kind, class Struct>
+class MotionOf : public MotionKind {
+ public:
+  explicit MotionOf(const Struct& motion) : m(motion) {}
+  std::unique_ptr<MotionKind> copy() const override { return std::make_unique<Kind>(m); }
+  void* as(const std::type_info& type) override { return type == typeid(Struct) ? &m : nullptr; }
+  ExactState at(const Vector3& X, double t) const override { return m.at(X, t); }
+  Path baseline() const override { return m.baseline(); }
+
+ protected:
+  Struct m;
+};
+
+}  // namespace assay

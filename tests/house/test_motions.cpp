@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A motion is a file of harness/motion/kinds and listed nowhere else: the rest of the program finds it by itself.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "harness/motion/registry.hpp"
+#include "tests/house/tree.hpp"
+
+namespace assay::test_motions {
+namespace {
+
+using namespace assay::house;
+
+std::set<std::string> words() {
+  std::set<std::string> all;
+  for (const Motion& sample : motion_registry().samples()) all.emplace(sample->type());
+  return all;
+}
+
+TEST(Motions, TheirWordsStandInTheirFilesAlone) {
+  const std::set<std::string> may_name{
+      "drivers/scene/motion_keys.cpp \"homogeneous\"",  // motion.path, whose file is read with the scene
+      "drivers/check_vortex.hpp \"vortex\"",            // a test of check
+      "drivers/new_material.cpp \"vortex\"",            // a file
+      "harness/motion/path.hpp \"rotating_stretch\"",   // names of paths
+  };
+  for (const char* floor : {"harness", "adapters", "mpm", "drivers"}) {
+    for (const std::string& path : files_in(floor, {".hpp", ".cpp"}, true)) {
+      if (path.starts_with("harness/motion/kinds/")) continue;
+      const std::string text = text_of(path);
+      for (const std::string& word : words()) {
+        const std::string quoted = "\"" + word + "\"";
+        if (text.find(quoted) == text.npos) continue;
+        EXPECT_TRUE(may_name.contains(path + " " + quoted)) << path << " names the motion " << quoted;
+      }
+    }
+  }
+}
+
+TEST(Motions, EveryFileRegistersSomething) {
+  std::size_t files = 0;
+  for (const std::string& path : files_in("harness/motion/kinds", {".cpp"}, false)) {
+    ++files;
+    const std::string name = std::filesystem::path(path).stem();
+    EXPECT_NE(text_of(path).find("void register_" + name + "(MotionRegistry& registry)"), std::string::npos) << path;
+  }
+  EXPECT_GE(files, 7U);
+  EXPECT_GE(words().size(), 7U);
+}
+
+class EveryMotion : public testing::TestWithParam<std::string> {};
+
+/// Takes what it is shown, and keeps the names.
+class Names final : public MotionKeys {
+ public:
+  bool number(const MotionKey& key, double&) override { return add(key); }
+  bool whole(const MotionKey& key, int&) override { return add(key); }
+  bool number_or_auto(const MotionKey& key, std::optional<double>&) override { return add(key); }
+  bool word(const MotionKey& key, std::span<const char* const>, int&) override { return add(key); }
+  bool vector(const MotionKey& key, Vector3&) override { return add(key); }
+  bool tensor(const MotionKey& key, Tensor&) override { return add(key); }
+  std::set<std::string> names;
+
+ private:
+  bool add(const MotionKey& key) {
+    EXPECT_STRNE(key.doc, "") << key.name;
+    EXPECT_TRUE(names.insert(key.name).second) << key.name << " twice";
+    return false;
+  }
+};
+
+TEST_P(EveryMotion, HasKeysAnExampleInTheTreeAndAPlaceInThePages) {
+  for (Motion sample : motion_registry().samples()) {
+    if (sample->type() != GetParam()) continue;
+    Names names;
+    sample->keys(names);
+    EXPECT_FALSE(names.names.empty());
+  }
+  const std::string line = "type: " + GetParam();
+  bool is_run = false;
+  for (const char* folder : {"configs", "tests"}) {
+    for (const std::string& path : files_in(folder, {".yaml"}, true))
+      is_run |= text_of(path).find(line) != std::string::npos;
+  }
+  EXPECT_TRUE(is_run) << "no scene of configs or tests has " << line;
+  EXPECT_NE(text_of("docs/motions.md").find("`" + GetParam() + "`"), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Registered, EveryMotion, testing::ValuesIn([] {
+                           const std::set<std::string> all = words();
+                           return std::vector<std::string>(all.begin(), all.end());
+                         }()),
+                         [](const auto& c) { return c.param; });
+
+}  // namespace
+}  // namespace assay::test_motions
