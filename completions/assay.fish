@@ -1,61 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
-set -l verbs run tabulate eval explain study recommend compare check materials register new-material schema
-complete -c assay -f
-complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a run -d 'The full simulation'
-complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a tabulate -d 'Sheet and curves of the point driver'
-complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a eval -d 'Exact fields at reference points'
-complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a explain -d 'Passes, columns, bytes and steps'
-complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a study -d 'Accuracy against time'
-complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a recommend -d 'The cheapest case of a study for an error'
-complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a compare -d 'Two studies side by side'
-complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a check -d 'The battery of tests of a material'
-complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a materials -d 'What is registered'
-complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a register -d 'Add a shared library or a description'
-complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a new-material -d 'A project to begin a material with'
-complete -c assay -n "not __fish_seen_subcommand_from $verbs" -a schema -d 'JSON Schema of scenes and studies'
-complete -c assay -n "__fish_seen_subcommand_from run tabulate eval explain study recommend compare check materials register" -F
-complete -c assay -n "__fish_seen_subcommand_from run tabulate eval explain" -l set -x -d 'key.path=value'
-complete -c assay -n "__fish_seen_subcommand_from run tabulate eval study recommend" -s o -r -F -d 'Where results go'
-complete -c assay -n "__fish_seen_subcommand_from run" -l threads -x -d 'Number of threads'
-complete -c assay -n "__fish_seen_subcommand_from run" -l junit -r -F -d 'Findings for CI'
-complete -c assay -n "__fish_seen_subcommand_from tabulate eval" -l points -r -F -d 'Table of points'
-complete -c assay -n "__fish_seen_subcommand_from run tabulate explain study recommend compare materials" -l json -d 'JSON on standard output'
-complete -c assay -n "__fish_seen_subcommand_from check materials" -a '(assay materials --names 2>/dev/null)' -d 'Material'
-complete -c assay -n "__fish_seen_subcommand_from materials" -l names -d 'Names alone'
-complete -c assay -n "__fish_seen_subcommand_from study" -l jobs -x -d 'Threads of cases side by side'
-complete -c assay -n "__fish_seen_subcommand_from study" -l resume -d 'Keep finished cases'
-complete -c assay -n "__fish_seen_subcommand_from study" -l shard -x -d 'Part i/n of the cases'
-complete -c assay -n "__fish_seen_subcommand_from study" -l merge -d 'The report of what is there'
-complete -c assay -n "__fish_seen_subcommand_from study" -l from -r -F -d 'Finished cases of another folder'
-complete -c assay -n "__fish_seen_subcommand_from study" -l list -d 'The cases, and nothing else'
-complete -c assay -n "__fish_seen_subcommand_from recommend" -l error -x -d 'Wanted, a number or a percentage'
-complete -c assay -n "__fish_seen_subcommand_from compare" -l markdown -r -F -d 'Tables of all cases'
-complete -c assay -n "__fish_seen_subcommand_from check" -l parameters -x -d 'NAME=NUMBER,...'
-complete -c assay -n "__fish_seen_subcommand_from check" -l json -r -F -d 'Verdicts as JSON'
-complete -c assay -n "__fish_seen_subcommand_from check" -l junit -r -F -d 'Verdicts for CI'
-complete -c assay -n "__fish_seen_subcommand_from check" -l quick -d 'Fewer steps'
-complete -c assay -n "__fish_seen_subcommand_from check" -l strain -x -d 'Largest of the histories'
-complete -c assay -n "__fish_seen_subcommand_from check" -l pressure -x -d 'At rest [Pa]'
-complete -c assay -n "__fish_seen_subcommand_from check" -l explain -x -d 'What a cause means, or all'
-complete -c assay -n "__fish_seen_subcommand_from check" -l step -x -d 'Longest usual step [s]'
-complete -c assay -n "__fish_seen_subcommand_from check" -l methods -d 'The particle methods'
-complete -c assay -n "__fish_seen_subcommand_from check" -l markdown -r -F -d 'Table of the methods'
-complete -c assay -n "__fish_seen_subcommand_from check" -l all -d 'Everything that is registered'
-complete -c assay -n "__fish_seen_subcommand_from check" -l replay -r -F -d 'A failure again'
-complete -c assay -n "__fish_seen_subcommand_from check register" -l props -x -d 'PROPS of a source'
-complete -c assay -n "__fish_seen_subcommand_from check register" -l statev -x -d 'Number of STATEV'
-complete -c assay -n "__fish_seen_subcommand_from check register" -l deck -r -F -d 'Abaqus deck with the constants'
-complete -c assay -n "__fish_seen_subcommand_from check register" -l material -x -d 'Material of the deck'
-complete -c assay -n "__fish_seen_subcommand_from check register" -l symbol -x -d 'Entry point of a source'
-complete -c assay -n "__fish_seen_subcommand_from check register" -l link -x -d 'Libraries that a source needs'
-complete -c assay -n "__fish_seen_subcommand_from check" -s o -r -F -d 'Folder of replay files'
-complete -c assay -n "__fish_seen_subcommand_from register" -l as -x -d 'Name'
-complete -c assay -n "__fish_seen_subcommand_from register" -l remove -x -d 'Take a name out'
-complete -c assay -n "__fish_seen_subcommand_from new-material" -l language -x -a 'c c++ fortran' -d 'Written in'
-complete -c assay -n "__fish_seen_subcommand_from new-material" -l interface -x -a 'native umat' -d 'Written for'
-complete -c assay -n "__fish_seen_subcommand_from schema" -l study -d 'Of studies'
-complete -c assay -n "__fish_seen_subcommand_from new-material" -s o -r -F -d 'New folder'
-complete -c assay -s v -l verbose -d 'Say more'
-complete -c assay -l quiet -d 'No progress'
-complete -c assay -l version -d 'Version'
-complete -c assay -s h -l help -d 'Help'
+# fish completion for assay, which itself says what may follow (drivers/completion.hpp)
+function __assay_offers
+    set -l words (commandline -opc)
+    set -l last (commandline -ct)
+    set -l program $words[1]
+    set -e words[1]
+    set -l offers ($program --complete $words "$last" 2>/dev/null)
+    string match -v -- '\**' $offers
+    if string match -q -r -- '^\*(?!/$)' $offers
+        __fish_complete_path "$last"
+    else if contains -- '*/' $offers
+        __fish_complete_directories "$last" ''
+    end
+end
+complete -c assay -f -a '(__assay_offers)'

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay check`: the battery of model tests, for people, for scripts and for CI.
+#include "drivers/check.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <thread>
@@ -21,7 +23,6 @@
 #include "drivers/own_files.hpp"
 #include "drivers/progress.hpp"
 #include "drivers/source_options.hpp"
-#include "drivers/verbs.hpp"
 #include "mpm/data/effect.hpp"
 
 namespace assay::drivers {

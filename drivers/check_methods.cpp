@@ -3,12 +3,12 @@
 #include <chrono>
 
 #include "adapters/builtin.hpp"
+#include "drivers/check.hpp"
 #include "drivers/check_output.hpp"
 #include "drivers/input_error.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/methods_table.hpp"
 #include "drivers/progress.hpp"
-#include "drivers/verbs.hpp"
 
 namespace assay::drivers {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "drivers/verbs.hpp"
+#include "drivers/check.hpp"
 
 namespace assay::drivers {
 

@@ -2,7 +2,7 @@
 // `assay check --replay`: one failure again, alone.
 #pragma once
 
-#include "drivers/verbs.hpp"
+#include "drivers/check.hpp"
 
 namespace assay::drivers {
 

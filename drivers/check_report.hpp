@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "drivers/verbs.hpp"
+#include "drivers/verbosity.hpp"
 #include "harness/check/battery.hpp"
 
 namespace assay::drivers {

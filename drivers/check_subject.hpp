@@ -5,8 +5,8 @@
 #include <map>
 #include <string>
 
+#include "drivers/check.hpp"
 #include "drivers/material/material_choice.hpp"
-#include "drivers/verbs.hpp"
 
 namespace assay::drivers {
 

@@ -15,16 +15,20 @@
 #include "adapters/worker/shortage.hpp"
 #include "drivers/build_information.hpp"
 #include "drivers/cache_home.hpp"
+#include "drivers/completion.hpp"
 #include "drivers/exit_guard.hpp"
 #include "drivers/input_error.hpp"
+#include "drivers/input_file.hpp"
 #include "drivers/interrupt.hpp"
 #include "drivers/lookalikes.hpp"
+#include "drivers/manual.hpp"
 #include "drivers/material/abaqus_deck.hpp"
 #include "drivers/output/junit.hpp"
 #include "drivers/output/numbers.hpp"
 #include "drivers/output/terminal.hpp"
+#include "drivers/output/whole_file.hpp"
 #include "drivers/own_files.hpp"
-#include "drivers/verb_arguments.hpp"
+#include "drivers/verb.hpp"
 #include "drivers/worker.hpp"
 #include "harness/material/material_failure.hpp"
 
@@ -75,13 +79,13 @@ InputError usage_error(const CLI::App& app, const CLI::ParseError& error) {
   return InputError({}, who, unknown(kind + " '" + one_line(word, 80) + "'", word, known), joined(known));
 }
 
-std::vector<std::string> names_of(const std::vector<Verb>& verbs) {
+std::vector<std::string> names_of(const std::vector<AddedVerb>& verbs) {
   std::vector<std::string> names;
-  for (const Verb& verb : verbs) names.push_back(verb.app->get_name());
+  for (const AddedVerb& verb : verbs) names.push_back(verb.name);
   return names;
 }
 
-void refuse_unknown_verb(const std::string& word, const std::vector<Verb>& verbs) {
+void refuse_unknown_verb(const std::string& word, const std::vector<AddedVerb>& verbs) {
   const std::vector<std::string> known = names_of(verbs);
   if (std::find(known.begin(), known.end(), word) != known.end()) return;
   throw InputError({}, "assay", unknown("verb '" + one_line(word, 80) + "'", word, known), joined(known));
@@ -126,13 +130,13 @@ void refuse_pair_of_words(const std::string& option, const std::string& name, co
 }
 
 /// An option would take the next one for its value, and make a folder of that name.
-void refuse_slips_of_options(const std::vector<Verb>& verbs, int argc, const char* const* argv) {
+void refuse_slips_of_options(const std::vector<AddedVerb>& verbs, int argc, const char* const* argv) {
   const CLI::App* verb = nullptr;
   for (int i = 1; i < argc && std::string_view(argv[i]) != "--"; ++i) {
     const std::string word = argv[i];
     const auto named =
-        std::find_if(verbs.begin(), verbs.end(), [&](const Verb& v) { return v.app->get_name() == word; });
-    if (!verb && named != verbs.end()) verb = named->app;
+        std::find_if(verbs.begin(), verbs.end(), [&](const AddedVerb& each) { return each.name == word; });
+    if (!verb && named != verbs.end()) verb = &named->arguments.app;
     if (verb) refuse_other_dashes(*verb, word), refuse_equals_behind_letter(*verb, word);
     const CLI::Option* option = verb && word.starts_with("-") ? verb->get_option_no_throw(word) : nullptr;
     if (!option || option->get_items_expected_min() == 0) continue;
@@ -188,10 +192,8 @@ void remove_earlier_junit_of(int argc, const char* const* argv) {
   }
 }
 
-int act(int argc, const char* const* argv) {
-  settle_environment();
-  remove_earlier_junit_of(argc, argv);
-  CLI::App app{"Verification of material models and of particle methods.", "assay"};
+/// What the command line says of itself, without its verbs.
+void describe(CLI::App& app) {
   app.get_formatter()->column_width(28);
   app.get_formatter()->label("REQUIRED", "(required)");
   app.footer(
@@ -200,13 +202,18 @@ int act(int argc, const char* const* argv) {
       "assay VERB --help describes a verb.");
   app.set_version_flag("--version", version_text(), "version, compiler and libraries");
   app.require_subcommand(0, 1);
-  Arguments given;
-  std::vector<Verb> verbs = material_verbs(app, given);
-  for (Verb& verb : scene_verbs(app, given)) verbs.push_back(std::move(verb));
-  for (Verb& verb : study_verbs(app, given)) verbs.push_back(std::move(verb));
-  add_verbosity(app, given);
-  for (const Verb& verb : verbs) add_verbosity(*verb.app, given);
+}
 
+int act(int argc, const char* const* argv) {
+  settle_environment();
+  bool quiet = false, verbose = false;
+  CLI::App app{"Verification of material models and of particle methods.", "assay"};
+  describe(app);
+  const std::vector<AddedVerb> verbs = add_verbs(app, quiet, verbose);
+  const std::string_view asker = argc > 1 ? argv[1] : "";
+  if (asker == "--complete") return print(completions(app, verbs, {argv + 2, argv + argc})), 0;  // a shell's script
+  if (asker == "--manual" && argc == 4) return write_file(argv[3], whole_manual(app, verbs, read_bytes(argv[2]))), 0;
+  remove_earlier_junit_of(argc, argv);
   for (int i = 1; i < argc; ++i) {
     const bool option = argv[i][0] == '-';
     if (option && app.get_option_no_throw(argv[i])) continue;
@@ -223,9 +230,10 @@ int act(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     throw usage_error(app, error);
   }
-  if (given.quiet && given.verbose) throw InputError("assay: --quiet and --verbose exclude each other");
-  for (const Verb& verb : verbs) {
-    if (verb.app->parsed()) return verb.act();
+  if (quiet && verbose) throw InputError("assay: --quiet and --verbose exclude each other");
+  for (const AddedVerb& verb : verbs) {
+    if (verb.arguments.app.parsed())
+      return verb.act(quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::normal);
   }
   throw InputError("assay: no verb; known: " + joined(names_of(verbs)) + "; assay --help tells more");
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/verbs.hpp"
+#include "drivers/verbosity.hpp"
 #include "mpm/patch/patch.hpp"
 
 namespace assay::drivers {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "drivers/result.hpp"
-#include "drivers/verbs.hpp"
+#include "drivers/verbs/run.hpp"
 
 namespace assay::drivers {
 

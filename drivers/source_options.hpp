@@ -5,9 +5,19 @@
 #include <string>
 
 #include "drivers/material/source_description.hpp"
-#include "drivers/verbs.hpp"
+#include "drivers/verbosity.hpp"
 
 namespace assay::drivers {
+
+/// What is said of a material that is a Fortran source, as it stands on the command line; empty: nothing.
+struct SourceOptions {
+  std::string props;     ///< "1000,.3", "E=1000,nu=.3"
+  std::string statev;    ///< number of STATEV
+  std::string deck;      ///< Abaqus input file
+  std::string material;  ///< of the deck
+  std::string symbol;    ///< entry point
+  std::string link;      ///< "lapack,./mine.a"
+};
 
 /// Throws InputError at the option that is no number, no file, or goes with something else.
 SourceRequest request_of(const SourceOptions& options);

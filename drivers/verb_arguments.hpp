@@ -1,59 +1,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The verbs of the command line and what they take.
+// Arguments that several verbs take.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "drivers/verbs.hpp"
-
-namespace CLI {
-class App;
-}
+#include "drivers/source_options.hpp"
+#include "drivers/verb.hpp"
 
 namespace assay::drivers {
 
-/// Everything that any verb takes, as text.
-struct Arguments {
-  std::string scene, out, points, threads, material, file, name, remove, parameters, json_file, junit_file, junit_name,
-      replay;
-  std::string markdown_file, study, after, jobs, shard;
-  std::optional<std::string> error, explain;
-  std::string language, interface = "native", strain, pressure, step;
-  SourceOptions source;
-  std::vector<std::string> sets, from;
-  bool resume = false, merge = false, list = false, of_studies = false;
-  bool json = false, names = false, quick = false, all = false, methods = false, quiet = false, verbose = false;
+/// What is a file of materials, for VerbArguments::offers.
+inline const std::string material_files = "*.so *.yaml *.yml *.f *.for *.ftn *.f77 *.f90 *.f95 *.F *.FOR *.F90 *.inp";
 
-  Verbosity verbosity() const { return quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::normal; }
-  std::string folder() const;        ///< of the results of a scene
-  std::string study_folder() const;  ///< of a study
-  int thread_count() const;          ///< throws InputError
-};
+/// An option with a value, or an argument if the name has no dash. type: what the help calls the value; empty for an
+/// argument. offers: what a shell completes it with, as in VerbArguments.
+CLI::Option* add_value(VerbArguments& verb, const std::string& name, std::string& value, const std::string& type,
+                       const std::string& doc, const std::string& offers = {});
 
-/// A verb and what it does with the arguments once they are read.
-struct Verb {
-  CLI::App* app = nullptr;
-  std::function<int()> act;
-};
+/// An option that is given several times, with one value each.
+void add_repeatable(VerbArguments& verb, const std::string& name, std::vector<std::string>& values,
+                    const std::string& type, const std::string& doc);
 
-/// Adds run, tabulate, eval and explain. `given` outlives the verbs.
-std::vector<Verb> scene_verbs(CLI::App& app, Arguments& given);
+/// SCENE and --set.
+void add_scene(VerbArguments& verb, std::string& scene, std::vector<std::string>& sets);
 
-/// Adds study, recommend and compare.
-std::vector<Verb> study_verbs(CLI::App& app, Arguments& given);
+/// -o, which takes no empty name. type: DIR or CSV.
+void add_out(VerbArguments& verb, std::string& out, const std::string& type, const std::string& doc);
 
-/// Adds check, materials, register, new-material and schema.
-std::vector<Verb> material_verbs(CLI::App& app, Arguments& given);
+/// -o and --json of a verb that leaves a folder of results.
+void add_results(VerbArguments& verb, std::string& out, bool& json);
 
-/// A verb with its line of help and an example.
-CLI::App& add_verb(CLI::App& app, const std::string& name, const std::string& doc, const std::string& example);
+/// The folder `out`; where it is empty, results/NAME with the name of the input.
+std::string results_folder(const std::string& out, const std::string& input);
 
-/// -o, which takes no empty name.
-void add_out(CLI::App& verb, Arguments& given, const std::string& type, const std::string& doc);
+/// --junit and --junit-name. doc: of --junit.
+void add_junit(VerbArguments& verb, std::string& file, std::string& name, const std::string& doc);
 
-/// --quiet and --verbose.
-void add_verbosity(CLI::App& app, Arguments& given);
+/// Throws InputError where there is a --junit-name without --junit.
+void require_junit_of_name(const std::string& verb, const std::string& file, const std::string& name);
+
+/// What is said of a Fortran source.
+void add_source_options(VerbArguments& verb, SourceOptions& source);
+
+/// The number of threads or processes that `option` asks for; `otherwise` where the text is empty. Throws InputError.
+int count_in(const std::string& option, const std::string& text, int otherwise);
 
 }  // namespace assay::drivers

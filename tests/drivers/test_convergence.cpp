@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "drivers/verbs.hpp"
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "drivers/output/csv.hpp"
 #include "drivers/output/numbers.hpp"
-#include "drivers/verbs.hpp"
+#include "drivers/verbs/eval.hpp"
 #include "harness/numeric/central_difference.hpp"
 #include "harness/numeric/tensor.hpp"
 #include "tests/drivers/scratch_folder.hpp"

@@ -12,7 +12,7 @@
 #include "drivers/input_file.hpp"
 #include "drivers/output/csv.hpp"
 #include "drivers/output/numbers.hpp"
-#include "drivers/verbs.hpp"
+#include "drivers/verbs/eval.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
 namespace assay::drivers::test_eval_references {

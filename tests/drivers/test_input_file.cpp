@@ -11,7 +11,6 @@
 #include <cstring>
 #include <filesystem>
 
-#include "drivers/verb_arguments.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/scene_text.hpp"

@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/input_error.hpp"
-#include "drivers/verbs.hpp"
 #include "tests/drivers/foreign_checks.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/quiet_run.hpp"

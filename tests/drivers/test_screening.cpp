@@ -9,7 +9,6 @@
 
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/problem.hpp"
-#include "drivers/verbs.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/scratch_folder.hpp"

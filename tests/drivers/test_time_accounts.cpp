@@ -5,6 +5,7 @@
 #include <chrono>
 #include <functional>
 
+#include "drivers/verbs/tabulate.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/quiet_run.hpp"
 

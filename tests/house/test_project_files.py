@@ -5,8 +5,8 @@
   test_project_files.py SOURCE_DIR [ASSAY]   the files of the tree; with the program, its verbs and options, too
   test_project_files.py --faults SOURCE_DIR  planted faults are found
 
-Without ASSAY the verbs are those of completions/assay.bash, which tests/house/test_documents.cpp compares with the
-program. Exit status: 0 good, 1 a fault. Without PyYAML it prints a line that begins with "skipped: ".
+Without ASSAY the verbs are the files of drivers/verbs, which tests/house/test_verbs.cpp compares with the program.
+Exit status: 0 good, 1 a fault. Without PyYAML it prints a line that begins with "skipped: ".
 """
 import ast
 import re
@@ -64,7 +64,7 @@ def verbs(tree, assay):
     if assay:
         text = subprocess.run([assay, "--help"], check=True, capture_output=True, text=True).stdout
         return set(re.findall(r"^ {1,8}([a-z][a-z-]+) ", text.split("Subcommands:")[1], re.M))
-    return set(re.search(r"local verbs='([^']*)'", tree.text("completions/assay.bash"))[1].split())
+    return {path.stem.replace("_", "-") for path in (tree.root / "drivers/verbs").glob("*.cpp")}
 
 
 def options(tree, assay, verb):

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay run`: from a scene to a verdict.
+#include "drivers/verbs/run.hpp"
+
+#include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "drivers/build_information.hpp"
@@ -23,7 +26,7 @@
 #include "drivers/simulation/simulate.hpp"
 #include "drivers/simulation/traction_table.hpp"
 #include "drivers/simulation/warnings.hpp"
-#include "drivers/verbs.hpp"
+#include "drivers/verb_arguments.hpp"
 #include "drivers/verdict.hpp"
 #include "harness/motion/kinds/vortex.hpp"
 
@@ -148,6 +151,22 @@ void tell_findings(const RunOptions& options, const Result& result, const std::s
   if (!options.junit.empty() && options.junit != "-") write_file(options.junit, junit);
 }
 
+Act add_run_arguments(VerbArguments& verb) {
+  const auto given = std::make_shared<RunOptions>();
+  const auto threads = std::make_shared<std::string>();
+  add_scene(verb, given->scene, given->sets);
+  add_value(verb, "--threads", *threads, "N", "number of threads (default: 1)", "1 2 4 8 16");
+  add_results(verb, given->out, given->json);
+  add_junit(verb, given->junit, given->junit_name, "outcome and expectations as JUnit XML, for CI");
+  return [given, threads](Verbosity verbosity) {
+    require_junit_of_name("run", given->junit, given->junit_name);
+    given->out = results_folder(given->out, given->scene);
+    given->threads = count_in("--threads", *threads, 1);
+    given->verbosity = verbosity;
+    return run(*given);
+  };
+}
+
 }  // namespace
 
 int run(const RunOptions& options) {
@@ -180,6 +199,13 @@ int run(const RunOptions& options) {
   folder.commit();
   tell_findings(options, result, json, life.seconds());
   return exit_status(result);
+}
+
+Verb verb_run() {
+  return {60, "run a scene and measure its errors",
+          "assay run configs/paper/vortex_cpdi.yaml -o results/vortex \\\n"
+          "      --set grid.spacing=0.025 --set 'expect={}'",
+          add_run_arguments};
 }
 
 }  // namespace assay::drivers

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/verbs/register.hpp"
+
 #include <sys/stat.h>
 
 #include "drivers/material/registry.hpp"
 #include "drivers/scene/yaml_writer.hpp"
-#include "drivers/verbs.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/registry_fixture.hpp"
 #include "tests/support/built.hpp"

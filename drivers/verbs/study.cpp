@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay study`: what accuracy costs, over the cases of a study.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <set>
+#include <thread>
 
 #include "drivers/input_error.hpp"
 #include "drivers/interrupt.hpp"
+#include "drivers/output/numbers.hpp"
 #include "drivers/output/output_folder.hpp"
 #include "drivers/output/terminal.hpp"
 #include "drivers/progress.hpp"
@@ -17,11 +20,25 @@
 #include "drivers/study/study_reader.hpp"
 #include "drivers/study/study_session.hpp"
 #include "drivers/study/study_text.hpp"
-#include "drivers/verbs.hpp"
+#include "drivers/verb_arguments.hpp"
 
 namespace assay::drivers {
 
 namespace {
+
+struct StudyOptions {
+  std::string study;
+  std::string out;                     ///< folder of the results
+  int jobs = 1;                        ///< threads of cases that run side by side
+  Shard shard = {};                    ///< the cases of this call
+  bool resume = false;                 ///< finished cases stay
+  bool merge = false;                  ///< nothing is run: what is there is put together
+  std::vector<std::string> from = {};  ///< folders whose finished cases are taken over before
+  bool list = false;                   ///< the cases, and nothing else
+  bool json = false;                   ///< study.json on standard output
+  Verbosity verbosity = Verbosity::normal;
+  std::string program = {};  ///< that runs a case; empty: this one
+};
 
 StudyFindings findings_of(const Plan& plan, const CaseStore& store) {
   std::vector<StudyCase> cases;
@@ -161,8 +178,6 @@ int conclude(const Plan& plan, const CaseStore& store, const StudyOptions& optio
   return findings.holds() ? 0 : 1;
 }
 
-}  // namespace
-
 int study(const StudyOptions& options) {
   const Plan plan = planned(options);
   const CaseStore store(options.out);
@@ -197,6 +212,58 @@ int study(const StudyOptions& options) {
           one_line(options.study) + " -o " + one_line(options.out) + " --merge\n");
   }
   return 0;
+}
+
+Shard shard_of(const std::string& text) {
+  if (text.empty()) return {};
+  const std::size_t slash = text.find('/');
+  const std::string after = slash == text.npos ? "" : text.substr(slash + 1);
+  const std::int64_t index = parse_integer(text.substr(0, slash)).value_or(0), count = parse_integer(after).value_or(0);
+  if (index < 1 || count < index || count > 100000)
+    throw InputError({}, "--shard", "must be i/n with i from 1 to n, found '" + one_line(text, 60) + "'");
+  return {static_cast<std::size_t>(index), static_cast<std::size_t>(count)};
+}
+
+/// The options as they stand on the command line.
+struct StudyWords : StudyOptions {
+  std::string jobs_text, shard_text;
+};
+
+int study_of(StudyWords& given, Verbosity verbosity) {
+  const bool runs = !given.merge && !given.list;
+  if (given.merge && given.list) throw InputError("assay study: --merge and --list exclude each other");
+  if (!runs && (given.resume || !given.shard_text.empty()))
+    throw InputError("assay study: --merge and --list run nothing: they take no --resume and no --shard");
+  if (!given.from.empty() && !given.merge) throw InputError("assay study: --from goes with --merge");
+  given.out = results_folder(given.out, given.study);
+  given.jobs = count_in("--jobs", given.jobs_text, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+  given.shard = shard_of(given.shard_text);
+  given.verbosity = verbosity;
+  return study(given);
+}
+
+Act add_study_arguments(VerbArguments& verb) {
+  const auto given = std::make_shared<StudyWords>();
+  add_value(verb, "STUDY", given->study, "", "YAML file of the study", "*.yaml *.yml */")->required();
+  add_value(verb, "--jobs", given->jobs_text, "N", "untimed cases at the same time (default: all cores)", "1 2 4 8 16");
+  verb.app.add_flag("--resume", given->resume, "keep finished cases of an earlier run");
+  add_value(verb, "--shard", given->shard_text, "i/n", "run part i of n; --merge writes the report later");
+  verb.app.add_flag("--merge", given->merge, "run nothing, report on the finished cases");
+  add_repeatable(verb, "--from", given->from, "DIR", "with --merge: cases of this folder too; repeatable");
+  verb.app.add_flag("--list", given->list, "list the cases and run nothing");
+  add_out(verb, given->out, "DIR", "folder for the results (default: results/STUDY)");
+  verb.app.add_flag("--json", given->json, "print JSON instead of text");
+  return [given](Verbosity verbosity) { return study_of(*given, verbosity); };
+}
+
+}  // namespace
+
+Verb verb_study() {
+  return {100, "run a scene over methods and grids: error and cost",
+          "assay study configs/studies/quick.yaml -o results/quick\n"
+          "  assay study big.yaml --shard 2/8 -o /shared/big\n"
+          "  assay study big.yaml --merge -o /shared/big",
+          add_study_arguments};
 }
 
 }  // namespace assay::drivers

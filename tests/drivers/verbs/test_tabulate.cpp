@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/verbs/tabulate.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +9,6 @@
 
 #include "drivers/input_error.hpp"
 #include "drivers/output/csv.hpp"
-#include "drivers/verbs.hpp"
 #include "tests/adapters/models/references/zener.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/scratch_folder.hpp"

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay register`: a library or a description of one becomes a name in the user's registry.
+#include "drivers/verbs/register.hpp"
+
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -25,7 +28,7 @@
 #include "drivers/output/wrapped_text.hpp"
 #include "drivers/scene/text_check.hpp"
 #include "drivers/source_options.hpp"
-#include "drivers/verbs.hpp"
+#include "drivers/verb_arguments.hpp"
 
 namespace assay::drivers {
 
@@ -201,6 +204,21 @@ std::string told(const std::string& name, const Candidate& candidate, bool repla
   return page;
 }
 
+Act add_register_arguments(VerbArguments& verb) {
+  const auto given = std::make_shared<RegisterOptions>();
+  auto* file = add_value(verb, "FILE", given->file, "", "library (or FILE.so:NAME), description or source",
+                         "*/ " + material_files);
+  auto* as = add_value(verb, "--as", given->name, "NAME", "the name (default: the material's own)");
+  add_value(verb, "--remove", given->remove, "NAME", "remove a name from the registry")->excludes(file)->excludes(as);
+  add_source_options(verb, given->source);
+  return [given, file](Verbosity verbosity) {
+    if (file->count() == 0 && given->remove.empty()) throw InputError("assay register: takes FILE or --remove NAME");
+    if (file->count() > 0 && given->file.empty()) throw InputError("assay register: FILE is empty");
+    given->verbosity = verbosity;
+    return register_material(*given);
+  };
+}
+
 }  // namespace
 
 int register_material(const RegisterOptions& options) {
@@ -221,6 +239,11 @@ int register_material(const RegisterOptions& options) {
   for (const std::string& warning : candidate.warnings) warn(warning);
   if (options.verbosity != Verbosity::quiet) print(told(name, candidate, replaces, defect));
   return 0;
+}
+
+Verb verb_register() {
+  return {30, "give a material library or source a name",
+          "assay register ./libmodel.so --as soft_clay\n  assay register --remove soft_clay", add_register_arguments};
 }
 
 }  // namespace assay::drivers

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay materials`: what is registered, for people (80 columns) and for machines.
+#include "drivers/verbs/materials.hpp"
+
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -8,7 +11,7 @@
 #include "drivers/material/registry.hpp"
 #include "drivers/output/json_figure.hpp"
 #include "drivers/output/terminal.hpp"
-#include "drivers/verbs.hpp"
+#include "drivers/verb_arguments.hpp"
 
 namespace assay::drivers {
 
@@ -62,6 +65,19 @@ Json material_json(const std::string& name, const MaterialSource& source) {
   return out;
 }
 
+Act add_materials_arguments(VerbArguments& verb) {
+  const auto given = std::make_shared<MaterialsOptions>();
+  add_value(verb, "NAME", given->name, "", "name, library, description or source", "@materials */ " + material_files);
+  auto* json = verb.app.add_flag("--json", given->json, "as JSON");
+  verb.app.add_flag("--names", given->names, "the names alone, one a line")->excludes(json);
+  return [given](Verbosity verbosity) {
+    if (given->names && !given->name.empty())
+      throw InputError("assay materials: --names lists all names and takes no NAME");
+    given->verbosity = verbosity;
+    return materials(*given);
+  };
+}
+
 }  // namespace
 
 int materials(const MaterialsOptions& options) {
@@ -107,6 +123,11 @@ int materials(const MaterialsOptions& options) {
     print(page);
   }
   return 0;
+}
+
+Verb verb_materials() {
+  return {20, "list the materials, or show one",
+          "assay materials neo_hookean\n  assay materials ./libmodel.so:name --json", add_materials_arguments};
 }
 
 }  // namespace assay::drivers

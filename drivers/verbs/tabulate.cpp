@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay tabulate`: the point driver's sheet tau(xi, t), its slope, and the curve tau(eps).
+#include "drivers/verbs/tabulate.hpp"
+
 #include <fmt/core.h>
+#include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "drivers/build_information.hpp"
@@ -24,7 +27,7 @@
 #include "drivers/simulation/simulate.hpp"
 #include "drivers/simulation/warnings.hpp"
 #include "drivers/tabulation.hpp"
-#include "drivers/verbs.hpp"
+#include "drivers/verb_arguments.hpp"
 #include "drivers/verdict.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
 
@@ -69,6 +72,18 @@ void write_tables(const Tabulation& tab, const std::vector<SheetPoint>& points, 
   if (!tab.material->path_independent()) folder.write("histories.png", png(histories_plot(tab)));
   if (points.empty()) return;
   folder.write("points.csv", sheet_at(tab, points));
+}
+
+Act add_tabulate_arguments(VerbArguments& verb) {
+  const auto given = std::make_shared<TabulateOptions>();
+  add_scene(verb, given->scene, given->sets);
+  add_value(verb, "--points", given->points, "CSV", "also the response at the xi,t of this file");
+  add_results(verb, given->out, given->json);
+  return [given](Verbosity verbosity) {
+    given->out = results_folder(given->out, given->scene);
+    given->verbosity = verbosity;
+    return tabulate(*given);
+  };
 }
 
 }  // namespace
@@ -129,6 +144,11 @@ int tabulate(const TabulateOptions& options) {
   else if (exit_status(result) != 0)
     print(contradiction_text(result));
   return exit_status(result);
+}
+
+Verb verb_tabulate() {
+  return {70, "tabulate a model's response along the scene's motion",
+          "assay tabulate configs/paper/tabulate_neo_hookean.yaml -o results/sheet", add_tabulate_arguments};
 }
 
 }  // namespace assay::drivers

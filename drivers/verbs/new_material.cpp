@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay new-material`: a small project of a material that builds, passes `check` and runs the vortex.
+#include "drivers/verbs/new_material.hpp"
+
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -14,7 +17,7 @@
 #include "drivers/output/terminal.hpp"
 #include "drivers/output/wrapped_text.hpp"
 #include "drivers/project_templates.hpp"
-#include "drivers/verbs.hpp"
+#include "drivers/verb_arguments.hpp"
 
 namespace assay::drivers {
 
@@ -116,6 +119,18 @@ void write_project(const fs::path& folder, const std::map<std::string, std::stri
   out.commit();
 }
 
+Act add_new_material_arguments(VerbArguments& verb) {
+  const auto given = std::make_shared<NewMaterialOptions>();
+  add_value(verb, "NAME", given->name, "", "name of the material")->required();
+  add_value(verb, "--language", given->language, "LANGUAGE", "c, c++ or fortran", "c c++ fortran")->required();
+  add_value(verb, "--interface", given->interface, "INTERFACE", "native (default), or umat in Fortran", "native umat");
+  add_out(verb, given->out, "DIR", "folder for the project, a new one (default: NAME)");
+  return [given](Verbosity verbosity) {
+    given->verbosity = verbosity;
+    return new_material(*given);
+  };
+}
+
 }  // namespace
 
 int new_material(const NewMaterialOptions& options) {
@@ -130,6 +145,13 @@ int new_material(const NewMaterialOptions& options) {
   print(wrapped(options.name + ": " + flavour.what + ", to be made yours", "", "  ") + wrapped(names, "  ", "  ") +
         "next:\n" + next_steps(folder.string(), flavour.run));
   return 0;
+}
+
+Verb verb_new_material() {
+  return {40, "write a project that builds a material model",
+          "assay new-material clay --language c++\n"
+          "  assay new-material clay --language fortran --interface umat",
+          add_new_material_arguments};
 }
 
 }  // namespace assay::drivers

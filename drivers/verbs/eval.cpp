@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay eval`: the exact fields of a motion at given reference points and times.
+#include "drivers/verbs/eval.hpp"
+
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 
@@ -18,7 +21,7 @@
 #include "drivers/simulation/problem.hpp"
 #include "drivers/simulation/runnable.hpp"
 #include "drivers/simulation/warnings.hpp"
-#include "drivers/verbs.hpp"
+#include "drivers/verb_arguments.hpp"
 #include "harness/numeric/stable_norm.hpp"
 
 namespace assay::drivers {
@@ -116,6 +119,17 @@ std::string hint_of(const EvalOptions& options) {
   return replay_hint(scene, options.sets, last_time(read_reference_points(options.points), scene.time.end));
 }
 
+Act add_eval_arguments(VerbArguments& verb) {
+  const auto given = std::make_shared<EvalOptions>();
+  add_scene(verb, given->scene, given->sets);
+  add_value(verb, "--points", given->points, "CSV", "reference points, columns X,Y,t")->required();
+  add_out(verb, given->out, "CSV", "file for the table (default: standard output)");
+  return [given](Verbosity verbosity) {
+    given->verbosity = verbosity;
+    return eval(*given);
+  };
+}
+
 }  // namespace
 
 int eval(const EvalOptions& options) {
@@ -137,6 +151,11 @@ int eval(const EvalOptions& options) {
     std::fprintf(stderr, "%s%s\n", one_line(result.reason).c_str(), one_line(hint).c_str());
     return 1;
   }
+}
+
+Verb verb_eval() {
+  return {80, "exact motion, stress and body force at given points",
+          "assay eval scene.yaml --points X_Y_t.csv -o exact.csv", add_eval_arguments};
 }
 
 }  // namespace assay::drivers

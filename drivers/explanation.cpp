@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `assay explain`: what a run of a scene consists of. No particle moves.
+#include "drivers/explanation.hpp"
+
 #include <fmt/core.h>
 #include <cmath>
 #include <cstdio>
 
 #include "drivers/composition.hpp"
-#include "drivers/explanation.hpp"
 #include "drivers/findings.hpp"
 #include "drivers/input_error.hpp"
 #include "drivers/output/number_format.hpp"
@@ -15,7 +15,6 @@
 #include "drivers/screening.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/warnings.hpp"
-#include "drivers/verbs.hpp"
 #include "mpm/step/stages.hpp"
 
 namespace assay::drivers {
@@ -200,29 +199,6 @@ std::string explanation(const Problem& problem, const ExactSolution* exact, cons
   return passes_text(problem, c) + observers_text(problem) + memory_text(problem, c) + work_text(c) + effects_text(c) +
          steps_text(problem) + frame_line(problem) + exact_solution_line(problem) + ends_text(problem) +
          response_text(problem, exact) + wrapped(screen_sentence(screen), "motion: ", "  ");
-}
-
-int explain(const ExplainOptions& options) {
-  const bool quiet = options.verbosity == Verbosity::quiet || options.json;
-  try {
-    const Problem problem = assemble(read_scene(options.scene, options.sets), 1);
-    for (const std::string& sentence : quiet ? std::vector<std::string>() : warnings_of(problem)) warn(sentence);
-    const ScreenFigures screen = screen_of(problem.scene, *problem.material, problem.scene.time.end, quiet);
-    std::shared_ptr<const ExactSolution> exact;
-    const bool refused = !refusal_sentence(problem.scene, screen, problem.material->name()).empty();
-    if (problem.compared && !refused) {  // minutes for the sheet of a run that would not begin
-      exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end, {.quiet = quiet});
-    }
-    const std::string text = explanation(problem, exact.get(), screen, options.json);
-    options.json ? print_json(text) : print(text);
-    return 0;
-  } catch (const MaterialFailure& failure) {
-    Result result;
-    record_failure(failure, result);
-    const std::string advice = result.advice.empty() ? "" : "; to try: " + result.advice;
-    std::fprintf(stderr, "%s\n", one_line(result.reason + advice).c_str());
-    return 1;
-  }
 }
 
 }  // namespace assay::drivers

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/verbs/materials.hpp"
+
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "adapters/builtin.hpp"
 #include "drivers/material/material_text.hpp"
-#include "drivers/verbs.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/registry_fixture.hpp"
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/verbs/eval.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,7 +10,6 @@
 #include "drivers/input_error.hpp"
 #include "drivers/output/csv.hpp"
 #include "drivers/scene/scene.hpp"
-#include "drivers/verbs.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
 namespace assay::drivers::test_eval {

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `assay explain`: what a run of a scene consists of. No particle moves.
+#include "drivers/verbs/explain.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "drivers/explanation.hpp"
+#include "drivers/findings.hpp"
+#include "drivers/output/terminal.hpp"
+#include "drivers/scene/scene_reader.hpp"
+#include "drivers/screening.hpp"
+#include "drivers/simulation/response_source.hpp"
+#include "drivers/simulation/warnings.hpp"
+#include "drivers/verb_arguments.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+Act add_explain_arguments(VerbArguments& verb) {
+  const auto given = std::make_shared<ExplainOptions>();
+  add_scene(verb, given->scene, given->sets);
+  verb.app.add_flag("--json", given->json, "as JSON");
+  return [given](Verbosity verbosity) {
+    given->verbosity = verbosity;
+    return explain(*given);
+  };
+}
+
+}  // namespace
+
+int explain(const ExplainOptions& options) {
+  const bool quiet = options.verbosity == Verbosity::quiet || options.json;
+  try {
+    const Problem problem = assemble(read_scene(options.scene, options.sets), 1);
+    for (const std::string& sentence : quiet ? std::vector<std::string>() : warnings_of(problem)) warn(sentence);
+    const ScreenFigures screen = screen_of(problem.scene, *problem.material, problem.scene.time.end, quiet);
+    std::shared_ptr<const ExactSolution> exact;
+    const bool refused = !refusal_sentence(problem.scene, screen, problem.material->name()).empty();
+    if (problem.compared && !refused) {  // minutes for the sheet of a run that would not begin
+      exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end, {.quiet = quiet});
+    }
+    const std::string text = explanation(problem, exact.get(), screen, options.json);
+    options.json ? print_json(text) : print(text);
+    return 0;
+  } catch (const MaterialFailure& failure) {
+    Result result;
+    record_failure(failure, result);
+    const std::string advice = result.advice.empty() ? "" : "; to try: " + result.advice;
+    std::fprintf(stderr, "%s\n", one_line(result.reason + advice).c_str());
+    return 1;
+  }
+}
+
+Verb verb_explain() {
+  return {90, "what a run would do and cost; nothing is run", "assay explain configs/paper/vortex_cpdi.yaml --json",
+          add_explain_arguments};
+}
+
+}  // namespace assay::drivers
