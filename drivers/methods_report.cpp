@@ -92,7 +92,7 @@ std::string counts_by_basis(const CheckedMethods& checked) {
   std::vector<std::pair<std::string, std::vector<mpm::MethodReport>>> groups;
   for (const mpm::MethodReport& report : checked.methods) {
     const mpm::MethodNames names = names_of(report.method);
-    const std::string group = names.basis + ", " + names.formulation.substr(0, names.formulation.find('_'));
+    const std::string group = names.basis + ", " + names.formulation;
     auto known = std::find_if(groups.begin(), groups.end(), [&](const auto& each) { return each.first == group; });
     if (known == groups.end()) known = groups.insert(groups.end(), {group, {}});
     known->second.push_back(report);

@@ -36,8 +36,7 @@ std::vector<MethodsRow> rows_by_method(const CheckedMethods& checked) {
   std::vector<MethodsRow> rows;
   for (const auto& report : checked.methods) {
     const mpm::MethodNames names = names_of(report.method);
-    MethodsRow row{{Names{report.method.is_total() ? "total" : "updated"}, {names.basis}, {choices_of(report.method)}},
-                   {}};
+    MethodsRow row{{Names{names.formulation}, {names.basis}, {choices_of(report.method)}}, {}};
     for (const auto& test : report.tests) row.verdicts.push_back(test.verdict);
     rows.push_back(std::move(row));
   }

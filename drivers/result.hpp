@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a verb found: the content of result.json and errors.csv. Figures not reached are absent (null in the file).
+// What a verb found: the content of result.json and errors.csv. Figures not reached are absent (null in the file). What
+// `fields` of a struct names (drivers/output/fields.hpp) is in result.json, and from there in expectations, studies,
+// the JSON Schema and docs/results.md.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "drivers/result_sections.hpp"
 
 namespace assay {
 struct FailedStep;
@@ -15,149 +18,63 @@ struct FailedStep;
 
 namespace assay::drivers {
 
-using Figure = std::optional<double>;
-
-/// L2 (volume-weighted over the particles that the exact motion moves) and L-infinity of one field at one time.
-struct FieldError {
-  double l2 = 0, linf = 0;
-};
-
-/// One row of errors.csv.
-struct ErrorSample {
-  double t = 0;                     ///< [s]
-  FieldError displacement;          ///< [m]
-  double rms36 = 0;                 ///< (36) verbatim, over all particles [m]
-  FieldError velocity;              ///< [m/s]
-  FieldError deformation_gradient;  ///< Frobenius norm [1]
-  FieldError jacobian;              ///< [1]
-  FieldError stress;                ///< Cauchy, Frobenius norm [Pa]
-};
-
-struct FieldMaximum {
-  Figure l2_max, linf_max;
-};
-
-struct ErrorFigures {
-  Figure l2_half, l2_end, l2_max, linf_max;
-  Figure rms36_half, rms36_end, rms36_max;
-  FieldMaximum velocity, deformation_gradient, jacobian, stress;
-  Figure relative;  ///< l2_max over the largest L2 norm of the exact displacement
-};
-
-struct PassFigures {
-  std::string name;
-  double seconds = 0;
-  double bytes_per_particle = 0;  ///< bytes that the pass reads and writes in the particle columns, a particle
-};
-
-struct SheetFigures {
-  std::int64_t points = 0;
-  double error_tau = 0;  ///< relative to the largest component
-  Figure error_dtau;     ///< likewise; not known of what is taken along
-  Figure error_b;        ///< estimate of the error of the vortex's b at a point, over the largest |b|
-  double wall_s = 0;
-  bool cached = false;     ///< read from disk
-  std::string along = {};  ///< what was taken along the run instead of a sheet: "400 shadow histories"; empty: nothing
-  double asked = 0;        ///< force.tolerance
-};
-
-/// The stability screen; absent figures: not found.
-struct ScreenFigures {
-  std::string verdict;            ///< stable, unstable, neutral
-  Figure t, xi, gamma;            ///< of the first loss of strong ellipticity [s], [1], [1]
-  Figure smallest;                ///< eigenvalue of the acoustic tensor on the path, over the largest at rest [1]
-  int unjudged = 0;               ///< places just beyond which the material fails
-  Figure largest_safe_amplitude;  ///< in the unit of the motion's peak, where it is not safe as it is
-  double wall_s = 0;
-};
-
-/// A tabulated response against independent references: relative differences; absent where there is none.
-struct ReferenceFigures {
-  Figure closed_form;  ///< of the sheet to the material's closed form
-  Figure rate_form;    ///< between histories of its rate form by Boost.Odeint and of its increments
-};
-
-/// The narrowest zone in which a material with kinks has left its first regime, at the time of the peak.
-struct RimFigures {
-  double width = 0;  ///< [m]
-  double cells = 0;  ///< width / h
-};
-
-/// Exponential growth of the displacement's error under tractions.
-struct GrowthFigures {
-  double rate = 0;          ///< [1/s]
-  double from = 0, to = 0;  ///< over which it was seen [s]
-};
-
-/// One run of the comparison of traction algorithms.
-struct TractionRun {
-  std::string algorithm, form;      ///< words of the scene's keys; no form of undeformed_edges, which is neither
-  double spacing = 0;               ///< of the grid [m]
-  std::array<double, 2> cells{};    ///< across the body
-  std::string outcome;              ///< as of a result
-  Figure t;                         ///< reached [s]
-  Figure l2_end, l2_max;            ///< of the displacement [m]
-  bool exact = false, own = false;  ///< uses the exact solution; is of the scene's own algorithm
-};
-
-struct TractionTable {
-  std::vector<TractionRun> runs;  ///< algorithm by algorithm, from the coarsest grid to the scene's own
-  bool of_paper = false;          ///< the problem of the paper's table 1
-  double wall_s = 0;
-};
-
-struct DriftFigures {
-  Figure mass, momentum, angular_momentum, energy;  ///< relative; energy and momenta against the work of the forces
-};
-
-/// The worst that the watch over a run saw; absent: not looked for.
-struct HealthFigures {
-  Figure jacobian_min;   ///< smallest det F [1]
-  Figure fastest;        ///< particle [m/s]
-  Figure courant;        ///< largest, of the fastest wave on the path and the particles' own speed [1]
-  Figure domain_extent;  ///< of convected domains, from a particle to its farther corner [cells]
-  Figure energy;         ///< kinetic energy over the most that the known forces can have given [1]
-};
-
 struct ExpectationOutcome {
   std::string key;
-  std::string expected;  ///< as in the scene: "below 0.07"
-  std::string found;     ///< "0.0633", "null"
+  std::string expected;
+  std::string found;
   bool holds = false;
+
+  static void fields(auto& self, auto& archive) {
+    archive("key", self.key, "", "key that something is expected of");
+    archive("expected", self.expected, "", "operator and value, as below 0.07");
+    archive("found", self.found, "", "value as text, as 0.0633 or null");
+    archive("holds", self.holds, "", "whether the expectation holds");
+  }
 };
 
 struct Provenance {
   std::string version, git, compiler, flags;
-  std::string material;  ///< name and version, and the shared library with its SHA-256, or "built in"
+  std::string material;
   std::vector<std::string> libraries;
   std::string scene_sha256;
+
+  static void fields(auto& self, auto& archive) {
+    archive("version", self.version, "", "version of assay");
+    archive("git", self.git, "", "what the program was built from, as git describes it");
+    archive("compiler", self.compiler, "", "compiler that the program was built with");
+    archive("flags", self.flags, "", "flags of that compiler");
+    archive("libraries", self.libraries, "", "libraries that are in the program, with their versions");
+    archive("material", self.material, "",
+            "name and version of the material; its shared library with the SHA-256 of the file, or built in");
+    archive("scene_sha256", self.scene_sha256, "", "SHA-256 of the bytes of the scene file, before --set");
+  }
 };
 
 struct Result {
   std::string title;
-  std::string subject;                            ///< what was run, one line: material, method, grid, amplitude
-  std::string outcome = "completed";              ///< completed, unstable, material_failed, refused
-  std::string reason;                             ///< one sentence where not completed
-  std::string replay;                             ///< file beside the result that shows again what went wrong
-  std::string last_good;                          ///< file beside the result with the particles before it did
+  std::string subject;  ///< what was run, one line: material, method, grid, amplitude
+  std::string outcome = "completed";
+  std::string reason;
+  std::string replay;
+  std::string last_good;
   std::string advice;                             ///< what an unstable run could try; empty: nothing better is known
-  std::shared_ptr<const FailedStep> failed_step;  ///< that step; not in result.json
-  std::vector<std::string> warnings;              ///< what did not stop the run and should be known
-  bool disturbed = false;                         ///< the process that ran the material: not in result.json
-  std::string printed;                            ///< by a material that runs apart; not in result.json
+  std::shared_ptr<const FailedStep> failed_step;  ///< that step
+  std::vector<std::string> warnings;
+  bool disturbed = false;  ///< the process that ran the material
+  std::string printed;     ///< by a material that runs apart
   Figure t, dt;
   std::optional<std::int64_t> steps, particles, moving_particles;
-  bool uses_exact_solution = false;  ///< the method is told more than b and the initial state
+  bool uses_exact_solution = false;
   ErrorFigures error;
   /// One after the other, of a clock on the wall: until the first step, the steps, and what comes behind them. Together
   /// they are the life of the verb until its verdict; `tabulate` makes its response in place of steps.
   double setup_s = 0, wall_s = 0, finish_s = 0;
   double observed_s = 0;  ///< of wall_s: sampling of the error and snapshots
-  double cpu_s = 0;       ///< of the process until then
-  Figure step_cpu_s;      ///< processor time of the steps alone: no set-up, no sampling of the error, no snapshots
+  double cpu_s = 0;
+  Figure step_cpu_s;
   std::int64_t peak_rss_bytes = 0;
   std::int64_t particle_steps = 0, material_calls = 0;
-  std::int64_t hand_overs = 0, wake_ups = 0;  ///< to workers and back; 0 of a material in this process
+  std::int64_t hand_overs = 0, wake_ups = 0;
   Figure particle_steps_per_s;
   std::vector<PassFigures> passes;
   std::optional<SheetFigures> sheet;
@@ -165,12 +82,85 @@ struct Result {
   std::optional<RimFigures> rim;  ///< absent without kinks
   ReferenceFigures reference;
   std::optional<GrowthFigures> growth;     ///< absent where the error does not grow so, or no tractions act
-  std::optional<TractionTable> tractions;  ///< only where the scene asks for it
+  std::optional<TractionTable> tractions;  ///< only where the scene asks for it, and then in result.json
   DriftFigures drift;
   HealthFigures health;
   std::vector<ExpectationOutcome> expect;
   Provenance provenance;
-  std::vector<ErrorSample> history;  ///< errors.csv, not in result.json
+  std::vector<ErrorSample> history;  ///< errors.csv
+
+  std::optional<std::int64_t> held_particles() const {
+    return particles && moving_particles ? std::optional(*particles - *moving_particles) : std::nullopt;
+  }
+  /// Read and written in the particle columns by all steps.
+  double bytes() const {
+    double sum = 0;
+    for (const PassFigures& pass : passes) sum += pass.bytes_per_particle;
+    return sum * static_cast<double>(particle_steps);
+  }
+
+  static void fields(auto& self, auto& archive) {
+    name_end(self, archive);
+    archive("error", self.error);
+    name_costs(self, archive);
+    archive("passes", self.passes);
+    archive.section("sheet", self.sheet);
+    archive.section("screen", self.screen);
+    archive("reference", self.reference);
+    archive.section("rim", self.rim);
+    archive.section("growth", self.growth);
+    if (self.tractions) archive("tractions", self.tractions->runs);
+    archive("drift", self.drift);
+    archive("health", self.health);
+    archive(
+        "last_good", or_null(self.last_good), "",
+        "last_good.vtu if the run did not reach its end: its particles at most 64 steps, or 1/200 of the run, before");
+    archive("replay", or_null(self.replay), "", "replay.yaml or replay_scene.yaml, which shows again what went wrong");
+    archive("expect", self.expect);
+    archive("provenance", self.provenance);
+  }
+
+ private:
+  static void name_end(auto& self, auto& archive) {
+    archive("outcome", self.outcome, "",
+            "completed; unstable; material_failed; refused, if the motion is not a stable solution for the model");
+    archive("reason", or_null(self.reason), "",
+            "one sentence if the run did not complete: cause, particle, reference position, time");
+    archive("warnings", self.warnings, "", "list of problems that did not stop the run");
+    archive("t", self.t, "s", "time reached; for an unstable run, the time of the step that failed");
+    archive("dt", self.dt, "s", "time step");
+    archive("steps", self.steps, "1", "number of steps");
+    archive("particles", self.particles, "1", "number of particles of the body, held particles included");
+    archive("particles_held", self.held_particles(), "1",
+            "number of particles that the motion holds fixed; these are not stepped");
+    archive("uses_exact_solution", self.uses_exact_solution, "",
+            "whether the method knows more than the body force and the initial state");
+  }
+
+  static void name_costs(auto& self, auto& archive) {
+    archive("setup_s", self.setup_s, "s",
+            "wall clock time before the first step: reading, creating particles, screen, sheet");
+    archive("wall_s", self.wall_s, "s", "wall time of the step loop",
+            "with sampling and snapshots; for tabulate, of the response and its references");
+    archive("finish_s", self.finish_s, "s",
+            "wall clock time after the steps: pictures, tables, the runs of output.tractions");
+    archive("cpu_s", self.cpu_s, "s", "processor time of the run", "up to the verdict");
+    archive("step_cpu_s", self.step_cpu_s, "s", "processor time of the steps",
+            "without set-up, sampling, snapshots and pictures");
+    archive("peak_rss_bytes", self.peak_rss_bytes, "B", "peak memory", "of the process before pictures are drawn");
+    archive.section("work", [&](auto& work) {
+      work("particle_steps", self.particle_steps, "1", "particle-steps", "stepped particles times steps");
+      work("material_calls", self.material_calls, "1", "calls of the material",
+           "each of which updates a point, those for the sheet included");
+      work("hand_overs", self.hand_overs, "1", "hand-overs to the workers of a foreign material",
+           "0 for other materials");
+      work("wake_ups", self.wake_ups, "1", "times that one side of a hand-over had to be woken",
+           "0 for other materials; differs from run to run");
+      work("bytes", self.bytes(), "B", "bytes read and written in particle columns", "by all passes of all steps");
+    });
+    archive("particle_steps_per_s", self.particle_steps_per_s, "1/s",
+            "particle-steps over the time of the passes, without sampling and snapshots");
+  }
 };
 
 }  // namespace assay::drivers

@@ -42,7 +42,8 @@ JunitCase outcome_case(const Result& result, const std::string& classname, doubl
 
 /// The same name whatever number is expected, so that CI knows the test again.
 std::string name_of_line(const ExpectationOutcome& line) {
-  return line.key + " " + (is_text_figure(line.key) ? "equals" : line.expected.substr(0, line.expected.find(' ')));
+  const bool is_number = figure_of_result(line.key).kind == Field::Kind::number;
+  return line.key + " " + (is_number ? line.expected.substr(0, line.expected.find(' ')) : "equals");
 }
 
 JunitCase expectation_case(const Result& result, const ExpectationOutcome& line, const std::string& classname) {

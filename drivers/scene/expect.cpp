@@ -35,19 +35,26 @@ void read_comparison(const Tree& map, const std::string& path, Expectation& line
   }
 }
 
+/// The value itself, or the one of {equals: value}.
+const Tree& equalled(const Tree& value, const std::string& path, const std::string& what) {
+  if (value.kind != Tree::Kind::map) return value;
+  refuse_unknown_keys(value, path, {"equals"});
+  const Tree* equals = value.find("equals");
+  if (!equals) throw InputError(value.where, path, "must be " + what);
+  return *equals;
+}
+
 Expectation read_line(const Tree::Entry& entry, const ExpectationWords& words) {
   const std::string path = key_path(words.path, entry.key);
   Expectation line;
   line.key = entry.key;
   line.where = entry.key_where;
-  if (is_text_figure(entry.key)) {
-    const Tree* value = &entry.value;
-    if (value->kind == Tree::Kind::map) {
-      refuse_unknown_keys(*value, path, {"equals"});
-      value = value->find("equals");
-    }
-    if (!value) throw InputError(entry.value.where, path, "must be text or {equals: text}");
-    line.text = entry.key == "outcome" ? choice_value(*value, path, words.outcomes) : text_value(*value, path);
+  const Field::Kind kind = figure_of_result(entry.key).kind;
+  if (kind == Field::Kind::text) {
+    const Tree& value = equalled(entry.value, path, "text or {equals: text}");
+    line.text = entry.key == "outcome" ? choice_value(value, path, words.outcomes) : text_value(value, path);
+  } else if (kind == Field::Kind::truth) {
+    line.truth = boolean_value(equalled(entry.value, path, "true, false, {equals: true} or {equals: false}"), path);
   } else if (entry.value.kind == Tree::Kind::map) {
     read_comparison(entry.value, path, line);
   } else if (entry.value.kind == Tree::Kind::sequence) {
@@ -100,10 +107,7 @@ std::vector<Expectation> of_any_response(const SheetFigures& response) {
 
 }  // namespace
 
-bool is_text_figure(const std::string& key) {
-  static const std::vector<std::string> keys{"outcome", "reason", "replay", "screen.verdict"};
-  return key.starts_with("provenance.") || std::find(keys.begin(), keys.end(), key) != keys.end();
-}
+bool is_text_figure(const std::string& key) { return figure_of_result(key).kind == Field::Kind::text; }
 
 const std::vector<std::string>& expectation_operators() {
   static const std::vector<std::string> names{"below", "above", "between", "equals"};
@@ -127,6 +131,7 @@ std::vector<Expectation> read_expectations(const Tree& map, const ExpectationWor
 
 std::string expectation_yaml(const Expectation& line) {
   if (line.text) return yaml_scalar(*line.text);
+  if (line.truth) return expected_text(line);
   const std::string name = expectation_operators()[static_cast<std::size_t>(line.op)];
   if (line.op == Operator::between) {
     return "{between: [" + yaml_number(line.number) + ", " + yaml_number(line.upper) + "]}";

@@ -25,7 +25,7 @@ struct ExpectationWords {
 /// The lines of `expect:`. Throws InputError for keys that result.json does not have, unknown outcomes, wrong types.
 std::vector<Expectation> read_expectations(const Tree& map, const ExpectationWords& words = {});
 
-/// The YAML value of a line: `completed`, `{below: 0.07}`, `{between: [1, 2]}`.
+/// The YAML value of a line: `completed`, `false`, `{below: 0.07}`, `{between: [1, 2]}`.
 std::string expectation_yaml(const Expectation& expectation);
 
 /// What a figure is to an expectation of it. A figure that was not reached or is not a number holds nothing.
@@ -42,7 +42,7 @@ std::vector<Expectation> expected_again(const Result& result);
 /// What an expected number may be compared by, in the order of Expectation::Operator.
 const std::vector<std::string>& expectation_operators();
 
-/// Whether a key of result.json holds text; all others hold numbers.
+/// Whether a key of result.json holds text.
 bool is_text_figure(const std::string& key);
 
 }  // namespace assay::drivers

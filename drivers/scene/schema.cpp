@@ -68,22 +68,31 @@ Json type_json(const Key& key) {
   return {};
 }
 
+/// A map of one operator.
+Json operator_schema(const std::string& name, const Json& value) {
+  Json one{{"type", "object"}, {"additionalProperties", false}, {"required", Json::array({name})}};
+  one["properties"][name] = value;
+  return one;
+}
+
+/// What is said of the figure, and what may be expected of it.
 Json expectation_json(const std::string& key, const std::vector<std::string>& outcomes) {
-  const Json number{{"type", "number"}};
-  Json operators = Json::array();
-  for (const std::string& name : expectation_operators()) {
-    Json one{{"type", "object"}, {"additionalProperties", false}, {"required", Json::array({name})}};
-    one["properties"][name] = name == "between" ? list_schema(number, 2) : number;
-    operators.push_back(one);
+  const Field figure = figure_of_result(key);
+  Json out = Json::object(), values = Json::array();
+  const bool has_unit = !figure.unit.empty() && figure.unit != "1";
+  if (!figure.doc.empty()) out["description"] = figure.meaning() + (has_unit ? " [" + figure.unit + "]" : "");
+  if (figure.kind == Field::Kind::number) {
+    const Json number{{"type", "number"}};
+    for (const std::string& name : expectation_operators())
+      values.push_back(operator_schema(name, name == "between" ? list_schema(number, 2) : number));
+    values.push_back(number);
+  } else {
+    const bool is_truth = figure.kind == Field::Kind::truth;
+    const Json one = key == "outcome" ? Json{{"enum", outcomes}} : Json{{"type", is_truth ? "boolean" : "string"}};
+    values = Json::array({one, operator_schema("equals", one)});
   }
-  if (!is_text_figure(key)) {
-    operators.push_back(number);
-    return {{"oneOf", operators}};
-  }
-  const Json text = key == "outcome" ? Json{{"enum", outcomes}} : Json{{"type", "string"}};
-  Json equals{{"type", "object"}, {"additionalProperties", false}, {"required", Json::array({"equals"})}};
-  equals["properties"]["equals"] = text;
-  return {{"oneOf", Json::array({text, equals})}};
+  out["oneOf"] = values;
+  return out;
 }
 
 Json default_of(const Key& key) {

@@ -7,6 +7,7 @@
 #include "drivers/input_file.hpp"
 #include "drivers/output/errors_csv.hpp"
 #include "drivers/output/json_depth.hpp"
+#include "drivers/output/json_fields.hpp"
 #include "drivers/output/whole_file.hpp"
 #include "drivers/scene/sha256.hpp"
 
@@ -77,35 +78,6 @@ void clear_case(const fs::path& folder) {
   if (error) fail(folder, "an earlier result cannot be removed", error);
 }
 
-std::vector<double> numbers_of(const Json& object, const char* key) {
-  std::vector<double> numbers;
-  for (const Json& value : object.value(key, Json::array())) {
-    if (value.is_number()) numbers.push_back(value.get<double>());
-  }
-  return numbers;
-}
-
-ClockReadings clock_of(const Json& object) {
-  ClockReadings clock;
-  const Json alone = object.value("alone", Json()), machine = object.value("machine", Json());
-  clock.alone = alone.is_boolean() && alone.get<bool>();
-  clock.step_s = numbers_of(object, "step_s");
-  clock.cpu_s = numbers_of(object, "cpu_s");
-  clock.wall_s = numbers_of(object, "wall_s");
-  clock.others = numbers_of(object, "others");
-  if (machine.is_string()) clock.machine = machine.get<std::string>();
-  return clock;
-}
-
-Json json_of(const ClockReadings& clock) {
-  return Json::object({{"alone", clock.alone},
-                       {"step_s", clock.step_s},
-                       {"cpu_s", clock.cpu_s},
-                       {"wall_s", clock.wall_s},
-                       {"others", clock.others},
-                       {"machine", clock.machine}});
-}
-
 Figure number_in(const std::map<std::string, FlatValue>& figures, const std::string& key) {
   const auto found = figures.find(key);
   const auto* number = found == figures.end() ? nullptr : std::get_if<double>(&found->second);
@@ -153,7 +125,7 @@ CaseState CaseStore::state_of(const std::string& key) const {
 
 bool CaseStore::is_timed(const std::string& key) const {
   const auto record = read_record(folder_of(key), key);
-  return record && clock_of(record->at("clock")).alone;
+  return record && what_is_there<ClockReadings>(record->at("clock")).alone;
 }
 
 double CaseStore::limit_of(const std::string& key) const {
@@ -186,7 +158,7 @@ void CaseStore::finish(const PlannedCase& one, const CaseRecord& record) const {
                {"crashed", record.crashed},
                {"stopped", record.stopped},
                {"limit", record.limit_s},
-               {"clock", json_of(record.clock)},
+               {"clock", JsonFields<Json>::of(record.clock)},
                {"files", files}};
   // As it will be read: a text that is no UTF-8 is replaced, and a number that is none becomes null.
   text = Json::parse(record_text(text));
@@ -209,7 +181,7 @@ StudyCase CaseStore::read(const PlannedCase& one) const {
   sweep_dead(folder);
   const auto record = read_record(folder, one.key);
   if (!record) return found;
-  found.clock = clock_of(record->at("clock"));
+  found.clock = what_is_there<ClockReadings>(record->at("clock"));
   found.figures["threads"] = static_cast<double>(one.threads);
   if (state == CaseState::crashed) {
     found.outcome = "crashed", found.reason = record->at("crashed").get<std::string>();

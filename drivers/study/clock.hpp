@@ -28,6 +28,13 @@ struct MeasuredLoad {
   int disturbed = 0;  ///< of them: those whose clock is_disturbed
   /// Whether costs may have felt it. A share above disturbing_share is never without such a case.
   bool noticeable() const { return disturbed > 0; }
+
+  static void fields(auto& self, auto& archive) {
+    archive("share", self.timed > 0 ? Figure(self.share) : Figure());
+    archive("timed", self.timed);
+    archive("disturbed", self.disturbed);
+    archive("noticeable", self.noticeable());
+  }
 };
 MeasuredLoad load_of(const StudyFindings& findings);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a study found: the content of study.json, the tables and the report.
+// What a study found: the content of study.json, which `fields` name (drivers/output/fields.hpp), of the tables and of
+// the report.
 #pragma once
 
 #include <array>
@@ -16,6 +17,11 @@ namespace assay::drivers {
 /// Where a case stands on one axis.
 struct AxisValue {
   std::string axis, value;  ///< "method", "CPDI, FLIP"; "grid.spacing", "0.05"
+
+  static void fields(auto& self, auto& archive) {
+    archive("axis", self.axis);
+    archive("value", self.value);
+  }
 };
 
 /// The clock of the repeats of a timed case; medians and spreads of them are among the case's figures.
@@ -26,6 +32,15 @@ struct ClockReadings {
   std::vector<double> wall_s;  ///< of the step loop [s]
   std::vector<double> others;  ///< cores that other programs kept busy meanwhile [1]
   std::string machine;         ///< "AMD EPYC, 2 cores"
+
+  static void fields(auto& self, auto& archive) {
+    archive("alone", self.alone);
+    archive("step_s", self.step_s);
+    archive("cpu_s", self.cpu_s);
+    archive("wall_s", self.wall_s);
+    archive("others", self.others);
+    archive("machine", self.machine);
+  }
 };
 
 /// One case. Figures that were not reached are absent.
@@ -51,6 +66,28 @@ struct StudyCase {
   std::vector<std::array<double, 2>> history;  ///< t [s], L2 error of the displacement [m]
 
   bool completed() const { return outcome == "completed"; }
+
+  static void fields(auto& self, auto& archive) {
+    archive("number", self.number);
+    archive("key", self.key);
+    archive("values", self.values);
+    archive("label", self.label);
+    archive("series", self.series);
+    archive("resolution", self.resolution);
+    archive("outcome", self.outcome);
+    archive("reason", self.reason);
+    archive("budget", self.budget);
+    archive("error", self.error);
+    archive("cost", self.cost);
+    archive("cost_spread", self.cost_spread);
+    archive("work", self.work);
+    archive("eligible", self.eligible);
+    archive("on_front", self.on_front);
+    archive("clock", self.clock);
+    archive("figures", self.figures);
+    archive("passes", self.passes);
+    archive("history", self.history);
+  }
 };
 
 /// The cases that differ in resolution alone.
@@ -64,6 +101,17 @@ struct StudySeries {
   std::string sentence;     ///< of that judgement, with the orders
   Figure published = {};    ///< an order that others have found
   std::string source = {};  ///< and where
+
+  static void fields(auto& self, auto& archive) {
+    archive("name", self.name);
+    archive("cases", self.cases);
+    archive("pairwise", self.pairwise);
+    archive("fit", self.fit);
+    archive("asymptotic", self.asymptotic);
+    archive("sentence", self.sentence);
+    archive("published", self.published);
+    archive("source", self.source);
+  }
 };
 
 /// What one more digit of accuracy costs.
@@ -74,6 +122,15 @@ struct StudyDigit {
   std::string series;               ///< the cheapest where costs are interpolated between measured resolutions
   Figure interpolated;              ///< its cost at exactly this error
   Figure factor;                    ///< interpolated cost over that of the level before
+
+  static void fields(auto& self, auto& archive) {
+    archive("error", self.error);
+    archive("best", self.best);
+    archive("cost", self.cost);
+    archive("series", self.series);
+    archive("interpolated", self.interpolated);
+    archive("factor", self.factor);
+  }
 };
 
 /// One source of a run's error, found by refining it alone.
@@ -84,11 +141,26 @@ struct BudgetLine {
   Figure error, refined;  ///< the study's figure before and after
   Figure share;           ///< largest change of the L2 history over time, over the run's largest error
   std::string outcome;    ///< of the refined run
+
+  static void fields(auto& self, auto& archive) {
+    archive("base", self.base);
+    archive("source", self.source);
+    archive("changed", self.changed);
+    archive("error", self.error);
+    archive("refined", self.refined);
+    archive("share", self.share);
+    archive("outcome", self.outcome);
+  }
 };
 
 struct StudyExpectationOutcome {
   std::string where;  ///< label of the case or series
   ExpectationOutcome outcome;
+
+  static void fields(auto& self, auto& archive) {
+    archive("where", self.where);
+    ExpectationOutcome::fields(self.outcome, archive);
+  }
 };
 
 struct StudyFindings {
@@ -114,6 +186,36 @@ struct StudyFindings {
   /// Whether a case has crashed or was stopped and nobody expected that.
   bool ended_badly(const StudyCase& one) const;
   bool holds() const;  ///< all that was expected does, no case is missing and none ended badly
+
+  static void fields(auto& self, auto& archive) {
+    archive("title", self.title);
+    archive("question", self.question);
+    archive("answer", std::string(self.asks_survival ? "survival" : "cost"));
+    archive.section("error", [&](auto& error) {
+      error("key", self.error_key);
+      error("name", self.error_name);
+      error("unit", self.error_unit);
+    });
+    archive.section("cost", [&](auto& cost) {
+      cost("key", self.cost_key);
+      cost("name", self.cost_name);
+      cost("unit", self.cost_unit);
+    });
+    archive("refine", self.refine_key);
+    archive("axes", self.axes);
+    archive("cases", self.cases);
+    archive("series", self.series);
+    archive("front", self.front);
+    archive("work_front", self.work_front);
+    archive("digits", self.digits);
+    archive("budget", self.budget);
+    archive("expect", self.expect);
+    archive("warnings", self.warnings);
+    archive("machines", self.machines);
+    archive("load", load_of(self));
+    archive("provenance", self.provenance);
+    archive("study", self.study_yaml);
+  }
 };
 
 /// Best and worst completed case by error; none of a study without any.

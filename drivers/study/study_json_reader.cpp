@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <type_traits>
+#include <utility>
 
 #include "drivers/input_error.hpp"
+#include "drivers/output/fields.hpp"
 #include "drivers/output/json_depth.hpp"
+#include "drivers/study/clock.hpp"
 #include "drivers/study/study_json.hpp"
 
 namespace assay::drivers {
@@ -15,7 +20,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A value of the file and where it stands; what does not fit is an InputError with its path.
+/// A value of the file and where it stands; what does not fit is an InputError with its path. As an archive it reads
+/// all that `fields` name, but for what follows from the rest.
 class Node {
  public:
   Node(const Json& json, std::string path, const std::string& file)
@@ -35,188 +41,119 @@ class Node {
     for (const Json& each : *json_) items.emplace_back(each, path_ + "[" + std::to_string(items.size()) + "]", *file_);
     return items;
   }
-  std::vector<std::pair<std::string, Node>> entries() const {
-    if (!json_->is_object()) refuse("must be an object");
-    std::vector<std::pair<std::string, Node>> list;
-    for (const auto& [key, value] : json_->items()) list.emplace_back(key, Node(value, path_ + "." + key, *file_));
-    return list;
+
+  template <class T, class... Words>
+  void operator()(const char* key, T& value, const Words&...) const {
+    (*this)[key].read(value);
   }
-  std::string text() const {
-    if (!json_->is_string()) refuse("must be a text");
-    return json_->get<std::string>();
+  template <class T, class... Words>
+  void operator()(const char*, const T&&, const Words&...) const {}
+  template <class Fields>
+  void section(const char* key, const Fields& fields) const {
+    const Node inner = (*this)[key];
+    fields(inner);
   }
-  bool flag() const {
-    if (!json_->is_boolean()) refuse("must be true or false");
-    return json_->get<bool>();
-  }
-  bool is_null() const { return json_->is_null(); }
-  Figure figure() const {
-    if (is_null()) return std::nullopt;
-    if (!json_->is_number()) refuse("must be a number or null");
-    return json_->get<double>();
-  }
-  Figure amount() const {
-    const Figure found = figure();
-    if (found && *found < 0) refuse("must not be negative");
-    return found;
-  }
-  double number() const { return figure().value_or(std::numeric_limits<double>::quiet_NaN()); }
-  std::size_t count() const {
-    if (!json_->is_number_unsigned()) refuse("must be a whole number, not below 0");
-    return json_->get<std::size_t>();
-  }
-  std::size_t index(std::size_t size) const {
-    const std::size_t at = count();
-    if (at >= size) refuse("is no case: " + std::to_string(at) + " of " + std::to_string(size));
-    return at;
-  }
-  FlatValue leaf() const {
-    if (is_null()) return std::monostate{};
-    if (json_->is_boolean()) return flag();
-    if (json_->is_string()) return text();
-    if (!json_->is_number()) refuse("must be a number, a text, true, false or null");
-    return number();
-  }
-  std::vector<std::string> texts() const {
-    return each([](const Node& node) { return node.text(); });
-  }
-  std::vector<double> numbers() const {
-    return each([](const Node& node) { return node.number(); });
-  }
-  std::vector<std::size_t> indices(std::size_t size) const {
-    return each([&](const Node& node) { return node.index(size); });
-  }
-  template <class Read>
-  std::vector<std::invoke_result_t<Read, const Node&>> each(const Read& read) const {
-    std::vector<std::invoke_result_t<Read, const Node&>> items;
-    for (const Node& node : list()) items.push_back(read(node));
-    return items;
+
+  template <class T>
+  void read(T& value) const {
+    if constexpr (HasFields<T>) {
+      T::fields(value, *this);
+    } else if constexpr (is_optional_field<T>) {
+      if (!json_->is_null()) read(value.emplace());
+    } else if constexpr (std::is_enum_v<T>) {
+      value = static_cast<T>(place_in(names_of(value)));
+    } else {
+      read_value(value);
+    }
   }
 
  private:
+  std::size_t place_in(const auto& names) const {
+    std::string word, known;
+    read(word);
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      if (word == names[k]) return k;
+      known += (k == 0 ? "" : k + 1 < names.size() ? ", " : " or ") + std::string(names[k]);
+    }
+    refuse("must be " + known);
+  }
+  template <class T>
+  void read_value(std::vector<T>& values) const {
+    for (const Node& node : list()) node.read(values.emplace_back());
+  }
+  void read_value(std::array<double, 2>& pair) const {
+    std::vector<double> numbers;
+    read(numbers);
+    if (numbers.size() != 2) refuse("must be two numbers");
+    pair = {numbers[0], numbers[1]};
+  }
+  void read_value(std::map<std::string, FlatValue>& values) const {
+    if (!json_->is_object()) refuse("must be an object");
+    for (const auto& [key, value] : json_->items()) Node(value, path_ + "." + key, *file_).read(values[key]);
+  }
+  void read_value(FlatValue& value) const {
+    if (json_->is_boolean()) {
+      value = json_->get<bool>();
+    } else if (json_->is_string()) {
+      value = json_->get<std::string>();
+    } else if (json_->is_number()) {
+      value = json_->get<double>();
+    } else if (!json_->is_null()) {
+      refuse("must be a number, a text, true, false or null");
+    }
+  }
+  void read_value(std::string& text) const {
+    if (!json_->is_string()) refuse("must be a text");
+    json_->get_to(text);
+  }
+  void read_value(bool& flag) const {
+    if (!json_->is_boolean()) refuse("must be true or false");
+    json_->get_to(flag);
+  }
+  void read_value(double& number) const {
+    if (!json_->is_null() && !json_->is_number()) refuse("must be a number or null");
+    number = json_->is_null() ? std::numeric_limits<double>::quiet_NaN() : json_->get<double>();
+  }
+  void read_value(std::size_t& count) const {
+    if (!json_->is_number_unsigned()) refuse("must be a whole number, not below 0");
+    json_->get_to(count);
+  }
+
   const Json* json_;
   std::string path_;
   const std::string* file_;
 };
 
-ClockReadings stored_clock(const Node& node) {
-  ClockReadings clock;
-  clock.alone = node["alone"].flag();
-  clock.step_s = node["step_s"].numbers();
-  clock.cpu_s = node["cpu_s"].numbers();
-  clock.wall_s = node["wall_s"].numbers();
-  clock.others = node["others"].numbers();
-  clock.machine = node["machine"].text();
-  return clock;
-}
-
-PassFigures stored_pass(const Node& node) {
-  return {node["name"].text(), node["seconds"].number(), node["bytes_per_particle"].number()};
-}
-
-std::array<double, 2> stored_sample(const Node& node) {
-  const std::vector<double> pair = node.numbers();
-  if (pair.size() != 2) node.refuse("must be two numbers");
-  return {pair[0], pair[1]};
-}
-
-std::string stored_outcome(const Node& node) {
+void check_case(const Node& node, const StudyCase& one) {
   static const std::vector<std::string> known{"completed", "unstable", "material_failed", "refused",
                                               "crashed",   "stopped",  "missing",         "n/a"};
-  std::string outcome = node.text();
-  if (std::find(known.begin(), known.end(), outcome) == known.end())
-    node.refuse("is no outcome: '" + one_line(outcome, 60) + "'; known: " + joined(known));
-  return outcome;
+  if (std::find(known.begin(), known.end(), one.outcome) == known.end())
+    node["outcome"].refuse("is no outcome: '" + one_line(one.outcome, 60) + "'; known: " + joined(known));
+  for (const auto& [key, amount] : {std::pair("error", one.error), {"cost", one.cost}, {"work", one.work}}) {
+    if (amount && *amount < 0) node[key].refuse("must not be negative");
+  }
+  if (one.eligible && !(one.error && (one.cost || one.work)))
+    node["eligible"].refuse("must be false of a case without error or cost");
 }
 
 /// Each case once.
-void require_different(const Node& node, const std::vector<StudyCase>& cases) {
+void check_cases(const Node& node, const std::vector<StudyCase>& cases) {
   std::set<std::size_t> numbers;
-  for (const StudyCase& one : cases) {
-    if (!numbers.insert(one.number).second) node.refuse("holds case " + std::to_string(one.number) + " twice");
+  const std::vector<Node> list = node.list();
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    check_case(list[k], cases[k]);
+    if (!numbers.insert(cases[k].number).second)
+      node.refuse("holds case " + std::to_string(cases[k].number) + " twice");
   }
 }
 
-StudyCase stored_case(const Node& node) {
-  StudyCase one;
-  one.number = node["number"].count();
-  one.key = node["key"].text();
-  one.values = node["values"].each([](const Node& at) { return AxisValue{at["axis"].text(), at["value"].text()}; });
-  one.label = node["label"].text();
-  one.series = node["series"].text();
-  one.resolution = node["resolution"].figure();
-  one.outcome = stored_outcome(node["outcome"]);
-  one.reason = node["reason"].text();
-  one.budget = node["budget"].flag();
-  one.error = node["error"].amount();
-  one.cost = node["cost"].amount();
-  one.cost_spread = node["cost_spread"].figure();
-  one.work = node["work"].amount();
-  one.eligible = node["eligible"].flag();
-  one.on_front = node["on_front"].flag();
-  if (one.eligible && !(one.error && (one.cost || one.work)))
-    node["eligible"].refuse("must be false of a case without error or cost");
-  one.clock = stored_clock(node["clock"]);
-  for (const auto& [key, value] : node["figures"].entries()) one.figures[key] = value.leaf();
-  one.passes = node["passes"].each(stored_pass);
-  one.history = node["history"].each(stored_sample);
-  return one;
+void check_index(const Node& node, std::size_t index, std::size_t size) {
+  if (index >= size) node.refuse("is no case: " + std::to_string(index) + " of " + std::to_string(size));
 }
 
-StudySeries::Range stored_range(const Node& node) {
-  const std::string word = node.text();
-  if (word == "reached") return StudySeries::Range::reached;
-  if (word == "not_reached") return StudySeries::Range::not_reached;
-  if (word != "unknown") node.refuse("must be reached, not_reached or unknown");
-  return StudySeries::Range::unknown;
-}
-
-StudySeries stored_series(const Node& node, std::size_t cases) {
-  StudySeries series;
-  series.name = node["name"].text();
-  series.cases = node["cases"].indices(cases);
-  series.pairwise = node["pairwise"].each([](const Node& order) { return order.figure(); });
-  if (series.pairwise.size() != series.cases.size()) node["pairwise"].refuse("must be as long as cases");
-  const Node fit = node["fit"];
-  if (!fit.is_null()) series.fit = FittedOrder{fit["order"].number(), fit["lower"].figure(), fit["upper"].figure()};
-  series.asymptotic = stored_range(node["asymptotic"]);
-  series.sentence = node["sentence"].text();
-  series.published = node["published"].figure();
-  series.source = node["source"].text();
-  return series;
-}
-
-StudyDigit stored_digit(const Node& node, std::size_t cases) {
-  StudyDigit digit;
-  digit.error = node["error"].number();
-  if (!node["best"].is_null()) digit.best = node["best"].index(cases);
-  digit.cost = node["cost"].figure();
-  digit.series = node["series"].text();
-  digit.interpolated = node["interpolated"].figure();
-  digit.factor = node["factor"].figure();
-  return digit;
-}
-
-BudgetLine stored_budget(const Node& node) {
-  return {node["base"].text(),      node["source"].text(),  node["changed"].text(), node["error"].figure(),
-          node["refined"].figure(), node["share"].figure(), node["outcome"].text()};
-}
-
-StudyExpectationOutcome stored_expectation(const Node& node) {
-  return {node["where"].text(),
-          {node["key"].text(), node["expected"].text(), node["found"].text(), node["holds"].flag()}};
-}
-
-Provenance stored_origin(const Node& node) {
-  Provenance from;
-  from.version = node["version"].text();
-  from.git = node["git"].text();
-  from.compiler = node["compiler"].text();
-  from.flags = node["flags"].text();
-  from.material = node["material"].text();
-  from.libraries = node["libraries"].texts();
-  from.scene_sha256 = node["scene_sha256"].text();
-  return from;
+void check_indices(const Node& node, const std::vector<std::size_t>& indices, std::size_t size) {
+  const std::vector<Node> list = node.list();
+  for (std::size_t k = 0; k < indices.size(); ++k) check_index(list[k], indices[k], size);
 }
 
 /// Throws InputError with the line and column at which the text breaks off or is no JSON.
@@ -237,9 +174,26 @@ Json parsed(const std::string& text, const std::string& file) {
 }
 
 void check_front(const Node& node, const StudyFindings& found, const std::vector<std::size_t>& front, bool by_work) {
+  check_indices(node, front, found.cases.size());
   for (const std::size_t i : front) {
     const StudyCase& one = found.cases[i];
     if (!one.error || !(by_work ? one.work : one.cost)) node.refuse("names a case without error or cost");
+  }
+}
+
+/// What must agree within the file.
+void check_findings(const Node& root, const StudyFindings& found) {
+  check_cases(root["cases"], found.cases);
+  const std::vector<Node> series = root["series"].list(), digits = root["digits"].list();
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    check_indices(series[k]["cases"], found.series[k].cases, found.cases.size());
+    if (found.series[k].pairwise.size() != found.series[k].cases.size())
+      series[k]["pairwise"].refuse("must be as long as cases");
+  }
+  check_front(root["front"], found, found.front, false);
+  check_front(root["work_front"], found, found.work_front, true);
+  for (std::size_t k = 0; k < digits.size(); ++k) {
+    if (found.digits[k].best) check_index(digits[k]["best"], *found.digits[k].best, found.cases.size());
   }
 }
 
@@ -253,30 +207,11 @@ StudyFindings findings_of_json(const std::string& text, const std::string& file)
     root["version"].refuse("must be " + std::to_string(study_version) + ", found " +
                            one_line(json["version"].dump(), 40));
   StudyFindings found;
-  found.title = root["title"].text();
-  found.question = root["question"].text();
-  if (json.contains("answer")) found.asks_survival = root["answer"].text() == "survival";
-  const Node error = root["error"], cost = root["cost"];
-  found.error_key = error["key"].text(), found.error_name = error["name"].text(),
-  found.error_unit = error["unit"].text();
-  found.cost_key = cost["key"].text(), found.cost_name = cost["name"].text(), found.cost_unit = cost["unit"].text();
-  found.refine_key = root["refine"].text();
-  found.axes = root["axes"].texts();
-  found.cases = root["cases"].each(stored_case);
-  require_different(root["cases"], found.cases);
-  const std::size_t cases = found.cases.size();
-  found.series = root["series"].each([&](const Node& node) { return stored_series(node, cases); });
-  found.front = root["front"].indices(cases);
-  found.work_front = root["work_front"].indices(cases);
-  check_front(root["front"], found, found.front, false);
-  check_front(root["work_front"], found, found.work_front, true);
-  found.digits = root["digits"].each([&](const Node& node) { return stored_digit(node, cases); });
-  found.budget = root["budget"].each(stored_budget);
-  found.expect = root["expect"].each(stored_expectation);
-  found.warnings = root["warnings"].texts();
-  found.machines = root["machines"].texts();
-  found.provenance = stored_origin(root["provenance"]);
-  found.study_yaml = root["study"].text();
+  root.read(found);
+  std::string answer;
+  if (json.contains("answer")) root["answer"].read(answer);
+  found.asks_survival = answer == "survival";
+  check_findings(root, found);
   return found;
 }
 

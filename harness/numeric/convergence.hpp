@@ -2,6 +2,7 @@
 // Orders of convergence: fitted with their uncertainty, and whether they are those of the asymptotic range.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,12 @@ namespace assay {
 struct FittedOrder {
   double order = 0;
   std::optional<double> lower, upper;  ///< 95 % confidence interval (Student's t); absent of two resolutions
+
+  static void fields(auto& self, auto& archive) {
+    archive("order", self.order);
+    archive("lower", self.lower);
+    archive("upper", self.upper);
+  }
 };
 
 /// h: resolutions, in any order; error: of each, the same number of them. Absent of fewer than two different
@@ -24,6 +31,7 @@ std::optional<FittedOrder> fitted_order(const std::vector<double>& h, const std:
 std::vector<std::optional<double>> pairwise_orders(const std::vector<double>& h, const std::vector<double>& error);
 
 enum class AsymptoticRange { reached, not_reached, unknown };
+constexpr std::array<const char*, 3> names_of(AsymptoticRange) { return {"reached", "not_reached", "unknown"}; }
 
 /// The most by which the orders between the three finest resolutions may differ. On grids that are halved two orders of
 /// an error C h^p (1 + a h), a > 0, never differ by more than 0.17, for the local order goes from p to p + 1 over many

@@ -65,9 +65,8 @@ MethodNames names_of(const Method& method) {
   constexpr const char* transfers[] = {"pic", "flip", "xpic", "fmpm", "apic", "aflip"};
   constexpr const char* updates[] = {"usf", "usl", "musl"};
   constexpr const char* masses[] = {"lumped", "series", "consistent"};
-  return {name_of(method.basis), method.is_total() ? "total_lagrangian" : "updated_lagrangian",
-          transfers[static_cast<int>(method.transfer)], updates[static_cast<int>(method.update)],
-          masses[static_cast<int>(method.mass)]};
+  return {name_of(method.basis), method.is_total() ? "total" : "updated", transfers[static_cast<int>(method.transfer)],
+          updates[static_cast<int>(method.update)], masses[static_cast<int>(method.mass)]};
 }
 
 std::string name_of(const Method& method) {

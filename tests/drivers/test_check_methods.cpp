@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "drivers/methods_report.hpp"
+#include "drivers/scene/scene_keys.hpp"
 #include "tests/drivers/process.hpp"
 
 namespace assay::drivers::test_check_methods {
@@ -158,6 +159,21 @@ TEST(MethodsReport, ManyMethodsAreCountedByBasisAndFailuresShown) {
   EXPECT_NE(all.find("  weights.unity"), all.npos) << all;
 }
 
+TEST(MethodsReport, JsonNamesChoicesByTheWordsThatAScenesKeysTake) {
+  CheckedMethods all;
+  for (const mpm::Method& method : mpm::all_methods()) all.methods.push_back({method, {{.id = "translation"}}});
+  const auto found = nlohmann::json::parse(methods_json(all));
+  ASSERT_EQ(found["tests"].size(), mpm::all_methods().size());
+  for (const char* choice : {"basis", "formulation", "transfer", "update", "mass"}) {
+    const auto key = std::find_if(scene_keys().begin(), scene_keys().end(),
+                                  [&](const Key& each) { return each.path == "method." + std::string(choice); });
+    ASSERT_NE(key, scene_keys().end()) << choice;
+    std::set<std::string> said;
+    for (const auto& test : found["tests"]) said.insert(test[choice].get<std::string>());
+    EXPECT_EQ(said, std::set<std::string>(key->choices.begin(), key->choices.end())) << choice;
+  }
+}
+
 TEST(MethodsReport, JsonHasNoNumberForWhatIsInfiniteAndJUnitNamesTheCause) {
   const auto found = nlohmann::json::parse(methods_json(broken()));
   EXPECT_EQ(found["verdict"], "fail");
@@ -165,7 +181,7 @@ TEST(MethodsReport, JsonHasNoNumberForWhatIsInfiniteAndJUnitNamesTheCause) {
   EXPECT_EQ(found["tests"][1]["cause"], "does <not> fall");
   EXPECT_EQ(found["tests"][2]["verdict"], "n/a");
   EXPECT_EQ(found["tests"][2]["measure"], 0.48);
-  EXPECT_EQ(found["tests"][0]["formulation"], "updated_lagrangian");
+  EXPECT_EQ(found["tests"][0]["formulation"], "updated");
   EXPECT_EQ(found["tests"][0]["mass"], "lumped");
   const std::string xml = methods_junit(broken());
   EXPECT_NE(xml.find("tests=\"3\" failures=\"1\" errors=\"0\" skipped=\"1\" time=\"0.500\""), std::string::npos) << xml;

@@ -63,13 +63,15 @@ TEST(RunJUnit, HoldsTheOutcomeAndEveryExpectation) {
 
 TEST(RunJUnit, TakesTheNameThatIsGiven) {
   const ScratchFolder scratch;
-  RunOptions options = quiet_run("paper/vortex_cpdi", scratch / "out",
-                                 {"expect={outcome: completed}", "time.end=0.01", "output.pictures=false"});
+  RunOptions options =
+      quiet_run("paper/vortex_cpdi", scratch / "out",
+                {"expect={outcome: completed, uses_exact_solution: false}", "time.end=0.01", "output.pictures=false"});
   options.junit = scratch / "junit.xml";
   options.junit_name = "clay.fine";
   EXPECT_EQ(run(options), 0);
   expect_in(bytes_of(options.junit), {"<testsuite name=\"assay run clay.fine\" package=\"assay.run\"",
-                                      "<testcase classname=\"assay.run.clay.fine\" name=\"outcome equals\""});
+                                      "<testcase classname=\"assay.run.clay.fine\" name=\"outcome equals\"",
+                                      "name=\"uses_exact_solution equals\""});
 }
 
 TEST(RunJUnit, WithoutExpectationsThereIsStillTheOutcome) {

@@ -70,7 +70,11 @@ TEST(Expect, SaysWhatWasExpectedAndFound) {
 
 TEST(Expect, EveryKeyOfTheResultMayBeAskedFor) {
   for (const std::string& key : flat_keys()) {
-    const std::string value = !is_text_figure(key) ? "{below: 1}" : key == "outcome" ? "refused" : "words";
+    const bool is_truth = figure_of_result(key).kind == Field::Kind::truth;
+    const std::string value = is_truth               ? "true"
+                              : !is_text_figure(key) ? "{below: 1}"
+                              : key == "outcome"     ? "refused"
+                                                     : "words";
     EXPECT_EQ(refusal_of([&] { lines("{" + key + ": " + value + "}"); }), "accepted") << key;
   }
   // The table of text keys agrees with the result: none that is text is asked as a number.
@@ -81,6 +85,31 @@ TEST(Expect, EveryKeyOfTheResultMayBeAskedFor) {
       EXPECT_EQ(std::holds_alternative<std::string>(value), is_text_figure(key)) << key;
     }
   }
+}
+
+TEST(Expect, TrueAndFalseAreValues) {
+  EXPECT_TRUE(holds("uses_exact_solution: false"));
+  EXPECT_TRUE(holds("uses_exact_solution: {equals: false}"));
+  EXPECT_FALSE(holds("uses_exact_solution: true"));
+  EXPECT_FALSE(holds("sheet.cached: true")) << "no sheet: null";
+  Result cached = sample();
+  cached.sheet.emplace().cached = true;
+  const auto judged = judge(lines("{sheet.cached: true, uses_exact_solution: {equals: true}}"), cached);
+  EXPECT_TRUE(judged[0].holds);
+  EXPECT_EQ(judged[1].expected + ", " + judged[1].found, "true, false");
+  EXPECT_EQ(expectation_yaml(lines("{sheet.cached: {equals: false}}")[0]), "false");
+}
+
+TEST(Expect, WhatIsNeitherTrueNorFalseIsBadInput) {
+  const auto refused = [](const std::string& value) {
+    return refusal_of([&] { lines("{sheet.cached: " + value + "}"); });
+  };
+  EXPECT_EQ(refused("read"), "f:1:16: expect.sheet.cached: must be true or false, found 'read'");
+  EXPECT_EQ(refused("1"), "f:1:16: expect.sheet.cached: must be true or false, found '1': write true");
+  EXPECT_EQ(refused("[true]"), "f:1:16: expect.sheet.cached: must be true or false, found a list");
+  EXPECT_EQ(refused("{equals: 0}"), "f:1:25: expect.sheet.cached: must be true or false, found '0': write false");
+  EXPECT_EQ(refused("{}"), "f:1:16: expect.sheet.cached: must be true, false, {equals: true} or {equals: false}");
+  EXPECT_EQ(refused("{below: 1}"), "f:1:17: expect.sheet.cached.below: unknown key; known: equals");
 }
 
 TEST(Expect, UnknownKeysAreBadInput) {

@@ -89,6 +89,13 @@ TEST(Schema, DefaultsAreWhatTheReaderFillsIn) {
   EXPECT_GT(compared, 25);
 }
 
+TEST(Schema, SaysWhatMayBeExpected) {
+  const json& figures = the_schema()["properties"]["expect"]["properties"];
+  EXPECT_EQ(figures["error.l2_max"]["description"], "largest L2 error of the displacement, over the samples [m]");
+  EXPECT_EQ(figures["steps"]["description"], "number of steps");
+  EXPECT_TRUE(accepts(scene_text("expect: {uses_exact_solution: false, sheet.cached: {equals: true}, steps: 3}")));
+}
+
 TEST(Schema, RefusesWhatTheReaderRefuses) {
   const std::vector<std::string> bad{"grid: {spacing: -1}",
                                      "grid: {spacing: 0}",
@@ -103,6 +110,10 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
                                      "expect: {error.l2: {below: 1}}",
                                      "expect: {t: {belw: 1}}",
                                      "expect: {outcome: done}",
+                                     "expect: {uses_exact_solution: 0}",
+                                     "expect: {uses_exact_solution: {equals: 0}}",
+                                     "expect: {sheet.cached: {below: 1}}",
+                                     "expect: {sheet.cached: never}",
                                      "expect: {t: {below: 1, above: 2}}",
                                      "force: {tolerance: 1}"};
   EXPECT_TRUE(accepts(scene_text()));

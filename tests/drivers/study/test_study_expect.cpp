@@ -42,6 +42,13 @@ TEST(StudyExpect, IsJudgedOfEveryCaseOfItsSelection) {
                    "outcome completed: n/a, fails; Cheat, grid.spacing=0.05"}));
 }
 
+TEST(StudyExpect, TrueAndFalseAreValues) {
+  StudyFindings findings = two_method_study();
+  findings.cases[0].figures["uses_exact_solution"] = false;
+  EXPECT_EQ(judged_lines("[{where: {method: 'CPDI, FLIP', grid.spacing: 0.1}, uses_exact_solution: false}]", findings),
+            Lines{"uses_exact_solution false: false, holds; CPDI, FLIP, grid.spacing=0.1"});
+}
+
 TEST(StudyExpect, ThatACaseCompletesIsToldOnce) {
   const std::string where = "where: {method: Cheat, grid.spacing: 0.05}", told = "; Cheat, grid.spacing=0.05";
   const std::string figure = "error.relative equals 1e-05: null, fails" + told;
