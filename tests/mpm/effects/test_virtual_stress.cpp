@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "mpm/effects/passes_traction.hpp"
+#include "mpm/effects/tractions.hpp"
 #include "mpm/seeding/lattice.hpp"
 #include "mpm/simulation.hpp"
 #include "tests/harness/elastic_material.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mpm/effects/passes_inertia.hpp"
+#include "mpm/effects/inertia_to_particles.hpp"
 
 #include "tests/mpm/vortex_setup.hpp"
 
-namespace assay::mpm::test_passes_inertia {
+namespace assay::mpm::test_inertia_to_particles {
 namespace {
 
 constexpr Method updated{Basis::cpdi2, Transfer::aflip, Update::usl, Formulation::updated, Mass::lumped};
@@ -125,4 +125,4 @@ TEST(InertiaPass, IsThereOnlyWhereItIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace assay::mpm::test_passes_inertia
+}  // namespace assay::mpm::test_inertia_to_particles
