@@ -19,7 +19,8 @@ ROOT = Path(__file__).resolve().parent.parent
 HOW = r"CMakeLists|CMakePresets|cmake/|tests/CMakeLists|tests/[a-z]+[.]cmake|dev$|[.]ci/|"
 # deep check: paths whose change calls for it
 CALLS = {
-    "spine": HOW + r"mpm/|harness/|drivers/(simulation/|composition|effects|run|verbs/run)|bench/compare_spine|configs/paper/",
+    "spine": HOW + r"mpm/|harness/|drivers/(simulation/|composition|effects|run|verbs/run)|"
+                   r"bench/(compare_spine|minimal_step|effect_scenes)|configs/paper/",
     "mutants": HOW + r"drivers/|mpm/|adapters/|harness/|tests/fuzz/",
     "long": HOW + r"drivers/|mpm/|adapters/|harness/|tests/|configs/|docs/check[.]md",
     "bench": HOW + r"bench/",

@@ -23,7 +23,6 @@
 #include "drivers/own_files.hpp"
 #include "drivers/progress.hpp"
 #include "drivers/source_options.hpp"
-#include "mpm/data/effect.hpp"
 
 namespace assay::drivers {
 
@@ -212,11 +211,7 @@ int check(const CheckOptions& options) {
   refuse_what_contradicts(options);
   require_junit_folder(options.junit, options.out);
   if (options.material.empty() || options.methods) refuse_source_options(options.source, "");
-  if constexpr (mpm::compiled(mpm::Effect::third_dimension)) {
-    if (options.methods) return check_methods(options);
-  } else if (options.methods) {
-    throw InputError({}, "--methods", "checks them all: this build has the spine's effects only (ASSAY_EFFECTS=spine)");
-  }
+  if (options.methods) return check_methods(options);
   if (!options.replay.empty()) return check_replay(options);
   if (!options.all) {
     CheckedMaterial checked;

@@ -17,18 +17,18 @@ bool contains(const List& list, const Value& value) {
 }
 
 EffectPart part_of(const EffectEntry& entry, const Problem& problem, const Composition& c) {
-  EffectPart part{entry.effect, entry.called_for(problem), entry.key, {}, {}, {}};
+  EffectPart part{entry.name, entry.called_for(problem), entry.key, {}, {}, {}};
   if (part.is_there) part.key = entry.key_of(problem);
   for (const auto& pass : c.passes) {
-    if (contains(pass.effects, entry.effect)) part.passes.push_back(pass.name);
+    if (contains(pass.effects, entry.name)) part.passes.push_back(pass.name);
   }
   for (const mpm::ColumnUse& use : c.columns) {
-    if (use.effect != entry.effect) continue;
+    if (use.effect != entry.name) continue;
     part.columns.emplace_back(mpm::info(use.column).name);
     part.bytes_per_particle += use.bytes;
   }
   for (const mpm::GridFieldUse& use : c.grid_fields) {
-    if (!contains(use.effects, entry.effect)) continue;
+    if (!contains(use.effects, entry.name)) continue;
     part.grid_fields.push_back(use.name);
     part.bytes_per_node += use.bytes;
   }
@@ -48,7 +48,7 @@ StepWork work_of(const Problem& problem, const Composition& c) {
                                        [&](const std::string& name) { return contains(pass.grid_fields, name); });
       if (touched) work.grid_bytes += nodes * static_cast<double>(times * use.bytes);
     }
-    if (pass.name == "stress") work.material_updates += static_cast<std::int64_t>(times * setup.seeds.size());
+    if (pass.updates_material) work.material_updates += static_cast<std::int64_t>(times * setup.seeds.size());
   }
   return work;
 }

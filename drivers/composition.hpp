@@ -21,7 +21,7 @@ struct StepWork {
 
 /// An effect in this composition.
 struct EffectPart {
-  mpm::Effect effect;
+  std::string effect;
   bool is_there = false;
   std::string key;                                        ///< of the scene, that calls for it; empty: none
   std::vector<std::string> passes, columns, grid_fields;  ///< that it brings; empty where it is not there

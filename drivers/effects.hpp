@@ -3,38 +3,34 @@
 // a scene does not call for is not there: no pass, column, grid field, observer or call of the material.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "drivers/simulation/problem.hpp"
-#include "mpm/data/effect.hpp"
 
 namespace assay::drivers {
 
 struct EffectEntry {
-  mpm::Effect effect;
   std::string name, doc;
-  std::string key;                     ///< of the scene; empty: no key calls for it
-  bool (*called_for)(const Problem&);  ///< by this scene
-  std::vector<std::string> passes;     ///< that it can bring; which of them, and with which columns, the method decides
-  std::vector<mpm::Column> columns;
-  std::vector<std::string> grid_fields;
-  bool asks_material;  ///< it can, in steps, for more than the particles' stress
-  std::string around;  ///< what else it brings, around the steps; empty: nothing
+  std::string key;                                 ///< of the scene; empty: no key calls for it
+  std::string around;                              ///< what it brings around the steps; empty: nothing
+  std::function<bool(const Problem&)> called_for;  ///< by this scene
+  bool asks_material = false;                      ///< it can, in steps, for more than the particles' stress
   /// Where another key than `key` can call for it, too: the one that does so here.
-  std::string (*called_by)(const Problem&) = nullptr;
+  std::function<std::string(const Problem&)> called_by = nullptr;
 
   std::string key_of(const Problem& problem) const { return called_by ? called_by(problem) : key; }
 };
 
-/// In the order of mpm::Effect.
+/// Those of a step, which are the records of mpm/effects, and those of a run, around its steps.
 std::span<const EffectEntry> effects();
-const EffectEntry& entry_of(mpm::Effect effect);
 
-std::vector<mpm::Effect> effects_of(const Problem& problem);
+/// Throws std::out_of_range where there is none.
+const EffectEntry& entry_of(const std::string& effect);
 
-/// Throws InputError where the problem calls for an effect that this build does not have.
-void require_compiled(const Problem& problem);
+/// Names of those that the problem calls for.
+std::vector<std::string> effects_of(const Problem& problem);
 
 }  // namespace assay::drivers

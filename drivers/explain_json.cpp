@@ -11,12 +11,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<std::string> names_of(const std::vector<mpm::Effect>& list) {
-  std::vector<std::string> names;
-  for (const mpm::Effect effect : list) names.push_back(entry_of(effect).name);
-  return names;
-}
-
 void add_passes(const Problem& problem, const Composition& c, Json& json) {
   const auto names = [](const std::vector<mpm::Column>& columns) {
     std::vector<std::string> list;
@@ -32,7 +26,7 @@ void add_passes(const Problem& problem, const Composition& c, Json& json) {
                               {"times_a_step", mpm::times_a_step(pass, problem.setup.method)},
                               {"bytes_moved_per_particle", bytes_moved(pass, problem.setup)},
                               {"called_for_by", pass.called_for_by},
-                              {"effects", names_of(pass.effects)}});
+                              {"effects", pass.effects}});
   }
 }
 
@@ -41,11 +35,11 @@ void add_fields(const Composition& c, Json& json) {
     json["columns"].push_back({{"name", mpm::info(use.column).name},
                                {"bytes_per_particle", use.bytes},
                                {"passes", use.passes},
-                               {"effect", use.effect ? Json(entry_of(*use.effect).name) : Json()}});
+                               {"effect", use.effect ? Json(*use.effect) : Json()}});
   }
   for (const auto& use : c.grid_fields) {
     json["grid_fields"].push_back(
-        {{"name", use.name}, {"doc", use.doc}, {"bytes_per_node", use.bytes}, {"effects", names_of(use.effects)}});
+        {{"name", use.name}, {"doc", use.doc}, {"bytes_per_node", use.bytes}, {"effects", use.effects}});
   }
 }
 

@@ -76,7 +76,7 @@ std::string memory_text(const Problem& problem, const Composition& c) {
   std::string text = fmt::format("particle columns, {} bytes a particle\n", c.bytes_per_particle);
   const std::string indent(34, ' ');
   for (const auto& use : c.columns) {
-    const mpm::ColumnInfo info = mpm::info(use.column);
+    const auto& info = mpm::info(use.column);
     text += wrapped(std::string(info.doc), fmt::format("  {:20} {:4} bytes  ", info.name, use.bytes), indent);
   }
   const auto& grid = problem.setup.grid;

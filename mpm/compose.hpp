@@ -3,41 +3,43 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
-#include "mpm/step/pass.hpp"
+#include "mpm/step/effect.hpp"
 
 namespace assay::mpm {
 
-/// The passes of one step, in order. Nothing is allocated and nothing is run.
+/// The optional effects of a step: the records of mpm/effects, by place.
+template <int Dim>
+const std::vector<EffectRecord<Dim>>& effects();
+
+/// What a column is, and of which effect.
+template <int Dim>
+const ColumnRecord<Dim>& record_of(Column column);
+inline const ColumnRecord<2>& info(Column column) { return record_of<2>(column); }
+
+/// Bytes a particle of a column in this setup.
+template <int Dim>
+std::size_t bytes_of(Column column, const Setup<Dim>& setup) {
+  return record_of<Dim>(column).bytes(setup);
+}
+
+/// The passes of one step, in order: those of the spine and of each effect that is called for, by their slots. Nothing
+/// is allocated and nothing is run.
 template <int Dim>
 std::vector<Pass<Dim>> compose(const Setup<Dim>& setup);
 
 /// One column that the passes call for.
 struct ColumnUse {
   Column column;
-  std::size_t bytes = 0;            ///< a particle
-  std::vector<std::string> passes;  ///< that read or write it
-  std::optional<Effect> effect;     ///< without which it is not there; none: of the spine
-};
-
-/// One field of the grid.
-struct GridFieldUse {
-  std::string name, doc;
-  std::size_t bytes = 0;           ///< a node
-  std::vector<std::string> holds;  ///< of what passes say that they touch
-  std::vector<Effect> effects;     ///< without one of which it is not there; empty: of the spine
+  std::size_t bytes = 0;              ///< a particle
+  std::vector<std::string> passes;    ///< that read or write it
+  std::optional<std::string> effect;  ///< without which it is not there; none: of the spine
 };
 
 /// The columns of a step: those that some pass reads or writes, and the position in the reference configuration that
 /// errors and snapshots are told from.
 template <int Dim>
 std::vector<ColumnUse> columns_of(const std::vector<Pass<Dim>>& passes, const Setup<Dim>& setup);
-
-/// Bytes a particle of a column in this setup.
-template <int Dim>
-std::size_t bytes_of(Column column, const Setup<Dim>& setup);
 
 /// What is allocated for every node.
 template <int Dim>

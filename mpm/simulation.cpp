@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/simulation.hpp"
 
-#include <cmath>
-
-#include "mpm/basis/corners.hpp"
 #include "mpm/data/dimension.hpp"
-#include "mpm/kernels/affine.hpp"
 #include "mpm/material/offload.hpp"
 #include "mpm/step/sweep.hpp"
 
@@ -27,20 +23,6 @@ Vector3 initial_velocity(const Setup<Dim>& setup, const Vector3& X) {
   return setup.frame->seen(state_at(*setup.motion, setup.frame->body_point(X), 0), 0).v;
 }
 
-template <int Dim>
-Mat<Dim> initial_velocity_gradient(const Setup<Dim>& setup, const Vector3& X) {
-  if (setup.initial_velocity) return setup.initial_velocity->gradient;
-  Tensor rate;
-  if (setup.frame) {
-    rate = setup.frame->seen(state_at(*setup.motion, setup.frame->body_point(X), 0), 0).F_rate;
-  } else {
-    rate = state_at(*setup.motion, X, 0).F_rate;
-  }
-  Mat<Dim> gradient;  // by x, which is X
-  for (int c = 0; c < Dim * Dim; ++c) gradient[static_cast<std::size_t>(c)] = rate(c / Dim, c % Dim);
-  return gradient;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -50,15 +32,12 @@ template <int Dim>
 Simulation<Dim>::Simulation(Setup<Dim> setup, const std::vector<Pass<Dim>>& passes) : state_(std::move(setup)) {
   allocate(passes);
   fill();
-  if constexpr (compiled(Effect::outside_held)) {
-    if (state_.setup.hold_outside) hold_outside();
-  }
-  if constexpr (compiled(Effect::images)) {
-    if (state_.setup.has_images()) state_.images = Images<Dim>(state_.setup.grid, state_.setup.ends);
+  for (const EffectRecord<Dim>& effect : effects<Dim>()) {
+    if (effect.prepare && effect.called_for(state_.setup)) effect.prepare(state_);
   }
   for (const auto& pass : passes) {
     kernels_.push_back(pass.bind(state_));
-    PassTime time{pass.name, 0, 0};
+    PassTime time{pass.name, 0, 0, pass.updates_material};
     for (const auto* list : {&pass.reads, &pass.writes}) {
       for (const Column column : *list) time.bytes_per_particle += bytes_of(column, state_.setup);
     }
@@ -90,10 +69,8 @@ void Simulation<Dim>::allocate(const std::vector<Pass<Dim>>& passes) {
   State<Dim>& s = state_;
   for (const ColumnUse& use : columns_of(passes, s.setup)) {
     if (use.column == Column::weights) continue;  // the basis keeps them
-    const bool shared = use.column == Column::history || use.column == Column::deformation_gradient ||
-                        use.column == Column::velocity_gradient || use.column == Column::stress ||
-                        use.column == Column::volume_scale;
-    const auto memory = shared && s.setup.offload ? s.setup.offload->allocate : nullptr;
+    const bool shared = s.setup.offload && record_of<Dim>(use.column).of_stress;
+    const auto memory = shared ? s.setup.offload->allocate : nullptr;
     if (use.column == Column::history) {
       for (auto& half : s.history) half.allocate(s.particles, static_cast<int>(s.setup.material->state_size()), memory);
       continue;
@@ -127,65 +104,9 @@ void Simulation<Dim>::fill() {
     const double volume = seeds.volume(p);
     s.column(Column::mass)[p] = s.setup.density * volume;
     s.column(Column::volume)[p] = volume;
-    if (s.has(Column::domain)) fill_domain(p);
-    if (s.has(Column::corners)) fill_corners(p);
     if (!s.setup.motion && !s.setup.initial_velocity) continue;
     const Vector3 v = initial_velocity(s.setup, X);
     for (int d = 0; d < Dim; ++d) s.column(Column::velocity, d)[p] = v(d);
-    if (!s.setup.method.is_affine()) continue;
-    const Mat<Dim> C = initial_velocity_gradient(s.setup, X);
-    for (int c = 0; c < Dim * Dim; ++c) s.column(affine_column(s.setup.method), c)[p] = C[static_cast<std::size_t>(c)];
-  }
-}
-
-/// Half edges as the basis wants them. Half sizes along the axes, where the domains do not follow these: of a cube of
-/// the same volume.
-template <int Dim>
-void Simulation<Dim>::fill_domain(std::size_t p) {
-  State<Dim>& s = state_;
-  const Seeds<Dim>& seeds = s.setup.seeds;
-  Mat<Dim> half{};
-  for (std::size_t d = 0; d < Dim; ++d) half[d * (Dim + 1)] = seeds.half_size[d];
-  if (!seeds.half_edges.empty()) half = seeds.half_edges[p];
-  if (bytes_of(Column::domain, s.setup) == half.size() * sizeof(double)) {
-    for (int c = 0; c < Dim * Dim; ++c) s.column(Column::domain, c)[p] = half[static_cast<std::size_t>(c)];
-    return;
-  }
-  for (int d = 0; d < Dim; ++d) s.column(Column::domain, d)[p] = 0.5 * std::pow(seeds.volume(p), 1.0 / Dim);
-}
-
-template <int Dim>
-void Simulation<Dim>::fill_corners(std::size_t p) {
-  State<Dim>& s = state_;
-  const Seeds<Dim>& seeds = s.setup.seeds;
-  Vec<Dim> X;
-  Mat<Dim> half{};
-  for (std::size_t d = 0; d < Dim; ++d) X[d] = seeds.X[d][p], half[d * Dim + d] = seeds.half_size[d];
-  const Corners<Dim> corners = seeds.corners.empty()
-                                   ? corners_of<Dim>(X, seeds.half_edges.empty() ? half : seeds.half_edges[p])
-                                   : seeds.corners[p];
-  for (int k = 0; k < corner_components<Dim>; ++k) {
-    s.column(Column::corners, k)[p] = corners[static_cast<std::size_t>(k / Dim)][static_cast<std::size_t>(k % Dim)];
-  }
-}
-
-/// Nodes outside the ring are held.
-template <int Dim>
-void Simulation<Dim>::hold_outside() {
-  State<Dim>& s = state_;
-  const Annulus ring = *ring_of(*s.setup.motion);
-  const GridGeometry<Dim>& grid = s.setup.grid;
-  for (std::size_t i = 0; i < grid.nodes(); ++i) {
-    std::size_t rest = i;
-    double square = 0;
-    for (int d = 0; d < Dim; ++d) {
-      const auto count = static_cast<std::size_t>(grid.count[static_cast<std::size_t>(d)]);
-      const double x = grid.coordinate(d, static_cast<std::int32_t>(rest % count));
-      if (d < 2) square += x * x;
-      rest /= count;
-    }
-    const double R = std::sqrt(square);
-    if (R <= ring.inner || R >= ring.outer) s.held_nodes.push_back(static_cast<std::uint32_t>(i));
   }
 }
 

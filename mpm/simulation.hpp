@@ -16,6 +16,7 @@ struct PassTime {
   std::string name;
   double seconds = 0;
   std::size_t bytes_per_particle = 0;  ///< of the columns that it reads and writes
+  bool updates_material = false;       ///< of all particles
 };
 
 template <int Dim>
@@ -40,9 +41,6 @@ class Simulation {
  private:
   void allocate(const std::vector<Pass<Dim>>& passes);
   void fill();
-  void fill_domain(std::size_t p);
-  void fill_corners(std::size_t p);
-  void hold_outside();
   void plan(const std::vector<Pass<Dim>>& passes);
 
   State<Dim> state_;

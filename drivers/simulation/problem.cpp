@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "drivers/effects.hpp"
 #include "drivers/material/material_choice.hpp"
 #include "drivers/output/number_format.hpp"
 #include "drivers/output/terminal.hpp"
@@ -253,7 +252,6 @@ Problem assemble(const Scene& given, int threads) {
   setup.threads = threads;
   if (setup.seeds.size() == 0)
     throw InputError(scene.place("grid.spacing"), "grid.spacing", no_particle_sentence(problem));
-  require_compiled(problem);
   for (const Path& path : baseline_paths(scene)) setup.material_direction = path.material_direction;
   find_speeds(problem);
   plan_steps(problem);

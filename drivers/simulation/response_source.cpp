@@ -8,7 +8,6 @@
 #include "drivers/simulation/sheet_cache.hpp"
 #include "drivers/simulation/sheet_line.hpp"
 #include "harness/motion/kinds/axis_aligned.hpp"
-#include "mpm/data/effect.hpp"
 
 namespace assay::drivers {
 
@@ -32,11 +31,9 @@ std::shared_ptr<const Response> closed_form_of(const Scene& scene, const std::sh
 std::shared_ptr<const Response> response_of(const Scene& scene, const std::shared_ptr<const Material>& material,
                                             const Path& path, double end, const ResponseMaking& how) {
   if (scene.force.response == ForceChoice::Response::closed_form) return closed_form_of(scene, material, path);
-  if constexpr (mpm::compiled(mpm::Effect::shadow)) {
-    if (how.marching && scene.force.response == ForceChoice::Response::shadow) {
-      const ShadowOptions options{scene.force.radii, scene.force.tolerance, end, {how.threads, stop_if_interrupted}};
-      return std::make_shared<const Response>(std::make_shared<Shadow>(material, path, options));
-    }
+  if (how.marching && scene.force.response == ForceChoice::Response::shadow) {
+    const ShadowOptions options{scene.force.radii, scene.force.tolerance, end, {how.threads, stop_if_interrupted}};
+    return std::make_shared<const Response>(std::make_shared<Shadow>(material, path, options));
   }
   const bool curve = material->path_independent() && path.straight();
   if (!curve && end > most_periods * period_of(scene.motion)) {

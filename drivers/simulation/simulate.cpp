@@ -56,7 +56,7 @@ class Run {
     if (problem.scene.time.control == TimeChoice::Control::current) control_.emplace(problem, simulation_.state());
     snapshots_.keep_good(simulation_.state(), 0);
     if (exact) sampler_.emplace(problem, std::move(exact), simulation_.state());
-    if (mpm::compiled(mpm::Effect::energy_account) && problem.setup.accounts) accounts_.emplace(simulation_.state());
+    if (problem.setup.accounts) accounts_.emplace(simulation_.state());
     due_ = observations_of(problem);
   }
 
@@ -98,11 +98,8 @@ class Run {
  private:
   /// Null of a material in this process.
   static std::shared_ptr<StressOffload> workers_of(const Problem& problem) {
-    if constexpr (mpm::compiled(mpm::Effect::isolation)) {
-      const bool apart = !adapters::start_of(&problem.material->table()).task.empty();
-      if (apart) return std::make_shared<StressOffload>(problem.setup);
-    }
-    return nullptr;
+    const bool apart = !adapters::start_of(&problem.material->table()).task.empty();
+    return apart ? std::make_shared<StressOffload>(problem.setup) : nullptr;
   }
 
   static mpm::Setup<2> setup_of(const Problem& problem, const std::shared_ptr<const ExactSolution>& exact,
@@ -110,9 +107,7 @@ class Run {
     mpm::Setup<2> setup = problem.setup;
     setup.exact = exact;
     if (exact && exact->response()) setup.response = *exact->response();
-    if constexpr (mpm::compiled(mpm::Effect::isolation)) {
-      if (workers) setup.offload = StressOffload::offload_of(workers);
-    }
+    if (workers) setup.offload = StressOffload::offload_of(workers);
     return setup;
   }
 
@@ -176,7 +171,7 @@ class Run {
     result_.material_calls += s.material_calls;
     double stepping = 0;
     for (const mpm::PassTime& time : simulation_.times()) {
-      const double handing = workers_ && time.name == "stress" ? workers_->hand_over_s() : 0;
+      const double handing = workers_ && time.updates_material ? workers_->hand_over_s() : 0;
       result_.passes.push_back({time.name, time.seconds - handing, static_cast<double>(time.bytes_per_particle)});
       stepping += time.seconds;
     }

@@ -174,18 +174,14 @@ ParticleFrame Snapshots::frame_of(const mpm::State<2>& s, double t) const {
 }
 
 void Snapshots::add(const mpm::State<2>& state, const ErrorSampler* sampler, double t) {
-  if constexpr (mpm::compiled(mpm::Effect::snapshots)) {
-    if (problem_->scene.output.writes_particles()) write_vtu(state, sampler, t);
-  }
-  if (!mpm::compiled(mpm::Effect::pictures) || !problem_->scene.output.pictures || !sampler) return;
+  if (problem_->scene.output.writes_particles()) write_vtu(state, sampler, t);
+  if (!problem_->scene.output.pictures || !sampler) return;
   show({t, frame_of(state, t), sampler->displacement_error(), sampler->measure()});
 }
 
 void Snapshots::remember(const mpm::State<2>& state, const ErrorSampler& sampler, double t) {
-  if constexpr (mpm::compiled(mpm::Effect::pictures)) {
-    if (!problem_->scene.output.pictures) return;
-    latest_ = {t, frame_of(state, t), sampler.displacement_error(), sampler.measure()};
-  }
+  if (!problem_->scene.output.pictures) return;
+  latest_ = {t, frame_of(state, t), sampler.displacement_error(), sampler.measure()};
 }
 
 void Snapshots::show(Frame frame) {
@@ -226,9 +222,7 @@ Box picture_box(const Problem& problem) {
 }  // namespace
 
 std::vector<Snapshots::Written> Snapshots::finish() {
-  if constexpr (mpm::compiled(mpm::Effect::snapshots)) {
-    if (!entries_.empty()) folder_->write("particles.pvd", pvd_text(entries_));
-  }
+  if (!entries_.empty()) folder_->write("particles.pvd", pvd_text(entries_));
   std::vector<Written> written;
   if (frames_.empty()) return written;
   if (!latest_.shape.x.empty() && latest_.t > frames_.back().t) show(std::move(latest_));

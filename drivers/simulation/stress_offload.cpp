@@ -14,6 +14,7 @@
 #include "drivers/output/numbers.hpp"
 #include "drivers/replay.hpp"
 #include "drivers/simulation/stress_page.hpp"
+#include "mpm/compose.hpp"
 
 namespace assay::drivers {
 
@@ -21,11 +22,13 @@ namespace {
 
 constexpr std::size_t alignment = 8;  ///< doubles: a line of the cache
 
-/// Doubles of the shared columns: F, L, stress, the state twice, and what alignment takes.
+/// Doubles of the shared columns, and what alignment takes.
 std::size_t doubles_of(const mpm::Setup<2>& setup) {
-  const std::size_t scales = setup.remedies.averages_volume() ? 2 : 0;
-  const std::size_t columns = 4 + 4 + 5 + scales + 2 * setup.material->state_size();
-  return columns * setup.seeds.size() + 8 * alignment;
+  std::size_t bytes = 0;
+  for (const mpm::ColumnUse& use : mpm::columns_of(mpm::compose(setup), setup)) {
+    if (mpm::info(use.column).of_stress) bytes += use.bytes;
+  }
+  return bytes / sizeof(double) * setup.seeds.size() + 8 * alignment;
 }
 
 std::string task_of(const Material& material, const std::string& model) {

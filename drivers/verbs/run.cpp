@@ -74,7 +74,7 @@ std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& opt
   if (exact && exact->box()) record_box(problem.scene, **exact->box(), response_s, result);
   if (exact && exact->homogeneous()) record_history(problem.scene, **exact->homogeneous(), result);
   result.peak_rss_bytes = peak_memory();  // before pictures are drawn
-  if (mpm::compiled(mpm::Effect::traction_table) && problem.scene.output.tractions) {
+  if (problem.scene.output.tractions) {
     result.tractions = traction_table(problem, result, folder, options.verbosity == Verbosity::quiet);
   }
   std::vector<ReportPicture> pictures;
@@ -108,7 +108,7 @@ std::string write_verdict(const Scene& scene, const Result& result, std::vector<
                           OutputFolder& folder) {
   const std::string resolved = resolved_yaml(scene);
   folder.write("resolved.yaml", resolved);
-  if (mpm::compiled(mpm::Effect::report) && scene.output.report) {
+  if (scene.output.report) {
     folder.write("report.html", report_html(result, {period_of(scene.motion), std::move(pictures), resolved}));
   }
   std::string json = result_json(result);

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The particle columns: one list of what a particle can carry; allocated only where a pass calls for it.
+// The particle columns: what a particle can carry; allocated only where a pass calls for it. What each of them is
+// stands in mpm/spine.cpp, or in the effect that brings it.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <functional>
-#include <optional>
-#include <string_view>
 #include <vector>
-
-#include "mpm/data/effect.hpp"
 
 namespace assay::mpm {
 
@@ -32,37 +28,7 @@ enum class Column {
   weights,
   history,
 };
-inline constexpr std::size_t column_count = 17;
-
-struct ColumnInfo {
-  std::string_view name;
-  std::string_view unit;
-  std::string_view doc;
-};
-
-/// Name, unit and meaning of a column.
-constexpr ColumnInfo info(Column column) {
-  constexpr std::array<ColumnInfo, column_count> table{{
-      {"reference_position", "m", "X"},
-      {"position", "m", "x"},
-      {"velocity", "m/s", "v"},
-      {"mass", "kg", "constant"},
-      {"volume", "m^3", "reference volume, per unit thickness in two dimensions"},
-      {"domain", "m", "half edges of the reference domain, where they differ"},
-      {"corners", "m", "of the domain, where they move one by one"},
-      {"deformation_gradient", "1", "F, in-plane components"},
-      {"stress", "Pa", "Cauchy stress, in-plane components and 33"},
-      {"excess_stress", "Pa", "Cauchy stress without its exact extension, which virtual_stress takes off"},
-      {"velocity_gradient", "1/s", "L of the step; dF/dt in the total formulation"},
-      {"affine", "mixed", "velocity around the particle: its gradient, or its first moment"},
-      {"body_force", "m/s^2", "b of the exact motion"},
-      {"step_volumes", "m^3", "before the step (total formulation: reference volume) and after it, to be averaged"},
-      {"volume_scale", "1", "of F, so that its J is averaged; in the total formulation of the step before, too"},
-      {"weights", "1", "nodes, weights and gradients of the step"},
-      {"history", "mixed", "state variables of the material, begin and end of the step"},
-  }};
-  return table[static_cast<std::size_t>(column)];
-}
+inline constexpr std::size_t column_count = static_cast<std::size_t>(Column::history) + 1;
 
 /// Components of a tensor column: Dim * Dim, row-major; a stress in plane strain has 33 besides.
 template <int Dim>
@@ -92,28 +58,5 @@ class ColumnData {
   std::vector<double> own_;
   double* data_ = nullptr;
 };
-
-/// The effect that a column belongs to; none: the spine.
-constexpr std::optional<Effect> effect_of(Column column) {
-  switch (column) {
-    case Column::body_force:
-      return Effect::body_force;
-    case Column::excess_stress:
-      return Effect::virtual_stress;
-    case Column::affine:
-      return Effect::affine_velocity;
-    case Column::corners:
-      return Effect::convected_corners;
-    case Column::step_volumes:
-    case Column::volume_scale:
-      return Effect::anti_locking;
-    case Column::domain:
-      return Effect::own_domains;
-    case Column::history:
-      return Effect::history;
-    default:
-      return std::nullopt;
-  }
-}
 
 }  // namespace assay::mpm

@@ -2,7 +2,7 @@
 // Passes of the remedies that a scene calls for.
 #pragma once
 
-#include "mpm/step/pass.hpp"
+#include "mpm/step/effect.hpp"
 
 namespace assay::mpm {
 

@@ -27,24 +27,36 @@ int mass_nodes_across(const Method& method) {
   return method.is_total() && !method.is_lumped() ? traits_of<Dim>(method.basis).nodes_across : 0;
 }
 
+/// Of all nodes.
+template <int Dim>
+struct SolverFields {
+  std::vector<GridField<Dim>> vectors;
+  std::vector<double> inverse_mass;  ///< 1 / row sum of a node that moves, or 0 [1/kg]
+
+  void allocate(std::size_t count, std::size_t nodes) {
+    vectors.resize(count);
+    for (auto& field : vectors) field.allocate(nodes);
+    inverse_mass.assign(nodes, 0.0);
+  }
+};
+
 /// M and M_L on the nodes that are free to move and have mass.
 template <int Dim>
 class MassMatrix {
  public:
   using Field = GridField<Dim>;
 
-  explicit MassMatrix(State<Dim>& s)
+  /// The first two of the vectors are left to the caller.
+  MassMatrix(State<Dim>& s, SolverFields<Dim>& fields)
       : s_(&s),
         multiply_block_(s.kernels.multiply_mass),
-        residual_(s.solver[2]),
-        image_(s.solver[3]),
-        direction_(last_of(s, 4)),
-        scaled_(last_of(s, 5)),
-        divided_(last_of(s, 6)),
-        shared_(last_of(s, 7)),
-        inverse_(s.inverse_mass) {
-    inverse_.assign(s.setup.grid.nodes(), 0.0);
-  }
+        residual_(fields.vectors[2]),
+        image_(fields.vectors[3]),
+        direction_(last_of(fields, 4)),
+        scaled_(last_of(fields, 5)),
+        divided_(last_of(fields, 6)),
+        shared_(last_of(fields, 7)),
+        inverse_(fields.inverse_mass) {}
 
   /// Weights that never change make the matrix of nodes once: call when they are placed.
   void assemble() {
@@ -161,7 +173,9 @@ class MassMatrix {
 
  private:
   /// A series has no such fields.
-  static Field& last_of(State<Dim>& s, std::size_t k) { return s.solver[std::min(k, s.solver.size() - 1)]; }
+  static Field& last_of(SolverFields<Dim>& fields, std::size_t k) {
+    return fields.vectors[std::min(k, fields.vectors.size() - 1)];
+  }
 
   /// body(c) for the values of all nodes.
   template <class Body>

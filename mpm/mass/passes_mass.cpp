@@ -12,6 +12,9 @@ namespace assay::mpm {
 
 namespace {
 
+/// Grid fields of Dim components that the inversion takes.
+std::size_t solver_fields(const Method& method) { return method.mass == Mass::consistent ? 8 : 4; }
+
 /// Momentum of every node.
 template <int Dim>
 void load_momentum(const State<Dim>& s, GridField<Dim>& x) {
@@ -51,8 +54,8 @@ void divide_by_sums(const State<Dim>& s, const MassMatrix<Dim>& matrix, double k
 
 /// False where M could not be inverted.
 template <int Dim>
-bool find_velocity(State<Dim>& s, const Method& method, double kick, MassMatrix<Dim>& matrix) {
-  GridField<Dim>&v = s.solver[0], &a = s.solver[1];
+bool find_velocity(State<Dim>& s, const Method& method, double kick, MassMatrix<Dim>& matrix, GridField<Dim>& v,
+                   GridField<Dim>& a) {
   const bool fmpm = method.transfer == Transfer::fmpm, consistent = method.mass == Mass::consistent;
   if (!consistent) {
     divide_by_sums(s, matrix, fmpm ? kick : 0, v, a);
@@ -73,15 +76,15 @@ bool find_velocity(State<Dim>& s, const Method& method, double kick, MassMatrix<
 
 template <int Dim>
 Kernel mass_matrix_kernel(State<Dim>& s, const Method& method) {
-  s.solver = std::vector<GridField<Dim>>(solver_fields(method));
-  for (auto& field : s.solver) field.allocate(s.setup.grid.nodes());
-  auto matrix_of_run = std::make_shared<MassMatrix<Dim>>(s);
-  return [&s, method, matrix_of_run](const Instant& now) {
+  auto& fields = s.template own<SolverFields<Dim>>();
+  fields.allocate(solver_fields(method), s.setup.grid.nodes());
+  auto matrix_of_run = std::make_shared<MassMatrix<Dim>>(s, fields);
+  return [&s, &fields, method, matrix_of_run](const Instant& now) {
     MassMatrix<Dim>& matrix = *matrix_of_run;
     matrix.assemble();
     matrix.invert_sums();
-    const bool solved = find_velocity(s, method, now.kick, matrix);
-    const GridField<Dim>&v = s.solver[0], &a = s.solver[1];
+    GridField<Dim>&v = fields.vectors[0], &a = fields.vectors[1];
+    const bool solved = find_velocity(s, method, now.kick, matrix, v, a);
     const double kick = method.transfer == Transfer::fmpm ? 0 : now.kick;
     matrix.for_nodes([&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
@@ -125,12 +128,12 @@ void book_kick(State<Dim>& s, const GridField<Dim>& v, double kick) {
 
 template <int Dim>
 Kernel kick_kernel(State<Dim>& s, const Method& method) {
-  s.solver = std::vector<GridField<Dim>>(solver_fields(method));
-  for (auto& field : s.solver) field.allocate(s.setup.grid.nodes());
-  auto matrix_of_run = std::make_shared<MassMatrix<Dim>>(s);
-  return [&s, method, matrix_of_run](const Instant& now) {
+  auto& fields = s.template own<SolverFields<Dim>>();
+  fields.allocate(solver_fields(method), s.setup.grid.nodes());
+  auto matrix_of_run = std::make_shared<MassMatrix<Dim>>(s, fields);
+  return [&s, &fields, method, matrix_of_run](const Instant& now) {
     MassMatrix<Dim>& matrix = *matrix_of_run;
-    GridField<Dim>&v = s.solver[0], &a = s.solver[1];
+    GridField<Dim>&v = fields.vectors[0], &a = fields.vectors[1];
     const bool kicks = now.kick != 0;  // the first stage of a step does not
     bool solved = true;
     if (!kicks) {
@@ -157,39 +160,64 @@ Kernel kick_kernel(State<Dim>& s, const Method& method) {
   };
 }
 
-}  // namespace
-
+/// a = M^-1 f, v = M^-1 (m v) + dt a, on nodes that are not held. M_ij = sum m_p phi_ip phi_jp is inverted by k terms
+/// of sum_l (I - M_L^-1 M)^l M_L^-1, M_L its row sums, or by conjugate gradients:
+///   series:      of f; m v is divided by M_L
+///   consistent:  of f; and of m v where particles do not carry the velocity around them, which M_L serves exactly
+///   xpic(k):     series of m v; f is divided by M_L
+///   fmpm(k):     series of m v + dt f
+/// What holding takes from the particles' momentum enters the account.
 template <int Dim>
 Pass<Dim> mass_matrix_pass(const Method& method) {
   Pass<Dim> pass;
   pass.name = "grid_update";
+  pass.slot = {Phase::grid};
   const std::string terms = std::to_string(method.terms) + " terms of the inverse mass matrix";
   pass.doc = method.mass == Mass::consistent ? "nodal acceleration and velocity by the consistent mass matrix"
                                              : "nodal acceleration and velocity by " + terms;
   pass.called_for_by = method.mass == Mass::lumped ? "method.transfer" : "method.mass";
-  pass.effects = effects_of_matrix(method);
   pass.reads = {Column::weights, Column::mass};
   pass.grid_fields = {"mass", "momentum", "force", "velocity", "acceleration"};
   pass.bind = [method](State<Dim>& s) -> Kernel { return mass_matrix_kernel(s, method); };
   return pass;
 }
 
+/// Of an integrator with stages: a = M^-1 f, m v += dt sum m_p phi_ip phi_jp a_j, v = M^-1 (m v), the same M^-1 twice,
+/// so that drifts and kicks are adjoint and the energy of the particles is that of the system. What the particles gain
+/// reaches the nodes by the matrix: no transfer between the stages.
 template <int Dim>
 Pass<Dim> kick_pass(const Method& method) {
   Pass<Dim> pass;
   pass.name = "grid_update";
+  pass.slot = {Phase::grid};
   pass.doc = method.mass == Mass::lumped
                  ? "nodal acceleration and velocity, and the particles' momentum after the kick"
                  : "nodal acceleration and velocity by the mass matrix, momentum after the kick";
   pass.called_for_by = "method.integrator";
-  pass.effects = effects_of_matrix(method);
   pass.reads = {Column::weights, Column::mass};
   pass.grid_fields = {"mass", "momentum", "force", "velocity", "acceleration"};
   pass.bind = [method](State<Dim>& s) -> Kernel { return kick_kernel(s, method); };
   return pass;
 }
 
-template Pass<ASSAY_DIMENSION> mass_matrix_pass(const Method&);
-template Pass<ASSAY_DIMENSION> kick_pass(const Method&);
+}  // namespace
+
+template <int Dim>
+std::vector<Pass<Dim>> inversion_passes(const Setup<Dim>& setup) {
+  return {setup.method.has_stages() ? kick_pass<Dim>(setup.method) : mass_matrix_pass<Dim>(setup.method)};
+}
+
+template <int Dim>
+std::vector<GridFieldUse> inversion_fields(const Setup<Dim>& setup) {
+  const int across = mass_nodes_across<Dim>(setup.method);
+  const std::size_t number = sizeof(double), vector = GridField<Dim>::stride * number;
+  const std::size_t entries = across == 0 ? 0 : MassStencil<Dim>::entries(across);
+  return {{"solver", "vectors of the mass matrix's inversion", solver_fields(setup.method) * vector, {}, {}, true},
+          {"inverse_mass", "1 / row sum of the mass matrix", number, {}, {}, true},
+          {"mass_stencil", "the mass matrix, made once", entries * number, {}, {}, true}};
+}
+
+template std::vector<Pass<ASSAY_DIMENSION>> inversion_passes(const Setup<ASSAY_DIMENSION>&);
+template std::vector<GridFieldUse> inversion_fields(const Setup<ASSAY_DIMENSION>&);
 
 }  // namespace assay::mpm

@@ -127,21 +127,22 @@ std::array<double, stress_components<2>> stress_at(const Material& material, con
   return {sigma[0], sigma[1], sigma[3], sigma[4], sigma[8]};
 }
 
-void insert_after(std::vector<Pass<2>>& passes, const std::vector<std::string_view>& names, const Pass<2>& probe) {
+void insert_after(std::vector<Pass<2>>& passes, const std::vector<Phase>& phases, const Pass<2>& probe) {
   const std::size_t before = passes.size();
   for (std::size_t k = 0; k < passes.size(); ++k) {
-    if (std::find(names.begin(), names.end(), passes[k].name) == names.end()) continue;
+    const Slot& slot = passes[k].slot;
+    if (slot.part != Part::main || std::find(phases.begin(), phases.end(), slot.phase) == phases.end()) continue;
     passes.insert(passes.begin() + static_cast<std::ptrdiff_t>(++k), probe);
   }
-  if (passes.size() == before) throw std::logic_error("no pass " + std::string(names.front()) + " in a step");
+  if (passes.size() == before) throw std::logic_error("no pass to put " + probe.name + " behind");
 }
 
-void replace(std::vector<Pass<2>>& passes, std::string_view name, const Pass<2>& other) {
+void replace(std::vector<Pass<2>>& passes, Phase phase, const Pass<2>& other) {
   bool found = false;
   for (Pass<2>& pass : passes) {
-    if (pass.name == name) pass = other, found = true;
+    if (pass.slot == Slot{phase}) pass = other, found = true;
   }
-  if (!found) throw std::logic_error("no pass " + std::string(name) + " in a step");
+  if (!found) throw std::logic_error("no pass for " + other.name + " to replace");
 }
 
 Momentum momentum_of(const State<2>& s) {

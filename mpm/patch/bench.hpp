@@ -7,7 +7,6 @@
 #include <memory>
 #include <optional>
 #include <random>
-#include <string_view>
 
 #include "harness/check/battery.hpp"
 #include "mpm/basis/basis.hpp"
@@ -64,12 +63,12 @@ void arrange(State<2>& s, Arrangement arrangement);
 /// Cauchy stress after F, components as in the stress column [Pa].
 std::array<double, stress_components<2>> stress_at(const Material& material, const Mat<2>& F);
 
-/// Behind every pass of one of these names. There must be one (std::logic_error): a probe that is not there sees
+/// Behind the main pass of each of these phases. There must be one (std::logic_error): a probe that is not there sees
 /// nothing.
-void insert_after(std::vector<Pass<2>>& passes, const std::vector<std::string_view>& names, const Pass<2>& probe);
+void insert_after(std::vector<Pass<2>>& passes, const std::vector<Phase>& phases, const Pass<2>& probe);
 
-/// In place of every pass of that name; there must be one.
-void replace(std::vector<Pass<2>>& passes, std::string_view name, const Pass<2>& other);
+/// In place of the main pass of that phase; there must be one.
+void replace(std::vector<Pass<2>>& passes, Phase phase, const Pass<2>& other);
 
 /// Momentum of the particles [N s], their angular momentum about E_z [N m s], and the sums of m |v| and m |x| |v|.
 struct Momentum {

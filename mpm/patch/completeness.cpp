@@ -43,7 +43,7 @@ struct Readback {
 Readback read_back(const Method& method, const Bench& bench, const Vec<2>& v, const Mat<2>& A) {
   const Setup<2> setup = patch_setup(method, bench, bench.quick ? 8 : 32);
   auto passes = bench.passes(setup);
-  insert_after(passes, {"grid_velocity", "grid_update"}, prescribed_velocity(v, A));
+  insert_after(passes, {Phase::early_gradient, Phase::gradient, Phase::grid}, prescribed_velocity(v, A));
   Simulation<2> simulation(setup, passes);
   State<2>& s = simulation.state();
   arrange(s, Arrangement::jittered);

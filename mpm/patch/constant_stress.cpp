@@ -75,7 +75,7 @@ Forces forces(const Method& method, const Bench& bench, Arrangement arrangement)
   if (arrangement == Arrangement::graded) setup.seeds = graded_seeds(across);
   const Stress sigma = stress_at(*bench.material, homogeneous_deformation());
   auto passes = bench.passes(setup);
-  insert_after(passes, {"stress"}, prescribed_stress(sigma));
+  insert_after(passes, {Phase::early_stress, Phase::stress}, prescribed_stress(sigma));
   Simulation<2> simulation(setup, passes);
   State<2>& s = simulation.state();
   arrange(s, arrangement);

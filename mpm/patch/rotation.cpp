@@ -75,7 +75,7 @@ Errors rotate(const Method& method, const Bench& bench, int across, double share
   Setup<2> setup = patch_setup(method, bench, across);
   setup.body_force = true;
   auto passes = bench.passes(setup);
-  replace(passes, "body_force", centripetal_force());
+  replace(passes, Phase::body_force, centripetal_force());
   Simulation<2> simulation(setup, passes);
   State<2>& s = simulation.state();
   for (std::size_t p = 0; p < s.particles; ++p) {  // omega E_z x X

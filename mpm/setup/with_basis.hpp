@@ -11,7 +11,6 @@
 #include "mpm/basis/basis_linear.hpp"
 #include "mpm/basis/basis_ugimp.hpp"
 #include "mpm/basis/corners.hpp"
-#include "mpm/data/effect.hpp"
 #include "mpm/setup/method.hpp"
 
 namespace assay::mpm {
@@ -33,8 +32,7 @@ auto with_basis(Basis basis, const Visitor& visit) {
     case Basis::bspline4:
       return visit(std::type_identity<Bspline4Basis<Dim>>());
     case Basis::cpdi2:
-      if constexpr (compiled(Effect::convected_corners)) return visit(std::type_identity<Cpdi2Basis<Dim>>());
-      break;
+      return visit(std::type_identity<Cpdi2Basis<Dim>>());
     case Basis::cpdi:
       break;
   }

@@ -4,6 +4,7 @@
 // hand.
 #pragma once
 
+#include <compare>
 #include <functional>
 #include <optional>
 #include <string>
@@ -11,7 +12,6 @@
 
 #include "mpm/data/blocks.hpp"
 #include "mpm/data/columns.hpp"
-#include "mpm/data/effect.hpp"
 #include "mpm/data/instant.hpp"
 #include "mpm/step/state.hpp"
 
@@ -21,6 +21,37 @@ namespace assay::mpm {
 /// others.
 enum class Stages { all, first, kicks };
 
+/// The phases of a step, in their order. L and the stress are updated early where they come before the forces.
+enum class Phase {
+  body_force,
+  inertia,
+  weights,
+  to_grid,
+  early_gradient,
+  early_stress,
+  forces,
+  grid,
+  to_particles,
+  gradient,
+  accounts,
+  stress
+};
+constexpr Phase gradient_phase(const Method& m) {
+  return m.update == Update::usf ? Phase::early_gradient : Phase::gradient;
+}
+constexpr Phase stress_phase(const Method& m) { return m.update == Update::usf ? Phase::early_stress : Phase::stress; }
+
+/// The places of a phase, in their order. Between the first and the last are those of what gives nodes their velocity:
+/// before it what they were given goes to others; after it some are held, and some move as others do.
+enum class Part { first, fold, hand_over, limit, main, hold, take_over, unfold, last };
+
+/// Where in a step a pass stands. At the main part of a phase there is one pass.
+struct Slot {
+  Phase phase = Phase::body_force;
+  Part part = Part::main;
+  auto operator<=>(const Slot&) const = default;
+};
+
 /// What is known of a pass without running it.
 struct PassInfo {
   std::string name;
@@ -28,9 +59,12 @@ struct PassInfo {
   std::string called_for_by;  ///< scene key
   std::vector<Column> reads, writes;
   std::vector<std::string> grid_fields;  ///< that it touches
-  std::vector<Effect> effects;           ///< without one of which it is not there; empty: a pass of the spine
-  bool once = false;                     ///< before the first step alone
+  /// That bring it; empty: a pass of the spine. One that an effect's file names here is needed besides that effect.
+  std::vector<std::string> effects;
+  bool once = false;  ///< before the first step alone
   Stages stages = Stages::all;
+  Slot slot{Phase::stress, Part::last};
+  bool updates_material = false;  ///< of all particles
 };
 
 /// A pass bound to a state.

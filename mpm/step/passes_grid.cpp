@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/step/passes_grid.hpp"
 
-#include <array>
-
 #include "mpm/data/dimension.hpp"
 
 namespace assay::mpm {
 
 template <int Dim>
-Pass<Dim> grid_velocity_pass() {
+Pass<Dim> grid_velocity_pass(const Method& method) {
   Pass<Dim> pass;
   pass.name = "grid_velocity";
+  pass.slot = {gradient_phase(method)};
   pass.doc = "nodal velocity from momentum";
   pass.called_for_by = "method.update";
   pass.grid_fields = {"mass", "momentum", "velocity"};
@@ -33,6 +32,7 @@ template <int Dim>
 Pass<Dim> grid_update_pass() {
   Pass<Dim> pass;
   pass.name = "grid_update";
+  pass.slot = {Phase::grid};
   pass.doc = "nodal acceleration and velocity";
   pass.called_for_by = "method";
   pass.grid_fields = {"mass", "momentum", "force", "velocity", "acceleration"};
@@ -57,43 +57,7 @@ Pass<Dim> grid_update_pass() {
   return pass;
 }
 
-template <int Dim>
-void hold_nodes(State<Dim>& s, Reaction reaction, double kick) {
-  std::array<double, Dim> taken{};
-  const auto gained = [&](const double* motion, std::size_t d) {
-    return reaction.of_velocity * motion[d] + reaction.of_acceleration * kick * motion[Dim + d];
-  };
-  for (const std::uint32_t i : s.held_nodes) {
-    double* motion = s.motion.node(i);
-    for (std::size_t d = 0; d < Dim; ++d) {
-      taken[d] += s.inertia.node(i)[0] * gained(motion, d);
-      motion[d] = motion[Dim + d] = 0;
-    }
-  }
-  if (!s.held_mass.empty()) {
-    s.live.each([&](std::size_t i) {
-      for (std::size_t d = 0; d < Dim; ++d) taken[d] += s.held_mass[i] * gained(s.motion.node(i), d);
-    });
-  }
-  for (std::size_t d = 0; d < Dim; ++d) s.ledger.impulse[d] -= taken[d];
-}
-
-template <int Dim>
-Pass<Dim> hold_nodes_pass(Reaction reaction) {
-  Pass<Dim> pass;
-  pass.name = "hold_nodes";
-  pass.doc = "nodes outside the ring stand still";
-  pass.called_for_by = "body.outside";
-  pass.effects = {Effect::outside_held};
-  pass.grid_fields = {"mass", "velocity", "acceleration"};
-  pass.bind = [reaction](State<Dim>& s) -> Kernel {
-    return [&s, reaction](const Instant& now) { hold_nodes(s, reaction, now.kick); };
-  };
-  return pass;
-}
-
-template Pass<ASSAY_DIMENSION> grid_velocity_pass();
+template Pass<ASSAY_DIMENSION> grid_velocity_pass(const Method&);
 template Pass<ASSAY_DIMENSION> grid_update_pass();
-template Pass<ASSAY_DIMENSION> hold_nodes_pass(Reaction);
 
 }  // namespace assay::mpm

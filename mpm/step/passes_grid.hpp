@@ -8,7 +8,7 @@ namespace assay::mpm {
 
 /// v_i = (m v)_i / m_i, a_i = 0: the velocity before the forces.
 template <int Dim>
-Pass<Dim> grid_velocity_pass();
+Pass<Dim> grid_velocity_pass(const Method& method);
 
 /// a_i = f_i / m_i, v_i = (m v)_i / m_i + dt a_i.
 template <int Dim>
@@ -26,8 +26,22 @@ inline Reaction reaction_of(const Method& method) {
   return {1 - kept, kept};
 }
 
-/// v_i = a_i = 0 on nodes outside the ring; the reaction enters the momentum account.
-template <int Dim>
-Pass<Dim> hold_nodes_pass(Reaction reaction);
+/// What the particles have given to the grid since it was folded last.
+enum class Folded { inertia, forces, both };
+
+/// A phase in which nodes get a velocity.
+struct GridPhase {
+  Phase phase;
+  Folded folded;
+  Reaction reaction;
+};
+
+/// Of a method: that in which the grid moves, and where L comes from another velocity the one of that.
+inline std::vector<GridPhase> grid_phases(const Method& method) {
+  const Folded given = method.update == Update::usf ? Folded::forces : Folded::both;
+  std::vector<GridPhase> phases{{Phase::grid, given, reaction_of(method)}};
+  if (method.update != Update::usl) phases.push_back({gradient_phase(method), Folded::inertia, {}});
+  return phases;
+}
 
 }  // namespace assay::mpm

@@ -17,9 +17,7 @@ template <int Dim>
 void find_live_nodes(State<Dim>& s) {
   s.live.forget();
   for (const NodeBox<Dim>& box : s.reach) s.live.mark(box);
-  if constexpr (Dim == 2) {  // what tractions gave to nodes of their own in the step before is yet to be cleared
-    for (std::size_t k = 0; s.loads && k < s.loads->points.size(); ++k) s.live.mark(s.loads->reach(k));
-  }
+  for (const auto& mark : s.markers) mark(s.live);
   mark_images(s.live, s.images);
   s.live.merge();
 }
@@ -30,6 +28,7 @@ template <int Dim>
 Pass<Dim> weights_pass(const Method& method, bool domains_differ) {
   Pass<Dim> pass;
   pass.name = "weights";
+  pass.slot = {Phase::weights};
   pass.called_for_by = "method.basis";
   pass.once = method.is_total();
   pass.doc = pass.once ? "nodes, phi_ip and grad phi_ip of every particle in the reference configuration"
@@ -71,35 +70,6 @@ Pass<Dim> weights_pass(const Method& method, bool domains_differ) {
 
 namespace {
 
-/// Particles that never move give the grid their mass once. Their domains are turned as a rigid motion would.
-template <int Dim>
-std::vector<double> mass_of_held(const Setup<Dim>& setup) {
-  const Seeds<Dim>& seeds = setup.seeds;
-  Mat<Dim> F{};
-  for (std::size_t d = 0; d < Dim; ++d) F[d * Dim + d] = 1;
-  F[0] = F[Dim + 1] = std::cos(seeds.angle);
-  F[Dim] = std::sin(seeds.angle);
-  F[1] = -F[Dim];
-  std::vector<double> mass(setup.grid.nodes(), 0.0);
-  with_basis<Dim>(setup.method.basis, [&](auto tag) {
-    typename decltype(tag)::type basis(setup.grid, seeds.half_size, 1);
-    for (std::size_t k = 0; k < seeds.held.size(); ++k) {
-      const double m = setup.density * seeds.held_volume(k);
-      if (basis.place(0, seeds.held[k], F)) basis.template scatter<1, 0>(0, {m}, {}, mass.data());
-    }
-  });
-  return mass;
-}
-
-template <int Dim>
-void hold_mass(State<Dim>& s) {
-  s.held_mass = mass_of_held(s.setup);
-  for (std::size_t i = 0; i < s.held_mass.size(); ++i) {
-    if (s.held_mass[i] > 0) s.live.keep(i);
-  }
-  s.live.merge();
-}
-
 template <int Dim>
 std::size_t around_of(const Method& method) {
   if (!method.is_affine()) return static_cast<std::size_t>(Around::nothing);
@@ -133,9 +103,10 @@ void call_for_force(Pass<Dim>& pass, bool with_body_force) {
 }  // namespace
 
 template <int Dim>
-Pass<Dim> particles_to_grid_pass(const Method& method, bool hold_outside) {
+Pass<Dim> particles_to_grid_pass(const Method& method) {
   Pass<Dim> pass;
   pass.name = "particles_to_grid";
+  pass.slot = {Phase::to_grid};
   pass.stages = Stages::first;
   pass.doc = method.is_affine() ? "nodal mass and momentum, of the velocity around the particles, too"
                                 : "nodal mass and momentum";
@@ -143,22 +114,20 @@ Pass<Dim> particles_to_grid_pass(const Method& method, bool hold_outside) {
   pass.reads = {Column::weights, Column::mass, Column::velocity};
   if (method.is_affine()) pass.reads.push_back(affine_column(method));
   pass.grid_fields = {"mass", "momentum"};
-  pass.bind = [hold_outside, around = around_of<Dim>(method)](State<Dim>& s) -> Kernel {
-    if (hold_outside) hold_mass(s);
+  pass.bind = [around = around_of<Dim>(method)](State<Dim>& s) -> Kernel {
     return scatter_kernel(s, s.kernels.momentum[around], true, false);
   };
   return pass;
 }
 
 template <int Dim>
-Pass<Dim> particles_and_forces_to_grid_pass(const Method& method, bool hold_outside, bool with_body_force) {
-  Pass<Dim> pass = particles_to_grid_pass<Dim>(method, hold_outside);
+Pass<Dim> particles_and_forces_to_grid_pass(const Method& method, bool with_body_force) {
+  Pass<Dim> pass = particles_to_grid_pass<Dim>(method);
   pass.doc =
       std::string("nodal mass, momentum") + (with_body_force ? ", internal and body force" : " and internal force");
   if (method.is_total()) pass.doc += ", by the first Piola-Kirchhoff stress";
   call_for_force(pass, with_body_force);
-  pass.bind = [hold_outside, with_body_force, around = around_of<Dim>(method)](State<Dim>& s) -> Kernel {
-    if (hold_outside) hold_mass(s);
+  pass.bind = [with_body_force, around = around_of<Dim>(method)](State<Dim>& s) -> Kernel {
     return scatter_kernel(s, s.kernels.momentum_and_force[around][with_body_force ? 1 : 0], true, true);
   };
   return pass;
@@ -168,6 +137,7 @@ template <int Dim>
 Pass<Dim> force_pass(const Method& method, bool with_body_force) {
   Pass<Dim> pass;
   pass.name = "grid_forces";
+  pass.slot = {Phase::forces};
   pass.stages = Stages::kicks;
   pass.doc = with_body_force ? "nodal internal and body force" : "nodal internal force";
   if (method.is_total()) pass.doc += ", by the first Piola-Kirchhoff stress";
@@ -182,8 +152,8 @@ Pass<Dim> force_pass(const Method& method, bool with_body_force) {
 }
 
 template Pass<ASSAY_DIMENSION> weights_pass(const Method&, bool);
-template Pass<ASSAY_DIMENSION> particles_to_grid_pass(const Method&, bool);
-template Pass<ASSAY_DIMENSION> particles_and_forces_to_grid_pass(const Method&, bool, bool);
+template Pass<ASSAY_DIMENSION> particles_to_grid_pass(const Method&);
+template Pass<ASSAY_DIMENSION> particles_and_forces_to_grid_pass(const Method&, bool);
 template Pass<ASSAY_DIMENSION> force_pass(const Method&, bool);
 
 }  // namespace assay::mpm

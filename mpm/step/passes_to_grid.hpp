@@ -13,7 +13,7 @@ Pass<Dim> weights_pass(const Method& method, bool domains_differ);
 
 /// m_i = sum phi_ip m_p, (m v)_i = sum phi_ip m_p (v_p [+ C_p r_i]), r_i from the particle to the node.
 template <int Dim>
-Pass<Dim> particles_to_grid_pass(const Method& method, bool hold_outside);
+Pass<Dim> particles_to_grid_pass(const Method& method);
 
 /// f_i = - sum V_p sigma_p grad phi_ip [+ sum phi_ip m_p b_p], V_p = J V_0; total: V_0 P_p in place of V_p sigma_p.
 template <int Dim>
@@ -21,6 +21,6 @@ Pass<Dim> force_pass(const Method& method, bool with_body_force);
 
 /// Both at once, under the first one's name: the weights are made once.
 template <int Dim>
-Pass<Dim> particles_and_forces_to_grid_pass(const Method& method, bool hold_outside, bool with_body_force);
+Pass<Dim> particles_and_forces_to_grid_pass(const Method& method, bool with_body_force);
 
 }  // namespace assay::mpm

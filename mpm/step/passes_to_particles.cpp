@@ -35,6 +35,7 @@ Pass<Dim> grid_to_particles_pass(const Method& method, bool with_velocity_gradie
   Pass<Dim> pass;
   const Velocity kind = velocity_of(method);
   pass.name = "grid_to_particles";
+  pass.slot = {Phase::to_particles};
   pass.doc = kind == Velocity::of_grid ? "positions and velocities by grid velocity"
              : kind == Velocity::kept  ? "positions by grid velocity, velocities by grid acceleration"
                                        : "positions by grid velocity, velocities by both";
@@ -65,9 +66,10 @@ Pass<Dim> grid_to_particles_pass(const Method& method, bool with_velocity_gradie
 }
 
 template <int Dim>
-Pass<Dim> velocity_gradient_pass() {
+Pass<Dim> velocity_gradient_pass(const Method& method) {
   Pass<Dim> pass;
   pass.name = "velocity_gradient";
+  pass.slot = {gradient_phase(method), Part::last};
   pass.doc = "L of the particles from the grid velocity";
   pass.called_for_by = "method.update";
   pass.reads = {Column::weights};
@@ -84,6 +86,6 @@ Pass<Dim> velocity_gradient_pass() {
 
 template bool fits_with_corners<ASSAY_DIMENSION>(const Method&);
 template Pass<ASSAY_DIMENSION> grid_to_particles_pass(const Method&, bool, bool);
-template Pass<ASSAY_DIMENSION> velocity_gradient_pass();
+template Pass<ASSAY_DIMENSION> velocity_gradient_pass(const Method&);
 
 }  // namespace assay::mpm

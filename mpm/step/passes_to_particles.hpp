@@ -18,6 +18,6 @@ Pass<Dim> grid_to_particles_pass(const Method& method, bool with_velocity_gradie
 
 /// L = sum v_i (x) grad phi_ip alone.
 template <int Dim>
-Pass<Dim> velocity_gradient_pass();
+Pass<Dim> velocity_gradient_pass(const Method& method);
 
 }  // namespace assay::mpm

@@ -2,9 +2,12 @@
 // Everything that a running simulation owns; passes work on it.
 #pragma once
 
+#include <functional>
+#include <map>
+#include <memory>
 #include <optional>
-#include <span>
 #include <string>
+#include <typeindex>
 #include <vector>
 
 #include "harness/material/failed_step.hpp"
@@ -12,7 +15,6 @@
 #include "mpm/grid/live_nodes.hpp"
 #include "mpm/kernels/kernels.hpp"
 #include "mpm/setup/setup.hpp"
-#include "mpm/step/surface_loads.hpp"
 
 namespace assay::mpm {
 
@@ -46,40 +48,6 @@ struct TileCopy {
   GridField<Dim> force;
 };
 
-/// Of all nodes before images were folded.
-struct UnfoldedSums {
-  std::vector<double> image_mass;             ///< of each image [kg]
-  std::array<double, 3> momentum{}, force{};  ///< [N s], [N]
-};
-
-/// Nodes without mass where particles lie on lines between cells, and those with mass that they go with.
-struct MasslessNodes {
-  struct Share {
-    std::size_t node = 0;
-    double of_mass = 0;  ///< of all those of one node
-  };
-  struct Node {
-    std::size_t node = 0, end = 0;  ///< of its shares, which begin where those of the node before end
-  };
-  std::vector<Node> nodes;
-  std::vector<Share> shares;
-
-  void clear() {
-    nodes.clear();
-    shares.clear();
-  }
-
-  /// body(node, shares)
-  template <class Body>
-  void each(const Body& body) const {
-    std::size_t begin = 0;
-    for (const Node& one : nodes) {
-      body(one.node, std::span(shares).subspan(begin, one.end - begin));
-      begin = one.end;
-    }
-  }
-};
-
 template <int Dim>
 struct State : KernelState<Dim> {
   explicit State(Setup<Dim> s) : KernelState<Dim>{s.method, s.seeds.size()}, setup(std::move(s)) {}
@@ -87,19 +55,32 @@ struct State : KernelState<Dim> {
   Setup<Dim> setup;
   LiveNodes<Dim> live{setup.grid};  ///< in which all nodal fields are kept up to date
   Kernels<Dim> kernels = kernels_of<Dim>(setup.method.basis, setup.instructions);
-  std::vector<GridField<Dim>> solver;  ///< of a mass matrix that is not lumped
-  std::vector<double> inverse_mass;    ///< of a mass matrix that is not lumped: 1 / row sum of a node that moves, or 0
-  std::vector<double> held_mass;       ///< of particles that never move, a node; empty where nothing is held
+  std::vector<double> held_mass;  ///< of particles that never move, a node; empty where nothing is held
   std::vector<std::uint32_t> held_nodes;
-  Images<Dim> images;                   ///< of symmetry planes and periodic ends; empty without
-  UnfoldedSums unfolded;                ///< for the accounts of these
-  MasslessNodes massless;               ///< of this step
-  std::shared_ptr<SurfaceLoads> loads;  ///< of tractions; null without
-  std::array<ColumnData, 2> history;    ///< material state by block, [c * n + p]: begin and end of the step
+  Images<Dim> images;                 ///< of symmetry planes and periodic ends; empty without
+  std::array<ColumnData, 2> history;  ///< material state by block, [c * n + p]: begin and end of the step
   std::vector<TileCopy<Dim>> tile_copies;
   std::optional<Finding> finding;
   Ledger ledger;
   std::int64_t material_calls = 0;  ///< points updated
+  /// Marks nodes beside those that particles reach: once a step, before their images are.
+  std::vector<std::function<void(LiveNodes<Dim>&)>> markers;
+
+  /// What passes have in common and no other knows, one of each type: made by the first that asks for it. It lives as
+  /// long as the state, and a pass asks once, when it is bound.
+  template <class T>
+  T& own() {
+    std::shared_ptr<void>& kept = owned_[typeid(T)];
+    if (!kept) kept = std::make_shared<T>();
+    return *static_cast<T*>(kept.get());
+  }
+  template <class T>
+  bool owns() const {
+    return owned_.contains(typeid(T));
+  }
+
+ private:
+  std::map<std::type_index, std::shared_ptr<void>> owned_;
 };
 
 }  // namespace assay::mpm

@@ -48,18 +48,17 @@ void bind_particles(SurfaceLoads& loads, const State<2>& s) {
 
 }  // namespace
 
-std::shared_ptr<SurfaceLoads> surface_loads(State<2>& s, std::vector<SurfacePoint> points, bool at_particles) {
-  auto loads = std::make_shared<SurfaceLoads>();
-  loads->points = std::move(points);
+void place_loads(State<2>& s, std::vector<SurfacePoint> points, bool at_particles) {
+  auto& loads = s.own<SurfaceLoads>();
+  loads.points = std::move(points);
   const Basis own = s.setup.method.basis;
   with_basis<2>(at_particles || is_spline(own) ? own : Basis::linear, [&](auto tag) {
     using B = typename decltype(tag)::type;
     if (at_particles)
-      bind_particles<B>(*loads, s);
+      bind_particles<B>(loads, s);
     else
-      bind_points<B>(*loads, s.setup.grid);
+      bind_points<B>(loads, s.setup.grid);
   });
-  return loads;
 }
 
 }  // namespace assay::mpm

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <vector>
 
 #include "mpm/basis/basis.hpp"
@@ -33,6 +32,7 @@ struct SurfaceLoads {
   std::function<Vec<2>(std::size_t, const double*)> velocity;  ///< at it, from the field of motion
 };
 
-std::shared_ptr<SurfaceLoads> surface_loads(State<2>& s, std::vector<SurfacePoint> points, bool at_particles);
+/// Makes those that the state owns.
+void place_loads(State<2>& s, std::vector<SurfacePoint> points, bool at_particles);
 
 }  // namespace assay::mpm

@@ -6,13 +6,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "bench/effect_scenes.hpp"
 #include "drivers/composition.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/response_source.hpp"
+#include "mpm/mass/mass_matrix.hpp"
 #include "mpm/simulation.hpp"
+#include "mpm/step/surface_loads.hpp"
 #include "tests/drivers/scene_text.hpp"
 #include "tests/support/built.hpp"
 #include "tests/support/counting_material.hpp"
@@ -21,7 +24,7 @@ namespace assay::drivers::test_effects {
 namespace {
 
 using mpm::Column;
-using mpm::Effect;
+using Names = std::vector<std::string>;
 
 const std::set<std::string> spine_passes{"weights",         "particles_to_grid", "fold_massless", "grid_update",
                                          "unfold_massless", "grid_to_particles", "stress"};
@@ -41,66 +44,106 @@ Problem problem_of(const std::string& file, const std::vector<std::string>& sets
 
 std::string config(const std::string& name) { return ASSAY_SOURCE_DIR "/configs/" + name + ".yaml"; }
 
-TEST(EffectList, IsInTheOrderOfTheirNamesAndEachHasOneKey) {
+TEST(EffectList, HasEachOnceWithOneKey) {
   std::set<std::string> names;
-  ASSERT_EQ(effects().size(), mpm::effect_count);
-  for (std::size_t k = 0; k < effects().size(); ++k) {
-    const EffectEntry& entry = effects()[k];
-    EXPECT_EQ(static_cast<std::size_t>(entry.effect), k) << entry.name;
+  for (const EffectEntry& entry : effects()) {
     EXPECT_TRUE(names.insert(entry.name).second) << entry.name;
     EXPECT_FALSE(entry.doc.empty());
-    EXPECT_EQ(entry.key.empty(), entry.effect == Effect::third_dimension) << entry.name;
+    EXPECT_EQ(entry.key.empty(), entry.name == "third_dimension") << entry.name;
+  }
+  for (const auto& record : mpm::effects<3>()) EXPECT_TRUE(names.contains(record.name)) << record.name;
+}
+
+TEST(EffectList, EveryColumnHasOneRecord) {
+  std::size_t of_effects = 0;
+  for (const auto& record : mpm::effects<2>()) of_effects += record.columns.size();
+  EXPECT_EQ(of_effects + spine_columns.size(), mpm::column_count);
+  for (std::size_t k = 0; k < mpm::column_count; ++k) {
+    const auto& record = mpm::info(static_cast<Column>(k));
+    EXPECT_EQ(static_cast<std::size_t>(record.column), k) << record.name;
+    EXPECT_EQ(record.effect.empty(), spine_columns.contains(std::string(record.name))) << record.name;
   }
 }
 
+/// Whether what an effect of a step has in a list, as its record makes it for this setup, has that name.
+template <class List>
+bool brings(const List& list, const mpm::Setup<2>& setup, const std::string& name) {
+  if (!list) return false;
+  const auto made = list(setup);
+  return std::any_of(made.begin(), made.end(), [&](const auto& one) { return one.name == name; });
+}
+
+/// Its record names the pass, or the pass that another's record brings names it.
+bool names_pass(const std::string& effect, const mpm::Setup<2>& setup, const std::string& name) {
+  for (const auto& record : mpm::effects<2>()) {
+    if (!record.passes || !record.called_for(setup)) continue;
+    for (const auto& pass : record.passes(setup)) {
+      if (pass.name == name && (record.name == effect || holds(pass.effects, effect))) return true;
+    }
+  }
+  return false;
+}
+
+const mpm::EffectRecord<2>* record_of_effect(const std::string& effect) {
+  for (const auto& record : mpm::effects<2>()) {
+    if (record.name == effect) return &record;
+  }
+  return nullptr;
+}
+
 /// What there is in a composition that is nobody's: neither the spine's nor of effects that are there, or not named by
-/// their entries.
-std::vector<std::string> orphans_of(const Composition& c, const std::vector<Effect>& there) {
+/// their records.
+std::vector<std::string> orphans_of(const mpm::Setup<2>& setup, const Composition& c,
+                                    const std::vector<std::string>& there) {
   std::vector<std::string> found;
-  const auto look = [&](const std::string& name, const std::vector<Effect>& owners, const std::set<std::string>& spine,
-                        const auto& names_it) {
+  const auto look = [&](const std::string& name, const std::vector<std::string>& owners,
+                        const std::set<std::string>& spine, const auto& names_it) {
     if (owners.empty() && !spine.contains(name)) found.push_back(name);
-    for (const Effect owner : owners) {
-      if (!holds(there, owner) || !names_it(entry_of(owner))) found.push_back(name + " of " + entry_of(owner).name);
+    for (const std::string& owner : owners) {
+      if (!holds(there, owner) || !names_it(owner)) found.push_back(name + " of " + owner);
     }
   };
   for (const auto& pass : c.passes) {
-    look(pass.name, pass.effects, spine_passes, [&](const EffectEntry& e) { return holds(e.passes, pass.name); });
+    look(pass.name, pass.effects, spine_passes,
+         [&](const std::string& effect) { return names_pass(effect, setup, pass.name); });
   }
   for (const auto& use : c.columns) {
-    const std::vector<Effect> owners = use.effect ? std::vector<Effect>{*use.effect} : std::vector<Effect>{};
+    const std::vector<std::string> owners = use.effect ? std::vector<std::string>{*use.effect} : Names{};
     look(std::string(mpm::info(use.column).name), owners, spine_columns,
-         [&](const EffectEntry& e) { return holds(e.columns, use.column); });
+         [&](const std::string& effect) { return mpm::info(use.column).effect == effect; });
   }
   for (const auto& use : c.grid_fields) {
-    look(use.name, use.effects, spine_fields, [&](const EffectEntry& e) { return holds(e.grid_fields, use.name); });
+    look(use.name, use.effects, spine_fields, [&](const std::string& effect) {
+      const auto* record = record_of_effect(effect);
+      return record && brings(record->grid_fields, setup, use.name);
+    });
   }
   return found;
 }
 
-using Names = std::vector<std::string>;
-
 void expect_owned(const Problem& problem) {
-  EXPECT_EQ(orphans_of(composition_of(problem), effects_of(problem)), Names{});
+  EXPECT_EQ(orphans_of(problem.setup, composition_of(problem), effects_of(problem)), Names{});
 }
 
 TEST(EffectListNegativeControl, WhatIsNobodysIsFound) {
   const Problem problem = problem_of(config("paper/vortex_cpdi"), {"grid.spacing=0.125", "method.transfer=apic"});
-  const std::vector<Effect> there = effects_of(problem);
+  const Names there = effects_of(problem);
   Composition c = composition_of(problem);
-  ASSERT_EQ(orphans_of(c, there), Names{});
-  std::vector<Effect> less = there;
-  std::erase(less, Effect::affine_velocity);
-  EXPECT_EQ(orphans_of(c, less), (Names{"affine of affine_velocity", "affine of affine_velocity"}));  // pass and column
+  ASSERT_EQ(orphans_of(problem.setup, c, there), Names{});
+  Names less = there;
+  std::erase(less, "affine_velocity");
+  EXPECT_EQ(orphans_of(problem.setup, c, less),
+            (Names{"affine of affine_velocity", "affine of affine_velocity"}));  // pass and column
   for (auto& pass : c.passes) {
     if (pass.name == "accounts") pass.effects.clear();
-    if (pass.name == "body_force") pass.effects = {Effect::energy_account};
+    if (pass.name == "body_force") pass.effects = {"energy_account"};
   }
   for (auto& use : c.columns) {
     if (use.column == Column::body_force) use.effect.reset();
   }
   c.grid_fields.push_back({"planted", "", 8, {}, {}});
-  EXPECT_EQ(orphans_of(c, there), (Names{"body_force of energy_account", "accounts", "body_force", "planted"}));
+  EXPECT_EQ(orphans_of(problem.setup, c, there),
+            (Names{"body_force of energy_account", "accounts", "body_force", "planted"}));
 }
 
 TEST(EffectList, OwnsEveryPassColumnAndGridFieldOfEveryScene) {
@@ -116,66 +159,49 @@ TEST(EffectList, OwnsEveryPassColumnAndGridFieldOfEveryScene) {
   EXPECT_GT(composed, 40);
 }
 
-TEST(EffectList, OfThePlainVortexIsWhatASpineBuildKeeps) {
+// Against which bench/compare_spine.py sets a step that is written by hand.
+TEST(EffectList, ThePlainVortexTakesOneInItsSteps) {
   std::vector<std::string> sets = bench::quiet();
   for (const std::string& set : bench::plain()) sets.push_back(set);
-  const std::vector<Effect> there = effects_of(problem_of(config("paper/vortex_cpdi"), sets));
-  EXPECT_TRUE(std::equal(there.begin(), there.end(), mpm::spine_effects.begin(), mpm::spine_effects.end()));
+  EXPECT_EQ(effects_of(problem_of(config("paper/vortex_cpdi"), sets)),
+            (Names{"body_force", "screening", "error_sampling"}));
 }
 
+/// What a state has of an effect beside columns; null: nothing.
+using Trace = bool (*)(const mpm::State<2>&);
+const std::map<std::string, Trace> traces{
+    {"edge_traction", [](const mpm::State<2>& s) { return s.owns<mpm::SurfaceLoads>(); }},
+    {"particle_traction", [](const mpm::State<2>& s) { return s.owns<mpm::SurfaceLoads>(); }},
+    {"undeformed_traction", [](const mpm::State<2>& s) { return s.owns<mpm::SurfaceLoads>(); }},
+    {"images", [](const mpm::State<2>& s) { return !s.images.empty(); }},
+    {"outside_held",
+     [](const mpm::State<2>& s) {
+       return !s.held_nodes.empty() || !s.held_mass.empty() || !s.setup.seeds.held.empty();
+     }},
+    {"history", [](const mpm::State<2>& s) { return !s.history[0].empty() || !s.history[1].empty(); }},
+    {"mass_matrix", [](const mpm::State<2>& s) { return s.owns<mpm::SolverFields<2>>(); }},
+    {"velocity_terms", [](const mpm::State<2>& s) { return s.owns<mpm::SolverFields<2>>(); }},
+    {"force_stages", [](const mpm::State<2>& s) { return s.owns<mpm::SolverFields<2>>(); }},
+    {"energy_account", [](const mpm::State<2>& s) { return !s.block_power.empty(); }},
+    {"shadow", [](const mpm::State<2>& s) { return s.setup.response && s.setup.response->shadow(); }},
+};
+
 /// Every trace of an effect in what is composed, and in what a simulation of it has allocated.
-std::vector<std::string> traces_of(Effect effect, const Problem& problem, const mpm::State<2>& s) {
-  std::vector<std::string> found;
-  const auto note = [&](bool is_there, const std::string& what) {
-    if (is_there) found.push_back(what);
-  };
+Names traces_of(const std::string& effect, const Problem& problem, const mpm::State<2>& s) {
+  Names found;
   const Composition c = composition_of(problem);
-  const EffectPart& part = c.effects[static_cast<std::size_t>(effect)];
-  for (const auto* list : {&part.passes, &part.columns, &part.grid_fields}) {
-    found.insert(found.end(), list->begin(), list->end());
+  for (const EffectPart& part : c.effects) {
+    if (part.effect != effect) continue;
+    for (const auto* list : {&part.passes, &part.columns, &part.grid_fields}) {
+      found.insert(found.end(), list->begin(), list->end());
+    }
   }
   for (std::size_t k = 0; k < mpm::column_count; ++k) {
-    const auto column = static_cast<Column>(k);
-    if (mpm::effect_of(column) == effect) note(s.has(column), std::string(mpm::info(column).name) + " allocated");
+    const auto& column = mpm::info(static_cast<Column>(k));
+    if (column.effect == effect && s.has(column.column)) found.push_back(std::string(column.name) + " allocated");
   }
-  using enum Effect;
-  const mpm::Traction* traction = s.setup.traction ? &*s.setup.traction : nullptr;
-  const auto loads_of = [&](mpm::TractionAlgorithm algorithm) {
-    note(s.loads && traction && traction->algorithm == algorithm, "loads of the surface");
-  };
-  switch (effect) {
-    case edge_traction:
-      loads_of(mpm::TractionAlgorithm::edges);
-      break;
-    case particle_traction:
-      loads_of(mpm::TractionAlgorithm::particles);
-      break;
-    case undeformed_traction:
-      loads_of(mpm::TractionAlgorithm::undeformed_edges);
-      break;
-    case images:
-      note(!s.images.empty(), "pairs of nodes");
-      break;
-    case outside_held:
-      note(!s.held_nodes.empty() || !s.held_mass.empty() || !s.setup.seeds.held.empty(), "held nodes and particles");
-      break;
-    case history:
-      note(!s.history[0].empty() || !s.history[1].empty(), "history allocated");
-      break;
-    case mass_matrix:
-    case velocity_terms:
-    case force_stages:
-      note(!s.solver.empty() || !s.inverse_mass.empty(), "vectors of the solver");
-      break;
-    case energy_account:
-      note(!s.block_power.empty(), "power by block");
-      break;
-    case shadow:
-      note(s.setup.response && s.setup.response->shadow(), "histories");
-      break;
-    default:
-      break;
-  }
+  const auto trace = traces.find(effect);
+  if (trace != traces.end() && trace->second(s)) found.emplace_back("kept by the state");
   return found;
 }
 
@@ -192,9 +218,7 @@ Problem counted_problem(const std::string& scene, const std::vector<std::string>
 
 class OfEachEffect : public testing::TestWithParam<bench::EffectScene> {};
 
-std::string effect_name(const testing::TestParamInfo<bench::EffectScene>& info) {
-  return entry_of(info.param.effect).name;
-}
+std::string effect_name(const testing::TestParamInfo<bench::EffectScene>& info) { return info.param.effect; }
 
 TEST_P(OfEachEffect, NothingIsThereWithoutItAndItIsThereWithIt) {
   const bench::EffectScene& way = GetParam();
@@ -209,9 +233,39 @@ TEST_P(OfEachEffect, NothingIsThereWithoutItAndItIsThereWithIt) {
   const mpm::Simulation<2> full(with.setup);
   const auto found = traces_of(way.effect, with, full.state());
   EXPECT_TRUE(!found.empty() || !entry.around.empty());
-  EXPECT_EQ(found.empty(),
-            entry.passes.empty() && entry.columns.empty() && entry.grid_fields.empty() && way.effect != Effect::shadow);
+  const auto* record = record_of_effect(way.effect);
+  const bool brings_something = record && (record->passes || !record->columns.empty() || record->grid_fields);
+  EXPECT_EQ(found.empty(), !brings_something && way.effect != "shadow");
   expect_owned(with);
+}
+
+/// Calls of the kernels of an effect's passes in two steps.
+std::int64_t kernel_calls(const std::string& effect, const Problem& problem) {
+  std::int64_t calls = 0;
+  auto passes = mpm::compose(problem.setup);
+  for (auto& pass : passes) {
+    if (!holds(pass.effects, effect)) continue;
+    pass.bind = [&calls, bind = pass.bind](mpm::State<2>& s) {
+      mpm::Kernel kernel = bind(s);
+      kernel.begin = [&calls, begin = kernel.begin](const mpm::Instant& now) {
+        ++calls;
+        if (begin) begin(now);
+      };
+      return kernel;
+    };
+  }
+  mpm::Simulation<2> simulation(problem.setup, passes);
+  for (int k = 0; k < 2; ++k) simulation.step(k * problem.dt, problem.dt);
+  EXPECT_FALSE(simulation.state().finding);
+  return calls;
+}
+
+TEST_P(OfEachEffect, ItsKernelsAreCalledInScenesThatCallForIt) {
+  const bench::EffectScene& way = GetParam();
+  const auto* record = record_of_effect(way.effect);
+  EXPECT_EQ(kernel_calls(way.effect, counted_problem(way.scene, way.without)), 0);
+  const std::int64_t calls = kernel_calls(way.effect, counted_problem(way.scene, way.with));
+  EXPECT_EQ(calls > 0, record && record->passes) << calls;
 }
 
 /// Points that the material updates in so many steps, beyond those that the stress of the particles takes.
@@ -225,8 +279,9 @@ std::int64_t calls_beyond_stress(const Problem& problem, int steps) {
 }
 
 bool asks_material(const Problem& problem) {
-  const std::vector<Effect> there = effects_of(problem);
-  return std::any_of(there.begin(), there.end(), [](Effect effect) { return entry_of(effect).asks_material; });
+  const Names there = effects_of(problem);
+  return std::any_of(there.begin(), there.end(),
+                     [](const std::string& effect) { return entry_of(effect).asks_material; });
 }
 
 // But by the effects that say so: exact stress for tractions, histories of the shadow.
@@ -247,16 +302,16 @@ TEST_P(OfEachEffect, TheMaterialIsCalledForTheStressAlone) {
 /// But isolation, whose workers belong to a run: see OfIsolation.
 std::vector<bench::EffectScene> scenes_in_process() {
   auto list = bench::effect_scenes(built("materials"));
-  std::erase_if(list, [](const bench::EffectScene& way) { return way.effect == Effect::isolation; });
+  std::erase_if(list, [](const bench::EffectScene& way) { return way.effect == "isolation"; });
   return list;
 }
 INSTANTIATE_TEST_SUITE_P(Effects, OfEachEffect, testing::ValuesIn(scenes_in_process()), effect_name);
 
 TEST(EffectScenes, AreThoseOfTheWholeList) {
-  std::set<Effect> measured;
+  std::set<std::string> measured;
   for (const bench::EffectScene& way : bench::effect_scenes("")) measured.insert(way.effect);
   for (const EffectEntry& entry : effects()) {
-    EXPECT_EQ(measured.contains(entry.effect), entry.effect != Effect::third_dimension) << entry.name;
+    EXPECT_EQ(measured.contains(entry.name), entry.name != "third_dimension") << entry.name;
   }
 }
 

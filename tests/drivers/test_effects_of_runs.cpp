@@ -17,15 +17,13 @@
 namespace assay::drivers::test_effects_of_runs {
 namespace {
 
-using mpm::Effect;
-
 /// What a run leaves and finds, with its calls of the material from outside the steps.
 struct Around {
   std::set<std::string> files;
   nlohmann::json result;
 };
 
-Around run_of(Effect effect, bool with) {
+Around run_of(const std::string& effect, bool with) {
   for (const bench::EffectScene& way : bench::effect_scenes(built("materials"))) {
     if (way.effect != effect) continue;
     const ScratchFolder scratch;
@@ -46,17 +44,17 @@ bool profiles(const Around& around, const std::string& name) {
 }
 
 TEST(AroundTheSteps, WhatIsNotCalledForLeavesNoFile) {
-  for (const auto& [effect, file] : {std::pair{Effect::snapshots, ".vtu"}, std::pair{Effect::pictures, ".png"},
-                                     std::pair{Effect::report, ".html"}}) {
+  for (const auto& [effect, file] :
+       {std::pair{"snapshots", ".vtu"}, std::pair{"pictures", ".png"}, std::pair{"report", ".html"}}) {
     EXPECT_FALSE(run_of(effect, false).files.contains(file)) << file;
     EXPECT_TRUE(run_of(effect, true).files.contains(file)) << file;
   }
-  EXPECT_FALSE(profiles(run_of(Effect::snapshots, false), "snapshots"));
-  EXPECT_TRUE(profiles(run_of(Effect::snapshots, true), "snapshots"));
+  EXPECT_FALSE(profiles(run_of("snapshots", false), "snapshots"));
+  EXPECT_TRUE(profiles(run_of("snapshots", true), "snapshots"));
 }
 
 TEST(AroundTheSteps, ARunThatIsNotComparedIsNeitherScreenedNorSampled) {
-  const Around without = run_of(Effect::screening, false), with = run_of(Effect::screening, true);
+  const Around without = run_of("screening", false), with = run_of("screening", true);
   EXPECT_TRUE(without.result["screen"]["verdict"].is_null());
   EXPECT_EQ(with.result["screen"]["verdict"], "stable");
   EXPECT_FALSE(profiles(without, "error_sampling"));
@@ -70,12 +68,12 @@ TEST(AroundTheSteps, ARunThatIsNotComparedIsNeitherScreenedNorSampled) {
 }
 
 TEST(AroundTheSteps, TheTractionsAreComparedWhereThatIsAskedFor) {
-  EXPECT_TRUE(run_of(Effect::traction_table, false).result["tractions"].is_null());
-  EXPECT_FALSE(run_of(Effect::traction_table, true).result["tractions"].is_null());
+  EXPECT_TRUE(run_of("traction_table", false).result["tractions"].is_null());
+  EXPECT_FALSE(run_of("traction_table", true).result["tractions"].is_null());
 }
 
 TEST(OfIsolation, ThereIsNoWorkerWithoutIt) {
-  const Around without = run_of(Effect::isolation, false), with = run_of(Effect::isolation, true);
+  const Around without = run_of("isolation", false), with = run_of("isolation", true);
   EXPECT_FALSE(profiles(without, "isolation"));
   EXPECT_TRUE(profiles(with, "isolation"));
 }

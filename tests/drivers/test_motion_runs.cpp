@@ -12,6 +12,7 @@
 #include "drivers/simulation/response_source.hpp"
 #include "harness/numeric/norms.hpp"
 #include "mpm/simulation.hpp"
+#include "mpm/step/surface_loads.hpp"
 
 namespace assay::drivers::test_motion_runs {
 namespace {
@@ -151,10 +152,10 @@ void plant_sign_of_traction(Problem&, std::vector<mpm::Pass<2>>& passes) {
   mpm::Pass<2> planted;
   planted.name = "planted";
   planted.bind = [](mpm::State<2>& s) -> mpm::Kernel {
-    return [&s](const mpm::Instant&) {
-      for (std::size_t k = 0; k < s.loads->points.size(); ++k) {
-        for (double& component : s.loads->points[k].force) component *= -2;
-        s.loads->scatter(k, s.force.data());
+    return [&s, &loads = s.own<mpm::SurfaceLoads>()](const mpm::Instant&) {
+      for (std::size_t k = 0; k < loads.points.size(); ++k) {
+        for (double& component : loads.points[k].force) component *= -2;
+        loads.scatter(k, s.force.data());
       }
     };
   };

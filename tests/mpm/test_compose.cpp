@@ -105,8 +105,8 @@ TEST(Compose, ColumnsAndGridTakeTheBytesThatAreTold) {
     for (const bool everything : {false, true}) {
       mpm::Setup<2> setup = everything ? with_everything(way) : bare();
       setup.method = way;
-      const Simulation<2> simulation(setup);
-      const State<2>& s = simulation.state();
+      Simulation<2> simulation(setup);
+      State<2>& s = simulation.state();
       std::array<bool, column_count> told{};
       for (const ColumnUse& use : columns_of(compose(setup), setup)) {
         told[static_cast<std::size_t>(use.column)] = true;
@@ -120,12 +120,13 @@ TEST(Compose, ColumnsAndGridTakeTheBytesThatAreTold) {
       EXPECT_EQ(s.history[0].empty(), !everything);
       EXPECT_EQ(s.held_nodes.empty(), !everything);
       std::size_t grid = s.inertia.bytes() + s.force.bytes() + s.motion.bytes();
-      for (const auto& field : s.solver) grid += field.bytes();
+      const auto& solver = s.own<SolverFields<2>>();
+      for (const auto& field : solver.vectors) grid += field.bytes();
       for (const auto& copy : s.tile_copies) grid += copy.inertia.bytes() + copy.force.bytes();
       if (const int across = mass_nodes_across<2>(way)) {  // made in the first step
         grid += MassStencil<2>::entries(across) * sizeof(double) * setup.grid.nodes();
       }
-      grid += (s.held_mass.size() + s.inverse_mass.size()) * sizeof(double);
+      grid += (s.held_mass.size() + solver.inverse_mass.size()) * sizeof(double);
       EXPECT_EQ(grid, grid_bytes_per_node(setup) * setup.grid.nodes());
     }
   }

@@ -2,7 +2,6 @@
 // The kernels of one basis.
 #pragma once
 
-#include "mpm/data/effect.hpp"
 #include "mpm/kernels/variants/to_grid.hpp"
 #include "mpm/kernels/variants/to_particles.hpp"
 
@@ -25,31 +24,24 @@ constexpr std::array<BlockKernel<Dim>, 2> both() {
   return {momentum_and_force<B, Kind, false, Dim>, momentum_and_force<B, Kind, true, Dim>};
 }
 
-/// Of what this build leaves out no kernel is made.
 template <class B, int Dim>
 Kernels<Dim> table() {
-  constexpr bool matrix = compiled(Effect::mass_matrix), affine = compiled(Effect::affine_velocity);
-  constexpr bool forces_alone = compiled(Effect::stress_first) || compiled(Effect::force_stages);
   Kernels<Dim> k;
   k.place = place<B, Dim>;
-  k.momentum[0] = momentum<B, Around::nothing, Dim>;
-  k.momentum_and_force[0] = both<B, Around::nothing, Dim>();
+  k.momentum = {momentum<B, Around::nothing, Dim>, momentum<B, Around::gradient, Dim>,
+                momentum<B, Around::moment, Dim>};
+  k.momentum_and_force = {both<B, Around::nothing, Dim>(), both<B, Around::gradient, Dim>(),
+                          both<B, Around::moment, Dim>()};
   k.gather = all_gathers<B, false, Dim>();
-  if constexpr (forces_alone) k.force = {force<B, false, Dim>, force<B, true, Dim>};
-  if constexpr (forces_alone || compiled(Effect::remapped_velocity)) k.velocity_gradient = velocity_gradient<B, Dim>;
-  if constexpr (matrix) k.multiply_mass = multiply_mass<B, Dim>;
-  if constexpr (affine) {
-    k.momentum[1] = momentum<B, Around::gradient, Dim>;
-    k.momentum[2] = momentum<B, Around::moment, Dim>;
-    k.momentum_and_force[1] = both<B, Around::gradient, Dim>();
-    k.momentum_and_force[2] = both<B, Around::moment, Dim>();
-    if constexpr (MovesCorners<B>) k.gather_and_fit = all_gathers<B, true, Dim>();
-    k.moment = carry<B, Carried::moment, Dim>;
-    k.gradient = carry<B, Carried::gradient, Dim>;
-    k.convected = carry<B, Carried::convected, Dim>;
-    k.fitted = carry_fitted<B, Dim>;
-    k.first_moment = first_moment<B, Dim>;
-  }
+  if constexpr (MovesCorners<B>) k.gather_and_fit = all_gathers<B, true, Dim>();
+  k.force = {force<B, false, Dim>, force<B, true, Dim>};
+  k.velocity_gradient = velocity_gradient<B, Dim>;
+  k.multiply_mass = multiply_mass<B, Dim>;
+  k.moment = carry<B, Carried::moment, Dim>;
+  k.gradient = carry<B, Carried::gradient, Dim>;
+  k.convected = carry<B, Carried::convected, Dim>;
+  k.fitted = carry_fitted<B, Dim>;
+  k.first_moment = first_moment<B, Dim>;
   return k;
 }
 

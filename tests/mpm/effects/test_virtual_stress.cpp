@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "harness/motion/kinds/homogeneous.hpp"
-#include "mpm/effects/passes_traction.hpp"
+#include "mpm/effects/tractions.hpp"
 #include "mpm/seeding/lattice.hpp"
 #include "mpm/simulation.hpp"
 #include "tests/harness/elastic_material.hpp"

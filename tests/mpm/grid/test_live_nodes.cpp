@@ -143,7 +143,7 @@ TEST_P(EveryMethodOnTiles, OnlyTilesOfParticlesAreWritten) {
   for (std::size_t i = 0; i < s.motion.nodes(); ++i) {
     if (ever.contains(i)) continue;
     for (int c = 0; c < 4; ++c) ASSERT_EQ(s.motion.node(i)[c], 0);
-    for (const auto& field : s.solver) {
+    for (const auto& field : s.template own<SolverFields<2>>().vectors) {
       for (int c = 0; c < 2; ++c) ASSERT_EQ(field.node(i)[c], 0);
     }
   }

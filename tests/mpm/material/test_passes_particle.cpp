@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The accounts, and the body force that is planted wrong.
-#include "mpm/effects/passes_body_force.hpp"
 #include "mpm/material/passes_particle.hpp"
 #include "mpm/step/sweep.hpp"
 

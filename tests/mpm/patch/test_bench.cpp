@@ -76,20 +76,22 @@ TEST(PatchBench, GradedSeedsFillTheSquareWithUnequalRectangles) {
   EXPECT_GT(largest, 1.2 * seeds.half_size[1]);
 }
 
-TEST(PatchBench, PassesAreInsertedBehindAndInPlaceOfAllOfThatName) {
+TEST(PatchBench, PassesAreInsertedBehindAndInPlaceOfThoseOfAPhase) {
   std::vector<Pass<2>> passes(3);
   passes[0].name = passes[2].name = "a";
   passes[1].name = "b";
+  passes[0].slot = passes[2].slot = {Phase::grid};
+  passes[1].slot = {Phase::forces};
   Pass<2> probe, other;
   probe.name = "probe";
   other.name = "other";
-  insert_after(passes, {"a", "c"}, probe);
-  replace(passes, "b", other);
+  insert_after(passes, {Phase::grid, Phase::stress}, probe);
+  replace(passes, Phase::forces, other);
   std::string names;
   for (const auto& pass : passes) names += pass.name + " ";
   EXPECT_EQ(names, "a probe other a probe ");
-  EXPECT_THROW(insert_after(passes, {"b"}, probe), std::logic_error);
-  EXPECT_THROW(replace(passes, "b", probe), std::logic_error);
+  EXPECT_THROW(insert_after(passes, {Phase::forces}, probe), std::logic_error);
+  EXPECT_THROW(replace(passes, Phase::forces, probe), std::logic_error);
 }
 
 TEST(PatchBench, JudgesWhatIsPromisedAndTellsTheRest) {

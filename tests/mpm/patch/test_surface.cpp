@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The patch tests of the surface see a traction that is wrong, at the wrong place or missing, and a free face that
 // bears something.
+#include "mpm/step/surface_loads.hpp"
 #include "tests/mpm/patch/planted.hpp"
 
 namespace assay::mpm::test_surface {
@@ -66,7 +67,8 @@ TEST(PatchedSurface, SeesAForceThatIsNotHalvedBetweenTheCorners) {
                  "traction",
                  true,
                  [](State<2>& s, const Instant&) {
-                   for (SurfacePoint& point : s.loads->points) point.share = point.corner == point.edge->corners[0];
+                   for (SurfacePoint& point : s.own<SurfaceLoads>().points)
+                     point.share = point.corner == point.edge->corners[0];
                  },
                  {surface_methods.begin(), surface_methods.end() - 1},  // B-splines have no corners
                  both_surfaces});

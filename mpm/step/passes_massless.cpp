@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mpm/effects/passes_massless.hpp"
+#include "mpm/step/passes_massless.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "mpm/basis/basis.hpp"
@@ -17,6 +18,34 @@
 namespace assay::mpm {
 
 namespace {
+
+/// Nodes without mass where particles lie on lines between cells, and those with mass that they go with.
+struct MasslessNodes {
+  struct Share {
+    std::size_t node = 0;
+    double of_mass = 0;  ///< of all those of one node
+  };
+  struct Node {
+    std::size_t node = 0, end = 0;  ///< of its shares, which begin where those of the node before end
+  };
+  std::vector<Node> nodes;
+  std::vector<Share> shares;
+
+  void clear() {
+    nodes.clear();
+    shares.clear();
+  }
+
+  /// body(node, shares)
+  template <class Body>
+  void each(const Body& body) const {
+    std::size_t begin = 0;
+    for (const Node& one : nodes) {
+      body(one.node, std::span(shares).subspan(begin, one.end - begin));
+      begin = one.end;
+    }
+  }
+};
 
 /// What rounding leaves of a cell's mass, rho0 h^Dim, to the nodes across from a particle on a line.
 constexpr double least_share = on_line;
@@ -163,8 +192,9 @@ bool has_massless_nodes(const Setup<Dim>& setup) {
 }
 
 template <int Dim>
-Pass<Dim> fold_massless_pass(Folded what) {
+Pass<Dim> fold_massless_pass(Phase phase, Folded what) {
   Pass<Dim> pass;
+  pass.slot = {phase, Part::hand_over};
   pass.name = "fold_massless";
   pass.doc = "what nodes without mass were given, to their neighbours";
   pass.called_for_by = "method.basis";
@@ -173,28 +203,31 @@ Pass<Dim> fold_massless_pass(Folded what) {
   pass.bind = [what](State<Dim>& s) -> Kernel {
     s.on_lines.resize(blocks_of(s.particles));
     auto finder = std::make_shared<MasslessFinder<Dim>>(s);
-    return [&s, what, finder](const Instant&) {
-      finder->find(s.massless);
-      if (what != Folded::forces) hand_over(s.inertia, s.massless);
-      if (what != Folded::inertia) hand_over(s.force, s.massless);
+    return [&s, &massless = s.template own<MasslessNodes>(), what, finder](const Instant&) {
+      finder->find(massless);
+      if (what != Folded::forces) hand_over(s.inertia, massless);
+      if (what != Folded::inertia) hand_over(s.force, massless);
     };
   };
   return pass;
 }
 
 template <int Dim>
-Pass<Dim> unfold_massless_pass() {
+Pass<Dim> unfold_massless_pass(Phase phase) {
   Pass<Dim> pass;
+  pass.slot = {phase, Part::take_over};
   pass.name = "unfold_massless";
   pass.doc = "nodes without mass move as their neighbours";
   pass.called_for_by = "method.basis";
   pass.grid_fields = {"mass", "velocity", "acceleration"};
-  pass.bind = [](State<Dim>& s) -> Kernel { return [&s](const Instant&) { take_over(s.motion, s.massless); }; };
+  pass.bind = [](State<Dim>& s) -> Kernel {
+    return [&s, &massless = s.template own<MasslessNodes>()](const Instant&) { take_over(s.motion, massless); };
+  };
   return pass;
 }
 
 template bool has_massless_nodes(const Setup<ASSAY_DIMENSION>&);
-template Pass<ASSAY_DIMENSION> fold_massless_pass<ASSAY_DIMENSION>(Folded);
-template Pass<ASSAY_DIMENSION> unfold_massless_pass<ASSAY_DIMENSION>();
+template Pass<ASSAY_DIMENSION> fold_massless_pass<ASSAY_DIMENSION>(Phase, Folded);
+template Pass<ASSAY_DIMENSION> unfold_massless_pass<ASSAY_DIMENSION>(Phase);
 
 }  // namespace assay::mpm

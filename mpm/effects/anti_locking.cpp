@@ -117,7 +117,6 @@ Pass<Dim> step_volumes_pass() {
   pass.name = "step_volumes";
   pass.doc = "volume of each particle before and after the step, or in the reference configuration and after it";
   pass.called_for_by = "remedies.anti_locking";
-  pass.effects = {Effect::anti_locking};
   pass.reads = {Column::velocity_gradient, Column::deformation_gradient, Column::volume};
   pass.writes = {Column::step_volumes};
   pass.bind = [](State<Dim>& s) -> Kernel {
@@ -135,7 +134,6 @@ Pass<Dim> average_volume_pass(const Method& method, AntiLocking over) {
   pass.doc = over == AntiLocking::cell ? "J averaged over the particles of each cell, for the stress"
                                        : "J averaged over the nodes' functions, for the stress";
   pass.called_for_by = "remedies.anti_locking";
-  pass.effects = {Effect::anti_locking};
   pass.reads = {Column::step_volumes, method.is_total() ? Column::reference_position : Column::position};
   pass.writes = {Column::volume_scale};
   pass.grid_fields = {"cell_volume"};
@@ -148,5 +146,28 @@ Pass<Dim> average_volume_pass(const Method& method, AntiLocking over) {
 
 template Pass<ASSAY_DIMENSION> step_volumes_pass<ASSAY_DIMENSION>();
 template Pass<ASSAY_DIMENSION> average_volume_pass<ASSAY_DIMENSION>(const Method&, AntiLocking);
+
+template <int Dim>
+EffectRecord<Dim> anti_locking_effect() {
+  EffectRecord<Dim> effect{200, "the stress is computed with J averaged over cells or nodes", "remedies.anti_locking"};
+  effect.called_for = [](const Setup<Dim>& s) { return s.remedies.averages_volume(); };
+  effect.passes = [](const Setup<Dim>& s) {
+    std::vector passes{step_volumes_pass<Dim>(), average_volume_pass<Dim>(s.method, s.remedies.anti_locking)};
+    for (Pass<Dim>& pass : passes) pass.slot = {stress_phase(s.method), Part::first};
+    return passes;
+  };
+  effect.columns = {{Column::step_volumes, "step_volumes", "m^3",
+                     "before the step (total formulation: reference volume) and after it, to be averaged",
+                     [](const Setup<Dim>&) { return doubles(2); }},
+                    {Column::volume_scale, "volume_scale", "1",
+                     "of F, so that its J is averaged; in the total formulation of the step before, too",
+                     [](const Setup<Dim>& s) { return doubles(s.method.is_total() ? 2 : 1); }, true}};
+  effect.grid_fields = [](const Setup<Dim>&) {
+    return std::vector<GridFieldUse>{{"cell_volume", "reference and current volume, a cell or node", doubles(2)}};
+  };
+  return effect;
+}
+
+template EffectRecord<ASSAY_DIMENSION> anti_locking_effect();
 
 }  // namespace assay::mpm

@@ -4,7 +4,7 @@
 // to have one, and its stress gives them forces that nothing takes up.
 #pragma once
 
-#include "mpm/effects/passes_images.hpp"
+#include "mpm/step/passes_grid.hpp"
 
 namespace assay::mpm {
 
@@ -18,10 +18,10 @@ bool has_massless_nodes(const Setup<Dim>& setup);
 /// their masses: along the axes; where none has, across the diagonals. Nodes that are held keep theirs. What is handed
 /// over in a step is kept in sum.
 template <int Dim>
-Pass<Dim> fold_massless_pass(Folded what);
+Pass<Dim> fold_massless_pass(Phase phase, Folded what);
 
 /// Those nodes move as these neighbours do, by their masses.
 template <int Dim>
-Pass<Dim> unfold_massless_pass();
+Pass<Dim> unfold_massless_pass(Phase phase);
 
 }  // namespace assay::mpm

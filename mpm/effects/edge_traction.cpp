@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mpm/effects/passes_traction.hpp"
+#include "mpm/effects/tractions.hpp"
 
 #include "harness/exact/exact_field.hpp"
 #include "mpm/basis/corners.hpp"
@@ -11,17 +11,6 @@
 namespace assay::mpm {
 
 namespace {
-
-/// Of the stress that forces are made of: USF takes that of the end of the step.
-double time_of_forces(const Method& method, const Instant& now) {
-  return method.update == Update::usf ? now.t + now.dt : now.t;
-}
-
-Mat<2> deformation_gradient(const State<2>& s, std::size_t p) {
-  Mat<2> F;
-  for (std::size_t c = 0; c < 4; ++c) F[c] = s.column(Column::deformation_gradient, static_cast<int>(c))[p];
-  return F;
-}
 
 Vec<2> times(const Mat<2>& A, const Vec<2>& v) { return {A[0] * v[0] + A[1] * v[1], A[2] * v[0] + A[3] * v[1]}; }
 
@@ -109,7 +98,7 @@ std::shared_ptr<ExactField> field_of(const State<2>& s) {
   return std::make_shared<ExactField>(s.setup.exact, Frame{}, X, Y);
 }
 
-std::shared_ptr<SurfaceLoads> loads_of(State<2>& s) {
+void find_loads(State<2>& s) {
   std::vector<SurfacePoint> points;
   for (const SurfaceEdge& edge : s.setup.seeds.surface) {
     for (SurfacePoint& point : points_of(s, edge)) {
@@ -118,14 +107,14 @@ std::shared_ptr<SurfaceLoads> loads_of(State<2>& s) {
     }
   }
   const bool at_particles = s.setup.traction->algorithm == TractionAlgorithm::particles;
-  return surface_loads(s, std::move(points), at_particles);
+  place_loads(s, std::move(points), at_particles);
 }
 
-}  // namespace
-
+/// Tractions of the exact motion to the grid's forces; with accounts their impulse, too.
 Pass<2> traction_pass(const Method& method, const Traction& traction, bool accounts) {
   Pass<2> pass;
   pass.name = "traction";
+  pass.slot = {Phase::forces, Part::last};
   pass.stages = Stages::kicks;
   const bool reference = traction.form == TractionForm::reference;
   pass.doc = std::string("tractions of the exact motion on the surface, ") +
@@ -133,15 +122,17 @@ Pass<2> traction_pass(const Method& method, const Traction& traction, bool accou
               : reference                                               ? "P N dA0"
                                                                         : "sigma n ds");
   pass.called_for_by = "traction.algorithm";
-  pass.effects = {effect_of(traction.algorithm)};
   pass.reads = {Column::position};
   if (!method.is_total() || !reference) pass.reads.push_back(Column::deformation_gradient);
   if (traits_of<2>(method.basis).moves_corners) pass.reads.push_back(Column::corners);
   pass.grid_fields = {"force"};
   pass.bind = [accounts](State<2>& s) -> Kernel {
-    s.loads = loads_of(s);
-    return [&s, accounts, field = field_of(s)](const Instant& now) {
-      SurfaceLoads& loads = *s.loads;
+    find_loads(s);
+    auto& loads = s.own<SurfaceLoads>();
+    s.markers.emplace_back([&loads](LiveNodes<2>& live) {  // what nodes of their own were given is yet to be cleared
+      for (std::size_t k = 0; k < loads.points.size(); ++k) live.mark(loads.reach(k));
+    });
+    return [&s, &loads, accounts, field = field_of(s)](const Instant& now) {
       const double t = time_of_forces(s.method, now);
       field->set_time(t, t);
       load_points(s, loads, *field);
@@ -161,18 +152,20 @@ Pass<2> traction_pass(const Method& method, const Traction& traction, bool accou
   return pass;
 }
 
-Pass<2> traction_work_pass(TractionAlgorithm algorithm) {
+/// Work of the tractions with the velocity that they leave.
+Pass<2> traction_work_pass() {
   Pass<2> pass;
   pass.name = "traction_work";
+  pass.slot = {Phase::grid, Part::last};
   pass.stages = Stages::kicks;
   pass.doc = "work of the tractions with the velocity that they leave";
   pass.called_for_by = "output.accounts";
-  pass.effects = {effect_of(algorithm), Effect::energy_account};
+  pass.effects = {"energy_account"};
   pass.grid_fields = {"velocity"};
   pass.bind = [](State<2>& s) -> Kernel {
-    return [&s](const Instant& now) {
-      for (std::size_t k = 0; k < s.loads->points.size(); ++k) {
-        const Vec<2> v = s.loads->velocity(k, s.motion.data()), &f = s.loads->points[k].force;
+    return [&s, &loads = s.own<SurfaceLoads>()](const Instant& now) {
+      for (std::size_t k = 0; k < loads.points.size(); ++k) {
+        const Vec<2> v = loads.velocity(k, s.motion.data()), &f = loads.points[k].force;
         s.ledger.external_work += now.kick * (f[0] * v[0] + f[1] * v[1]);
       }
     };
@@ -180,44 +173,25 @@ Pass<2> traction_work_pass(TractionAlgorithm algorithm) {
   return pass;
 }
 
-Pass<2> virtual_stress_pass(TractionForm form) {
-  Pass<2> pass;
-  pass.name = "virtual_stress";
-  pass.stages = Stages::kicks;
-  pass.doc = form == TractionForm::reference ? "the particles' stress without that of the exact P"
-                                             : "the particles' stress without that of the exact motion";
-  pass.called_for_by = "traction.algorithm";
-  pass.effects = {Effect::virtual_stress};
-  pass.reads = {Column::reference_position, Column::deformation_gradient, Column::stress};
-  pass.writes = {Column::excess_stress};
-  pass.bind = [form](State<2>& s) -> Kernel {
-    s.stress_of_forces = Column::excess_stress;
-    const std::span X(s.column(Column::reference_position, 0), s.particles),
-        Y(s.column(Column::reference_position, 1), s.particles);
-    auto field = std::make_shared<ExactField>(s.setup.exact, Frame{}, X, Y);
-    Kernel kernel;
-    kernel.begin = [&s, field](const Instant& now) {
-      const double t = time_of_forces(s.method, now);
-      field->set_time(t, t);
-    };
-    kernel.block = [&s, field, form](const Instant&, const Block& block) {
-      const auto sigma = components<5>(s, Column::stress), excess = components<5>(s, Column::excess_stress);
-      for (std::size_t p = block.begin; p < block.end; ++p) {
-        const PlaneState exact = field->at(p);
-        Mat<2> taken{exact.sigma[0], exact.sigma[1], exact.sigma[2], exact.sigma[3]};
-        if (form == TractionForm::reference) {  // P F^T / J with the particle's own F
-          const Mat<2> F = deformation_gradient(s, p), own = product<2>(F, inverse<2>(exact.F));
-          const double ratio = determinant<2>(exact.F) / determinant<2>(F);
-          taken = product<2>(taken, {own[0], own[2], own[1], own[3]});  // J_e sigma_e F_e^-T F^T / J
-          for (double& component : taken) component *= ratio;
-        }
-        for (std::size_t c = 0; c < 4; ++c) excess[c][p] = sigma[c][p] - taken[c];
-      }
-      return none_bad;
-    };
-    return kernel;
-  };
-  return pass;
+}  // namespace
+
+std::vector<Pass<2>> traction_passes(const Setup<2>& setup) {
+  std::vector<Pass<2>> passes{traction_pass(setup.method, *setup.traction, setup.accounts)};
+  if (setup.accounts) passes.push_back(traction_work_pass());
+  return passes;
 }
+
+template <int Dim>
+EffectRecord<Dim> edge_traction_effect() {
+  EffectRecord<Dim> effect{50, "tractions by the corners of the domains on the surface", "traction.algorithm"};
+  effect.called_for = [](const Setup<Dim>& s) { return has_traction(s, TractionAlgorithm::edges); };
+  if constexpr (Dim == 2) effect.passes = traction_passes;
+  effect.asks_material = true;
+  effect.around = "loads of the surface";
+  return effect;
+}
+
+template EffectRecord<2> edge_traction_effect();
+template EffectRecord<3> edge_traction_effect();
 
 }  // namespace assay::mpm

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What keeps light nodes and shocks from throwing particles about.
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
@@ -10,40 +9,6 @@
 #include "mpm/setup/with_basis.hpp"
 
 namespace assay::mpm {
-
-namespace {
-
-template <int Dim>
-void share_forces(State<Dim>& s, double whole, double kick) {
-  std::array<double, Dim> left{};
-  s.live.each([&](std::size_t i) {
-    const double m = s.inertia.node(i)[0], least = whole * s.images.share(i);
-    if (!(m > 0 && m < least)) return;
-    double* force = s.force.node(i);
-    for (std::size_t d = 0; d < Dim; ++d) {
-      left[d] += kick * (1 - m / least) * force[d];
-      force[d] *= m / least;
-    }
-  });
-  for (std::size_t d = 0; d < Dim; ++d) s.ledger.impulse[d] -= left[d];
-}
-
-}  // namespace
-
-template <int Dim>
-Pass<Dim> small_mass_pass() {
-  Pass<Dim> pass;
-  pass.name = "small_mass";
-  pass.doc = "light nodes take up force in proportion to their mass";
-  pass.called_for_by = "remedies.small_mass";
-  pass.effects = {Effect::small_mass};
-  pass.grid_fields = {"mass", "force"};
-  pass.bind = [](State<Dim>& s) -> Kernel {
-    const double least = s.setup.remedies.small_mass * s.setup.density * std::pow(s.setup.grid.spacing, Dim);
-    return [&s, least](const Instant& now) { share_forces(s, least, now.kick); };
-  };
-  return pass;
-}
 
 namespace {
 
@@ -86,12 +51,12 @@ void add_viscosity(State<Dim>& s, const Block& block, bool thins) {
 }  // namespace
 
 template <int Dim>
-Pass<Dim> viscosity_pass(const Method&) {
+Pass<Dim> viscosity_pass(const Method& method) {
   Pass<Dim> pass;
   pass.name = "artificial_viscosity";
+  pass.slot = {stress_phase(method), Part::last};
   pass.doc = "a pressure against shrinking, von Neumann and Richtmyer's";
   pass.called_for_by = "remedies.artificial_viscosity";
-  pass.effects = {Effect::artificial_viscosity};
   pass.reads = {Column::velocity_gradient, Column::deformation_gradient, Column::stress};
   pass.writes = {Column::stress};
   pass.bind = [](State<Dim>& s) -> Kernel {
@@ -107,7 +72,16 @@ Pass<Dim> viscosity_pass(const Method&) {
   return pass;
 }
 
-template Pass<ASSAY_DIMENSION> small_mass_pass<ASSAY_DIMENSION>();
 template Pass<ASSAY_DIMENSION> viscosity_pass<ASSAY_DIMENSION>(const Method&);
+
+template <int Dim>
+EffectRecord<Dim> artificial_viscosity_effect() {
+  EffectRecord<Dim> effect{230, "a viscous pressure in compression", "remedies.artificial_viscosity"};
+  effect.called_for = [](const Setup<Dim>& s) { return s.remedies.has_viscosity(); };
+  effect.passes = [](const Setup<Dim>& s) { return std::vector{viscosity_pass<Dim>(s.method)}; };
+  return effect;
+}
+
+template EffectRecord<ASSAY_DIMENSION> artificial_viscosity_effect();
 
 }  // namespace assay::mpm

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mpm/effects/passes_inertia.hpp"
+#include "mpm/effects/inertia_to_particles.hpp"
 
 #include "harness/motion/kinds/vortex.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
-namespace assay::mpm::test_passes_inertia {
+namespace assay::mpm::test_inertia_to_particles {
 namespace {
 
 constexpr Method updated{Basis::cpdi2, Transfer::aflip, Update::usl, Formulation::updated, Mass::lumped};
@@ -126,4 +126,4 @@ TEST(InertiaPass, IsThereOnlyWhereItIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace assay::mpm::test_passes_inertia
+}  // namespace assay::mpm::test_inertia_to_particles

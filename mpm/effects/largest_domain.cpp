@@ -6,6 +6,7 @@
 #include "mpm/effects/passes_remedies.hpp"
 #include "mpm/kernels/affine.hpp"
 #include "mpm/kernels/column_access.hpp"
+#include "mpm/setup/with_basis.hpp"
 
 namespace assay::mpm {
 
@@ -60,9 +61,9 @@ template <>
 Pass<2> limit_domains_pass(bool moves_corners) {
   Pass<2> pass;
   pass.name = "limit_domains";
+  pass.slot = {Phase::weights, Part::first};
   pass.doc = "domains that reach too far are shortened";
   pass.called_for_by = "remedies.largest_domain";
-  pass.effects = {Effect::largest_domain};
   pass.reads = {moves_corners ? Column::corners : Column::deformation_gradient};
   pass.writes = {moves_corners ? Column::corners : Column::domain};
   pass.bind = [moves_corners](State<2>& s) -> Kernel {
@@ -76,5 +77,20 @@ Pass<2> limit_domains_pass(bool moves_corners) {
   };
   return pass;
 }
+template <int Dim>
+EffectRecord<Dim> largest_domain_effect() {
+  EffectRecord<Dim> effect{210, "domains that reach too far are shortened", "remedies.largest_domain"};
+  effect.called_for = [](const Setup<Dim>& s) { return Dim == 2 && s.remedies.largest_domain > 0; };
+  if constexpr (Dim == 2) {
+    effect.passes = [](const Setup<Dim>& s) {
+      return std::vector{limit_domains_pass<Dim>(traits_of<Dim>(s.method.basis).moves_corners)};
+    };
+  }
+  effect.around = "domains that differ, of cpdi";
+  return effect;
+}
+
+template EffectRecord<2> largest_domain_effect();
+template EffectRecord<3> largest_domain_effect();
 
 }  // namespace assay::mpm

@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mpm/effects/passes_images.hpp"
-
+// Symmetry planes and periodic ends.
 #include <array>
 
 #include "mpm/data/dimension.hpp"
+#include "mpm/step/effect.hpp"
+#include "mpm/step/passes_grid.hpp"
 
 namespace assay::mpm {
 
 namespace {
+
+/// Of all nodes before images were folded: for the accounts.
+struct UnfoldedSums {
+  std::vector<double> image_mass;             ///< of each image [kg]
+  std::array<double, 3> momentum{}, force{};  ///< [N s], [N]
+};
 
 template <int K, int Dim>
 std::array<double, 3> sum_of(const GridField<K>& field, const LiveNodes<Dim>& live, int first, int count) {
@@ -20,8 +27,7 @@ std::array<double, 3> sum_of(const GridField<K>& field, const LiveNodes<Dim>& li
 
 /// Mass and momentum that nodes have been given, before images are folded.
 template <int Dim>
-void remember_inertia(State<Dim>& s) {
-  UnfoldedSums& sums = s.unfolded;
+void remember_inertia(const State<Dim>& s, UnfoldedSums& sums) {
   sums.image_mass.clear();
   for (const auto& image : s.images.list()) sums.image_mass.push_back(s.inertia.node(image.node)[0]);
   sums.momentum = sum_of(s.inertia, s.live, 1, Dim);
@@ -29,7 +35,7 @@ void remember_inertia(State<Dim>& s) {
 
 /// The particles' gain of momentum against what they were given: by the nodes' velocities and accelerations as shares.
 template <int Dim>
-void book_planes(State<Dim>& s, const Reaction& share, double kick) {
+void book_planes(State<Dim>& s, const UnfoldedSums& sums, const Reaction& share, double kick) {
   for (std::size_t d = 0; d < Dim; ++d) {
     double by_velocity = 0, by_acceleration = 0;
     s.live.each([&](std::size_t i) {
@@ -39,58 +45,81 @@ void book_planes(State<Dim>& s, const Reaction& share, double kick) {
     });
     for (std::size_t k = 0; k < s.images.list().size(); ++k) {  // whose mass is counted with their nodes
       const auto& image = s.images.list()[k];
-      const double *own = s.motion.node(image.node), *of = s.motion.node(image.of), m = s.unfolded.image_mass[k];
+      const double *own = s.motion.node(image.node), *of = s.motion.node(image.of), m = sums.image_mass[k];
       by_velocity += m * (own[d] - of[d]);
       by_acceleration += m * kick * (own[Dim + d] - of[Dim + d]);
     }
-    const double impulse = kick * s.unfolded.force[d];
-    s.ledger.impulse[d] += share.of_velocity * (by_velocity - s.unfolded.momentum[d] - impulse) +
+    const double impulse = kick * sums.force[d];
+    s.ledger.impulse[d] += share.of_velocity * (by_velocity - sums.momentum[d] - impulse) +
                            share.of_acceleration * (by_acceleration - impulse);
   }
 }
 
-}  // namespace
-
+/// What particles gave to images goes to the nodes of which they are.
 template <int Dim>
-Pass<Dim> fold_images_pass(Folded what, bool accounts) {
+Pass<Dim> fold_images_pass(Phase phase, Folded what, bool accounts) {
   Pass<Dim> pass;
   pass.name = "fold_images";
+  pass.slot = {phase, Part::fold};
   pass.doc = "what nodes beyond symmetry planes or periodic ends were given, to those that they are images of";
   pass.called_for_by = "body";
-  pass.effects = {Effect::images};
   pass.grid_fields = {"mass", "momentum"};
   if (what != Folded::inertia) pass.grid_fields.push_back("force");
   pass.bind = [what, accounts](State<Dim>& s) -> Kernel {
-    return [&s, what, accounts](const Instant& now) {
+    return [&s, &sums = s.template own<UnfoldedSums>(), what, accounts](const Instant& now) {
       const bool is_new = what != Folded::forces && !(s.method.has_stages() && now.kick != 0);
-      if (accounts && is_new) remember_inertia(s);
+      if (accounts && is_new) remember_inertia(s, sums);
       s.images.fold(s.inertia, 1);
       if (what == Folded::inertia) return;
-      if (accounts) s.unfolded.force = sum_of(s.force, s.live, 0, Dim);
+      if (accounts) sums.force = sum_of(s.force, s.live, 0, Dim);
       s.images.fold(s.force);
     };
   };
   return pass;
 }
 
+/// Images move as their nodes do. With the reaction of what a plane does to the particles' momentum where accounts are
+/// kept.
 template <int Dim>
-Pass<Dim> unfold_images_pass(Reaction reaction, bool accounts) {
+Pass<Dim> unfold_images_pass(Phase phase, Reaction reaction, bool accounts) {
   Pass<Dim> pass;
   pass.name = "unfold_images";
+  pass.slot = {phase, Part::unfold};
   pass.doc = "nodes beyond symmetry planes or periodic ends move as their images";
   pass.called_for_by = "body";
-  pass.effects = {Effect::images};
   pass.grid_fields = {"velocity", "acceleration"};
   pass.bind = [reaction, accounts](State<Dim>& s) -> Kernel {
-    return [&s, reaction, accounts](const Instant& now) {
+    return [&s, &sums = s.template own<UnfoldedSums>(), reaction, accounts](const Instant& now) {
       s.images.unfold(s.motion);
-      if (accounts) book_planes(s, reaction, now.kick);
+      if (accounts) book_planes(s, sums, reaction, now.kick);
     };
   };
   return pass;
 }
 
-template Pass<ASSAY_DIMENSION> fold_images_pass<ASSAY_DIMENSION>(Folded, bool);
-template Pass<ASSAY_DIMENSION> unfold_images_pass<ASSAY_DIMENSION>(Reaction, bool);
+template <int Dim>
+std::vector<Pass<Dim>> image_passes(const Setup<Dim>& setup) {
+  std::vector<Pass<Dim>> passes;
+  for (const GridPhase& grid : grid_phases(setup.method)) {
+    passes.push_back(fold_images_pass<Dim>(grid.phase, grid.folded, setup.accounts));
+    const bool accounts = setup.accounts && grid.phase == Phase::grid;
+    passes.push_back(unfold_images_pass<Dim>(grid.phase, grid.reaction, accounts));
+  }
+  return passes;
+}
+
+}  // namespace
+
+template <int Dim>
+EffectRecord<Dim> images_effect() {
+  EffectRecord<Dim> effect{90, "symmetry planes and periodic ends", "body"};
+  effect.called_for = [](const Setup<Dim>& s) { return s.has_images(); };
+  effect.passes = image_passes<Dim>;
+  effect.prepare = [](State<Dim>& s) { s.images = Images<Dim>(s.setup.grid, s.setup.ends); };
+  effect.around = "pairs of nodes";
+  return effect;
+}
+
+template EffectRecord<ASSAY_DIMENSION> images_effect();
 
 }  // namespace assay::mpm

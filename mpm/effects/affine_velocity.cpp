@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// APIC and AFLIP: the velocity around a particle, from the grid's new one.
+#include "mpm/data/dimension.hpp"
+#include "mpm/kernels/affine.hpp"
+#include "mpm/step/effect.hpp"
+#include "mpm/step/passes_to_particles.hpp"
+
+namespace assay::mpm {
+
+namespace {
+
+/// Gradient: C = L (I + dt L)^-1 so that an affine motion of the grid is the particle's after it has moved; L = B D^-1
+/// (fits_gradient) or sum v_i (x) grad phi_ip; total: C = dF/dt. Moment: B = sum phi_ip v_i (x) r_i, of which
+/// particles_to_grid makes C = B D^-1.
+template <int Dim>
+Pass<Dim> affine_pass(const Method& method) {
+  Pass<Dim> pass;
+  const bool moment = method.affine == Affine::moment, total = method.is_total(), fits = fits_gradient(method);
+  pass.name = "affine";
+  pass.slot = {Phase::to_particles, Part::last};
+  pass.doc = moment  ? "first moment of the grid velocity around the particles"
+             : total ? "gradient of the grid velocity"
+             : fits  ? "gradient fitted to the grid velocity around the particles, convected"
+                     : "gradient of the grid velocity, convected";
+  pass.called_for_by = "method.transfer";
+  pass.reads = {Column::weights};
+  pass.grid_fields = {"velocity"};
+  pass.writes = {Column::affine};
+  pass.bind = [=](State<Dim>& s) -> Kernel {
+    const Kernels<Dim>& kernels = s.kernels;
+    const auto carry = moment ? kernels.moment : total ? kernels.gradient : fits ? kernels.fitted : kernels.convected;
+    Kernel kernel;
+    kernel.block = [&s, carry](const Instant& now, const Block& block) { return carry(s, block, now); };
+    return kernel;
+  };
+  return pass;
+}
+
+/// The first moment of the initial velocity, whose gradient the column holds before the first step.
+template <int Dim>
+Pass<Dim> first_affine_moment_pass() {
+  Pass<Dim> pass;
+  pass.name = "first_affine_moment";
+  pass.slot = {Phase::weights, Part::last};
+  pass.doc = "first moment of the initial velocity around the particles";
+  pass.called_for_by = "method.affine";
+  pass.once = true;
+  pass.reads = {Column::weights, Column::affine};
+  pass.writes = {Column::affine};
+  pass.bind = [](State<Dim>& s) -> Kernel {
+    Kernel kernel;
+    const auto first = s.kernels.first_moment;
+    kernel.block = [&s, first](const Instant& now, const Block& block) { return first(s, block, now); };
+    return kernel;
+  };
+  return pass;
+}
+
+template <int Dim>
+std::vector<Pass<Dim>> affine_passes(const Setup<Dim>& setup) {
+  const Method& method = setup.method;
+  std::vector<Pass<Dim>> passes;
+  if (method.affine == Affine::moment) passes.push_back(first_affine_moment_pass<Dim>());
+  if (affine_column(method) == Column::affine && !fits_with_corners<Dim>(method)) {
+    passes.push_back(affine_pass<Dim>(method));
+  }
+  return passes;
+}
+
+template <int Dim>
+Mat<Dim> initial_velocity_gradient(const Setup<Dim>& setup, const Vector3& X) {
+  if (setup.initial_velocity) return setup.initial_velocity->gradient;
+  Tensor rate;
+  if (setup.frame) {
+    rate = setup.frame->seen(state_at(*setup.motion, setup.frame->body_point(X), 0), 0).F_rate;
+  } else {
+    rate = state_at(*setup.motion, X, 0).F_rate;
+  }
+  Mat<Dim> gradient;  // by x, which is X
+  for (int c = 0; c < Dim * Dim; ++c) gradient[static_cast<std::size_t>(c)] = rate(c / Dim, c % Dim);
+  return gradient;
+}
+
+template <int Dim>
+void begin_affine_velocity(State<Dim>& s) {
+  if (!s.setup.motion && !s.setup.initial_velocity) return;
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    Vector3 X = Vector3::Zero();
+    for (int d = 0; d < Dim; ++d) X(d) = s.column(Column::reference_position, d)[p];
+    const Mat<Dim> C = initial_velocity_gradient(s.setup, X);
+    for (int c = 0; c < Dim * Dim; ++c) s.column(affine_column(s.method), c)[p] = C[static_cast<std::size_t>(c)];
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+EffectRecord<Dim> affine_velocity_effect() {
+  EffectRecord<Dim> effect{130, "particles carry the velocity around them", "method.transfer"};
+  effect.called_for = [](const Setup<Dim>& s) { return s.method.is_affine(); };
+  effect.passes = affine_passes<Dim>;
+  effect.prepare = begin_affine_velocity<Dim>;
+  effect.columns = {{Column::affine, "affine", "mixed",
+                     "velocity around the particle: its gradient, or its first moment",
+                     [](const Setup<Dim>&) { return doubles(tensor_components<Dim>); }}};
+  return effect;
+}
+
+template EffectRecord<ASSAY_DIMENSION> affine_velocity_effect();
+
+}  // namespace assay::mpm

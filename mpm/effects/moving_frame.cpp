@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/exact/frame_force.hpp"
+#include "mpm/effects/body_force.hpp"
+
+namespace assay::mpm {
+
+namespace {
+
+/// Turns b into the frame and adds the Coriolis and centrifugal terms.
+std::vector<Pass<2>> moving_frame_passes(const Setup<2>& setup) {
+  Pass<2> pass;
+  pass.name = "moving_frame";
+  pass.slot = {Phase::body_force, Part::last};
+  pass.stages = Stages::kicks;
+  pass.doc = "b turned into the spinning frame, with its Coriolis and centrifugal terms";
+  pass.called_for_by = "frame.spin";
+  pass.reads = {Column::reference_position, Column::body_force};
+  pass.writes = {Column::body_force};
+  pass.bind = [evaluation = setup.evaluation](State<2>& s) -> Kernel {
+    const double spin = s.setup.frame->spin;
+    const std::span X(s.column(Column::reference_position, 0), s.particles),
+        Y(s.column(Column::reference_position, 1), s.particles);
+    auto force = evaluation == Evaluation::point
+                     ? std::make_shared<FrameForce>(*s.setup.motion, spin, X, Y)
+                     : std::make_shared<FrameForce>(*s.setup.motion, spin, X, Y, domains_of_setup(s.setup));
+    return [&s, force](const Instant& now) {
+      force->apply(now.t, std::span(s.column(Column::body_force, 0), s.particles),
+                   std::span(s.column(Column::body_force, 1), s.particles));
+    };
+  };
+  return {pass};
+}
+
+}  // namespace
+
+template <int Dim>
+EffectRecord<Dim> moving_frame_effect() {
+  EffectRecord<Dim> effect{30, "Coriolis and centrifugal terms of a frame that spins", "frame.spin"};
+  effect.called_for = [](const Setup<Dim>& s) { return Dim == 2 && s.body_force && s.frame && s.frame->spin != 0; };
+  if constexpr (Dim == 2) effect.passes = moving_frame_passes;
+  return effect;
+}
+
+template EffectRecord<2> moving_frame_effect();
+template EffectRecord<3> moving_frame_effect();
+
+}  // namespace assay::mpm

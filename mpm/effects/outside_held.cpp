@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Nodes outside the ring stand still, and particles that never move give the grid their mass.
+#include <array>
+#include <cmath>
+
+#include "mpm/data/dimension.hpp"
+#include "mpm/setup/with_basis.hpp"
+#include "mpm/step/effect.hpp"
+#include "mpm/step/passes_grid.hpp"
+
+namespace assay::mpm {
+
+namespace {
+
+template <int Dim>
+void find_held_nodes(State<Dim>& s) {
+  const Annulus ring = *ring_of(*s.setup.motion);
+  const GridGeometry<Dim>& grid = s.setup.grid;
+  for (std::size_t i = 0; i < grid.nodes(); ++i) {
+    std::size_t rest = i;
+    double square = 0;
+    for (int d = 0; d < Dim; ++d) {
+      const auto count = static_cast<std::size_t>(grid.count[static_cast<std::size_t>(d)]);
+      const double x = grid.coordinate(d, static_cast<std::int32_t>(rest % count));
+      if (d < 2) square += x * x;
+      rest /= count;
+    }
+    const double R = std::sqrt(square);
+    if (R <= ring.inner || R >= ring.outer) s.held_nodes.push_back(static_cast<std::uint32_t>(i));
+  }
+}
+
+/// Particles that never move give the grid their mass once. Their domains are turned as a rigid motion would.
+template <int Dim>
+std::vector<double> mass_of_held(const Setup<Dim>& setup) {
+  const Seeds<Dim>& seeds = setup.seeds;
+  Mat<Dim> F{};
+  for (std::size_t d = 0; d < Dim; ++d) F[d * Dim + d] = 1;
+  F[0] = F[Dim + 1] = std::cos(seeds.angle);
+  F[Dim] = std::sin(seeds.angle);
+  F[1] = -F[Dim];
+  std::vector<double> mass(setup.grid.nodes(), 0.0);
+  with_basis<Dim>(setup.method.basis, [&](auto tag) {
+    typename decltype(tag)::type basis(setup.grid, seeds.half_size, 1);
+    for (std::size_t k = 0; k < seeds.held.size(); ++k) {
+      const double m = setup.density * seeds.held_volume(k);
+      if (basis.place(0, seeds.held[k], F)) basis.template scatter<1, 0>(0, {m}, {}, mass.data());
+    }
+  });
+  return mass;
+}
+
+template <int Dim>
+void hold_mass(State<Dim>& s) {
+  s.held_mass = mass_of_held(s.setup);
+  for (std::size_t i = 0; i < s.held_mass.size(); ++i) {
+    if (s.held_mass[i] > 0) s.live.keep(i);
+  }
+  s.live.merge();
+}
+
+template <int Dim>
+void hold_nodes(State<Dim>& s, Reaction reaction, double kick) {
+  std::array<double, Dim> taken{};
+  const auto gained = [&](const double* motion, std::size_t d) {
+    return reaction.of_velocity * motion[d] + reaction.of_acceleration * kick * motion[Dim + d];
+  };
+  for (const std::uint32_t i : s.held_nodes) {
+    double* motion = s.motion.node(i);
+    for (std::size_t d = 0; d < Dim; ++d) {
+      taken[d] += s.inertia.node(i)[0] * gained(motion, d);
+      motion[d] = motion[Dim + d] = 0;
+    }
+  }
+  if (!s.held_mass.empty()) {
+    s.live.each([&](std::size_t i) {
+      for (std::size_t d = 0; d < Dim; ++d) taken[d] += s.held_mass[i] * gained(s.motion.node(i), d);
+    });
+  }
+  for (std::size_t d = 0; d < Dim; ++d) s.ledger.impulse[d] -= taken[d];
+}
+
+/// v_i = a_i = 0 on nodes outside the ring; the reaction enters the momentum account.
+template <int Dim>
+Pass<Dim> hold_nodes_pass(Phase phase, Reaction reaction) {
+  Pass<Dim> pass;
+  pass.name = "hold_nodes";
+  pass.slot = {phase, Part::hold};
+  pass.doc = "nodes outside the ring stand still";
+  pass.called_for_by = "body.outside";
+  pass.grid_fields = {"mass", "velocity", "acceleration"};
+  pass.bind = [reaction](State<Dim>& s) -> Kernel {
+    return [&s, reaction](const Instant& now) { hold_nodes(s, reaction, now.kick); };
+  };
+  return pass;
+}
+
+/// Mass matrices leave held nodes out themselves.
+template <int Dim>
+std::vector<Pass<Dim>> holding_passes(const Setup<Dim>& setup) {
+  std::vector<Pass<Dim>> passes;
+  for (const GridPhase& grid : grid_phases(setup.method)) {
+    if (grid.phase == Phase::grid && !setup.method.is_lumped()) continue;
+    passes.push_back(hold_nodes_pass<Dim>(grid.phase, grid.reaction));
+  }
+  return passes;
+}
+
+}  // namespace
+
+template <int Dim>
+EffectRecord<Dim> outside_held_effect() {
+  EffectRecord<Dim> effect{100, "nodes and particles outside the ring are fixed", "body.outside"};
+  effect.called_for = [](const Setup<Dim>& s) { return s.hold_outside; };
+  effect.passes = holding_passes<Dim>;
+  effect.grid_fields = [](const Setup<Dim>&) {
+    return std::vector<GridFieldUse>{{"held_mass", "of the particles that never move", doubles(1)}};
+  };
+  effect.prepare = [](State<Dim>& s) {
+    find_held_nodes(s);
+    hold_mass(s);
+  };
+  return effect;
+}
+
+template EffectRecord<ASSAY_DIMENSION> outside_held_effect();
+
+}  // namespace assay::mpm

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/data/dimension.hpp"
+#include "mpm/step/effect.hpp"
+
+namespace assay::mpm {
+
+template <int Dim>
+EffectRecord<Dim> third_dimension_effect() {
+  EffectRecord<Dim> effect{250, "particles in space; scenes are plane strain", ""};
+  effect.called_for = [](const Setup<Dim>& s) { return s.seeds.X.size() > 2; };
+  return effect;
+}
+
+template EffectRecord<ASSAY_DIMENSION> third_dimension_effect();
+
+}  // namespace assay::mpm

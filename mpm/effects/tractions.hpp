@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Prescribed tractions: what their algorithms have in common.
+#pragma once
+
+#include "mpm/basis/basis.hpp"
+#include "mpm/step/effect.hpp"
+
+namespace assay::mpm {
+
+template <int Dim>
+bool has_traction(const Setup<Dim>& setup, TractionAlgorithm algorithm) {
+  return Dim == 2 && setup.traction && setup.traction->algorithm == algorithm;
+}
+
+/// Tractions of the exact motion to the grid's forces, by all algorithms but virtual stress; with accounts their
+/// impulse and work, too.
+std::vector<Pass<2>> traction_passes(const Setup<2>& setup);
+
+/// The particles' stress without that of the exact motion: what internal forces are made of. On the exact state nothing
+/// is left, inside and on the surface. The reference form takes off the exact P.
+Pass<2> virtual_stress_pass(TractionForm form);
+
+/// Of the stress that forces are made of: USF takes that of the end of the step.
+inline double time_of_forces(const Method& method, const Instant& now) {
+  return method.update == Update::usf ? now.t + now.dt : now.t;
+}
+
+inline Mat<2> deformation_gradient(const State<2>& s, std::size_t p) {
+  Mat<2> F;
+  for (std::size_t c = 0; c < 4; ++c) F[c] = s.column(Column::deformation_gradient, static_cast<int>(c))[p];
+  return F;
+}
+
+}  // namespace assay::mpm

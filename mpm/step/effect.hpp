@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An optional effect is one record: what it is, when it is called for, and what it brings. What is not called for
+// brings nothing. mpm/effects/NAME.cpp defines the record of NAME:
+//   template <int Dim>
+//   EffectRecord<Dim> NAME_effect();
+#pragma once
+
+#include <string_view>
+
+#include "mpm/step/pass.hpp"
+
+namespace assay::mpm {
+
+/// A column of particle data.
+template <int Dim>
+struct ColumnRecord {
+  Column column;
+  std::string_view name, unit, doc;
+  std::size_t (*bytes)(const Setup<Dim>&);  ///< a particle
+  bool of_stress = false;                   ///< the update of the material reads or writes it, wherever that runs
+  std::string effect = {};                  ///< that brings it; empty: the spine
+};
+
+/// One field of the grid.
+struct GridFieldUse {
+  std::string name, doc;
+  std::size_t bytes = 0;                  ///< a node
+  std::vector<std::string> holds = {};    ///< of what passes say that they touch; empty: its name
+  std::vector<std::string> effects = {};  ///< without one of which it is not there; empty: of the spine
+  bool is_last = false;                   ///< in lists
+};
+
+template <int Dim>
+struct EffectRecord {
+  int place = 1000;            ///< in lists of all effects
+  std::string doc;             ///< one line
+  std::string key;             ///< of the scene, that calls for it; empty: none
+  std::string name{};          ///< that of its file
+  std::string around{};        ///< what else it brings, around the steps; empty: nothing
+  bool asks_material = false;  ///< in steps, for more than the particles' stress
+  bool (*called_for)(const Setup<Dim>&) = nullptr;
+  std::vector<ColumnRecord<Dim>> columns{};  ///< of which there are those that passes read or write
+  /// Of the main parts of phases they take the place of the pass that is there: of the spine's, or of an effect's that
+  /// stands before in lists.
+  std::vector<Pass<Dim>> (*passes)(const Setup<Dim>&) = nullptr;
+  std::vector<GridFieldUse> (*grid_fields)(const Setup<Dim>&) = nullptr;  ///< two effects can bring the same
+  void (*prepare)(State<Dim>&) = nullptr;                                 ///< once, before passes are bound
+  /// Where another key than `key` can call for it, too: the one that does so here.
+  std::string (*called_by)(const Setup<Dim>&) = nullptr;
+};
+
+/// Bytes of so many numbers.
+constexpr std::size_t doubles(int count) { return static_cast<std::size_t>(count) * sizeof(double); }
+
+}  // namespace assay::mpm
