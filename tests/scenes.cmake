@@ -32,8 +32,9 @@ foreach(scene IN LISTS scenes)
   if(ASSAY_SANITIZE AND name MATCHES "^(models|methods|foreign|umat|frames|tabulate|motions/[ahrt]|paper/(table|vortex_sq))")
     set_tests_properties(scene/${name} PROPERTIES LABELS long)
   endif()
-  # millions of particle-steps, or hundreds of them
-  if((ASSAY_SANITIZE AND name MATCHES "^hard/") OR name MATCHES "^hard/(peak_pi|nu_499|nu_4999|stiff_1e6|free_vibration_200|viscous_fast)$")
+  # millions of particle-steps, or one of several of a kind
+  set(seldom "peak_(1_5|pi)|nu_4999?|stiff_1e6|free_vibration_(200|moment)|viscous_(fast|slow)|twisting_ring_499|nine_a_cell|jittered")
+  if((ASSAY_SANITIZE AND name MATCHES "^hard/") OR name MATCHES "^hard/(${seldom})$")
     set_tests_properties(scene/${name} PROPERTIES LABELS long)
   endif()
   if(name MATCHES "^(methods/smoothest|umat/j2_large)$") # half a minute
@@ -54,6 +55,7 @@ foreach(name IN ITEMS quick traction)
     "ASSAY_DATA_HOME=${PROJECT_BINARY_DIR}/data")
 endforeach()
 set_tests_properties(study/quick study/traction PROPERTIES LABELS long) # half a minute each
+set_tests_properties(study/offsets_is_valid PROPERTIES LABELS long) # 1,200 cases
 if(ASSAY_SANITIZE)
   set_tests_properties(study/hard_is_valid study/models_is_valid study/offsets_is_valid
     study/remedies_is_valid PROPERTIES LABELS long)
