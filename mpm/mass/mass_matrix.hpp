@@ -125,6 +125,8 @@ class MassMatrix {
       edge_[i] = is_free(i) && s_->inertia.node(i)[0] < edge_mass * whole * s_->images.share(i);
       if (edge_[i]) std::fill_n(image_.node(i), Dim, 1.0);
     });
+    scale_.resize(edge_.size());
+    for (std::size_t i = 0; i < edge_.size(); ++i) scale_[i] = edge_[i] ? 0 : std::sqrt(inverse_[i]);
     std::swap(image_, direction_);
     multiply_particles(direction_, image_);
     copy(image_, shared_);
@@ -214,9 +216,8 @@ class MassMatrix {
 
   /// All nodes: the mean matrix is one of the whole grid.
   void scale_inside(Field& x) const {
-    for (std::size_t i = 0; i < edge_.size(); ++i) {
-      const double scale = edge_[i] ? 0 : std::sqrt(inverse_[i]);
-      for (std::size_t d = 0; d < Dim; ++d) x.node(i)[d] *= scale;
+    for (std::size_t i = 0; i < scale_.size(); ++i) {
+      for (std::size_t d = 0; d < Dim; ++d) x.node(i)[d] *= scale_[i];
     }
   }
 
@@ -284,6 +285,7 @@ class MassMatrix {
   Field& shared_;                          ///< sum of M_ij over nodes j at the edges [kg]
   std::vector<double>& inverse_;           ///< of M_L; zero where a node is not free [1/kg]
   std::vector<bool> edge_;
+  std::vector<double> scale_;  ///< root of M_L^-1, zero at the edges
   std::optional<MassStencil<Dim>> stencil_;
   std::optional<MassPreconditioner<Dim>> inside_;
 };

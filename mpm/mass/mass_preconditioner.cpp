@@ -2,6 +2,7 @@
 #include "mpm/mass/mass_preconditioner.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "mpm/data/dimension.hpp"
 
@@ -34,34 +35,46 @@ auto MassPreconditioner<Dim>::factor_of(std::size_t nodes, const std::vector<dou
   return f;
 }
 
-/// Of lines whose nodes are `inner` numbers apart, side by side.
+/// Of lines that follow each other, whose nodes are `inner` numbers apart.
 template <int Dim>
-void MassPreconditioner<Dim>::solve_lines(const Factor& f, double* x, std::size_t inner) {
+template <class Width>
+void MassPreconditioner<Dim>::solve_lines(const Factor& f, double* x, Width inner, std::size_t lines) {
+  const auto each_line = [&](std::size_t i, const auto& body) {
+    for (std::size_t line = 0; line < lines; ++line) body(x + (line * f.nodes + i) * inner);
+  };
   for (std::size_t i = 0; i < f.nodes; ++i) {
     for (std::size_t k = 1; k <= std::min(i, f.reach); ++k) {
-      const double l = f.lower[i * f.reach + k - 1], *from = x + (i - k) * inner;
-      double* to = x + i * inner;
-      for (std::size_t c = 0; c < inner; ++c) to[c] -= l * from[c];
+      each_line(i, [l = f.lower[i * f.reach + k - 1], back = k * inner, inner](double* to) {
+        for (std::size_t c = 0; c < inner; ++c) to[c] -= l * (to - back)[c];
+      });
     }
   }
   for (std::size_t i = f.nodes; i-- > 0;) {
-    double* to = x + i * inner;
-    for (std::size_t c = 0; c < inner; ++c) to[c] *= f.inverse_diagonal[i];
+    each_line(i, [by = f.inverse_diagonal[i], inner](double* to) {
+      for (std::size_t c = 0; c < inner; ++c) to[c] *= by;
+    });
     for (std::size_t k = 1; k <= std::min(f.nodes - 1 - i, f.reach); ++k) {
-      const double l = f.lower[(i + k) * f.reach + k - 1], *from = x + (i + k) * inner;
-      for (std::size_t c = 0; c < inner; ++c) to[c] -= l * from[c];
+      each_line(i, [l = f.lower[(i + k) * f.reach + k - 1], on = k * inner, inner](double* to) {
+        for (std::size_t c = 0; c < inner; ++c) to[c] -= l * (to + on)[c];
+      });
     }
   }
 }
 
+/// Along the first axis each number waits for the one before it: several lines at once do not.
 template <int Dim>
 void MassPreconditioner<Dim>::solve(GridField<Dim>& x) const {
-  std::size_t inner = GridField<Dim>::stride;
-  const std::size_t all = x.nodes() * inner;
-  for (const Factor& factor : factors_) {
-    const std::size_t line = inner * factor.nodes;
-    for (std::size_t begin = 0; begin < all; begin += line) solve_lines(factor, x.data() + begin, inner);
-    inner = line;
+  constexpr std::size_t at_once = 8;
+  constexpr std::integral_constant<std::size_t, GridField<Dim>::stride> narrow;
+  std::size_t line = narrow * factors_[0].nodes;
+  const std::size_t all = x.nodes() * narrow, lines = all / line;
+  for (std::size_t first = 0; first < lines; first += at_once) {
+    solve_lines(factors_[0], x.data() + first * line, narrow, std::min(at_once, lines - first));
+  }
+  for (std::size_t d = 1; d < Dim; ++d) {
+    const std::size_t inner = line;
+    line *= factors_[d].nodes;
+    for (std::size_t begin = 0; begin < all; begin += line) solve_lines(factors_[d], x.data() + begin, inner, 1);
   }
 }
 

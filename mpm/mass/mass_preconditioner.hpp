@@ -30,7 +30,8 @@ class MassPreconditioner {
     std::vector<double> inverse_diagonal;  ///< of D
   };
   static Factor factor_of(std::size_t nodes, const std::vector<double>& mean);
-  static void solve_lines(const Factor& factor, double* x, std::size_t inner);
+  template <class Width>
+  static void solve_lines(const Factor& factor, double* x, Width inner, std::size_t lines);
 
   std::array<Factor, Dim> factors_;
 };

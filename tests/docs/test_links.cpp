@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <regex>
 #include <set>
 
@@ -27,7 +28,9 @@ std::string defect_of(const docs::Page& page, const docs::Link& link) {
   if (!fs::exists(root / path)) return "no such file";
   if (hash == link.target.npos) return {};
   const std::string normal = path.lexically_normal().string();
-  const auto anchors = docs::parse_page(normal, house::text_of(normal)).anchors;
+  static std::map<std::string, std::vector<std::string>> known;
+  if (!known.contains(normal)) known[normal] = docs::parse_page(normal, house::text_of(normal)).anchors;
+  const auto& anchors = known[normal];
   const bool found = std::find(anchors.begin(), anchors.end(), link.target.substr(hash + 1)) != anchors.end();
   return found ? "" : "no such heading";
 }

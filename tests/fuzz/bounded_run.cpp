@@ -77,6 +77,7 @@ Outcome run_bounded(const std::string& program, const std::vector<std::string>& 
   const pid_t child = ::fork();
   if (child < 0) throw std::runtime_error("fork");
   if (child == 0) become(program, argv, folder, bounds);
+  ::setpgid(child, child);  // as it does itself, maybe only when its time is up
   Outcome outcome;
   outcome.timed_out = !ends_within(child, bounds.wall_s);
   if (outcome.timed_out) ::kill(-child, SIGKILL);

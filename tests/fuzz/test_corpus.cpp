@@ -44,13 +44,23 @@ void feed(const std::string& text) {
 /// Of each text; the fuzzer itself goes on from there.
 const std::size_t places = sanitized() ? 30 : 200;
 
+/// Of all prefixes those whose number is even or odd.
+void feed_prefixes(const std::string& text, std::size_t rest) {
+  const std::size_t step = 1 + 2 * text.size() / places;
+  for (std::size_t n = rest * step; n < text.size(); n += 2 * step) feed(text.substr(0, n));
+}
+
 TEST(FuzzCorpus, SeedsAndTheirPrefixes) {
   const auto texts = seeds();
   ASSERT_GE(texts.size(), 5u);
   for (const std::string& text : texts) {
-    for (std::size_t n = 0; n < text.size(); n += 1 + 2 * text.size() / places) feed(text.substr(0, n));
+    feed_prefixes(text, 0);
     feed(text);
   }
+}
+
+TEST(LongFuzzCorpus, MorePrefixes) {
+  for (const std::string& text : seeds()) feed_prefixes(text, 1);
 }
 
 /// The bounds of the composition leave these scenes in: the prefixes above and the bytes below reach it.
@@ -73,7 +83,7 @@ TEST(FuzzCorpus, ScenesOfManyParticlesAreRefused) {
   }
 }
 
-constexpr std::size_t shares = 10;
+constexpr std::size_t shares = 20;
 
 /// Of all damages those whose number leaves this rest when it is divided by the number of shares.
 void feed_damaged(std::size_t rest) {

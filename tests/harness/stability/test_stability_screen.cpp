@@ -288,13 +288,17 @@ TEST(StabilityScreen, OfATableOnlyWhatTheBodyGoesThroughCounts) {
   }
 }
 
-TEST(StabilityScreen, ALossBetweenManyRowsIsFoundWhereFewShowIt) {
-  const StabilityScreen many = screen_stability(*j2(50, 100), tabulated(1100, 7), 1);
-  const StabilityScreen few = screen_stability(*j2(50, 100), tabulated(100, 7), 1);
+void expect_the_loss_of_few_rows(int rows, int few_rows) {
+  const StabilityScreen many = screen_stability(*j2(50, 100), tabulated(rows, 7), 1);
+  const StabilityScreen few = screen_stability(*j2(50, 100), tabulated(few_rows, 7), 1);
   ASSERT_EQ(few.verdict, Verdict::unstable);
   ASSERT_EQ(many.verdict, Verdict::unstable);
   EXPECT_NEAR(many.t, few.t, 1e-2);
 }
+
+// One look at each of 520 rows and more, several at each of few.
+TEST(StabilityScreen, ALossBetweenManyRowsIsFoundWhereFewShowIt) { expect_the_loss_of_few_rows(520, 20); }
+TEST(LongStabilityScreen, ALossBetweenManyRowsIsFoundWhereFewShowIt) { expect_the_loss_of_few_rows(1100, 100); }
 
 }  // namespace
 }  // namespace assay::test_stability_screen
