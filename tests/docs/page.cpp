@@ -24,6 +24,8 @@ Block opened_by(const std::string& info, int line) {
       block.title = word.substr(6);
     } else if (word.starts_with("needs=")) {
       block.needs = word.substr(6);
+    } else if (word.starts_with("of=")) {
+      block.of = word.substr(3);
     } else {
       block.unknown_words.push_back(word);
     }

@@ -7,10 +7,10 @@
 
 namespace assay::docs {
 
-/// A fenced block: ```LANGUAGE [title=FILE] [skip] [needs=PROGRAM]
+/// A fenced block: ```LANGUAGE [title=FILE] [skip] [needs=PROGRAM] [of=FILE]
 struct Block {
   int line = 0;  ///< of the opening fence, from 1
-  std::string language, title, needs;
+  std::string language, title, needs, of;
   bool skip = false;
   std::vector<std::string> unknown_words;  ///< of the info string
   std::string text;                        ///< with a newline at its end where it is not empty

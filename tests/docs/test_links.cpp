@@ -60,12 +60,25 @@ std::string defect_of(const std::string& word) {
   std::smatch match;
   if (std::regex_match(word, match, test_form)) return tests().contains(word) ? "" : "no such test";
   if (!std::regex_match(word, match, path_form)) return {};
-  if (word.find("foo") != word.npos) return {};  // a placeholder
+  if (word.find("foo") != word.npos || word.find("NAME") != word.npos) return {};  // placeholders
   const fs::path path = match[1].str();
   if (!fs::exists(root / path)) return "no such file";
   if (!match[2].matched) return {};
   const bool named = std::regex_search(house::text_of(path.string()), std::regex("\\b" + match[2].str() + "\\b"));
   return named ? "" : "the file does not hold this name";
+}
+
+/// Lines without the blanks at their beginnings.
+std::vector<std::string> outdented(const std::string& text) {
+  std::vector<std::string> lines = house::lines_of(text);
+  for (std::string& line : lines) line.erase(0, std::min(line.find_first_not_of(' '), line.size()));
+  return lines;
+}
+
+/// Whether the lines stand in the text, one after the other.
+bool quotes(const std::string& text, const std::string& lines) {
+  const std::vector<std::string> all = outdented(text), quoted = outdented(lines);
+  return !quoted.empty() && std::search(all.begin(), all.end(), quoted.begin(), quoted.end()) != all.end();
 }
 
 class Links : public testing::TestWithParam<std::string> {};
@@ -84,6 +97,15 @@ TEST_P(Links, PathsAndTestsThatAreNamedExist) {
   }
 }
 
+TEST_P(Links, QuotedLinesStandInTheirFiles) {
+  const docs::Page page = docs::parse_page(GetParam(), house::text_of(GetParam()));
+  for (const auto& block : page.blocks) {
+    if (block.of.empty()) continue;
+    EXPECT_TRUE(quotes(house::text_of(block.of), block.text))
+        << page.path << ":" << block.line << ": " << block.of << " has not these lines";
+  }
+}
+
 TEST_P(Links, FiguresAreSmall) {
   const docs::Page page = docs::parse_page(GetParam(), house::text_of(GetParam()));
   for (const auto& link : page.links) {
@@ -94,6 +116,13 @@ TEST_P(Links, FiguresAreSmall) {
 
 INSTANTIATE_TEST_SUITE_P(Docs, Links, testing::ValuesIn(docs::pages()),
                          [](const auto& page) { return fs::path(page.param).stem().string(); });
+
+TEST(LinksNegativeControl, LinesThatWereChangedAreNoQuote) {
+  EXPECT_TRUE(quotes("{\n    a = b;\n    c = d;\n}\n", "a = b;\nc = d;\n"));
+  EXPECT_FALSE(quotes("{\n    a = b;\n    c = e;\n}\n", "a = b;\nc = d;\n"));
+  EXPECT_FALSE(quotes("a = b;\n\nc = d;\n", "a = b;\nc = d;\n"));
+  EXPECT_FALSE(quotes("a\n", ""));
+}
 
 TEST(LinksNegativeControl, WhatIsNotThereIsMissed) {
   const docs::Page page = docs::parse_page("docs/page.md",
