@@ -155,11 +155,17 @@ Value interpolation_of(const Scene& s) {
 // clang-format off
 std::vector<Key> keys_before() {
   using enum KeyType;
-  const std::vector<std::string> of_homogeneous{"homogeneous"};
   return {
       {"title", text, "one-line title for pictures and reports", GET(s.title), SET(s.title = std::get<std::string>(v))},
       {"motion.type", choice, "which manufactured motion the body follows", GET(motion_type(s)), set_motion, {},
        types_of([](const Motion&) { return true; }), true},
+  };
+}
+
+std::vector<Key> keys_of_table() {
+  using enum KeyType;
+  const std::vector<std::string> of_homogeneous{"homogeneous"};
+  return {
       {"motion.path", text, "CSV file of F(t), in place of motion.final; columns t, F11, F12, F21, F22, others optional",
        path_of, set_path, {}, {}, false, "none: F goes straight to final", of_homogeneous},
       {"motion.interpolation", choice,
@@ -195,6 +201,10 @@ std::vector<Key> keys_behind() {
 std::vector<Key> motion_keys() {
   std::vector<Key> keys = keys_before();
   for (auto part : {keys_of_motions(), keys_behind()}) keys.insert(keys.end(), part.begin(), part.end());
+  const auto instead =
+      std::find_if(keys.begin(), keys.end(), [](const Key& key) { return key.path == "motion.final"; });
+  const std::vector<Key> table = keys_of_table();
+  keys.insert(instead, table.begin(), table.end());
   return keys;
 }
 

@@ -138,8 +138,8 @@ std::unique_ptr<MotionKind> kind_of(const AxisAligned& motion) { return std::mak
 
 void register_axis_aligned(MotionRegistry& registry) {
   const Amplitude amplitude{Amplitude::Type::sine, usual_peak, 1};
-  registry.motion(5, AxisAligned{amplitude, false, false});
-  registry.motion(6, AxisAligned{amplitude, true, false});
+  registry.motion(4, AxisAligned{amplitude, false, false});
+  registry.motion(5, AxisAligned{amplitude, true, false});
   registry.path("axis_aligned", [](NumberReader& numbers) {
     Section section;
     numbers(section);

@@ -137,7 +137,7 @@ std::unique_ptr<MotionKind> kind_of(const RotatingStretch& motion) {
 }
 
 void register_rotating_stretch(MotionRegistry& registry) {
-  registry.motion(3, RotatingStretch{});
+  registry.motion(6, RotatingStretch{});
   registry.path<RotatingStretch>("rotating_stretch");
 }
 
