@@ -3,7 +3,9 @@
 # is taken at run time. Optimised builds only: in others, functions of the standard library that are not inlined would
 # be compiled with these instructions, too, and could be the ones that the linker takes for the whole program.
 # Loops over particles become vector instructions where no comparison is thought to trap.
+include(cmake/bases.cmake)
 file(GLOB kernels CONFIGURE_DEPENDS mpm/kernels/variants/*.cpp)
+list(APPEND kernels ${basis_kernels})
 set(kernel_options -fno-trapping-math -fno-math-errno)
 string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
 if(NOT ASSAY_SANITIZE AND NOT build_type STREQUAL "RELEASE") # which has it
@@ -34,7 +36,7 @@ foreach(source IN LISTS sources_3d)
     list(REMOVE_ITEM sources_3d ${source})
   endif()
 endforeach()
-add_library(assay_mpm_3d STATIC EXCLUDE_FROM_ALL ${sources_3d})
+add_library(assay_mpm_3d STATIC EXCLUDE_FROM_ALL ${sources_3d} ${basis_kernels})
 target_compile_definitions(assay_mpm_3d PRIVATE ASSAY_DIMENSION=3)
 target_link_libraries(assay_mpm_3d PUBLIC assay_mpm PRIVATE assay_options)
 # Tests alone link it, on small bodies: it compiles in half the time.

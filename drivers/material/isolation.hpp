@@ -2,6 +2,8 @@
 // Where the code of a material runs.
 #pragma once
 
+#include <array>
+
 namespace assay::drivers {
 
 enum class Isolation {
@@ -9,5 +11,6 @@ enum class Isolation {
   worker,     ///< in processes of its own, which may die; built-in models stay here
   none,       ///< in this process
 };
+constexpr std::array<const char*, 3> names_of(Isolation) { return {"automatic", "worker", "none"}; }
 
 }  // namespace assay::drivers

@@ -1,38 +1,113 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Between the values of keys and the types of a scene: what the parts of the table of keys share.
+// A row of the table of keys from the member of the scene that it stands for.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <optional>
+#include <type_traits>
 
 #include "drivers/scene/scene_keys.hpp"
 
 namespace assay::drivers {
 
-/// The enumerator whose name is at its place in the list; the reader has checked that it is there.
+/// The names of an enumeration, as names_of() beside it lists them.
 template <class Enum>
-Enum picked(const std::vector<std::string>& names, const Value& value) {
-  return static_cast<Enum>(std::find(names.begin(), names.end(), std::get<std::string>(value)) - names.begin());
-}
-template <class Enum>
-Value name_of(const std::vector<std::string>& names, Enum value) {
-  return names[static_cast<std::size_t>(value)];
+std::vector<std::string> words_of() {
+  const auto names = names_of(Enum{});
+  return {names.begin(), names.end()};
 }
 
-inline double real(const Value& value) { return std::get<double>(value); }
-inline int whole(const Value& value) { return static_cast<int>(std::get<double>(value)); }
-inline Value pair_of(const std::array<double, 2>& p) { return std::vector<double>{p[0], p[1]}; }
-inline std::array<double, 2> two(const Value& value) {
-  const auto& list = std::get<std::vector<double>>(value);
-  return {list[0], list[1]};
+template <class Member>
+struct Optional : std::false_type {
+  using Kept = Member;
+};
+template <class Member>
+struct Optional<std::optional<Member>> : std::true_type {
+  using Kept = Member;
+};
+
+template <class Member>
+constexpr KeyType type_of() {
+  using Kept = typename Optional<Member>::Kept;
+  if constexpr (std::is_same_v<Kept, bool>) return KeyType::boolean;
+  if constexpr (std::is_same_v<Kept, std::string>) return KeyType::text;
+  if constexpr (std::is_enum_v<Kept>) return KeyType::choice;
+  if constexpr (requires(Kept k) { std::tuple_size<Kept>::value; })
+    return std::tuple_size_v<Kept> == 2 ? KeyType::pair : KeyType::vector;
+  return KeyType::number;
 }
-inline std::array<double, 3> three(const Value& value) {
-  const auto& list = std::get<std::vector<double>>(value);
-  return {list[0], list[1], list[2]};
+
+template <class Member>
+Value value_of(const Member& member) {
+  if constexpr (Optional<Member>::value) {
+    return member ? value_of(*member) : Value();
+  } else if constexpr (std::is_enum_v<Member>) {
+    return std::string(names_of(member)[static_cast<std::size_t>(member)]);
+  } else if constexpr (type_of<Member>() == KeyType::pair || type_of<Member>() == KeyType::vector) {
+    return std::vector<double>(member.begin(), member.end());
+  } else if constexpr (std::is_same_v<Member, int>) {
+    return static_cast<double>(member);
+  } else {
+    return member;
+  }
 }
-inline Value triple_of(const std::optional<std::array<double, 3>>& v) {
-  return v ? Value(std::vector<double>(v->begin(), v->end())) : Value();
+
+/// The reader has checked that the value is one of the key.
+template <class Member>
+void give(Member& member, const Value& value) {
+  if constexpr (Optional<Member>::value) {
+    give(member.emplace(), value);
+  } else if constexpr (std::is_enum_v<Member>) {
+    const auto names = names_of(member);
+    member = static_cast<Member>(std::find(names.begin(), names.end(), std::get<std::string>(value)) - names.begin());
+  } else if constexpr (type_of<Member>() == KeyType::pair || type_of<Member>() == KeyType::vector) {
+    const auto& list = std::get<std::vector<double>>(value);
+    for (std::size_t k = 0; k < member.size(); ++k) member[k] = static_cast<typename Member::value_type>(list[k]);
+  } else if constexpr (std::is_same_v<Member, int>) {
+    member = static_cast<int>(std::get<double>(value));
+  } else {
+    member = std::get<Member>(value);
+  }
 }
-inline Value pair_of(const std::optional<std::array<double, 2>>& p) { return p ? pair_of(*p) : Value(); }
+
+/// What else is to say of a key.
+struct KeyRules {
+  Range range = {};
+  std::vector<std::string> choices = {};  ///< of the enumeration's names; empty: all
+  bool required = false;
+  std::string derived = {};
+  std::vector<std::string> motions = {}, domains = {};
+  bool (*shown)(const Scene&) = nullptr;  ///< whether resolved.yaml has it; null: where the member has a value
+};
+
+/// at(scene): the address of the member; null where the scene has no such section.
+template <class At>
+Key key(const std::string& path, const std::string& doc, At at, KeyRules rules = {}) {
+  using Member = std::remove_pointer_t<decltype(at(std::declval<Scene&>()))>;
+  using Kept = typename Optional<Member>::Kept;
+  if constexpr (std::is_enum_v<Kept>) {
+    if (rules.choices.empty()) rules.choices = words_of<Kept>();
+  }
+  return {path,
+          type_of<Member>(),
+          doc,
+          [at, shown = rules.shown](const Scene& scene) {
+            const auto* member = at(scene);
+            return member && (!shown || shown(scene)) ? value_of(*member) : Value();
+          },
+          [at](Scene& scene, const Value& value) { give(*at(scene), value); },
+          rules.range,
+          std::move(rules.choices),
+          rules.required,
+          std::move(rules.derived),
+          std::move(rules.motions),
+          std::move(rules.domains)};
+}
+
+// The addresses, for scenes that are to be changed and others alike.
+#define ASSAY_AT(member) [](auto& scene) { return &(scene.member); }
+#define ASSAY_IN(section, member) [](auto& scene) { return scene.section ? &(scene.section->member) : nullptr; }
+
 }  // namespace assay::drivers

@@ -11,10 +11,11 @@ namespace assay::drivers {
 
 namespace {
 
-const std::vector<std::string> interpolations{"linear", "monotone", "spline"};
-
 Value list_of(const Vector3& v) { return std::vector<double>{v.x(), v.y(), v.z()}; }
-Vector3 vector_of(const Value& v) { return {three(v)[0], three(v)[1], three(v)[2]}; }
+Vector3 vector_of(const Value& v) {
+  const auto& list = std::get<std::vector<double>>(v);
+  return {list[0], list[1], list[2]};
+}
 
 Value list_of(const Tensor& tensor) {
   std::vector<double> list;
@@ -35,19 +36,20 @@ class EachKey final : public MotionKeys {
   explicit EachKey(Show show) : show_(std::move(show)) {}
 
   bool number(const MotionKey& key, double& value) override {
-    return answered(show_(key, KeyType::number, {}, value), [&](const Value& v) { value = real(v); });
+    return answered(show_(key, KeyType::number, {}, value), [&](const Value& v) { value = std::get<double>(v); });
   }
   bool whole(const MotionKey& key, int& value) override {
-    return answered(show_(key, KeyType::number, {}, double(value)), [&](const Value& v) { value = drivers::whole(v); });
+    return answered(show_(key, KeyType::number, {}, double(value)), [&](const Value& v) { drivers::give(value, v); });
   }
   bool number_or_auto(const MotionKey& key, std::optional<double>& value) override {
     return answered(show_(key, KeyType::automatic, {}, value ? Value(*value) : Value("auto")),
-                    [&](const Value& v) { value = real(v); });
+                    [&](const Value& v) { value = std::get<double>(v); });
   }
   bool word(const MotionKey& key, std::span<const char* const> words, int& which) override {
     const std::vector<std::string> names(words.begin(), words.end());
-    return answered(show_(key, KeyType::choice, names, name_of(names, which)),
-                    [&](const Value& v) { which = picked<int>(names, v); });
+    return answered(show_(key, KeyType::choice, names, names[static_cast<std::size_t>(which)]), [&](const Value& v) {
+      which = static_cast<int>(std::find(names.begin(), names.end(), std::get<std::string>(v)) - names.begin());
+    });
   }
   bool vector(const MotionKey& key, Vector3& value) override {
     return answered(show_(key, KeyType::vector, {}, list_of(value)), [&](const Value& v) { value = vector_of(v); });
@@ -76,7 +78,7 @@ Value value_in(const Scene& scene, const std::string& name) {
   return found;
 }
 
-void give(Scene& scene, const std::string& name, const Value& value) {
+void give_motion(Scene& scene, const std::string& name, const Value& value) {
   EachKey each([&](const MotionKey& key, KeyType, const auto&, const Value&) {
     return key.name == name ? EachKey::Answer(value) : std::nullopt;
   });
@@ -92,7 +94,7 @@ std::vector<Key> keys_of(Motion motion) {
                     type,
                     key.doc,
                     [name](const Scene& s) { return value_in(s, name); },
-                    [name](Scene& s, const Value& v) { give(s, name, v); },
+                    [name](Scene& s, const Value& v) { give_motion(s, name, v); },
                     key.range,
                     words,
                     key.required,
@@ -141,60 +143,86 @@ Value path_of(const Scene& s) {
 /// Without a table the motion refuses the key.
 void set_interpolation(Scene& s, const Value& v) {
   if (auto* table = s.motion.as<DeformationTable>()) {
-    s.motion = table->interpolated(picked<Interpolation>(interpolations, v));
+    Interpolation interpolation = table->interpolation();
+    give(interpolation, v);
+    s.motion = table->interpolated(interpolation);
   }
 }
 Value interpolation_of(const Scene& s) {
   const auto* table = s.motion.as<DeformationTable>();
-  return table ? name_of(interpolations, table->interpolation()) : Value();
+  return table ? value_of(table->interpolation()) : Value();
 }
 
-#define GET(expression) [](const Scene& s) -> Value { return expression; }
-#define SET(statement) [](Scene& s, const Value& v) { statement; }
+void set_frame_velocity(Scene& s, const Value& v) {
+  const auto& list = std::get<std::vector<double>>(v);
+  s.frame->velocity = {list[0], list[1], 0};
+}
+Value frame_velocity_of(const Scene& s) {
+  return s.frame ? Value(std::vector<double>{s.frame->velocity.x(), s.frame->velocity.y()}) : Value();
+}
 
-// clang-format off
 std::vector<Key> keys_before() {
-  using enum KeyType;
   return {
-      {"title", text, "one-line title for pictures and reports", GET(s.title), SET(s.title = std::get<std::string>(v))},
-      {"motion.type", choice, "which manufactured motion the body follows", GET(motion_type(s)), set_motion, {},
-       types_of([](const Motion&) { return true; }), true},
+      key("title", "one-line title for pictures and reports", ASSAY_AT(title)),
+      {"motion.type",
+       KeyType::choice,
+       "which manufactured motion the body follows",
+       [](const Scene& s) { return Value(motion_type(s)); },
+       set_motion,
+       {},
+       types_of([](const Motion&) { return true; }),
+       true},
   };
 }
 
 std::vector<Key> keys_of_table() {
-  using enum KeyType;
   const std::vector<std::string> of_homogeneous{"homogeneous"};
   return {
-      {"motion.path", text, "CSV file of F(t), in place of motion.final; columns t, F11, F12, F21, F22, others optional",
-       path_of, set_path, {}, {}, false, "none: F goes straight to final", of_homogeneous},
-      {"motion.interpolation", choice,
+      {"motion.path",
+       KeyType::text,
+       "CSV file of F(t), in place of motion.final; columns t, F11, F12, F21, F22, others optional",
+       path_of,
+       set_path,
+       {},
+       {},
+       false,
+       "none: F goes straight to final",
+       of_homogeneous},
+      {"motion.interpolation",
+       KeyType::choice,
        "F between the rows of motion.path: straight lines, PCHIP (no overshoot) or a cubic spline",
-       interpolation_of, set_interpolation, {}, interpolations, false,
-       "linear for tabulate, monotone for what needs a body force", of_homogeneous},
+       interpolation_of,
+       set_interpolation,
+       {},
+       words_of<Interpolation>(),
+       false,
+       "linear for tabulate, monotone for what needs a body force",
+       of_homogeneous},
   };
 }
 
 std::vector<Key> keys_behind() {
-  using enum KeyType;
   const std::vector<std::string> of_vortex = types_of(is_vortex);
   return {
-      {"motion.allow_unstable", boolean,
-       "run a motion that is not a stable solution for the model; otherwise the run is refused",
-       GET(s.allow_unstable), SET(s.allow_unstable = std::get<bool>(v))},
-      {"frame.angle", number, "angle by which body and motion are rotated against the grid, about E_z [rad]",
-       GET(s.frame ? Value(s.frame->angle) : Value()), SET(s.frame->angle = real(v)), {}, {}, false, {}, of_vortex},
-      {"frame.spin", number, "angular velocity w: the whole motion rotates by a further angle w t [rad/s]",
-       GET(s.frame ? Value(s.frame->spin) : Value()), SET(s.frame->spin = real(v)), {}, {}, false, {}, of_vortex},
-      {"frame.velocity", pair, "velocity of the whole motion [m/s]",
-       GET(s.frame ? pair_of({s.frame->velocity.x(), s.frame->velocity.y()}) : Value()),
-       SET((s.frame->velocity = {two(v)[0], two(v)[1], 0})), {}, {}, false, {}, of_vortex},
+      key("motion.allow_unstable",
+          "run a motion that is not a stable solution for the model; otherwise the run is refused",
+          ASSAY_AT(allow_unstable)),
+      key("frame.angle", "angle by which body and motion are rotated against the grid, about E_z [rad]",
+          ASSAY_IN(frame, angle), {.motions = of_vortex}),
+      key("frame.spin", "angular velocity w: the whole motion rotates by a further angle w t [rad/s]",
+          ASSAY_IN(frame, spin), {.motions = of_vortex}),
+      {"frame.velocity",
+       KeyType::pair,
+       "velocity of the whole motion [m/s]",
+       frame_velocity_of,
+       set_frame_velocity,
+       {},
+       {},
+       false,
+       {},
+       of_vortex},
   };
 }
-
-// clang-format on
-#undef GET
-#undef SET
 
 }  // namespace
 

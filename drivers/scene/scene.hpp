@@ -60,6 +60,12 @@ struct Body {
   std::optional<InitialVelocity> initial_velocity;  ///< absent: that of the motion
 };
 
+constexpr std::array<const char*, 3> names_of(Body::Domain) { return {"ring", "square", "box"}; }
+constexpr std::array<const char*, 2> names_of(Body::Outside) { return {"held", "free"}; }
+constexpr std::array<const char*, 4> names_of(Body::Lattice) { return {"cartesian", "polar", "gauss", "jittered"}; }
+constexpr std::array<const char*, 2> names_of(Body::Cut) { return {"clipped", "whole"}; }
+constexpr std::array<const char*, 4> names_of(Body::Periodic) { return {"none", "x", "y", "both"}; }
+
 struct GridChoice {
   double spacing = 0;                                 ///< h [m]; nodes lie at multiples of h
   std::array<double, 2> offset{};                     ///< and this far beyond them [h]
@@ -84,6 +90,10 @@ struct ForceChoice {
   double tolerance = 1e-8;  ///< requested relative error of the sheet
 };
 
+constexpr std::array<const char*, 4> names_of(ForceChoice::Response) {
+  return {"none", "closed_form", "sheet", "shadow"};
+}
+
 struct TractionChoice {
   mpm::TractionAlgorithm algorithm = mpm::TractionAlgorithm::edges;
   std::optional<mpm::TractionForm> form;  ///< absent: the stable one of the motion
@@ -95,6 +105,8 @@ struct TimeChoice {
   Control control = Control::planned;  ///< equal steps by the exact motion; or as the particles are now
   std::optional<double> step;          ///< fixes dt [s] instead of courant
 };
+
+constexpr std::array<const char*, 2> names_of(TimeChoice::Control) { return {"planned", "current"}; }
 
 struct OutputChoice {
   int errors = 100;                           ///< samples of the error over the run

@@ -13,6 +13,7 @@ enum class Interpolation {
   monotone,  ///< PCHIP of Fritsch and Carlson: C1, within the values at both ends of an interval
   spline     ///< cubic, with not-a-knot ends: C2, may swing beyond the values
 };
+constexpr std::array<const char*, 3> names_of(Interpolation) { return {"linear", "monotone", "spline"}; }
 
 /// Cubic on each interval. The spline reproduces cubic polynomials, and is with fewer than four points the polynomial
 /// through all of them; the other two reproduce straight lines.

@@ -7,9 +7,6 @@ namespace assay::mpm {
 
 namespace {
 
-constexpr std::array<Basis, 8> all_bases{Basis::linear, Basis::ugimp,    Basis::cpgimp,   Basis::cpdi,
-                                         Basis::cpdi2,  Basis::bspline2, Basis::bspline3, Basis::bspline4};
-
 /// What both formulations take besides pic and flip in all updates.
 void add_choices(const Method& plain, std::vector<Method>& methods) {
   const auto add = [&](Transfer transfer, Mass mass = Mass::lumped, Affine affine = Affine::gradient) {
@@ -40,7 +37,8 @@ void add_choices(const Method& plain, std::vector<Method>& methods) {
 std::vector<Method> all_methods() {
   std::vector<Method> methods;
   for (const Formulation formulation : {Formulation::updated, Formulation::total}) {
-    for (const Basis basis : all_bases) {
+    for (std::size_t k = 0; k < names_of(Basis{}).size(); ++k) {
+      const auto basis = static_cast<Basis>(k);
       for (const Transfer transfer : {Transfer::pic, Transfer::flip}) {
         for (const Update update : {Update::usf, Update::usl, Update::musl}) {
           Method method{basis, transfer, update};
@@ -56,17 +54,14 @@ std::vector<Method> all_methods() {
   return methods;
 }
 
-const char* name_of(Basis basis) {
-  constexpr const char* names[] = {"linear", "ugimp", "cpgimp", "cpdi", "cpdi2", "bspline2", "bspline3", "bspline4"};
-  return names[static_cast<int>(basis)];
+template <class Enum>
+const char* word_of(Enum value) {
+  return names_of(value)[static_cast<std::size_t>(value)];
 }
 
 MethodNames names_of(const Method& method) {
-  constexpr const char* transfers[] = {"pic", "flip", "xpic", "fmpm", "apic", "aflip"};
-  constexpr const char* updates[] = {"usf", "usl", "musl"};
-  constexpr const char* masses[] = {"lumped", "series", "consistent"};
-  return {name_of(method.basis), method.is_total() ? "total" : "updated", transfers[static_cast<int>(method.transfer)],
-          updates[static_cast<int>(method.update)], masses[static_cast<int>(method.mass)]};
+  return {word_of(method.basis), word_of(method.formulation), word_of(method.transfer), word_of(method.update),
+          word_of(method.mass)};
 }
 
 std::string name_of(const Method& method) {

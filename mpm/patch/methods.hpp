@@ -18,9 +18,6 @@ struct MethodNames {
 };
 MethodNames names_of(const Method& method);
 
-/// As a scene writes it.
-const char* name_of(Basis basis);
-
 /// "cpdi/flip/usl", "bspline2/aflip/usl/series4/total".
 std::string name_of(const Method& method);
 

@@ -2,6 +2,7 @@
 // The choices that make a particle method.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -9,25 +10,47 @@
 
 namespace assay::mpm {
 
-enum class Basis { linear, ugimp, cpgimp, cpdi, cpdi2, bspline2, bspline3, bspline4 };
-constexpr bool is_spline(Basis basis) { return basis >= Basis::bspline2; }
+enum class Basis {
+#define ASSAY_BASIS(word, type, header) word,
+#include "mpm/basis/bases.inc"
+#undef ASSAY_BASIS
+};
+constexpr auto names_of(Basis) {
+  return std::to_array<const char*>({
+#define ASSAY_BASIS(word, type, header) #word,
+#include "mpm/basis/bases.inc"
+#undef ASSAY_BASIS
+  });
+}
+constexpr bool is_spline(Basis basis) { return basis >= Basis::bspline2 && basis <= Basis::bspline4; }
+
 /// Configuration in which weights are made and forces integrated: the current one, or that of the beginning.
 enum class Formulation { updated, total };
+constexpr std::array<const char*, 2> names_of(Formulation) { return {"updated", "total"}; }
 enum class Transfer { pic, flip, xpic, fmpm, apic, aflip };
+constexpr std::array<const char*, 6> names_of(Transfer) { return {"pic", "flip", "xpic", "fmpm", "apic", "aflip"}; }
 enum class Update { usf, usl, musl };
+constexpr std::array<const char*, 3> names_of(Update) { return {"usf", "usl", "musl"}; }
 /// Velocities are those of the time of the positions, to first order in dt; of half a step before, to second; of the
 /// time of the positions, to fourth, by stages.
 enum class Integrator { symplectic_euler, leapfrog, symplectic_rkn4 };
+constexpr std::array<const char*, 3> names_of(Integrator) {
+  return {"symplectic_euler", "leapfrog", "symplectic_rkn4"};
+}
 /// What carries the velocity around a particle: its gradient, convected with the body, so that affine motions are
 /// exact; or its first moment, so that no angular momentum is lost.
 enum class Affine { gradient, moment };
+constexpr std::array<const char*, 2> names_of(Affine) { return {"gradient", "moment"}; }
 /// M between grid accelerations and forces: its row sums; k terms of the series of its inverse in these; itself.
 enum class Mass { lumped, series, consistent };
+constexpr std::array<const char*, 3> names_of(Mass) { return {"lumped", "series", "consistent"}; }
 /// Of the body force: at the particle's reference position, or averaged over its reference domain.
 enum class Evaluation { point, domain_average };
+constexpr std::array<const char*, 2> names_of(Evaluation) { return {"point", "domain_average"}; }
 /// b reaches the particles by the grid; or its part a, of the exact motion, is given to them and b - a goes by the
 /// grid.
 enum class Inertia { grid, particles };
+constexpr std::array<const char*, 2> names_of(Inertia) { return {"grid", "particles"}; }
 
 struct Method {
   Basis basis = Basis::cpdi;

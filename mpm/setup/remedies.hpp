@@ -9,6 +9,7 @@ namespace assay::mpm {
 /// The stress is that of F scaled to a volume ratio J averaged over cells, or over the functions of nodes (F-bar):
 /// nearly incompressible materials then resist changes of a cell's volume, not of each particle's.
 enum class AntiLocking { none, cell, node };
+constexpr std::array<const char*, 3> names_of(AntiLocking) { return {"none", "cell", "node"}; }
 
 struct Remedies {
   AntiLocking anti_locking = AntiLocking::none;

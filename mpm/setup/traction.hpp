@@ -16,10 +16,14 @@ enum class TractionAlgorithm {
   particles,         ///< at the centres of the particles of the surface
   undeformed_edges,  ///< as edges, the traction per current area times the undeformed length
 };
+constexpr std::array<const char*, 4> names_of(TractionAlgorithm) {
+  return {"edges", "virtual_stress", "particles", "undeformed_edges"};
+}
 
 /// Of which two forces that agree on the exact state: sigma n ds, which follows the surface, or P N dA0, which does
 /// not.
 enum class TractionForm { follower, reference };
+constexpr std::array<const char*, 2> names_of(TractionForm) { return {"follower", "reference"}; }
 
 struct Traction {
   TractionAlgorithm algorithm = TractionAlgorithm::edges;

@@ -2,14 +2,10 @@
 // From the name of a basis to its type.
 #pragma once
 
+#include <stdexcept>
 #include <type_traits>
 
-#include "mpm/basis/basis_bspline.hpp"
-#include "mpm/basis/basis_cpdi.hpp"
-#include "mpm/basis/basis_cpdi2.hpp"
-#include "mpm/basis/basis_cpgimp.hpp"
-#include "mpm/basis/basis_linear.hpp"
-#include "mpm/basis/basis_ugimp.hpp"
+#include "all_bases.inc"
 #include "mpm/basis/corners.hpp"
 #include "mpm/setup/method.hpp"
 
@@ -19,24 +15,13 @@ namespace assay::mpm {
 template <int Dim, class Visitor>
 auto with_basis(Basis basis, const Visitor& visit) {
   switch (basis) {
-    case Basis::linear:
-      return visit(std::type_identity<LinearBasis<Dim>>());
-    case Basis::ugimp:
-      return visit(std::type_identity<UgimpBasis<Dim>>());
-    case Basis::cpgimp:
-      return visit(std::type_identity<CpgimpBasis<Dim>>());
-    case Basis::bspline2:
-      return visit(std::type_identity<Bspline2Basis<Dim>>());
-    case Basis::bspline3:
-      return visit(std::type_identity<Bspline3Basis<Dim>>());
-    case Basis::bspline4:
-      return visit(std::type_identity<Bspline4Basis<Dim>>());
-    case Basis::cpdi2:
-      return visit(std::type_identity<Cpdi2Basis<Dim>>());
-    case Basis::cpdi:
-      break;
+#define ASSAY_BASIS(word, type, header) \
+  case Basis::word:                     \
+    return visit(std::type_identity<type<Dim>>());
+#include "mpm/basis/bases.inc"
+#undef ASSAY_BASIS
   }
-  return visit(std::type_identity<CpdiBasis<Dim>>());
+  throw std::invalid_argument("no basis");
 }
 
 /// What a step needs to know of a basis.

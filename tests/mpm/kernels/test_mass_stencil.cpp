@@ -50,7 +50,7 @@ double difference(Setup<Dim> setup, int threads) {
 TEST(MassStencil, IsTheMatrixOfTheParticles) {
   for (const Basis basis :
        {Basis::linear, Basis::ugimp, Basis::cpgimp, Basis::bspline2, Basis::bspline3, Basis::bspline4}) {
-    SCOPED_TRACE(name_of(basis));
+    SCOPED_TRACE(names_of(basis)[static_cast<std::size_t>(basis)]);
     for (const int threads : {1, 3}) EXPECT_LT(difference(vortex_setup(10, total_with(basis)), threads), 1e-14);
     EXPECT_LT(difference(block_setup<3>(total_with(basis)), 1), 1e-14);
   }
@@ -59,7 +59,7 @@ TEST(MassStencil, IsTheMatrixOfTheParticles) {
 // Particles of their own masses up to the grid's edge, where B-splines are other ones.
 TEST(MassStencil, IsTheMatrixAtTheGridsEdge) {
   for (const Basis basis : {Basis::linear, Basis::bspline2, Basis::bspline3, Basis::bspline4}) {
-    SCOPED_TRACE(name_of(basis));
+    SCOPED_TRACE(names_of(basis)[static_cast<std::size_t>(basis)]);
     mpm::Setup<2> setup = block_setup<2>(total_with(basis));
     setup.grid.first.fill(-1);
     setup.grid.count.fill(5);
