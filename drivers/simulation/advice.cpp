@@ -62,16 +62,26 @@ std::array<double, 2> sides_of_body(const Problem& problem) {
   return sides;
 }
 
+namespace {
+
+/// Empty where few waves cross the body.
+std::string few_waves_advice(const Problem& problem) {
+  const auto period = period_of_few_waves(problem);
+  if (!period) return {};
+  return "motion.period: " + period_text(problem, *period) +
+         ", in which a wave crosses the body twice as in the paper's vortex";
+}
+
+}  // namespace
+
 std::string advice_after_large_error(const Problem& problem, double relative) {
   constexpr double large = 0.3;  ///< where the waves of a stiff model are to blame
-  const auto period = period_of_few_waves(problem);
-  if (!(relative > (period ? large : 1))) return {};
+  const std::string few = few_waves_advice(problem);
+  if (!(relative > (few.empty() ? 1 : large))) return {};
   const std::string why =
       ". The error is " + (relative > 1 ? "larger than the motion" : rounded_text(relative, 2) + " of the motion") +
       ". If it stays on a finer grid, the cause is most likely the material: assay check of the model";
-  if (!period) return "a finer grid" + why;
-  return "motion.period: " + period_text(problem, *period) +
-         ", in which a wave crosses the body twice as in the paper's vortex; or a finer grid" + why;
+  return (few.empty() ? "" : few + "; or ") + "a finer grid" + why;
 }
 
 std::string advice_after_death(const Problem& problem, const std::string& reason) {
@@ -101,7 +111,8 @@ std::string advice_after_death(const Problem& problem, const std::string& reason
   if (helps && !averages) keys.emplace_back("remedies.anti_locking: cell");
   if (!helps && averages) keys.emplace_back("remedies.anti_locking: none");
   if (remedies.largest_domain > 0) keys.emplace_back("no remedies.largest_domain");
-  if (keys.empty()) return {};
+  const std::string few = few_waves_advice(problem);
+  if (keys.empty()) return few;
   std::string changes;
   for (const std::string& key : keys) changes += (changes.empty() ? "" : "; ") + key;
   const std::string locking = locks ? "; K/G is " + rounded_text(stiffness, 2) +
@@ -110,7 +121,8 @@ std::string advice_after_death(const Problem& problem, const std::string& reason
                                           " cells across; on a coarser grid it makes runs unstable"
                                     : "";
   const std::string model = problem.library.empty() ? "" : "assay check of the model, if it has not passed yet; ";
-  return model + "total B-splines (" + changes + ") complete every hard case that was measured" + locking;
+  return few + (few.empty() ? "" : "; ") + model + "total B-splines (" + changes +
+         ") complete every hard case that was measured" + locking;
 }
 
 }  // namespace assay::drivers

@@ -80,8 +80,11 @@ std::string farthest_component(const Tangent& given, const Tangent& right, const
     const int i = component / 3 + 1, j = component % 3 + 1;
     return std::to_string(std::min(i, j)) + std::to_string(std::max(i, j));
   };
+  const double found = is(row, column), expected = wanted(row, column);
+  int digits = 2;
+  while (digits < 17 && rounded(found, digits) == rounded(expected, digits)) ++digits;
   return "farthest off: what the strain " + name(column) + " adds to the stress " + name(row) + ", which is " +
-         rounded(is(row, column)) + " in place of " + rounded(wanted(row, column));
+         rounded(found, digits) + " in place of " + rounded(expected, digits);
 }
 
 FromElasticity from_elasticity(const Specimen& specimen, const Sample& s, const Tangent& given) {

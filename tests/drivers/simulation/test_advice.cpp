@@ -185,6 +185,23 @@ TEST(Advice, OfARunThatDiedMakesOneThatLives) {
   }
 }
 
+/// The method alone would step through all of the waves.
+TEST(Advice, OfARunWithManyWavesThatDiedBeginsWithAShorterPeriod) {
+  const auto advice = [](Sets sets) {
+    sets.insert(sets.begin(), {"method.basis=cpdi", "time.end=1"});
+    return advice_after_death(assemble(scene_from_text(advised_scene, "d.yaml", sets), 1));
+  };
+  Sets stiff{"material.parameters={E: 2.8e6, nu: 0.4}"};
+  const std::string many = advice(stiff);
+  std::smatch period;
+  ASSERT_TRUE(std::regex_search(many, period, std::regex("^motion[.]period: ([0-9.]+) with time[.]end: ([0-9.]+),")))
+      << many;
+  EXPECT_NE(many.find("; total B-splines (method: {basis: bspline2"), std::string::npos) << many;
+  stiff.insert(stiff.end(), {"motion.period=" + period[1].str(), "time.end=" + period[2].str()});
+  EXPECT_TRUE(advice(stiff).starts_with("total B-splines")) << advice(stiff);
+  EXPECT_TRUE(advice({}).starts_with("total B-splines")) << advice({});
+}
+
 Sets incompressible(const std::string& spacing, const std::string& nu, const std::string& end) {
   return {"material.parameters.nu=" + nu,
           "motion={type: vortex, amplitude: {type: sine, peak: 1.0}}",
