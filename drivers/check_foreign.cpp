@@ -91,10 +91,12 @@ std::string other_moduli(ForeignModel model, const ResolvedMaterial& material, c
   return {};
 }
 
-/// Of two wrong tangents, each by a convention of its own.
+/// Of two wrong tangents, each by a convention of its own, of which no more is known of b.
 bool is_nearer(const check::TestResult& a, const check::TestResult& b) {
   constexpr double much = 0.5;
-  return a.sentence.starts_with(check::tangent_of_shape) || (a.measure && b.measure && *a.measure < much * *b.measure);
+  return a.sentence.starts_with(check::tangent_of_shape) ||
+         (b.sentence.find(check::of_largest_component) != std::string::npos && a.measure && b.measure &&
+          *a.measure < much * *b.measure);
 }
 
 /// The first that is not symmetric; empty where there is none.
