@@ -204,7 +204,7 @@ std::string words_of(const Tangents& found, double worst) {
     return "the tangent is the secant modulus, down to " + percent(found.least_share) +
            " of the stiffness at rest: it leaves out how the secant changes, and is " + wrong_by;
   }
-  return "the tangent is " + wrong_by + " of its largest component; " + found.farthest;
+  return "the tangent is " + wrong_by + of_largest_component + found.farthest;
 }
 
 }  // namespace

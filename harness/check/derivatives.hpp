@@ -14,6 +14,9 @@ TestResult tangent(const Specimen& specimen);
 /// How the sentence begins of one whose largest components agree, but not what a change of shape adds.
 inline constexpr const char* tangent_of_shape = "the tangent of a change of shape";
 
+/// What a sentence holds of a tangent of which no more can be told than how wrong it is.
+inline constexpr const char* of_largest_component = " of its largest component; ";
+
 /// assay.energy/1: P = dW/dF at fixed state.
 TestResult energy(const Specimen& specimen);
 

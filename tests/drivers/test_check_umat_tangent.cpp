@@ -122,6 +122,17 @@ INSTANTIATE_TEST_SUITE_P(
                     RubberSlip{"doubled_shape", "2.D0", "2D-5", "the tangent of a change of shape is wrong by 100 %"}),
     [](const auto& instance) { return instance.param.name; });
 
+/// The description does not say which strain it is for. By the wrong one the component that is farthest off would be
+/// one that is right.
+TEST(UmatOfRubber, AWrongTangentIsComparedWithTheNearerConvention) {
+  if (!has_foreign("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
+  for (const char* shape : {"1.1D0", "0.93D0", "1.04D0"}) {
+    const Found found = checked(rubber(shape), "0.5,0.4");
+    EXPECT_EQ(found.verdict, "fail");
+    EXPECT_NE(found.tangent.find("(by `strain: finite`, to which it is nearer"), std::string::npos) << found.tangent;
+  }
+}
+
 /// One whose shears 13 and 23 are exchanged answers all six, so that a body of plane strain is no way out.
 TEST(UmatOfRubber, WithExchangedShearsIsNotAdvisedToLeaveThemOut) {
   if (!has_foreign("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
