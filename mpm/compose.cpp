@@ -9,7 +9,7 @@
 
 namespace assay::mpm {
 
-// cmake/effects.cmake writes a line for each file of mpm/effects.
+// cmake/file_list.cmake writes a line for each file of mpm/effects.
 #define ASSAY_EFFECT(name) \
   template <int Dim>       \
   EffectRecord<Dim> name##_effect();
