@@ -14,7 +14,7 @@
 
 #include "bench/effect_scenes.hpp"
 #include "bench/method_cases.hpp"
-#include "drivers/composition.hpp"
+#include "drivers/explain/composition.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/simulate.hpp"

@@ -18,7 +18,7 @@ foreach(file IN LISTS files)
   string(APPEND entries "      {\"${flavour}\", \"${name}\", R\"template(${text})template\"},\n")
 endforeach()
 file(WRITE ${OUTPUT} "// Generated.
-#include \"drivers/project_templates.hpp\"
+#include \"drivers/command_line/project_templates.hpp\"
 
 namespace assay::drivers {
 

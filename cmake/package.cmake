@@ -18,7 +18,7 @@ under it, and reports how far the particles are from that motion.
 The package also holds what a project needs that makes a model of its own:
 the header and the Fortran module of the interface, and files for CMake and
 pkg-config. Example scenes lie in /usr/share/assay/configs.")
-set(CPACK_STRIP_FILES ON) # the build id stays, by which results know their program (drivers/program_identity.cpp)
+set(CPACK_STRIP_FILES ON) # the build id stays, by which results know their program (drivers/system/program_identity.cpp)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS # whatever the umask of whoever packs
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The source behind drivers/project_templates.hpp: the files of drivers/templates as texts.
+# The source behind drivers/command_line/project_templates.hpp: the files of drivers/templates as texts.
 set(templates_folder ${PROJECT_SOURCE_DIR}/drivers/templates)
 set(embed_templates ${PROJECT_SOURCE_DIR}/cmake/embed_templates.cmake)
 file(GLOB_RECURSE templates CONFIGURE_DEPENDS ${templates_folder}/*.in)

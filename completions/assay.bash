@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# bash completion for assay, which itself says what may follow (drivers/completion.hpp)
+# bash completion for assay, which itself says what may follow (drivers/command_line/completion.hpp)
 _assay() {
   local offer last=${COMP_WORDS[COMP_CWORD]}
   COMPREPLY=()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# fish completion for assay, which itself says what may follow (drivers/completion.hpp)
+# fish completion for assay, which itself says what may follow (drivers/command_line/completion.hpp)
 function __assay_offers
     set -l words (commandline -opc)
     set -l last (commandline -ct)

@@ -7,11 +7,11 @@
 
 #include "adapters/library.hpp"
 #include "adapters/worker/shortage.hpp"
-#include "drivers/cache_home.hpp"
-#include "drivers/command_line.hpp"
-#include "drivers/exit_guard.hpp"
-#include "drivers/own_files.hpp"
-#include "drivers/supervisor.hpp"
+#include "drivers/command_line/command_line.hpp"
+#include "drivers/system/environment.hpp"
+#include "drivers/system/exit_guard.hpp"
+#include "drivers/system/own_files.hpp"
+#include "drivers/system/supervisor.hpp"
 #include "harness/material/thrown.hpp"
 
 // These stand before libc's for every library that is loaded: _exit() runs no handler, and a model that calls it must

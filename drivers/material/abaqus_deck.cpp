@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <map>
 
+#include "drivers/format/number_slips.hpp"
 #include "drivers/material/deck_keywords.hpp"
-#include "drivers/output/numbers.hpp"
-#include "drivers/scene/number_slips.hpp"
-#include "drivers/unseen.hpp"
+#include "drivers/text/numbers.hpp"
+#include "drivers/text/unseen.hpp"
 
 namespace assay::drivers {
 
@@ -228,10 +228,6 @@ void add_remarks(const std::vector<DeckBlock>& blocks, DeckMaterial& material) {
 }
 
 }  // namespace
-
-bool is_deck(const std::string& file) {
-  return deck_letters(std::filesystem::path(file).extension().string()) == ".inp";
-}
 
 std::optional<double> deck_number(std::string text) {
   std::replace_if(

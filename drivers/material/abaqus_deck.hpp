@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/input_error.hpp"
+#include "drivers/system/input_error.hpp"
 
 namespace assay::drivers {
 
@@ -25,9 +25,6 @@ struct DeckMaterial {
   std::vector<std::string> notes;     ///< sentences: what was seen and not taken
   std::vector<std::string> warnings;  ///< sentences: what is not there, and may say of the material what nobody knows
 };
-
-/// Whether a file's name is that of one: .inp.
-bool is_deck(const std::string& file);
 
 /// The material of that name, in small or large letters; empty: the only one that has *User Material. Throws InputError
 /// at the line to blame; `key` names the choice among several materials.

@@ -7,9 +7,9 @@
 #include <optional>
 #include <sstream>
 
-#include "drivers/lookalikes.hpp"
-#include "drivers/output/numbers.hpp"
-#include "drivers/unseen.hpp"
+#include "drivers/text/lookalikes.hpp"
+#include "drivers/text/numbers.hpp"
+#include "drivers/text/unseen.hpp"
 
 namespace assay::drivers {
 

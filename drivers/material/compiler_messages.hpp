@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "drivers/input_error.hpp"
 #include "drivers/material/fortran_source.hpp"
+#include "drivers/system/input_error.hpp"
 
 namespace assay::drivers {
 

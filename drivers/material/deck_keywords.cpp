@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/material/deck_keywords.hpp"
-#include "drivers/input_file.hpp"
+#include "drivers/system/input_file.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/input_error.hpp"
+#include "drivers/system/input_error.hpp"
 
 namespace assay::drivers {
 

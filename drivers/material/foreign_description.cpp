@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "drivers/format/yaml_values.hpp"
 #include "drivers/material/foreign_properties.hpp"
 #include "drivers/material/foreign_words.hpp"
-#include "drivers/output/numbers.hpp"
-#include "drivers/scene/yaml_values.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "adapters/foreign/foreign_model.hpp"
-#include "drivers/scene/yaml_reader.hpp"
+#include "drivers/format/yaml_reader.hpp"
 
 namespace assay::drivers {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <iterator>
 
+#include "drivers/format/yaml_writer.hpp"
 #include "drivers/material/foreign_description.hpp"
 #include "drivers/material/foreign_words.hpp"
-#include "drivers/scene/yaml_writer.hpp"
 
 namespace assay::drivers {
 

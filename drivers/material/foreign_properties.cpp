@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "drivers/output/numbers.hpp"
-#include "drivers/scene/number_slips.hpp"
-#include "drivers/scene/yaml_slips.hpp"
-#include "drivers/scene/yaml_values.hpp"
+#include "drivers/format/number_slips.hpp"
+#include "drivers/format/yaml_slips.hpp"
+#include "drivers/format/yaml_values.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

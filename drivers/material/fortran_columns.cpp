@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "drivers/input_error.hpp"
-#include "drivers/output/numbers.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

@@ -16,8 +16,8 @@
 #include "drivers/material/compiler_messages.hpp"
 #include "drivers/material/linked.hpp"
 #include "drivers/material/tool_process.hpp"
-#include "drivers/output/numbers.hpp"
-#include "drivers/output/whole_file.hpp"
+#include "drivers/system/whole_file.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

@@ -15,10 +15,6 @@ std::string in_small_letters(std::string text) {
   return text;
 }
 
-std::string extension_of_source(const std::string& file) {
-  return in_small_letters(std::filesystem::path(file).extension().string());
-}
-
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
 /// A letter among the first five columns of what is no comment there, or a line that goes on by an ampersand alone.
@@ -81,15 +77,8 @@ std::optional<FortranForm> form_by_directive(const std::string& line) {
   return std::nullopt;
 }
 
-bool is_fortran_source(const std::string& file) {
-  const std::string ending = extension_of_source(file);
-  constexpr const char* known[] = {".f",   ".for", ".ftn", ".f77", ".f90", ".f95",
-                                   ".f03", ".f08", ".f15", ".f18", ".fpp"};
-  return std::any_of(std::begin(known), std::end(known), [&](const char* each) { return ending == each; });
-}
-
 FortranForm form_by_name(const std::string& file) {
-  const std::string ending = extension_of_source(file);
+  const std::string ending = in_small_letters(std::filesystem::path(file).extension().string());
   const bool named_free = ending.size() == 4 && (ending[2] == '9' || ending[2] == '0' || ending[2] == '1');
   return named_free ? FortranForm::free : FortranForm::fixed;
 }

@@ -10,9 +10,6 @@
 
 namespace assay::drivers {
 
-/// .f, .for, .ftn, .f90, .f95, .f03, .f08, .fpp, in small or large letters.
-bool is_fortran_source(const std::string& file);
-
 /// What a directive says of the lines behind it: "!DIR$ FREEFORM", "cDEC$ NOFREEFORM", "!DIR$ FIXEDFORMLINESIZE:132".
 std::optional<FortranForm> form_by_directive(const std::string& line);
 

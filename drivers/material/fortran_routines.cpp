@@ -5,7 +5,7 @@
 #include <cctype>
 #include <iterator>
 
-#include "drivers/output/numbers.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

@@ -5,8 +5,8 @@
 #include <cctype>
 #include <filesystem>
 
-#include "drivers/input_file.hpp"
 #include "drivers/material/fortran_adapted.hpp"
+#include "drivers/system/input_file.hpp"
 
 namespace assay::drivers {
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "drivers/input_error.hpp"
 #include "drivers/material/fortran_columns.hpp"
 #include "drivers/material/fortran_form.hpp"
 #include "drivers/material/fortran_routines.hpp"
+#include "drivers/system/input_error.hpp"
 
 namespace assay::drivers {
 

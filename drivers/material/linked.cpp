@@ -5,8 +5,9 @@
 #include <cctype>
 #include <filesystem>
 
-#include "drivers/input_file.hpp"
-#include "drivers/material/material_path.hpp"
+#include "drivers/scene/material_path.hpp"
+#include "drivers/system/environment.hpp"
+#include "drivers/system/input_file.hpp"
 
 namespace assay::drivers {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "adapters/worker/remote_table.hpp"
-#include "drivers/input_error.hpp"
 #include "drivers/material/registry.hpp"
-#include "drivers/output/numbers.hpp"
-#include "drivers/unseen.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/text/numbers.hpp"
+#include "drivers/text/unseen.hpp"
 #include "harness/check/material_symmetry.hpp"
 #include "harness/material/foreign_message.hpp"
 #include "harness/material/thrown.hpp"

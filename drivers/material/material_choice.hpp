@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "drivers/input_error.hpp"
 #include "drivers/material/material_description.hpp"
 #include "drivers/scene/scene.hpp"
+#include "drivers/system/input_error.hpp"
 #include "harness/material/material.hpp"
 
 namespace assay::drivers {

@@ -6,18 +6,19 @@
 #include <filesystem>
 #include <iterator>
 
-#include "drivers/input_file.hpp"
+#include "drivers/format/file_kind.hpp"
+#include "drivers/format/yaml_values.hpp"
+#include "drivers/format/yaml_writer.hpp"
 #include "drivers/material/foreign_description.hpp"
 #include "drivers/material/linked.hpp"
-#include "drivers/material/material_path.hpp"
 #include "drivers/material/model_files.hpp"
 #include "drivers/material/source_entry.hpp"
 #include "drivers/material/source_library.hpp"
 #include "drivers/material/source_traps.hpp"
-#include "drivers/scene/file_kind.hpp"
-#include "drivers/scene/yaml_values.hpp"
-#include "drivers/scene/yaml_writer.hpp"
-#include "drivers/unseen.hpp"
+#include "drivers/scene/material_path.hpp"
+#include "drivers/system/environment.hpp"
+#include "drivers/system/input_file.hpp"
+#include "drivers/text/unseen.hpp"
 
 namespace assay::drivers {
 

@@ -10,7 +10,7 @@
 
 #include "adapters/foreign/foreign_model.hpp"
 #include "adapters/worker/worker_limits.hpp"
-#include "drivers/input_error.hpp"
+#include "drivers/system/input_error.hpp"
 
 namespace assay::drivers {
 

@@ -7,12 +7,12 @@
 #include "adapters/library.hpp"
 #include "adapters/worker/remote_table.hpp"
 #include "adapters/worker/worker_process.hpp"
-#include "drivers/input_file.hpp"
-#include "drivers/interrupt.hpp"
 #include "drivers/material/model_files.hpp"
 #include "drivers/material/raw_library.hpp"
-#include "drivers/own_files.hpp"
-#include "drivers/supervisor.hpp"
+#include "drivers/system/input_file.hpp"
+#include "drivers/system/interrupt.hpp"
+#include "drivers/system/own_files.hpp"
+#include "drivers/system/supervisor.hpp"
 #include "harness/material/progress_mark.hpp"
 
 namespace assay::drivers {

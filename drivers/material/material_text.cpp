@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "adapters/worker/remote_table.hpp"
-#include "drivers/input_error.hpp"
-#include "drivers/output/numbers.hpp"
-#include "drivers/output/table_text.hpp"
-#include "drivers/output/wrapped_text.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/text/numbers.hpp"
+#include "drivers/text/table_text.hpp"
+#include "drivers/text/wrapped_text.hpp"
 #include "harness/check/symmetry_class.hpp"
 
 namespace assay::drivers {

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 
-#include "drivers/material/material_path.hpp"
-#include "drivers/output/whole_file.hpp"
-#include "drivers/scene/yaml_values.hpp"
+#include "drivers/format/yaml_values.hpp"
+#include "drivers/scene/material_path.hpp"
+#include "drivers/system/environment.hpp"
+#include "drivers/system/whole_file.hpp"
 
 namespace assay::drivers {
 

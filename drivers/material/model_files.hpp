@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "drivers/format/yaml_reader.hpp"
 #include "drivers/material/material_description.hpp"
-#include "drivers/scene/yaml_reader.hpp"
 
 namespace assay::drivers {
 

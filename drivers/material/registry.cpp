@@ -7,17 +7,18 @@
 #include <set>
 
 #include "adapters/builtin.hpp"
-#include "drivers/input_error.hpp"
-#include "drivers/input_file.hpp"
 #include "drivers/material/fortran_form.hpp"
 #include "drivers/material/material_description.hpp"
-#include "drivers/material/material_path.hpp"
 #include "drivers/material/material_table.hpp"
 #include "drivers/material/raw_library.hpp"
 #include "drivers/material/source_description.hpp"
 #include "drivers/material/source_library.hpp"
-#include "drivers/output/numbers.hpp"
-#include "drivers/own_files.hpp"
+#include "drivers/scene/material_path.hpp"
+#include "drivers/system/environment.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/system/input_file.hpp"
+#include "drivers/system/own_files.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "drivers/input_error.hpp"
-#include "drivers/material/isolation.hpp"
 #include "drivers/material/material_description.hpp"
+#include "drivers/scene/isolation.hpp"
+#include "drivers/system/input_error.hpp"
 #include "harness/assay_material.h"
 
 namespace assay::drivers {

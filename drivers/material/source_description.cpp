@@ -13,6 +13,7 @@
 #include "drivers/material/source_library.hpp"
 #include "drivers/material/source_traps.hpp"
 #include "drivers/material/source_yaml.hpp"
+#include "drivers/scene/material_path.hpp"
 
 namespace assay::drivers {
 

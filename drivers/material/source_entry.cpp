@@ -5,7 +5,7 @@
 #include <cctype>
 #include <optional>
 
-#include "drivers/input_error.hpp"
+#include "drivers/system/input_error.hpp"
 
 namespace assay::drivers {
 

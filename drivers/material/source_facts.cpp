@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "drivers/output/number_format.hpp"
-#include "drivers/output/numbers.hpp"
+#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

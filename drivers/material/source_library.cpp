@@ -10,11 +10,11 @@
 
 #include "adapters/elf_symbols.hpp"
 #include "adapters/library.hpp"
-#include "drivers/cache_home.hpp"
 #include "drivers/material/fortran_compiler.hpp"
 #include "drivers/material/linked.hpp"
-#include "drivers/output/whole_file.hpp"
-#include "drivers/scene/sha256.hpp"
+#include "drivers/system/environment.hpp"
+#include "drivers/system/whole_file.hpp"
+#include "drivers/text/sha256.hpp"
 
 namespace assay::drivers {
 

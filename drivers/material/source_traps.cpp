@@ -5,7 +5,7 @@
 #include <cctype>
 #include <set>
 
-#include "drivers/input_error.hpp"
+#include "drivers/system/input_error.hpp"
 
 namespace assay::drivers {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "drivers/scene/yaml_writer.hpp"
+#include "drivers/format/yaml_writer.hpp"
 #include "harness/material/table_defect.hpp"
 
 namespace assay::drivers {

@@ -16,9 +16,9 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "drivers/exit_guard.hpp"
-#include "drivers/input_error.hpp"
-#include "drivers/interrupt.hpp"
+#include "drivers/system/exit_guard.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/system/interrupt.hpp"
 
 namespace assay::drivers {
 

@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "drivers/output/csv.hpp"
-#include "drivers/output/csv_lines.hpp"
+#include "drivers/format/csv.hpp"
+#include "drivers/format/csv_lines.hpp"
 
 namespace assay::drivers {
 

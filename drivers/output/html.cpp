@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "drivers/output/number_format.hpp"
+#include "drivers/text/number_format.hpp"
 
 namespace assay::drivers::html {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "drivers/result.hpp"
+#include "drivers/result/result.hpp"
 
 namespace assay::drivers::html {
 

@@ -8,10 +8,11 @@
 #include <filesystem>
 #include <fstream>
 
-#include "drivers/input_file.hpp"
-#include "drivers/material/material_path.hpp"
-#include "drivers/output/whole_file.hpp"
 #include "drivers/picture/drawing.hpp"
+#include "drivers/scene/material_path.hpp"
+#include "drivers/system/environment.hpp"
+#include "drivers/system/input_file.hpp"
+#include "drivers/system/whole_file.hpp"
 
 namespace assay::drivers {
 

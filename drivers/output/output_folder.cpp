@@ -11,11 +11,11 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "drivers/input_error.hpp"
-#include "drivers/input_file.hpp"
-#include "drivers/interrupt.hpp"
-#include "drivers/output/whole_file.hpp"
-#include "drivers/own_files.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/system/input_file.hpp"
+#include "drivers/system/interrupt.hpp"
+#include "drivers/system/own_files.hpp"
+#include "drivers/system/whole_file.hpp"
 
 namespace assay::drivers {
 

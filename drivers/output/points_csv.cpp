@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/output/points_csv.hpp"
 
-#include "drivers/input_error.hpp"
-#include "drivers/output/csv.hpp"
+#include "drivers/format/csv.hpp"
+#include "drivers/system/input_error.hpp"
 
 namespace assay::drivers {
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 
 #include "drivers/output/html.hpp"
-#include "drivers/output/number_format.hpp"
 #include "drivers/output/report_sections.hpp"
 #include "drivers/output/report_style.hpp"
+#include "drivers/text/number_format.hpp"
 
 namespace assay::drivers {
 

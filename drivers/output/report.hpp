@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "drivers/picture/line_plot.hpp"
-#include "drivers/result.hpp"
+#include "drivers/result/result.hpp"
 
 namespace assay::drivers {
 

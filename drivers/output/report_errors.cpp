@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "drivers/output/html.hpp"
-#include "drivers/output/number_format.hpp"
 #include "drivers/output/report.hpp"
 #include "drivers/output/report_sections.hpp"
+#include "drivers/text/number_format.hpp"
 
 namespace assay::drivers {
 

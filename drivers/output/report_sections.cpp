@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "drivers/output/html.hpp"
-#include "drivers/output/number_format.hpp"
 #include "drivers/picture/drawing.hpp"
+#include "drivers/text/number_format.hpp"
 
 namespace assay::drivers {
 

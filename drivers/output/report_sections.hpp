@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/result.hpp"
+#include "drivers/result/result.hpp"
 
 namespace assay::drivers {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "drivers/output/html.hpp"
-#include "drivers/output/number_format.hpp"
 #include "drivers/output/report_sections.hpp"
 #include "drivers/picture/drawing.hpp"
+#include "drivers/text/number_format.hpp"
 
 namespace assay::drivers {
 

@@ -5,9 +5,9 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "drivers/output/numbers.hpp"
 #include "drivers/output/vtu_blocks.hpp"
 #include "drivers/picture/drawing.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "drivers/output/number_format.hpp"
 #include "drivers/picture/colormap.hpp"
 #include "drivers/picture/stroke_font.hpp"
-#include "drivers/unseen.hpp"
+#include "drivers/text/number_format.hpp"
+#include "drivers/text/unseen.hpp"
 
 namespace assay::drivers {
 

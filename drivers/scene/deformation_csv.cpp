@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/scene/deformation_csv.hpp"
 
-#include "drivers/input_error.hpp"
-#include "drivers/output/csv.hpp"
-#include "drivers/output/number_format.hpp"
-#include "drivers/output/numbers.hpp"
+#include "drivers/format/csv.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
-#include "drivers/output/numbers.hpp"
-#include "drivers/output/result_json.hpp"
-#include "drivers/scene/yaml_values.hpp"
-#include "drivers/scene/yaml_writer.hpp"
+#include "drivers/format/yaml_values.hpp"
+#include "drivers/format/yaml_writer.hpp"
+#include "drivers/result/result_json.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

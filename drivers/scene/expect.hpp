@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "drivers/output/result_json.hpp"
-#include "drivers/result.hpp"
+#include "drivers/format/yaml_reader.hpp"
+#include "drivers/result/result.hpp"
+#include "drivers/result/result_json.hpp"
 #include "drivers/scene/scene.hpp"
-#include "drivers/scene/yaml_reader.hpp"
 
 namespace assay::drivers {
 

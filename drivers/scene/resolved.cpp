@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "drivers/format/yaml_writer.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/scene_keys.hpp"
-#include "drivers/scene/yaml_writer.hpp"
 
 namespace assay::drivers {
 

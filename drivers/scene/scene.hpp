@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "drivers/input_error.hpp"
-#include "drivers/material/isolation.hpp"
+#include "drivers/scene/isolation.hpp"
+#include "drivers/system/input_error.hpp"
 #include "harness/motion/frame.hpp"
 #include "harness/motion/motion.hpp"
 #include "mpm/setup/method.hpp"

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "drivers/output/number_format.hpp"
-#include "drivers/output/numbers.hpp"
 #include "drivers/scene/body_box.hpp"
 #include "drivers/scene/scene_keys.hpp"
-#include "drivers/unseen.hpp"
+#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
+#include "drivers/text/unseen.hpp"
 #include "harness/motion/kinds/axis_aligned.hpp"
 #include "mpm/patch/methods.hpp"
 

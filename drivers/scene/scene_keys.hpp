@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "drivers/format/yaml_values.hpp"
 #include "drivers/scene/scene.hpp"
-#include "drivers/scene/yaml_values.hpp"
 
 namespace assay::drivers {
 

@@ -5,19 +5,20 @@
 #include <filesystem>
 #include <set>
 
-#include "drivers/input_file.hpp"
-#include "drivers/material/material_path.hpp"
-#include "drivers/output/numbers.hpp"
+#include "drivers/format/file_kind.hpp"
+#include "drivers/format/number_slips.hpp"
+#include "drivers/format/yaml_slips.hpp"
 #include "drivers/scene/deformation_csv.hpp"
 #include "drivers/scene/expect.hpp"
-#include "drivers/scene/file_kind.hpp"
-#include "drivers/scene/number_slips.hpp"
+#include "drivers/scene/material_path.hpp"
 #include "drivers/scene/scene_check.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/scene/settings.hpp"
-#include "drivers/scene/sha256.hpp"
-#include "drivers/scene/yaml_slips.hpp"
-#include "drivers/unseen.hpp"
+#include "drivers/system/environment.hpp"
+#include "drivers/system/input_file.hpp"
+#include "drivers/text/numbers.hpp"
+#include "drivers/text/sha256.hpp"
+#include "drivers/text/unseen.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
 
 namespace assay::drivers {

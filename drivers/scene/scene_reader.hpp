@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "drivers/format/yaml_reader.hpp"
 #include "drivers/scene/scene.hpp"
-#include "drivers/scene/yaml_reader.hpp"
 #include "harness/numeric/interpolant.hpp"
 
 namespace assay::drivers {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "drivers/build_information.hpp"
-#include "drivers/output/result_json.hpp"
+#include "drivers/result/build_information.hpp"
+#include "drivers/result/result_json.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/schema_parts.hpp"
 #include "harness/motion/registry.hpp"

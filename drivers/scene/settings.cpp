@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "drivers/output/numbers.hpp"
+#include "drivers/format/yaml_lines.hpp"
+#include "drivers/format/yaml_values.hpp"
 #include "drivers/scene/expect.hpp"
-#include "drivers/scene/yaml_lines.hpp"
-#include "drivers/scene/yaml_values.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "drivers/scene/yaml_reader.hpp"
+#include "drivers/format/yaml_reader.hpp"
 
 namespace assay::drivers {
 

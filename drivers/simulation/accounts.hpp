@@ -2,7 +2,7 @@
 // Momentum, mass and energy of the particles against what the forces gave them.
 #pragma once
 
-#include "drivers/result.hpp"
+#include "drivers/result/result.hpp"
 #include "mpm/step/state.hpp"
 
 namespace assay::drivers {

@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "drivers/output/number_format.hpp"
 #include "drivers/simulation/time_steps.hpp"
 #include "drivers/simulation/warnings.hpp"
+#include "drivers/text/number_format.hpp"
 #include "harness/check/march.hpp"
 #include "harness/stability/acoustic_tensor.hpp"
 #include "harness/stability/tangent_modulus.hpp"

@@ -2,7 +2,7 @@
 // The error of a running simulation against the exact motion.
 #pragma once
 
-#include "drivers/result.hpp"
+#include "drivers/result/result.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "harness/exact/exact_field.hpp"
 #include "mpm/step/state.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "drivers/output/number_format.hpp"
+#include "drivers/text/number_format.hpp"
 
 namespace assay::drivers {
 

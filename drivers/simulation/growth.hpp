@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "drivers/result.hpp"
+#include "drivers/result/result.hpp"
 #include "drivers/simulation/problem.hpp"
 
 namespace assay::drivers {

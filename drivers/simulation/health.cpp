@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drivers/output/number_format.hpp"
+#include "drivers/text/number_format.hpp"
 #include "harness/numeric/largest.hpp"
 #include "mpm/setup/with_basis.hpp"
 

@@ -3,7 +3,7 @@
 // number, a particle off the grid) the step itself reports; what shows over several is looked for here.
 #pragma once
 
-#include "drivers/result.hpp"
+#include "drivers/result/result.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "mpm/step/state.hpp"
 

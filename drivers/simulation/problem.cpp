@@ -6,8 +6,6 @@
 #include <cstdio>
 
 #include "drivers/material/material_choice.hpp"
-#include "drivers/output/number_format.hpp"
-#include "drivers/output/terminal.hpp"
 #include "drivers/scene/body_box.hpp"
 #include "drivers/scene/initial_velocity.hpp"
 #include "drivers/scene/motion_keys.hpp"
@@ -17,6 +15,8 @@
 #include "drivers/simulation/seeds.hpp"
 #include "drivers/simulation/time_steps.hpp"
 #include "drivers/simulation/traction_choice.hpp"
+#include "drivers/system/terminal.hpp"
+#include "drivers/text/number_format.hpp"
 #include "harness/motion/kinds/axis_aligned.hpp"
 #include "mpm/basis/corners.hpp"
 #include "mpm/patch/methods.hpp"

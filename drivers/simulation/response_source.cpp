@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "drivers/interrupt.hpp"
-#include "drivers/output/number_format.hpp"
 #include "drivers/simulation/sheet_cache.hpp"
 #include "drivers/simulation/sheet_line.hpp"
+#include "drivers/system/interrupt.hpp"
+#include "drivers/text/number_format.hpp"
 #include "harness/motion/kinds/axis_aligned.hpp"
 
 namespace assay::drivers {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "drivers/output/number_format.hpp"
+#include "drivers/text/number_format.hpp"
 #include "harness/motion/radii_of_xi.hpp"
 
 namespace assay::drivers {

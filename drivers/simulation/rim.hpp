@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/result.hpp"
+#include "drivers/result/result.hpp"
 #include "harness/exact/response.hpp"
 #include "harness/motion/kinds/vortex.hpp"
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drivers/output/number_format.hpp"
 #include "drivers/scene/body_box.hpp"
 #include "drivers/simulation/traction_choice.hpp"
+#include "drivers/text/number_format.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
 
 namespace assay::drivers {

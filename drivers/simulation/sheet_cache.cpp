@@ -10,11 +10,11 @@
 
 #include "adapters/library.hpp"
 #include "adapters/needed_libraries.hpp"
-#include "drivers/cache_home.hpp"
-#include "drivers/input_file.hpp"
-#include "drivers/output/whole_file.hpp"
-#include "drivers/program_identity.hpp"
-#include "drivers/scene/sha256.hpp"
+#include "drivers/system/environment.hpp"
+#include "drivers/system/input_file.hpp"
+#include "drivers/system/program_identity.hpp"
+#include "drivers/system/whole_file.hpp"
+#include "drivers/text/sha256.hpp"
 #include "harness/history/point_driver.hpp"
 
 namespace assay::drivers {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "drivers/output/number_format.hpp"
+#include "drivers/text/number_format.hpp"
 
 namespace assay::drivers {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "drivers/progress.hpp"
+#include "drivers/system/progress.hpp"
 #include "harness/sheet/sheet.hpp"
 
 namespace assay::drivers {

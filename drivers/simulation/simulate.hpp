@@ -4,10 +4,10 @@
 
 #include <set>
 
-#include "drivers/progress.hpp"
-#include "drivers/result.hpp"
+#include "drivers/result/result.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "drivers/simulation/snapshots.hpp"
+#include "drivers/system/progress.hpp"
 
 namespace assay::drivers {
 

@@ -7,8 +7,8 @@
 #include <functional>
 #include <optional>
 
-#include "drivers/output/number_format.hpp"
 #include "drivers/scene/body_box.hpp"
+#include "drivers/text/number_format.hpp"
 #include "harness/exact/exact_field.hpp"
 #include "mpm/seeding/gauss_lattice.hpp"
 

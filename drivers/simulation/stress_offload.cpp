@@ -10,10 +10,9 @@
 
 #include "adapters/worker/remote_table.hpp"
 #include "adapters/worker/shortage.hpp"
-#include "drivers/input_error.hpp"
-#include "drivers/output/numbers.hpp"
-#include "drivers/replay.hpp"
 #include "drivers/simulation/stress_page.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/text/numbers.hpp"
 #include "mpm/compose.hpp"
 
 namespace assay::drivers {

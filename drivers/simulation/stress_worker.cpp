@@ -8,9 +8,9 @@
 #include "adapters/worker/watched_call.hpp"
 #include "adapters/worker/worker_process.hpp"
 #include "drivers/material/material_table.hpp"
-#include "drivers/output/numbers.hpp"
 #include "drivers/simulation/stress_offload.hpp"
 #include "drivers/simulation/stress_page.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "drivers/output/number_format.hpp"
 #include "drivers/scene/body_box.hpp"
 #include "drivers/scene/initial_velocity.hpp"
+#include "drivers/text/number_format.hpp"
 #include "harness/stability/wave_speed.hpp"
 
 namespace assay::drivers {

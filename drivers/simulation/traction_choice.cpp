@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "drivers/input_error.hpp"
-#include "drivers/output/number_format.hpp"
 #include "drivers/simulation/body_ends.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/text/number_format.hpp"
 
 namespace assay::drivers {
 

@@ -4,12 +4,12 @@
 #include <chrono>
 #include <cmath>
 
-#include "drivers/interrupt.hpp"
-#include "drivers/output/number_format.hpp"
-#include "drivers/progress.hpp"
 #include "drivers/scene/body_box.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/simulate.hpp"
+#include "drivers/system/interrupt.hpp"
+#include "drivers/system/progress.hpp"
+#include "drivers/text/number_format.hpp"
 #include "harness/motion/kinds/homogeneous.hpp"
 
 namespace assay::drivers {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "drivers/output/output_folder.hpp"
-#include "drivers/result.hpp"
+#include "drivers/result/result.hpp"
 #include "drivers/simulation/problem.hpp"
 
 namespace assay::drivers {

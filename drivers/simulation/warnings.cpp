@@ -5,10 +5,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "drivers/output/number_format.hpp"
 #include "drivers/scene/body_box.hpp"
 #include "drivers/simulation/advice.hpp"
 #include "drivers/simulation/time_steps.hpp"
+#include "drivers/text/number_format.hpp"
 #include "harness/check/march.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
 

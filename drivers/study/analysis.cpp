@@ -6,13 +6,13 @@
 #include <set>
 #include <tuple>
 
-#include "drivers/build_information.hpp"
-#include "drivers/output/number_format.hpp"
+#include "drivers/result/build_information.hpp"
 #include "drivers/study/budget.hpp"
 #include "drivers/study/clock.hpp"
 #include "drivers/study/figure_names.hpp"
 #include "drivers/study/study_expect.hpp"
 #include "drivers/study/study_words.hpp"
+#include "drivers/text/number_format.hpp"
 #include "harness/numeric/convergence.hpp"
 
 namespace assay::drivers {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <set>
 
-#include "drivers/output/numbers.hpp"
+#include "drivers/format/yaml_values.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/scene/settings.hpp"
-#include "drivers/scene/yaml_values.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

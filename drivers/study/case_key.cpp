@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "adapters/needed_libraries.hpp"
-#include "drivers/input_file.hpp"
 #include "drivers/material/material_choice.hpp"
-#include "drivers/output/number_format.hpp"
-#include "drivers/program_identity.hpp"
-#include "drivers/scene/sha256.hpp"
+#include "drivers/system/input_file.hpp"
+#include "drivers/system/program_identity.hpp"
+#include "drivers/text/number_format.hpp"
+#include "drivers/text/sha256.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
 
 namespace assay::drivers {

@@ -7,8 +7,8 @@
 
 #include <cerrno>
 
-#include "drivers/input_error.hpp"
-#include "drivers/output/whole_file.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/system/whole_file.hpp"
 
 namespace assay::drivers {
 

@@ -16,10 +16,10 @@
 #include <sstream>
 #include <utility>
 
-#include "drivers/exit_guard.hpp"
-#include "drivers/input_error.hpp"
-#include "drivers/output/whole_file.hpp"
-#include "drivers/own_files.hpp"
+#include "drivers/system/exit_guard.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/system/own_files.hpp"
+#include "drivers/system/whole_file.hpp"
 
 namespace assay::drivers {
 

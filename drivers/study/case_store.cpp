@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "drivers/input_file.hpp"
 #include "drivers/output/errors_csv.hpp"
-#include "drivers/output/json_depth.hpp"
-#include "drivers/output/json_fields.hpp"
-#include "drivers/output/whole_file.hpp"
-#include "drivers/scene/sha256.hpp"
+#include "drivers/result/json_depth.hpp"
+#include "drivers/result/json_fields.hpp"
+#include "drivers/system/input_file.hpp"
+#include "drivers/system/whole_file.hpp"
+#include "drivers/text/sha256.hpp"
 
 namespace assay::drivers {
 

@@ -7,13 +7,13 @@
 #include <map>
 #include <set>
 
-#include "drivers/input_error.hpp"
-#include "drivers/output/number_format.hpp"
-#include "drivers/output/numbers.hpp"
 #include "drivers/study/clock.hpp"
 #include "drivers/study/comparison_fronts.hpp"
 #include "drivers/study/study_words.hpp"
 #include "drivers/study/time_noise.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

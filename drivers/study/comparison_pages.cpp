@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <nlohmann/json.hpp>
 
-#include "drivers/input_error.hpp"
-#include "drivers/output/json_figure.hpp"
-#include "drivers/output/number_format.hpp"
+#include "drivers/result/json_figure.hpp"
 #include "drivers/study/comparison_text.hpp"
 #include "drivers/study/study_json.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/text/number_format.hpp"
 
 namespace assay::drivers {
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <sstream>
 
-#include "drivers/input_error.hpp"
-#include "drivers/output/number_format.hpp"
-#include "drivers/output/table_text.hpp"
-#include "drivers/output/wrapped_text.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/text/number_format.hpp"
+#include "drivers/text/table_text.hpp"
+#include "drivers/text/wrapped_text.hpp"
 
 namespace assay::drivers {
 

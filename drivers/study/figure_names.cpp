@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "drivers/output/numbers.hpp"
-#include "drivers/output/result_json.hpp"
+#include "drivers/result/result_json.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

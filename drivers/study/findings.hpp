@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a study found: the content of study.json, which `fields` name (drivers/output/fields.hpp), of the tables and of
+// What a study found: the content of study.json, which `fields` name (drivers/result/fields.hpp), of the tables and of
 // the report.
 #pragma once
 
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "drivers/output/result_json.hpp"
-#include "drivers/result.hpp"
+#include "drivers/result/result.hpp"
+#include "drivers/result/result_json.hpp"
 #include "harness/numeric/convergence.hpp"
 
 namespace assay::drivers {

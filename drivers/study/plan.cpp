@@ -5,18 +5,18 @@
 #include <map>
 #include <set>
 
-#include "drivers/input_file.hpp"
-#include "drivers/program_identity.hpp"
+#include "drivers/format/yaml_values.hpp"
 #include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/scene/scene_reader.hpp"
-#include "drivers/scene/sha256.hpp"
-#include "drivers/scene/yaml_values.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "drivers/study/axes_reader.hpp"
 #include "drivers/study/case_key.hpp"
 #include "drivers/study/sampling.hpp"
 #include "drivers/study/study_reader.hpp"
+#include "drivers/system/input_file.hpp"
+#include "drivers/system/program_identity.hpp"
+#include "drivers/text/sha256.hpp"
 
 namespace assay::drivers {
 

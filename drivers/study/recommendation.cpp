@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drivers/input_error.hpp"
-#include "drivers/output/numbers.hpp"
 #include "drivers/study/survival.hpp"
 #include "drivers/study/time_noise.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

@@ -2,14 +2,14 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "drivers/output/json_figure.hpp"
-#include "drivers/output/number_format.hpp"
-#include "drivers/output/numbers.hpp"
-#include "drivers/output/wrapped_text.hpp"
+#include "drivers/result/json_figure.hpp"
 #include "drivers/study/clock.hpp"
 #include "drivers/study/recommendation.hpp"
 #include "drivers/study/study_json.hpp"
 #include "drivers/study/study_words.hpp"
+#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
+#include "drivers/text/wrapped_text.hpp"
 
 namespace assay::drivers {
 

@@ -9,8 +9,8 @@
 #include <set>
 
 #include "adapters/worker/shortage.hpp"
-#include "drivers/input_error.hpp"
-#include "drivers/interrupt.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/system/interrupt.hpp"
 
 namespace assay::drivers {
 

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <random>
 
-#include "drivers/output/number_format.hpp"
-#include "drivers/output/numbers.hpp"
+#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

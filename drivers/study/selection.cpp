@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "drivers/output/numbers.hpp"
-#include "drivers/scene/yaml_values.hpp"
-#include "drivers/scene/yaml_writer.hpp"
+#include "drivers/format/yaml_values.hpp"
+#include "drivers/format/yaml_writer.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "drivers/output/html.hpp"
-#include "drivers/output/wrapped_text.hpp"
 #include "drivers/picture/label_placer.hpp"
 #include "drivers/study/stability_map.hpp"
 #include "drivers/study/study_words.hpp"
+#include "drivers/text/wrapped_text.hpp"
 
 namespace assay::drivers {
 

@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-#include "drivers/input_error.hpp"
-#include "drivers/input_file.hpp"
 #include "drivers/study/study_json.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/system/input_file.hpp"
 
 namespace assay::drivers {
 

@@ -5,9 +5,6 @@
 
 #include <memory>
 
-#include "drivers/input_error.hpp"
-#include "drivers/input_file.hpp"
-#include "drivers/interrupt.hpp"
 #include "drivers/output/output_folder.hpp"
 #include "drivers/output/report.hpp"
 #include "drivers/study/stability_map.hpp"
@@ -17,6 +14,9 @@
 #include "drivers/study/study_report.hpp"
 #include "drivers/study/study_tables.hpp"
 #include "drivers/study/work_precision_plot.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/system/input_file.hpp"
+#include "drivers/system/interrupt.hpp"
 
 namespace assay::drivers {
 

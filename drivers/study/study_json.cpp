@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "drivers/output/json_fields.hpp"
+#include "drivers/result/json_fields.hpp"
 #include "drivers/study/clock.hpp"
 
 namespace assay::drivers {

@@ -8,11 +8,11 @@
 #include <type_traits>
 #include <utility>
 
-#include "drivers/input_error.hpp"
-#include "drivers/output/fields.hpp"
-#include "drivers/output/json_depth.hpp"
+#include "drivers/result/fields.hpp"
+#include "drivers/result/json_depth.hpp"
 #include "drivers/study/clock.hpp"
 #include "drivers/study/study_json.hpp"
+#include "drivers/system/input_error.hpp"
 
 namespace assay::drivers {
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "drivers/output/html.hpp"
-#include "drivers/output/number_format.hpp"
 #include "drivers/study/stability_map.hpp"
 #include "drivers/study/study_words.hpp"
 #include "drivers/study/survival.hpp"
+#include "drivers/text/number_format.hpp"
 
 namespace assay::drivers {
 

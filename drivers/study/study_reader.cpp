@@ -6,12 +6,12 @@
 #include <limits>
 #include <set>
 
-#include "drivers/input_file.hpp"
+#include "drivers/format/file_kind.hpp"
+#include "drivers/format/yaml_values.hpp"
 #include "drivers/scene/expect.hpp"
-#include "drivers/scene/file_kind.hpp"
-#include "drivers/scene/sha256.hpp"
-#include "drivers/scene/yaml_values.hpp"
 #include "drivers/study/axes_reader.hpp"
+#include "drivers/system/input_file.hpp"
+#include "drivers/text/sha256.hpp"
 
 namespace assay::drivers {
 

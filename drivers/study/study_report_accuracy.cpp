@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Front, digits, errors over time and orders in a study's report.
 #include "drivers/output/html.hpp"
-#include "drivers/output/number_format.hpp"
 #include "drivers/picture/colormap.hpp"
 #include "drivers/picture/line_plot.hpp"
 #include "drivers/study/study_report_sections.hpp"
 #include "drivers/study/study_words.hpp"
+#include "drivers/text/number_format.hpp"
 
 namespace assay::drivers::study_page {
 

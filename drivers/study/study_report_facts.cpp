@@ -2,14 +2,14 @@
 // Stability, budget, profile, expectations, and where a study comes from, in its report.
 #include <algorithm>
 
-#include "drivers/input_error.hpp"
 #include "drivers/output/html.hpp"
-#include "drivers/output/number_format.hpp"
 #include "drivers/output/report_sections.hpp"
 #include "drivers/study/clock.hpp"
 #include "drivers/study/stability_map.hpp"
 #include "drivers/study/study_report_sections.hpp"
 #include "drivers/study/study_words.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/text/number_format.hpp"
 
 namespace assay::drivers::study_page {
 

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "drivers/output/result_json.hpp"
+#include "drivers/result/result_json.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/schema_parts.hpp"
 #include "drivers/study/study.hpp"

@@ -9,9 +9,9 @@
 #include <cerrno>
 #include <system_error>
 
-#include "drivers/input_error.hpp"
-#include "drivers/interrupt.hpp"
-#include "drivers/output/whole_file.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/system/interrupt.hpp"
+#include "drivers/system/whole_file.hpp"
 
 namespace assay::drivers {
 

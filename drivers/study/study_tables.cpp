@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "drivers/output/csv.hpp"
+#include "drivers/format/csv.hpp"
 #include "drivers/study/stability_map.hpp"
 #include "drivers/study/study_words.hpp"
 

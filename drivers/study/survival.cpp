@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-#include "drivers/input_error.hpp"
+#include "drivers/system/input_error.hpp"
 
 namespace assay::drivers {
 

@@ -3,12 +3,12 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "drivers/input_error.hpp"
-#include "drivers/output/table_text.hpp"
-#include "drivers/output/wrapped_text.hpp"
-#include "drivers/scene/yaml_reader.hpp"
+#include "drivers/format/yaml_reader.hpp"
 #include "drivers/study/selection.hpp"
 #include "drivers/study/survival.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/text/table_text.hpp"
+#include "drivers/text/wrapped_text.hpp"
 
 namespace assay::drivers {
 

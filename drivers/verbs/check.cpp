@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay check` on the command line.
-#include "drivers/check.hpp"
+#include "drivers/check/check.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "drivers/causes_page.hpp"
-#include "drivers/input_error.hpp"
-#include "drivers/output/numbers.hpp"
-#include "drivers/scene/number_slips.hpp"
-#include "drivers/verb_arguments.hpp"
+#include "drivers/check/causes_page.hpp"
+#include "drivers/command_line/verb_arguments.hpp"
+#include "drivers/format/number_slips.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

@@ -2,12 +2,12 @@
 // `assay compare`: what has changed from one study's results to another's.
 #include <CLI/CLI.hpp>
 
-#include "drivers/input_error.hpp"
-#include "drivers/input_file.hpp"
-#include "drivers/output/terminal.hpp"
-#include "drivers/output/whole_file.hpp"
+#include "drivers/command_line/verb_arguments.hpp"
 #include "drivers/study/comparison_text.hpp"
-#include "drivers/verb_arguments.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/system/input_file.hpp"
+#include "drivers/system/terminal.hpp"
+#include "drivers/system/whole_file.hpp"
 
 namespace assay::drivers {
 

@@ -6,22 +6,22 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "drivers/exact_stress.hpp"
-#include "drivers/findings.hpp"
-#include "drivers/input_error.hpp"
-#include "drivers/input_file.hpp"
-#include "drivers/interrupt.hpp"
-#include "drivers/output/csv.hpp"
+#include "drivers/check/replay.hpp"
+#include "drivers/command_line/verb_arguments.hpp"
+#include "drivers/findings/findings.hpp"
+#include "drivers/format/csv.hpp"
 #include "drivers/output/points_csv.hpp"
-#include "drivers/output/terminal.hpp"
-#include "drivers/output/whole_file.hpp"
-#include "drivers/replay.hpp"
 #include "drivers/scene/scene_reader.hpp"
-#include "drivers/screening.hpp"
+#include "drivers/simulation/exact_stress.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "drivers/simulation/runnable.hpp"
+#include "drivers/simulation/screening.hpp"
 #include "drivers/simulation/warnings.hpp"
-#include "drivers/verb_arguments.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/system/input_file.hpp"
+#include "drivers/system/interrupt.hpp"
+#include "drivers/system/terminal.hpp"
+#include "drivers/system/whole_file.hpp"
 #include "harness/numeric/stable_norm.hpp"
 
 namespace assay::drivers {

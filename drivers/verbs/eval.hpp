@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/verbosity.hpp"
+#include "drivers/text/verbosity.hpp"
 
 namespace assay::drivers {
 

@@ -5,14 +5,14 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "drivers/explanation.hpp"
-#include "drivers/findings.hpp"
-#include "drivers/output/terminal.hpp"
+#include "drivers/command_line/verb_arguments.hpp"
+#include "drivers/explain/explanation.hpp"
+#include "drivers/findings/findings.hpp"
 #include "drivers/scene/scene_reader.hpp"
-#include "drivers/screening.hpp"
 #include "drivers/simulation/response_source.hpp"
+#include "drivers/simulation/screening.hpp"
 #include "drivers/simulation/warnings.hpp"
-#include "drivers/verb_arguments.hpp"
+#include "drivers/system/terminal.hpp"
 
 namespace assay::drivers {
 

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "drivers/material/material_path.hpp"
+#include "drivers/command_line/verb_arguments.hpp"
 #include "drivers/material/material_text.hpp"
 #include "drivers/material/registry.hpp"
-#include "drivers/output/json_figure.hpp"
-#include "drivers/output/terminal.hpp"
-#include "drivers/verb_arguments.hpp"
+#include "drivers/result/json_figure.hpp"
+#include "drivers/scene/material_path.hpp"
+#include "drivers/system/terminal.hpp"
 
 namespace assay::drivers {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "drivers/verbosity.hpp"
+#include "drivers/text/verbosity.hpp"
 
 namespace assay::drivers {
 

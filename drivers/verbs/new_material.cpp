@@ -9,15 +9,15 @@
 #include <map>
 
 #include "adapters/builtin.hpp"
-#include "drivers/build_information.hpp"
-#include "drivers/input_error.hpp"
-#include "drivers/interrupt.hpp"
-#include "drivers/next_steps.hpp"
+#include "drivers/command_line/next_steps.hpp"
+#include "drivers/command_line/project_templates.hpp"
+#include "drivers/command_line/verb_arguments.hpp"
 #include "drivers/output/output_folder.hpp"
-#include "drivers/output/terminal.hpp"
-#include "drivers/output/wrapped_text.hpp"
-#include "drivers/project_templates.hpp"
-#include "drivers/verb_arguments.hpp"
+#include "drivers/result/build_information.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/system/interrupt.hpp"
+#include "drivers/system/terminal.hpp"
+#include "drivers/text/wrapped_text.hpp"
 
 namespace assay::drivers {
 

@@ -2,10 +2,10 @@
 // `assay recommend`: the cheapest measured case of a study that meets an error, or the method that completes most.
 #include <CLI/CLI.hpp>
 
-#include "drivers/output/terminal.hpp"
+#include "drivers/command_line/verb_arguments.hpp"
 #include "drivers/study/recommendation.hpp"
 #include "drivers/study/survival.hpp"
-#include "drivers/verb_arguments.hpp"
+#include "drivers/system/terminal.hpp"
 
 namespace assay::drivers {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "drivers/source_options.hpp"
+#include "drivers/material/source_options.hpp"
 
 namespace assay::drivers {
 

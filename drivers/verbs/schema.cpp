@@ -2,10 +2,10 @@
 // `assay schema`: what an editor completes and checks scenes and studies by.
 #include <CLI/CLI.hpp>
 
-#include "drivers/output/terminal.hpp"
+#include "drivers/command_line/verb_arguments.hpp"
 #include "drivers/scene/schema.hpp"
 #include "drivers/study/study_schema.hpp"
-#include "drivers/verb_arguments.hpp"
+#include "drivers/system/terminal.hpp"
 
 namespace assay::drivers {
 

@@ -6,12 +6,8 @@
 #include <set>
 #include <thread>
 
-#include "drivers/input_error.hpp"
-#include "drivers/interrupt.hpp"
-#include "drivers/output/numbers.hpp"
+#include "drivers/command_line/verb_arguments.hpp"
 #include "drivers/output/output_folder.hpp"
-#include "drivers/output/terminal.hpp"
-#include "drivers/progress.hpp"
 #include "drivers/study/analysis.hpp"
 #include "drivers/study/case_list.hpp"
 #include "drivers/study/runner.hpp"
@@ -20,7 +16,11 @@
 #include "drivers/study/study_reader.hpp"
 #include "drivers/study/study_session.hpp"
 #include "drivers/study/study_text.hpp"
-#include "drivers/verb_arguments.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/system/interrupt.hpp"
+#include "drivers/system/progress.hpp"
+#include "drivers/system/terminal.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

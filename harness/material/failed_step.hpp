@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "harness/material/material.hpp"
 #include "harness/numeric/tensor.hpp"
 
 namespace assay {
@@ -27,6 +28,14 @@ inline FailedStep failed_step(double t, double dt, std::size_t n, std::size_t p,
   }
   for (std::size_t c = 0; c < state_size; ++c) step.state0[c] = state0[c * n + p];
   return step;
+}
+
+/// Takes the step again.
+inline UpdateReport take_again(const Material& material, const FailedStep& step) {
+  double F0[9], F1[9], cauchy[9];
+  for (int c = 0; c < 9; ++c) F0[c] = component(step.F0, c), F1[c] = component(step.F1, c);
+  std::vector<double> state1(step.state0.size());
+  return material.update(step.t, step.dt, 1, F0, F1, step.state0.data(), state1.data(), cauchy);
 }
 
 }  // namespace assay

@@ -10,8 +10,8 @@
 #include <regex>
 #include <set>
 
-#include "drivers/output/numbers.hpp"
-#include "drivers/scene/yaml_reader.hpp"
+#include "drivers/format/yaml_reader.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "drivers/input_error.hpp"
+#include "drivers/system/input_error.hpp"
 
 namespace assay::drivers {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <functional>
 
-#include "drivers/output/csv.hpp"
-#include "drivers/output/numbers.hpp"
+#include "drivers/format/csv.hpp"
+#include "drivers/text/numbers.hpp"
 #include "drivers/verbs/eval.hpp"
 #include "harness/numeric/central_difference.hpp"
 #include "harness/numeric/tensor.hpp"

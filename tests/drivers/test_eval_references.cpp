@@ -9,9 +9,9 @@
 #include <filesystem>
 #include <map>
 
-#include "drivers/input_file.hpp"
-#include "drivers/output/csv.hpp"
-#include "drivers/output/numbers.hpp"
+#include "drivers/format/csv.hpp"
+#include "drivers/system/input_file.hpp"
+#include "drivers/text/numbers.hpp"
 #include "drivers/verbs/eval.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 

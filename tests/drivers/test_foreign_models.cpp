@@ -10,7 +10,7 @@
 #include <sstream>
 #include <thread>
 
-#include "drivers/output/numbers.hpp"
+#include "drivers/text/numbers.hpp"
 #include "tests/drivers/material/fortran_texts.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/support/built.hpp"

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "adapters/builtin.hpp"
-#include "drivers/explanation.hpp"
+#include "drivers/explain/explanation.hpp"
 #include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/problem.hpp"

@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "drivers/input_error.hpp"
 #include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_reader.hpp"
+#include "drivers/system/input_error.hpp"
 #include "harness/material/material_failure.hpp"
 #include "tests/fuzz/composition.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/fuzz/loose_yaml.hpp"
 
-#include "drivers/scene/yaml_writer.hpp"
+#include "drivers/format/yaml_writer.hpp"
 
 namespace assay::fuzz {
 

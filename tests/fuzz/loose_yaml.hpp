@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/scene/yaml_reader.hpp"
+#include "drivers/format/yaml_reader.hpp"
 
 namespace assay::fuzz {
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <filesystem>
 
-#include "drivers/input_file.hpp"
 #include "drivers/scene/scene_reader.hpp"
+#include "drivers/system/input_file.hpp"
 
 namespace assay::fuzz {
 

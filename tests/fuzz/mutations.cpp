@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string_view>
 
-#include "drivers/output/numbers.hpp"
 #include "drivers/scene/scene_keys.hpp"
+#include "drivers/text/numbers.hpp"
 #include "tests/fuzz/mutants.hpp"
 
 namespace assay::fuzz {

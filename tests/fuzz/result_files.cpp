@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "drivers/input_error.hpp"
-#include "drivers/input_file.hpp"
-#include "drivers/output/csv.hpp"
+#include "drivers/format/csv.hpp"
 #include "drivers/scene/scene_reader.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/system/input_file.hpp"
 #include "tests/support/vtu_reader.hpp"
 
 namespace assay::fuzz {

@@ -7,7 +7,7 @@
 #include <set>
 #include <string_view>
 
-#include "drivers/output/numbers.hpp"
+#include "drivers/text/numbers.hpp"
 #include "tests/fuzz/result_files.hpp"
 
 namespace assay::fuzz {

@@ -4,7 +4,7 @@
 
 #include <regex>
 
-#include "drivers/build_information.hpp"
+#include "drivers/result/build_information.hpp"
 #include "tests/house/tree.hpp"
 #include "tests/support/built.hpp"
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "drivers/scene/material_path.hpp"
 #include "tests/drivers/material/fortran_texts.hpp"
 
 namespace assay::drivers::test_fortran_form {

@@ -5,8 +5,8 @@
 #include <unistd.h>
 
 #include "adapters/elf_symbols.hpp"
-#include "drivers/input_error.hpp"
 #include "drivers/material/fortran_compiler.hpp"
+#include "drivers/system/input_error.hpp"
 #include "tests/drivers/material/source_fixture.hpp"
 #include "tests/drivers/refusal.hpp"
 

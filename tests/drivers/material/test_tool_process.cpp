@@ -9,8 +9,8 @@
 #include <csignal>
 #include <thread>
 
-#include "drivers/input_error.hpp"
-#include "drivers/interrupt.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/system/interrupt.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
 namespace assay::drivers::test_tool_process {

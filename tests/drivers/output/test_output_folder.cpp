@@ -14,9 +14,9 @@
 #include <set>
 #include <sstream>
 
-#include "drivers/input_error.hpp"
-#include "drivers/input_file.hpp"
-#include "drivers/output/whole_file.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/system/input_file.hpp"
+#include "drivers/system/whole_file.hpp"
 
 namespace assay::drivers::test_output_folder {
 namespace {

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "drivers/input_error.hpp"
+#include "drivers/system/input_error.hpp"
 
 namespace assay::drivers::test_points_csv {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "drivers/output/result_json.hpp"
+#include "drivers/result/result_json.hpp"
 #include "tests/drivers/refusal.hpp"
 
 namespace assay::drivers::test_expect {

@@ -5,10 +5,10 @@
 
 #include <random>
 
-#include "drivers/output/numbers.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/scene/scene_reader.hpp"
+#include "drivers/text/numbers.hpp"
 #include "tests/drivers/scene_text.hpp"
 #include "tests/support/kept_yaml.hpp"
 

@@ -9,8 +9,8 @@
 #include <map>
 #include <set>
 
-#include "drivers/input_file.hpp"
-#include "drivers/scene/sha256.hpp"
+#include "drivers/system/input_file.hpp"
+#include "drivers/text/sha256.hpp"
 #include "harness/motion/kinds/homogeneous.hpp"
 #include "harness/motion/kinds/vortex.hpp"
 #include "tests/drivers/refusal.hpp"

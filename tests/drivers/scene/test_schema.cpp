@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "drivers/build_information.hpp"
-#include "drivers/input_file.hpp"
-#include "drivers/output/result_json.hpp"
+#include "drivers/result/build_information.hpp"
+#include "drivers/result/result_json.hpp"
 #include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/scene/scene_reader.hpp"
+#include "drivers/system/input_file.hpp"
 #include "tests/drivers/json_schema.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/scene_text.hpp"

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <regex>
 
-#include "drivers/input_error.hpp"
 #include "drivers/scene/scene_reader.hpp"
+#include "drivers/system/input_error.hpp"
 #include "tests/drivers/quiet_run.hpp"
 
 namespace assay::drivers::test_advice {

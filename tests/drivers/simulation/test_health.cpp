@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "drivers/findings.hpp"
+#include "drivers/findings/findings.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/advice.hpp"

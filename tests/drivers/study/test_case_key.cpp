@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/program_identity.hpp"
 #include "drivers/study/case_key.hpp"
+#include "drivers/system/program_identity.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "drivers/input_error.hpp"
+#include "drivers/system/input_error.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
 namespace assay::drivers::test_case_lock {

@@ -5,7 +5,7 @@
 
 #include <csignal>
 
-#include "drivers/input_error.hpp"
+#include "drivers/system/input_error.hpp"
 #include "tests/drivers/study/study_program.hpp"
 
 namespace assay::drivers::test_case_process {

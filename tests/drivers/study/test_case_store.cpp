@@ -6,9 +6,9 @@
 #include <cmath>
 #include <functional>
 
-#include "drivers/input_error.hpp"
-#include "drivers/output/result_json.hpp"
-#include "drivers/output/whole_file.hpp"
+#include "drivers/result/result_json.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/system/whole_file.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
 namespace assay::drivers::test_case_store {

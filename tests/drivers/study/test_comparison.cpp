@@ -9,8 +9,8 @@
 #include <random>
 #include <sstream>
 
-#include "drivers/input_error.hpp"
 #include "drivers/study/comparison_text.hpp"
+#include "drivers/system/input_error.hpp"
 #include "tests/drivers/study/two_methods.hpp"
 
 namespace assay::drivers::test_comparison {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "drivers/output/result_json.hpp"
+#include "drivers/result/result_json.hpp"
 
 namespace assay::drivers::test_figure_names {
 namespace {

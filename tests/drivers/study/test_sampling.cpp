@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "drivers/output/numbers.hpp"
+#include "drivers/text/numbers.hpp"
 #include "tests/drivers/study/study_text_fixture.hpp"
 
 namespace assay::drivers::test_sampling {

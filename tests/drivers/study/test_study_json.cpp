@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "drivers/input_error.hpp"
+#include "drivers/system/input_error.hpp"
 #include "tests/drivers/study/two_methods.hpp"
 
 namespace assay::drivers::test_study_json {

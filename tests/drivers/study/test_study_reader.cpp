@@ -5,9 +5,9 @@
 
 #include <filesystem>
 
-#include "drivers/output/result_json.hpp"
+#include "drivers/result/result_json.hpp"
 #include "drivers/scene/expect.hpp"
-#include "drivers/scene/sha256.hpp"
+#include "drivers/text/sha256.hpp"
 #include "tests/drivers/study/study_text_fixture.hpp"
 
 namespace assay::drivers::test_study_reader {

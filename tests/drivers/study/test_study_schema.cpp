@@ -3,10 +3,10 @@
 
 #include <filesystem>
 
-#include "drivers/build_information.hpp"
-#include "drivers/input_file.hpp"
-#include "drivers/scene/yaml_values.hpp"
+#include "drivers/format/yaml_values.hpp"
+#include "drivers/result/build_information.hpp"
 #include "drivers/study/study_reader.hpp"
+#include "drivers/system/input_file.hpp"
 #include "tests/drivers/json_schema.hpp"
 #include "tests/drivers/refusal.hpp"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "drivers/output/numbers.hpp"
 #include "drivers/study/findings.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/command_line.hpp"
+#include "drivers/command_line/command_line.hpp"
 #include "drivers/study/study_json.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/drivers/study/two_methods.hpp"

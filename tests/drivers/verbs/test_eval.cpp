@@ -7,9 +7,9 @@
 #include <numbers>
 #include <random>
 
-#include "drivers/input_error.hpp"
-#include "drivers/output/csv.hpp"
+#include "drivers/format/csv.hpp"
 #include "drivers/scene/scene.hpp"
+#include "drivers/system/input_error.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
 namespace assay::drivers::test_eval {

@@ -3,8 +3,8 @@
 
 #include <sys/stat.h>
 
+#include "drivers/format/yaml_writer.hpp"
 #include "drivers/material/registry.hpp"
-#include "drivers/scene/yaml_writer.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/registry_fixture.hpp"
 #include "tests/support/built.hpp"

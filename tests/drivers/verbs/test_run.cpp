@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "drivers/input_error.hpp"
-#include "drivers/output/csv.hpp"
+#include "drivers/format/csv.hpp"
+#include "drivers/system/input_error.hpp"
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/support/built.hpp"

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "drivers/input_error.hpp"
-#include "drivers/output/csv.hpp"
+#include "drivers/format/csv.hpp"
+#include "drivers/system/input_error.hpp"
 #include "tests/adapters/models/references/zener.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/scratch_folder.hpp"

@@ -12,7 +12,8 @@
 namespace assay::mpm::test_patch {
 namespace {
 
-/// `check --methods` runs them all (tests/drivers/test_check_methods.cpp); the margins are those of each basis here.
+/// `check --methods` runs them all (tests/drivers/check/test_check_methods.cpp); the margins are those of each basis
+/// here.
 std::vector<Method> one_of_each_basis() {
   std::vector<Method> methods = methods_that_are(true);
   std::erase_if(methods, [](const Method& method) {

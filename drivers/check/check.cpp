@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `assay check`: the battery of model tests, for people, for scripts and for CI.
+#include "drivers/check/check.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "adapters/worker/remote_table.hpp"
+#include "adapters/worker/shortage.hpp"
+#include "drivers/check/check_components.hpp"
+#include "drivers/check/check_material.hpp"
+#include "drivers/check/check_output.hpp"
+#include "drivers/check/check_replay.hpp"
+#include "drivers/check/check_subject.hpp"
+#include "drivers/material/registry.hpp"
+#include "drivers/material/source_options.hpp"
+#include "drivers/output/junit.hpp"
+#include "drivers/scene/material_path.hpp"
+#include "drivers/system/environment.hpp"
+#include "drivers/system/input_file.hpp"
+#include "drivers/system/interrupt.hpp"
+#include "drivers/system/own_files.hpp"
+#include "drivers/system/progress.hpp"
+#include "drivers/system/terminal.hpp"
+#include "drivers/text/numbers.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+CheckSettings settings_of(const CheckOptions& options) {
+  CheckSettings settings{
+      {.quick = options.quick, .pressure = options.pressure}, {}, options.out, absolute_path(options.out)};
+  if (options.strain) settings.effort.strain = *options.strain, settings.effort.strain_is_asked = true;
+  if (options.step) settings.effort.step = *options.step;
+  return settings;
+}
+
+CheckProcesses processes_for(const CheckOptions& options) {
+  constexpr double quick_limit = 120, full_limit = 900;  // [s]
+  return {.at_once = static_cast<int>(std::max(1u, std::thread::hardware_concurrency())),
+          .limit_s = options.quick ? quick_limit : full_limit};
+}
+
+/// In workers the end of a foreign model's process is a refusal, and so it is of an F that is no number: the rest is
+/// judged without that test.
+void take_end_for_refusal(CheckedMaterial& checked, const CheckOptions& options, const CheckSettings& settings,
+                          const std::function<CheckTask(const CheckSettings&)>& task_of) {
+  constexpr const char* senseless = "calls.senseless";
+  const std::vector<check::Diagnosis>& found = checked.report.diagnosis;
+  const bool ended = !checked.description.empty() && found.size() == 1 &&
+                     found.front().cause == check::causes::ends_process && checked.report.tests.back().id == senseless;
+  if (!ended) return;
+  const std::string sentence = found.front().sentence;
+  CheckSettings others = settings;
+  others.without = senseless;
+  checked = check_in_processes({task_of(others)}, processes_for(options)).front();
+  checked.report.tests.push_back({.id = senseless,
+                                  .verdict = check::Verdict::not_applicable,
+                                  .sentence = sentence + ", of an F that is no number: a refusal, in a worker"});
+}
+
+/// A model that dies in the first test by reading or writing an address, and does not where its arrays begin at
+/// multiples of 64 bytes, asks for an alignment that nobody promises.
+void tell_alignment(CheckedMaterial& checked, const CheckOptions& options, const CheckSettings& settings,
+                    const std::function<CheckTask(const CheckSettings&)>& task_of) {
+  constexpr const char* first = "calls.arrays";
+  check::Report& report = checked.report;
+  const bool asked = report.diagnosis.size() == 1 && report.diagnosis.front().cause == check::causes::overrun &&
+                     report.tests.back().id == first && !report.tests.back().measure;
+  if (!asked) return;
+  CheckSettings others = settings;
+  others.only = first;
+  others.well_aligned = true;
+  others.folder.clear();
+  const CheckedMaterial aligned = check_in_processes({task_of(others)}, processes_for(options)).front();
+  const auto stands = [](const check::TestResult& test) {
+    return test.id == first && test.verdict == check::Verdict::pass;
+  };
+  if (std::none_of(aligned.report.tests.begin(), aligned.report.tests.end(), stands)) return;
+  check::TestResult& test = report.tests.back();
+  test.cause = check::causes::of_alignment;
+  test.sentence +=
+      "; where its arrays begin at multiples of 64 bytes it does not: multiples of 8 are all that is promised";
+  report.diagnosis.front() = {test.cause, test.sentence};
+}
+
+/// Of a model that ends the process before any test.
+CheckedMaterial ended_early(const std::string& name, const std::string& sentence) {
+  CheckedMaterial checked;
+  checked.name = name;
+  checked.report.tests.push_back(
+      {.id = "loading", .verdict = check::Verdict::fail, .cause = check::causes::ends_process, .sentence = sentence});
+  checked.report.diagnosis.push_back({check::causes::ends_process, sentence});
+  return checked;
+}
+
+CheckedMaterial check_one(const CheckOptions& options) {
+  note_input(options.material);
+  refuse_inputs_as_outputs(options);  // before a source is compiled and its description written
+  const ResolvedMaterial resolved = material_to_check(options);
+  refuse_inputs_as_outputs(options);
+  watch_interrupts();
+  const CheckSettings settings = settings_of(options);
+  const auto task_of = [&](const CheckSettings& how) {
+    return CheckTask{options.material,
+                     [&options, &resolved, how](const CheckReporter& reporter) {
+                       return check_material(in_this_process(resolved), options.material, how, reporter);
+                     },
+                     adapters::start_of(&resolved.material.table()).limits, how.effort.strain_is_asked};
+  };
+  Progress progress("check", options.verbosity == Verbosity::quiet);
+  CheckProcesses how = processes_for(options);
+  how.at_work = [&progress](std::size_t begun, const std::string& test) {
+    const auto all = static_cast<double>(check::test_ids().size() + 2);  // and the process, and the vortex
+    progress.update(std::min(1.0, static_cast<double>(begun) / all), test);
+  };
+  CheckedMaterial checked = check_in_processes({task_of(settings)}, how).front();
+  progress.finish();
+  take_end_for_refusal(checked, options, settings, task_of);
+  tell_alignment(checked, options, settings, task_of);
+  judge_components(checked, settings.effort, processes_for(options));
+  judge_printing(checked);
+  leave_replay_of_the_end(checked, settings);
+  return checked;
+}
+
+std::vector<CheckedMaterial> check_all(const CheckOptions& options) {
+  const std::map<std::string, double> given = parameters_in(options.parameters);
+  const CheckSettings settings = settings_of(options);
+  const std::vector<RegisteredName> names = registered_names();
+  watch_interrupts();
+  const auto task_of = [&given](const RegisteredName& registered, const CheckSettings& how) {
+    return CheckTask{registered.name, [&given, registered, how](const CheckReporter& reporter) {
+                       const std::string& file = registered.file.empty() ? registered.name : registered.file;
+                       return check_material(registered_material(file, given), registered.name, how, reporter);
+                     }};
+  };
+  std::vector<CheckTask> tasks;
+  for (const RegisteredName& registered : names) tasks.push_back(task_of(registered, settings));
+  Progress progress("check", options.verbosity == Verbosity::quiet);
+  CheckProcesses how = processes_for(options);
+  how.progress = [&](std::size_t done) {
+    progress.update(static_cast<double>(done) / static_cast<double>(tasks.size()),
+                    std::to_string(done) + " of " + std::to_string(tasks.size()) + " materials");
+  };
+  std::vector<CheckedMaterial> all = check_in_processes(tasks, how);
+  progress.finish();
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const auto task_of_one = [&](const CheckSettings& other) { return task_of(names[k], other); };
+    take_end_for_refusal(all[k], options, settings, task_of_one);
+    tell_alignment(all[k], options, settings, task_of_one);
+    judge_components(all[k], settings.effort, how);
+    judge_printing(all[k]);
+    leave_replay_of_the_end(all[k], settings);
+  }
+  return all;
+}
+
+/// No verdict is given where the system may be to blame.
+void require_room(const std::vector<CheckedMaterial>& all) {
+  const std::string tight = adapters::tight_limits();
+  const auto failed = std::find_if(all.begin(), all.end(), [](const CheckedMaterial& each) { return !each.passes(); });
+  if (tight.empty() || failed == all.end() || failed->unsuitable) return;
+  throw SystemError(failed->name + ": the check fails, and " + tight + ": that may be why");
+}
+
+/// The exit status.
+int reported(const CheckOptions& options, const std::vector<CheckedMaterial>& all, const std::string& json,
+             const std::string& text) {
+  require_room(all);
+  tell(options, text, json, check_junit(all, options.junit_name));
+  int status = 0;
+  for (const CheckedMaterial& checked : all) {
+    if (!checked.unwritten.empty()) throw SystemError(checked.unwritten);
+    const int own = checked.passes() ? 0 : checked.error.empty() ? 1 : 2;
+    if (status != 1 && own != 0) status = own;
+  }
+  return status;
+}
+
+void refuse_what_contradicts(const CheckOptions& options) {
+  if (!options.json.empty() && options.json == options.junit) {
+    throw InputError({}, "--junit", "is the same file as --json: '" + one_line(options.json, 60) + "'");
+  }
+  if (!options.markdown.empty() && (options.markdown == options.json || options.markdown == options.junit)) {
+    throw InputError({}, "--markdown",
+                     "is the same file as --json or --junit: '" + one_line(options.markdown, 60) + "'");
+  }
+}
+
+/// A name that no material has is a slip.
+void refuse_unknown_parameters(const CheckOptions& options, const std::vector<CheckedMaterial>& all) {
+  for (const auto& [name, value] : parameters_in(options.parameters)) {
+    const auto has = [&parameter = name](const CheckedMaterial& checked) {
+      return !checked.error.empty() || std::any_of(checked.parameters.begin(), checked.parameters.end(),
+                                                   [&](const auto& own) { return own.first == parameter; });
+    };
+    if (std::none_of(all.begin(), all.end(), has)) {
+      throw InputError({}, "--parameters", "no material has a parameter '" + one_line(name, 60) + "'");
+    }
+  }
+}
+
+}  // namespace
+
+int check(const CheckOptions& options) {
+  constexpr std::size_t most_files_at_once = 32;  // measured: with 24 all that is looked for is found
+  require_open_files(most_files_at_once);
+  forget_inputs();
+  refuse_what_contradicts(options);
+  require_junit_folder(options.junit, options.out);
+  if (options.material.empty() || options.methods) refuse_source_options(options.source, "");
+  if (options.methods) return check_methods(options);
+  if (!options.replay.empty()) return check_replay(options);
+  if (!options.all) {
+    CheckedMaterial checked;
+    try {
+      checked = check_one(options);
+    } catch (const ModelEnded& ended) {
+      checked = ended_early(options.material, ended.sentence);
+    }
+    if (checked.unsuitable) throw InputError(checked.error);
+    if (!checked.error.empty()) {
+      require_room({checked});
+      throw SystemError(checked.error);
+    }
+    return reported(options, {checked}, check_json(checked),
+                    check_text(checked, options.verbosity, prints_to_terminal() ? Rows::telling : Rows::all));
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<CheckedMaterial> all = check_all(options);
+  const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  refuse_unknown_parameters(options, all);
+  return reported(options, all, check_json(all), check_text(all, wall_s));
+}
+
+}  // namespace assay::drivers

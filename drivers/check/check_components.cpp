@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/check/check_components.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "adapters/foreign/foreign_table.hpp"
+#include "drivers/check/check_beyond.hpp"
+#include "drivers/check/check_elsewhere.hpp"
+#include "drivers/check/check_foreign.hpp"
+#include "drivers/check/check_steps.hpp"
+#include "drivers/check/check_undeclared.hpp"
+#include "drivers/material/material_description.hpp"
+#include "drivers/material/model_files.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+using adapters::ForeignModel;
+
+/// A model with the files that it reads where it stands.
+struct Described {
+  ForeignModel model;
+  std::vector<ModelFile> files;
+};
+
+std::optional<Described> umat_of(const CheckedMaterial& checked) {
+  if (checked.description.empty()) return std::nullopt;
+  const MaterialDescription description = read_description(checked.description);
+  const auto& model = description.foreign;
+  const bool is_umat = model && model->interface == adapters::ForeignInterface::umat;
+  return is_umat ? std::optional(Described{*model, description.files}) : std::nullopt;
+}
+
+using Stress = std::array<double, 9>;  ///< magnitudes, row-major [Pa]; not a number where the step is refused
+
+constexpr int in_11 = 0, shear_12 = 1, shear_13 = 2, in_22 = 4, shear_23 = 5, in_33 = 8;  // components, row-major
+
+/// The stress of one small strain from rest.
+Stress stress_of(const Material& material, int place) {
+  constexpr double strain = 1e-4;
+  Tensor F = Tensor::Identity();
+  component(F, place) += strain;
+  const Answer answer = answer_of(material, {0, 1, Tensor::Identity(), F, material.initial_state(1), true});
+  Stress stress;
+  for (std::size_t c = 0; c < stress.size(); ++c) {
+    stress[c] = is_good(answer) ? std::abs(answer[stress_of_answer + c]) : NAN;
+  }
+  return stress;
+}
+
+/// The components that a model answers as one of so many would.
+enum class Fills { six, plane_strain, plane_stress, unknown };
+
+constexpr double little = 1e-2, much = 1e2;  // of another stress
+
+/// STRESS(1:3) are then 11, 22 and 12, so that DSTRAN(3) makes STRESS(3), and nothing else does.
+bool is_of_plane_stress(const Stress& of_11, const Stress& of_33, const Stress& of_12) {
+  constexpr double none = 1e-6;  // second order in the strain
+  return of_33[in_33] > little * of_11[in_11] && of_33[in_11] <= none * of_33[in_33] &&
+         of_33[in_22] <= none * of_33[in_33] && of_11[in_33] <= none * of_11[in_11] &&
+         of_12[shear_12] <= none * of_11[in_11];
+}
+
+Fills filled_by(const Described& described, const std::map<std::string, double>& parameters) {
+  constexpr double limit_s = 20;
+  const auto rows = made_elsewhere(
+      [&]() -> check::History {
+        place_model_files(described.files);
+        const Material material(adapters::foreign_table(described.model), parameters);
+        check::History all;
+        for (const int place : {in_11, in_33, shear_12, shear_13}) {
+          const Stress stress = stress_of(material, place);
+          all.emplace_back(stress.begin(), stress.end());
+        }
+        return all;
+      },
+      limit_s);
+  if (!rows || rows->size() != 4) return Fills::unknown;
+  std::array<Stress, 4> stress;
+  for (std::size_t k = 0; k < stress.size(); ++k) std::copy_n((*rows)[k].begin(), 9, stress[k].begin());
+  const auto& [of_11, of_33, of_12, of_13] = stress;
+  if (is_of_plane_stress(of_11, of_33, of_12)) return Fills::plane_stress;
+  // One whose 13 and 23 are exchanged fills six, too.
+  const double in_plane = of_12[shear_12], out_of_plane = std::max(of_13[shear_13], of_13[shear_23]);
+  const bool alike = out_of_plane > little * in_plane && out_of_plane < much * in_plane;
+  return alike ? Fills::six : Fills::plane_strain;
+}
+
+/// What overruns an array of four.
+bool may_overrun(const check::Report& report) {
+  using namespace check::causes;
+  const char* const all[] = {hidden_state, not_finite, overrun, ends_process};
+  return std::any_of(report.diagnosis.begin(), report.diagnosis.end(), [&](const check::Diagnosis& each) {
+    return std::any_of(std::begin(all), std::end(all), [&](const char* cause) { return each.cause == cause; });
+  });
+}
+
+/// The battery with four components.
+CheckedMaterial with_four(const CheckedMaterial& checked, const Described& described, const check::Effort& effort,
+                          const CheckProcesses& how) {
+  const std::map<std::string, double> parameters(checked.parameters.begin(), checked.parameters.end());
+  const auto report_of = [&](std::uint32_t flags, const CheckReporter& reporter) {
+    ForeignModel model = described.model;
+    model.components = {4}, model.flags |= flags;
+    check::Effort quick = effort;
+    quick.quick = true;
+    return check::run_battery(made_for_tests(model, parameters), {.effort = quick, .begins = reporter.begins});
+  };
+  const CheckTask task{checked.name, [&](const CheckReporter& reporter) {
+                         CheckedMaterial found;
+                         reporter.begins("loading");
+                         place_model_files(described.files);
+                         found.report = report_of(0, reporter);
+                         if (described.model.flags_are_said || !failed_test(found.report, "clock")) return found;
+                         check::Report of_rate = report_of(ASSAY_RATE_DEPENDENT, reporter);
+                         if (settles_rate(of_rate, found.report)) found.report = std::move(of_rate);
+                         return found;
+                       }};
+  CheckProcesses quietly = how;
+  quietly.progress = {}, quietly.at_work = {};
+  return check_in_processes({task}, quietly).front();
+}
+
+/// Of what was tried with four components.
+std::string words_of(const CheckedMaterial& checked, const CheckedMaterial& four) {
+  const std::string key = "; with components: [4] in its description ";
+  if (four.passes()) return key + "it passes: it fills the components of plane strain alone";
+  const auto count = [](const CheckedMaterial& of, check::Verdict verdict) { return count_of(of.report, verdict); };
+  const bool reaches_more = count(four, check::Verdict::pass) > 2 * count(checked, check::Verdict::pass) ||
+                            2 * count(four, check::Verdict::fail) < count(checked, check::Verdict::fail);
+  if (!reaches_more || four.report.diagnosis.empty() || may_overrun(four.report)) return "";
+  return key + "it can be judged, and fails for another reason: " + four.report.diagnosis.front().cause;
+}
+
+}  // namespace
+
+void judge_components(CheckedMaterial& checked, const check::Effort& effort, const CheckProcesses& how) {
+  const bool passes = checked.passes();
+  if (checked.hangs || (!passes && checked.report.diagnosis.empty())) return;
+  const std::optional<Described> umat = umat_of(checked);
+  const auto serves_six = [&] { return std::ranges::count(umat->model.components, 6) > 0; };
+  if (!umat || (passes && serves_six())) return;  // one of plane stress passes no test of six
+  const Fills fills = filled_by(*umat, {checked.parameters.begin(), checked.parameters.end()});
+  if (fills == Fills::plane_stress) {
+    checked.unsuitable = true;
+    checked.error = checked.name +
+                    ": it has only three components of stress, as in plane stress (11, 22 and 12) or in a cohesive "
+                    "layer: STRESS(3) depends on DSTRAN(3) alone. assay tests plane strain and three dimensions, so it "
+                    "cannot judge this model";
+    return;
+  }
+  if (passes || umat->model.components_are_said || fills == Fills::six) return;
+  checked.report.diagnosis.front().sentence += words_of(checked, with_four(checked, *umat, effort, how));
+}
+
+}  // namespace assay::drivers

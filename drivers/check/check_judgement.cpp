@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/check/check_judgement.hpp"
+
+#include <algorithm>
+
+#include "drivers/check/check_beyond.hpp"
+#include "drivers/check/check_elements.hpp"
+#include "drivers/check/check_elsewhere.hpp"
+#include "drivers/check/check_energies.hpp"
+#include "drivers/check/check_foreign.hpp"
+#include "drivers/check/check_host.hpp"
+#include "drivers/check/check_state_blocks.hpp"
+#include "drivers/check/check_undeclared.hpp"
+#include "harness/numeric/stopwatch.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+/// Whether the rest can be judged: what lies beyond the arrays spoils every other test.
+bool judge_beyond(const ResolvedMaterial& material, const CheckSettings& settings, const CheckReporter& reporter,
+                  check::Report& report) {
+  const bool asked = (settings.only.empty() || settings.only == beyond_test) && settings.without != beyond_test;
+  if (asked && reporter.begins) reporter.begins(beyond_test);
+  const Stopwatch watch;
+  auto found = asked ? goes_beyond(material, settings.effort) : std::nullopt;
+  if (!found) return true;
+  found->test.wall_s = watch.seconds();
+  if (reporter.ends) reporter.ends(found->test);
+  report.effort = settings.effort;
+  report.tests.push_back(found->test);
+  report.diagnosis = found->causes;
+  if (found->causes.empty()) return settings.only != beyond_test;
+  for (const std::string& id : check::test_ids()) {
+    if (id == "loading" || !settings.only.empty()) continue;
+    report.tests.push_back({.id = id,
+                            .verdict = check::Verdict::not_applicable,
+                            .sentence = check::not_judged + (": " + found->test.cause)});
+  }
+  return false;
+}
+
+constexpr const char* repeated_test = "calls.repeated";
+
+/// The same with another CMNAME. A host has one name for each set of PROPS, and a model may keep what belongs to it.
+std::optional<Material> under_another_name(const ResolvedMaterial& material) {
+  if (!material.foreign || material.foreign->interface == adapters::ForeignInterface::mfront) return std::nullopt;
+  adapters::ForeignModel other = *material.foreign;
+  other.material_name += "-2";
+  return made_for_tests(other, material.choice.parameters);
+}
+
+/// The battery again where an instance of other parameters is in the way of this one, and would not be in a host.
+check::Report with_named_others(const ResolvedMaterial& material, const check::Options& options, check::Report first) {
+  const std::optional<Material> other = failed_test(first, repeated_test) ? under_another_name(material) : std::nullopt;
+  if (!other) return first;
+  check::Options named = options;
+  named.table_of_others = &other->table();
+  check::Report again = check::run_battery(material.material, named);
+  if (failed_test(again, repeated_test)) return first;
+  for (check::TestResult& test : again.tests) {
+    if (test.id == repeated_test)
+      test.sentence += std::string("; ") + check::remark_words +
+                       "what it keeps outside the state goes by CMNAME, and a host gives each set of PROPS another";
+  }
+  return again;
+}
+
+/// Behind what `before` holds.
+check::Report battery_of(const ResolvedMaterial& material, const CheckSettings& settings, const CheckReporter& reporter,
+                         check::Report before) {
+  const std::string only = settings.only == process_test ? std::string() : settings.only;
+  const bool repeats = only.empty() || only == repeated_test;
+  const check::History elsewhere =
+      repeats && reporter.first_calls ? history_elsewhere(material.material, settings.effort) : check::History();
+  const check::History others = repeats ? history_of_others(material, settings.effort) : check::History();
+  const check::Options options{.effort = settings.effort,
+                               .only = only,
+                               .without = settings.without,
+                               .well_aligned = settings.well_aligned,
+                               .declarations = declarations_of(material),
+                               .elsewhere = elsewhere,
+                               .others_elsewhere = others,
+                               .begins = reporter.begins,
+                               .ends = reporter.ends};
+  check::Report report = with_named_others(material, options, check::run_battery(material.material, options));
+  report.tests.insert(report.tests.begin(), before.tests.begin(), before.tests.end());
+  return report;
+}
+
+/// What the model takes from its host, of one that can be loaded.
+void judge_host(const ResolvedMaterial& material, const CheckSettings& settings, const CheckReporter& reporter,
+                CheckedMaterial& checked) {
+  check::Report& report = checked.report;
+  judge_elements(material, report);
+  const bool asked = settings.only.empty() || settings.only == host_test;
+  const bool keeps_state = std::any_of(report.diagnosis.begin(), report.diagnosis.end(), [](const auto& each) {
+    return each.cause == check::causes::hidden_state || each.cause == check::causes::kept_by_element;
+  });
+  if (!asked || keeps_state || report.strain == 0) return;
+  if (reporter.begins) reporter.begins(host_test);
+  const Stopwatch watch;
+  auto found = depends_on_host(material, report.strain, report.pressure);
+  if (!found) return;
+  found->test.wall_s = watch.seconds();
+  if (reporter.ends) reporter.ends(found->test);
+  report.tests.push_back(found->test);
+  checked.depends_on.insert(checked.depends_on.end(), found->depends_on.begin(), found->depends_on.end());
+  if (found->test.verdict == check::Verdict::fail)
+    report.diagnosis.push_back({found->test.cause, found->test.sentence});
+}
+
+/// The battery again, of the model as one that depends on the rate, where its description says nothing of it and the
+/// length of a step matters.
+std::optional<ResolvedMaterial> settle_rate(const ResolvedMaterial& material, const CheckSettings& settings,
+                                            const CheckReporter& reporter, const check::Report& before,
+                                            CheckedMaterial& checked) {
+  if (!settings.rate_dependent && !may_depend_on_rate(material, checked.report)) return std::nullopt;
+  ResolvedMaterial other = as_rate_dependent(material);
+  check::Report report = battery_of(other, settings, reporter, before);
+  if (!settings.rate_dependent && !settles_rate(report, checked.report)) return std::nullopt;
+  const check::TestResult* const clock = failed_test(checked.report, "clock");
+  const double effect = clock ? clock->measure.value_or(0) : 0;
+  checked.report = std::move(report);
+  checked.depends_on.push_back(say_rate(checked.report, effect));
+  return other;
+}
+
+}  // namespace
+
+std::optional<ResolvedMaterial> judge(const ResolvedMaterial& material, const CheckSettings& settings,
+                                      const CheckReporter& reporter, CheckedMaterial& checked) {
+  keep_elements(material.material);
+  if (!judge_beyond(material, settings, reporter, checked.report)) return std::nullopt;
+  const check::Report before = checked.report;
+  checked.report = battery_of(material, settings, reporter, before);
+  std::optional<ResolvedMaterial> other = settle_rate(material, settings, reporter, before, checked);
+  const ResolvedMaterial& judged = other ? *other : material;
+  for (std::string& what : foreign_not_tested(judged)) checked.report.not_tested.push_back(std::move(what));
+  judge_foreign_tangent(judged, checked.report);
+  judge_energies(judged, checked.report);
+  tell_initial_values(judged, checked.report);
+  judge_state_blocks(judged, checked.report);
+  hint_symmetry(judged, checked.report);
+  judge_host(judged, settings, reporter, checked);
+  return other;
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the patch tests have found, as text of 80 columns, JSON and JUnit's XML.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "drivers/text/verbosity.hpp"
+#include "mpm/patch/patch.hpp"
+
+namespace assay::drivers {
+
+struct CheckedMethods {
+  std::vector<mpm::MethodReport> methods;
+  double wall_s = 0;
+  bool passes() const;
+};
+
+/// The verdict; what fails, with its sentence; counts for each basis and formulation; why something is not promised.
+/// For one method, and with Verbosity::verbose, the rows of all tests; with quiet the verdict alone.
+std::string methods_text(const CheckedMethods& checked, Verbosity verbosity);
+
+/// {methods, verdict, tests: [{method, basis, formulation, transfer, update, mass, id, verdict, measure, threshold,
+/// order, cause, sentence}]}; figures that were not found, or are infinite, are null.
+std::string methods_json(const CheckedMethods& checked);
+
+/// One test suite; a test case is named "cpdi/flip/usl translation".
+std::string methods_junit(const CheckedMethods& checked, const std::string& name = {});
+
+}  // namespace assay::drivers

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/command_line/command_line.hpp"
+
+#include <cxxabi.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <string_view>
+
+#include "adapters/worker/shortage.hpp"
+#include "drivers/command_line/completion.hpp"
+#include "drivers/command_line/manual.hpp"
+#include "drivers/command_line/verb.hpp"
+#include "drivers/command_line/worker.hpp"
+#include "drivers/material/abaqus_deck.hpp"
+#include "drivers/output/junit.hpp"
+#include "drivers/result/build_information.hpp"
+#include "drivers/system/environment.hpp"
+#include "drivers/system/exit_guard.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/system/input_file.hpp"
+#include "drivers/system/interrupt.hpp"
+#include "drivers/system/own_files.hpp"
+#include "drivers/system/terminal.hpp"
+#include "drivers/system/whole_file.hpp"
+#include "drivers/text/lookalikes.hpp"
+#include "drivers/text/numbers.hpp"
+#include "harness/material/material_failure.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+std::string version_text() {
+  const Provenance built = build_information();
+  return "assay " + built.version + "\ngit       " + built.git + "\ncompiler  " + built.compiler + "\nlibraries " +
+         joined(built.libraries);
+}
+
+std::vector<std::string> options_of(const CLI::App& verb) {
+  std::vector<std::string> known;
+  for (const CLI::Option* each : verb.get_options()) {
+    for (const std::string& name : each->get_lnames()) known.push_back("--" + name);
+    for (const std::string& name : each->get_snames()) known.push_back("-" + name);
+  }
+  return known;
+}
+
+/// CLI11's error in our words: one line, the nearest option for a mistyped one.
+InputError usage_error(const CLI::App& app, const CLI::ParseError& error) {
+  const auto chosen = app.get_subcommands();
+  const CLI::App& verb = chosen.empty() ? app : *chosen.front();
+  const std::string who = chosen.empty() ? "assay" : "assay " + verb.get_name();
+  for (const CLI::Option* each : verb.get_options()) {
+    const bool takes_all = each->get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
+    if (error.get_name() == "ArgumentMismatch" && !takes_all && each->count() > 1)
+      return InputError(who + ": " + each->get_name() + " is given " + std::to_string(each->count()) +
+                        " times, but takes one value");
+  }
+  const std::vector<std::string> extra = app.remaining(true);
+  const auto is_option = [](const std::string& word) { return word.starts_with("-"); };
+  const bool lacks = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError) &&
+                     std::any_of(extra.begin(), extra.end(), is_option);  // a file whose name begins so
+  const bool is_extra = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) && !extra.empty();
+  if (!lacks && !is_extra) return InputError(who + ": " + error.what());
+  const std::vector<std::string> known = options_of(verb);
+  const auto option = std::find_if(extra.begin(), extra.end(), is_option);
+  const std::string& first = option == extra.end() ? extra.back() : *option;  // CLI11 lists them backwards
+  const std::string word = first.starts_with("-") ? first.substr(0, first.find('=')) : first;
+  const std::string kind = word.starts_with("-") ? "option" : "argument";
+  std::error_code code;
+  if (word.starts_with("-") && std::filesystem::exists(first, code))
+    return InputError({}, who, "unknown option '" + one_line(word, 80) + "'; the file is ./" + one_line(first, 80));
+  return InputError({}, who, unknown(kind + " '" + one_line(word, 80) + "'", word, known), joined(known));
+}
+
+std::vector<std::string> names_of(const std::vector<AddedVerb>& verbs) {
+  std::vector<std::string> names;
+  for (const AddedVerb& verb : verbs) names.push_back(verb.name);
+  return names;
+}
+
+void refuse_unknown_verb(const std::string& word, const std::vector<AddedVerb>& verbs) {
+  const std::vector<std::string> known = names_of(verbs);
+  if (std::find(known.begin(), known.end(), word) != known.end()) return;
+  throw InputError({}, "assay", unknown("verb '" + one_line(word, 80) + "'", word, known), joined(known));
+}
+
+void flush_output() {
+  std::cout.flush();
+  const bool is_ours = user_output() == STDOUT_FILENO;  // otherwise a model's prints alone come this way
+  if (!all_is_printed() || (is_ours && (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout))))
+    throw SystemError("standard output cannot be written");
+}
+
+/// An option with another dash, as pages and word processors write it, would be taken for a file's name.
+void refuse_other_dashes(const CLI::App& verb, const std::string& word) {
+  std::error_code code;
+  const bool is_option = !word.starts_with("-") && as_meant(word).starts_with("-");
+  if (!is_option || std::filesystem::exists(word, code)) return;
+  const std::vector<std::string> known = options_of(verb);
+  const std::string name = word.substr(0, word.find('='));
+  throw InputError({}, "assay " + verb.get_name(), unknown("option '" + one_line(name, 80) + "'", name, known),
+                   joined(known));
+}
+
+/// "-o=out" would make a folder "=out".
+void refuse_equals_behind_letter(const CLI::App& verb, const std::string& word) {
+  if (word.size() < 3 || word[0] != '-' || word[2] != '=' || !verb.get_option_no_throw(word.substr(0, 2))) return;
+  const std::string name = word.substr(0, 2), value = one_line(word.substr(3), 60);
+  throw InputError({}, "assay " + verb.get_name(),
+                   name + " takes its value after a space, without '=': write " + name + " " +
+                       (value.empty() ? "..." : value) + "; a file of that name is ./=" + value);
+}
+
+/// "--set grid.spacing 0.1", "--parameters E = 1e3": a name and its value in several words.
+void refuse_pair_of_words(const std::string& option, const std::string& name, const std::string& value) {
+  const bool is_pair = option == "--set" || option == "--parameters";
+  if (!is_pair || name.empty() || name.find('=') < name.size() - 1) return;
+  if (!parse_number(value) && !value.starts_with('=')) return;
+  const std::string plain = name.substr(0, name.find('=')), meant = value.substr(value.starts_with('=') ? 1 : 0);
+  throw InputError({}, option,
+                   "a name and its value are one word with '=' between them: write " + option + " " +
+                       one_line(plain, 80) + "=" + (meant.empty() ? "..." : one_line(meant, 60)));
+}
+
+/// An option would take the next one for its value, and make a folder of that name.
+void refuse_slips_of_options(const std::vector<AddedVerb>& verbs, int argc, const char* const* argv) {
+  const CLI::App* verb = nullptr;
+  for (int i = 1; i < argc && std::string_view(argv[i]) != "--"; ++i) {
+    const std::string word = argv[i];
+    const auto named =
+        std::find_if(verbs.begin(), verbs.end(), [&](const AddedVerb& each) { return each.name == word; });
+    if (!verb && named != verbs.end()) verb = &named->arguments.app;
+    if (verb) refuse_other_dashes(*verb, word), refuse_equals_behind_letter(*verb, word);
+    const CLI::Option* option = verb && word.starts_with("-") ? verb->get_option_no_throw(word) : nullptr;
+    if (!option || option->get_items_expected_min() == 0) continue;
+    const std::string next = ++i < argc ? argv[i] : "";
+    const std::string type = option->get_type_name();
+    if (i < argc && next.empty() && type != "DIR" && type != "FILE" && word != "--set")
+      throw InputError({}, "assay " + verb->get_name(), word + " needs a value, but the value is empty");
+    const bool is_name = type == "DIR" || type == "CSV" || type.starts_with("FILE");
+    const bool is_option = next.starts_with("--") || (next.starts_with("-") && verb->get_option_no_throw(next)) ||
+                           (is_name && next.size() > 1 && next.starts_with("-"));
+    if (i + 1 < argc) refuse_pair_of_words(word, next, argv[i + 1]);
+    if (i < argc && !is_option) continue;
+    throw InputError({}, "assay " + verb->get_name(),
+                     word + " needs a value" +
+                         (is_option ? ", and '" + one_line(next, 60) +
+                                          "' begins like an option; a file of that name is ./" + one_line(next, 60)
+                                    : ""));
+  }
+}
+
+/// The command line, last word first, as CLI11 takes it. Numbers behind --props, "--props 210e3 .3", are one list.
+/// Words behind "--" are none of its options.
+std::vector<std::string> words_of(int argc, const char* const* argv) {
+  std::vector<std::string> words;
+  bool in_list = false, only_names = false;
+  for (int i = 1; i < argc; ++i) {
+    std::string word = argv[i];
+    if (word == "--" && !only_names) {
+      only_names = true;
+      continue;
+    }
+    if (only_names && word.size() > 1 && word.starts_with("-")) word.insert(0, "./");
+    const bool number = deck_number(word.substr(0, word.find(','))).has_value();
+    if (in_list && number && words.back() != "--props") {
+      words.back() += (words.back().ends_with(',') ? "" : ",") + word;
+    } else {
+      in_list = word == "--props" || (in_list && words.back() == "--props");
+      words.push_back(word);
+    }
+  }
+  std::reverse(words.begin(), words.end());
+  return words;
+}
+
+/// Before the words are understood: if they are not, nobody must find the file of an earlier call there either.
+void remove_earlier_junit_of(int argc, const char* const* argv) {
+  constexpr std::string_view option = "--junit";
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == option && i + 1 < argc) remove_earlier_junit(argv[i + 1]);
+    if (word.starts_with(option) && word.substr(option.size()).starts_with("="))
+      remove_earlier_junit(std::string(word.substr(option.size() + 1)));
+  }
+}
+
+/// What the command line says of itself, without its verbs.
+void describe(CLI::App& app) {
+  app.get_formatter()->column_width(28);
+  app.get_formatter()->label("REQUIRED", "(required)");
+  app.footer(
+      "\nExample:\n  assay check my_umat.f --props 210e3,.3,250 --statev 7\n  assay run "
+      "configs/paper/vortex_cpdi.yaml -o results/vortex\n\n"
+      "assay VERB --help describes a verb.");
+  app.set_version_flag("--version", version_text(), "version, compiler and libraries");
+  app.require_subcommand(0, 1);
+}
+
+int act(int argc, const char* const* argv) {
+  settle_environment();
+  bool quiet = false, verbose = false;
+  CLI::App app{"Verification of material models and of particle methods.", "assay"};
+  describe(app);
+  const std::vector<AddedVerb> verbs = add_verbs(app, quiet, verbose);
+  const std::string_view asker = argc > 1 ? argv[1] : "";
+  if (asker == "--complete") return print(completions(app, verbs, {argv + 2, argv + argc})), 0;  // a shell's script
+  if (asker == "--manual" && argc == 4) return write_file(argv[3], whole_manual(app, verbs, read_bytes(argv[2]))), 0;
+  remove_earlier_junit_of(argc, argv);
+  for (int i = 1; i < argc; ++i) {
+    const bool option = argv[i][0] == '-';
+    if (option && app.get_option_no_throw(argv[i])) continue;
+    if (!option) refuse_unknown_verb(argv[i], verbs);
+    break;
+  }
+  refuse_slips_of_options(verbs, argc, argv);
+  std::vector<std::string> words = words_of(argc, argv);
+  try {
+    app.parse(words);
+  } catch (const CLI::Success& success) {  // --help, --version
+    app.exit(success, std::cout, std::cerr);
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    throw usage_error(app, error);
+  }
+  if (quiet && verbose) throw InputError("assay: --quiet and --verbose exclude each other");
+  for (const AddedVerb& verb : verbs) {
+    if (verb.arguments.app.parsed())
+      return verb.act(quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::normal);
+  }
+  throw InputError("assay: no verb; known: " + joined(names_of(verbs)) + "; assay --help tells more");
+}
+
+int say(int status, const std::string& line) {
+  std::cout.flush();
+  put_streams_right();
+  std::cerr << one_line(line) << std::endl;
+  return status;
+}
+
+int complain(int status, const std::string& line) {
+  if (interrupted()) return 128 + interrupt_signal();  // what failed is the call that the signal broke off
+  if (const std::string words = adapters::shortage(); !words.empty() && status == 2) return complain(3, words);
+  const bool is_told = status != 3 || line.find("the material's library") != std::string::npos;
+  return say(status, line + (is_told ? "" : lowered_limits_words()));
+}
+
+}  // namespace
+
+int command_line(int argc, const char* const* argv) noexcept {
+  if (is_worker(argc, argv)) return worker();
+  const std::string processor_time = adapters::processor_limit();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of write()
+  try {
+    const ExitGuard guard;
+    const int status = [&] {
+      try {
+        return act(argc, argv);
+      } catch (const abi::__forced_unwind&) {  // cancelled by another thread, perhaps while no model was called
+        leave_thread_guarded();
+        throw;
+      }
+    }();
+    flush_output();
+    return status;
+  } catch (const Interrupted& stop) {
+    if (stop.signal == SIGXCPU && !processor_time.empty())
+      return say(3, "assay: " + processor_time + ", which is used up");
+    if (interrupted_from_inside()) {
+      return say(3, "assay: signal " + std::to_string(stop.signal) + " (" + strsignal(stop.signal) +
+                        ") came from inside this process, most likely from the material's library");
+    }
+    return 128 + stop.signal;
+  } catch (const InputError& error) {
+    return complain(2, error.what());
+  } catch (const SystemError& error) {
+    return complain(3, error.what());
+  } catch (const MaterialFailure& failure) {  // before there was a result that could tell it
+    return complain(1, failure.what());
+  } catch (const std::bad_alloc&) {
+    return complain(3, "assay: out of memory");
+  } catch (const std::system_error& error) {
+    return complain(3, std::string("assay: ") + error.what());
+  } catch (const std::exception& error) {
+    return complain(3, std::string("assay: this is a bug: ") + error.what());
+  } catch (...) {
+    return complain(3, "assay: this is a bug: an unknown exception");
+  }
+}
+
+}  // namespace assay::drivers

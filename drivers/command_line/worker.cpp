@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/command_line/worker.hpp"
+
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <string>
+
+#include "adapters/foreign/model_end.hpp"
+#include "adapters/worker/crash_marks.hpp"
+#include "adapters/worker/warden.hpp"
+#include "drivers/material/material_table.hpp"
+#include "drivers/simulation/stress_offload.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+void work(adapters::WorkerFloor& floor) {
+  adapters::on_model_end = adapters::end_by_word;
+  const std::string task = floor.task, kind = task.substr(0, task.find('\n'));
+  if (kind == model_task) return serve_material(floor, task.substr(kind.size() + 1));
+  if (kind == stress_task) return serve_stress(floor, task.substr(kind.size() + 1));
+  std::fprintf(stderr, "a worker knows no task '%s'\n", kind.c_str());
+}
+
+}  // namespace
+
+bool is_worker(int argc, const char* const* argv) { return argc == 2 && std::strcmp(argv[1], "worker") == 0; }
+
+int worker() noexcept {
+  try {
+    return adapters::run_warden(work);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "assay worker: is started by other verbs: %s\n", error.what());
+    return 2;
+  }
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a run of a problem consists of, and what that costs, without running it: what `assay explain` tells.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "drivers/explain/effects.hpp"
+#include "drivers/result/result.hpp"
+#include "mpm/compose.hpp"
+
+namespace assay::drivers {
+
+/// Work of one step after the first, counted from the composition: what each pass reads and writes of the columns of
+/// all particles, what it touches of the grid's fields once a node that is reached, and points that the material
+/// updates.
+struct StepWork {
+  double column_bytes = 0, grid_bytes = 0;
+  std::int64_t material_updates = 0;
+};
+
+/// An effect in this composition.
+struct EffectPart {
+  std::string effect;
+  bool is_there = false;
+  std::string key;                                        ///< of the scene, that calls for it; empty: none
+  std::vector<std::string> passes, columns, grid_fields;  ///< that it brings; empty where it is not there
+  std::size_t bytes_per_particle = 0, bytes_per_node = 0;
+};
+
+struct Composition {
+  std::vector<mpm::Pass<2>> passes;
+  std::vector<mpm::ColumnUse> columns;
+  std::vector<mpm::GridFieldUse> grid_fields;
+  std::size_t bytes_per_particle = 0, bytes_per_node = 0;
+  std::size_t nodes_reached = 0;  ///< of the tiles that particles reach at first; no other is cleared or worked on
+  StepWork work;
+  std::vector<EffectPart> effects;  ///< all of them, in the order of the list
+};
+Composition composition_of(const Problem& problem);
+
+/// Bytes of columns a particle that a pass reads and writes each time.
+std::size_t bytes_moved(const mpm::PassInfo& pass, const mpm::Setup<2>& setup);
+
+/// What a run does between steps, under the names of its profile.
+struct Observer {
+  std::string name;
+  std::size_t times;
+  std::string called_for_by;
+};
+std::vector<Observer> observers_of(const Problem& problem);
+
+/// `assay explain --json`. response: null where there is none.
+std::string explanation_json(const Problem& problem, const Composition& composition, const Response* response,
+                             const ScreenFigures& screen);
+
+}  // namespace assay::drivers

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/findings/findings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "adapters/foreign/written_inputs.hpp"
+#include "adapters/worker/process_watch.hpp"
+#include "adapters/worker/remote_table.hpp"
+#include "drivers/check/check_material.hpp"
+#include "drivers/check/replay.hpp"
+#include "drivers/scene/expect.hpp"
+#include "drivers/scene/resolved.hpp"
+#include "drivers/simulation/simulate.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/system/input_file.hpp"
+#include "drivers/system/interrupt.hpp"
+#include "drivers/system/supervisor.hpp"
+#include "drivers/text/number_format.hpp"
+#include "harness/sheet/force_error.hpp"
+
+namespace assay::drivers {
+
+void record_sheet(const Scene& scene, const Response& response, double seconds, Result& result) {
+  const Sheet* sheet = response.sheet();
+  if (!sheet) return;
+  SheetFigures figures{sheet->points(), sheet->error_tau(), sheet->error_dtau(), {}, seconds};
+  figures.cached = sheet->restored();
+  figures.asked = scene.force.tolerance;
+  result.sheet = figures;
+  if (!sheet->restored()) result.material_calls += sheet->material_calls();
+}
+
+void record_shadow(const Scene& scene, const Response& response, Result& result) {
+  const Shadow* points = response.shadow();
+  if (!points) return;
+  SheetFigures figures;
+  figures.points = points->radii();
+  figures.error_tau = points->error();
+  figures.along = grouped_text(points->radii()) + " shadow histories";
+  figures.asked = scene.force.tolerance;
+  result.sheet = figures;
+  result.material_calls += points->calls();
+}
+
+void record_history(const Scene& scene, const HomogeneousStress& stress, Result& result) {
+  if (!stress.is_history()) return;
+  SheetFigures figures;
+  figures.points = 1;
+  figures.error_tau = stress.error();
+  figures.along = "one history";
+  figures.asked = scene.force.tolerance;
+  result.sheet = figures;
+  result.material_calls += stress.material_calls();
+}
+
+void record_box(const Scene& scene, const BoxStress& stress, double seconds, Result& result) {
+  SheetFigures figures;
+  figures.wall_s = seconds;
+  figures.points = stress.modes(0) * stress.modes(1);
+  const std::string size = std::to_string(stress.modes(0)) + " x " + std::to_string(stress.modes(1));
+  figures.error_tau = stress.error();
+  figures.along = "a cosine series of " + size + " modes, by " + (stress.is_history() ? "a history" : "an update") +
+                  " at each of its nodes";
+  figures.asked = scene.force.tolerance;
+  result.sheet = figures;
+  result.material_calls += stress.material_calls();
+}
+
+void record_force_error(const Scene& scene, const Response& response, Result& result) {
+  if (!ring_of(scene.motion) || !response.sheet() || !result.sheet) return;
+  result.sheet->error_b = force_error(scene.motion, scene.material.density, *response.sheet(), scene.time.end);
+}
+
+std::string material_provenance(const Material& material, const std::string& library) {
+  const char* version = material.table().version;
+  const std::string who = material.name() + (version ? " " + one_line(version, 80) : "");
+  if (library.empty()) return who + ", built in";
+  return who + ", " + library + ", sha256 " + hash_of_library(library);
+}
+
+void record_failure(const MaterialFailure& failure, Result& result) {
+  stop_if_interrupted();  // it may have failed because nobody waited for it
+  result.outcome = "material_failed";
+  result.reason = failure.what();
+  if (failure.too_accurate) result.advice = "force.tolerance: 1e-4, which asks for less accuracy of the response";
+  if (!std::isnan(failure.xi)) {
+    result.reason +=
+        ": on the baseline path at xi = " + rounded_text(failure.xi, 6) + ", t = " + rounded_text(failure.t, 6) + " s";
+    result.t = failure.t;
+  }
+  if (failure.step) result.failed_step = std::make_shared<const FailedStep>(*failure.step);
+}
+
+void record_process(const Material& material, Result& result) {
+  const adapters::Habits habits = adapters::habits_of(&material.table()) | supervised_habits();
+  const std::string words = adapters::habit_words(habits);
+  if (!words.empty()) result.warnings.push_back("the model " + words);
+  result.disturbed = (habits & ~adapters::any_written_input) != adapters::no_habit;
+  result.printed = adapters::output_of(&material.table());
+  const adapters::HandOvers hand_overs = adapters::hand_overs_of(&material.table());
+  result.hand_overs = hand_overs.count;
+  result.wake_ups = hand_overs.wake_ups;
+}
+
+void leave_replay(const Scene& scene, OutputFolder& folder, Result& result) {
+  if (!result.printed.empty()) folder.write(material_log, result.printed);
+  if (!result.failed_step && !result.disturbed) return;
+  try {
+    Replay replay = result.failed_step ? replay_of(scene, *result.failed_step, result.reason)
+                                       : replay_of(resolve_material(scene.material), {}, result.warnings.back());
+    if (!result.failed_step) replay.test = process_test;
+    folder.write("replay.yaml", replay_yaml(replay, scene.material.isolation));
+    result.replay = "replay.yaml";
+  } catch (const InputError& error) {  // it does not live so long once more
+    result.warnings.push_back(std::string("no replay.yaml is left: ") + error.what());
+  }
+}
+
+void leave_replay_scene(const Scene& given, OutputFolder& folder, Result& result) {
+  if (result.outcome == "completed" || !result.steps || !result.dt || !result.t) return;
+  constexpr double shown_steps = 20, most_to_end = 5e4;  // what a scene may ask for is twice that
+  Scene scene = given;
+  scene.output = {};
+  scene.output.errors = given.output.errors;
+  scene.output.particles = 0;
+  scene.output.pictures = false;
+  scene.output.each_step_from = std::max(0.0, *result.t - shown_steps * *result.dt);
+  if (scene.time.end - *scene.output.each_step_from > most_to_end * *result.dt) {
+    scene.time.step = *result.dt;
+    scene.time.end = static_cast<double>(*result.steps + 1) * *result.dt;
+  }
+  scene.expect = expected_again(result);
+  const std::string name = "replay_scene.yaml";
+  folder.write(name, resolved_yaml(scene));
+  if (result.replay.empty()) result.replay = name;
+}
+
+void close_accounts(const Stopwatch& life, Result& result) {
+  if (result.wall_s == 0) result.setup_s = life.seconds();
+  result.finish_s = std::max(0.0, life.seconds() - result.setup_s - result.wall_s);
+  result.cpu_s = cpu_seconds();
+}
+
+int exit_status(const Result& result) {
+  const bool all_hold = std::all_of(result.expect.begin(), result.expect.end(), [](const auto& e) { return e.holds; });
+  const bool outcome_expected =
+      std::any_of(result.expect.begin(), result.expect.end(), [](const auto& e) { return e.key == "outcome"; });
+  return all_hold && (outcome_expected || result.outcome == "completed") ? 0 : 1;
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/findings/verdict.hpp"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+
+#include "drivers/findings/findings.hpp"
+#include "drivers/simulation/rim.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/text/number_format.hpp"
+#include "drivers/text/wrapped_text.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+std::string figure(const Figure& value) { return value ? rounded_text(*value, 3) : "-"; }
+
+std::string error_lines(const ErrorFigures& e) {
+  std::string text =
+      fmt::format("  {:22} {:>10} {:>10} {:>10} {:>12}\n", "error", "at T/2", "at end", "max L2", "max Linf");
+  text += fmt::format("  {:22} {:>10} {:>10} {:>10} {:>12}\n", "displacement [m]", figure(e.l2_half), figure(e.l2_end),
+                      figure(e.l2_max), figure(e.linf_max));
+  text += fmt::format("  {:22} {:>10} {:>10} {:>10}\n", "  rms, all particles", figure(e.rms36_half),
+                      figure(e.rms36_end), figure(e.rms36_max));
+  const auto maximum = [&](const char* name, const FieldMaximum& m) {
+    text += fmt::format("  {:22} {:>10} {:>10} {:>10} {:>12}\n", name, "", "", figure(m.l2_max), figure(m.linf_max));
+  };
+  maximum("velocity [m/s]", e.velocity);
+  maximum("F [1]", e.deformation_gradient);
+  maximum("det F [1]", e.jacobian);
+  maximum("Cauchy stress [Pa]", e.stress);
+  if (e.relative) {
+    text += fmt::format("  {:22} {:>10} {:>10} {:>10}\n", "relative to the motion", "", "", figure(e.relative));
+  }
+  return text;
+}
+
+std::string work_line(const Result& r) {
+  return fmt::format("  {} steps of {} s, {} particles stepped\n{}  {} million particle-steps/s\n",
+                     r.steps ? grouped_text(*r.steps) : "-", figure(r.dt),
+                     r.moving_particles ? grouped_text(*r.moving_particles) : "-", times_text(r, "stepping"),
+                     r.particle_steps_per_s ? rounded_text(*r.particle_steps_per_s * 1e-6, 3) : "-");
+}
+
+std::string profile_lines(const Result& r) {
+  std::string text;
+  for (const PassFigures& pass : r.passes) {
+    const double nanoseconds = r.particle_steps > 0 ? 1e9 * pass.seconds / static_cast<double>(r.particle_steps) : 0;
+    text += fmt::format("  {:26} {:>9} s {:>8} ns and {:>4} bytes a particle-step\n", pass.name,
+                        rounded_text(pass.seconds, 3), rounded_text(nanoseconds, 3), pass.bytes_per_particle);
+  }
+  return text;
+}
+
+std::string summary_of(const Result& result) {
+  if (exit_status(result) != 0) return "NOT AS EXPECTED";
+  return result.expect.empty() ? "NOTHING WAS EXPECTED" : "AS EXPECTED";
+}
+
+}  // namespace
+
+std::string times_text(const Result& result, const std::string& work) {
+  return fmt::format("  {} s: set-up {} s, {} {} s, {}pictures and files {} s\n",
+                     rounded_text(result.setup_s + result.wall_s + result.finish_s, 3), rounded_text(result.setup_s, 3),
+                     work, rounded_text(result.wall_s - result.observed_s, 3), result.observed_s > 0 ? "errors, " : "",
+                     rounded_text(result.finish_s + result.observed_s, 3));
+}
+
+std::string process_lines(const Result& result, const std::string& folder) {
+  const auto there = [&](const std::string& file) { return one_line((std::filesystem::path(folder) / file).string()); };
+  std::string text;
+  for (const std::string& warning : result.warnings) text += wrapped("warning: " + warning, "  ", "    ");
+  if (!result.replay.empty()) {
+    const bool scene = result.replay == "replay_scene.yaml";
+    text += (result.failed_step ? "  the failing step is in "
+             : scene            ? "  to see each of its last steps: assay run "
+                                : "  to repeat it: assay check --replay ") +
+            there(result.replay) + "\n";
+  }
+  if (!result.last_good.empty()) text += "  the particles before the failure: " + there(result.last_good) + "\n";
+  if (!result.advice.empty()) text += wrapped(result.advice, "  to try: ", "    ");
+  if (!result.printed.empty()) text += std::string("  what the model printed is in ") + there(material_log) + "\n";
+  return text;
+}
+
+std::string sheet_text(const SheetFigures& sheet) {
+  const bool missed = !(sheet.error_tau <= sheet.asked) || !(sheet.error_dtau.value_or(0) <= sheet.asked);
+  const std::string asked = missed ? " (asked: " + rounded_text(sheet.asked, 2) + ")" : "";
+  if (!sheet.along.empty()) {
+    return wrapped(fmt::format("response: {}, error {} of tau{}", sheet.along, rounded_text(sheet.error_tau, 2), asked),
+                   "  ", "    ");
+  }
+  const std::string of_b = sheet.error_b ? fmt::format(", {} of b", rounded_text(*sheet.error_b, 2)) : "";
+  return wrapped(
+      fmt::format("sheet: {} points, error {} of tau, {} of d tau/d xi{}{}, {} s{}", grouped_text(sheet.points),
+                  rounded_text(sheet.error_tau, 2), rounded_text(*sheet.error_dtau, 2), of_b, asked,
+                  rounded_text(sheet.wall_s, 2), sheet.cached ? " from disk" : ""),
+      "  ", "    ");
+}
+
+std::string expectations_text(const Result& result, bool that_hold) {
+  std::string text;
+  for (const ExpectationOutcome& e : result.expect) {
+    if (e.holds != that_hold) continue;
+    text +=
+        fmt::format("  {:5} {} {}: found {}\n", e.holds ? "holds" : "FAILS", e.key, e.expected, shortened(e.found, 4));
+  }
+  return text;
+}
+
+namespace {
+
+std::string outcome_text(const Result& result) {
+  std::string text = (result.title.empty() ? "" : result.title + ": ") + result.outcome;
+  if (result.t) text += fmt::format(" at t = {} s", figure(result.t));
+  return wrapped(text + ": " + summary_of(result), "", "  ") + expectations_text(result, false);
+}
+
+std::string reason_text(const Result& result) {
+  return result.reason.empty() ? "" : wrapped(result.reason, "  ", "  ");
+}
+
+}  // namespace
+
+std::string contradiction_text(const Result& result) { return outcome_text(result) + reason_text(result); }
+
+std::string verdict_text(const Result& result, const std::string& folder, bool with_profile) {
+  std::string text = outcome_text(result);
+  if (!result.subject.empty()) text += wrapped(result.subject, "  ", "    ");
+  text += reason_text(result);
+  text += process_lines(result, folder);
+  if (result.error.l2_max) text += error_lines(result.error);
+  if (result.steps) text += work_line(result);
+  if (result.sheet) text += sheet_text(*result.sheet);
+  if (result.rim) {
+    text += fmt::format("  plastic rim: {} m wide, {} cells{}\n", rounded_text(result.rim->width, 3),
+                        rounded_text(result.rim->cells, 2), result.rim->cells < fewest_rim_cells ? ": too few" : "");
+  }
+  if (with_profile) text += profile_lines(result);
+  text += expectations_text(result, true);
+  text += fmt::format("{}; results in {}\n", summary_of(result), one_line(folder));
+  return text;
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/format/yaml_values.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drivers/format/number_slips.hpp"
+#include "drivers/format/yaml_slips.hpp"
+#include "drivers/text/numbers.hpp"
+#include "drivers/text/unseen.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+[[noreturn]] void refuse(const Tree& tree, const std::string& key, const std::string& what,
+                         const std::string& known = {}) {
+  throw InputError(tree.where, key, what, known);
+}
+
+}  // namespace
+
+std::string described(const Tree& tree) {
+  switch (tree.kind) {
+    case Tree::Kind::null:
+      return "nothing";
+    case Tree::Kind::sequence:
+      return "a list";
+    case Tree::Kind::map:
+      return "a map";
+    case Tree::Kind::scalar:
+      break;
+  }
+  return "'" + shown(tree.text, 60) + "'";
+}
+
+std::string parent_of(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  return dot == path.npos ? std::string() : path.substr(0, dot);
+}
+
+std::string key_path(const std::string& prefix, const std::string& key) {
+  return prefix.empty() ? key : prefix + "." + key;
+}
+
+double number_value(const Tree& tree, const std::string& key, const Range& range) {
+  const bool plain = tree.kind == Tree::Kind::scalar && !tree.quoted;
+  const std::string found = ", found " + described(tree);
+  const std::optional<double> read = plain ? parse_number(tree.text) : std::nullopt;
+  if (!read)
+    refuse(tree, key,
+           std::string("must be a ") + (range.whole ? "whole number" : "number") + found + number_remedy(tree));
+  const double value = read.value_or(0);
+  if (!std::isfinite(value)) refuse(tree, key, "must be a finite number" + found);
+  if (range.whole && value != std::floor(value)) refuse(tree, key, "must be a whole number" + found);
+  constexpr double most = 9007199254740992.0;  // whole numbers beyond are not all there
+  if (range.whole && std::abs(value) > most && range.holds(value))
+    refuse(tree, key, "must be a whole number up to " + number_text(most) + found);
+  if (!range.holds(value)) refuse(tree, key, "must be " + range.text() + found);
+  return value;
+}
+
+bool boolean_value(const Tree& tree, const std::string& key) {
+  const bool plain = tree.kind == Tree::Kind::scalar && !tree.quoted;
+  if (plain && (tree.text == "true" || tree.text == "True" || tree.text == "TRUE")) return true;
+  if (plain && (tree.text == "false" || tree.text == "False" || tree.text == "FALSE")) return false;
+  refuse(tree, key, "must be true or false, found " + described(tree) + boolean_remedy(tree));
+}
+
+std::string text_value(const Tree& tree, const std::string& key) {
+  if (tree.kind != Tree::Kind::scalar) refuse(tree, key, "must be text, found " + described(tree));
+  return tree.text.substr(0, tree.text.find_last_not_of('\n') + 1);  // that of a block, as after `title: >`
+}
+
+std::string choice_value(const Tree& tree, const std::string& key, const std::vector<std::string>& known,
+                         const std::string& source) {
+  if (tree.kind != Tree::Kind::scalar) refuse(tree, key, "must be a word, found " + described(tree), joined(known));
+  if (std::find(known.begin(), known.end(), tree.text) == known.end()) {
+    refuse(tree, key, unknown("value " + described(tree), tree.text, known), known_words(tree.text, known, source));
+  }
+  return tree.text;
+}
+
+std::vector<double> numbers_value(const Tree& tree, const std::string& key, std::size_t rows, std::size_t columns,
+                                  const Range& range) {
+  const std::size_t expected = rows == 1 ? columns : rows;
+  const std::string shape = rows == 1 ? std::to_string(columns) + (range.whole ? " whole numbers" : " numbers")
+                                      : std::to_string(rows) + " rows of " + std::to_string(columns) + " numbers";
+  const std::string remedy = rows == 1 ? list_remedy(tree, columns) : "";
+  if (tree.kind != Tree::Kind::sequence) {
+    refuse(tree, key, "must be a list of " + shape + ", found " + described(tree) + remedy);
+  }
+  if (tree.items.size() != expected) {
+    refuse(tree, key,
+           "must be a list of " + shape + ", found " + std::to_string(tree.items.size()) + " in it" + remedy);
+  }
+  std::vector<double> values;
+  for (std::size_t i = 0; i < expected; ++i) {
+    const std::string item = key + "[" + std::to_string(i) + "]";
+    if (rows == 1) {
+      values.push_back(number_value(tree.items[i], item, range));
+    } else {
+      const std::vector<double> row = numbers_value(tree.items[i], item, 1, columns, range);
+      values.insert(values.end(), row.begin(), row.end());
+    }
+  }
+  return values;
+}
+
+void require_map(const Tree& tree, const std::string& key, const std::string& known) {
+  if (tree.kind == Tree::Kind::map) return;
+  const std::string remedy = tree.kind == Tree::Kind::scalar     ? key_remedy(tree.text)
+                             : tree.kind == Tree::Kind::sequence ? ": its keys stand without '-' and brackets"
+                                                                 : "";
+  refuse(tree, key, "must be a map of keys, found " + described(tree) + remedy, known);
+}
+
+namespace {
+
+/// Of a block that other places refer to.
+std::string anchor_remedy(const Tree::Entry& entry, const std::string& prefix) {
+  const bool capital = entry.key.starts_with("X-");
+  if (!prefix.empty() || (!capital && !entry.value.anchored)) return {};
+  return ": keys that hold anchors begin with x-, as x-" + shown(entry.key.substr(capital ? 2 : 0), 40);
+}
+
+}  // namespace
+
+void refuse_unknown_keys(const Tree& map, const std::string& prefix, const std::vector<std::string>& known) {
+  for (const Tree::Entry& entry : map.entries) {
+    if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
+    throw InputError(entry.key_where, key_path(prefix, shown(entry.key, 80)),
+                     unknown("key", entry.key, known) +
+                         (parse_number(entry.key) ? ": numbers have a decimal point, and a comma ends a value" : "") +
+                         key_remedy(entry.key) + anchor_remedy(entry, prefix),
+                     known_words(entry.key, known));
+  }
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/result/json_figure.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace assay::drivers {
+
+nlohmann::ordered_json json_figure(const std::optional<double>& value) {
+  if (!value || !std::isfinite(*value)) return nullptr;
+  return *value;
+}
+
+nlohmann::ordered_json json_text(const std::string& text) {
+  if (text.empty()) return nullptr;
+  return text;
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/result/result_json.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "drivers/result/json_depth.hpp"
+#include "drivers/result/json_fields.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+FlatValue leaf(const Json& value) {
+  if (value.is_boolean()) return value.get<bool>();
+  if (value.is_number()) return value.get<double>();
+  if (value.is_string()) return value.get<std::string>();
+  return std::monostate{};
+}
+
+template <typename Visit>
+void visit_leaves(const Json& object, const std::string& prefix, const Visit& visit) {
+  for (const auto& item : object.items()) {
+    const std::string key = prefix.empty() ? item.key() : prefix + "." + item.key();
+    if (item.value().is_object()) {
+      visit_leaves(item.value(), key, visit);
+    } else if (!item.value().is_array()) {
+      visit(key, item.value());
+    }
+  }
+}
+
+}  // namespace
+
+std::string result_json(const Result& result) {
+  // A reason may quote foreign text: bytes that are no UTF-8 must not stop the report.
+  return JsonFields<Json>::of(result).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::map<std::string, FlatValue> flatten(const Result& result) {
+  std::map<std::string, FlatValue> out;
+  visit_leaves(JsonFields<Json>::of(result), {},
+               [&](const std::string& key, const Json& value) { out[key] = leaf(value); });
+  return out;
+}
+
+const std::vector<Field>& result_fields() {
+  static const std::vector<Field> fields = [] {
+    Result whole;
+    whole.tractions.emplace();
+    FieldList archive;
+    Result::fields(whole, archive);
+    return archive.fields();
+  }();
+  return fields;
+}
+
+std::vector<std::string> flat_keys() {
+  std::vector<std::string> out;
+  for (const Field& field : result_fields()) {
+    if (!field.is_listed()) out.push_back(field.key);
+  }
+  return out;
+}
+
+Field figure_of_result(const std::string& key) {
+  const auto& all = result_fields();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Field& each) { return each.key == key; });
+  return found == all.end() ? Field{key} : *found;
+}
+
+std::optional<ReadResult> read_result_json(const std::string& text) {
+  if (is_nested_deeply(text)) return std::nullopt;
+  const Json root = Json::parse(text, nullptr, false);
+  if (!root.is_object() || !root.value("outcome", Json()).is_string()) return std::nullopt;
+  ReadResult read;
+  visit_leaves(root, {}, [&](const std::string& key, const Json& value) { read.figures[key] = leaf(value); });
+  for (const Json& pass : root.value("passes", Json::array())) {
+    if (!pass.is_object() || !pass.value("name", Json()).is_string()) return std::nullopt;
+    read.passes.push_back(what_is_there<PassFigures>(pass));
+  }
+  return read;
+}
+
+}  // namespace assay::drivers

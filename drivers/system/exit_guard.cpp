@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/system/exit_guard.hpp"
+
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <string>
+
+#include "adapters/worker/crash_marks.hpp"
+#include "adapters/worker/shortage.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr std::array crashes{SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL};
+
+/// The guarded process, 0 when there is none.
+std::atomic<pid_t> guarded{0};
+std::atomic<bool> said{false};
+static_assert(std::atomic<pid_t>::is_always_lock_free, "a signal handler may touch nothing else");
+
+std::array<bool, crashes.size()> installed{};
+alignas(16) char handler_stack[1 << 16];  // a stack that overflowed cannot serve
+bool own_stack = false;
+
+char crash_words[256];  ///< behind the number of the signal
+
+Parting* parting = nullptr;
+pid_t parting_process = 0;   ///< whose word it is: a model can write into what is shared
+std::atomic<int> whole{-1};  ///< the status that stands, whatever comes
+
+std::string loaded_library;
+struct stat as_loaded = {};
+
+bool is_guarded() { return guarded != 0 && guarded == ::getpid(); }
+
+void say(const char* text) { [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, text, std::strlen(text)); }
+
+/// The first to come says it; other threads that crash meanwhile wait for the end.
+[[noreturn]] void say_and_leave(const char* line) {
+  if (said.exchange(true)) {
+    for (;;) ::pause();
+  }
+  const int stands = whole;
+  if (stands >= 0) say("warning: after all was written, ");
+  say(line);
+  leave_process(stands >= 0 ? stands : 3);
+}
+
+/// Written over where it lies, which takes the pages away from under who uses it.
+bool library_was_changed() {
+  struct stat found = {};
+  return !loaded_library.empty() && ::stat(loaded_library.c_str(), &found) == 0 && found.st_ino == as_loaded.st_ino &&
+         (found.st_size != as_loaded.st_size || found.st_mtim.tv_sec != as_loaded.st_mtim.tv_sec ||
+          found.st_mtim.tv_nsec != as_loaded.st_mtim.tv_nsec);
+}
+
+[[noreturn]] void say_ended() {
+  say_and_leave("assay: the process was ended from inside, most likely by the material's library\n");
+}
+
+void on_exit() {
+  if (is_guarded()) say_ended();
+}
+
+/// Behind `text`, in decimal digits; async-signal-safe.
+void append(char*& text, long number) {
+  char digits[24];
+  std::size_t count = 0;
+  do digits[count++] = static_cast<char>('0' + number % 10);
+  while ((number /= 10) > 0);
+  while (count > 0) *text++ = digits[--count];
+}
+
+void append(char*& text, const char* words) { text = ::stpcpy(text, words); }
+
+void on_crash(int signal, siginfo_t* why, void* /*context*/) {
+  if (!is_guarded()) {  // a child that inherited the handler: it dies of the signal
+    std::signal(signal, SIG_DFL);
+    ::raise(signal);
+    return;
+  }
+  if (library_was_changed()) {
+    say_and_leave("assay: crashed: the material's library was changed while it was in use\n");
+  }
+  char line[sizeof crash_words + 100];
+  char* end = line;
+  if (why->si_code <= 0 && why->si_pid != ::getpid()) {
+    append(end, "assay: ended from outside, by signal ");
+    append(end, signal);
+    append(end, " of process ");
+    append(end, why->si_pid);
+    append(end, "\n");
+  } else {
+    append(end, "assay: crashed (signal ");
+    append(end, signal);
+    append(end, crash_words);
+  }
+  say_and_leave(line);
+}
+
+/// In time: a signal handler can do little.
+void compose_crash_words() {
+  const std::string tight = adapters::tight_limits();
+  const std::string words = !tight.empty()            ? "), and " + tight + ": that may be why"
+                            : !loaded_library.empty() ? "), most likely in the material's library"
+                                                      : "): this is a bug of assay";
+  std::snprintf(crash_words, sizeof crash_words, "%s\n", words.c_str());
+}
+
+void install_stack() {
+  stack_t present = {};
+  own_stack = ::sigaltstack(nullptr, &present) == 0 && (present.ss_flags & SS_DISABLE) != 0;
+  if (!own_stack) return;
+  stack_t stack = {};
+  stack.ss_sp = handler_stack;
+  stack.ss_size = sizeof handler_stack;
+  own_stack = ::sigaltstack(&stack, nullptr) == 0;
+}
+
+void remove_stack() {
+  stack_t none = {};
+  none.ss_flags = SS_DISABLE;
+  if (own_stack) ::sigaltstack(&none, nullptr);
+  own_stack = false;
+}
+
+}  // namespace
+
+ExitGuard::ExitGuard() {
+  static const int registered = std::atexit(on_exit);
+  static_cast<void>(registered);
+  compose_crash_words();
+  install_stack();
+  struct sigaction action = {};
+  action.sa_sigaction = on_crash;
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = SA_ONSTACK | SA_SIGINFO;
+  for (std::size_t i = 0; i < crashes.size(); ++i) {
+    struct sigaction present = {};
+    // Sanitizers and debuggers keep theirs.
+    installed[i] = sigaction(crashes[i], nullptr, &present) == 0 && (present.sa_flags & SA_SIGINFO) == 0 &&
+                   present.sa_handler == SIG_DFL && sigaction(crashes[i], &action, nullptr) == 0;
+  }
+  said = false;
+  guarded = ::getpid();
+}
+
+ExitGuard::~ExitGuard() {
+  guarded = 0;
+  for (std::size_t i = 0; i < crashes.size(); ++i) {
+    if (installed[i]) std::signal(crashes[i], SIG_DFL);
+    installed[i] = false;
+  }
+  remove_stack();
+}
+
+const Parting* ExitGuard::share_last_word() {
+  void* page = ::mmap(nullptr, sizeof(Parting), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (page == MAP_FAILED) return nullptr;
+  return parting = new (page) Parting{};
+}
+
+void ExitGuard::move_to_this_process(const char* library) {
+  loaded_library = library;
+  if (::stat(library, &as_loaded) != 0) loaded_library.clear();
+  parting_process = ::getpid();
+  compose_crash_words();
+  if (guarded != 0) guarded = ::getpid();
+}
+
+namespace {
+
+/// The first word stands. A watcher that was stopped goes on.
+void tell_parting(int status) noexcept {
+  if (!parting || parting_process != ::getpid() || parting->is_told) return;
+  parting->status = status;
+  parting->is_told = true;
+  ::kill(::getppid(), SIGCONT);
+}
+
+}  // namespace
+
+void results_are_whole(int status) noexcept {
+  whole = status;
+  tell_parting(status);
+}
+
+void leave_process(int status) noexcept {
+  tell_parting(status);
+  for (;;) ::syscall(SYS_exit_group, status);
+}
+
+void leave_process_guarded(int status) noexcept {
+  if (is_guarded()) say_ended();
+  leave_process(status);
+}
+
+void leave_thread_guarded() noexcept {
+  if (::gettid() != ::getpid()) return;
+  if (is_guarded())
+    say_and_leave("assay: the model ended its thread (pthread_exit, pthread_cancel), which ends the process\n");
+  if (adapters::crashes_are_marked()) adapters::end_by_word("ended its thread by pthread_exit() or pthread_cancel()");
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/system/terminal.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+
+#include "drivers/system/input_error.hpp"
+#include "drivers/system/own_files.hpp"
+#include "drivers/text/unseen.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+bool lost = false;
+
+/// Beside stdio: a model that prints wide characters lets no others through.
+void put(const std::string& text) {
+  put_streams_right();
+  std::fflush(stdout);
+  for (std::size_t at = 0; at < text.size();) {
+    const ssize_t written = ::write(user_output(), text.data() + at, text.size() - at);
+    if (written > 0) at += static_cast<std::size_t>(written);
+    lost = lost || (written < 0 && errno != EINTR);
+    if (lost) return;
+  }
+}
+
+}  // namespace
+
+void print(std::string_view lines) { put(without_commands(lines, "<U+", ">")); }
+
+void print_json(std::string_view json) { put(without_commands(json, "\\u", "")); }
+
+bool prints_to_terminal() { return ::isatty(user_output()) == 1; }
+
+bool all_is_printed() { return !lost; }
+
+void warn(std::string_view sentence) {
+  put_streams_right();
+  std::fprintf(stderr, "warning: %s\n", one_line(sentence).c_str());
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/system/whole_file.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <vector>
+
+#include "drivers/system/interrupt.hpp"
+#include "drivers/system/own_files.hpp"
+#include "drivers/system/terminal.hpp"
+#include "drivers/text/numbers.hpp"
+
+namespace assay::drivers {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void write_all(int descriptor, std::string_view bytes, const fs::path& path) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) {
+      stop_if_interrupted();
+      continue;
+    }
+    if (written < 0) fail(path, "cannot be written", errno);
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  if (::gethostname(name.data(), name.size() - 1) != 0) return "host";
+  return name.data();
+}
+
+bool digit(char c) { return c >= '0' && c <= '9'; }
+
+}  // namespace
+
+void fail(const fs::path& path, const std::string& what, int error) {
+  throw SystemError(path.string() + ": " + what + ": " + std::generic_category().message(error) +
+                    open_files_words(error));
+}
+
+void fail(const fs::path& path, const std::string& what, const std::error_code& error) {
+  throw SystemError(path.string() + ": " + what + ": " + error.message());
+}
+
+/// A pipe without a reader would let nobody in: after some seconds the error is ENXIO.
+int opened(const fs::path& path, int flags) {
+  constexpr int patience_ms = 2000, step_ms = 20;
+  int descriptor = -1;
+  for (int waited = 0; waited <= patience_ms; waited += step_ms) {
+    descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | flags, 0666);
+    if (descriptor >= 0 || errno != ENXIO) break;
+    stop_if_interrupted();
+    ::usleep(step_ms * 1000);
+    errno = ENXIO;
+  }
+  if (descriptor >= 0) ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+  return descriptor;
+}
+
+void write_bytes(const fs::path& path, std::string_view bytes, int flags) {
+  put_files_right();
+  const int descriptor = opened(path, flags);
+  if (descriptor < 0 && errno == ENXIO) throw SystemError(path.string() + ": is a pipe that nobody reads");
+  if (descriptor < 0) fail(path, "cannot be created", errno);
+  try {
+    write_all(descriptor, bytes, path);
+    // Pipes and terminals cannot be synced and say so.
+    if (::fsync(descriptor) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS) {
+      fail(path, "cannot be written", errno);
+    }
+  } catch (...) {
+    ::close(descriptor);
+    throw;
+  }
+  if (::close(descriptor) != 0 && errno != EINTR) fail(path, "cannot be written", errno);
+}
+
+void sync_folder(const fs::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);  // best effort: the files themselves are synced
+  ::close(descriptor);
+}
+
+std::string hidden_name() {
+  static std::atomic<int> counter{0};
+  return ".assay-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + "@" + host_name();
+}
+
+bool matches(std::string_view pattern, std::string_view name) {
+  while (!pattern.empty()) {
+    if (name.empty()) return false;
+    if (pattern[0] != '#') {
+      if (pattern[0] != name[0]) return false;
+      name.remove_prefix(1);
+    } else {
+      if (!digit(name[0])) return false;
+      while (!name.empty() && digit(name[0])) name.remove_prefix(1);
+    }
+    pattern.remove_prefix(1);
+  }
+  return name.empty();
+}
+
+void sweep_dead(const fs::path& folder) {
+  const std::string tail = "@" + host_name();
+  std::error_code error;
+  std::vector<fs::path> dead;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (!name.ends_with(tail) || !matches(".assay-#-#", name.substr(0, name.size() - tail.size()))) continue;
+    const auto process = parse_integer(name.substr(7, name.find('-', 7) - 7));
+    if (process && ::kill(static_cast<pid_t>(*process), 0) != 0 && errno == ESRCH) dead.push_back(entry->path());
+  }
+  for (const fs::path& path : dead) fs::remove_all(path, error);
+}
+
+void rethrow_with(const SystemError& failure, const fs::path& hidden, const fs::path& known) {
+  std::string what = failure.what();
+  if (what.starts_with(hidden.string())) what.replace(0, hidden.string().size(), known.string());
+  throw SystemError(what);
+}
+
+/// Whether a path is another name of "-": the descriptor may be that of a model's prints, and what the user has opened
+/// is not replaced.
+bool is_standard_output(const fs::path& path) {
+  return path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+}
+
+void write_file(const fs::path& path, std::string_view bytes) {
+  if (is_standard_output(path)) return print(bytes);
+  put_files_right();
+  std::error_code error;
+  const fs::file_status there = fs::status(path, error);
+  if (fs::exists(there) && !fs::is_regular_file(there)) return write_bytes(path, bytes, 0);
+  // Through a link the file is replaced, not the link.
+  const fs::path real = fs::exists(there) ? fs::canonical(path, error) : path;
+  sweep_dead(real.has_parent_path() ? real.parent_path() : fs::path("."));
+  const fs::path temporary = real.parent_path() / hidden_name();
+  try {
+    write_bytes(temporary, bytes, O_CREAT | O_EXCL);
+    if (fs::exists(there))
+      fs::permissions(temporary, there.permissions(), error);  // who could not read it still cannot
+    stop_if_interrupted();
+    fs::rename(temporary, real, error);
+    if (error) fail(path, "cannot be put in place", error);
+  } catch (const SystemError& failure) {
+    fs::remove(temporary, error);
+    rethrow_with(failure, temporary, path);
+  } catch (...) {
+    fs::remove(temporary, error);
+    throw;
+  }
+}
+
+}  // namespace assay::drivers

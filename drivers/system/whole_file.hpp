@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files that appear whole or not at all, and the hidden names under which they are written first.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "drivers/system/input_error.hpp"
+
+namespace assay::drivers {
+
+/// Writes one file so that it appears whole or not at all (temporary name beside it, then rename). What is there and is
+/// no regular file (/dev/stdout, a pipe) is written into. Throws SystemError, and Interrupted when a signal came.
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// Opens with these flags of open(), writes, syncs and closes, and believes none of them. Throws SystemError.
+void write_bytes(const std::filesystem::path& path, std::string_view bytes, int flags);
+
+/// Names of a folder reach the disk, as far as it lets us.
+void sync_folder(const std::filesystem::path& path);
+
+/// ".assay-PID-N@HOST", a new one each time: what a killed process leaves behind says whose it was.
+std::string hidden_name();
+
+/// Removes the files and folders of hidden_name() whose process is dead.
+void sweep_dead(const std::filesystem::path& folder);
+
+/// Whether a name fits a pattern in which '#' stands for one or more digits.
+bool matches(std::string_view pattern, std::string_view name);
+
+/// Throws SystemError "path: what: the error's message".
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& what, int error);
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& what, const std::error_code& error);
+
+/// Throws the failure again in the words of the user, who knows the final name and not the hidden one.
+[[noreturn]] void rethrow_with(const SystemError& failure, const std::filesystem::path& hidden,
+                               const std::filesystem::path& known);
+
+}  // namespace assay::drivers

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/tabulation/tabulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drivers/format/csv.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/system/interrupt.hpp"
+#include "drivers/text/number_format.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr int sheet_rows = 41;     ///< values of xi and of t in sheet.csv
+constexpr int curve_points = 201;  ///< values of eps in curve.csv
+
+/// "11" and so on.
+std::string name_of(int component) { return std::to_string(component / 3 + 1) + std::to_string(component % 3 + 1); }
+
+/// Whether the path shears out of the plane, or the material answers with stress there.
+bool leaves_the_plane(const Tabulation& tab) {
+  const auto leaves = [](const Tensor& A) { return A(0, 2) != 0 || A(1, 2) != 0 || A(2, 0) != 0 || A(2, 1) != 0; };
+  for (int k = 0; k < sheet_rows; ++k) {
+    const double t = tab.end * k / (sheet_rows - 1);
+    for (const double xi : {tab.path.parameter.lower, tab.path.parameter.upper}) {
+      Tensor tau, slope;
+      tab.response->at(xi, t, tau, slope);
+      if (leaves(tab.path.deformation_gradient(xi, t)) || leaves(tau)) return true;
+    }
+  }
+  return false;
+}
+
+/// Components that are written: those of the plane, or all.
+std::vector<int> written_of(const Tabulation& tab) {
+  if (leaves_the_plane(tab)) return {0, 1, 2, 3, 4, 5, 6, 7, 8};
+  return {0, 1, 3, 4, 8};
+}
+
+void add_component_columns(const std::vector<int>& components, const std::string& slope,
+                           std::vector<std::string>& names) {
+  for (const int c : components) names.push_back("tau" + name_of(c));
+  for (const int c : components) names.push_back("dtau" + name_of(c) + slope);
+}
+
+/// Rows of the sheet.
+class SheetTable {
+ public:
+  explicit SheetTable(const Tabulation& tab) : tab_(tab), written_(written_of(tab)), csv_(columns(written_)) {}
+
+  void add(double xi, double t) {
+    stop_if_interrupted();
+    Tensor tau, slope;
+    tab_.response->at(xi, t, tau, slope);
+    std::vector<double> row{xi, t, tab_.path.deformation_gradient(xi, t)(1, 0)};
+    for (const int c : written_) row.push_back(component(tau, c));
+    for (const int c : written_) row.push_back(component(slope, c));
+    csv_.row(row);
+  }
+
+  std::string text() const { return csv_.text(); }
+
+ private:
+  static std::vector<std::string> columns(const std::vector<int>& written) {
+    std::vector<std::string> names{"xi", "t", "gamma"};
+    add_component_columns(written, "_dxi", names);
+    return names;
+  }
+
+  const Tabulation& tab_;
+  std::vector<int> written_;
+  CsvText csv_;
+};
+
+/// The time at which |g| is first largest: there tau(xi, t) against eps = xi g is the curve of first loading.
+double time_of_first_peak(const Path& path, double end, double period) {
+  end = std::min(end, 2 * period);
+  std::vector<double> times = path.reversals(end);
+  times.push_back(end);
+  double best = times.front();
+  for (const double t : times) {
+    if (std::abs(path.amplitude(t)) > (1 + 1e-12) * std::abs(path.amplitude(best))) best = t;
+  }
+  return best;
+}
+
+/// Whether det F > 0 all the way from the reference state to the point.
+bool can_be_reached(const Path& path, const SheetPoint& point) {
+  constexpr int steps = 64;
+  for (int k = 1; k <= steps; ++k) {
+    const double share = static_cast<double>(k) / steps;
+    const Tensor F = path.straight() ? Tensor::Identity() + share * path.eps(point.xi, point.t) * path.direction
+                                     : path.deformation_gradient(point.xi, share * point.t);
+    if (!(F.determinant() > 0)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void cover(const std::vector<SheetPoint>& points, const std::string& file, Tabulation& tab) {
+  for (const SheetPoint& point : points) {
+    if (point.t > tab.last) {
+      throw InputError({file, point.line, 1}, "t", "beyond the last row of motion.path, " + rounded_text(tab.last, 6));
+    }
+    if (!can_be_reached(tab.path, point)) {
+      throw InputError({file, point.line, 1}, "xi", "det F <= 0 on the way to " + rounded_text(point.xi, 6));
+    }
+    tab.path.parameter.lower = std::min(tab.path.parameter.lower, point.xi);
+    tab.path.parameter.upper = std::max(tab.path.parameter.upper, point.xi);
+    tab.end = std::max(tab.end, point.t);
+  }
+}
+
+std::string regular_sheet(const Tabulation& tab) {
+  SheetTable table(tab);
+  for (int j = 0; j < sheet_rows; ++j) {
+    for (int i = 0; i < sheet_rows; ++i) {
+      table.add(tab.path.parameter.lower + tab.path.parameter.width() * i / (sheet_rows - 1),
+                tab.end * j / (sheet_rows - 1));
+    }
+  }
+  return table.text();
+}
+
+std::string sheet_at(const Tabulation& tab, const std::vector<SheetPoint>& points) {
+  SheetTable table(tab);
+  for (const SheetPoint& point : points) table.add(point.xi, point.t);
+  return table.text();
+}
+
+Curve curve_of(const Tabulation& tab) {
+  Curve curve{tab.path.straight(), written_of(tab), {}, {}, {}};
+  curve.tau.resize(curve.components.size());
+  curve.slope.resize(curve.components.size());
+  const double peak = curve.of_eps ? time_of_first_peak(tab.path, tab.end, tab.period) : 0;
+  const double g = curve.of_eps ? tab.path.amplitude(peak) : 1;
+  for (int i = 0; i < curve_points; ++i) {
+    const double share = static_cast<double>(i) / (curve_points - 1);
+    const double xi =
+        curve.of_eps ? tab.path.parameter.lower + tab.path.parameter.width() * share : tab.path.parameter.upper;
+    const double t = curve.of_eps ? peak : tab.end * share;
+    Tensor tau, slope;
+    tab.response->at(xi, t, tau, slope);
+    curve.x.push_back(curve.of_eps ? xi * g : t);
+    for (std::size_t c = 0; c < curve.components.size(); ++c) {
+      curve.tau[c].push_back(component(tau, curve.components[c]));
+      curve.slope[c].push_back(component(slope, curve.components[c]) / g);
+    }
+  }
+  return curve;
+}
+
+std::string curve_csv(const Curve& curve) {
+  std::vector<std::string> names{curve.of_eps ? "eps" : "t"};
+  add_component_columns(curve.components, curve.of_eps ? "_deps" : "_dxi", names);
+  CsvText csv(names);
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    std::vector<double> row{curve.x[i]};
+    for (const auto* group : {&curve.tau, &curve.slope}) {
+      for (const auto& values : *group) row.push_back(values[i]);
+    }
+    csv.row(row);
+  }
+  return csv.text();
+}
+
+LinePlot plot_of(const Curve& curve, const std::vector<std::vector<double>>& values, const std::string& symbol,
+                 const std::string& title) {
+  LinePlot plot;
+  plot.title = title;
+  plot.x_label = curve.of_eps ? "ε [1]" : "t [s]";
+  plot.y_label = symbol + " [Pa]";
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const int c = curve.components[k];  // below the diagonal, and 22, lie on another in many models
+    const bool dashed = c == 3 || c == 4 || c == 6 || c == 7;
+    plot.series.push_back({name_of(c), curve.x, values[k], true, false, dashed});
+  }
+  return plot;
+}
+
+}  // namespace assay::drivers

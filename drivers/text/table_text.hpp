@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells of tables on a terminal.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "drivers/text/number_format.hpp"
+
+namespace assay::drivers {
+
+/// The text with blanks up to that width in characters of UTF-8.
+inline std::string padded(std::string text, std::size_t width) {
+  const auto has = static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  text.append(std::max(has, width) - has, ' ');
+  return text;
+}
+
+/// Two digits, "infinite", or "-" where there is none.
+inline std::string measured_text(const std::optional<double>& value) {
+  if (!value) return "-";
+  return std::isinf(*value) ? "infinite" : rounded_text(*value, 2);
+}
+
+/// "1 test passed", "37 tests passed".
+inline std::string tests_passed(std::int64_t count) {
+  return std::to_string(count) + (count == 1 ? " test passed" : " tests passed");
+}
+
+/// A line without blanks at its end.
+inline std::string table_line(std::string line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
+}  // namespace assay::drivers

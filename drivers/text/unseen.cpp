@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/text/unseen.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <cstdio>
+
+namespace assay::drivers {
+
+namespace {
+
+struct Named {
+  std::uint32_t first, last;
+  const char* name;
+};
+
+constexpr std::array blanks{
+    Named{0x00A0, 0x00A0, "no-break space"},     Named{0x2000, 0x2001, "quad"},
+    Named{0x2002, 0x2002, "en space"},           Named{0x2003, 0x2003, "em space"},
+    Named{0x2004, 0x2006, "part of em space"},   Named{0x2007, 0x2007, "figure space"},
+    Named{0x2008, 0x2008, "punctuation space"},  Named{0x2009, 0x2009, "thin space"},
+    Named{0x200A, 0x200A, "hair space"},         Named{0x202F, 0x202F, "narrow no-break space"},
+    Named{0x205F, 0x205F, "mathematical space"}, Named{0x3000, 0x3000, "ideographic space"},
+    Named{0x1680, 0x1680, "ogham space"},        Named{0x2800, 0x2800, "blank of braille"},
+};
+
+constexpr std::array without_width{
+    Named{0x00AD, 0x00AD, "soft hyphen"},
+    Named{0x034F, 0x034F, "grapheme joiner"},
+    Named{0x115F, 0x1160, "Hangul filler"},
+    Named{0x17B4, 0x17B5, "inherent vowel"},
+    Named{0x180E, 0x180E, "vowel separator"},
+    Named{0x200B, 0x200B, "zero width space"},
+    Named{0x200C, 0x200C, "zero width non-joiner"},
+    Named{0x200D, 0x200D, "zero width joiner"},
+    Named{0x2060, 0x2060, "word joiner"},
+    Named{0x2061, 0x2064, "invisible operator"},
+    Named{0x3164, 0x3164, "Hangul filler"},
+    Named{0xFE00, 0xFE0F, "variation selector"},
+    Named{0xFEFF, 0xFEFF, "byte order mark"},
+    Named{0xFFA0, 0xFFA0, "Hangul filler"},
+    Named{0x1D173, 0x1D17A, "mark of musical notation"},
+    Named{0xFFF9, 0xFFFB, "annotation mark"},
+    Named{0xE0000, 0xE007F, "tag"},
+};
+
+/// A terminal obeys them.
+constexpr std::array steering{
+    Named{0x09, 0x09, "tab"},
+    Named{0x0A, 0x0A, "line break"},
+    Named{0x0D, 0x0D, "carriage return"},
+    Named{0x1B, 0x1B, "escape"},
+    Named{0x00, 0x1F, "control character"},
+    Named{0x7F, 0x9F, "control character"},
+    Named{0x061C, 0x061C, "Arabic letter mark"},
+    Named{0x200E, 0x200E, "left-to-right mark"},
+    Named{0x200F, 0x200F, "right-to-left mark"},
+    Named{0x2028, 0x2028, "line separator"},
+    Named{0x2029, 0x2029, "paragraph separator"},
+    Named{0x202A, 0x202E, "mark of the direction of writing"},
+    Named{0x2066, 0x2069, "mark of the direction of writing"},
+};
+
+template <class List>
+const char* name_in(const List& list, std::uint32_t code) {
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&](const Named& n) { return n.first <= code && code <= n.last; });
+  return found == list.end() ? nullptr : found->name;
+}
+
+bool is_unseen(std::uint32_t code) {
+  return name_in(steering, code) || name_in(blanks, code) || name_in(without_width, code);
+}
+
+/// Length of the UTF-8 character at `at` and its code point; 0 where there is none.
+std::size_t decode(std::string_view text, std::size_t at, std::uint32_t& code) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(at);
+  const std::size_t length = first < 0x80                    ? 1
+                             : first >= 0xC2 && first < 0xE0 ? 2
+                             : (first & 0xF0u) == 0xE0       ? 3
+                             : first >= 0xF0 && first < 0xF5 ? 4
+                                                             : 0;
+  if (length == 0 || at + length > text.size()) return 0;
+  code = length == 1 ? first : first & (0xFFu >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(at + i) & 0xC0u) != 0x80u) return 0;
+    code = code << 6 | (byte(at + i) & 0x3Fu);
+  }
+  constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};  // what is longer than it need be is no UTF-8
+  if (code < least[length] || code > 0x10FFFF || (code >= 0xD800 && code < 0xE000)) return 0;
+  if ((code & 0xFFFE) == 0xFFFE) return 0;  // never a character: no XML may hold U+FFFE or U+FFFF
+  return length;
+}
+
+template <class IsWritten>
+std::string written(std::string_view text, bool breaks, const IsWritten& is_written) {
+  std::string out;
+  for_each_character(text, [&](std::uint32_t code, std::string_view bytes) {
+    if (code == no_character)
+      out += '?';
+    else if (!breaks && (code == '\t' || code == '\n' || code == '\r'))
+      out += ' ';
+    else if (is_written(code))
+      out += "<" + number_of(code) + ">";
+    else
+      out += bytes;
+  });
+  return out;
+}
+
+std::string note_of(std::uint32_t code) {
+  const char* blank = name_in(blanks, code);
+  const char* other = name_in(steering, code);
+  if (!other) other = name_in(without_width, code);
+  if (!blank && !other) return {};
+  return number_of(code) + ", " + (blank ? blank : other) +
+         ", which cannot be seen: " + (blank ? "write a blank in its place" : "delete it");
+}
+
+}  // namespace
+
+void for_each_character(std::string_view text, const std::function<void(std::uint32_t, std::string_view)>& take) {
+  for (std::size_t at = 0; at < text.size();) {
+    std::uint32_t code = 0;
+    const std::size_t length = decode(text, at, code);
+    take(length == 0 ? no_character : code, text.substr(at, std::max<std::size_t>(length, 1)));
+    at += std::max<std::size_t>(length, 1);
+  }
+}
+
+std::string number_of(std::uint32_t code) {
+  char text[16];
+  std::snprintf(text, sizeof text, "U+%04X", static_cast<unsigned>(code));
+  return text;
+}
+
+std::string printable(std::string_view text) {
+  return written(text, false, [](std::uint32_t code) { return name_in(steering, code) != nullptr; });
+}
+
+std::string utf8(std::string_view text) {
+  std::string out;
+  for_each_character(
+      text, [&](std::uint32_t code, std::string_view bytes) { code == no_character ? out += '?' : out += bytes; });
+  return out;
+}
+
+std::string with_unseen_written(std::string_view text) { return written(text, false, is_unseen); }
+
+std::string without_commands(std::string_view lines, const std::string& open, const std::string& close) {
+  std::string out;
+  for_each_character(lines, [&](std::uint32_t code, std::string_view bytes) {
+    const bool layout = code == '\n' || code == '\t';
+    if (code == no_character)
+      out += '?';
+    else if (!layout && name_in(steering, code))
+      out += open + number_of(code).substr(2) + close;
+    else
+      out += bytes;
+  });
+  return out;
+}
+
+std::string shown(std::string_view text, std::size_t limit) { return written(cut(text, limit), true, is_unseen); }
+
+std::string unseen_note(std::string_view written) {
+  const std::string_view mark = "<U+";
+  for (std::size_t at = written.find(mark); at != written.npos; at = written.find(mark, at + 1)) {
+    std::uint32_t code = 0;
+    const char* const last = written.data() + written.size();
+    const auto [end, error] = std::from_chars(written.data() + at + mark.size(), last, code, 16);
+    if (error != std::errc() || end == last || *end != '>') continue;
+    if (const std::string note = note_of(code); !note.empty()) return "holds " + note;
+  }
+  return {};
+}
+
+std::string without_unseen(std::string_view text) {
+  std::string out;
+  for_each_character(text, [&](std::uint32_t code, std::string_view bytes) {
+    if (!is_unseen(code)) out += bytes;
+  });
+  return out;
+}
+
+std::string cut(std::string_view text, std::size_t limit) {
+  std::string line(text.substr(0, limit));
+  if (text.size() <= limit) return line;
+  while (!line.empty() && (static_cast<unsigned char>(line.back()) & 0xC0u) == 0x80u) line.pop_back();
+  if (!line.empty() && (static_cast<unsigned char>(line.back()) & 0x80u) != 0) line.pop_back();  // no half character
+  return line + "...";
+}
+
+}  // namespace assay::drivers
