@@ -7,7 +7,6 @@
 
 #include "drivers/output/errors_csv.hpp"
 #include "drivers/output/html.hpp"
-#include "drivers/output/report_style.hpp"
 #include "drivers/text/number_format.hpp"
 
 namespace assay::drivers {
@@ -222,7 +221,7 @@ std::string report_html(const Result& result, const ReportContent& content) {
   if (!content.resolved_scene.empty()) {
     out += section("The scene, with every default", element("pre", escaped(content.resolved_scene)) + "\n");
   }
-  return page(escaped(result.title.empty() ? "assay run" : result.title), report_style, out);
+  return page(escaped(result.title.empty() ? "assay run" : result.title), out);
 }
 
 }  // namespace assay::drivers
