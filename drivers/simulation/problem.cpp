@@ -21,7 +21,7 @@
 #include "mpm/basis/corners.hpp"
 #include "mpm/patch/methods.hpp"
 #include "mpm/seeding/lattice.hpp"
-#include "mpm/seeding/particle_order.hpp"
+#include "mpm/seeding/seeds_on_grid.hpp"
 #include "mpm/setup/with_basis.hpp"
 
 namespace assay::drivers {

@@ -8,7 +8,7 @@
 #include "harness/material/material_failure.hpp"
 #include "harness/material/offer.hpp"
 #include "harness/stability/wave_speed.hpp"
-#include "mpm/data/blocks.hpp"
+#include "mpm/material/stress_blocks.hpp"
 
 namespace assay::drivers {
 
@@ -47,6 +47,12 @@ double fastest_particle_of(const mpm::State<2>& s) {
   return std::sqrt(square);
 }
 
+/// State at the begin of the step from a block's first particle on; null of a material without.
+const double* history_at(const mpm::State<2>& s, std::size_t begin, std::size_t state_size) {
+  const auto* history = s.find<mpm::MaterialHistory>();
+  return history ? history->begin.data() + begin * state_size : nullptr;
+}
+
 /// -tr D, of the particle that shrinks the fastest [1/s].
 double fastest_shrinking_of(const mpm::State<2>& s) {
   double fastest = 0;
@@ -70,7 +76,8 @@ std::vector<double> TimeControl::state_of(const mpm::State<2>& s, std::size_t p)
   const std::size_t size = material_.state_size(), begin = p / mpm::block_size * mpm::block_size;
   const std::size_t n = std::min(mpm::block_size, s.particles - begin);
   std::vector<double> values(size);
-  for (std::size_t c = 0; c < size; ++c) values[c] = s.history[0].data()[begin * size + c * n + (p - begin)];
+  const double* history = history_at(s, 0, size);
+  for (std::size_t c = 0; c < size; ++c) values[c] = history[begin * size + c * n + (p - begin)];
   return values;
 }
 
@@ -93,7 +100,7 @@ double TimeControl::own_speed(const mpm::State<2>& s) const {
         stress[at] = s.column(Column::stress, c)[begin + k];
       }
     }
-    const double* state = s.history[0].data() ? s.history[0].data() + begin * material_.state_size() : nullptr;
+    const double* state = history_at(s, begin, material_.state_size());
     if (offer(s.setup.density, n, F.data(), stress.data(), state, speed.data()) == ASSAY_FAILED) {
       return 0;
     }

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "mpm/basis/basis_corners.hpp"
-#include "mpm/basis/corner_average.hpp"
+#include "mpm/basis/corners.hpp"
 
 namespace assay::mpm {
 

@@ -5,8 +5,8 @@
 // less time than reading them back.
 #pragma once
 
+#include "mpm/basis/basis.hpp"
 #include "mpm/basis/lines.hpp"
-#include "mpm/basis/one_particle.hpp"
 
 namespace assay::mpm {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/kernels/kernels.hpp"
 
-#include "mpm/data/dimension.hpp"
-#include "mpm/kernels/advance.hpp"
 #include "mpm/kernels/mass_stencil.hpp"
 #include "mpm/setup/with_basis.hpp"
 

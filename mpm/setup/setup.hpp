@@ -18,7 +18,6 @@
 #include "mpm/grid/grid_geometry.hpp"
 #include "mpm/grid/images.hpp"
 #include "mpm/setup/method.hpp"
-#include "mpm/setup/remedies.hpp"
 #include "mpm/setup/traction.hpp"
 
 namespace assay::mpm {

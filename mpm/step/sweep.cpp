@@ -8,7 +8,6 @@
 #include <mutex>
 
 #include "mpm/data/crew.hpp"
-#include "mpm/data/dimension.hpp"
 
 namespace assay::mpm {
 

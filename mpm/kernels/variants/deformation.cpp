@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mpm/data/dimension.hpp"
-#include "mpm/kernels/advance.hpp"
+#include "mpm/kernels/kernels.hpp"
 #include "mpm/kernels/variants/basis_of.hpp"
 
 namespace assay::mpm::ASSAY_INSTRUCTIONS {

@@ -6,7 +6,6 @@
 
 #include "harness/motion/kinds/vortex.hpp"
 #include "mpm/data/blocks.hpp"
-#include "mpm/material/passes_particle.hpp"
 #include "mpm/step/sweep.hpp"
 #include "tests/harness/builtin_material.hpp"
 #include "tests/mpm/basis_cases.hpp"

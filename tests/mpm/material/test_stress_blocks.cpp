@@ -5,8 +5,7 @@
 #include <mutex>
 #include <vector>
 
-#include "mpm/material/offload.hpp"
-#include "mpm/material/passes_particle.hpp"
+#include "mpm/material/material_batch.hpp"
 #include "mpm/step/sweep.hpp"
 #include "tests/mpm/basis_cases.hpp"
 #include "tests/mpm/one_place.hpp"
