@@ -3,6 +3,7 @@
 #include "mpm/compose.hpp"
 #include "mpm/kernels/affine.hpp"
 #include "mpm/mass/mass_matrix.hpp"
+#include "mpm/material/stress_blocks.hpp"
 
 #include <algorithm>
 

@@ -14,6 +14,7 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "mpm/mass/mass_matrix.hpp"
+#include "mpm/material/stress_blocks.hpp"
 #include "mpm/simulation.hpp"
 #include "mpm/step/surface_loads.hpp"
 #include "tests/drivers/scene_text.hpp"
