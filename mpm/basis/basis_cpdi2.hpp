@@ -17,7 +17,6 @@ class Cpdi2Basis : public CornerBasis<Cpdi2Basis<Dim>, Dim> {
 
  public:
   static constexpr int corners = 1 << Dim;
-  static constexpr const char* name = "cpdi2";
   static constexpr bool uses_deformation = false;
   static constexpr bool moves_corners = true;
   static constexpr std::size_t domain_components = 0;  ///< the corners are the domain

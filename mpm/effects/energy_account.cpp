@@ -29,11 +29,8 @@ BlockSums sums_of_block(const State<Dim>& s, bool with_body_force, std::size_t b
       sums.torque += m * (s.column(Column::position, 0)[p] * s.column(Column::body_force, 1)[p] -
                           s.column(Column::position, 1)[p] * s.column(Column::body_force, 0)[p]);
     }
-    Mat<Dim> F, L;
-    for (int c = 0; c < Dim * Dim; ++c) {
-      F[static_cast<std::size_t>(c)] = s.column(Column::deformation_gradient, c)[p];
-      L[static_cast<std::size_t>(c)] = s.column(Column::velocity_gradient, c)[p];
-    }
+    const Mat<Dim> F = s.template at<Dim * Dim>(Column::deformation_gradient, p);
+    Mat<Dim> L = s.template at<Dim * Dim>(Column::velocity_gradient, p);
     if (s.setup.method.is_total()) L = product<Dim>(L, inverse<Dim>(F));  // of dF/dt
     double power = 0, taken = 0;                                          // sigma : L
     const bool virtual_stress = s.has(Column::excess_stress);

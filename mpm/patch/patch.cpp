@@ -71,9 +71,7 @@ Vec<2> moved_corner(const Vec<2>& X, double distance) {
 /// Corners follow their particle. Where the particles are moved one by one the corners are, instead, and the particle's
 /// volume is that between them.
 void arrange_corners(State<2>& s, const Mat<2>& F, bool jittered) {
-  const auto column = [&](std::size_t c, std::size_t d) -> double* {
-    return s.column(Column::corners, static_cast<int>(2 * c + d));
-  };
+  const auto column = [&](std::size_t c, std::size_t d) -> double* { return s.column(Column::corners, 2 * c + d); };
   for (std::size_t p = 0; p < s.particles; ++p) {
     Corners<2> corners;
     const double distance = s.setup.seeds.half_size[0];
@@ -82,9 +80,9 @@ void arrange_corners(State<2>& s, const Mat<2>& F, bool jittered) {
       const Vec<2> moved = jittered ? moved_corner(X, distance) : Vec<2>{};
       for (std::size_t d = 0; d < 2; ++d) X[d] += moved[d];
       for (std::size_t d = 0; d < 2; ++d) {
-        const double shifted = s.column(Column::position, static_cast<int>(d))[p] -
-                               (F[2 * d] * s.column(Column::reference_position, 0)[p] +
-                                F[2 * d + 1] * s.column(Column::reference_position, 1)[p]);
+        const double shifted =
+            s.column(Column::position, d)[p] - (F[2 * d] * s.column(Column::reference_position, 0)[p] +
+                                                F[2 * d + 1] * s.column(Column::reference_position, 1)[p]);
         corners[c][d] = column(c, d)[p] = F[2 * d] * X[0] + F[2 * d + 1] * X[1] + (jittered ? 0 : shifted);
       }
     }
@@ -94,7 +92,7 @@ void arrange_corners(State<2>& s, const Mat<2>& F, bool jittered) {
     for (std::size_t d = 0; d < 2; ++d) {
       double middle = 0;
       for (std::size_t c = 0; c < corners.size(); ++c) middle += average.value[c] * corners[c][d];
-      s.column(Column::position, static_cast<int>(d))[p] = middle;
+      s.column(Column::position, d)[p] = middle;
     }
   }
 }
@@ -111,11 +109,10 @@ void arrange(State<2>& s, Arrangement arrangement) {
     for (std::size_t d = 0; d < 2; ++d) {
       if (arrangement == Arrangement::shifted) moved[d] = shift[d] * s.setup.grid.spacing;
       if (arrangement == Arrangement::jittered) moved[d] = 2 * jitter * s.setup.seeds.half_size[d] * noise();
-      if (total) s.column(Column::reference_position, static_cast<int>(d))[p] = X[d] += moved[d];
+      if (total) s.column(Column::reference_position, d)[p] = X[d] += moved[d];
     }
     for (std::size_t d = 0; d < 2; ++d) {
-      s.column(Column::position, static_cast<int>(d))[p] =
-          F[2 * d] * X[0] + F[2 * d + 1] * X[1] + (total ? 0 : moved[d]);
+      s.column(Column::position, d)[p] = F[2 * d] * X[0] + F[2 * d + 1] * X[1] + (total ? 0 : moved[d]);
     }
     for (int c = 0; c < 4; ++c) s.column(Column::deformation_gradient, c)[p] = F[static_cast<std::size_t>(c)];
   }

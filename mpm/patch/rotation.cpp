@@ -58,12 +58,9 @@ Errors measure(const State<2>& s, double t) {
     const double u = s.column(Column::position, 0)[p] - (c * X - sine * Y);
     const double v = s.column(Column::position, 1)[p] - (sine * X + c * Y);
     displacement.add(V, u * u + v * v);
-    Mat<2> F;
+    const Mat<2> F = s.at<4>(Column::deformation_gradient, p);
     double square = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      F[k] = s.column(Column::deformation_gradient, static_cast<int>(k))[p];
-      square += (F[k] - Q[k]) * (F[k] - Q[k]);
-    }
+    for (std::size_t k = 0; k < 4; ++k) square += (F[k] - Q[k]) * (F[k] - Q[k]);
     deformation.add(V, square);
     volume.add(V, std::pow(determinant<2>(F) - 1, 2));
   }

@@ -35,10 +35,10 @@ double misplacement(const State<2>& s, const Vec<2>& velocity, double t) {
   double largest = 0;
   for (std::size_t p = 0; p < s.particles; ++p) {
     for (std::size_t d = 0; d < 2; ++d) {
-      const double x = s.column(Column::reference_position, static_cast<int>(d))[p] + velocity[d] * t;
-      largest = larger(largest, std::abs(s.column(Column::position, static_cast<int>(d))[p] - x));
+      const double x = s.column(Column::reference_position, d)[p] + velocity[d] * t;
+      largest = larger(largest, std::abs(s.column(Column::position, d)[p] - x));
       for (std::size_t c = 0; s.has(Column::corners) && c < 4; ++c) {
-        const double corner = s.column(Column::corners, static_cast<int>(2 * c + d))[p];
+        const double corner = s.column(Column::corners, 2 * c + d)[p];
         largest = larger(largest, std::abs(corner - x - ((c >> d & 1) ? half[d] : -half[d])));
       }
     }
@@ -54,7 +54,7 @@ Flight fly(const Method& method, const Bench& bench, int across, const Course& c
   Simulation<2> simulation(setup, bench.passes(setup));
   State<2>& s = simulation.state();
   for (std::size_t d = 0; d < 2; ++d) {
-    std::fill_n(s.column(Column::velocity, static_cast<int>(d)), s.particles, course.velocity[d]);
+    std::fill_n(s.column(Column::velocity, d), s.particles, course.velocity[d]);
   }
   const Momentum before = momentum_of(s);
   const double speed = std::hypot(course.velocity[0], course.velocity[1]);
@@ -66,7 +66,7 @@ Flight fly(const Method& method, const Bench& bench, int across, const Course& c
   }
   for (std::size_t p = 0; p < s.particles; ++p) {
     for (std::size_t d = 0; d < 2; ++d) {
-      const double v = s.column(Column::velocity, static_cast<int>(d))[p];
+      const double v = s.column(Column::velocity, d)[p];
       flight.velocity = larger(flight.velocity, std::abs(v - course.velocity[d]) / speed);
     }
     for (int c = 0; c < 4; ++c) {

@@ -26,7 +26,12 @@ using EveryBasis = testing::Types<
 struct BasisCaseName {
   template <class T>
   static std::string GetName(int) {
-    return T::Basis::name + std::to_string(T::Dim) + "d";
+    const std::string dimension = std::to_string(T::Dim) + "d";
+#define ASSAY_BASIS(word, type, header) \
+  if (std::is_same_v<typename T::Basis, type<T::Dim>>) return #word + dimension;
+#include "mpm/basis/bases.inc"
+#undef ASSAY_BASIS
+    return dimension;
   }
 };
 
