@@ -7,8 +7,6 @@
 #include <map>
 #include <mutex>
 
-#include "harness/material/foreign_message.hpp"
-#include "harness/material/instances.hpp"
 #include "harness/material/material_failure.hpp"
 #include "harness/material/offer.hpp"
 #include "harness/material/progress_mark.hpp"

@@ -6,9 +6,8 @@
 #include <string>
 #include <type_traits>
 
-#include "harness/material/foreign_message.hpp"
 #include "harness/material/material.hpp"
-#include "harness/material/model_threw.hpp"
+#include "harness/material/material_failure.hpp"
 #include "harness/material/thrown.hpp"
 #include "harness/numeric/arithmetic.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The rules of assay_material.h for what a table says of itself.
-#include "harness/material/table_defect.hpp"
+#include "harness/material/material.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,6 @@
 #include <cstring>
 #include <set>
 #include <string>
-
-#include "harness/material/material.hpp"
 
 namespace assay {
 

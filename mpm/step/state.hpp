@@ -10,7 +10,7 @@
 #include <typeindex>
 #include <vector>
 
-#include "harness/material/failed_step.hpp"
+#include "harness/material/material_failure.hpp"
 #include "mpm/grid/live_nodes.hpp"
 #include "mpm/kernels/kernels.hpp"
 #include "mpm/setup/setup.hpp"
