@@ -49,13 +49,4 @@ std::vector<GridFieldUse> grid_fields_of(const Setup<Dim>& setup);
 template <int Dim>
 std::size_t grid_bytes_per_node(const Setup<Dim>& setup);
 
-template <int Dim>
-std::vector<Pass<Dim>> spine_passes(const Setup<Dim>& setup);
-
-template <int Dim>
-std::vector<ColumnRecord<Dim>> spine_columns();
-
-template <int Dim>
-std::vector<GridFieldUse> spine_fields(const Setup<Dim>& setup);
-
 }  // namespace assay::mpm

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/simulation/advice.hpp"
-
+// What a run that died, or erred, could try.
 #include <algorithm>
 #include <stdexcept>
 #include <vector>

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/simulation/time_control.hpp"
-
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The particle columns: what a particle can carry; allocated only where a pass calls for it. What each of them is
-// stands in mpm/spine.cpp, or in the effect that brings it.
+// stands in mpm/compose.cpp, or in the effect that brings it.
 #pragma once
 
 #include <cstddef>

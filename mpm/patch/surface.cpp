@@ -8,7 +8,7 @@
 #include "harness/motion/kinds/homogeneous.hpp"
 #include "harness/numeric/largest.hpp"
 #include "mpm/patch/patch.hpp"
-#include "mpm/seeding/surface_edges.hpp"
+#include "mpm/seeding/lattice.hpp"
 
 namespace assay::mpm {
 

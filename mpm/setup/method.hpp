@@ -93,6 +93,27 @@ struct Method {
   }
 };
 
+/// How a traction reaches the grid.
+enum class TractionAlgorithm {
+  edges,             ///< by the corners of the particles' domains that lie on the surface, or the middle between them
+  virtual_stress,    ///< as the forces that the exact stress, continued beyond the surface, would leave out
+  particles,         ///< at the centres of the particles of the surface
+  undeformed_edges,  ///< as edges, the traction per current area times the undeformed length
+};
+constexpr std::array<const char*, 4> names_of(TractionAlgorithm) {
+  return {"edges", "virtual_stress", "particles", "undeformed_edges"};
+}
+
+/// Of which two forces that agree on the exact state: sigma n ds, which follows the surface, or P N dA0, which does
+/// not.
+enum class TractionForm { follower, reference };
+constexpr std::array<const char*, 2> names_of(TractionForm) { return {"follower", "reference"}; }
+
+struct Traction {
+  TractionAlgorithm algorithm = TractionAlgorithm::edges;
+  TractionForm form = TractionForm::reference;
+};
+
 /// Why a combination makes no sense, and the scene key of the choice that is one too many.
 struct Contradiction {
   std::string key, reason;
