@@ -65,6 +65,17 @@ std::vector<GridFieldUse> spine_fields(const Setup<Dim>& setup) {
            tile_copies(setup.seeds.size(), setup.threads) * (inertia + force)}};
 }
 
+/// Of the main parts of phases the pass takes the place of the one that is there, and is of that one's effects, too.
+template <int Dim>
+void add_pass(std::vector<Pass<Dim>>& step, Pass<Dim> pass) {
+  const auto same = std::find_if(step.begin(), step.end(), [&](const Pass<Dim>& other) {
+    return pass.slot.part == Part::main && other.slot == pass.slot;
+  });
+  if (same == step.end()) return step.push_back(std::move(pass));
+  pass.effects.insert(pass.effects.begin(), same->effects.begin(), same->effects.end());
+  *same = std::move(pass);
+}
+
 }  // namespace
 
 // cmake/file_list.cmake writes a line for each file of mpm/effects.
@@ -102,21 +113,6 @@ const ColumnRecord<Dim>& record_of(Column column) {
   }();
   return list.at(static_cast<std::size_t>(column));
 }
-
-namespace {
-
-/// Of the main parts of phases the pass takes the place of the one that is there, and is of that one's effects, too.
-template <int Dim>
-void add_pass(std::vector<Pass<Dim>>& step, Pass<Dim> pass) {
-  const auto same = std::find_if(step.begin(), step.end(), [&](const Pass<Dim>& other) {
-    return pass.slot.part == Part::main && other.slot == pass.slot;
-  });
-  if (same == step.end()) return step.push_back(std::move(pass));
-  pass.effects.insert(pass.effects.begin(), same->effects.begin(), same->effects.end());
-  *same = std::move(pass);
-}
-
-}  // namespace
 
 template <int Dim>
 std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {

@@ -53,28 +53,6 @@ void append_number(std::string& out, std::uint64_t number) {
   out.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
-}  // namespace
-
-void append_compressed(std::string& out, std::string_view bytes) {
-  const std::size_t blocks = (bytes.size() + vtu_block_bytes - 1) / vtu_block_bytes;
-  append_number(out, blocks);
-  append_number(out, vtu_block_bytes);
-  append_number(out, bytes.size() % vtu_block_bytes);
-  if (blocks == 0) return;
-  std::size_t size_at = out.size();  // of the block at hand
-  out.append(blocks * sizeof(std::uint64_t), '\0');
-  Deflater deflater;
-  for (std::size_t begin = 0; begin < bytes.size(); begin += vtu_block_bytes) {
-    const std::string_view block = deflater.compressed(bytes.substr(begin, vtu_block_bytes));
-    const std::uint64_t size = block.size();
-    std::memcpy(out.data() + size_at, &size, sizeof size);
-    size_at += sizeof size;
-    out.append(block);
-  }
-}
-
-namespace {
-
 /// The XML above and the appended block below grow together.
 class Writer {
  public:
@@ -144,6 +122,24 @@ void write_cells(Writer& out, std::size_t particles) {
 }
 
 }  // namespace
+
+void append_compressed(std::string& out, std::string_view bytes) {
+  const std::size_t blocks = (bytes.size() + vtu_block_bytes - 1) / vtu_block_bytes;
+  append_number(out, blocks);
+  append_number(out, vtu_block_bytes);
+  append_number(out, bytes.size() % vtu_block_bytes);
+  if (blocks == 0) return;
+  std::size_t size_at = out.size();  // of the block at hand
+  out.append(blocks * sizeof(std::uint64_t), '\0');
+  Deflater deflater;
+  for (std::size_t begin = 0; begin < bytes.size(); begin += vtu_block_bytes) {
+    const std::string_view block = deflater.compressed(bytes.substr(begin, vtu_block_bytes));
+    const std::uint64_t size = block.size();
+    std::memcpy(out.data() + size_at, &size, sizeof size);
+    size_at += sizeof size;
+    out.append(block);
+  }
+}
 
 std::string vtu_text(std::span<const double> positions, const std::vector<VtuArray>& arrays, double t) {
   if (positions.size() % 3 != 0) throw std::invalid_argument("vtu_text: length of positions");

@@ -18,10 +18,15 @@ constexpr std::int64_t steps_between_looks = 16;  ///< steps between two looks
 constexpr double shortest = 1e-4;                 ///< of the planned step: what needs shorter ones has gone wrong
 constexpr std::int64_t calls_of_probe = 19;       ///< of a tangent modulus by central differences
 
+/// With component 33, and none else out of the plane.
+Tensor in_plane(const std::array<double, 4>& A, double A33) {
+  Tensor out;
+  out << A[0], A[1], 0, A[2], A[3], 0, 0, 0, A33;
+  return out;
+}
+
 Tensor deformation_of(const mpm::State<2>& s, std::size_t p) {
-  Tensor F = Tensor::Identity();
-  for (int c = 0; c < 4; ++c) F(c / 2, c % 2) = s.column(Column::deformation_gradient, c)[p];
-  return F;
+  return in_plane(s.at<4>(Column::deformation_gradient, p), 1);
 }
 
 /// Where waves are likely to be fastest: the most stretched particle, the most compressed, the most expanded.
@@ -55,8 +60,7 @@ const double* history_at(const mpm::State<2>& s, std::size_t begin, std::size_t 
 double fastest_shrinking_of(const mpm::State<2>& s) {
   double fastest = 0;
   for (std::size_t p = 0; p < s.particles; ++p) {
-    Tensor L = Tensor::Zero();
-    for (int c = 0; c < 4; ++c) L(c / 2, c % 2) = s.column(Column::velocity_gradient, c)[p];
+    Tensor L = in_plane(s.at<4>(Column::velocity_gradient, p), 0);
     if (s.method.is_total()) L *= deformation_of(s, p).inverse();
     fastest = std::max(fastest, -L.trace());
   }

@@ -35,6 +35,34 @@ StressColumns<Dim> columns_of(State<Dim>& s) {
   return columns;
 }
 
+template <int Dim>
+void end_stress(State<Dim>& s, BlockOutcome outcome) {
+  s.material_calls += static_cast<std::int64_t>(s.particles);
+  if (outcome.inverted) {
+    const std::size_t p = *outcome.inverted;
+    bool number = true;
+    for (int c = 0; c < tensor_components<Dim>; ++c) {
+      number = number && std::isfinite(s.column(Column::deformation_gradient, c)[p]);
+    }
+    s.finding = Finding{
+        Finding::Kind::unstable, number ? "det F <= 0" : "F is not a finite number", static_cast<std::int64_t>(p), {}};
+  } else if (outcome.refused) {
+    s.finding = Finding{Finding::Kind::material_failed, outcome.message, static_cast<std::int64_t>(*outcome.refused),
+                        std::move(outcome.step)};
+  }
+}
+
+template <int Dim>
+Kernel stress_kernel(State<Dim>& s) {
+  auto materials = std::make_shared<MaterialBatches<Dim>>(s);
+  if (s.setup.offload) {
+    return [&s, materials](const Instant& now) { end_stress(s, materials->update_elsewhere(now)); };
+  }
+  return Kernel::over_blocks(
+      [materials](const Instant& now, const Block& block) { return materials->update(block.begin, block.end, now); },
+      [&s, materials](const Instant&, std::optional<std::size_t>) { end_stress(s, materials->take_first()); });
+}
+
 }  // namespace
 
 template <int Dim>
@@ -105,38 +133,6 @@ BlockOutcome MaterialBatches<Dim>::update_elsewhere(const Instant& now) {
 }
 
 template class MaterialBatches<ASSAY_DIMENSION>;
-
-namespace {
-
-template <int Dim>
-void end_stress(State<Dim>& s, BlockOutcome outcome) {
-  s.material_calls += static_cast<std::int64_t>(s.particles);
-  if (outcome.inverted) {
-    const std::size_t p = *outcome.inverted;
-    bool number = true;
-    for (int c = 0; c < tensor_components<Dim>; ++c) {
-      number = number && std::isfinite(s.column(Column::deformation_gradient, c)[p]);
-    }
-    s.finding = Finding{
-        Finding::Kind::unstable, number ? "det F <= 0" : "F is not a finite number", static_cast<std::int64_t>(p), {}};
-  } else if (outcome.refused) {
-    s.finding = Finding{Finding::Kind::material_failed, outcome.message, static_cast<std::int64_t>(*outcome.refused),
-                        std::move(outcome.step)};
-  }
-}
-
-template <int Dim>
-Kernel stress_kernel(State<Dim>& s) {
-  auto materials = std::make_shared<MaterialBatches<Dim>>(s);
-  if (s.setup.offload) {
-    return [&s, materials](const Instant& now) { end_stress(s, materials->update_elsewhere(now)); };
-  }
-  return Kernel::over_blocks(
-      [materials](const Instant& now, const Block& block) { return materials->update(block.begin, block.end, now); },
-      [&s, materials](const Instant&, std::optional<std::size_t>) { end_stress(s, materials->take_first()); });
-}
-
-}  // namespace
 
 template <int Dim>
 Pass<Dim> stress_pass(bool with_history) {

@@ -75,16 +75,14 @@ Readback read_back(const Method& method, const Bench& bench, const Vec<2>& v, co
 std::vector<check::TestResult> completeness(const Method& method, const Bench& bench) {
   const Readback unity = read_back(method, bench, {1, 1}, {}), linear = read_back(method, bench, {}, slope);
   return {judged(method, "weights.unity",
-                 {larger(unity.value, unity.gradient),
-                  {},
-                  "sum phi - 1 is at most " + digits(unity.value) + ", h |sum grad phi| " + digits(unity.gradient) +
-                      ", on a jittered set"},
+                 {larger(unity.value, unity.gradient), "sum phi - 1 is at most " + digits(unity.value) +
+                                                           ", h |sum grad phi| " + digits(unity.gradient) +
+                                                           ", on a jittered set"},
                  completeness_threshold, "no partition of unity"),
           judged(method, "weights.linear",
-                 {larger(linear.value, linear.gradient),
-                  {},
-                  "a linear field is off by at most " + digits(linear.value) + ", its gradient by " +
-                      digits(linear.gradient) + "/h, on a jittered set"},
+                 {larger(linear.value, linear.gradient), "a linear field is off by at most " + digits(linear.value) +
+                                                             ", its gradient by " + digits(linear.gradient) +
+                                                             "/h, on a jittered set"},
                  completeness_threshold, "linear fields not reproduced")};
 }
 

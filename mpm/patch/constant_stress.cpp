@@ -105,11 +105,11 @@ std::vector<check::TestResult> constant_stress(const Method& method, const Bench
   for (const auto& [arrangement, id, what] : cases) {
     const Forces found = forces(method, bench, arrangement);
     total = larger(total, found.total);
-    const Figure figure{
-        found.inner, {}, std::string(what) + ": largest inner force " + digits(found.inner) + " of stress times h"};
+    const Figure figure{found.inner,
+                        std::string(what) + ": largest inner force " + digits(found.inner) + " of stress times h"};
     results.push_back(judged(method, id, figure, stress_threshold, "force in a body under constant stress"));
   }
-  const Figure figure{total, {}, "sum f x is off by at most " + digits(total) + " of the volume times the stress"};
+  const Figure figure{total, "sum f x is off by at most " + digits(total) + " of the volume times the stress"};
   results.push_back(judged(method, "stress.total", figure, stress_threshold, "forces do not add up to the stress"));
   return results;
 }

@@ -71,14 +71,11 @@ Change step_once(const Method& method, const Bench& bench, int across, double sh
 std::vector<check::TestResult> momentum(const Method& method, const Bench& bench) {
   const int across = bench.quick ? 8 : 32;
   const Change whole = step_once(method, bench, across, 1), half = step_once(method, bench, across, 0.5);
-  Figure angular{whole.angular,
-                 {},
-                 "the angular momentum changes by " + digits(whole.angular) + " of its scale in a step, by " +
-                     digits(half.angular) + " in half a step"};
+  Figure angular{whole.angular, "the angular momentum changes by " + digits(whole.angular) +
+                                    " of its scale in a step, by " + digits(half.angular) + " in half a step"};
   if (whole.angular > momentum_threshold) angular.order = observed_order(2, whole.angular, 1, half.angular);
   return {judged(method, "momentum.linear",
                  {larger(whole.grid, whole.particles),
-                  {},
                   "mass and momentum on the grid are off by " + digits(whole.grid) +
                       ", the particles' momentum after a step by " + digits(whole.particles)},
                  momentum_threshold, "momentum not conserved"),

@@ -18,6 +18,41 @@ namespace {
 constexpr double jitter = 0.3;  ///< of the distance between particles, and of the cuts between rows and columns
 constexpr std::array<double, 2> shift{0.31830988618379067, -0.43429448190325182};  ///< of h: 1/pi, -lg e
 
+/// Of a corner at X: the same for all domains that share it.
+Vec<2> moved_corner(const Vec<2>& X, double distance) {
+  const auto wave = [&](double along, double across) { return std::sin(1234.5 * along + 3456.7 * across); };
+  return {jitter * distance * wave(X[0], X[1]), jitter * distance * wave(X[1], -X[0])};
+}
+
+/// Corners follow their particle. Where the particles are moved one by one the corners are, instead, and the particle's
+/// volume is that between them.
+void arrange_corners(State<2>& s, const Mat<2>& F, bool jittered) {
+  const auto column = [&](std::size_t c, std::size_t d) -> double* { return s.column(Column::corners, 2 * c + d); };
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    Corners<2> corners;
+    const double distance = s.setup.seeds.half_size[0];
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+      Vec<2> X{column(c, 0)[p], column(c, 1)[p]};
+      const Vec<2> moved = jittered ? moved_corner(X, distance) : Vec<2>{};
+      for (std::size_t d = 0; d < 2; ++d) X[d] += moved[d];
+      for (std::size_t d = 0; d < 2; ++d) {
+        const double shifted =
+            s.column(Column::position, d)[p] - (F[2 * d] * s.column(Column::reference_position, 0)[p] +
+                                                F[2 * d + 1] * s.column(Column::reference_position, 1)[p]);
+        corners[c][d] = column(c, d)[p] = F[2 * d] * X[0] + F[2 * d + 1] * X[1] + (jittered ? 0 : shifted);
+      }
+    }
+    if (!jittered) continue;
+    const CornerAverage<2> average = average_over(corners);
+    s.column(Column::volume)[p] = average.volume / determinant<2>(F);
+    for (std::size_t d = 0; d < 2; ++d) {
+      double middle = 0;
+      for (std::size_t c = 0; c < corners.size(); ++c) middle += average.value[c] * corners[c][d];
+      s.column(Column::position, d)[p] = middle;
+    }
+  }
+}
+
 }  // namespace
 
 Setup<2> patch_setup(const Method& method, const Bench& bench, int across) {
@@ -59,45 +94,6 @@ Seeds<2> graded_seeds(int across) {
 }
 
 Mat<2> homogeneous_deformation() { return {1.07, 0.21, -0.04, 0.93}; }
-
-namespace {
-
-/// Of a corner at X: the same for all domains that share it.
-Vec<2> moved_corner(const Vec<2>& X, double distance) {
-  const auto wave = [&](double along, double across) { return std::sin(1234.5 * along + 3456.7 * across); };
-  return {jitter * distance * wave(X[0], X[1]), jitter * distance * wave(X[1], -X[0])};
-}
-
-/// Corners follow their particle. Where the particles are moved one by one the corners are, instead, and the particle's
-/// volume is that between them.
-void arrange_corners(State<2>& s, const Mat<2>& F, bool jittered) {
-  const auto column = [&](std::size_t c, std::size_t d) -> double* { return s.column(Column::corners, 2 * c + d); };
-  for (std::size_t p = 0; p < s.particles; ++p) {
-    Corners<2> corners;
-    const double distance = s.setup.seeds.half_size[0];
-    for (std::size_t c = 0; c < corners.size(); ++c) {
-      Vec<2> X{column(c, 0)[p], column(c, 1)[p]};
-      const Vec<2> moved = jittered ? moved_corner(X, distance) : Vec<2>{};
-      for (std::size_t d = 0; d < 2; ++d) X[d] += moved[d];
-      for (std::size_t d = 0; d < 2; ++d) {
-        const double shifted =
-            s.column(Column::position, d)[p] - (F[2 * d] * s.column(Column::reference_position, 0)[p] +
-                                                F[2 * d + 1] * s.column(Column::reference_position, 1)[p]);
-        corners[c][d] = column(c, d)[p] = F[2 * d] * X[0] + F[2 * d + 1] * X[1] + (jittered ? 0 : shifted);
-      }
-    }
-    if (!jittered) continue;
-    const CornerAverage<2> average = average_over(corners);
-    s.column(Column::volume)[p] = average.volume / determinant<2>(F);
-    for (std::size_t d = 0; d < 2; ++d) {
-      double middle = 0;
-      for (std::size_t c = 0; c < corners.size(); ++c) middle += average.value[c] * corners[c][d];
-      s.column(Column::position, d)[p] = middle;
-    }
-  }
-}
-
-}  // namespace
 
 void arrange(State<2>& s, Arrangement arrangement) {
   const bool is_deformed = arrangement != Arrangement::seeded && arrangement != Arrangement::shifted;

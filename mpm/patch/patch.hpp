@@ -81,8 +81,8 @@ Momentum momentum_of(const State<2>& s);
 /// What a patch test found: the error, the order at which it falls with h and dt, and a sentence.
 struct Figure {
   double measure = 0;
-  std::optional<double> order = {};
   std::string sentence;
+  std::optional<double> order = {};
 };
 
 /// Pass or fail by the threshold where the method promises it (`broken`: what it then is not), else n/a with the

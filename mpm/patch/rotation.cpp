@@ -103,7 +103,7 @@ check::TestResult judged_series(const Method& method, const std::string& id, con
   const auto& runs = series.runs;
   const double before = runs[1].*kind, last = runs[2].*kind;
   const auto told = [&](const Errors& run) { return run.finding ? std::string("unstable") : digits(run.*kind); };
-  Figure figure{last, {}, {}};
+  Figure figure{last, {}};
   if (runs[2].finding) {
     figure.sentence = "unstable at t = " + digits(runs[2].t) + " s: " + runs[2].finding->reason;
   } else {

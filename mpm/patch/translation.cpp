@@ -118,13 +118,13 @@ std::vector<check::TestResult> translation(const Method& method, const Bench& be
   const int steps = static_cast<int>(std::ceil(cells_crossed / (across * aslant[0] * dt)));
   const Flight flight = fly(method, bench, across, {aslant, {}, dt, steps});
   const std::string way = flight.finding ? "" : "through " + digits(cells_crossed) + " cells in ";
-  const Figure plain{error_of(flight), {}, way + told(flight)};
-  Figure lines{-1, {}, {}};
+  const Figure plain{error_of(flight), way + told(flight)};
+  Figure lines{-1, {}};
   constexpr int few = 8;  // cells: what happens on a line happens on each
   for (const auto& [what, course] : courses_on_lines(bench, few)) {
     const Flight on_lines = fly(method, bench, few, course);
     const double error = error_of(on_lines);
-    if (!std::isnan(lines.measure) && !(error <= lines.measure)) lines = {error, {}, what + ", " + told(on_lines)};
+    if (!std::isnan(lines.measure) && !(error <= lines.measure)) lines = {error, what + ", " + told(on_lines)};
   }
   return {
       judged(method, "translation", plain, translation_threshold, "uniform motion disturbed"),

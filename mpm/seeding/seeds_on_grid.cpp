@@ -24,6 +24,32 @@ bool place(B& basis, const std::array<double, 2>& X, const Mat<2>& half) {
   }
 }
 
+/// The first node of each particle; empty where there is none.
+template <class B>
+std::vector<std::int32_t> first_nodes(const Setup<2>& setup) {
+  std::vector<std::int32_t> found;
+  if constexpr (B::nodes_across > 0) {
+    const Seeds<2>& seeds = setup.seeds;
+    B basis(setup.grid, seeds.half_size, 1);
+    typename B::Nodes nodes;
+    for (std::size_t p = 0; p < seeds.size(); ++p) {
+      basis.place(0, {seeds.X[0][p], seeds.X[1][p]}, {1, 0, 0, 1});
+      basis.expand(0, 1, nodes);
+      found.push_back(nodes.node[0]);
+    }
+  }
+  return found;
+}
+
+template <class T>
+void permute(std::vector<T>& values, const std::vector<std::size_t>& order) {
+  if (values.empty()) return;
+  std::vector<T> permuted;
+  permuted.reserve(values.size());
+  for (const std::size_t p : order) permuted.push_back(values[p]);
+  values = std::move(permuted);
+}
+
 }  // namespace
 
 std::size_t nodes_reached(const Setup<2>& setup) {
@@ -55,36 +81,6 @@ std::size_t nodes_reached(const Setup<2>& setup) {
   live.merge();
   return live.count();
 }
-
-namespace {
-
-/// The first node of each particle; empty where there is none.
-template <class B>
-std::vector<std::int32_t> first_nodes(const Setup<2>& setup) {
-  std::vector<std::int32_t> found;
-  if constexpr (B::nodes_across > 0) {
-    const Seeds<2>& seeds = setup.seeds;
-    B basis(setup.grid, seeds.half_size, 1);
-    typename B::Nodes nodes;
-    for (std::size_t p = 0; p < seeds.size(); ++p) {
-      basis.place(0, {seeds.X[0][p], seeds.X[1][p]}, {1, 0, 0, 1});
-      basis.expand(0, 1, nodes);
-      found.push_back(nodes.node[0]);
-    }
-  }
-  return found;
-}
-
-template <class T>
-void permute(std::vector<T>& values, const std::vector<std::size_t>& order) {
-  if (values.empty()) return;
-  std::vector<T> permuted;
-  permuted.reserve(values.size());
-  for (const std::size_t p : order) permuted.push_back(values[p]);
-  values = std::move(permuted);
-}
-
-}  // namespace
 
 void order_by_nodes(Setup<2>& setup) {
   Seeds<2>& seeds = setup.seeds;

@@ -32,6 +32,54 @@ Finding lost_particle(const State<Dim>& s, const BasisTraits& basis, std::size_t
   return {Finding::Kind::unstable, reason, static_cast<std::int64_t>(p)};
 }
 
+std::size_t around_of(const Method& method) {
+  const Around around = !method.is_affine()               ? Around::nothing
+                        : method.affine == Affine::moment ? Around::moment
+                                                          : Around::gradient;
+  return static_cast<std::size_t>(around);
+}
+
+template <int Dim>
+Kernel scatter_kernel(State<Dim>& s, BlockKernel<Dim> scatter, bool momentum, bool force) {
+  Kernel kernel = over_blocks(s, scatter, [&s, momentum, force](const Instant&, std::optional<std::size_t>) {
+    if (momentum) s.inertia.reduce_ghosts();
+    if (force) s.force.reduce_ghosts();
+  });
+  kernel.scatters = true;
+  kernel.begin = [&s, &held = s.template own<Held>(), momentum, force](const Instant&) {
+    if (momentum) s.inertia.zero(s.live.runs());
+    if (momentum && !held.mass.empty()) s.live.each([&](std::size_t i) { s.inertia.node(i)[0] = held.mass[i]; });
+    if (force) s.force.zero(s.live.runs());
+  };
+  return kernel;
+}
+
+template <int Dim>
+void call_for_force(Pass<Dim>& pass, const Method& method, bool with_body_force) {
+  if (method.is_total()) pass.doc += ", by the first Piola-Kirchhoff stress";
+  pass.reads.insert(pass.reads.end(), {Column::stress, Column::volume, Column::deformation_gradient});
+  if (with_body_force) pass.reads.push_back(Column::body_force);
+  pass.grid_fields.push_back("force");
+}
+
+template <int Dim>
+void move_grid(State<Dim>& s, const Instant& now) {
+  s.live.each([&](std::size_t i) {
+    const double* inertia = s.inertia.node(i);
+    const double* force = s.force.node(i);
+    double* motion = s.motion.node(i);
+    if (!(inertia[0] > 0)) {
+      for (std::size_t d = 0; d < 2 * Dim; ++d) motion[d] = 0;
+      return;
+    }
+    const double inverse = 1 / inertia[0];
+    for (std::size_t d = 0; d < Dim; ++d) {
+      motion[Dim + d] = force[d] * inverse;
+      motion[d] = inertia[1 + d] * inverse + now.kick * motion[Dim + d];
+    }
+  });
+}
+
 }  // namespace
 
 template <int Dim>
@@ -63,40 +111,6 @@ Pass<Dim> weights_pass(const Method& method, bool domains_differ) {
   };
   return pass;
 }
-
-namespace {
-
-std::size_t around_of(const Method& method) {
-  const Around around = !method.is_affine()               ? Around::nothing
-                        : method.affine == Affine::moment ? Around::moment
-                                                          : Around::gradient;
-  return static_cast<std::size_t>(around);
-}
-
-template <int Dim>
-Kernel scatter_kernel(State<Dim>& s, BlockKernel<Dim> scatter, bool momentum, bool force) {
-  Kernel kernel = over_blocks(s, scatter, [&s, momentum, force](const Instant&, std::optional<std::size_t>) {
-    if (momentum) s.inertia.reduce_ghosts();
-    if (force) s.force.reduce_ghosts();
-  });
-  kernel.scatters = true;
-  kernel.begin = [&s, &held = s.template own<Held>(), momentum, force](const Instant&) {
-    if (momentum) s.inertia.zero(s.live.runs());
-    if (momentum && !held.mass.empty()) s.live.each([&](std::size_t i) { s.inertia.node(i)[0] = held.mass[i]; });
-    if (force) s.force.zero(s.live.runs());
-  };
-  return kernel;
-}
-
-template <int Dim>
-void call_for_force(Pass<Dim>& pass, const Method& method, bool with_body_force) {
-  if (method.is_total()) pass.doc += ", by the first Piola-Kirchhoff stress";
-  pass.reads.insert(pass.reads.end(), {Column::stress, Column::volume, Column::deformation_gradient});
-  if (with_body_force) pass.reads.push_back(Column::body_force);
-  pass.grid_fields.push_back("force");
-}
-
-}  // namespace
 
 template <int Dim>
 Pass<Dim> particles_to_grid_pass(const Method& method) {
@@ -164,28 +178,6 @@ Pass<Dim> grid_velocity_pass(const Method& method) {
             };
           }};
 }
-
-namespace {
-
-template <int Dim>
-void move_grid(State<Dim>& s, const Instant& now) {
-  s.live.each([&](std::size_t i) {
-    const double* inertia = s.inertia.node(i);
-    const double* force = s.force.node(i);
-    double* motion = s.motion.node(i);
-    if (!(inertia[0] > 0)) {
-      for (std::size_t d = 0; d < 2 * Dim; ++d) motion[d] = 0;
-      return;
-    }
-    const double inverse = 1 / inertia[0];
-    for (std::size_t d = 0; d < Dim; ++d) {
-      motion[Dim + d] = force[d] * inverse;
-      motion[d] = inertia[1 + d] * inverse + now.kick * motion[Dim + d];
-    }
-  });
-}
-
-}  // namespace
 
 template <int Dim>
 Pass<Dim> grid_update_pass() {
