@@ -3,7 +3,7 @@
 #include "mpm/material/material_batch.hpp"
 #include "mpm/setup/with_basis.hpp"
 #include "mpm/step/passes.hpp"
-#include "mpm/step/sweep.hpp"
+#include "mpm/step/run_kernels.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #include "mpm/simulation.hpp"
 
 #include "mpm/material/stress_blocks.hpp"
-#include "mpm/step/sweep.hpp"
+#include "mpm/step/run_kernels.hpp"
 
 namespace assay::mpm {
 

@@ -11,7 +11,7 @@
 #include "drivers/scene/motion_keys.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/simulation/body_ends.hpp"
-#include "drivers/simulation/runnable.hpp"
+#include "drivers/simulation/scene_limits.hpp"
 #include "drivers/simulation/seeds.hpp"
 #include "drivers/simulation/time_steps.hpp"
 #include "drivers/simulation/traction_choice.hpp"

@@ -9,7 +9,7 @@
 
 #include "drivers/scene/body_box.hpp"
 #include "drivers/scene/initial_velocity.hpp"
-#include "drivers/simulation/runnable.hpp"
+#include "drivers/simulation/scene_limits.hpp"
 #include "drivers/text/number_format.hpp"
 #include "harness/stability/wave_speed.hpp"
 

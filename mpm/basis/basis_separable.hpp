@@ -6,7 +6,7 @@
 #pragma once
 
 #include "mpm/basis/basis.hpp"
-#include "mpm/basis/lines.hpp"
+#include "mpm/basis/tensor_product.hpp"
 
 namespace assay::mpm {
 

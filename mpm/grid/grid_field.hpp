@@ -9,7 +9,7 @@
 #include <new>
 #include <span>
 
-#include "mpm/data/pack.hpp"
+#include "mpm/data/simd.hpp"
 #include "mpm/grid/grid_geometry.hpp"
 
 namespace assay::mpm {

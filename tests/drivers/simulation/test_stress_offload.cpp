@@ -11,7 +11,7 @@
 #include "drivers/material/material_table.hpp"
 #include "mpm/material/material_batch.hpp"
 #include "mpm/simulation.hpp"
-#include "mpm/step/sweep.hpp"
+#include "mpm/step/run_kernels.hpp"
 #include "tests/mpm/one_place.hpp"
 #include "tests/support/built.hpp"
 

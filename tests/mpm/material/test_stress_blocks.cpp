@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mpm/material/material_batch.hpp"
-#include "mpm/step/sweep.hpp"
+#include "mpm/step/run_kernels.hpp"
 #include "tests/mpm/basis_cases.hpp"
 #include "tests/mpm/one_place.hpp"
 #include "tests/mpm/vortex_setup.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/simulation/runnable.hpp"
+#include "drivers/simulation/scene_limits.hpp"
 
 #include <algorithm>
 #include <cmath>
