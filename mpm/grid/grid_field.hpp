@@ -35,9 +35,8 @@ class GridField {
     for (const NodeRange& run : runs) std::copy(from.node(run.first), from.node(run.end), node(run.first));
   }
 
-  /// Sums of ghost nodes into their owners, and owners back to ghosts: nothing to do in one process.
+  /// Sums of ghost nodes into their owners: nothing to do in one process.
   void reduce_ghosts() {}
-  void update_ghosts() {}
 
   double* node(std::size_t i) { return values_.get() + i * stride; }
   const double* node(std::size_t i) const { return values_.get() + i * stride; }
