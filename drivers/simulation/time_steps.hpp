@@ -2,10 +2,10 @@
 // How long a run's steps are.
 #pragma once
 
+#include <algorithm>
+
 #include "drivers/simulation/problem.hpp"
 #include "mpm/step/state.hpp"
-
-#include <algorithm>
 
 namespace assay::drivers {
 

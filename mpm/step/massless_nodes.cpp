@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Nodes that particles reach by their slopes alone.
 #include <algorithm>
 #include <cmath>
 #include <memory>
