@@ -15,7 +15,7 @@
 #include "adapters/forked.hpp"
 #include "adapters/worker/table_pack.hpp"
 #include "harness/material/material.hpp"
-#include "harness/material/model_threw.hpp"
+#include "harness/material/material_failure.hpp"
 #include "harness/material/thrown.hpp"
 #include "harness/numeric/arithmetic.hpp"
 

@@ -24,6 +24,7 @@ class ByHand {
  public:
   explicit ByHand(State<2>& s)
       : s_(s),
+        kernels_(kernels_for(s)),
         b_{std::span(s.column(Column::body_force, 0), s.particles),
            std::span(s.column(Column::body_force, 1), s.particles)},
         force_(*s.setup.motion, s.setup.density, std::span(s.column(Column::reference_position, 0), s.particles),
@@ -35,8 +36,8 @@ class ByHand {
     s_.inertia.zero(s_.live.runs());
     s_.force.zero(s_.live.runs());
     for_each_block([&](const Block& block) {
-      s_.kernels.place(s_, block, now);
-      s_.kernels.momentum_and_force[static_cast<int>(Around::nothing)][1](s_, block, now);
+      kernels_.place(s_, block, now);
+      kernels_.momentum_and_force[static_cast<int>(Around::nothing)][1](s_, block, now);
     });
     s_.live.forget();
     for (const auto& box : s_.reach) s_.live.mark(box);
@@ -45,7 +46,7 @@ class ByHand {
     s_.force.reduce_ghosts();
     s_.live.each([&](std::size_t i) { move(i, now.kick); });
     for_each_block([&](const Block& block) {
-      s_.kernels.gather[static_cast<int>(Velocity::kept)][1][0](s_, block, now);
+      kernels_.gather[static_cast<int>(Velocity::kept)][1][0](s_, block, now);
       materials_.update(block.begin, block.end, now);
     });
   }
@@ -73,6 +74,7 @@ class ByHand {
   }
 
   State<2>& s_;
+  const Kernels<2>& kernels_;
   std::array<std::span<double>, 2> b_;
   BodyForceField force_;
   MaterialBatches<2> materials_;

@@ -12,7 +12,6 @@ foreach(line IN LISTS lines)
   set(kernels ${PROJECT_BINARY_DIR}/generated/mpm/kernels/variants/${name}.cpp)
   file(CONFIGURE OUTPUT ${kernels} @ONLY CONTENT
 "#include \"mpm/basis/@header@.hpp\"
-#include \"mpm/data/dimension.hpp\"
 #include \"mpm/kernels/variants/table.hpp\"
 
 namespace assay::mpm::ASSAY_INSTRUCTIONS {

@@ -35,7 +35,7 @@ file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/models/builtin_models.inc 
 target_include_directories(assay_adapters PRIVATE ${PROJECT_BINARY_DIR}/generated/models)
 
 # The tutorial model as a loadable plug-in, beside its built-in form.
-add_library(neo_hookean MODULE adapters/models/neo_hookean.c adapters/models/neo_hookean_extensions.c)
+add_library(neo_hookean MODULE adapters/models/neo_hookean.c)
 target_include_directories(neo_hookean PRIVATE ${PROJECT_SOURCE_DIR})
 target_compile_definitions(neo_hookean PRIVATE ASSAY_PLUGIN)
 target_link_libraries(neo_hookean PRIVATE m assay_options)

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/simulation.hpp"
 
-#include "mpm/data/dimension.hpp"
-#include "mpm/material/offload.hpp"
-#include "mpm/step/sweep.hpp"
+#include "mpm/material/stress_blocks.hpp"
+#include "mpm/step/run_kernels.hpp"
 
 namespace assay::mpm {
 
@@ -68,13 +67,9 @@ template <int Dim>
 void Simulation<Dim>::allocate(const std::vector<Pass<Dim>>& passes) {
   State<Dim>& s = state_;
   for (const ColumnUse& use : columns_of(passes, s.setup)) {
-    if (use.column == Column::weights) continue;  // the basis keeps them
+    if (use.column == Column::weights || use.column == Column::history) continue;  // the basis and its effect keep them
     const bool shared = s.setup.offload && record_of<Dim>(use.column).of_stress;
     const auto memory = shared ? s.setup.offload->allocate : nullptr;
-    if (use.column == Column::history) {
-      for (auto& half : s.history) half.allocate(s.particles, static_cast<int>(s.setup.material->state_size()), memory);
-      continue;
-    }
     s.columns[static_cast<std::size_t>(use.column)].allocate(s.particles, static_cast<int>(use.bytes / sizeof(double)),
                                                              memory);
   }

@@ -13,7 +13,7 @@
 #include "adapters/foreign/mfront.hpp"
 #include "adapters/foreign/umat.hpp"
 #include "adapters/foreign/vumat.hpp"
-#include "harness/material/table_defect.hpp"
+#include "harness/material/material.hpp"
 
 namespace assay::adapters {
 

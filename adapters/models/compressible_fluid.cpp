@@ -10,7 +10,6 @@ class CompressibleFluid {
  public:
   static constexpr const char* name = "compressible_fluid";
   static constexpr const char* doc = "compressible Newtonian fluid, p = (bulk_modulus / exponent) (J^-exponent - 1)";
-  static constexpr int symmetry = ASSAY_ISOTROPIC;
   static constexpr std::uint32_t flags = ASSAY_RATE_DEPENDENT | ASSAY_USES_INCREMENT;
   static constexpr assay_parameter parameters[] = {
       {"bulk_modulus", "Pa", required, tiny, huge, "bulk modulus at the reference density"},

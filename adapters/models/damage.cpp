@@ -10,7 +10,6 @@ class Damage {
  public:
   static constexpr const char* name = "damage";
   static constexpr const char* doc = "neo-Hookean elasticity (34) with isotropic damage and softening";
-  static constexpr int symmetry = ASSAY_ISOTROPIC;
   static constexpr std::uint32_t flags = ASSAY_NON_SMOOTH;
   static constexpr assay_parameter parameters[] = {
       youngs_modulus,
@@ -25,7 +24,7 @@ class Damage {
   explicit Damage(const double* p) : elastic_(p[0], p[1]), threshold_(p[2]), scale_(p[3]), most_(p[4]) {}
 
   void initial_state(const Tensor& cauchy, double* kappa) const {
-    if (!cauchy.isZero(0)) throw Failure{"this model starts free of stress"};
+    require_stress_free(cauchy);
     *kappa = threshold_;
   }
 

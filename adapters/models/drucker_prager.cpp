@@ -12,7 +12,6 @@ class DruckerPrager {
  public:
   static constexpr const char* name = "drucker_prager";
   static constexpr const char* doc = "Drucker-Prager cone with apex, non-associated, multiplicative";
-  static constexpr int symmetry = ASSAY_ISOTROPIC;
   static constexpr std::uint32_t flags = ASSAY_NON_SMOOTH | ASSAY_USES_INCREMENT;
   static constexpr assay_parameter parameters[] = {
       youngs_modulus,
@@ -59,7 +58,7 @@ class DruckerPrager {
   TensorOf<S> update(const IncrementOf<S>& step, const double* state0, S* state1) const {
     const TensorOf<S> e = flow_step<2, true>(step, state0, state1, *this).e;
     const S J = determinant(step.F1);
-    return (S(unit_) / J) * kirchhoff(e);
+    return (S(unit_) / J) * elastic_.hooke(e);
   }
 
   template <class S>
@@ -83,27 +82,21 @@ class DruckerPrager {
   void rate(double, const Tensor& F, const Tensor& l, const Tensor&, const double* at, Tensor& cauchy_rate,
             double* state_rate) const {
     const Tensor A = symmetric_from(at);
-    const StrainAndRate trial = trial_strain(F, l, A);
-    const FlowIncrement<double, 2> flow = flow_rate(trial.e, trial.rate, symmetric(l).norm(), at + 6);
-    cauchy_rate =
-        unit_ * (kirchhoff(Tensor(trial.rate - flow.strain)) - trace(l) * kirchhoff(trial.e)) / determinant(F);
+    const Moving trial = trial_strain(F, l, A);
+    const FlowIncrement<double, 2> flow = flow_rate(trial.value, trial.rate, symmetric(l).norm(), at + 6);
+    cauchy_rate = unit_ * (elastic_.hooke(Tensor(trial.rate - flow.strain)) - trace(l) * elastic_.hooke(trial.value)) /
+                  determinant(F);
     put_symmetric(flow_rate_of_state(F, A, flow.strain), state_rate);
     for (std::size_t i = 0; i < 2; ++i) state_rate[6 + i] = flow.scalars[i];
   }
 
   /// W = kappa/2 tr(e)^2 + mu dev e : dev e [J/m^3].
   double energy(const Tensor& F, const double* at) const {
-    const Tensor e = logarithmic_strain(F, symmetric_from(at)), shape = deviator(e);
-    return unit_ * (0.5 * elastic_.kappa * trace(e) * trace(e) + elastic_.mu * contraction(shape, shape));
+    return unit_ * elastic_.stored(logarithmic_strain(F, symmetric_from(at)));
   }
 
  private:
   static constexpr double root3 = 1.7320508075688772935, on_surface = 1e-9;
-
-  template <class S>
-  TensorOf<S> kirchhoff(const TensorOf<S>& e) const {
-    return elastic_.hooke(e);
-  }
 
   /// sqrt(J2) = mu sqrt(2 dev e : dev e) [Pa].
   template <class S>

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "adapters/models/tensor_functions.hpp"
-#include "harness/assay_material.h"
+#include "adapters/models/plugin.hpp"
 
 namespace assay::models {
 
@@ -36,6 +35,36 @@ struct ElasticConstants {
     const S pressure = S(lambda) * trace(e);
     for (int i = 0; i < 3; ++i) stress(i, i) += pressure;
     return stress;
+  }
+
+  /// kappa/2 tr(e)^2 + mu dev e : dev e [J/m^3].
+  double stored(const Tensor& e) const {
+    const Tensor shape = deviator(e);
+    return 0.5 * kappa * trace(e) * trace(e) + mu * contraction(shape, shape);
+  }
+};
+
+/// What models of these two parameters alone have in common.
+class ElasticModel {
+ public:
+  static constexpr assay_parameter parameters[] = {youngs_modulus, poissons_ratio};
+  static constexpr double example[] = {1e3, 0.3};
+
+  explicit ElasticModel(const double* p) : elastic_(p[0], p[1]) {}
+
+ protected:
+  ElasticConstants elastic_;
+};
+
+/// f = F1 F0^-1 = r u of a step: r, and ln u, which do not know a rotation of the frame.
+template <class S>
+struct RotatedStep {
+  TensorOf<S> r, strain;
+
+  explicit RotatedStep(const IncrementOf<S>& step) {
+    const TensorOf<S> f = step.F1 * inverse(step.F0).template cast<S>();
+    r = rotation_of(f);
+    strain = logarithm(symmetric(TensorOf<S>(r.transpose() * f)));
   }
 };
 

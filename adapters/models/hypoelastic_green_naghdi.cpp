@@ -2,26 +2,20 @@
 // Hypoelasticity with the Green-Naghdi rate of the Cauchy stress: dsigma/dt - W sigma + sigma W = lambda tr(d) I + 2 mu
 // d with the spin W = Rdot R^T of F = R U. In the unrotated frame, Sigma = R^T sigma R: dSigma/dt = lambda tr(D) I + 2
 // mu D, D = R^T d R = sym(Udot U^-1).
-#include <limits>
-
 #include "adapters/models/hypoelastic_baselines.hpp"
 #include "adapters/models/plugin.hpp"
 
 namespace assay::models {
 
-class HypoelasticGreenNaghdi {
+class HypoelasticGreenNaghdi : public ElasticModel {
  public:
+  using ElasticModel::ElasticModel;
   static constexpr const char* name = "hypoelastic_green_naghdi";
   static constexpr const char* doc = "hypoelasticity, Green-Naghdi rate of the Cauchy stress";
-  static constexpr int symmetry = ASSAY_ISOTROPIC;
   static constexpr std::uint32_t flags = ASSAY_USES_INCREMENT;
-  static constexpr assay_parameter parameters[] = {youngs_modulus, poissons_ratio};
-  static constexpr double example[] = {1e3, 0.3};
   static constexpr assay_state_variable state[] = {{"unrotated_stress", "Pa", ASSAY_SYMMETRIC_TENSOR,
                                                     ASSAY_ROLE_ROTATES_ITSELF,
                                                     "R^T sigma R at the beginning of the step, F = R U"}};
-
-  explicit HypoelasticGreenNaghdi(const double* p) : elastic_(p[0], p[1]) {}
 
   void initial_state(const Tensor& cauchy, double* six) const { put_symmetric(cauchy, six); }
 
@@ -69,8 +63,6 @@ class HypoelasticGreenNaghdi {
     shear_tau({s11, s12}, {ds11, ds12}, eps, tau, slope);
     return true;
   }
-
-  ElasticConstants elastic_;
 };
 
 }  // namespace assay::models

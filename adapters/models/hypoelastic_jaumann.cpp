@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Hypoelasticity with the Jaumann rate of the Cauchy stress: dsigma/dt - w sigma + sigma w = lambda tr(d) I + 2 mu d.
-#include <limits>
-
 #include "adapters/models/hypoelastic_baselines.hpp"
 #include "adapters/models/plugin.hpp"
 
 namespace assay::models {
 
-class HypoelasticJaumann {
+class HypoelasticJaumann : public ElasticModel {
  public:
+  using ElasticModel::ElasticModel;
   static constexpr const char* name = "hypoelastic_jaumann";
   static constexpr const char* doc = "hypoelasticity, Jaumann rate of the Cauchy stress";
-  static constexpr int symmetry = ASSAY_ISOTROPIC;
   static constexpr std::uint32_t flags = ASSAY_USES_INCREMENT;
-  static constexpr assay_parameter parameters[] = {youngs_modulus, poissons_ratio};
-  static constexpr double example[] = {1e3, 0.3};
   static constexpr assay_state_variable state[] = {
       {"stress", "Pa", ASSAY_SYMMETRIC_TENSOR, ASSAY_ROLE_PLAIN, "Cauchy stress at the beginning of the step"}};
-
-  explicit HypoelasticJaumann(const double* p) : elastic_(p[0], p[1]) {}
 
   void initial_state(const Tensor& cauchy, double* six) const { put_symmetric(cauchy, six); }
 
@@ -26,9 +20,7 @@ class HypoelasticJaumann {
   /// objective, because r and u turn with the frame.
   template <class S>
   TensorOf<S> update(const IncrementOf<S>& step, const double* state0, S* state1) const {
-    const TensorOf<S> f = step.F1 * inverse(step.F0).template cast<S>();
-    const TensorOf<S> r = rotation_of(f);
-    const TensorOf<S> strain = logarithm(symmetric(TensorOf<S>(r.transpose() * f)));
+    const auto [r, strain] = RotatedStep<S>(step);
     const TensorOf<S> turned = symmetric_from(state0).template cast<S>() + elastic_.hooke(strain);
     TensorOf<S> sigma = push_forward(r, turned);
     put_symmetric(sigma, state1);
@@ -51,9 +43,6 @@ class HypoelasticJaumann {
     shear_tau({-2 * mu * half * half, mu * s}, {-2 * mu * s, 2 * mu * c}, eps, tau, slope);
     return true;
   }
-
- private:
-  ElasticConstants elastic_;
 };
 
 }  // namespace assay::models

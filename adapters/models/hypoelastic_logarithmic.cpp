@@ -2,23 +2,16 @@
 // Hypoelasticity with the logarithmic rate of the Cauchy stress, dsigma/dt - Omega sigma + sigma Omega = lambda tr(d) I
 // + 2 mu d. The logarithmic rate of ln V is d (Xiao, Bruhns and Meyers 1997), so from rest it integrates exactly to
 // sigma = lambda tr(ln V) I + 2 mu ln V, F = V R: no state, no increment.
-#include <limits>
-
 #include "adapters/models/hypoelastic_baselines.hpp"
 #include "adapters/models/plugin.hpp"
 
 namespace assay::models {
 
-class HypoelasticLogarithmic {
+class HypoelasticLogarithmic : public ElasticModel {
  public:
+  using ElasticModel::ElasticModel;
   static constexpr const char* name = "hypoelastic_logarithmic";
   static constexpr const char* doc = "hypoelasticity, logarithmic rate of the Cauchy stress";
-  static constexpr int symmetry = ASSAY_ISOTROPIC;
-  static constexpr std::uint32_t flags = 0;
-  static constexpr assay_parameter parameters[] = {youngs_modulus, poissons_ratio};
-  static constexpr double example[] = {1e3, 0.3};
-
-  explicit HypoelasticLogarithmic(const double* p) : elastic_(p[0], p[1]) {}
 
   template <class S>
   TensorOf<S> update(const IncrementOf<S>& step, const double*, S*) const {
@@ -46,8 +39,6 @@ class HypoelasticLogarithmic {
   TensorOf<S> stress(const TensorOf<S>& F) const {
     return elastic_.hooke(TensorOf<S>(S(0.5) * logarithm(left_cauchy_green(F))));
   }
-
-  ElasticConstants elastic_;
 };
 
 }  // namespace assay::models

@@ -2,10 +2,7 @@
 // J2 plasticity, hypoelastic with the Jaumann rate: dsigma/dt - w sigma + sigma w = lambda tr(d) I + 2 mu (d - Lam n),
 // n = (s - alpha)/|s - alpha|, |s - alpha| <= radius(p), dp/dt = sqrt(2/3) Lam, and the back stress with the same rate:
 // dalpha/dt - w alpha + alpha w = (2/3) kinematic_modulus Lam n.
-#include <limits>
-
 #include "adapters/models/j2_hardening.hpp"
-#include "adapters/models/plugin.hpp"
 
 namespace assay::models {
 
@@ -13,7 +10,6 @@ class J2Jaumann {
  public:
   static constexpr const char* name = "j2_jaumann";
   static constexpr const char* doc = "J2 plasticity, hypoelastic with the Jaumann rate";
-  static constexpr int symmetry = ASSAY_ISOTROPIC;
   static constexpr std::uint32_t flags = ASSAY_NON_SMOOTH | ASSAY_USES_INCREMENT;
   static constexpr auto& parameters = j2_parameters;
   static constexpr auto& example = j2_example;
@@ -37,9 +33,7 @@ class J2Jaumann {
   /// the midpoint rule with the yield condition at the end: second order, through the yield point too.
   template <class S>
   TensorOf<S> update(const IncrementOf<S>& step, const double* state0, S* state1) const {
-    const TensorOf<S> f = step.F1 * inverse(step.F0).template cast<S>();
-    const TensorOf<S> r = rotation_of(f);
-    const TensorOf<S> strain = logarithm(symmetric(TensorOf<S>(r.transpose() * f)));
+    const auto [r, strain] = RotatedStep<S>(step);
     const Tensor stress0 = symmetric_from(state0 + 1) / unit_, back0 = symmetric_from(state0 + 7) / unit_;
     const Tensor from = deviator(stress0) - back0;
     TensorOf<S> stress = stress0.template cast<S>() + elastic_.hooke(strain), back = back0.template cast<S>();

@@ -3,11 +3,8 @@
 // 2 mu dev e, e = ln(b_e)/2, n = (dev tau - beta)/|dev tau - beta|, |dev tau - beta| <= radius(p), dp/dt = sqrt(2/3)
 // Lam, and the flow rule db_e/dt = l b_e + b_e l^T - 2 Lam V n V, V = b_e^(1/2). Without back stress V n V = n b_e.
 // The back stress turns with R of F = R U: beta = R A R^T, dA/dt = (2/3) kinematic_modulus Lam R^T n R.
-#include <limits>
-
 #include "adapters/models/j2_hardening.hpp"
 #include "adapters/models/multiplicative_flow.hpp"
-#include "adapters/models/plugin.hpp"
 
 namespace assay::models {
 
@@ -16,7 +13,6 @@ class J2Multiplicative {
   static constexpr const char* name = "j2_multiplicative";
   static constexpr const char* doc =
       "J2 plasticity at finite strain, multiplicative, logarithmic elastic strain (Simo)";
-  static constexpr int symmetry = ASSAY_ISOTROPIC;
   static constexpr std::uint32_t flags = ASSAY_NON_SMOOTH | ASSAY_USES_INCREMENT;
   static constexpr auto& parameters = j2_parameters;
   static constexpr auto& example = j2_example;
@@ -71,7 +67,6 @@ class J2Multiplicative {
     const Tensor Cp_inverse = symmetric_from(now + 1), back = symmetric_from(now + 7) / unit_;
     const Tensor b = polar.U * Cp_inverse * polar.U, pushed = polar.U_rate * Cp_inverse * polar.U;
     const Tensor e = 0.5 * logarithm(b), from = flow_.relative(e, back);
-    const auto half_logarithm = [](const auto& A) { return std::decay_t<decltype(A)>(logarithm(A) * 0.5); };
     Tensor e_rate = derivative_along(half_logarithm, b, Tensor(pushed + pushed.transpose()));
     const double least = hardening_.radius(now[0]) - hardening_.tolerance(now[0], elastic_.mu);
     if (norm(from) >= least && contraction(from, e_rate) > 0) {
@@ -91,8 +86,7 @@ class J2Multiplicative {
 
   /// Elastic energy kappa/2 (ln J)^2 + mu |dev e|^2.
   double energy(const Tensor& F, const double* now) const {
-    const Tensor e = logarithmic_strain(F, symmetric_from(now + 1)), shear = deviator(e);
-    return unit_ * (0.5 * elastic_.kappa * trace(e) * trace(e) + elastic_.mu * contraction(shear, shear));
+    return unit_ * elastic_.stored(logarithmic_strain(F, symmetric_from(now + 1)));
   }
 
  private:

@@ -94,23 +94,10 @@ FlowStep<S> flow_step(const IncrementOf<S>& step, const double* state0, S* state
   return {e - late.strain, true};
 }
 
-struct StrainAndRate {
-  Tensor e, rate;
-};
-
 /// e and de/dt along the motion while nothing flows.
-inline StrainAndRate trial_strain(const Tensor& F, const Tensor& l, const Tensor& A) {
-  using Along = Eigen::AutoDiffScalar<Eigen::Matrix<double, 1, 1>>;
-  const Tensor b = push_forward(F, A), slope = l * b + b * l.transpose();
-  TensorOf<Along> moving;
-  for (int i = 0; i < 9; ++i) moving.data()[i] = Along(b.data()[i], Eigen::Matrix<double, 1, 1>(slope.data()[i]));
-  const TensorOf<Along> e = Along(0.5) * logarithm(moving);
-  StrainAndRate result;
-  for (int i = 0; i < 9; ++i) {
-    result.e.data()[i] = e.data()[i].value();
-    result.rate.data()[i] = e.data()[i].derivatives()[0];
-  }
-  return result;
+inline Moving trial_strain(const Tensor& F, const Tensor& l, const Tensor& A) {
+  const Tensor b = push_forward(F, A);
+  return moving_along(half_logarithm, b, Tensor(l * b + b * l.transpose()));
 }
 
 /// dA/dt = -2 F^-1 D F A under the flow D.

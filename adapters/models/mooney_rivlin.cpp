@@ -12,8 +12,6 @@ class MooneyRivlin {
   static constexpr const char* name = "mooney_rivlin";
   static constexpr const char* doc =
       "Mooney-Rivlin elasticity, W = c10 (I1bar - 3) + c01 (I2bar - 3) + bulk_modulus/2 (ln J)^2";
-  static constexpr int symmetry = ASSAY_ISOTROPIC;
-  static constexpr std::uint32_t flags = 0;
   static constexpr assay_parameter parameters[] = {
       {"c10", "Pa", required, tiny, huge, "coefficient of I1bar - 3; the shear modulus is 2 (c10 + c01)"},
       {"c01", "Pa", 0, 0, huge, "coefficient of I2bar - 3"},

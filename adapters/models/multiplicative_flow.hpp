@@ -3,7 +3,6 @@
 #pragma once
 
 #include "adapters/models/j2_hardening.hpp"
-#include "adapters/models/plugin.hpp"
 #include "adapters/models/scalar_root.hpp"
 
 namespace assay::models {

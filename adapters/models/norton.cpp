@@ -10,7 +10,6 @@ class Norton : public PowerLawFlow<false> {
   static constexpr const char* name = "norton";
   static constexpr const char* doc =
       "Norton viscoplasticity without threshold, multiplicative, logarithmic elastic strain";
-  static constexpr int symmetry = ASSAY_ISOTROPIC;
   static constexpr std::uint32_t flags = ASSAY_RATE_DEPENDENT | ASSAY_USES_INCREMENT;
   static constexpr assay_parameter parameters[] = {youngs_modulus, poissons_ratio, reference_rate, reference_stress,
                                                    rate_exponent};

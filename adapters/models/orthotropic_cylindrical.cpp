@@ -13,7 +13,6 @@ class OrthotropicCylindrical {
   static constexpr const char* doc =
       "cylindrically orthotropic elasticity S = C : E, axes r (carried by the point), t, z";
   static constexpr int symmetry = ASSAY_CYLINDRICALLY_ORTHOTROPIC, material_class = ASSAY_ORTHOTROPIC;
-  static constexpr std::uint32_t flags = 0;
   static constexpr assay_parameter parameters[] = {
       {"E_r", "Pa", required, tiny, huge, "Young's modulus along r"},
       {"E_t", "Pa", required, tiny, huge, "Young's modulus along t"},
@@ -48,7 +47,7 @@ class OrthotropicCylindrical {
   }
 
   void initial_state(const Tensor& cauchy, double* direction) const {
-    if (!cauchy.isZero(0)) throw Failure{"this model starts free of stress"};
+    require_stress_free(cauchy);
     direction[0] = 1;  // until the host fills it
   }
 

@@ -10,7 +10,6 @@ class Perzyna : public PowerLawFlow<true> {
   static constexpr const char* name = "perzyna";
   static constexpr const char* doc =
       "Perzyna viscoplasticity with threshold, multiplicative, logarithmic elastic strain";
-  static constexpr int symmetry = ASSAY_ISOTROPIC;
   static constexpr std::uint32_t flags = ASSAY_RATE_DEPENDENT | ASSAY_USES_INCREMENT | ASSAY_NON_SMOOTH;
   static constexpr assay_parameter parameters[] = {
       youngs_modulus,

@@ -6,16 +6,11 @@
 
 namespace assay::models {
 
-class SaintVenantKirchhoff {
+class SaintVenantKirchhoff : public ElasticModel {
  public:
+  using ElasticModel::ElasticModel;
   static constexpr const char* name = "saint_venant_kirchhoff";
   static constexpr const char* doc = "Saint Venant-Kirchhoff elasticity, S = lambda tr(E) I + 2 mu E";
-  static constexpr int symmetry = ASSAY_ISOTROPIC;
-  static constexpr std::uint32_t flags = 0;
-  static constexpr assay_parameter parameters[] = {youngs_modulus, poissons_ratio};
-  static constexpr double example[] = {1e3, 0.3};
-
-  explicit SaintVenantKirchhoff(const double* p) : elastic_(p[0], p[1]) {}
 
   template <class S>
   TensorOf<S> update(const IncrementOf<S>& step, const double*, S*) const {
@@ -33,9 +28,6 @@ class SaintVenantKirchhoff {
     const double along = elastic_.lambda + 2 * elastic_.mu;
     return green_strain_baseline(along, elastic_.lambda, elastic_.lambda, elastic_.mu, baseline, eps, tau, dtau_deps);
   }
-
- private:
-  ElasticConstants elastic_;
 };
 
 }  // namespace assay::models

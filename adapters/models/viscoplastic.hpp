@@ -37,7 +37,7 @@ class PowerLawFlow {
   double unit = 1;                            ///< of all stresses here [Pa]
 
   static void initial_state(const Tensor& cauchy, double* state) {
-    if (!cauchy.isZero(0)) throw Failure{"this model starts free of stress"};
+    require_stress_free(cauchy);
     state[0] = state[1] = state[2] = 1;
   }
 
@@ -52,8 +52,8 @@ class PowerLawFlow {
   void rate(double, const Tensor& F, const Tensor& l, const Tensor&, const double* state, Tensor& cauchy_rate,
             double* state_rate) const {
     const Tensor A = symmetric_from(state);
-    const StrainAndRate trial = trial_strain(F, l, A);
-    const Tensor shape = deviator(trial.e);
+    const Moving trial = trial_strain(F, l, A);
+    const Tensor shape = deviator(trial.value);
     const double size = equivalent_stress(shape), f = size - yield_stress - hardening * state[6];
     const double p_rate = f > 0 ? rate_scale * std::pow(f / stress_scale, exponent) : 0.0;
     const Tensor D = f > 0 ? Tensor((3 * elastic.mu * p_rate / size) * shape) : Tensor(Tensor::Zero());

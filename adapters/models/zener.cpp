@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Zener's solid at finite strain: second Piola-Kirchhoff stress S = mu (I - C^-1) + lambda ln J C^-1 + S_v, dS_v/dt +
 // S_v / relaxation_time = viscous_ratio mu d/dt(I - C^-1); sigma = F S F^T / J.
-#include <limits>
-
 #include "adapters/models/elastic_constants.hpp"
 #include "adapters/models/plugin.hpp"
 
@@ -12,7 +10,6 @@ class Zener {
  public:
   static constexpr const char* name = "zener";
   static constexpr const char* doc = "finite viscoelasticity: a neo-Hookean spring beside a Maxwell element";
-  static constexpr int symmetry = ASSAY_ISOTROPIC;
   static constexpr std::uint32_t flags = ASSAY_RATE_DEPENDENT | ASSAY_USES_INCREMENT;
   static constexpr assay_parameter parameters[] = {
       youngs_modulus,

@@ -6,7 +6,7 @@
 
 #include "adapters/worker/remote_instance.hpp"
 #include "harness/history/history_task.hpp"
-#include "harness/material/foreign_message.hpp"
+#include "harness/material/thrown.hpp"
 #include "harness/numeric/tensor.hpp"
 
 namespace assay::adapters {

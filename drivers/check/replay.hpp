@@ -12,8 +12,8 @@
 #include "drivers/scene/scene.hpp"
 #include "drivers/system/input_error.hpp"
 #include "harness/check/battery.hpp"
-#include "harness/material/failed_step.hpp"
 #include "harness/material/material.hpp"
+#include "harness/material/material_failure.hpp"
 
 namespace assay::drivers {
 

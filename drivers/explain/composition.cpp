@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "drivers/simulation/simulate.hpp"
-#include "mpm/seeding/nodes_reached.hpp"
+#include "mpm/seeding/seeds_on_grid.hpp"
 #include "mpm/step/stages.hpp"
 
 namespace assay::drivers {

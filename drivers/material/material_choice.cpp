@@ -10,7 +10,6 @@
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/unseen.hpp"
 #include "harness/check/material_symmetry.hpp"
-#include "harness/material/foreign_message.hpp"
 #include "harness/material/thrown.hpp"
 
 namespace assay::drivers {

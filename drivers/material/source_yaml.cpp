@@ -7,7 +7,7 @@
 #include <set>
 
 #include "drivers/format/yaml_writer.hpp"
-#include "harness/material/table_defect.hpp"
+#include "harness/material/material.hpp"
 
 namespace assay::drivers {
 

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/output/errors_csv.hpp"
 
-#include <array>
-
 #include "drivers/format/csv.hpp"
 #include "drivers/format/csv_lines.hpp"
 
 namespace assay::drivers {
 
 std::string errors_csv(const std::vector<ErrorSample>& history) {
-  CsvText out({"t", "l2", "linf", "rms36", "velocity_l2", "velocity_linf", "deformation_gradient_l2",
-               "deformation_gradient_linf", "jacobian_l2", "jacobian_linf", "stress_l2", "stress_linf"});
+  std::vector<std::string> names{"t"};
+  for (const ErrorNorm& norm : error_norms) names.emplace_back(norm.column);
+  CsvText out(names);
   for (const ErrorSample& at : history) {
-    out.row(std::array{at.t, at.displacement.l2, at.displacement.linf, at.rms36, at.velocity.l2, at.velocity.linf,
-                       at.deformation_gradient.l2, at.deformation_gradient.linf, at.jacobian.l2, at.jacobian.linf,
-                       at.stress.l2, at.stress.linf});
+    std::vector<double> row{at.t};
+    for (const ErrorNorm& norm : error_norms) row.push_back(norm.of(at));
+    out.row(row);
   }
   return out.text();
 }

@@ -38,11 +38,14 @@ std::string table(const std::vector<std::string>& head, const std::vector<std::v
   return out + "</tbody></table></div>\n";
 }
 
-std::string page(const std::string& title, const std::string& style, const std::string& body) {
+std::string page(const std::string& title, const std::string& body, const std::string& more_style) {
+  constexpr const char* style =
+#include "report_style.inc"
+      ;
   return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n" +
-         element("title", title) + "\n<style>" + style + "</style>\n</head>\n<body>\n<main>\n" + element("h1", title) +
-         "\n" + body + "</main>\n</body>\n</html>\n";
+         element("title", title) + "\n<style>" + style + more_style + "</style>\n</head>\n<body>\n<main>\n" +
+         element("h1", title) + "\n" + body + "</main>\n</body>\n</html>\n";
 }
 
 std::string fact(const std::string& name, const std::string& value) {

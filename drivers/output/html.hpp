@@ -25,8 +25,8 @@ std::string section(const std::string& title, const std::string& content);
 /// Cells are HTML, with their own <th> or <td> where they begin with one; the first of a row is its header.
 std::string table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows);
 
-/// A whole page; title and body are HTML.
-std::string page(const std::string& title, const std::string& style, const std::string& body);
+/// A whole page; title and body are HTML. more_style: behind the style sheet of all pages.
+std::string page(const std::string& title, const std::string& body, const std::string& more_style = {});
 
 /// A term of a list of facts.
 std::string fact(const std::string& name, const std::string& value);

@@ -2,11 +2,11 @@
 #include "drivers/output/report.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
+#include "drivers/output/errors_csv.hpp"
 #include "drivers/output/html.hpp"
-#include "drivers/output/report_sections.hpp"
-#include "drivers/output/report_style.hpp"
 #include "drivers/text/number_format.hpp"
 
 namespace assay::drivers {
@@ -14,6 +14,14 @@ namespace assay::drivers {
 using namespace html;
 
 namespace {
+
+const ErrorSample* largest(const std::vector<ErrorSample>& history, const ErrorNorm& norm) {
+  const ErrorSample* out = nullptr;
+  for (const ErrorSample& sample : history) {
+    if (std::isfinite(norm.of(sample)) && (!out || norm.of(sample) > norm.of(*out))) out = &sample;
+  }
+  return out;
+}
 
 std::string verdict(const Result& result) {
   const auto failed = std::count_if(result.expect.begin(), result.expect.end(), [](const auto& e) { return !e.holds; });
@@ -46,7 +54,7 @@ std::string tile(const std::string& name, const std::string& value, const std::s
 std::string count(const std::optional<std::int64_t>& value) { return value ? grouped_text(*value) : none; }
 
 std::string key_figures(const Result& result) {
-  const ErrorSample* worst = worst_displacement(result.history);
+  const ErrorSample* worst = largest(result.history, error_norms[0]);
   const std::string when = worst && result.error.l2_max ? "at t = " + rounded_text(worst->t, 4) + "\u202fs" : "";
   std::string out = "<dl class=\"figures\">\n";
   out += tile("Largest L<sub>2</sub> error of u", with_unit(figure(result.error.l2_max), "m"), when);
@@ -84,6 +92,85 @@ bool panorama(const std::string& png) {
   return number(16) > 1.7 * number(20);
 }
 
+const ErrorSample* sample_at(const std::vector<ErrorSample>& history, double t) {
+  for (const ErrorSample& sample : history) {
+    if (std::abs(sample.t - t) <= 1e-6 * std::abs(t)) return &sample;
+  }
+  return nullptr;
+}
+
+std::string error_table(const Result& result, double period) {
+  if (result.history.empty()) return {};
+  const ErrorSample* half = sample_at(result.history, period / 2);
+  const ErrorSample* end = sample_at(result.history, period);
+  std::vector<std::vector<std::string>> rows;
+  for (const ErrorNorm& norm : error_norms) {
+    const ErrorSample* worst = largest(result.history, norm);
+    const auto cell = [&](const ErrorSample* at) { return at ? figure(norm.of(*at)) : none; };
+    rows.push_back(
+        {norm.name, norm.unit, cell(half), cell(end), cell(worst), worst ? rounded_text(worst->t, 4) : none});
+  }
+  return table({"error of", "unit", "at T/2", "at T", "maximum", "at t [s]"}, rows) +
+         "<p><small>L<sub>2</sub>: volume-weighted over the particles that the exact motion moves; L<sub>\u221e</sub>: "
+         "the worst of them; rms: the root mean square over all particles, equation (36) of the paper.</small></p>\n";
+}
+
+std::string errors_section(const Result& result, double period) {
+  if (result.history.empty()) return {};
+  return section("Errors over time",
+                 "<figure>" + svg(error_history_plot(result.history)) + "</figure>\n" + error_table(result, period));
+}
+
+/// What was checked besides the errors.
+std::string credibility_section(const Result& result) {
+  std::string out = "<dl class=\"facts\">\n";
+  if (const auto& sheet = result.sheet) {
+    const bool is_sheet = sheet->along.empty();
+    const std::string made = (sheet->cached ? "read from disk in " : "made in ") + rounded_text(sheet->wall_s, 3);
+    out += is_sheet ? fact("Response sheet", grouped_text(sheet->points) + " points, " + made + "\u202fs")
+                    : fact("Response", sheet->along);
+    const std::string of_slope = is_sheet ? ", " + rounded_text(*sheet->error_dtau, 2) + " in d\u03c4/d\u03be" : "";
+    out +=
+        fact("Its error", rounded_text(sheet->error_tau, 2) + " in \u03c4" + of_slope + ", of the largest component");
+    if (sheet->error_b) {
+      out += fact("Cost, and error of b", rounded_text(sheet->wall_s, 2) + "\u202fs; the error of b is " +
+                                              rounded_text(*sheet->error_b, 2) + " of the largest |b|");
+    }
+  }
+  if (result.rim) {
+    out += fact("Plastic rim at the peak", rounded_text(result.rim->width, 3) + "\u202fm wide, " +
+                                               rounded_text(result.rim->cells, 3) + " cells of the grid");
+  }
+  out += fact("Drift of mass", figure(result.drift.mass, 2));
+  out += fact("of momentum", figure(result.drift.momentum, 2));
+  out += fact("of angular momentum", figure(result.drift.angular_momentum, 2));
+  out += fact("of energy", figure(result.drift.energy, 2));
+  out += fact("Smallest det F", figure(result.health.jacobian_min));
+  out += fact("Fastest particle", with_unit(figure(result.health.fastest), "m/s"));
+  out += fact("Largest Courant number", figure(result.health.courant));
+  if (result.health.domain_extent) {
+    out +=
+        fact("Farthest corner of a domain", rounded_text(*result.health.domain_extent, 3) + " cells from its particle");
+  }
+  return section("What else was checked", out + "</dl>\n");
+}
+
+std::string provenance_section(const Result& result) {
+  const Provenance& from = result.provenance;
+  std::string libraries;
+  for (const std::string& library : from.libraries) libraries += (libraries.empty() ? "" : ", ") + escaped(library);
+  std::string out = "<dl class=\"facts\">\n" + fact("assay", escaped(from.version)) +
+                    fact("Commit", escaped(from.git)) + fact("Compiler", escaped(from.compiler)) +
+                    fact("Flags", escaped(from.flags)) + fact("Libraries", libraries) +
+                    fact("SHA-256 of the scene", escaped(from.scene_sha256));
+  out += fact("Time", rounded_text(result.setup_s, 3) + "\u202fs set-up, " + rounded_text(result.wall_s, 3) +
+                          "\u202fs steps, " + rounded_text(result.finish_s, 3) + "\u202fs pictures and files; " +
+                          rounded_text(result.cpu_s, 3) + "\u202fs processor");
+  const double mebibytes = static_cast<double>(result.peak_rss_bytes) / (1024.0 * 1024.0);
+  out += fact("Memory", result.peak_rss_bytes > 0 ? rounded_text(mebibytes, 4) + "\u202fMiB at most" : none);
+  return section("Origin of the results", out + "</dl>\n");
+}
+
 }  // namespace
 
 std::string pictures_section(const std::vector<ReportPicture>& pictures) {
@@ -96,16 +183,45 @@ std::string pictures_section(const std::vector<ReportPicture>& pictures) {
   return out.empty() ? out : section("Particles", out);
 }
 
+LinePlot error_history_plot(const std::vector<ErrorSample>& history) {
+  Series l2{"L_{2}", {}, {}}, linf{"L_{\u221e}", {}, {}}, rms{"rms over all particles", {}, {}};
+  rms.dashed = true;
+  for (const ErrorSample& sample : history) {
+    for (Series* series : {&l2, &linf, &rms}) series->x.push_back(sample.t);
+    l2.y.push_back(sample.displacement.l2);
+    linf.y.push_back(sample.displacement.linf);
+    rms.y.push_back(sample.rms36);
+  }
+  return {"Error of the displacement", "t [s]", "error [m]", false, true, {l2, linf, rms}};
+}
+
+std::string profile_table(const std::vector<PassFigures>& passes) {
+  double most = 0, total = 0;
+  for (const PassFigures& pass : passes) {
+    most = std::max(most, pass.seconds);
+    total += pass.seconds;
+  }
+  std::vector<std::vector<std::string>> rows;
+  for (const PassFigures& pass : passes) {
+    const double width = most > 0 ? 100 * pass.seconds / most : 0, share = total > 0 ? 100 * pass.seconds / total : 0;
+    rows.push_back({escaped(pass.name), rounded_text(pass.seconds, 3), rounded_text(share, 3) + "\u202f%",
+                    pass.bytes_per_particle > 0 ? rounded_text(pass.bytes_per_particle, 4) : none,
+                    "<td class=\"bar\"><i style=\"width:" + rounded_text(width, 4) + "%\"></i></td>"});
+  }
+  return table({"pass", "seconds", "share", "bytes a particle", ""}, rows);
+}
+
 std::string report_html(const Result& result, const ReportContent& content) {
   std::string out;
   if (!result.subject.empty()) out += element("p", escaped(result.subject)) + "\n";
   out += verdict(result) + key_figures(result) + expectations(result) + pictures_section(content.pictures) +
          errors_section(result, content.period) + tractions_section(result);
-  out += profile_section(result) + credibility_section(result) + provenance_section(result);
+  if (!result.passes.empty()) out += section("Where the time went", profile_table(result.passes));
+  out += credibility_section(result) + provenance_section(result);
   if (!content.resolved_scene.empty()) {
     out += section("The scene, with every default", element("pre", escaped(content.resolved_scene)) + "\n");
   }
-  return page(escaped(result.title.empty() ? "assay run" : result.title), report_style, out);
+  return page(escaped(result.title.empty() ? "assay run" : result.title), out);
 }
 
 }  // namespace assay::drivers

@@ -28,6 +28,12 @@ LinePlot error_history_plot(const std::vector<ErrorSample>& history);
 /// The pictures under one heading; empty without any.
 std::string pictures_section(const std::vector<ReportPicture>& pictures);
 
+/// Seconds and share of each pass, with bars.
+std::string profile_table(const std::vector<PassFigures>& passes);
+
+/// The algorithms of tractions side by side; empty where the run compared none.
+std::string tractions_section(const Result& result);
+
 /// The page. First the verdict, then pictures and plots, then every figure, then where it comes from.
 std::string report_html(const Result& result, const ReportContent& content);
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "drivers/output/html.hpp"
-#include "drivers/output/report_sections.hpp"
+#include "drivers/output/report.hpp"
 #include "drivers/picture/drawing.hpp"
 #include "drivers/text/number_format.hpp"
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/picture/drawing.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "drivers/picture/colormap.hpp"
 #include "drivers/picture/stroke_font.hpp"
@@ -14,47 +16,43 @@ namespace {
 
 std::string number(double value) { return rounded_text(std::round(value * 100) / 100, 8); }
 
-std::string css(Ink ink) {
-  const std::size_t index = ink.series % 7;
-  if (ink.role == Ink::Role::fixed) return css_color(ink.color);
-  if (ink.role == Ink::Role::series) {
-    return "var(--series-" + std::to_string(index) + "," + css_color(series_color(index)) + ")";
-  }
-  if (ink.role == Ink::Role::name) {
-    return "var(--name-" + std::to_string(index) + "," + css_color(series_text_color(index)) + ")";
-  }
-  return "currentColor";
-}
+/// How a role is drawn: the opacity of the page's own colour, and the colour on white paper. Series, their names and
+/// fixed colours have their own.
+struct RoleStyle {
+  Ink::Role role;
+  const char* opacity;
+  std::uint32_t print;
+};
+constexpr RoleStyle role_styles[] = {{Ink::Role::text, "", 0x1a1a1a},
+                                     {Ink::Role::axis, ".7", 0x4d4d4d},
+                                     {Ink::Role::grid, ".16", 0xdedede},
+                                     {Ink::Role::faint, ".4", 0xa4a4a4},
+                                     {Ink::Role::band, ".22", 0xcdcdcd}};
 
-std::string opacity(Ink ink, const char* property) {
-  const char* value = ink.role == Ink::Role::grid    ? ".16"
-                      : ink.role == Ink::Role::axis  ? ".7"
-                      : ink.role == Ink::Role::faint ? ".4"
-                      : ink.role == Ink::Role::band  ? ".22"
-                                                     : nullptr;
-  return value ? std::string(";") + property + ":" + value : "";
+const RoleStyle* style_of(Ink ink) {
+  const auto* found = std::find_if(std::begin(role_styles), std::end(role_styles),
+                                   [&](const RoleStyle& style) { return style.role == ink.role; });
+  return found == std::end(role_styles) ? nullptr : found;
 }
 
 Color print_color(Ink ink) {
-  switch (ink.role) {
-    case Ink::Role::text:
-      return rgb(0x1a1a1a);
-    case Ink::Role::axis:
-      return rgb(0x4d4d4d);
-    case Ink::Role::grid:
-      return rgb(0xdedede);
-    case Ink::Role::series:
-      return series_color(ink.series);
-    case Ink::Role::name:
-      return series_text_color(ink.series);
-    case Ink::Role::faint:
-      return rgb(0xa4a4a4);
-    case Ink::Role::band:
-      return rgb(0xcdcdcd);
-    case Ink::Role::fixed:
-      return ink.color;
-  }
-  return {};
+  if (const RoleStyle* style = style_of(ink)) return rgb(style->print);
+  return ink.role == Ink::Role::series ? series_color(ink.series)
+         : ink.role == Ink::Role::name ? series_text_color(ink.series)
+                                       : ink.color;
+}
+
+std::string css(Ink ink) {
+  if (style_of(ink)) return "currentColor";
+  const std::string color = css_color(print_color(ink));
+  if (ink.role == Ink::Role::fixed) return color;
+  const char* variable = ink.role == Ink::Role::series ? "var(--series-" : "var(--name-";
+  return variable + std::to_string(ink.series % 7) + "," + color + ")";
+}
+
+std::string opacity(Ink ink, const char* property) {
+  const RoleStyle* style = style_of(ink);
+  return style && *style->opacity ? std::string(";") + property + ":" + style->opacity : "";
 }
 
 std::string path_of(const DrawingItem& item) {
@@ -79,15 +77,15 @@ std::string line_svg(const DrawingItem& item) {
   return out + "\"" + closed(item, "path");
 }
 
-std::string area_svg(const DrawingItem& item) {
-  return "<path d=\"" + path_of(item) + "Z\" style=\"fill:" + css(item.ink) + opacity(item.ink, "fill-opacity") + "\"" +
-         closed(item, "path");
+std::string filled(const DrawingItem& item, const char* tag) {
+  return "\" style=\"fill:" + css(item.ink) + opacity(item.ink, "fill-opacity") + "\"" + closed(item, tag);
 }
+
+std::string area_svg(const DrawingItem& item) { return "<path d=\"" + path_of(item) + "Z" + filled(item, "path"); }
 
 std::string disc_svg(const DrawingItem& item) {
   return "<circle cx=\"" + number(item.points[0].x) + "\" cy=\"" + number(item.points[0].y) + "\" r=\"" +
-         number(item.size) + "\" style=\"fill:" + css(item.ink) + opacity(item.ink, "fill-opacity") + "\"" +
-         closed(item, "circle");
+         number(item.size) + filled(item, "circle");
 }
 
 std::string label_svg(const DrawingItem& item) {
@@ -124,11 +122,11 @@ std::string css_color(Color color) {
 }
 
 void Drawing::line(std::vector<Point> points, Ink ink, double line_width, double dash) {
-  items.push_back({DrawingItem::Kind::line, ink, std::move(points), line_width, dash, {}, Anchor::left, false});
+  items.push_back({DrawingItem::Kind::line, ink, std::move(points), line_width, dash});
 }
 
 void Drawing::disc(Point center, double radius, Ink ink) {
-  items.push_back({DrawingItem::Kind::disc, ink, {center}, radius, 0, {}, Anchor::left, false});
+  items.push_back({DrawingItem::Kind::disc, ink, {center}, radius});
 }
 
 void Drawing::label(Point at, std::string text, double size, Anchor anchor, Ink ink, bool upwards) {
@@ -136,7 +134,7 @@ void Drawing::label(Point at, std::string text, double size, Anchor anchor, Ink 
 }
 
 void Drawing::area(std::vector<Point> around, Ink ink) {
-  items.push_back({DrawingItem::Kind::area, ink, std::move(around), 1, 0, {}, Anchor::left, false});
+  items.push_back({DrawingItem::Kind::area, ink, std::move(around)});
 }
 
 void Drawing::tip(std::string text) { items.back().tip = std::move(text); }
@@ -144,23 +142,13 @@ void Drawing::tip(std::string text) { items.back().tip = std::move(text); }
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : utf8(text)) {  // a model's words may be anything
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        // Control characters are not allowed in XML, not even escaped.
-        out += static_cast<unsigned char>(c) < 32 && c != '\n' && c != '\t' ? ' ' : c;
-    }
+    const char* entity = c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : nullptr;
+    // Control characters are not allowed in XML, not even escaped.
+    const bool allowed = static_cast<unsigned char>(c) >= 32 || c == '\n' || c == '\t';
+    if (entity)
+      out += entity;
+    else
+      out += allowed ? c : ' ';
   }
   return out;
 }

@@ -33,7 +33,7 @@ struct DrawingItem {
   std::vector<Point> points;  ///< of a line or around an area; one for a disc or a label
   double size = 1;            ///< width of a line, radius of a disc, em of a label
   double dash = 0;
-  std::string label;
+  std::string label = {};
   Anchor anchor = Anchor::left;
   bool upwards = false;
   std::string tip = {};  ///< shown where a pointer rests on it

@@ -4,9 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "drivers/picture/color_bar.hpp"
-#include "drivers/picture/stroke_font.hpp"
-#include "drivers/picture/ticks.hpp"
+#include "drivers/picture/panel.hpp"
 
 namespace assay::drivers {
 
@@ -25,17 +23,16 @@ struct Panel {
   }
 };
 
-void draw_cells(Canvas& canvas, const Panel& panel, const std::array<double, 2>& range) {
+void draw_cells(Canvas& canvas, const Panel& panel, const ColorBar& bar) {
   const HeatMap& map = panel.map;
   const double width = panel_width / static_cast<double>(map.columns), height = panel_height / double(map.rows);
   for (std::size_t i = 0; i < map.columns; ++i) {
     const double left = panel.left + static_cast<double>(i) * width;
     for (std::size_t j = 0; j < map.rows; ++j) {
-      const double value = map.values[i * map.rows + j], low = panel.bottom() - static_cast<double>(j) * height;
-      const double s = (value - range[0]) / (range[1] - range[0]);
+      const double low = panel.bottom() - static_cast<double>(j) * height;
       const std::array<Point, 4> cell{
           {{left, low}, {left + width, low}, {left + width, low - height}, {left, low - height}}};
-      canvas.fill(cell, map_color(map.map, std::isfinite(value) ? s : NAN));
+      canvas.fill(cell, bar.color_of(map.values[i * map.rows + j]));
     }
   }
 }
@@ -50,29 +47,6 @@ void draw_lines(Canvas& canvas, const Panel& panel) {
   for (const auto& line : panel.map.lines) canvas.stroke(placed(line), 1.8, ink);
 }
 
-void draw_axes(Canvas& canvas, const Panel& panel, const Axis& x, const Axis& y) {
-  const double left = panel.left, right = panel.right(), bottom = panel.bottom();
-  for (std::size_t i = 0; i < x.major.size(); ++i) {
-    const double at = left + panel_width * x.fraction(x.major[i]);
-    canvas.stroke(std::array<Point, 2>{{{at, bottom}, {at, bottom + 6}}}, 1, axis_color);
-    canvas.text({at, bottom + 25}, x.labels[i], {picture_text_size, ink, Anchor::middle});
-  }
-  for (std::size_t i = 0; i < y.major.size(); ++i) {
-    const double at = bottom - panel_height * y.fraction(y.major[i]);
-    canvas.stroke(std::array<Point, 2>{{{left - 6, at}, {left, at}}}, 1, axis_color);
-    canvas.text({left - 11, at + 6}, y.labels[i], {picture_text_size, ink, Anchor::right});
-  }
-  const auto with_factor = [](const std::string& label, const Axis& axis) {
-    return label + (axis.factor.empty() ? "" : "  (" + axis.factor + ")");
-  };
-  canvas.text({(left + right) / 2, bottom + 52}, with_factor(panel.map.x_label, x),
-              {picture_text_size, ink, Anchor::middle});
-  canvas.text({22, (top + bottom) / 2}, with_factor(panel.map.y_label, y),
-              {picture_text_size, ink, Anchor::middle, true});
-  canvas.stroke(std::array<Point, 5>{{{left, top}, {right, top}, {right, bottom}, {left, bottom}, {left, top}}}, 1,
-                axis_color);
-}
-
 }  // namespace
 
 std::string png(const HeatMap& map) {
@@ -82,23 +56,20 @@ std::string png(const HeatMap& map) {
   const std::array<double, 2> range = color_range(map.values, map.map);
   const Axis x = make_axis(map.x[0], map.x[1], false, Fit::tight, 7);
   const Axis y = make_axis(map.y[0], map.y[1], false, Fit::tight, 6);
-  double widest = 0;
-  for (const std::string& label : y.labels) widest = std::max(widest, label_width(label, picture_text_size));
-  const Panel panel{map, 44 + widest};
-  const ColorBar bar{map.map,
-                     make_axis(range[0], range[1], false, Fit::tight, 8),
-                     map.value_label,
-                     panel.right() + 28,
-                     top,
-                     panel.bottom(),
-                     picture_text_size};
-  Canvas canvas(static_cast<int>(std::ceil(bar.left + width_of(bar))), static_cast<int>(panel.bottom() + 70), paper);
-  canvas.text({panel.left, 34}, map.title, {picture_text_size * 1.2, ink, Anchor::left});
-  canvas.clip(panel.left, top, panel.right(), panel.bottom());
-  draw_cells(canvas, panel, range);
+  const Panel panel{map, 44 + y.widest_label(picture_text_size)};
+  const double left = panel.left, right = panel.right(), bottom = panel.bottom();
+  const ColorBar bar{map.map, make_axis(range[0], range[1], false, Fit::tight, 8), map.value_label, right + 28, top,
+                     bottom};
+  Canvas canvas(static_cast<int>(std::ceil(bar.left + bar.width())), static_cast<int>(bottom + 70), paper);
+  canvas.text({left, 34}, map.title, {picture_text_size * 1.2, ink, Anchor::left});
+  canvas.clip(left, top, right, bottom);
+  draw_cells(canvas, panel, bar);
   draw_lines(canvas, panel);
   canvas.unclip();
-  draw_axes(canvas, panel, x, y);
+  const auto at = [&](double u, double v) {
+    return Point{left + panel_width * x.fraction(u), bottom - panel_height * y.fraction(v)};
+  };
+  draw(canvas, PanelAxes{left, top, right, bottom, x, y, x.titled(map.x_label), y.titled(map.y_label), 52, at, true});
   draw(canvas, bar);
   return canvas.png();
 }

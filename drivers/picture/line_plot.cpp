@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "drivers/picture/plot_frame.hpp"
 #include "drivers/picture/stroke_font.hpp"
+#include "drivers/picture/ticks.hpp"
 
 namespace assay::drivers {
 
@@ -69,11 +69,6 @@ bool fit_axes(const LinePlot& plot, PlotFrame& frame) {
   return !empty;
 }
 
-std::string with_factor(const std::string& label, const Axis& axis) {
-  if (axis.factor.empty()) return label;
-  return label.empty() ? axis.factor : label + "  (" + axis.factor + ")";
-}
-
 /// Rows of the legend above the curves, where it hides none of them; returns their height.
 double draw_legend(Drawing& out, const LinePlot& plot, double left, double right, double top) {
   constexpr double row_height = 20, sample = 28, gap = 22;
@@ -118,9 +113,9 @@ void draw_axes(Drawing& out, const LinePlot& plot, const PlotFrame& f) {
     out.line({{f.left - 3, y}, {f.left, y}}, axis_ink, 0.8);
   }
   out.line({{f.left, f.top}, {f.left, f.bottom}, {f.right, f.bottom}}, axis_ink, 1.2);
-  out.label({(f.left + f.right) / 2, f.bottom + 44}, with_factor(plot.x_label, f.x), plot_text_size, Anchor::middle);
-  out.label({plot_text_size + 2, (f.top + f.bottom) / 2}, with_factor(plot.y_label, f.y), plot_text_size,
-            Anchor::middle, text_ink, true);
+  out.label({(f.left + f.right) / 2, f.bottom + 44}, f.x.titled(plot.x_label), plot_text_size, Anchor::middle);
+  out.label({plot_text_size + 2, (f.top + f.bottom) / 2}, f.y.titled(plot.y_label), plot_text_size, Anchor::middle,
+            text_ink, true);
 }
 
 void draw_series(Drawing& out, const LinePlot& plot, const PlotFrame& f, std::size_t index) {
@@ -143,9 +138,7 @@ Drawing draw(const LinePlot& plot) {
   Drawing out{plot_width, plot_height, plot.title, {}};
   PlotFrame frame;
   const bool any = fit_axes(plot, frame);
-  double widest = 0;
-  for (const std::string& label : frame.y.labels) widest = std::max(widest, label_width(label, plot_text_size * 0.93));
-  frame.left = plot_text_size + 24 + widest;
+  frame.left = plot_text_size + 24 + frame.y.widest_label(plot_text_size * 0.93);
   frame.right = plot_width - 18;
   frame.top = 10;
   if (!plot.title.empty()) {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "drivers/picture/color_bar.hpp"
+#include "drivers/picture/panel.hpp"
 
 namespace assay::drivers {
 
@@ -29,7 +29,7 @@ Layout lay_out(const ParticlePicture& picture, const ColorBar& bar) {
                                     [](const ParticleFrame& frame) { return !frame.caption.empty(); });
   out.top = 18 + (picture.title.empty() ? 0 : 32) + (captions ? 28 : 0);
   out.bar_left = out.left + count * out.panel_width + (count - 1) * out.gap + 28;
-  out.width = out.bar_left + width_of(bar);
+  out.width = out.bar_left + bar.width();
   out.height = out.top + out.panel_height + 66;
   return out;
 }
@@ -71,12 +71,8 @@ Shape shape_of(const View& view, const ParticleFrame& frame, std::size_t p) {
   return out;
 }
 
-void draw_particles(Canvas& canvas, const View& view, const ParticleFrame& frame, const std::array<double, 2>& range) {
-  const auto color = [&](std::size_t p) {
-    const double value = frame.value[p];
-    const double s = (value - range[0]) / (range[1] - range[0]);
-    return map_color(view.picture.map, std::isfinite(value) ? s : NAN);
-  };
+void draw_particles(Canvas& canvas, const View& view, const ParticleFrame& frame, const ColorBar& bar) {
+  const auto color = [&](std::size_t p) { return bar.color_of(frame.value[p]); };
   // Sheared parallelograms do not tile: a little bleeding under all of them closes the cracks.
   for (std::size_t p = 0; p < frame.x.size(); ++p) {
     const Shape shape = shape_of(view, frame, p);
@@ -104,32 +100,15 @@ void draw_rings(Canvas& canvas, const View& view) {
 void draw_frame_axes(Canvas& canvas, const View& view, const Layout& layout, bool with_y) {
   const ParticlePicture& picture = view.picture;
   const int target = layout.panel_width > 600 ? 6 : 4;
-  const double right = view.left + layout.panel_width;
-  const Axis x = make_axis(picture.lower[0], picture.upper[0], false, Fit::tight, target);
-  for (std::size_t i = 0; i < x.major.size(); ++i) {
-    const double at = view.at(x.major[i], 0).x;
-    canvas.stroke(std::array<Point, 2>{{{at, view.bottom}, {at, view.bottom + 6}}}, 1, axis_color);
-    canvas.text({at, view.bottom + 25}, x.labels[i], {picture_text_size, ink, Anchor::middle});
-  }
-  const double unit_y = view.bottom + 50;
-  canvas.text({(view.left + right) / 2, unit_y}, "x" + (x.factor.empty() ? "" : " (" + x.factor + ")") + " [m]",
-              {picture_text_size, ink, Anchor::middle});
-  const Axis y = make_axis(picture.lower[1], picture.upper[1], false, Fit::tight, target);
-  for (std::size_t i = 0; i < y.major.size(); ++i) {
-    const double at = view.at(0, y.major[i]).y;
-    canvas.stroke(std::array<Point, 2>{{{view.left - 6, at}, {view.left, at}}}, 1, axis_color);
-    if (with_y) canvas.text({view.left - 11, at + 6}, y.labels[i], {picture_text_size, ink, Anchor::right});
-  }
-  if (with_y) {
-    canvas.text({22, (view.top + view.bottom) / 2}, "y" + (y.factor.empty() ? "" : " (" + y.factor + ")") + " [m]",
-                {picture_text_size, ink, Anchor::middle, true});
-  }
-  canvas.stroke(std::array<Point, 5>{{{view.left, view.top},
-                                      {right, view.top},
-                                      {right, view.bottom},
-                                      {view.left, view.bottom},
-                                      {view.left, view.top}}},
-                1, axis_color);
+  const auto axis = [&](std::size_t d) {
+    return make_axis(picture.lower[d], picture.upper[d], false, Fit::tight, target);
+  };
+  const auto title = [](const std::string& name, const Axis& along) {
+    return name + (along.factor.empty() ? "" : " (" + along.factor + ")") + " [m]";
+  };
+  const Axis x = axis(0), y = axis(1);
+  draw(canvas, PanelAxes{view.left, view.top, view.left + layout.panel_width, view.bottom, x, y, title("x", x),
+                         title("y", y), 50, [&](double u, double v) { return view.at(u, v); }, with_y});
 }
 
 void check(const ParticlePicture& picture) {
@@ -149,7 +128,6 @@ std::string png(const ParticlePicture& picture) {
   const std::array<double, 2> range = color_range(picture);
   ColorBar bar{picture.map, make_axis(range[0], range[1], false, Fit::tight, picture.frames.size() == 1 ? 8 : 6),
                picture.value_label};
-  bar.text_size = picture_text_size;
   const Layout layout = lay_out(picture, bar);
   bar.left = layout.bar_left, bar.top = layout.top, bar.bottom = layout.top + layout.panel_height;
   Canvas canvas(static_cast<int>(std::ceil(layout.width)), static_cast<int>(std::ceil(layout.height)), paper);
@@ -160,7 +138,7 @@ std::string png(const ParticlePicture& picture) {
     const View view{picture, left, layout.top, layout.panel_width / (picture.upper[0] - picture.lower[0]),
                     layout.top + layout.panel_height};
     canvas.clip(left, layout.top, left + layout.panel_width, view.bottom);
-    draw_particles(canvas, view, picture.frames[i], {bar.axis.low, bar.axis.high});
+    draw_particles(canvas, view, picture.frames[i], bar);
     draw_rings(canvas, view);
     canvas.unclip();
     draw_frame_axes(canvas, view, layout, i == 0);

@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "drivers/picture/stroke_font.hpp"
+
 namespace assay::drivers {
 
 namespace {
@@ -90,6 +92,17 @@ void mark_logarithmic(Axis& axis, Fit fit, int target) {
 
 double Axis::fraction(double value) const {
   return logarithmic ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+}
+
+std::string Axis::titled(const std::string& label) const {
+  if (factor.empty()) return label;
+  return label.empty() ? factor : label + "  (" + factor + ")";
+}
+
+double Axis::widest_label(double size) const {
+  double widest = 0;
+  for (const std::string& label : labels) widest = std::max(widest, label_width(label, size));
+  return widest;
 }
 
 Axis make_axis(double low, double high, bool logarithmic, Fit fit, int target) {

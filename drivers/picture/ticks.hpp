@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where an axis is marked and what is written there.
+// Where an axis is marked, what is written there, and the frame of a plot between two axes.
 #pragma once
 
 #include <string>
 #include <vector>
+
+#include "drivers/picture/canvas.hpp"
 
 namespace assay::drivers {
 
@@ -15,6 +17,20 @@ struct Axis {
   std::string factor;               ///< "×10^{-3}" where the labels are to be multiplied, else empty
   /// 0 at low, 1 at high.
   double fraction(double value) const;
+  /// The axis's label, with the factor where there is one.
+  std::string titled(const std::string& label) const;
+  /// Width of the widest of the marks' labels [pixel].
+  double widest_label(double size) const;
+};
+
+/// The rectangle of a plot between its axes.
+struct PlotFrame {
+  double left = 0, top = 0, right = 0, bottom = 0;
+  Axis x, y;
+  /// Where the value (u, v) is drawn.
+  Point at(double u, double v) const {
+    return {left + (right - left) * x.fraction(u), bottom - (bottom - top) * y.fraction(v)};
+  }
 };
 
 /// How far the ends go beyond the data.

@@ -13,7 +13,6 @@
 #include "harness/motion/frame.hpp"
 #include "harness/motion/motion.hpp"
 #include "mpm/setup/method.hpp"
-#include "mpm/setup/traction.hpp"
 
 namespace assay::drivers {
 

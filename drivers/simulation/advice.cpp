@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/simulation/advice.hpp"
-
+// What a run that died, or erred, could try.
 #include <algorithm>
 #include <stdexcept>
 #include <vector>
@@ -50,6 +49,14 @@ double cells_across(const Problem& problem) {
   return std::max(sides[0], sides[1]) / problem.scene.grid->spacing;
 }
 
+/// Empty where few waves cross the body.
+std::string few_waves_advice(const Problem& problem) {
+  const auto period = period_of_few_waves(problem);
+  if (!period) return {};
+  return "motion.period: " + period_text(problem, *period) +
+         ", in which a wave crosses the body twice as in the paper's vortex";
+}
+
 }  // namespace
 
 std::array<double, 2> sides_of_body(const Problem& problem) {
@@ -61,18 +68,6 @@ std::array<double, 2> sides_of_body(const Problem& problem) {
   }
   return sides;
 }
-
-namespace {
-
-/// Empty where few waves cross the body.
-std::string few_waves_advice(const Problem& problem) {
-  const auto period = period_of_few_waves(problem);
-  if (!period) return {};
-  return "motion.period: " + period_text(problem, *period) +
-         ", in which a wave crosses the body twice as in the paper's vortex";
-}
-
-}  // namespace
 
 std::string advice_after_large_error(const Problem& problem, double relative) {
   constexpr double large = 0.3;  ///< where the waves of a stiff model are to blame

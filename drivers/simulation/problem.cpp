@@ -11,7 +11,7 @@
 #include "drivers/scene/motion_keys.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/simulation/body_ends.hpp"
-#include "drivers/simulation/runnable.hpp"
+#include "drivers/simulation/scene_limits.hpp"
 #include "drivers/simulation/seeds.hpp"
 #include "drivers/simulation/time_steps.hpp"
 #include "drivers/simulation/traction_choice.hpp"
@@ -21,7 +21,7 @@
 #include "mpm/basis/corners.hpp"
 #include "mpm/patch/methods.hpp"
 #include "mpm/seeding/lattice.hpp"
-#include "mpm/seeding/particle_order.hpp"
+#include "mpm/seeding/seeds_on_grid.hpp"
 #include "mpm/setup/with_basis.hpp"
 
 namespace assay::drivers {
@@ -50,10 +50,10 @@ mpm::GridGeometry<2> grid_of(const Scene& scene) {
   if (!grid.lower) return grid_around(body, grid, grid_margin);
   for (std::size_t d = 0; d < 2; ++d) {
     if ((*grid.lower)[d] > body.lower[d] || (*grid.upper)[d] < body.upper[d]) {
-      throw InputError(scene.place("grid"), "grid",
-                       "particles of the body lie outside the grid, whose corners are [" +
-                           rounded_text((*grid.lower)[0], 6) + ", " + rounded_text((*grid.lower)[1], 6) + "] and [" +
-                           rounded_text((*grid.upper)[0], 6) + ", " + rounded_text((*grid.upper)[1], 6) + "]");
+      refuse(scene, "grid",
+             "particles of the body lie outside the grid, whose corners are [" + rounded_text((*grid.lower)[0], 6) +
+                 ", " + rounded_text((*grid.lower)[1], 6) + "] and [" + rounded_text((*grid.upper)[0], 6) + ", " +
+                 rounded_text((*grid.upper)[1], 6) + "]");
     }
   }
   const int across = mpm::traits_of<2>(scene.method->basis).nodes_across;
@@ -63,6 +63,81 @@ mpm::GridGeometry<2> grid_of(const Scene& scene) {
     found = grid_around({*grid.lower, *grid.upper}, grid, ++margin);
   }
   return found;
+}
+
+std::string remedies_text(const mpm::Remedies& remedies) {
+  std::string text;
+  if (remedies.averages_volume()) {
+    text += std::string(", J averaged over ") + (remedies.anti_locking == mpm::AntiLocking::cell ? "cells" : "nodes");
+  }
+  if (remedies.largest_domain > 0) text += ", domains to " + rounded_text(remedies.largest_domain, 3) + " h";
+  if (remedies.small_mass > 0) text += ", small masses";
+  if (remedies.has_viscosity()) text += ", artificial viscosity";
+  return text;
+}
+
+/// c = sqrt(E/rho0) of a motion in the unit box that does not say it, and the end of the run that follows from it.
+void resolve_wave_speed(Scene& scene) {
+  auto* box = scene.motion.as<AxisAligned>();
+  if (!box || box->given_speed) return;
+  const auto modulus = scene.material.parameters.find("E");
+  if (modulus == scene.material.parameters.end() || !(modulus->second > 0)) {
+    refuse(scene, "motion.wave_speed",
+           "auto takes sqrt(E/rho0), and the material has no parameter E above 0: give it [m/s]");
+  }
+  const double speed = std::sqrt(modulus->second / scene.material.density);
+  if (!(speed >= AxisAligned::least_wave_speed && speed <= AxisAligned::most_wave_speed)) {
+    refuse(scene, "motion.wave_speed",
+           "auto takes sqrt(E/rho0), which is " + rounded_text(speed, 3) + " m/s, beyond " +
+               rounded_text(speed > 1 ? AxisAligned::most_wave_speed : AxisAligned::least_wave_speed, 3) +
+               ": give it [m/s]");
+  }
+  box->amplitude.period = 1 / speed;
+  box->given_speed = true;
+  if (!scene.places.contains("time.end")) scene.time.end = box->amplitude.period;
+}
+
+/// Body force, tractions, and what the body's other faces are.
+void choose_forces(Problem& problem) {
+  Scene& scene = problem.scene;
+  mpm::Setup<2>& setup = problem.setup;
+  const bool forced = scene.force.response != ForceChoice::Response::none;
+  setup.body_force = forced && accelerates(scene.motion);
+  problem.compared = forced;
+  setup.traction = traction_of(scene);
+  if (!setup.traction) setup.seeds.surface.clear();
+  const bool on_faces = setup.traction && setup.traction->algorithm != mpm::TractionAlgorithm::virtual_stress;
+  if (on_faces && setup.seeds.surface.empty()) {
+    if (scene.output.tractions) {
+      refuse(scene, "output.tractions",
+             "compares tractions, and all faces of the body are symmetry planes or periodic ends");
+    }
+    setup.traction.reset();
+  }
+  setup.ends = ends_of(scene);
+  if (setup.has_images() && setup.grid.offset != std::array<double, 2>{}) {
+    refuse(scene, "grid.offset",
+           "symmetry planes and periodic ends of the body lie on nodes, which an offset takes away from them");
+  }
+  // a force that is linear in X is on a domain what it is in its middle; at Gauss points their rule takes the mean
+  const bool pointwise =
+      is_homogeneous(scene.motion) || (!ring_of(scene.motion) && scene.body.lattice == Body::Lattice::gauss);
+  setup.evaluation = pointwise ? mpm::Evaluation::point : scene.force.evaluation;
+  setup.inertia = scene.force.inertia;
+}
+
+/// Far from the origin the numbers themselves may lie further apart than particles can bear.
+std::string no_particle_sentence(const Problem& problem) {
+  const double spacing = problem.setup.grid.spacing;
+  double far = 0;
+  for (const auto& corner : {problem.scene.body.lower, problem.scene.body.upper}) {
+    for (const double x : corner) far = std::max(far, std::abs(x));
+  }
+  const double apart = std::nextafter(far, 2 * far) - far;
+  std::string sentence = "leaves no particle in the body";
+  if (apart < 1e-6 * spacing) return sentence;
+  return sentence + ": " + rounded_text(far, 2) + " m from the origin, coordinates are rounded to " +
+         rounded_text(apart, 2) + " m; place the body nearer to it";
 }
 
 }  // namespace
@@ -88,21 +163,6 @@ std::string Problem::motion_text() const {
   }
   return text;
 }
-
-namespace {
-
-std::string remedies_text(const mpm::Remedies& remedies) {
-  std::string text;
-  if (remedies.averages_volume()) {
-    text += std::string(", J averaged over ") + (remedies.anti_locking == mpm::AntiLocking::cell ? "cells" : "nodes");
-  }
-  if (remedies.largest_domain > 0) text += ", domains to " + rounded_text(remedies.largest_domain, 3) + " h";
-  if (remedies.small_mass > 0) text += ", small masses";
-  if (remedies.has_viscosity()) text += ", artificial viscosity";
-  return text;
-}
-
-}  // namespace
 
 std::string Problem::subject() const {
   const mpm::MethodNames names = mpm::names_of(setup.method);
@@ -142,31 +202,6 @@ double Problem::estimated_bytes() const {
   return bytes;
 }
 
-namespace {
-
-/// c = sqrt(E/rho0) of a motion in the unit box that does not say it, and the end of the run that follows from it.
-void resolve_wave_speed(Scene& scene) {
-  auto* box = scene.motion.as<AxisAligned>();
-  if (!box || box->given_speed) return;
-  const auto modulus = scene.material.parameters.find("E");
-  if (modulus == scene.material.parameters.end() || !(modulus->second > 0)) {
-    throw InputError(scene.place("motion.wave_speed"), "motion.wave_speed",
-                     "auto takes sqrt(E/rho0), and the material has no parameter E above 0: give it [m/s]");
-  }
-  const double speed = std::sqrt(modulus->second / scene.material.density);
-  if (!(speed >= AxisAligned::least_wave_speed && speed <= AxisAligned::most_wave_speed)) {
-    throw InputError(scene.place("motion.wave_speed"), "motion.wave_speed",
-                     "auto takes sqrt(E/rho0), which is " + rounded_text(speed, 3) + " m/s, beyond " +
-                         rounded_text(speed > 1 ? AxisAligned::most_wave_speed : AxisAligned::least_wave_speed, 3) +
-                         ": give it [m/s]");
-  }
-  box->amplitude.period = 1 / speed;
-  box->given_speed = true;
-  if (!scene.places.contains("time.end")) scene.time.end = box->amplitude.period;
-}
-
-}  // namespace
-
 std::shared_ptr<const Material> material_of(Scene& scene, std::string& library) {
   ResolvedMaterial resolved = resolve_material(scene);
   for (const std::string& sentence : resolved.warnings) warn(sentence);
@@ -178,54 +213,6 @@ std::shared_ptr<const Material> material_of(Scene& scene, std::string& library) 
   resolve_wave_speed(scene);
   return std::make_shared<const Material>(std::move(resolved.material));
 }
-
-namespace {
-
-/// Body force, tractions, and what the body's other faces are.
-void choose_forces(Problem& problem) {
-  Scene& scene = problem.scene;
-  mpm::Setup<2>& setup = problem.setup;
-  const bool forced = scene.force.response != ForceChoice::Response::none;
-  setup.body_force = forced && accelerates(scene.motion);
-  problem.compared = forced;
-  setup.traction = traction_of(scene);
-  if (!setup.traction) setup.seeds.surface.clear();
-  const bool on_faces = setup.traction && setup.traction->algorithm != mpm::TractionAlgorithm::virtual_stress;
-  if (on_faces && setup.seeds.surface.empty()) {
-    if (scene.output.tractions) {
-      throw InputError(scene.place("output.tractions"), "output.tractions",
-                       "compares tractions, and all faces of the body are symmetry planes or periodic ends");
-    }
-    setup.traction.reset();
-  }
-  setup.ends = ends_of(scene);
-  if (setup.has_images() && setup.grid.offset != std::array<double, 2>{}) {
-    throw InputError(
-        scene.place("grid.offset"), "grid.offset",
-        "symmetry planes and periodic ends of the body lie on nodes, which an offset takes away from them");
-  }
-  // a force that is linear in X is on a domain what it is in its middle; at Gauss points their rule takes the mean
-  const bool pointwise =
-      is_homogeneous(scene.motion) || (!ring_of(scene.motion) && scene.body.lattice == Body::Lattice::gauss);
-  setup.evaluation = pointwise ? mpm::Evaluation::point : scene.force.evaluation;
-  setup.inertia = scene.force.inertia;
-}
-
-/// Far from the origin the numbers themselves may lie further apart than particles can bear.
-std::string no_particle_sentence(const Problem& problem) {
-  const double spacing = problem.setup.grid.spacing;
-  double far = 0;
-  for (const auto& corner : {problem.scene.body.lower, problem.scene.body.upper}) {
-    for (const double x : corner) far = std::max(far, std::abs(x));
-  }
-  const double apart = std::nextafter(far, 2 * far) - far;
-  std::string sentence = "leaves no particle in the body";
-  if (apart < 1e-6 * spacing) return sentence;
-  return sentence + ": " + rounded_text(far, 2) + " m from the origin, coordinates are rounded to " +
-         rounded_text(apart, 2) + " m; place the body nearer to it";
-}
-
-}  // namespace
 
 Problem assemble(const Scene& given, int threads) {
   Problem problem;
@@ -250,8 +237,7 @@ Problem assemble(const Scene& given, int threads) {
   setup.accounts = scene.output.accounts;
   setup.remedies = scene.remedies;
   setup.threads = threads;
-  if (setup.seeds.size() == 0)
-    throw InputError(scene.place("grid.spacing"), "grid.spacing", no_particle_sentence(problem));
+  if (setup.seeds.size() == 0) refuse(scene, "grid.spacing", no_particle_sentence(problem));
   for (const Path& path : baseline_paths(scene)) setup.material_direction = path.material_direction;
   find_speeds(problem);
   plan_steps(problem);

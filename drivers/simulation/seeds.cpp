@@ -8,7 +8,6 @@
 #include "drivers/simulation/body_ends.hpp"
 #include "mpm/seeding/gauss_lattice.hpp"
 #include "mpm/seeding/lattice.hpp"
-#include "mpm/seeding/surface_edges.hpp"
 
 namespace assay::drivers {
 

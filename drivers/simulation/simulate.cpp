@@ -10,11 +10,10 @@
 #include <fstream>
 
 #include "adapters/worker/remote_table.hpp"
-#include "drivers/simulation/accounts.hpp"
 #include "drivers/simulation/growth.hpp"
 #include "drivers/simulation/health.hpp"
 #include "drivers/simulation/stress_offload.hpp"
-#include "drivers/simulation/time_control.hpp"
+#include "drivers/simulation/time_steps.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/text/number_format.hpp"
 #include "mpm/simulation.hpp"

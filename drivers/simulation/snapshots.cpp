@@ -80,6 +80,26 @@ constexpr Shown shown[] = {{Column::reference_position, 2},
                            {Column::deformation_gradient, mpm::tensor_components<2>},
                            {Column::stress, mpm::stress_components<2>}};
 
+/// What pictures show: the ring with a margin; of a body whose outside moves all of it, on all of its way [m].
+Box picture_box(const Problem& problem) {
+  const Scene& scene = problem.scene;
+  if (!ring_of(scene.motion)) {
+    Box box = swept_box(scene);
+    const double margin = 0.05 * std::max(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
+    for (std::size_t d = 0; d < 2; ++d) box.lower[d] -= margin, box.upper[d] += margin;
+    return box;
+  }
+  double reach = 1.1 * ring_of(scene.motion)->outer;
+  if (scene.body.domain != Body::Domain::ring && scene.body.outside != Body::Outside::held) {
+    for (const double x : {scene.body.lower[0], scene.body.upper[0]}) {
+      for (const double y : {scene.body.lower[1], scene.body.upper[1]}) {
+        reach = std::max(reach, 1.03 * (scene.frame ? std::hypot(x, y) : std::max(std::abs(x), std::abs(y))));
+      }
+    }
+  }
+  return {{-reach, -reach}, {reach, reach}};
+}
+
 }  // namespace
 
 void LastGood::keep(const mpm::State<2>& s, double t) {
@@ -186,40 +206,11 @@ void Snapshots::remember(const mpm::State<2>& state, const ErrorSampler& sampler
 
 void Snapshots::show(Frame frame) {
   const double t = frame.t, half = 0.5 * problem_->period();
-  if (frames_.empty()) {
-    frames_.push_back(std::move(frame));
-  } else if (std::abs(t - half) < std::abs(frames_.front().t - half)) {
-    frames_.clear();
-    frames_.push_back(std::move(frame));
-  } else {
-    frames_.resize(1);
-    frames_.push_back(std::move(frame));
-  }
+  const bool nearer = !frames_.empty() && std::abs(t - half) < std::abs(frames_.front().t - half);
+  if (nearer) frames_.clear();
+  if (frames_.size() > 1) frames_.resize(1);
+  frames_.push_back(std::move(frame));
 }
-
-namespace {
-
-/// What pictures show: the ring with a margin; of a body whose outside moves all of it, on all of its way [m].
-Box picture_box(const Problem& problem) {
-  const Scene& scene = problem.scene;
-  if (!ring_of(scene.motion)) {
-    Box box = swept_box(scene);
-    const double margin = 0.05 * std::max(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
-    for (std::size_t d = 0; d < 2; ++d) box.lower[d] -= margin, box.upper[d] += margin;
-    return box;
-  }
-  double reach = 1.1 * ring_of(scene.motion)->outer;
-  if (scene.body.domain != Body::Domain::ring && scene.body.outside != Body::Outside::held) {
-    for (const double x : {scene.body.lower[0], scene.body.upper[0]}) {
-      for (const double y : {scene.body.lower[1], scene.body.upper[1]}) {
-        reach = std::max(reach, 1.03 * (scene.frame ? std::hypot(x, y) : std::max(std::abs(x), std::abs(y))));
-      }
-    }
-  }
-  return {{-reach, -reach}, {reach, reach}};
-}
-
-}  // namespace
 
 std::vector<Snapshots::Written> Snapshots::finish() {
   if (!entries_.empty()) folder_->write("particles.pvd", pvd_text(entries_));
@@ -257,16 +248,14 @@ std::vector<Snapshots::Written> Snapshots::finish() {
   add("error.png", "|u − u_{exact}| [m]", &Frame::error,
       "Yellow particles are farthest from their exact positions. All moments have one scale.");
   picture.map = ColorMap::diverging;
-  if (is_vortex(motion)) {
-    const double most = std::max(farthest(&Frame::measure, 0), rounding);
-    picture.title = "Shear of the particles";
-    picture.range = {-most, most};
+  const bool vortex = is_vortex(motion);
+  const double middle = vortex ? 0 : 1, most = std::max(farthest(&Frame::measure, middle), rounding);
+  picture.title = vortex ? "Shear of the particles" : "Volume of the particles";
+  picture.range = {middle - most, middle + most};
+  if (vortex) {
     add("shear.png", "γ = 2ε [1]", &Frame::measure,
         "In the exact motion all particles of one radius have one colour. White particles are not sheared.");
   } else {
-    const double most = std::max(farthest(&Frame::measure, 1), rounding);
-    picture.title = "Volume of the particles";
-    picture.range = {1 - most, 1 + most};
     add("jacobian.png", "J = det F [1]", &Frame::measure,
         "White particles have their initial volume. Red ones are larger, blue ones smaller.");
   }

@@ -8,7 +8,7 @@
 #include "adapters/worker/shared_memory.hpp"
 #include "adapters/worker/warden.hpp"
 #include "drivers/simulation/problem.hpp"
-#include "mpm/material/offload.hpp"
+#include "mpm/material/stress_blocks.hpp"
 
 namespace assay::drivers {
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/simulation/time_control.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +6,7 @@
 #include "harness/material/material_failure.hpp"
 #include "harness/material/offer.hpp"
 #include "harness/stability/wave_speed.hpp"
-#include "mpm/data/blocks.hpp"
+#include "mpm/material/stress_blocks.hpp"
 
 namespace assay::drivers {
 
@@ -20,10 +18,15 @@ constexpr std::int64_t steps_between_looks = 16;  ///< steps between two looks
 constexpr double shortest = 1e-4;                 ///< of the planned step: what needs shorter ones has gone wrong
 constexpr std::int64_t calls_of_probe = 19;       ///< of a tangent modulus by central differences
 
+/// With component 33, and none else out of the plane.
+Tensor in_plane(const std::array<double, 4>& A, double A33) {
+  Tensor out;
+  out << A[0], A[1], 0, A[2], A[3], 0, 0, 0, A33;
+  return out;
+}
+
 Tensor deformation_of(const mpm::State<2>& s, std::size_t p) {
-  Tensor F = Tensor::Identity();
-  for (int c = 0; c < 4; ++c) F(c / 2, c % 2) = s.column(Column::deformation_gradient, c)[p];
-  return F;
+  return in_plane(s.at<4>(Column::deformation_gradient, p), 1);
 }
 
 /// Where waves are likely to be fastest: the most stretched particle, the most compressed, the most expanded.
@@ -47,12 +50,17 @@ double fastest_particle_of(const mpm::State<2>& s) {
   return std::sqrt(square);
 }
 
+/// State at the begin of the step from a block's first particle on; null of a material without.
+const double* history_at(const mpm::State<2>& s, std::size_t begin, std::size_t state_size) {
+  const auto* history = s.find<mpm::MaterialHistory>();
+  return history ? history->begin.data() + begin * state_size : nullptr;
+}
+
 /// -tr D, of the particle that shrinks the fastest [1/s].
 double fastest_shrinking_of(const mpm::State<2>& s) {
   double fastest = 0;
   for (std::size_t p = 0; p < s.particles; ++p) {
-    Tensor L = Tensor::Zero();
-    for (int c = 0; c < 4; ++c) L(c / 2, c % 2) = s.column(Column::velocity_gradient, c)[p];
+    Tensor L = in_plane(s.at<4>(Column::velocity_gradient, p), 0);
     if (s.method.is_total()) L *= deformation_of(s, p).inverse();
     fastest = std::max(fastest, -L.trace());
   }
@@ -70,7 +78,8 @@ std::vector<double> TimeControl::state_of(const mpm::State<2>& s, std::size_t p)
   const std::size_t size = material_.state_size(), begin = p / mpm::block_size * mpm::block_size;
   const std::size_t n = std::min(mpm::block_size, s.particles - begin);
   std::vector<double> values(size);
-  for (std::size_t c = 0; c < size; ++c) values[c] = s.history[0].data()[begin * size + c * n + (p - begin)];
+  const double* history = history_at(s, 0, size);
+  for (std::size_t c = 0; c < size; ++c) values[c] = history[begin * size + c * n + (p - begin)];
   return values;
 }
 
@@ -93,7 +102,7 @@ double TimeControl::own_speed(const mpm::State<2>& s) const {
         stress[at] = s.column(Column::stress, c)[begin + k];
       }
     }
-    const double* state = s.history[0].data() ? s.history[0].data() + begin * material_.state_size() : nullptr;
+    const double* state = history_at(s, begin, material_.state_size());
     if (offer(s.setup.density, n, F.data(), stress.data(), state, speed.data()) == ASSAY_FAILED) {
       return 0;
     }

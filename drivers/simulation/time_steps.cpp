@@ -9,6 +9,7 @@
 
 #include "drivers/scene/body_box.hpp"
 #include "drivers/scene/initial_velocity.hpp"
+#include "drivers/simulation/scene_limits.hpp"
 #include "drivers/text/number_format.hpp"
 #include "harness/stability/wave_speed.hpp"
 
@@ -88,35 +89,6 @@ double fastest_of_frame(const Frame& frame, const mpm::Seeds<2>& seeds) {
   return std::abs(frame.spin) * farthest + frame.velocity.norm();
 }
 
-}  // namespace
-
-double fastest_shrinking(const Scene& scene) {
-  if (const auto& v = scene.body.initial_velocity) return std::max(0.0, -(v->stretching[0] + v->stretching[1]));
-  double fastest = 0;
-  for (const Vector3& X : places_of(scene)) {
-    for (int k = 0; k <= speed_samples; ++k) {
-      const ExactState state = state_at(scene.motion, X, scene.time.end * k / speed_samples);
-      fastest = std::max(fastest, -(state.F_rate * state.F.inverse()).trace());
-    }
-  }
-  return fastest;
-}
-
-double viscous_shortening(const Problem& problem, double wave, double shrinking) {
-  const mpm::Remedies& remedies = problem.setup.remedies;
-  if (!remedies.has_viscosity() || !(wave > 0)) return 1;
-  const double Q = remedies.viscosity[0] * remedies.viscosity_speed +
-                   remedies.viscosity[1] * problem.scene.grid->spacing * shrinking;
-  return (Q + std::hypot(Q, wave)) / wave;
-}
-
-double fastest_signal(const Problem& problem) {
-  return std::max(problem.viscous_shortening * problem.wave_speed + problem.particle_speed,
-                  problem.viscous_shortening * problem.reference_wave_speed);
-}
-
-namespace {
-
 /// Equal steps that also meet T/2 where the end is a multiple of it: the error is asked for there.
 double steps_by_courant(const Problem& problem) {
   const double end = problem.scene.time.end;
@@ -152,6 +124,31 @@ std::string key_of_steps(const Problem& problem) {
 
 }  // namespace
 
+double fastest_shrinking(const Scene& scene) {
+  if (const auto& v = scene.body.initial_velocity) return std::max(0.0, -(v->stretching[0] + v->stretching[1]));
+  double fastest = 0;
+  for (const Vector3& X : places_of(scene)) {
+    for (int k = 0; k <= speed_samples; ++k) {
+      const ExactState state = state_at(scene.motion, X, scene.time.end * k / speed_samples);
+      fastest = std::max(fastest, -(state.F_rate * state.F.inverse()).trace());
+    }
+  }
+  return fastest;
+}
+
+double viscous_shortening(const Problem& problem, double wave, double shrinking) {
+  const mpm::Remedies& remedies = problem.setup.remedies;
+  if (!remedies.has_viscosity() || !(wave > 0)) return 1;
+  const double Q = remedies.viscosity[0] * remedies.viscosity_speed +
+                   remedies.viscosity[1] * problem.scene.grid->spacing * shrinking;
+  return (Q + std::hypot(Q, wave)) / wave;
+}
+
+double fastest_signal(const Problem& problem) {
+  return std::max(problem.viscous_shortening * problem.wave_speed + problem.particle_speed,
+                  problem.viscous_shortening * problem.reference_wave_speed);
+}
+
 void find_speeds(Problem& problem) {
   const Scene& scene = problem.scene;
   mpm::Setup<2>& setup = problem.setup;
@@ -175,23 +172,22 @@ void find_speeds(Problem& problem) {
 void plan_steps(Problem& problem) {
   const Scene& scene = problem.scene;
   if (scene.time.step && *scene.time.step > scene.time.end) {  // an end that the motion's speed gives is known by now
-    throw InputError(scene.place("time.step"), "time.step",
-                     "must not exceed time.end, " + rounded_text(scene.time.end, 6));
+    refuse(scene, "time.step", "must not exceed time.end, " + rounded_text(scene.time.end, 6));
   }
   const double steps =
       scene.time.step ? std::ceil(scene.time.end / *scene.time.step * (1 - whole_steps)) : steps_by_courant(problem);
   if (!(steps >= 1 && steps < most_steps)) {
     const std::string key = key_of_steps(problem);
-    throw InputError(scene.place(key), key,
-                     "gives " + rounded_text(steps, 3) + " steps to time.end = " + rounded_text(scene.time.end, 6) +
-                         " s (fastest wave on the path " + rounded_text(problem.wave_speed, 3) +
-                         " m/s, fastest particle " + rounded_text(problem.particle_speed, 3) + " m/s)");
+    refuse(scene, key,
+           "gives " + rounded_text(steps, 3) + " steps to time.end = " + rounded_text(scene.time.end, 6) +
+               " s (fastest wave on the path " + rounded_text(problem.wave_speed, 3) + " m/s, fastest particle " +
+               rounded_text(problem.particle_speed, 3) + " m/s)");
   }
   if (!std::isfinite(problem.wave_speed + problem.particle_speed)) {  // a step that is given asks for neither
     const char* key = key_of_speed(problem);
-    throw InputError(scene.place(key), key,
-                     "is faster than numbers go: fastest wave on the path " + rounded_text(problem.wave_speed, 3) +
-                         " m/s, fastest particle " + rounded_text(problem.particle_speed, 3) + " m/s");
+    refuse(scene, key,
+           "is faster than numbers go: fastest wave on the path " + rounded_text(problem.wave_speed, 3) +
+               " m/s, fastest particle " + rounded_text(problem.particle_speed, 3) + " m/s");
   }
   problem.steps = static_cast<std::int64_t>(steps);
   problem.dt = scene.time.step ? *scene.time.step : scene.time.end / steps;

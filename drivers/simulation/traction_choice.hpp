@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "drivers/scene/scene.hpp"
-#include "mpm/setup/traction.hpp"
+#include "mpm/setup/method.hpp"
 
 namespace assay::drivers {
 

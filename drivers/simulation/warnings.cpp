@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "drivers/scene/body_box.hpp"
-#include "drivers/simulation/advice.hpp"
 #include "drivers/simulation/time_steps.hpp"
 #include "drivers/text/number_format.hpp"
 #include "harness/check/march.hpp"

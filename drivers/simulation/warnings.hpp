@@ -2,6 +2,7 @@
 // What whoever runs a scene has to be told of before it runs.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,5 +33,18 @@ std::string long_motion_sentence(const Problem& problem);
 /// by more than steps of this length resolve; snapshots from a time on that is not reached; a density in t/mm^3; cells
 /// larger than the body; particles at the ends of splines.
 std::vector<std::string> warnings_of(const Problem& problem);
+
+// After the run.
+
+/// What lives through more of the hard cases (docs/hard.md, bench/results/hard) than the method of this run; empty
+/// where nothing does. reason: of which it died.
+std::string advice_after_death(const Problem& problem, const std::string& reason = {});
+
+/// What makes the errors smaller of a run that has completed with errors larger than its motion; empty for others.
+/// `relative`: the largest error over the largest displacement.
+std::string advice_after_large_error(const Problem& problem, double relative);
+
+/// Lengths of the body along the axes [m]; zeros without particles.
+std::array<double, 2> sides_of_body(const Problem& problem);
 
 }  // namespace assay::drivers

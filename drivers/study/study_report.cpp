@@ -2,7 +2,6 @@
 #include "drivers/study/study_report.hpp"
 
 #include "drivers/output/html.hpp"
-#include "drivers/output/report_style.hpp"
 #include "drivers/study/study_report_sections.hpp"
 #include "drivers/study/study_style.hpp"
 
@@ -27,7 +26,7 @@ std::string study_report_html(const StudyFindings& findings, const std::vector<R
     body += html::section("The study", html::element("pre", escaped(findings.study_yaml)) + "\n");
   }
   const std::string title = findings.title.empty() ? "assay study" : findings.title;
-  return html::page(escaped(title), std::string(report_style) + study_style, body);
+  return html::page(escaped(title), body, study_style);
 }
 
 }  // namespace assay::drivers

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "drivers/output/html.hpp"
-#include "drivers/output/report_sections.hpp"
+#include "drivers/output/report.hpp"
 #include "drivers/study/clock.hpp"
 #include "drivers/study/stability_map.hpp"
 #include "drivers/study/study_report_sections.hpp"

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "drivers/picture/label_placer.hpp"
-#include "drivers/picture/plot_frame.hpp"
+#include "drivers/picture/ticks.hpp"
 #include "drivers/study/study_words.hpp"
 
 namespace assay::drivers {

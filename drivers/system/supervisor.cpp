@@ -25,8 +25,8 @@
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/own_files.hpp"
 #include "drivers/system/own_terminal.hpp"
-#include "harness/material/instances.hpp"
 #include "harness/material/own_process.hpp"
+#include "harness/material/thrown.hpp"
 
 namespace assay::drivers {
 

@@ -14,7 +14,7 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/exact_stress.hpp"
 #include "drivers/simulation/problem.hpp"
-#include "drivers/simulation/runnable.hpp"
+#include "drivers/simulation/scene_limits.hpp"
 #include "drivers/simulation/screening.hpp"
 #include "drivers/simulation/warnings.hpp"
 #include "drivers/system/input_error.hpp"

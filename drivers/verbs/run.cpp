@@ -17,7 +17,6 @@
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_reader.hpp"
-#include "drivers/simulation/advice.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/rim.hpp"
 #include "drivers/simulation/screening.hpp"

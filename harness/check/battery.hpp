@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/material/failed_step.hpp"
 #include "harness/material/material.hpp"
+#include "harness/material/material_failure.hpp"
 
 namespace assay::check {
 

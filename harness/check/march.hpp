@@ -5,7 +5,6 @@
 #include <functional>
 #include <vector>
 
-#include "harness/material/failed_step.hpp"
 #include "harness/material/material.hpp"
 #include "harness/material/material_failure.hpp"
 #include "harness/numeric/largest.hpp"

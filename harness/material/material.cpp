@@ -7,8 +7,6 @@
 #include <map>
 #include <mutex>
 
-#include "harness/material/foreign_message.hpp"
-#include "harness/material/instances.hpp"
 #include "harness/material/material_failure.hpp"
 #include "harness/material/offer.hpp"
 #include "harness/material/progress_mark.hpp"
@@ -98,6 +96,25 @@ void destroy_instance(void* self) {
   destroy_marked(destroy, self);
 }
 
+/// Of a material with several directions: the given one; a right angle about E3 further, or E1 where that is along E3;
+/// at right angles to both; and again.
+Vector3 further_direction(const Vector3& first, std::uint32_t rank) {
+  if (rank % 3 == 0) return first;
+  const Vector3 about = Vector3::UnitZ().cross(first);
+  const Vector3 second = about.norm() > 1e-8 ? Vector3(about.normalized()) : Vector3(Vector3::UnitX());
+  return rank % 3 == 1 ? second : Vector3(first.cross(second).normalized());
+}
+
+/// Fills the variable of n points at `values`, [component][point], as `direction` is.
+void fill_direction(std::uint32_t rank, std::size_t n, std::span<const double> direction, double* values) {
+  for (std::size_t p = 0; p < n; ++p) {
+    Vector3 first = Vector3::UnitX();
+    if (!direction.empty()) first << direction[p], direction[n + p], direction[2 * n + p];
+    const Vector3 own = further_direction(first, rank);
+    for (std::size_t c = 0; c < 3; ++c) values[c * n + p] = own[static_cast<Eigen::Index>(c)];
+  }
+}
+
 }  // namespace
 
 void* create_instance(const assay_material* table, const double* parameters, char* message) {
@@ -156,29 +173,6 @@ std::map<std::string, double> Material::named_parameters() const {
   for (std::uint32_t i = 0; i < table_->parameter_count; ++i) named[table_->parameters[i].name] = parameters_[i];
   return named;
 }
-
-namespace {
-
-/// Of a material with several directions: the given one; a right angle about E3 further, or E1 where that is along E3;
-/// at right angles to both; and again.
-Vector3 further_direction(const Vector3& first, std::uint32_t rank) {
-  if (rank % 3 == 0) return first;
-  const Vector3 about = Vector3::UnitZ().cross(first);
-  const Vector3 second = about.norm() > 1e-8 ? Vector3(about.normalized()) : Vector3(Vector3::UnitX());
-  return rank % 3 == 1 ? second : Vector3(first.cross(second).normalized());
-}
-
-/// Fills the variable of n points at `values`, [component][point], as `direction` is.
-void fill_direction(std::uint32_t rank, std::size_t n, std::span<const double> direction, double* values) {
-  for (std::size_t p = 0; p < n; ++p) {
-    Vector3 first = Vector3::UnitX();
-    if (!direction.empty()) first << direction[p], direction[n + p], direction[2 * n + p];
-    const Vector3 own = further_direction(first, rank);
-    for (std::size_t c = 0; c < 3; ++c) values[c * n + p] = own[static_cast<Eigen::Index>(c)];
-  }
-}
-
-}  // namespace
 
 std::vector<double> Material::initial_state(std::size_t n, std::span<const double> cauchy,
                                             std::span<const double> direction) const {

@@ -30,6 +30,13 @@ class ParameterError : public std::runtime_error {
 /// Why a table must be refused (other ABI major, struct too small, a missing function ...), in one sentence.
 std::optional<std::string> defect_of(const assay_material* table);
 
+/// What is wrong with its parts, for tables that are made of something else.
+std::optional<std::string> defect_of_parameters(const assay_material& table);
+std::optional<std::string> defect_of_state(const assay_material& table);
+
+/// Of a parameter's or a variable's name: a scene and `--props` can set it, it can head a column of results.
+bool can_be_a_key(const std::string& name);
+
 /// An instance by `create_of`, or by `create` where the table has no other. Null on failure, with a message.
 void* create_instance(const assay_material* table, const double* parameters, char* message);
 

@@ -1,16 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A material that cannot go on, with the place on its path and the step.
+// A material that cannot go on: the one step of one point at which it failed, with all that is needed to take it again,
+// and what is thrown.
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "harness/material/failed_step.hpp"
+#include "harness/material/material.hpp"
+#include "harness/numeric/tensor.hpp"
 
 namespace assay {
+
+/// Arguments of `update` for one point: a pure call, so that the same arguments fail again.
+struct FailedStep {
+  double t = 0, dt = 0;             ///< beginning and length [s]
+  Tensor F0 = Tensor::Identity();   ///< deformation gradient at t [1]
+  Tensor F1 = Tensor::Identity();   ///< at t + dt [1]
+  std::vector<double> state0 = {};  ///< every component of the point's state at t, in declared order
+};
+
+/// Point p of a batch of n: F0, F1 9 * n, state0 state_size * n, component-major as in the ABI.
+inline FailedStep failed_step(double t, double dt, std::size_t n, std::size_t p, const double* F0, const double* F1,
+                              const double* state0, std::size_t state_size) {
+  FailedStep step{t, dt, {}, {}, std::vector<double>(state_size)};
+  for (int c = 0; c < 9; ++c) {
+    component(step.F0, c) = F0[static_cast<std::size_t>(c) * n + p];
+    component(step.F1, c) = F1[static_cast<std::size_t>(c) * n + p];
+  }
+  for (std::size_t c = 0; c < state_size; ++c) step.state0[c] = state0[c * n + p];
+  return step;
+}
+
+/// Takes the step again.
+inline UpdateReport take_again(const Material& material, const FailedStep& step) {
+  double F0[9], F1[9], cauchy[9];
+  for (int c = 0; c < 9; ++c) F0[c] = component(step.F0, c), F1[c] = component(step.F1, c);
+  std::vector<double> state1(step.state0.size());
+  return material.update(step.t, step.dt, 1, F0, F1, step.state0.data(), state1.data(), cauchy);
+}
 
 /// A material refused a step, or returned a non-finite stress.
 class MaterialFailure : public std::runtime_error {
@@ -33,6 +65,16 @@ class CannotBegin : public MaterialFailure {
     final = true;
   }
   std::string reason;  ///< in the model's words
+};
+
+/// A function of a model let an exception pass. At no place of a path: xi and t are no numbers. No shorter step would
+/// do.
+class ModelThrew : public MaterialFailure {
+ public:
+  explicit ModelThrew(const std::string& what) : MaterialFailure(what, NAN, NAN) { final = true; }
+  /// "material 'rubber': wave_speed threw ..."
+  ModelThrew(const std::string& model, const std::string& function, const std::string& thrown)
+      : ModelThrew("material '" + model + "': " + function + " " + thrown) {}
 };
 
 }  // namespace assay

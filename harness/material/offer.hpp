@@ -6,48 +6,36 @@
 #include <string>
 #include <type_traits>
 
-#include "harness/material/foreign_message.hpp"
 #include "harness/material/material.hpp"
-#include "harness/material/model_threw.hpp"
+#include "harness/material/material_failure.hpp"
 #include "harness/material/thrown.hpp"
 #include "harness/numeric/arithmetic.hpp"
 
 namespace assay {
 
-/// The extension's name, its function and what messages call it.
-template <class Extension>
-struct OfferedFunction;
+/// An extension's name, its function and what messages call it.
+template <auto Function>
+struct OfferedFunction {
+  const char *id, *name;
+  static constexpr auto function = Function;
+};
 
+template <class Extension>
+inline constexpr auto offered = nullptr;
 template <>
-struct OfferedFunction<assay_rate> {
-  static constexpr const char *id = ASSAY_EXTENSION_RATE, *name = "rate";
-  static constexpr auto function = &assay_rate::rate;
-};
+inline constexpr OfferedFunction<&assay_rate::rate> offered<assay_rate>{ASSAY_EXTENSION_RATE, "rate"};
 template <>
-struct OfferedFunction<assay_tangent> {
-  static constexpr const char *id = ASSAY_EXTENSION_TANGENT, *name = "tangent";
-  static constexpr auto function = &assay_tangent::tangent;
-};
+inline constexpr OfferedFunction<&assay_tangent::tangent> offered<assay_tangent>{ASSAY_EXTENSION_TANGENT, "tangent"};
 template <>
-struct OfferedFunction<assay_energy> {
-  static constexpr const char *id = ASSAY_EXTENSION_ENERGY, *name = "energy";
-  static constexpr auto function = &assay_energy::energy;
-};
+inline constexpr OfferedFunction<&assay_energy::energy> offered<assay_energy>{ASSAY_EXTENSION_ENERGY, "energy"};
 template <>
-struct OfferedFunction<assay_wave_speed> {
-  static constexpr const char *id = ASSAY_EXTENSION_WAVE_SPEED, *name = "wave_speed";
-  static constexpr auto function = &assay_wave_speed::wave_speed;
-};
+inline constexpr OfferedFunction<&assay_wave_speed::wave_speed> offered<assay_wave_speed>{ASSAY_EXTENSION_WAVE_SPEED,
+                                                                                          "wave_speed"};
 template <>
-struct OfferedFunction<assay_closed_form> {
-  static constexpr const char *id = ASSAY_EXTENSION_CLOSED_FORM, *name = "tau";
-  static constexpr auto function = &assay_closed_form::tau;
-};
+inline constexpr OfferedFunction<&assay_closed_form::tau> offered<assay_closed_form>{ASSAY_EXTENSION_CLOSED_FORM,
+                                                                                     "tau"};
 template <>
-struct OfferedFunction<assay_reason> {
-  static constexpr const char *id = ASSAY_EXTENSION_REASON, *name = "reason";
-  static constexpr auto function = &assay_reason::reason;
-};
+inline constexpr OfferedFunction<&assay_reason::reason> offered<assay_reason>{ASSAY_EXTENSION_REASON, "reason"};
 
 /// Calls a function of a model's table. Throws ModelThrew, which names both.
 template <class Result, class... Parameters, class... Arguments>
@@ -64,12 +52,12 @@ Result call_model(const assay_material& table, const char* name, Result (*functi
 /// function.
 template <class Extension>
 class Offer {
-  using Offered = OfferedFunction<Extension>;
+  static constexpr auto what = offered<Extension>;
 
  public:
   Offer(const assay_material& table, void* self) : table_(&table), self_(self) {
-    const auto* found = static_cast<const Extension*>(extension_of(&table, Offered::id));
-    if (found && found->struct_size >= sizeof(Extension)) function_ = found->*Offered::function;
+    const auto* found = static_cast<const Extension*>(extension_of(&table, what.id));
+    if (found && found->struct_size >= sizeof(Extension)) function_ = found->*what.function;
   }
   explicit Offer(const Material& material) : Offer(material.table(), material.self()) {}
 
@@ -78,10 +66,10 @@ class Offer {
   /// The arguments behind `self`. Throws ModelThrew.
   template <class... Arguments>
   auto operator()(Arguments... arguments) const {
-    const auto result = call_model(*table_, Offered::name, function_, self_, arguments...);
+    const auto result = call_model(*table_, what.name, function_, self_, arguments...);
     if constexpr (std::is_same_v<decltype(result), const std::int32_t>) {
       if (result < ASSAY_FAILED || result > ASSAY_GOOD)
-        throw ModelThrew(table_->name, Offered::name,
+        throw ModelThrew(table_->name, what.name,
                          "returned the status " + std::to_string(result) + ", which is none of the ABI's");
     }
     return result;
@@ -90,7 +78,7 @@ class Offer {
  private:
   const assay_material* table_;
   void* self_;
-  std::remove_cvref_t<decltype(std::declval<Extension>().*Offered::function)> function_ = nullptr;
+  std::remove_cvref_t<decltype(std::declval<Extension>().*what.function)> function_ = nullptr;
 };
 
 /// Why the last call gave ASSAY_FAILED, on one line; empty where the model does not say. Throws ModelThrew.

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <ctime>
+#include <iterator>
 
 namespace assay {
 
@@ -19,19 +20,10 @@ enum class CallPhase : std::uint32_t { updating, loading, creating, beginning, d
 
 /// " when it was created", behind what happened; empty where it is updated.
 inline const char* phase_words(CallPhase phase) {
-  switch (phase) {
-    case CallPhase::loading:
-      return " when it was loaded";
-    case CallPhase::creating:
-      return " when it was created";
-    case CallPhase::beginning:
-      return " when it made its initial state";
-    case CallPhase::destroying:
-      return " when it was destroyed";
-    case CallPhase::updating:
-      break;
-  }
-  return "";
+  constexpr const char* words[] = {"", " when it was loaded", " when it was created", " when it made its initial state",
+                                   " when it was destroyed"};
+  const auto at = static_cast<std::size_t>(phase);  // which foreign code may have written over
+  return at < std::size(words) ? words[at] : "";
 }
 
 /// The point of a batch that is being worked on.
@@ -46,36 +38,36 @@ inline std::int64_t now_ns() {
   return now.tv_sec * 1000000000LL + now.tv_nsec;
 }
 
-/// While it lives, the mark holds the time at which it was made; 0 otherwise.
-class CallMark {
+/// While it lives, the mark holds a value; the other one otherwise. Without a mark nothing is asked for.
+template <class Value>
+class WhileMarked {
  public:
-  CallMark() : mark_(call_mark.load(std::memory_order_relaxed)) {
-    if (mark_) mark_->store(now_ns());
+  template <class During>
+  WhileMarked(std::atomic<Value>* mark, const During& during, Value otherwise) : mark_(mark), otherwise_(otherwise) {
+    if (mark_) mark_->store(during());
   }
-  ~CallMark() {
-    if (mark_) mark_->store(0);
+  ~WhileMarked() {
+    if (mark_) mark_->store(otherwise_);
   }
-  CallMark(const CallMark&) = delete;
-  CallMark& operator=(const CallMark&) = delete;
+  WhileMarked(const WhileMarked&) = delete;
+  WhileMarked& operator=(const WhileMarked&) = delete;
 
  private:
-  std::atomic<std::int64_t>* mark_;
+  std::atomic<Value>* mark_;
+  Value otherwise_;
 };
 
-/// While it lives, the mark holds the phase; `updating` otherwise.
-class PhaseMark {
- public:
-  explicit PhaseMark(CallPhase phase) : mark_(phase_mark.load(std::memory_order_relaxed)) {
-    if (mark_) mark_->store(static_cast<std::uint32_t>(phase));
-  }
-  ~PhaseMark() {
-    if (mark_) mark_->store(static_cast<std::uint32_t>(CallPhase::updating));
-  }
-  PhaseMark(const PhaseMark&) = delete;
-  PhaseMark& operator=(const PhaseMark&) = delete;
+/// The time at which it was made; 0 otherwise.
+struct CallMark : WhileMarked<std::int64_t> {
+  CallMark() : WhileMarked(call_mark.load(std::memory_order_relaxed), now_ns, 0) {}
+};
 
- private:
-  std::atomic<std::uint32_t>* mark_;
+/// The phase; `updating` otherwise.
+struct PhaseMark : WhileMarked<std::uint32_t> {
+  explicit PhaseMark(CallPhase phase)
+      : WhileMarked(
+            phase_mark.load(std::memory_order_relaxed), [phase] { return static_cast<std::uint32_t>(phase); },
+            static_cast<std::uint32_t>(CallPhase::updating)) {}
 };
 
 /// In a copy of the process whose end is nobody's finding.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The rules of assay_material.h for what a table says of itself.
-#include "harness/material/table_defect.hpp"
+#include "harness/material/material.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,6 @@
 #include <cstring>
 #include <set>
 #include <string>
-
-#include "harness/material/material.hpp"
 
 namespace assay {
 
@@ -79,17 +77,8 @@ Defect defect_of_table_name(const char* name) {
 }  // namespace
 
 int components_of_kind(std::int32_t kind) {
-  switch (kind) {
-    case ASSAY_SCALAR:
-      return 1;
-    case ASSAY_VECTOR:
-      return 3;
-    case ASSAY_SYMMETRIC_TENSOR:
-      return 6;
-    case ASSAY_TENSOR:
-      return 9;
-  }
-  return 0;
+  constexpr int components[] = {1, 3, 6, 9};
+  return kind >= ASSAY_SCALAR && kind <= ASSAY_TENSOR ? components[kind] : 0;
 }
 
 bool can_be_a_key(const std::string& name) {

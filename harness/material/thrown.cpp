@@ -3,8 +3,6 @@
 
 #include <cstdint>
 
-#include "harness/material/foreign_message.hpp"
-
 extern "C" {
 extern const char __executable_start, etext;  // of the linker: where the code of this program lies
 }

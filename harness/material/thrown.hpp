@@ -1,16 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Exceptions of a plug-in, which none may let pass: the ABI is C.
+// What surrounds a call of a plug-in: exceptions, which none may let pass, for the ABI is C; what it says; the end of
+// its instances.
 #pragma once
 
 #include <cxxabi.h>
 
+#include <algorithm>
+#include <atomic>
 #include <exception>
 #include <string>
 
 #include "harness/material/own_process.hpp"
 #include "harness/material/progress_mark.hpp"
+#include "harness/numeric/arithmetic.hpp"
 
 namespace assay {
+
+/// What a material says, on one line; null: nothing.
+inline std::string one_line_of(const char* message) {
+  std::string line = message ? message : "";
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
+  return line;
+}
 
 inline constexpr const char* exception_words = "threw an exception, which must not pass the C ABI";
 
@@ -43,6 +55,18 @@ std::string thrown_by(Function* function, const Call& call) {
     if (is_own_code(code)) throw;
     return words_of_exception("");
   }
+}
+
+/// Whoever takes instances over in place of their destruction, each with the model's function that destroys it; null:
+/// nobody.
+inline std::atomic<void (*)(void (*destroy)(void*), void* self)> takes_instances_over{nullptr};
+
+inline void destroy_marked(void (*destroy)(void*), void* self) {
+  const CallMark call;
+  const PhaseMark phase(CallPhase::destroying);
+  destroy(self);
+  end_a_copy();
+  put_arithmetic_right();
 }
 
 }  // namespace assay

@@ -21,9 +21,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "mpm/grid/grid_field.hpp"
 #include "mpm/grid/grid_geometry.hpp"
-#include "mpm/grid/node_box.hpp"
-#include "mpm/grid/node_packs.hpp"
 
 namespace assay::mpm {
 
@@ -110,6 +109,35 @@ struct Locator {
     if (!good) along = {};
     return good;
   }
+};
+
+template <class Derived, int Dim>
+class OneParticle {
+ public:
+  /// Adds w_i A + (0, B grad w_i) to each node i: A has K components, B acts on the last G.
+  template <int K, int G>
+  void scatter(std::size_t p, const std::array<double, K>& A, const std::array<double, G * Dim>& B,
+               double* field) const {
+    typename Derived::Nodes nodes;
+    derived().expand(p, 1, nodes);
+    NodePacks<K, Dim> value;
+    value.template set<G>(A, B);
+    derived().template add<K, (G > 0)>(nodes, 0, value, field);
+  }
+
+  /// v = sum_i w_i f_i (K components), g = sum_i f_i (x) grad w_i of the first G of them.
+  template <int K, int G>
+  void gather(std::size_t p, const double* field, std::array<double, K>& value,
+              std::array<double, G * Dim>& gradient) const {
+    typename Derived::Nodes nodes;
+    derived().expand(p, 1, nodes);
+    NodePacks<K, Dim> found;
+    derived().template sum<K, (G > 0)>(nodes, 0, field, found);
+    found.template get<G>(value, gradient);
+  }
+
+ private:
+  const Derived& derived() const { return static_cast<const Derived&>(*this); }
 };
 
 }  // namespace assay::mpm

@@ -15,17 +15,13 @@ class BsplineBasis : public SeparableBasis<BsplineBasis<Dim, Degree>, Dim, Degre
   static_assert(Degree >= 2 && Degree <= 4);
 
  public:
-  static constexpr const char* name = Degree == 2 ? "bspline2" : Degree == 3 ? "bspline3" : "bspline4";
-  static constexpr bool uses_deformation = false;
-  static constexpr std::size_t domain_components = 0;
   static constexpr bool may_cross_edges = true;
-  static constexpr std::size_t bytes = Dim * sizeof(double);  ///< of the weights a particle
 
   BsplineBasis(const GridGeometry<Dim>& grid, const Vec<Dim>&, std::size_t particles)
-      : SeparableBasis<BsplineBasis, Dim, width>(grid), along_(particles) {}
+      : SeparableBasis<BsplineBasis, Dim, width>(grid, particles) {}
 
   ASSAY_INLINE bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>&) {
-    Vec<Dim>& along = along_[p];
+    Vec<Dim>& along = this->places_[p].along;
     bool inside = true;
     for (std::size_t d = 0; d < Dim; ++d) {
       along[d] = x[d] * this->locator_.inverse_spacing - this->locator_.first[d];
@@ -35,10 +31,8 @@ class BsplineBasis : public SeparableBasis<BsplineBasis<Dim, Degree>, Dim, Degre
     return inside;
   }
 
-  ASSAY_INLINE double along(std::size_t p, std::size_t d) const { return along_[p][d]; }
-
   ASSAY_INLINE void line(std::size_t p, std::size_t d, double* value, double* slope, std::int32_t& first) const {
-    const double along = along_[p][d], s = this->locator_.inverse_spacing;
+    const double along = this->along(p, d), s = this->locator_.inverse_spacing;
     // Even degrees: around the nearest node; odd: around the cell.
     const auto middle = static_cast<std::int32_t>(Degree % 2 == 0 ? along + 0.5 : along);
     const double f = along - middle;
@@ -128,8 +122,6 @@ class BsplineBasis : public SeparableBasis<BsplineBasis<Dim, Degree>, Dim, Degre
     }
     for (int k = width - 1; k >= 0; --k) w[k] = k >= beyond ? w[k - beyond] : 0;
   }
-
-  std::vector<Vec<Dim>> along_;  ///< cell coordinates
 };
 
 template <int Dim>

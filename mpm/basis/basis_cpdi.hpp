@@ -16,7 +16,6 @@ class CpdiBasis : public CornerBasis<CpdiBasis<Dim>, Dim> {
 
  public:
   static constexpr int corners = 1 << Dim;
-  static constexpr const char* name = "cpdi";
   static constexpr bool uses_deformation = true;
   static constexpr std::size_t domain_components = Dim * Dim;
   static constexpr double share = 1.0 / corners;

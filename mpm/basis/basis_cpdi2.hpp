@@ -7,7 +7,7 @@
 #pragma once
 
 #include "mpm/basis/basis_corners.hpp"
-#include "mpm/basis/corner_average.hpp"
+#include "mpm/basis/corners.hpp"
 
 namespace assay::mpm {
 
@@ -17,7 +17,6 @@ class Cpdi2Basis : public CornerBasis<Cpdi2Basis<Dim>, Dim> {
 
  public:
   static constexpr int corners = 1 << Dim;
-  static constexpr const char* name = "cpdi2";
   static constexpr bool uses_deformation = false;
   static constexpr bool moves_corners = true;
   static constexpr std::size_t domain_components = 0;  ///< the corners are the domain

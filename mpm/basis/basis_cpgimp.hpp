@@ -24,22 +24,18 @@ ASSAY_INLINE Vec<2> stretches_along_axes(const Mat<2>& F) {
 Vec<3> stretches_along_axes(const Mat<3>& F);
 
 template <int Dim>
-class CpgimpBasis : public SeparableBasis<CpgimpBasis<Dim>, Dim, 4> {
+class CpgimpBasis : public SeparableBasis<CpgimpBasis<Dim>, Dim, 4, BoxPlace<Dim>> {
  public:
-  static constexpr const char* name = "cpgimp";
   static constexpr bool uses_deformation = true;
-  static constexpr std::size_t domain_components = Dim;
-  static constexpr bool may_cross_edges = false;
-  static constexpr std::size_t bytes = 2 * Dim * sizeof(double);  ///< of the weights a particle
 
   CpgimpBasis(const GridGeometry<Dim>& grid, const Vec<Dim>& half_size, std::size_t particles)
-      : SeparableBasis<CpgimpBasis<Dim>, Dim, 4>(grid), half_(half_size), places_(particles) {}
+      : SeparableBasis<CpgimpBasis<Dim>, Dim, 4, BoxPlace<Dim>>(grid, particles), half_(half_size) {}
 
   ASSAY_INLINE bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>& F) { return place(p, x, F, half_); }
 
   /// At the edge of the grid the box must not reach over it.
   ASSAY_INLINE bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>& F, const Vec<Dim>& half_size) {
-    Place& at = places_[p];
+    BoxPlace<Dim>& at = this->places_[p];
     const Vec<Dim> stretch = stretches_along_axes(F);
     bool inside = true;
     for (std::size_t d = 0; d < Dim; ++d) {
@@ -53,11 +49,9 @@ class CpgimpBasis : public SeparableBasis<CpgimpBasis<Dim>, Dim, 4> {
     return inside;
   }
 
-  ASSAY_INLINE double along(std::size_t p, std::size_t d) const { return places_[p].along[d]; }
-
   /// The four nodes around the cell, none of them beyond the grid's first and last.
   ASSAY_INLINE void line(std::size_t p, std::size_t d, double* value, double* slope, std::int32_t& first) const {
-    const Place& at = places_[p];
+    const BoxPlace<Dim>& at = this->places_[p];
     const std::int32_t before = static_cast<std::int32_t>(at.along[d]) - 1, last = this->count_[d] - 4;
     first = before < last ? before : last;
     first = first > 0 ? first : 0;
@@ -72,11 +66,6 @@ class CpgimpBasis : public SeparableBasis<CpgimpBasis<Dim>, Dim, 4> {
   }
 
  private:
-  struct Place {
-    Vec<Dim> along, half;  ///< cell coordinates; half sizes [h]
-  };
-  static_assert(sizeof(Place) == bytes);
-
   static constexpr double least = 1e-6;  ///< of h: below, differences of the integral lose their digits
 
   /// The hat's integral from -infinity to r, and the hat itself.
@@ -88,7 +77,6 @@ class CpgimpBasis : public SeparableBasis<CpgimpBasis<Dim>, Dim, 4> {
   }
 
   Vec<Dim> half_;
-  std::vector<Place> places_;
 };
 
 }  // namespace assay::mpm

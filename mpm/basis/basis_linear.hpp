@@ -9,32 +9,21 @@ namespace assay::mpm {
 template <int Dim>
 class LinearBasis : public SeparableBasis<LinearBasis<Dim>, Dim, 2> {
  public:
-  static constexpr const char* name = "linear";
-  static constexpr bool uses_deformation = false;
-  static constexpr std::size_t domain_components = 0;
-  static constexpr bool may_cross_edges = false;
-  static constexpr std::size_t bytes = Dim * sizeof(double);  ///< of the weights a particle
-
   LinearBasis(const GridGeometry<Dim>& grid, const Vec<Dim>&, std::size_t particles)
-      : SeparableBasis<LinearBasis<Dim>, Dim, 2>(grid), along_(particles) {}
+      : SeparableBasis<LinearBasis<Dim>, Dim, 2>(grid, particles) {}
 
   ASSAY_INLINE bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>&) {
-    return this->locator_.inside(x, along_[p]);
+    return this->locator_.inside(x, this->places_[p].along);
   }
 
-  ASSAY_INLINE double along(std::size_t p, std::size_t d) const { return along_[p][d]; }
-
   ASSAY_INLINE void line(std::size_t p, std::size_t d, double* value, double* slope, std::int32_t& first) const {
-    const double along = along_[p][d];
+    const double along = this->along(p, d);
     first = static_cast<std::int32_t>(along);
     value[1] = along - first;
     value[0] = 1 - value[1];
     slope[1] = this->locator_.inverse_spacing;
     slope[0] = -slope[1];
   }
-
- private:
-  std::vector<Vec<Dim>> along_;  ///< cell coordinates
 };
 
 }  // namespace assay::mpm

@@ -5,19 +5,33 @@
 // less time than reading them back.
 #pragma once
 
-#include "mpm/basis/lines.hpp"
-#include "mpm/basis/one_particle.hpp"
+#include "mpm/basis/basis.hpp"
+#include "mpm/basis/tensor_product.hpp"
 
 namespace assay::mpm {
 
-/// Derived gives
-///   along(p, d)                      where the particle is, in cells from the first node
+/// What is kept of a particle without a size: where it is, in cells from the first node.
+template <int Dim>
+struct PointPlace {
+  Vec<Dim> along;
+};
+
+/// And of one whose domain is a box along the axes: its half sizes, too [h].
+template <int Dim>
+struct BoxPlace {
+  Vec<Dim> along, half;
+};
+
+/// Derived gives place(p, ...), which fills places_[p], and
 ///   line(p, d, value, slope, first)  weights in a direction, the first of them that of node `first`; no branches
 ///   fold(d, first, value, slope)     where they reach over the grid's edge (may_cross_edges), back onto it
-template <class Derived, int Dim, int Width>
+template <class Derived, int Dim, int Width, class Place = PointPlace<Dim>>
 class SeparableBasis : public OneParticle<Derived, Dim> {
  public:
   static constexpr int nodes_across = Width;
+  static constexpr bool uses_deformation = false, may_cross_edges = false;
+  static constexpr std::size_t domain_components = sizeof(Place) / sizeof(double) - Dim;
+  static constexpr std::size_t bytes = sizeof(Place);  ///< of the weights a particle
   using Nodes = Lines<Dim, Width>;
 
   /// Of particles begin to begin + n - 1, n <= particles_at_once.
@@ -37,6 +51,9 @@ class SeparableBasis : public OneParticle<Derived, Dim> {
       for (std::size_t d = 0; d < Dim; ++d) nodes.node[k] += first[d][k] * locator_.stride[d];
     }
   }
+
+  /// Of a particle along axis d [cells].
+  ASSAY_INLINE double along(std::size_t p, std::size_t d) const { return places_[p].along[d]; }
 
   ASSAY_INLINE void slopes_to_moments(std::size_t n, Nodes& nodes) const {
     for (std::size_t d = 0; d < Dim; ++d) {
@@ -163,10 +180,12 @@ class SeparableBasis : public OneParticle<Derived, Dim> {
   }
 
  protected:
-  explicit SeparableBasis(const GridGeometry<Dim>& grid) : locator_(grid), count_(grid.count) {}
+  explicit SeparableBasis(const GridGeometry<Dim>& grid, std::size_t particles = 0)
+      : locator_(grid), count_(grid.count), places_(particles) {}
 
   Locator<Dim> locator_;
   std::array<std::int32_t, Dim> count_;
+  std::vector<Place> places_;
 
  private:
   ASSAY_INLINE const Derived& derived() const { return static_cast<const Derived&>(*this); }

@@ -15,21 +15,15 @@
 namespace assay::mpm {
 
 template <int Dim>
-class UgimpBasis : public SeparableBasis<UgimpBasis<Dim>, Dim, 3> {
+class UgimpBasis : public SeparableBasis<UgimpBasis<Dim>, Dim, 3, BoxPlace<Dim>> {
  public:
-  static constexpr const char* name = "ugimp";
-  static constexpr bool uses_deformation = false;
-  static constexpr std::size_t domain_components = Dim;
-  static constexpr bool may_cross_edges = false;
-  static constexpr std::size_t bytes = 2 * Dim * sizeof(double);  ///< of the weights a particle
-
   UgimpBasis(const GridGeometry<Dim>& grid, const Vec<Dim>& half_size, std::size_t particles)
-      : SeparableBasis<UgimpBasis<Dim>, Dim, 3>(grid), half_size_(half_size), places_(particles) {}
+      : SeparableBasis<UgimpBasis<Dim>, Dim, 3, BoxPlace<Dim>>(grid, particles), half_size_(half_size) {}
 
   ASSAY_INLINE bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>& F) { return place(p, x, F, half_size_); }
 
   ASSAY_INLINE bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>&, const Vec<Dim>& half_size) {
-    Place& at = places_[p];
+    BoxPlace<Dim>& at = this->places_[p];
     bool inside = true;
     for (std::size_t d = 0; d < Dim; ++d) {
       at.along[d] = x[d] * this->locator_.inverse_spacing - this->locator_.first[d];
@@ -40,10 +34,8 @@ class UgimpBasis : public SeparableBasis<UgimpBasis<Dim>, Dim, 3> {
     return inside;
   }
 
-  ASSAY_INLINE double along(std::size_t p, std::size_t d) const { return places_[p].along[d]; }
-
   ASSAY_INLINE void line(std::size_t p, std::size_t d, double* value, double* slope, std::int32_t& first) const {
-    const Place& at = places_[p];
+    const BoxPlace<Dim>& at = this->places_[p];
     const double above_half = at.along[d] + 0.5;  // the nearest node: along is positive
     const auto middle = static_cast<std::int32_t>(above_half);
     const double r = at.along[d] - middle, l = at.half[d], s = this->locator_.inverse_spacing;
@@ -59,13 +51,7 @@ class UgimpBasis : public SeparableBasis<UgimpBasis<Dim>, Dim, 3> {
   }
 
  private:
-  struct Place {
-    Vec<Dim> along, half;  ///< cell coordinates; half sizes [h]
-  };
-  static_assert(sizeof(Place) == bytes);
-
   Vec<Dim> half_size_;
-  std::vector<Place> places_;
 };
 
 }  // namespace assay::mpm

@@ -22,27 +22,21 @@ class CornerPlaces {
   static constexpr int corners = 1 << Dim;
   static constexpr std::size_t bytes = Dim * corners * sizeof(double);  ///< a particle
 
-  CornerPlaces(const GridGeometry<Dim>& grid, std::size_t particles)
-      : spacing_(grid.spacing), inverse_spacing_(1 / grid.spacing), along_(particles) {
-    std::int32_t stride = 1;
-    for (std::size_t d = 0; d < Dim; ++d) {
-      stride_[d] = stride;
-      for (std::size_t n = 0; n < corners; ++n) offsets_[n] += (n >> d & 1) ? stride : 0;
-      first_[d] = grid.first[d] + grid.offset[d];
-      last_cell_[d] = grid.count[d] - 1;
-      stride *= grid.count[d];
+  CornerPlaces(const GridGeometry<Dim>& grid, std::size_t particles) : locator_(grid), along_(particles) {
+    for (std::size_t n = 0; n < corners; ++n) {
+      for (std::size_t d = 0; d < Dim; ++d) offsets_[n] += (n >> d & 1) ? locator_.stride[d] : 0;
     }
   }
 
-  double spacing() const { return spacing_; }
+  double spacing() const { return locator_.spacing; }
 
   /// x[d]: of the corners [m]. False outside the grid or where one is no number.
   ASSAY_INLINE bool place(std::size_t p, const Pack<corners>* x) {
     bool inside = true;
     for (std::size_t d = 0; d < Dim; ++d) {
       auto& along = along_[p][d];
-      store<corners>(along.data(), x[d] * inverse_spacing_ - first_[d]);
-      for (const double at : along) inside &= at >= 0 && at < last_cell_[d];
+      store<corners>(along.data(), x[d] * locator_.inverse_spacing - locator_.first[d]);
+      for (const double at : along) inside &= at >= 0 && at < locator_.last_cell[d];
     }
     if (!inside) along_[p] = {};
     return inside;
@@ -72,7 +66,7 @@ class CornerPlaces {
       truncate<corners>(at, cell, lower);
       const Pack<corners> f = at - lower, g = 1 - f;
       cells.fraction[d] = f;
-      for (std::size_t c = 0; c < corners; ++c) cells.node[c] += cell[c] * stride_[d];
+      for (std::size_t c = 0; c < corners; ++c) cells.node[c] += cell[c] * locator_.stride[d];
       for (std::size_t n = 0; n < std::size_t{1} << d; ++n) {
         share[n + (1 << d)] = share[n] * f;
         share[n] = share[n] * g;
@@ -84,7 +78,7 @@ class CornerPlaces {
   /// Which nodes particles begin to end - 1 reach.
   ASSAY_INLINE void reach(std::size_t begin, std::size_t end, NodeBox<Dim>& nodes) const {
     for (std::size_t d = 0; d < Dim; ++d) {
-      Extremes<corners> of_corners(last_cell_[d]);
+      Extremes<corners> of_corners(locator_.last_cell[d]);
       for (std::size_t p = begin; p < end; ++p) {
         for (std::size_t c = 0; c < corners; ++c) of_corners.include(c, along_[p][d][c]);
       }
@@ -94,9 +88,7 @@ class CornerPlaces {
   }
 
  private:
-  double spacing_, inverse_spacing_;
-  Vec<Dim> first_, last_cell_;
-  std::array<std::int32_t, Dim> stride_{};
+  Locator<Dim> locator_;
   std::array<std::ptrdiff_t, corners> offsets_{};
   std::vector<std::array<std::array<double, corners>, Dim>> along_;  ///< cell coordinates of the corners: [d][c]
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The particle columns: what a particle can carry; allocated only where a pass calls for it. What each of them is
-// stands in mpm/spine.cpp, or in the effect that brings it.
+// stands in mpm/compose.cpp, or in the effect that brings it.
 #pragma once
 
 #include <cstddef>
@@ -46,8 +46,8 @@ class ColumnData {
     own_.assign(memory ? 0 : size_, 0.0);
     data_ = memory ? memory(size_) : own_.data();
   }
-  double* component(int c) { return data_ + static_cast<std::size_t>(c) * particles_; }
-  const double* component(int c) const { return data_ + static_cast<std::size_t>(c) * particles_; }
+  double* component(std::size_t c) { return data_ + c * particles_; }
+  const double* component(std::size_t c) const { return data_ + c * particles_; }
   double* data() { return data_; }
   const double* data() const { return data_; }
   bool empty() const { return size_ == 0; }

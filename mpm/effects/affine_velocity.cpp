@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // APIC and AFLIP: the velocity around a particle, from the grid's new one.
-#include "mpm/data/dimension.hpp"
 #include "mpm/kernels/affine.hpp"
 #include "mpm/step/effect.hpp"
-#include "mpm/step/passes_to_particles.hpp"
+#include "mpm/step/passes.hpp"
 
 namespace assay::mpm {
 
@@ -14,46 +13,34 @@ namespace {
 /// particles_to_grid makes C = B D^-1.
 template <int Dim>
 Pass<Dim> affine_pass(const Method& method) {
-  Pass<Dim> pass;
   const bool moment = method.affine == Affine::moment, total = method.is_total(), fits = fits_gradient(method);
-  pass.name = "affine";
-  pass.slot = {Phase::to_particles, Part::last};
-  pass.doc = moment  ? "first moment of the grid velocity around the particles"
-             : total ? "gradient of the grid velocity"
-             : fits  ? "gradient fitted to the grid velocity around the particles, convected"
-                     : "gradient of the grid velocity, convected";
-  pass.called_for_by = "method.transfer";
-  pass.reads = {Column::weights};
-  pass.grid_fields = {"velocity"};
-  pass.writes = {Column::affine};
-  pass.bind = [=](State<Dim>& s) -> Kernel {
-    const Kernels<Dim>& kernels = s.kernels;
-    const auto carry = moment ? kernels.moment : total ? kernels.gradient : fits ? kernels.fitted : kernels.convected;
-    Kernel kernel;
-    kernel.block = [&s, carry](const Instant& now, const Block& block) { return carry(s, block, now); };
-    return kernel;
-  };
-  return pass;
+  return {{.name = "affine",
+           .slot = {Phase::to_particles, Part::last},
+           .doc = moment  ? "first moment of the grid velocity around the particles"
+                  : total ? "gradient of the grid velocity"
+                  : fits  ? "gradient fitted to the grid velocity around the particles, convected"
+                          : "gradient of the grid velocity, convected",
+           .called_for_by = "method.transfer",
+           .reads = {Column::weights},
+           .writes = {Column::affine},
+           .grid_fields = {"velocity"}},
+          [=](State<Dim>& s) {
+            const Kernels<Dim>& k = kernels_for(s);
+            return over_blocks(s, moment ? k.moment : total ? k.gradient : fits ? k.fitted : k.convected);
+          }};
 }
 
 /// The first moment of the initial velocity, whose gradient the column holds before the first step.
 template <int Dim>
 Pass<Dim> first_affine_moment_pass() {
-  Pass<Dim> pass;
-  pass.name = "first_affine_moment";
-  pass.slot = {Phase::weights, Part::last};
-  pass.doc = "first moment of the initial velocity around the particles";
-  pass.called_for_by = "method.affine";
-  pass.once = true;
-  pass.reads = {Column::weights, Column::affine};
-  pass.writes = {Column::affine};
-  pass.bind = [](State<Dim>& s) -> Kernel {
-    Kernel kernel;
-    const auto first = s.kernels.first_moment;
-    kernel.block = [&s, first](const Instant& now, const Block& block) { return first(s, block, now); };
-    return kernel;
-  };
-  return pass;
+  return {{.name = "first_affine_moment",
+           .slot = {Phase::weights, Part::last},
+           .doc = "first moment of the initial velocity around the particles",
+           .called_for_by = "method.affine",
+           .reads = {Column::weights, Column::affine},
+           .writes = {Column::affine},
+           .once = true},
+          [](State<Dim>& s) { return over_blocks(s, kernels_for(s).first_moment); }};
 }
 
 template <int Dim>

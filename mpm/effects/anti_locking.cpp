@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mpm/data/dimension.hpp"
-#include "mpm/effects/passes_remedies.hpp"
 #include "mpm/kernels/affine.hpp"
-#include "mpm/kernels/column_access.hpp"
+#include "mpm/kernels/kernel_state.hpp"
+#include "mpm/step/effect.hpp"
 
 namespace assay::mpm {
 
@@ -37,7 +36,8 @@ std::size_t find_volumes(State<Dim>& s, const Block& block, double dt) {
 template <int Dim>
 class VolumeAverage {
  public:
-  VolumeAverage(const GridGeometry<Dim>& grid, AntiLocking over) : grid_(grid), over_(over) {
+  VolumeAverage(const GridGeometry<Dim>& grid, const Images<Dim>& images, AntiLocking over)
+      : grid_(grid), images_(&images), over_(over) {
     sums_.allocate(grid.nodes());
     touched_.reserve(grid.nodes());
   }
@@ -48,26 +48,26 @@ class VolumeAverage {
     const double *base = s.column(Column::step_volumes, 0), *after = s.column(Column::step_volumes, 1);
     double *now = s.column(Column::volume_scale, 0), *before = total ? s.column(Column::volume_scale, 1) : nullptr;
     for (std::size_t p = 0; p < s.particles; ++p) {
-      visit(load(x, p), s.images, [&](std::size_t at, double share) {
+      visit(load(x, p), [&](std::size_t at, double share) {
         double* sums = sums_.node(at);
         if (sums[0] == 0) touched_.push_back(at);
         sums[0] += share * base[p];
         sums[1] += share * after[p];
       });
     }
-    if (over_ == AntiLocking::node && !s.images.empty()) {
-      s.images.fold(sums_, 2);  // scalars
-      s.images.unfold(sums_, 2);
+    if (over_ == AntiLocking::node && !images_->empty()) {
+      images_->fold(sums_, 2);  // scalars
+      images_->unfold(sums_, 2);
     }
     for (std::size_t p = 0; p < s.particles; ++p) {
       double average = 0;
-      visit(load(x, p), s.images,
+      visit(load(x, p),
             [&](std::size_t at, double share) { average += share * sums_.node(at)[1] / sums_.node(at)[0]; });
       if (before) before[p] = now[p] > 0 ? now[p] : 1;  // zero before the first step
       const double own = after[p] / base[p];
       now[p] = own > 0 && average > 0 ? std::pow(average / own, 1.0 / Dim) : 1;  // the stress pass reports it
     }
-    if (s.images.empty()) {
+    if (images_->empty()) {
       for (const std::size_t at : touched_) std::fill_n(sums_.node(at), 2, 0.0);
     } else {
       sums_.zero();
@@ -78,7 +78,7 @@ class VolumeAverage {
  private:
   /// body(cell or node, share of it)
   template <class Body>
-  void visit(const std::array<double, Dim>& x, const Images<Dim>& images, const Body& body) const {
+  void visit(const std::array<double, Dim>& x, const Body& body) const {
     std::array<double, Dim> part{};
     std::size_t lowest = 0, stride = 1;
     std::array<std::size_t, Dim> strides{};
@@ -90,7 +90,7 @@ class VolumeAverage {
       strides[d] = stride;
       stride *= static_cast<std::size_t>(grid_.count[d]);
     }
-    if (over_ == AntiLocking::cell) return body(images.cell(lowest), 1.0);
+    if (over_ == AntiLocking::cell) return body(images_->cell(lowest), 1.0);
     for (std::size_t n = 0; n < std::size_t{1} << Dim; ++n) {
       double share = 1;
       std::size_t node = lowest;
@@ -104,57 +104,55 @@ class VolumeAverage {
   }
 
   GridGeometry<Dim> grid_;
+  const Images<Dim>* images_;
   AntiLocking over_;
   GridField<2> sums_;                 ///< of reference and current volume [m^Dim]
   std::vector<std::size_t> touched_;  ///< where they are not zero; a node can stand here more than once
 };
 
-}  // namespace
-
+/// Before `stress`: volumes of each particle, of which the ratio is averaged. In the updated formulation that of the
+/// step, det(I + dt L); in the total one J.
 template <int Dim>
-Pass<Dim> step_volumes_pass() {
-  Pass<Dim> pass;
-  pass.name = "step_volumes";
-  pass.doc = "volume of each particle before and after the step, or in the reference configuration and after it";
-  pass.called_for_by = "remedies.anti_locking";
-  pass.reads = {Column::velocity_gradient, Column::deformation_gradient, Column::volume};
-  pass.writes = {Column::step_volumes};
-  pass.bind = [](State<Dim>& s) -> Kernel {
-    Kernel kernel;
-    kernel.block = [&s](const Instant& now, const Block& block) { return find_volumes(s, block, now.dt); };
-    return kernel;
-  };
-  return pass;
+Pass<Dim> step_volumes_pass(const Method& method) {
+  return {{.name = "step_volumes",
+           .slot = {stress_phase(method), Part::first},
+           .doc = "volume of each particle before and after the step, or in the reference configuration and after it",
+           .called_for_by = "remedies.anti_locking",
+           .reads = {Column::velocity_gradient, Column::deformation_gradient, Column::volume},
+           .writes = {Column::step_volumes}},
+          [](State<Dim>& s) {
+            return Kernel::over_blocks(
+                [&s](const Instant& now, const Block& block) { return find_volumes(s, block, now.dt); });
+          }};
 }
 
+/// After it: the ratio averaged over the cells or nodes around a particle, and the factor (averaged / own)^(1/Dim) of
+/// F. In the updated formulation F keeps it: what F has of volume is then never a particle's own. In the total one F
+/// stays the gradient of the motion, and the material alone sees it scaled.
 template <int Dim>
 Pass<Dim> average_volume_pass(const Method& method, AntiLocking over) {
-  Pass<Dim> pass;
-  pass.name = "average_volume";
-  pass.doc = over == AntiLocking::cell ? "J averaged over the particles of each cell, for the stress"
-                                       : "J averaged over the nodes' functions, for the stress";
-  pass.called_for_by = "remedies.anti_locking";
-  pass.reads = {Column::step_volumes, method.is_total() ? Column::reference_position : Column::position};
-  pass.writes = {Column::volume_scale};
-  pass.grid_fields = {"cell_volume"};
-  pass.bind = [over](State<Dim>& s) -> Kernel {
-    auto average = std::make_shared<VolumeAverage<Dim>>(s.setup.grid, over);
-    return [&s, average](const Instant&) { average->run(s); };
-  };
-  return pass;
+  return {{.name = "average_volume",
+           .slot = {stress_phase(method), Part::first},
+           .doc = over == AntiLocking::cell ? "J averaged over the particles of each cell, for the stress"
+                                            : "J averaged over the nodes' functions, for the stress",
+           .called_for_by = "remedies.anti_locking",
+           .reads = {Column::step_volumes, method.is_total() ? Column::reference_position : Column::position},
+           .writes = {Column::volume_scale},
+           .grid_fields = {"cell_volume"}},
+          [over](State<Dim>& s) -> Kernel {
+            auto average = std::make_shared<VolumeAverage<Dim>>(s.setup.grid, s.template own<Images<Dim>>(), over);
+            return [&s, average](const Instant&) { average->run(s); };
+          }};
 }
 
-template Pass<ASSAY_DIMENSION> step_volumes_pass<ASSAY_DIMENSION>();
-template Pass<ASSAY_DIMENSION> average_volume_pass<ASSAY_DIMENSION>(const Method&, AntiLocking);
+}  // namespace
 
 template <int Dim>
 EffectRecord<Dim> anti_locking_effect() {
   EffectRecord<Dim> effect{200, "the stress is computed with J averaged over cells or nodes", "remedies.anti_locking"};
   effect.called_for = [](const Setup<Dim>& s) { return s.remedies.averages_volume(); };
   effect.passes = [](const Setup<Dim>& s) {
-    std::vector passes{step_volumes_pass<Dim>(), average_volume_pass<Dim>(s.method, s.remedies.anti_locking)};
-    for (Pass<Dim>& pass : passes) pass.slot = {stress_phase(s.method), Part::first};
-    return passes;
+    return std::vector{step_volumes_pass<Dim>(s.method), average_volume_pass<Dim>(s.method, s.remedies.anti_locking)};
   };
   effect.columns = {{Column::step_volumes, "step_volumes", "m^3",
                      "before the step (total formulation: reference volume) and after it, to be averaged",

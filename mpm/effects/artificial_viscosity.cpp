@@ -2,11 +2,10 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "mpm/data/dimension.hpp"
-#include "mpm/effects/passes_remedies.hpp"
 #include "mpm/kernels/affine.hpp"
-#include "mpm/kernels/column_access.hpp"
+#include "mpm/kernels/kernel_state.hpp"
 #include "mpm/setup/with_basis.hpp"
+#include "mpm/step/effect.hpp"
 
 namespace assay::mpm {
 
@@ -48,31 +47,26 @@ void add_viscosity(State<Dim>& s, const Block& block, bool thins) {
   }
 }
 
-}  // namespace
-
+/// After `stress`: an isotropic pressure q where the volume shrinks.
 template <int Dim>
 Pass<Dim> viscosity_pass(const Method& method) {
-  Pass<Dim> pass;
-  pass.name = "artificial_viscosity";
-  pass.slot = {stress_phase(method), Part::last};
-  pass.doc = "a pressure against shrinking, von Neumann and Richtmyer's";
-  pass.called_for_by = "remedies.artificial_viscosity";
-  pass.reads = {Column::velocity_gradient, Column::deformation_gradient, Column::stress};
-  pass.writes = {Column::stress};
-  pass.bind = [](State<Dim>& s) -> Kernel {
-    const BasisTraits traits = traits_of<Dim>(s.method.basis);
-    const bool thins = s.method.is_total() || traits.moves_corners || traits.uses_deformation;
-    Kernel kernel;
-    kernel.block = [&s, thins](const Instant&, const Block& block) {
-      add_viscosity(s, block, thins);
-      return none_bad;
-    };
-    return kernel;
-  };
-  return pass;
+  return {{.name = "artificial_viscosity",
+           .slot = {stress_phase(method), Part::last},
+           .doc = "a pressure against shrinking, von Neumann and Richtmyer's",
+           .called_for_by = "remedies.artificial_viscosity",
+           .reads = {Column::velocity_gradient, Column::deformation_gradient, Column::stress},
+           .writes = {Column::stress}},
+          [](State<Dim>& s) {
+            const BasisTraits traits = traits_of<Dim>(s.method.basis);
+            const bool thins = s.method.is_total() || traits.moves_corners || traits.uses_deformation;
+            return Kernel::over_blocks([&s, thins](const Instant&, const Block& block) {
+              add_viscosity(s, block, thins);
+              return none_bad;
+            });
+          }};
 }
 
-template Pass<ASSAY_DIMENSION> viscosity_pass<ASSAY_DIMENSION>(const Method&);
+}  // namespace
 
 template <int Dim>
 EffectRecord<Dim> artificial_viscosity_effect() {

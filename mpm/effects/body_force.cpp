@@ -4,7 +4,7 @@
 
 #include "harness/exact/box_force.hpp"
 #include "harness/exact/inertia.hpp"
-#include "mpm/kernels/column_access.hpp"
+#include "mpm/kernels/kernel_state.hpp"
 #include "mpm/seeding/lattice.hpp"
 
 namespace assay::mpm {

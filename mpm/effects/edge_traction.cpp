@@ -4,7 +4,7 @@
 #include "harness/exact/exact_field.hpp"
 #include "mpm/basis/corners.hpp"
 #include "mpm/kernels/affine.hpp"
-#include "mpm/kernels/column_access.hpp"
+#include "mpm/kernels/kernel_state.hpp"
 #include "mpm/setup/with_basis.hpp"
 #include "mpm/step/surface_loads.hpp"
 

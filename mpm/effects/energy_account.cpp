@@ -3,9 +3,8 @@
 
 #include "harness/numeric/largest.hpp"
 #include "mpm/data/blocks.hpp"
-#include "mpm/data/dimension.hpp"
 #include "mpm/kernels/affine.hpp"
-#include "mpm/kernels/column_access.hpp"
+#include "mpm/kernels/kernel_state.hpp"
 #include "mpm/step/effect.hpp"
 
 namespace assay::mpm {
@@ -30,11 +29,8 @@ BlockSums sums_of_block(const State<Dim>& s, bool with_body_force, std::size_t b
       sums.torque += m * (s.column(Column::position, 0)[p] * s.column(Column::body_force, 1)[p] -
                           s.column(Column::position, 1)[p] * s.column(Column::body_force, 0)[p]);
     }
-    Mat<Dim> F, L;
-    for (int c = 0; c < Dim * Dim; ++c) {
-      F[static_cast<std::size_t>(c)] = s.column(Column::deformation_gradient, c)[p];
-      L[static_cast<std::size_t>(c)] = s.column(Column::velocity_gradient, c)[p];
-    }
+    const Mat<Dim> F = s.template at<Dim * Dim>(Column::deformation_gradient, p);
+    Mat<Dim> L = s.template at<Dim * Dim>(Column::velocity_gradient, p);
     if (s.setup.method.is_total()) L = product<Dim>(L, inverse<Dim>(F));  // of dF/dt
     double power = 0, taken = 0;                                          // sigma : L
     const bool virtual_stress = s.has(Column::excess_stress);
@@ -98,46 +94,46 @@ void count_grid_angular_momentum(State<Dim>& s) {
 /// Impulse of the body force, work of the stress; mass on the grid against mass of the particles. Forces work with the
 /// velocity that they leave; where velocities belong to the middles of steps, with the mean over the kick.
 template <int Dim>
+Kernel accounts_kernel(State<Dim>& s, bool with_body_force, bool works_after_kick) {
+  auto blocks = std::make_shared<std::vector<BlockSums>>(blocks_of(s.particles));
+  double particle_mass = 0;
+  for (std::size_t p = 0; p < s.particles; ++p) particle_mass += s.column(Column::mass)[p];
+  for (const double m : s.template own<Held>().mass) particle_mass += m;
+  const auto sum_block = [&s, with_body_force, blocks](const Instant&, const Block& block) {
+    (*blocks)[block.begin / block_size] = sums_of_block(s, with_body_force, block.begin, block.end);
+    return none_bad;
+  };
+  const bool turns = counts_grid_angular_momentum(s.setup);
+  const auto book = [&s, blocks, particle_mass, works_after_kick, turns](const Instant& now, const auto&) {
+    for (const BlockSums& sums : *blocks) {
+      for (std::size_t d = 0; d < 3; ++d) s.ledger.impulse[d] += now.kick * sums.impulse[d];
+      s.ledger.angular_impulse += now.kick * sums.torque;
+      s.ledger.internal_work += now.kick * sums.internal;
+      s.ledger.external_work += now.kick * sums.external;
+    }
+    if (turns) count_grid_angular_momentum(s);  // in the plane
+    if (works_after_kick) s.ledger.internal_work += 0.5 * now.kick * power_of_kick(s, now.kick);
+    double grid_mass = 0;
+    s.live.each([&](std::size_t i) { grid_mass += s.inertia.node(i)[0]; });
+    s.ledger.mass_defect = larger(s.ledger.mass_defect, std::abs(grid_mass / particle_mass - 1));
+  };
+  return Kernel::over_blocks(sum_block, book);
+}
+
+template <int Dim>
 Pass<Dim> accounts_pass(const Method& method, bool with_body_force) {
-  Pass<Dim> pass;
-  pass.name = "accounts";
-  pass.slot = {Phase::accounts};
-  pass.stages = Stages::kicks;
-  pass.doc = "momentum, mass and energy accounts";
-  pass.called_for_by = "output.accounts";
-  pass.reads = {Column::mass, Column::volume, Column::deformation_gradient, Column::stress, Column::velocity_gradient};
-  if (with_body_force) {
-    pass.reads.insert(pass.reads.end(), {Column::body_force, Column::position});
-  }
-  pass.grid_fields = {"mass"};
+  Pass<Dim> pass{
+      {.name = "accounts",
+       .slot = {Phase::accounts},
+       .doc = "momentum, mass and energy accounts",
+       .called_for_by = "output.accounts",
+       .reads = {Column::mass, Column::volume, Column::deformation_gradient, Column::stress, Column::velocity_gradient},
+       .grid_fields = {"mass"},
+       .stages = Stages::kicks}};
+  if (with_body_force) pass.reads.insert(pass.reads.end(), {Column::body_force, Column::position});
   const bool works_after_kick = rates_follow_kick(method);
   if (works_after_kick) pass.grid_fields.insert(pass.grid_fields.end(), {"force", "acceleration"});
-  pass.bind = [with_body_force, works_after_kick](State<Dim>& s) -> Kernel {
-    auto blocks = std::make_shared<std::vector<BlockSums>>(blocks_of(s.particles));
-    double particle_mass = 0;
-    for (std::size_t p = 0; p < s.particles; ++p) particle_mass += s.column(Column::mass)[p];
-    for (const double m : s.held_mass) particle_mass += m;
-    Kernel kernel;
-    kernel.block = [&s, with_body_force, blocks](const Instant&, const Block& block) {
-      (*blocks)[block.begin / block_size] = sums_of_block(s, with_body_force, block.begin, block.end);
-      return none_bad;
-    };
-    const bool turns = counts_grid_angular_momentum(s.setup);
-    kernel.end = [&s, blocks, particle_mass, works_after_kick, turns](const Instant& now, std::optional<std::size_t>) {
-      for (const BlockSums& sums : *blocks) {
-        for (std::size_t d = 0; d < 3; ++d) s.ledger.impulse[d] += now.kick * sums.impulse[d];
-        s.ledger.angular_impulse += now.kick * sums.torque;
-        s.ledger.internal_work += now.kick * sums.internal;
-        s.ledger.external_work += now.kick * sums.external;
-      }
-      if (turns) count_grid_angular_momentum(s);  // in the plane
-      if (works_after_kick) s.ledger.internal_work += 0.5 * now.kick * power_of_kick(s, now.kick);
-      double grid_mass = 0;
-      s.live.each([&](std::size_t i) { grid_mass += s.inertia.node(i)[0]; });
-      s.ledger.mass_defect = larger(s.ledger.mass_defect, std::abs(grid_mass / particle_mass - 1));
-    };
-    return kernel;
-  };
+  pass.bind = [=](State<Dim>& s) { return accounts_kernel(s, with_body_force, works_after_kick); };
   return pass;
 }
 

@@ -2,9 +2,8 @@
 // Symmetry planes and periodic ends.
 #include <array>
 
-#include "mpm/data/dimension.hpp"
 #include "mpm/step/effect.hpp"
-#include "mpm/step/passes_grid.hpp"
+#include "mpm/step/passes.hpp"
 
 namespace assay::mpm {
 
@@ -27,15 +26,16 @@ std::array<double, 3> sum_of(const GridField<K>& field, const LiveNodes<Dim>& li
 
 /// Mass and momentum that nodes have been given, before images are folded.
 template <int Dim>
-void remember_inertia(const State<Dim>& s, UnfoldedSums& sums) {
+void remember_inertia(const State<Dim>& s, const Images<Dim>& images, UnfoldedSums& sums) {
   sums.image_mass.clear();
-  for (const auto& image : s.images.list()) sums.image_mass.push_back(s.inertia.node(image.node)[0]);
+  for (const auto& image : images.list()) sums.image_mass.push_back(s.inertia.node(image.node)[0]);
   sums.momentum = sum_of(s.inertia, s.live, 1, Dim);
 }
 
 /// The particles' gain of momentum against what they were given: by the nodes' velocities and accelerations as shares.
 template <int Dim>
-void book_planes(State<Dim>& s, const UnfoldedSums& sums, const Reaction& share, double kick) {
+void book_planes(State<Dim>& s, const Images<Dim>& images, const UnfoldedSums& sums, const Reaction& share,
+                 double kick) {
   for (std::size_t d = 0; d < Dim; ++d) {
     double by_velocity = 0, by_acceleration = 0;
     s.live.each([&](std::size_t i) {
@@ -43,8 +43,8 @@ void book_planes(State<Dim>& s, const UnfoldedSums& sums, const Reaction& share,
       by_velocity += m * s.motion.node(i)[d];
       by_acceleration += m * kick * s.motion.node(i)[Dim + d];
     });
-    for (std::size_t k = 0; k < s.images.list().size(); ++k) {  // whose mass is counted with their nodes
-      const auto& image = s.images.list()[k];
+    for (std::size_t k = 0; k < images.list().size(); ++k) {  // whose mass is counted with their nodes
+      const auto& image = images.list()[k];
       const double *own = s.motion.node(image.node), *of = s.motion.node(image.of), m = sums.image_mass[k];
       by_velocity += m * (own[d] - of[d]);
       by_acceleration += m * kick * (own[Dim + d] - of[Dim + d]);
@@ -58,21 +58,22 @@ void book_planes(State<Dim>& s, const UnfoldedSums& sums, const Reaction& share,
 /// What particles gave to images goes to the nodes of which they are.
 template <int Dim>
 Pass<Dim> fold_images_pass(Phase phase, Folded what, bool accounts) {
-  Pass<Dim> pass;
-  pass.name = "fold_images";
-  pass.slot = {phase, Part::fold};
-  pass.doc = "what nodes beyond symmetry planes or periodic ends were given, to those that they are images of";
-  pass.called_for_by = "body";
-  pass.grid_fields = {"mass", "momentum"};
+  Pass<Dim> pass{
+      {.name = "fold_images",
+       .slot = {phase, Part::fold},
+       .doc = "what nodes beyond symmetry planes or periodic ends were given, to those that they are images of",
+       .called_for_by = "body",
+       .grid_fields = {"mass", "momentum"}}};
   if (what != Folded::inertia) pass.grid_fields.push_back("force");
   pass.bind = [what, accounts](State<Dim>& s) -> Kernel {
-    return [&s, &sums = s.template own<UnfoldedSums>(), what, accounts](const Instant& now) {
+    return [&s, &images = s.template own<Images<Dim>>(), &sums = s.template own<UnfoldedSums>(), what,
+            accounts](const Instant& now) {
       const bool is_new = what != Folded::forces && !(s.method.has_stages() && now.kick != 0);
-      if (accounts && is_new) remember_inertia(s, sums);
-      s.images.fold(s.inertia, 1);
+      if (accounts && is_new) remember_inertia(s, images, sums);
+      images.fold(s.inertia, 1);
       if (what == Folded::inertia) return;
       if (accounts) sums.force = sum_of(s.force, s.live, 0, Dim);
-      s.images.fold(s.force);
+      images.fold(s.force);
     };
   };
   return pass;
@@ -82,19 +83,18 @@ Pass<Dim> fold_images_pass(Phase phase, Folded what, bool accounts) {
 /// kept.
 template <int Dim>
 Pass<Dim> unfold_images_pass(Phase phase, Reaction reaction, bool accounts) {
-  Pass<Dim> pass;
-  pass.name = "unfold_images";
-  pass.slot = {phase, Part::unfold};
-  pass.doc = "nodes beyond symmetry planes or periodic ends move as their images";
-  pass.called_for_by = "body";
-  pass.grid_fields = {"velocity", "acceleration"};
-  pass.bind = [reaction, accounts](State<Dim>& s) -> Kernel {
-    return [&s, &sums = s.template own<UnfoldedSums>(), reaction, accounts](const Instant& now) {
-      s.images.unfold(s.motion);
-      if (accounts) book_planes(s, sums, reaction, now.kick);
-    };
-  };
-  return pass;
+  return {{.name = "unfold_images",
+           .slot = {phase, Part::unfold},
+           .doc = "nodes beyond symmetry planes or periodic ends move as their images",
+           .called_for_by = "body",
+           .grid_fields = {"velocity", "acceleration"}},
+          [reaction, accounts](State<Dim>& s) -> Kernel {
+            return [&s, &images = s.template own<Images<Dim>>(), &sums = s.template own<UnfoldedSums>(), reaction,
+                    accounts](const Instant& now) {
+              images.unfold(s.motion);
+              if (accounts) book_planes(s, images, sums, reaction, now.kick);
+            };
+          }};
 }
 
 template <int Dim>
@@ -115,7 +115,7 @@ EffectRecord<Dim> images_effect() {
   EffectRecord<Dim> effect{90, "symmetry planes and periodic ends", "body"};
   effect.called_for = [](const Setup<Dim>& s) { return s.has_images(); };
   effect.passes = image_passes<Dim>;
-  effect.prepare = [](State<Dim>& s) { s.images = Images<Dim>(s.setup.grid, s.setup.ends); };
+  effect.prepare = [](State<Dim>& s) { s.template own<Images<Dim>>() = Images<Dim>(s.setup.grid, s.setup.ends); };
   effect.around = "pairs of nodes";
   return effect;
 }

@@ -4,7 +4,7 @@
 #include "harness/exact/inertia.hpp"
 #include "mpm/data/blocks.hpp"
 #include "mpm/kernels/affine.hpp"
-#include "mpm/kernels/column_access.hpp"
+#include "mpm/kernels/kernel_state.hpp"
 
 namespace assay::mpm {
 

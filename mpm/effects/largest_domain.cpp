@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "mpm/basis/corners.hpp"
-#include "mpm/effects/passes_remedies.hpp"
 #include "mpm/kernels/affine.hpp"
-#include "mpm/kernels/column_access.hpp"
+#include "mpm/kernels/kernel_state.hpp"
 #include "mpm/setup/with_basis.hpp"
+#include "mpm/step/effect.hpp"
 
 namespace assay::mpm {
 
@@ -55,37 +55,32 @@ void limit_corners(State<2>& s, const Block& block, double most) {
   }
 }
 
+/// Before `weights`: half edges of the reference domain such that no corner of the deformed one is farther from its
+/// particle than the setup's largest_domain; of domains whose corners move one by one, these corners.
+std::vector<Pass<2>> limiting_passes(const Setup<2>& setup) {
+  const bool moves_corners = traits_of<2>(setup.method.basis).moves_corners;
+  return {{{.name = "limit_domains",
+            .slot = {Phase::weights, Part::first},
+            .doc = "domains that reach too far are shortened",
+            .called_for_by = "remedies.largest_domain",
+            .reads = {moves_corners ? Column::corners : Column::deformation_gradient},
+            .writes = {moves_corners ? Column::corners : Column::domain}},
+           [moves_corners](State<2>& s) {
+             const double most = s.setup.remedies.largest_domain * s.setup.grid.spacing;
+             return Kernel::over_blocks([&s, most, moves_corners](const Instant&, const Block& block) {
+               moves_corners ? limit_corners(s, block, most) : limit_half_edges(s, block, most);
+               return none_bad;
+             });
+           }}};
+}
+
 }  // namespace
 
-template <>
-Pass<2> limit_domains_pass(bool moves_corners) {
-  Pass<2> pass;
-  pass.name = "limit_domains";
-  pass.slot = {Phase::weights, Part::first};
-  pass.doc = "domains that reach too far are shortened";
-  pass.called_for_by = "remedies.largest_domain";
-  pass.reads = {moves_corners ? Column::corners : Column::deformation_gradient};
-  pass.writes = {moves_corners ? Column::corners : Column::domain};
-  pass.bind = [moves_corners](State<2>& s) -> Kernel {
-    const double most = s.setup.remedies.largest_domain * s.setup.grid.spacing;
-    Kernel kernel;
-    kernel.block = [&s, most, moves_corners](const Instant&, const Block& block) {
-      moves_corners ? limit_corners(s, block, most) : limit_half_edges(s, block, most);
-      return none_bad;
-    };
-    return kernel;
-  };
-  return pass;
-}
 template <int Dim>
 EffectRecord<Dim> largest_domain_effect() {
   EffectRecord<Dim> effect{210, "domains that reach too far are shortened", "remedies.largest_domain"};
   effect.called_for = [](const Setup<Dim>& s) { return Dim == 2 && s.remedies.largest_domain > 0; };
-  if constexpr (Dim == 2) {
-    effect.passes = [](const Setup<Dim>& s) {
-      return std::vector{limit_domains_pass<Dim>(traits_of<Dim>(s.method.basis).moves_corners)};
-    };
-  }
+  if constexpr (Dim == 2) effect.passes = limiting_passes;
   effect.around = "domains that differ, of cpdi";
   return effect;
 }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mpm/data/dimension.hpp"
 #include "mpm/step/effect.hpp"
 
 namespace assay::mpm {

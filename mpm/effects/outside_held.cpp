@@ -3,19 +3,19 @@
 #include <array>
 #include <cmath>
 
-#include "mpm/data/dimension.hpp"
 #include "mpm/setup/with_basis.hpp"
 #include "mpm/step/effect.hpp"
-#include "mpm/step/passes_grid.hpp"
+#include "mpm/step/passes.hpp"
 
 namespace assay::mpm {
 
 namespace {
 
 template <int Dim>
-void find_held_nodes(State<Dim>& s) {
-  const Annulus ring = *ring_of(*s.setup.motion);
-  const GridGeometry<Dim>& grid = s.setup.grid;
+std::vector<std::uint32_t> held_nodes(const Setup<Dim>& setup) {
+  const Annulus ring = *ring_of(*setup.motion);
+  const GridGeometry<Dim>& grid = setup.grid;
+  std::vector<std::uint32_t> nodes;
   for (std::size_t i = 0; i < grid.nodes(); ++i) {
     std::size_t rest = i;
     double square = 0;
@@ -26,8 +26,9 @@ void find_held_nodes(State<Dim>& s) {
       rest /= count;
     }
     const double R = std::sqrt(square);
-    if (R <= ring.inner || R >= ring.outer) s.held_nodes.push_back(static_cast<std::uint32_t>(i));
+    if (R <= ring.inner || R >= ring.outer) nodes.push_back(static_cast<std::uint32_t>(i));
   }
+  return nodes;
 }
 
 /// Particles that never move give the grid their mass once. Their domains are turned as a rigid motion would.
@@ -51,30 +52,21 @@ std::vector<double> mass_of_held(const Setup<Dim>& setup) {
 }
 
 template <int Dim>
-void hold_mass(State<Dim>& s) {
-  s.held_mass = mass_of_held(s.setup);
-  for (std::size_t i = 0; i < s.held_mass.size(); ++i) {
-    if (s.held_mass[i] > 0) s.live.keep(i);
-  }
-  s.live.merge();
-}
-
-template <int Dim>
-void hold_nodes(State<Dim>& s, Reaction reaction, double kick) {
+void hold_nodes(State<Dim>& s, const Held& held, Reaction reaction, double kick) {
   std::array<double, Dim> taken{};
   const auto gained = [&](const double* motion, std::size_t d) {
     return reaction.of_velocity * motion[d] + reaction.of_acceleration * kick * motion[Dim + d];
   };
-  for (const std::uint32_t i : s.held_nodes) {
+  for (const std::uint32_t i : held.nodes) {
     double* motion = s.motion.node(i);
     for (std::size_t d = 0; d < Dim; ++d) {
       taken[d] += s.inertia.node(i)[0] * gained(motion, d);
       motion[d] = motion[Dim + d] = 0;
     }
   }
-  if (!s.held_mass.empty()) {
+  if (!held.mass.empty()) {
     s.live.each([&](std::size_t i) {
-      for (std::size_t d = 0; d < Dim; ++d) taken[d] += s.held_mass[i] * gained(s.motion.node(i), d);
+      for (std::size_t d = 0; d < Dim; ++d) taken[d] += held.mass[i] * gained(s.motion.node(i), d);
     });
   }
   for (std::size_t d = 0; d < Dim; ++d) s.ledger.impulse[d] -= taken[d];
@@ -83,16 +75,16 @@ void hold_nodes(State<Dim>& s, Reaction reaction, double kick) {
 /// v_i = a_i = 0 on nodes outside the ring; the reaction enters the momentum account.
 template <int Dim>
 Pass<Dim> hold_nodes_pass(Phase phase, Reaction reaction) {
-  Pass<Dim> pass;
-  pass.name = "hold_nodes";
-  pass.slot = {phase, Part::hold};
-  pass.doc = "nodes outside the ring stand still";
-  pass.called_for_by = "body.outside";
-  pass.grid_fields = {"mass", "velocity", "acceleration"};
-  pass.bind = [reaction](State<Dim>& s) -> Kernel {
-    return [&s, reaction](const Instant& now) { hold_nodes(s, reaction, now.kick); };
-  };
-  return pass;
+  return {{.name = "hold_nodes",
+           .slot = {phase, Part::hold},
+           .doc = "nodes outside the ring stand still",
+           .called_for_by = "body.outside",
+           .grid_fields = {"mass", "velocity", "acceleration"}},
+          [reaction](State<Dim>& s) -> Kernel {
+            return [&s, &held = s.template own<Held>(), reaction](const Instant& now) {
+              hold_nodes(s, held, reaction, now.kick);
+            };
+          }};
 }
 
 /// Mass matrices leave held nodes out themselves.
@@ -117,8 +109,12 @@ EffectRecord<Dim> outside_held_effect() {
     return std::vector<GridFieldUse>{{"held_mass", "of the particles that never move", doubles(1)}};
   };
   effect.prepare = [](State<Dim>& s) {
-    find_held_nodes(s);
-    hold_mass(s);
+    auto& held = s.template own<Held>();
+    held = {mass_of_held(s.setup), held_nodes(s.setup)};
+    for (std::size_t i = 0; i < held.mass.size(); ++i) {
+      if (held.mass[i] > 0) s.live.keep(i);
+    }
+    s.live.merge();
   };
   return effect;
 }

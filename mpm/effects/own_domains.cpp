@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "mpm/data/dimension.hpp"
 #include "mpm/setup/with_basis.hpp"
 #include "mpm/step/effect.hpp"
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mpm/data/dimension.hpp"
 #include "mpm/step/effect.hpp"
-#include "mpm/step/passes_grid.hpp"
-#include "mpm/step/passes_to_grid.hpp"
-#include "mpm/step/passes_to_particles.hpp"
+#include "mpm/step/passes.hpp"
 
 namespace assay::mpm {
 

@@ -3,7 +3,7 @@
 #include "mpm/effects/inertia_to_particles.hpp"
 #include "mpm/effects/tractions.hpp"
 #include "mpm/kernels/affine.hpp"
-#include "mpm/kernels/column_access.hpp"
+#include "mpm/kernels/kernel_state.hpp"
 
 namespace assay::mpm {
 

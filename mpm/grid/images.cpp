@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mpm/data/dimension.hpp"
-
 namespace assay::mpm {
 
 namespace {

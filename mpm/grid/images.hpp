@@ -54,6 +54,13 @@ class Images {
     std::uint32_t node = 0;
     std::uint8_t direction = 0;
   };
+  template <int K>
+  void clear_fixed(GridField<K>& field, int first) const {
+    for (const Fixed& fixed : fixed_) {
+      for (int c = first + fixed.direction; c < K; c += Dim) field.node(fixed.node)[c] = 0;
+    }
+  }
+
   std::vector<Image> images_;
   std::vector<Fixed> fixed_;            ///< components of vectors that are zero: across symmetry planes
   std::vector<double> share_;           ///< of each node
@@ -70,17 +77,13 @@ void Images<Dim>::fold(GridField<K>& field, int first) const {
       from[c] = 0;
     }
   }
-  for (const Fixed& fixed : fixed_) {
-    for (int c = first + fixed.direction; c < K; c += Dim) field.node(fixed.node)[c] = 0;
-  }
+  clear_fixed(field, first);
 }
 
 template <int Dim>
 template <int K>
 void Images<Dim>::unfold(GridField<K>& field, int first) const {
-  for (const Fixed& fixed : fixed_) {
-    for (int c = first + fixed.direction; c < K; c += Dim) field.node(fixed.node)[c] = 0;
-  }
+  clear_fixed(field, first);
   for (const Image& image : images_) {
     const double* from = field.node(image.of);
     double* to = field.node(image.node);

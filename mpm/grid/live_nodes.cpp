@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/grid/live_nodes.hpp"
 
-#include "mpm/data/dimension.hpp"
-
 namespace assay::mpm {
 
 template <int Dim>

@@ -8,7 +8,6 @@
 
 #include "mpm/grid/grid_geometry.hpp"
 #include "mpm/grid/images.hpp"
-#include "mpm/grid/node_box.hpp"
 
 namespace assay::mpm {
 

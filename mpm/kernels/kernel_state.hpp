@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <memory>
 #include <vector>
 
@@ -27,13 +28,43 @@ struct KernelState {
   Column stress_of_forces = Column::stress;  ///< what internal forces are made of
   std::vector<double> block_power{};         ///< of the body force, by block; empty where accounts are not kept [W]
 
-  double* column(Column which, int component = 0) {
-    return columns[static_cast<std::size_t>(which)].component(component);
+  double* column(Column which, std::integral auto component) {
+    return columns[static_cast<std::size_t>(which)].component(static_cast<std::size_t>(component));
   }
-  const double* column(Column which, int component = 0) const {
-    return columns[static_cast<std::size_t>(which)].component(component);
+  const double* column(Column which, std::integral auto component) const {
+    return columns[static_cast<std::size_t>(which)].component(static_cast<std::size_t>(component));
+  }
+  double* column(Column which) { return column(which, 0); }
+  const double* column(Column which) const { return column(which, 0); }
+  /// The first N components at one particle.
+  template <std::size_t N>
+  std::array<double, N> at(Column which, std::size_t p) const {
+    std::array<double, N> values;
+    for (std::size_t c = 0; c < N; ++c) values[c] = column(which, c)[p];
+    return values;
   }
   bool has(Column which) const { return !columns[static_cast<std::size_t>(which)].empty(); }
 };
+
+/// Pointers to the components of a column.
+template <int N, int Dim>
+ASSAY_INLINE std::array<double*, N> components(KernelState<Dim>& s, Column which) {
+  std::array<double*, N> pointers;
+  for (int c = 0; c < N; ++c) pointers[static_cast<std::size_t>(c)] = s.column(which, c);
+  return pointers;
+}
+
+template <std::size_t N>
+ASSAY_INLINE std::array<double, N> load(const std::array<double*, N>& column, std::size_t p) {
+  std::array<double, N> values;
+  for (std::size_t c = 0; c < N; ++c) values[c] = column[c][p];
+  return values;
+}
+
+/// Index of component (i, d) of the stress column: in plane strain 11, 12, 21, 22 come before 33.
+template <int Dim>
+constexpr std::size_t stress_index(std::size_t i, std::size_t d) {
+  return i * Dim + d;
+}
 
 }  // namespace assay::mpm

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/kernels/kernels.hpp"
 
-#include "mpm/data/dimension.hpp"
-#include "mpm/kernels/advance.hpp"
 #include "mpm/kernels/mass_stencil.hpp"
 #include "mpm/setup/with_basis.hpp"
 
@@ -23,51 +21,30 @@ ASSAY_DECLARE_KERNELS(v3)
 ASSAY_DECLARE_KERNELS(v4)
 #undef ASSAY_DECLARE_KERNELS
 
-#if ASSAY_DIMENSION == 2
-
-/// A name in the namespace of a set of instructions.
-#ifdef ASSAY_DISPATCHES
+/// A name in the namespace of a set of instructions; in three dimensions there is one set.
+#if ASSAY_DIMENSION == 2 && defined(ASSAY_DISPATCHES)
 #define ASSAY_OF(SET, ...) \
   ((SET) == Instructions::v4 ? v4::__VA_ARGS__ : (SET) == Instructions::v3 ? v3::__VA_ARGS__ : baseline::__VA_ARGS__)
 #else
-#define ASSAY_OF(SET, ...) (static_cast<void>(SET), baseline::__VA_ARGS__)
+#define ASSAY_OF(SET, ...) baseline::__VA_ARGS__
 #endif
 
 template <>
-Kernels<2> kernels_of(Basis basis, Instructions instructions) {
-  return with_basis<2>(basis, [&](auto tag) {
+Kernels<ASSAY_DIMENSION> kernels_of(Basis basis, [[maybe_unused]] Instructions instructions) {
+  return with_basis<ASSAY_DIMENSION>(basis, [&](auto tag) {
     using B = typename decltype(tag)::type;
-    return ASSAY_OF(instructions, table<B, 2>());
+    return ASSAY_OF(instructions, table<B, ASSAY_DIMENSION>());
   });
 }
 
 template <>
-AdvanceDeformation<2> advance_deformation(Instructions instructions) {
-  return ASSAY_OF(instructions, advance<2>);
+AdvanceDeformation<ASSAY_DIMENSION> advance_deformation([[maybe_unused]] Instructions instructions) {
+  return ASSAY_OF(instructions, advance<ASSAY_DIMENSION>);
 }
 
 template <>
-MultiplyRows multiply_rows_of<2>(Instructions instructions) {
-  return ASSAY_OF(instructions, multiply_rows<2>);
+MultiplyRows multiply_rows_of<ASSAY_DIMENSION>([[maybe_unused]] Instructions instructions) {
+  return ASSAY_OF(instructions, multiply_rows<ASSAY_DIMENSION>);
 }
-
-#else
-
-template <>
-Kernels<3> kernels_of(Basis basis, Instructions) {
-  return with_basis<3>(basis, [&](auto tag) { return baseline::table<typename decltype(tag)::type, 3>(); });
-}
-
-template <>
-AdvanceDeformation<3> advance_deformation(Instructions) {
-  return baseline::advance<3>;
-}
-
-template <>
-MultiplyRows multiply_rows_of<3>(Instructions) {
-  return baseline::multiply_rows<3>;
-}
-
-#endif
 
 }  // namespace assay::mpm

@@ -5,9 +5,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "mpm/data/blocks.hpp"
-#include "mpm/data/instant.hpp"
 #include "mpm/data/instructions.hpp"
 #include "mpm/kernels/kernel_state.hpp"
 #include "mpm/setup/method.hpp"
@@ -52,12 +52,32 @@ struct Kernels {
   void (*multiply_mass)(const KernelState<Dim>&, const Block&, const double* x) = nullptr;
 };
 
-/// In three dimensions (mpm/data/dimension.hpp) always the first set.
+/// In three dimensions always the first set.
 template <int Dim>
 Kernels<Dim> kernels_of(Basis basis, Instructions instructions);
 template <>
 Kernels<2> kernels_of<2>(Basis basis, Instructions instructions);
 template <>
 Kernels<3> kernels_of<3>(Basis basis, Instructions instructions);
+
+/// Components of n particles each; row-major, Dim x Dim.
+template <int Dim>
+struct Deformations {
+  std::array<double*, Dim * Dim> F{};              ///< before the step; after it
+  std::array<const double*, Dim * Dim> rate{};     ///< L, or dF/dt
+  std::array<double*, Dim * Dim> before{}, now{};  ///< copies of F at both ends
+  bool rate_of_F = false;                          ///< what rate holds
+};
+
+/// F <- (I + dt L) F, or F + dt dF/dt. The first particle with det F <= 0 or no number, or n.
+template <int Dim>
+using AdvanceDeformation = std::size_t (*)(const Deformations<Dim>&, std::size_t n, double dt);
+
+template <int Dim>
+AdvanceDeformation<Dim> advance_deformation(Instructions instructions);
+template <>
+AdvanceDeformation<2> advance_deformation<2>(Instructions instructions);
+template <>
+AdvanceDeformation<3> advance_deformation<3>(Instructions instructions);
 
 }  // namespace assay::mpm

@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "mpm/data/crew.hpp"
-#include "mpm/data/dimension.hpp"
 
 namespace assay::mpm {
 

@@ -9,7 +9,7 @@
 #include "mpm/kernels/mass_stencil.hpp"
 #include "mpm/mass/mass_preconditioner.hpp"
 #include "mpm/setup/with_basis.hpp"
-#include "mpm/step/sweep.hpp"
+#include "mpm/step/run_kernels.hpp"
 
 namespace assay::mpm {
 
@@ -49,7 +49,9 @@ class MassMatrix {
   /// The first two of the vectors are left to the caller.
   MassMatrix(State<Dim>& s, SolverFields<Dim>& fields)
       : s_(&s),
-        multiply_block_(s.kernels.multiply_mass),
+        images_(&s.template own<Images<Dim>>()),
+        held_(&s.template own<Held>()),
+        multiply_block_(kernels_for(s).multiply_mass),
         residual_(fields.vectors[2]),
         image_(fields.vectors[3]),
         direction_(last_of(fields, 4)),
@@ -72,7 +74,7 @@ class MassMatrix {
       const double mass = s_->inertia.node(i)[0];
       inverse_[i] = mass > 0 ? 1 / mass : 0;
     });
-    for (const std::uint32_t i : s_->held_nodes) inverse_[i] = 0;
+    for (const std::uint32_t i : held_->nodes) inverse_[i] = 0;
   }
 
   bool is_free(std::size_t i) const { return inverse_[i] > 0; }
@@ -93,12 +95,12 @@ class MassMatrix {
   /// x = k terms of the series times q, where x = M_L^-1 q at first.
   void add_terms(Field& x, int terms) {
     copy(x, residual_);
-    const bool held = !s_->held_mass.empty();
+    const bool held = !held_->mass.empty();
     for (int l = 1; l < terms; ++l) {
       multiply_then(residual_, image_, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           double *of_x = x.node(i), *next = image_.node(i);
-          const double *rest = residual_.node(i), mass = held ? s_->held_mass[i] : 0;
+          const double *rest = residual_.node(i), mass = held ? held_->mass[i] : 0;
           for (std::size_t d = 0; d < Dim; ++d) {
             next[d] = rest[d] - inverse_[i] * (next[d] + mass * rest[d]);
             of_x[d] += next[d];
@@ -122,7 +124,7 @@ class MassMatrix {
     edge_.resize(residual_.nodes(), false);
     image_.zero(s_->live.runs());
     s_->live.each([&](std::size_t i) {
-      edge_[i] = is_free(i) && s_->inertia.node(i)[0] < edge_mass * whole * s_->images.share(i);
+      edge_[i] = is_free(i) && s_->inertia.node(i)[0] < edge_mass * whole * images_->share(i);
       if (edge_[i]) std::fill_n(image_.node(i), Dim, 1.0);
     });
     scale_.resize(edge_.size());
@@ -224,9 +226,9 @@ class MassMatrix {
   /// y = M x; particles that never move count by their row sums.
   void multiply(Field& x, Field& y) const {
     multiply_particles(x, y);
-    if (!s_->held_mass.empty()) {
+    if (!held_->mass.empty()) {
       s_->live.each([&](std::size_t i) {
-        for (std::size_t d = 0; d < Dim; ++d) y.node(i)[d] += s_->held_mass[i] * x.node(i)[d];
+        for (std::size_t d = 0; d < Dim; ++d) y.node(i)[d] += held_->mass[i] * x.node(i)[d];
       });
     }
     constrain(y);
@@ -249,20 +251,20 @@ class MassMatrix {
 
   /// y = M x of the particles that move. Images in x are given what their nodes have, and those in y are zero.
   void multiply_particles(Field& x, Field& y) const {
-    s_->images.unfold(x);
+    images_->unfold(x);
     if (stencil_) {
       y.zero(s_->live.runs());
       stencil_->multiply(x, y, s_->setup.threads, [](std::size_t, std::size_t) {});
     } else {
       multiply_by_particles(x, y);
     }
-    s_->images.fold(y);
+    images_->fold(y);
   }
 
   /// The same on nodes that have mass, and after(begin, end) as soon as it is known there.
   template <class After>
   void multiply_then(Field& x, Field& y, const After& after) const {
-    if (stencil_ && s_->images.empty()) {
+    if (stencil_ && images_->empty()) {
       stencil_->multiply(x, y, s_->setup.threads, after);
     } else {
       multiply_particles(x, y);
@@ -279,6 +281,8 @@ class MassMatrix {
   }
 
   State<Dim>* s_;
+  const Images<Dim>* images_;
+  const Held* held_;
   void (*multiply_block_)(const KernelState<Dim>&, const Block&, const double*);
   Field &residual_, &image_;
   Field &direction_, &scaled_, &divided_;  ///< of conjugate gradients

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "mpm/data/dimension.hpp"
-
 namespace assay::mpm {
 
 template <int Dim>

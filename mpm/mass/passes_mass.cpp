@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mpm/data/dimension.hpp"
 #include "mpm/mass/mass_matrix.hpp"
-#include "mpm/step/passes_grid.hpp"
+#include "mpm/step/passes.hpp"
 
 namespace assay::mpm {
 
@@ -25,10 +24,10 @@ void load_momentum(const State<Dim>& s, GridField<Dim>& x) {
 
 /// Momentum that the particles gain against what the nodes were given.
 template <int Dim>
-void book_reaction(State<Dim>& s, const Reaction& share, double kick) {
-  if (!s.setup.accounts || !s.images.empty()) return;  // of images the pass that unfolds them keeps the account
+void book_reaction(State<Dim>& s, const Held& held, const Reaction& share, double kick) {
+  if (!s.setup.accounts || s.setup.has_images()) return;  // of images the pass that unfolds them keeps the account
   s.live.each([&](std::size_t i) {
-    const double m = s.inertia.node(i)[0] - (s.held_mass.empty() ? 0 : s.held_mass[i]);
+    const double m = s.inertia.node(i)[0] - (held.mass.empty() ? 0 : held.mass[i]);
     for (std::size_t d = 0; d < Dim; ++d) {
       const double force = kick * s.force.node(i)[d];
       s.ledger.impulse[d] += share.of_velocity * (m * s.motion.node(i)[d] - s.inertia.node(i)[1 + d] - force) +
@@ -74,16 +73,40 @@ bool find_velocity(State<Dim>& s, const Method& method, double kick, MassMatrix<
   return matrix.solve(a) && solved;
 }
 
+/// The matrix, the fields that it works on, and how both ways of the grid update end.
+template <int Dim>
+struct Inversion {
+  Inversion(State<Dim>& state, const Method& m)
+      : s(&state), method(m), held(&state.template own<Held>()), fields(fields_of(state, m)), matrix(state, *fields) {}
+
+  GridField<Dim>& v() { return fields->vectors[0]; }
+  GridField<Dim>& a() { return fields->vectors[1]; }
+
+  void end(bool solved, bool kicks, double kick) {
+    if (kicks) book_reaction(*s, *held, reaction_of(method), kick);
+    if (!solved) s->finding = Finding{Finding::Kind::unstable, "the consistent mass matrix could not be inverted", 0};
+  }
+
+  static SolverFields<Dim>* fields_of(State<Dim>& state, const Method& m) {
+    auto& found = state.template own<SolverFields<Dim>>();
+    found.allocate(solver_fields(m), state.setup.grid.nodes());
+    return &found;
+  }
+
+  State<Dim>* s;
+  Method method;
+  const Held* held;
+  SolverFields<Dim>* fields;
+  MassMatrix<Dim> matrix;
+};
+
 template <int Dim>
 Kernel mass_matrix_kernel(State<Dim>& s, const Method& method) {
-  auto& fields = s.template own<SolverFields<Dim>>();
-  fields.allocate(solver_fields(method), s.setup.grid.nodes());
-  auto matrix_of_run = std::make_shared<MassMatrix<Dim>>(s, fields);
-  return [&s, &fields, method, matrix_of_run](const Instant& now) {
-    MassMatrix<Dim>& matrix = *matrix_of_run;
+  return [&s, method, inversion = std::make_shared<Inversion<Dim>>(s, method)](const Instant& now) {
+    MassMatrix<Dim>& matrix = inversion->matrix;
     matrix.assemble();
     matrix.invert_sums();
-    GridField<Dim>&v = fields.vectors[0], &a = fields.vectors[1];
+    GridField<Dim>&v = inversion->v(), &a = inversion->a();
     const bool solved = find_velocity(s, method, now.kick, matrix, v, a);
     const double kick = method.transfer == Transfer::fmpm ? 0 : now.kick;
     matrix.for_nodes([&](std::size_t begin, std::size_t end) {
@@ -94,8 +117,7 @@ Kernel mass_matrix_kernel(State<Dim>& s, const Method& method) {
         }
       }
     });
-    book_reaction(s, reaction_of(method), now.kick);
-    if (!solved) s.finding = Finding{Finding::Kind::unstable, "the consistent mass matrix could not be inverted", 0};
+    inversion->end(solved, true, now.kick);
   };
 }
 
@@ -128,12 +150,9 @@ void book_kick(State<Dim>& s, const GridField<Dim>& v, double kick) {
 
 template <int Dim>
 Kernel kick_kernel(State<Dim>& s, const Method& method) {
-  auto& fields = s.template own<SolverFields<Dim>>();
-  fields.allocate(solver_fields(method), s.setup.grid.nodes());
-  auto matrix_of_run = std::make_shared<MassMatrix<Dim>>(s, fields);
-  return [&s, &fields, method, matrix_of_run](const Instant& now) {
-    MassMatrix<Dim>& matrix = *matrix_of_run;
-    GridField<Dim>&v = fields.vectors[0], &a = fields.vectors[1];
+  return [&s, method, inversion = std::make_shared<Inversion<Dim>>(s, method)](const Instant& now) {
+    MassMatrix<Dim>& matrix = inversion->matrix;
+    GridField<Dim>&v = inversion->v(), &a = inversion->a();
     const bool kicks = now.kick != 0;  // the first stage of a step does not
     bool solved = true;
     if (!kicks) {
@@ -155,10 +174,20 @@ Kernel kick_kernel(State<Dim>& s, const Method& method) {
         s.motion.node(i)[Dim + d] = a.node(i)[d];
       }
     });
-    if (kicks) book_reaction(s, reaction_of(method), now.kick);
-    if (!solved) s.finding = Finding{Finding::Kind::unstable, "the consistent mass matrix could not be inverted", 0};
+    inversion->end(solved, kicks, now.kick);
   };
 }
+
+std::string doc_of_inversion(const Method& method, bool kicks) {
+  const std::string what = "nodal acceleration and velocity";
+  if (kicks && method.mass == Mass::lumped) return what + ", and the particles' momentum after the kick";
+  if (kicks) return what + " by the mass matrix, momentum after the kick";
+  return what + " by " +
+         (method.mass == Mass::consistent ? "the consistent mass matrix"
+                                          : std::to_string(method.terms) + " terms of the inverse mass matrix");
+}
+
+}  // namespace
 
 /// a = M^-1 f, v = M^-1 (m v) + dt a, on nodes that are not held. M_ij = sum m_p phi_ip phi_jp is inverted by k terms
 /// of sum_l (I - M_L^-1 M)^l M_L^-1, M_L its row sums, or by conjugate gradients:
@@ -167,44 +196,23 @@ Kernel kick_kernel(State<Dim>& s, const Method& method) {
 ///   xpic(k):     series of m v; f is divided by M_L
 ///   fmpm(k):     series of m v + dt f
 /// What holding takes from the particles' momentum enters the account.
-template <int Dim>
-Pass<Dim> mass_matrix_pass(const Method& method) {
-  Pass<Dim> pass;
-  pass.name = "grid_update";
-  pass.slot = {Phase::grid};
-  const std::string terms = std::to_string(method.terms) + " terms of the inverse mass matrix";
-  pass.doc = method.mass == Mass::consistent ? "nodal acceleration and velocity by the consistent mass matrix"
-                                             : "nodal acceleration and velocity by " + terms;
-  pass.called_for_by = method.mass == Mass::lumped ? "method.transfer" : "method.mass";
-  pass.reads = {Column::weights, Column::mass};
-  pass.grid_fields = {"mass", "momentum", "force", "velocity", "acceleration"};
-  pass.bind = [method](State<Dim>& s) -> Kernel { return mass_matrix_kernel(s, method); };
-  return pass;
-}
-
+///
 /// Of an integrator with stages: a = M^-1 f, m v += dt sum m_p phi_ip phi_jp a_j, v = M^-1 (m v), the same M^-1 twice,
 /// so that drifts and kicks are adjoint and the energy of the particles is that of the system. What the particles gain
 /// reaches the nodes by the matrix: no transfer between the stages.
 template <int Dim>
-Pass<Dim> kick_pass(const Method& method) {
-  Pass<Dim> pass;
-  pass.name = "grid_update";
-  pass.slot = {Phase::grid};
-  pass.doc = method.mass == Mass::lumped
-                 ? "nodal acceleration and velocity, and the particles' momentum after the kick"
-                 : "nodal acceleration and velocity by the mass matrix, momentum after the kick";
-  pass.called_for_by = "method.integrator";
-  pass.reads = {Column::weights, Column::mass};
-  pass.grid_fields = {"mass", "momentum", "force", "velocity", "acceleration"};
-  pass.bind = [method](State<Dim>& s) -> Kernel { return kick_kernel(s, method); };
-  return pass;
-}
-
-}  // namespace
-
-template <int Dim>
 std::vector<Pass<Dim>> inversion_passes(const Setup<Dim>& setup) {
-  return {setup.method.has_stages() ? kick_pass<Dim>(setup.method) : mass_matrix_pass<Dim>(setup.method)};
+  const Method& method = setup.method;
+  const bool kicks = method.has_stages();
+  return {{{.name = "grid_update",
+            .slot = {Phase::grid},
+            .doc = doc_of_inversion(method, kicks),
+            .called_for_by = kicks                         ? "method.integrator"
+                             : method.mass == Mass::lumped ? "method.transfer"
+                                                           : "method.mass",
+            .reads = {Column::weights, Column::mass},
+            .grid_fields = {"mass", "momentum", "force", "velocity", "acceleration"}},
+           [method, kicks](State<Dim>& s) { return kicks ? kick_kernel(s, method) : mass_matrix_kernel(s, method); }}};
 }
 
 template <int Dim>

@@ -8,8 +8,7 @@
 #include "harness/material/material_failure.hpp"
 #include "mpm/data/blocks.hpp"
 #include "mpm/data/crew.hpp"
-#include "mpm/data/dimension.hpp"
-#include "mpm/material/offload.hpp"
+#include "mpm/material/stress_blocks.hpp"
 
 namespace assay::mpm {
 
@@ -26,13 +25,42 @@ StressColumns<Dim> columns_of(State<Dim>& s) {
   for (int c = 0; c < stress_components<Dim>; ++c) {
     columns.stress[static_cast<std::size_t>(c)] = s.column(Column::stress, c);
   }
-  for (std::size_t end : {0, 1}) columns.history[end] = s.history[end].data();
+  auto& history = s.template own<MaterialHistory>();
+  columns.history = {history.begin.data(), history.end.data()};
   if (s.has(Column::volume_scale)) {
     columns.volume_scale = s.column(Column::volume_scale, 0);
     if (s.setup.method.is_total()) columns.volume_scale_before = s.column(Column::volume_scale, 1);
   }
   columns.rate_of_F = s.setup.method.is_total();
   return columns;
+}
+
+template <int Dim>
+void end_stress(State<Dim>& s, BlockOutcome outcome) {
+  s.material_calls += static_cast<std::int64_t>(s.particles);
+  if (outcome.inverted) {
+    const std::size_t p = *outcome.inverted;
+    bool number = true;
+    for (int c = 0; c < tensor_components<Dim>; ++c) {
+      number = number && std::isfinite(s.column(Column::deformation_gradient, c)[p]);
+    }
+    s.finding = Finding{
+        Finding::Kind::unstable, number ? "det F <= 0" : "F is not a finite number", static_cast<std::int64_t>(p), {}};
+  } else if (outcome.refused) {
+    s.finding = Finding{Finding::Kind::material_failed, outcome.message, static_cast<std::int64_t>(*outcome.refused),
+                        std::move(outcome.step)};
+  }
+}
+
+template <int Dim>
+Kernel stress_kernel(State<Dim>& s) {
+  auto materials = std::make_shared<MaterialBatches<Dim>>(s);
+  if (s.setup.offload) {
+    return [&s, materials](const Instant& now) { end_stress(s, materials->update_elsewhere(now)); };
+  }
+  return Kernel::over_blocks(
+      [materials](const Instant& now, const Block& block) { return materials->update(block.begin, block.end, now); },
+      [&s, materials](const Instant&, std::optional<std::size_t>) { end_stress(s, materials->take_first()); });
 }
 
 }  // namespace
@@ -105,5 +133,23 @@ BlockOutcome MaterialBatches<Dim>::update_elsewhere(const Instant& now) {
 }
 
 template class MaterialBatches<ASSAY_DIMENSION>;
+
+template <int Dim>
+Pass<Dim> stress_pass(bool with_history) {
+  Pass<Dim> pass{{.name = "stress",
+                  .doc = "deformation gradient from L, Cauchy stress from the material",
+                  .called_for_by = "material.adapter",
+                  .reads = {Column::velocity_gradient, Column::deformation_gradient},
+                  .writes = {Column::deformation_gradient, Column::stress},
+                  .updates_material = true},
+                 stress_kernel<Dim>};
+  if (with_history) {
+    pass.reads.push_back(Column::history);
+    pass.writes.push_back(Column::history);
+  }
+  return pass;
+}
+
+template Pass<ASSAY_DIMENSION> stress_pass<ASSAY_DIMENSION>(bool);
 
 }  // namespace assay::mpm

@@ -58,7 +58,8 @@ class MaterialBatches {
   FirstOutcome first_;
 };
 
-/// Bytes of history a particle: begin and end of the step.
-inline std::size_t history_bytes(std::size_t state_size) { return 2 * state_size * sizeof(double); }
+/// F <- (I + dt L) F, then the material's update in batches; finds det F <= 0 and failed points.
+template <int Dim>
+Pass<Dim> stress_pass(bool with_history);
 
 }  // namespace assay::mpm

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mpm/data/dimension.hpp"
-#include "mpm/kernels/advance.hpp"
+#include "mpm/kernels/kernels.hpp"
 
 namespace assay::mpm {
 

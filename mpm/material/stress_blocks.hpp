@@ -3,17 +3,22 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "harness/material/failed_step.hpp"
 #include "harness/material/material.hpp"
+#include "harness/material/material_failure.hpp"
 #include "mpm/data/blocks.hpp"
 #include "mpm/data/columns.hpp"
-#include "mpm/data/instant.hpp"
 
 namespace assay::mpm {
+
+/// State of the material by block, [c * n + p]: at the begin and the end of the step.
+struct MaterialHistory {
+  ColumnData begin, end;
+};
 
 /// What the stress pass reads and writes: component c of particle p at [c][p]; history by block, [c * n + p] of n
 /// points.
@@ -62,5 +67,14 @@ struct BlockOutcome {
 template <int Dim>
 BlockOutcome update_block(const StressColumns<Dim>& columns, const Material& material, std::size_t begin,
                           std::size_t end, const Instant& now, BlockScratch<Dim>& scratch);
+
+struct Offload {
+  /// Memory of n doubles, zero, that the others see; it lives as long as this.
+  std::function<double*(std::size_t n)> allocate;
+  /// Where the columns lie: once, before the first step.
+  std::function<void(const StressColumns<2>& columns)> place;
+  /// All blocks of particles [begin, end), which one thread would do. Safe for different threads at once.
+  std::function<BlockOutcome(std::size_t thread, std::size_t begin, std::size_t end, const Instant& now)> update;
+};
 
 }  // namespace assay::mpm

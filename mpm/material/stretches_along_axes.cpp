@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mpm/data/dimension.hpp"
 
 #if ASSAY_DIMENSION == 3
 #include <Eigen/Eigenvalues>

@@ -58,10 +58,10 @@ Readback read_back(const Method& method, const Bench& bench, const Vec<2>& v, co
   for (std::size_t p = 0; p < s.particles; ++p) {
     for (std::size_t d = 0; d < 2; ++d) {
       const double exact = v[d] + A[2 * d] * where[0][p] + A[2 * d + 1] * where[1][p];
-      const double moved = s.column(Column::position, static_cast<int>(d))[p] - x[d][p];
+      const double moved = s.column(Column::position, d)[p] - x[d][p];
       worst.value = larger(worst.value, std::abs(moved - exact));
       for (std::size_t k = 0; k < 2; ++k) {
-        const double L = s.column(Column::velocity_gradient, static_cast<int>(2 * d + k))[p];
+        const double L = s.column(Column::velocity_gradient, 2 * d + k)[p];
         worst.gradient = larger(worst.gradient, std::abs(L - A[2 * d + k]));
       }
     }
@@ -75,16 +75,14 @@ Readback read_back(const Method& method, const Bench& bench, const Vec<2>& v, co
 std::vector<check::TestResult> completeness(const Method& method, const Bench& bench) {
   const Readback unity = read_back(method, bench, {1, 1}, {}), linear = read_back(method, bench, {}, slope);
   return {judged(method, "weights.unity",
-                 {larger(unity.value, unity.gradient),
-                  {},
-                  "sum phi - 1 is at most " + digits(unity.value) + ", h |sum grad phi| " + digits(unity.gradient) +
-                      ", on a jittered set"},
+                 {larger(unity.value, unity.gradient), "sum phi - 1 is at most " + digits(unity.value) +
+                                                           ", h |sum grad phi| " + digits(unity.gradient) +
+                                                           ", on a jittered set"},
                  completeness_threshold, "no partition of unity"),
           judged(method, "weights.linear",
-                 {larger(linear.value, linear.gradient),
-                  {},
-                  "a linear field is off by at most " + digits(linear.value) + ", its gradient by " +
-                      digits(linear.gradient) + "/h, on a jittered set"},
+                 {larger(linear.value, linear.gradient), "a linear field is off by at most " + digits(linear.value) +
+                                                             ", its gradient by " + digits(linear.gradient) +
+                                                             "/h, on a jittered set"},
                  completeness_threshold, "linear fields not reproduced")};
 }
 

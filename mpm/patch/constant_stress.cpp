@@ -35,7 +35,7 @@ using Stress = std::array<double, stress_components<2>>;
 
 void fill(State<2>& s, const Stress& sigma) {
   for (std::size_t c = 0; c < sigma.size(); ++c) {
-    std::fill_n(s.column(Column::stress, static_cast<int>(c)), s.particles, sigma[c]);
+    std::fill_n(s.column(Column::stress, c), s.particles, sigma[c]);
   }
 }
 
@@ -80,9 +80,8 @@ Forces forces(const Method& method, const Bench& bench, Arrangement arrangement)
   State<2>& s = simulation.state();
   arrange(s, arrangement);
   fill(s, sigma);
-  Mat<2> F;  // of all particles, at the beginning of the step
-  for (std::size_t c = 0; c < 4; ++c) F[c] = s.column(Column::deformation_gradient, static_cast<int>(c))[0];
-  double reference_volume = 0;  // before the step, which may be the one that is wrong
+  const Mat<2> F = s.at<4>(Column::deformation_gradient, 0);  // of all particles, at the beginning of the step
+  double reference_volume = 0;                                // before the step, which may be the one that is wrong
   for (std::size_t p = 0; p < s.particles; ++p) reference_volume += s.column(Column::volume)[p];
   constexpr double no_time = 1e-9;  // in which the body does not move, and a last stage finds it as it was
   if (simulation.step(0, no_time)) return {};
@@ -106,11 +105,11 @@ std::vector<check::TestResult> constant_stress(const Method& method, const Bench
   for (const auto& [arrangement, id, what] : cases) {
     const Forces found = forces(method, bench, arrangement);
     total = larger(total, found.total);
-    const Figure figure{
-        found.inner, {}, std::string(what) + ": largest inner force " + digits(found.inner) + " of stress times h"};
+    const Figure figure{found.inner,
+                        std::string(what) + ": largest inner force " + digits(found.inner) + " of stress times h"};
     results.push_back(judged(method, id, figure, stress_threshold, "force in a body under constant stress"));
   }
-  const Figure figure{total, {}, "sum f x is off by at most " + digits(total) + " of the volume times the stress"};
+  const Figure figure{total, "sum f x is off by at most " + digits(total) + " of the volume times the stress"};
   results.push_back(judged(method, "stress.total", figure, stress_threshold, "forces do not add up to the stress"));
   return results;
 }

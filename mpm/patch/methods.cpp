@@ -32,6 +32,37 @@ void add_choices(const Method& plain, std::vector<Method>& methods) {
   }
 }
 
+std::string why_angular_momentum_changes(const Method& method) {
+  if (method.is_total())
+    return "forces in the reference configuration have a moment about the current positions, because the grid "
+           "reproduces X and not x";
+  if (method.keeps_velocity()) return "the velocity increments of FLIP have a moment of their own";
+  if (!method.is_affine()) return "a particle that takes over the grid's velocity loses its angular momentum";
+  if (method.affine == Affine::gradient) return "the velocity gradient conserves the moment of affine motions only";
+  return method.basis == Basis::cpdi2 ? "the centre of a quadrilateral moves slightly differently from its particle"
+                                      : "";
+}
+
+/// Of a body that is no longer the lattice that it was.
+std::string why_domains_do_not_fit(Basis basis) {
+  if (basis == Basis::linear) return "with the linear basis, a particle contributes only to the cell that it is in";
+  if (basis == Basis::ugimp) return "the domains of uGIMP keep their size and shape, so they overlap and leave gaps";
+  if (basis == Basis::cpgimp)
+    return "the domains of cpGIMP stay aligned with the axes, so they overlap and leave gaps in shear";
+  return is_spline(basis) ? "B-splines are evaluated at the particles, which are no accurate quadrature points if "
+                            "their volumes differ"
+                          : "";
+}
+
+/// `fits`: the body is a lattice on the grid's cells as it is now.
+std::string why_surface_is_unbalanced(const Method& method, bool fits) {
+  if (!method.is_total() && (!fits || method.basis == Basis::ugimp)) return why_domains_do_not_fit(method.basis);
+  if (method.basis == Basis::bspline3 || method.basis == Basis::bspline4)
+    return "two points a cell do not integrate cubic and quartic B-splines exactly, and this shows at a face, which "
+           "cuts the splines off";
+  return {};
+}
+
 }  // namespace
 
 std::vector<Method> all_methods() {
@@ -76,41 +107,6 @@ std::string name_of(const Method& method) {
   if (method.has_stages()) name += "/symplectic_rkn4";
   return method.is_total() ? name + "/total" : name;
 }
-
-namespace {
-
-std::string why_angular_momentum_changes(const Method& method) {
-  if (method.is_total())
-    return "forces in the reference configuration have a moment about the current positions, because the grid "
-           "reproduces X and not x";
-  if (method.keeps_velocity()) return "the velocity increments of FLIP have a moment of their own";
-  if (!method.is_affine()) return "a particle that takes over the grid's velocity loses its angular momentum";
-  if (method.affine == Affine::gradient) return "the velocity gradient conserves the moment of affine motions only";
-  return method.basis == Basis::cpdi2 ? "the centre of a quadrilateral moves slightly differently from its particle"
-                                      : "";
-}
-
-/// Of a body that is no longer the lattice that it was.
-std::string why_domains_do_not_fit(Basis basis) {
-  if (basis == Basis::linear) return "with the linear basis, a particle contributes only to the cell that it is in";
-  if (basis == Basis::ugimp) return "the domains of uGIMP keep their size and shape, so they overlap and leave gaps";
-  if (basis == Basis::cpgimp)
-    return "the domains of cpGIMP stay aligned with the axes, so they overlap and leave gaps in shear";
-  return is_spline(basis) ? "B-splines are evaluated at the particles, which are no accurate quadrature points if "
-                            "their volumes differ"
-                          : "";
-}
-
-/// `fits`: the body is a lattice on the grid's cells as it is now.
-std::string why_surface_is_unbalanced(const Method& method, bool fits) {
-  if (!method.is_total() && (!fits || method.basis == Basis::ugimp)) return why_domains_do_not_fit(method.basis);
-  if (method.basis == Basis::bspline3 || method.basis == Basis::bspline4)
-    return "two points a cell do not integrate cubic and quartic B-splines exactly, and this shows at a face, which "
-           "cuts the splines off";
-  return {};
-}
-
-}  // namespace
 
 std::string exemption(const Method& method, const std::string& test) {
   const Basis basis = method.basis;

@@ -23,10 +23,10 @@ void disturb(State<2>& s) {
     s.column(Column::velocity, 1)[p] = x + 0.5 * y + 0.2 * noise();
     Mat<2> F;
     for (std::size_t c = 0; c < 4; ++c) {
-      F[c] = s.column(Column::deformation_gradient, static_cast<int>(c))[p] += 0.1 * noise();
+      F[c] = s.column(Column::deformation_gradient, c)[p] += 0.1 * noise();
     }
     const auto sigma = stress_at(*s.setup.material, F);
-    for (std::size_t c = 0; c < sigma.size(); ++c) s.column(Column::stress, static_cast<int>(c))[p] = sigma[c];
+    for (std::size_t c = 0; c < sigma.size(); ++c) s.column(Column::stress, c)[p] = sigma[c];
   }
 }
 
@@ -71,14 +71,11 @@ Change step_once(const Method& method, const Bench& bench, int across, double sh
 std::vector<check::TestResult> momentum(const Method& method, const Bench& bench) {
   const int across = bench.quick ? 8 : 32;
   const Change whole = step_once(method, bench, across, 1), half = step_once(method, bench, across, 0.5);
-  Figure angular{whole.angular,
-                 {},
-                 "the angular momentum changes by " + digits(whole.angular) + " of its scale in a step, by " +
-                     digits(half.angular) + " in half a step"};
+  Figure angular{whole.angular, "the angular momentum changes by " + digits(whole.angular) +
+                                    " of its scale in a step, by " + digits(half.angular) + " in half a step"};
   if (whole.angular > momentum_threshold) angular.order = observed_order(2, whole.angular, 1, half.angular);
   return {judged(method, "momentum.linear",
                  {larger(whole.grid, whole.particles),
-                  {},
                   "mass and momentum on the grid are off by " + digits(whole.grid) +
                       ", the particles' momentum after a step by " + digits(whole.particles)},
                  momentum_threshold, "momentum not conserved"),

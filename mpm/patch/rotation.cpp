@@ -58,12 +58,9 @@ Errors measure(const State<2>& s, double t) {
     const double u = s.column(Column::position, 0)[p] - (c * X - sine * Y);
     const double v = s.column(Column::position, 1)[p] - (sine * X + c * Y);
     displacement.add(V, u * u + v * v);
-    Mat<2> F;
+    const Mat<2> F = s.at<4>(Column::deformation_gradient, p);
     double square = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      F[k] = s.column(Column::deformation_gradient, static_cast<int>(k))[p];
-      square += (F[k] - Q[k]) * (F[k] - Q[k]);
-    }
+    for (std::size_t k = 0; k < 4; ++k) square += (F[k] - Q[k]) * (F[k] - Q[k]);
     deformation.add(V, square);
     volume.add(V, std::pow(determinant<2>(F) - 1, 2));
   }
@@ -106,7 +103,7 @@ check::TestResult judged_series(const Method& method, const std::string& id, con
   const auto& runs = series.runs;
   const double before = runs[1].*kind, last = runs[2].*kind;
   const auto told = [&](const Errors& run) { return run.finding ? std::string("unstable") : digits(run.*kind); };
-  Figure figure{last, {}, {}};
+  Figure figure{last, {}};
   if (runs[2].finding) {
     figure.sentence = "unstable at t = " + digits(runs[2].t) + " s: " + runs[2].finding->reason;
   } else {

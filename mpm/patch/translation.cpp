@@ -35,10 +35,10 @@ double misplacement(const State<2>& s, const Vec<2>& velocity, double t) {
   double largest = 0;
   for (std::size_t p = 0; p < s.particles; ++p) {
     for (std::size_t d = 0; d < 2; ++d) {
-      const double x = s.column(Column::reference_position, static_cast<int>(d))[p] + velocity[d] * t;
-      largest = larger(largest, std::abs(s.column(Column::position, static_cast<int>(d))[p] - x));
+      const double x = s.column(Column::reference_position, d)[p] + velocity[d] * t;
+      largest = larger(largest, std::abs(s.column(Column::position, d)[p] - x));
       for (std::size_t c = 0; s.has(Column::corners) && c < 4; ++c) {
-        const double corner = s.column(Column::corners, static_cast<int>(2 * c + d))[p];
+        const double corner = s.column(Column::corners, 2 * c + d)[p];
         largest = larger(largest, std::abs(corner - x - ((c >> d & 1) ? half[d] : -half[d])));
       }
     }
@@ -54,7 +54,7 @@ Flight fly(const Method& method, const Bench& bench, int across, const Course& c
   Simulation<2> simulation(setup, bench.passes(setup));
   State<2>& s = simulation.state();
   for (std::size_t d = 0; d < 2; ++d) {
-    std::fill_n(s.column(Column::velocity, static_cast<int>(d)), s.particles, course.velocity[d]);
+    std::fill_n(s.column(Column::velocity, d), s.particles, course.velocity[d]);
   }
   const Momentum before = momentum_of(s);
   const double speed = std::hypot(course.velocity[0], course.velocity[1]);
@@ -66,7 +66,7 @@ Flight fly(const Method& method, const Bench& bench, int across, const Course& c
   }
   for (std::size_t p = 0; p < s.particles; ++p) {
     for (std::size_t d = 0; d < 2; ++d) {
-      const double v = s.column(Column::velocity, static_cast<int>(d))[p];
+      const double v = s.column(Column::velocity, d)[p];
       flight.velocity = larger(flight.velocity, std::abs(v - course.velocity[d]) / speed);
     }
     for (int c = 0; c < 4; ++c) {
@@ -118,13 +118,13 @@ std::vector<check::TestResult> translation(const Method& method, const Bench& be
   const int steps = static_cast<int>(std::ceil(cells_crossed / (across * aslant[0] * dt)));
   const Flight flight = fly(method, bench, across, {aslant, {}, dt, steps});
   const std::string way = flight.finding ? "" : "through " + digits(cells_crossed) + " cells in ";
-  const Figure plain{error_of(flight), {}, way + told(flight)};
-  Figure lines{-1, {}, {}};
+  const Figure plain{error_of(flight), way + told(flight)};
+  Figure lines{-1, {}};
   constexpr int few = 8;  // cells: what happens on a line happens on each
   for (const auto& [what, course] : courses_on_lines(bench, few)) {
     const Flight on_lines = fly(method, bench, few, course);
     const double error = error_of(on_lines);
-    if (!std::isnan(lines.measure) && !(error <= lines.measure)) lines = {error, {}, what + ", " + told(on_lines)};
+    if (!std::isnan(lines.measure) && !(error <= lines.measure)) lines = {error, what + ", " + told(on_lines)};
   }
   return {
       judged(method, "translation", plain, translation_threshold, "uniform motion disturbed"),

@@ -15,6 +15,43 @@ constexpr double rounding = 1e-9;
 std::int32_t cell_below(double x, double h) { return static_cast<std::int32_t>(std::floor(x / h + rounding)); }
 std::int32_t cell_above(double x, double h) { return static_cast<std::int32_t>(std::ceil(x / h - rounding)); }
 
+/// All bits of the result depend on all bits of x (the finaliser of SplitMix64; Steele, Lea and Flood 2014).
+std::uint64_t mixed(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15u;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+/// Between -1 and 1, both excluded: 52 bits of a hash, no rounding.
+double noise(std::uint64_t seed, std::uint64_t number) {
+  return (static_cast<double>(mixed(mixed(seed) ^ number) >> 12) + 0.5) * 0x1p-51 - 1;
+}
+
+/// All lattice cells of the square around the ring that may have a part in it.
+std::vector<Rectangle> cells_around(const Annulus& ring, double spacing, const std::array<int, 2>& per_cell) {
+  std::array<double, 2> half{};
+  std::array<std::int64_t, 2> reach{};
+  for (std::size_t d = 0; d < 2; ++d) {
+    half[d] = 0.5 * spacing / per_cell[d];
+    reach[d] = static_cast<std::int64_t>(cell_above(ring.outer, spacing)) * per_cell[d];
+  }
+  const auto corner = [&](std::size_t d, std::int64_t i) { return 2.0 * static_cast<double>(i) * half[d]; };
+  std::vector<Rectangle> cells;
+  for (std::int64_t j = -reach[1]; j < reach[1]; ++j) {
+    for (std::int64_t i = -reach[0]; i < reach[0]; ++i) {
+      const Rectangle cell{{corner(0, i), corner(1, j)}, {corner(0, i + 1), corner(1, j + 1)}};
+      const auto near = [&](std::size_t d) { return std::min(std::abs(cell.lower[d]), std::abs(cell.upper[d])); };
+      const auto far = [&](std::size_t d) { return std::max(std::abs(cell.lower[d]), std::abs(cell.upper[d])); };
+      if (std::hypot(near(0), near(1)) < ring.outer && std::hypot(far(0), far(1)) > ring.inner) cells.push_back(cell);
+    }
+  }
+  return cells;
+}
+
+/// An edge this close to a face [relative to the body] lies on it.
+constexpr double face_rounding = 1e-12;
+
 }  // namespace
 
 Seeds<2> lattice_of(const std::array<double, 2>& lower, const std::array<double, 2>& upper, double spacing,
@@ -51,23 +88,6 @@ Seeds<2> cartesian_lattice(const std::array<double, 2>& lower, const std::array<
   return lattice_of(lower, upper, spacing, per_cell, coordinate, fate);
 }
 
-namespace {
-
-/// All bits of the result depend on all bits of x (the finaliser of SplitMix64; Steele, Lea and Flood 2014).
-std::uint64_t mixed(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15u;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
-/// Between -1 and 1, both excluded: 52 bits of a hash, no rounding.
-double noise(std::uint64_t seed, std::uint64_t number) {
-  return (static_cast<double>(mixed(mixed(seed) ^ number) >> 12) + 0.5) * 0x1p-51 - 1;
-}
-
-}  // namespace
-
 void disturb(Seeds<2>& seeds, double fraction, std::uint64_t seed, const std::function<bool(const Point&)>& inside) {
   const auto offset = [&](std::size_t particle, std::size_t d) {
     return fraction * 2 * seeds.half_size[d] * noise(seed, 2 * particle + d);
@@ -81,31 +101,6 @@ void disturb(Seeds<2>& seeds, double fraction, std::uint64_t seed, const std::fu
     for (std::size_t k = 0; k < seeds.held.size(); ++k) seeds.held[k][d] += offset(seeds.size() + k, d);
   }
 }
-
-namespace {
-
-/// All lattice cells of the square around the ring that may have a part in it.
-std::vector<Rectangle> cells_around(const Annulus& ring, double spacing, const std::array<int, 2>& per_cell) {
-  std::array<double, 2> half{};
-  std::array<std::int64_t, 2> reach{};
-  for (std::size_t d = 0; d < 2; ++d) {
-    half[d] = 0.5 * spacing / per_cell[d];
-    reach[d] = static_cast<std::int64_t>(cell_above(ring.outer, spacing)) * per_cell[d];
-  }
-  const auto corner = [&](std::size_t d, std::int64_t i) { return 2.0 * static_cast<double>(i) * half[d]; };
-  std::vector<Rectangle> cells;
-  for (std::int64_t j = -reach[1]; j < reach[1]; ++j) {
-    for (std::int64_t i = -reach[0]; i < reach[0]; ++i) {
-      const Rectangle cell{{corner(0, i), corner(1, j)}, {corner(0, i + 1), corner(1, j + 1)}};
-      const auto near = [&](std::size_t d) { return std::min(std::abs(cell.lower[d]), std::abs(cell.upper[d])); };
-      const auto far = [&](std::size_t d) { return std::max(std::abs(cell.lower[d]), std::abs(cell.upper[d])); };
-      if (std::hypot(near(0), near(1)) < ring.outer && std::hypot(far(0), far(1)) > ring.inner) cells.push_back(cell);
-    }
-  }
-  return cells;
-}
-
-}  // namespace
 
 Seeds<2> clipped_lattice(const Annulus& ring, double spacing, const std::array<int, 2>& per_cell) {
   Seeds<2> seeds;
@@ -214,6 +209,46 @@ GridGeometry<2> grid_around(const std::array<double, 2>& lower, const std::array
     grid.count[d] = cell_above(upper[d], spacing) + margin - grid.first[d] + 1;
   }
   return grid;
+}
+
+void add_surface_edges(const Rectangle& body, const std::array<AxisEnds, 2>& ends, const Rectangle& domain,
+                       std::uint32_t particle, std::vector<SurfaceEdge>& edges) {
+  const auto corner = [&](std::size_t c) {
+    return Point{(c & 1) ? domain.upper[0] : domain.lower[0], (c & 2) ? domain.upper[1] : domain.lower[1]};
+  };
+  const double near = face_rounding * (body.upper[0] - body.lower[0] + body.upper[1] - body.lower[1]);
+  for (std::size_t d = 0; d < 2; ++d) {
+    const std::size_t along = 1 - d;
+    for (const bool upper : {false, true}) {
+      const double at = upper ? domain.upper[d] : domain.lower[d], face = upper ? body.upper[d] : body.lower[d];
+      if (std::abs(at - face) > near || (upper ? ends[d].upper : ends[d].lower)) continue;
+      const auto first = static_cast<std::uint8_t>(upper ? 1u << d : 0u);
+      const auto second = static_cast<std::uint8_t>(first | 1u << along);
+      const Point a = corner(first), b = corner(second);
+      SurfaceEdge edge{particle, {first, second}, {}, {a, b}, {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])}};
+      edge.N_dA[d] = (upper ? 1 : -1) * (domain.upper[along] - domain.lower[along]);
+      edges.push_back(edge);
+    }
+  }
+}
+
+void add_face_arcs(const Annulus& ring, Seeds<2>& seeds) {
+  for (std::size_t p = 0; p < seeds.size(); ++p) {
+    const ReferenceDomains::Place& place = seeds.domains->places[p];
+    for (const BoundaryPiece& piece : seeds.domains->shapes[place.shape].boundary) {
+      const bool outer = piece.sweep > 0;
+      if (piece.straight() || piece.radius != (outer ? ring.outer : ring.inner)) continue;
+      const double middle = piece.from + 0.5 * piece.sweep, chord = 2 * piece.radius * std::sin(0.5 * piece.sweep);
+      const Point out = place.turned({std::cos(middle), std::sin(middle)});
+      SurfaceEdge edge{static_cast<std::uint32_t>(p), {}, {chord * out[0], chord * out[1]}, {}, {}};
+      edge.X = {place.turned(piece.a), place.turned(piece.b)};
+      edge.middle = {piece.radius * out[0], piece.radius * out[1]};
+      if (!outer) std::swap(edge.X[0], edge.X[1]);  // counterclockwise
+      edge.on_corners = !seeds.corners.empty();     // in the order in which polar_lattice gives them
+      edge.corners = outer ? std::array<std::uint8_t, 2>{1, 3} : std::array<std::uint8_t, 2>{0, 2};
+      seeds.surface.push_back(edge);
+    }
+  }
 }
 
 }  // namespace assay::mpm

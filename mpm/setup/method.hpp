@@ -6,9 +6,25 @@
 #include <optional>
 #include <string>
 
-#include "mpm/setup/remedies.hpp"
-
 namespace assay::mpm {
+
+/// The stress is that of F scaled to a volume ratio J averaged over cells, or over the functions of nodes (F-bar):
+/// nearly incompressible materials then resist changes of a cell's volume, not of each particle's.
+enum class AntiLocking { none, cell, node };
+constexpr std::array<const char*, 3> names_of(AntiLocking) { return {"none", "cell", "node"}; }
+
+struct Remedies {
+  AntiLocking anti_locking = AntiLocking::none;
+  double largest_domain = 0;  ///< of convected domains, from a particle to a corner [cells]; 0: as they deform
+  double small_mass = 0;      ///< lighter nodes take up force in proportion [rho0 h^Dim]; 0: all forces
+  /// C1 and C2 of q = rho h (C1 c + C2 h |tr D|) |tr D| in compression, h a cell's width, of
+  /// cells and domains that deform with the body where they are thinnest; 0: no viscosity.
+  std::array<double, 2> viscosity{};
+  double viscosity_speed = 0;  ///< c of it [m/s]
+
+  bool averages_volume() const { return anti_locking != AntiLocking::none; }
+  bool has_viscosity() const { return viscosity[0] > 0 || viscosity[1] > 0; }
+};
 
 enum class Basis {
 #define ASSAY_BASIS(word, type, header) word,
@@ -75,6 +91,27 @@ struct Method {
   bool is_lumped() const {
     return mass == Mass::lumped && transfer != Transfer::xpic && transfer != Transfer::fmpm && !has_stages();
   }
+};
+
+/// How a traction reaches the grid.
+enum class TractionAlgorithm {
+  edges,             ///< by the corners of the particles' domains that lie on the surface, or the middle between them
+  virtual_stress,    ///< as the forces that the exact stress, continued beyond the surface, would leave out
+  particles,         ///< at the centres of the particles of the surface
+  undeformed_edges,  ///< as edges, the traction per current area times the undeformed length
+};
+constexpr std::array<const char*, 4> names_of(TractionAlgorithm) {
+  return {"edges", "virtual_stress", "particles", "undeformed_edges"};
+}
+
+/// Of which two forces that agree on the exact state: sigma n ds, which follows the surface, or P N dA0, which does
+/// not.
+enum class TractionForm { follower, reference };
+constexpr std::array<const char*, 2> names_of(TractionForm) { return {"follower", "reference"}; }
+
+struct Traction {
+  TractionAlgorithm algorithm = TractionAlgorithm::edges;
+  TractionForm form = TractionForm::reference;
 };
 
 /// Why a combination makes no sense, and the scene key of the choice that is one too many.

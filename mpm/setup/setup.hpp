@@ -18,12 +18,21 @@
 #include "mpm/grid/grid_geometry.hpp"
 #include "mpm/grid/images.hpp"
 #include "mpm/setup/method.hpp"
-#include "mpm/setup/remedies.hpp"
-#include "mpm/setup/traction.hpp"
 
 namespace assay::mpm {
 
-struct Offload;  // mpm/material/offload.hpp
+struct Offload;  // mpm/material/stress_blocks.hpp
+
+/// A piece of the body's surface, an edge of a particle's domain or an arc at its end.
+struct SurfaceEdge {
+  std::uint32_t particle = 0;
+  std::array<std::uint8_t, 2> corners{};  ///< of the domain, in the order of `Corners`
+  std::array<double, 2>
+      N_dA{};  ///< outward normal of the reference configuration times the length of the line between its ends [m]
+  std::array<std::array<double, 2>, 2> X{};  ///< where those corners are in it [m]
+  std::array<double, 2> middle{};            ///< the point of the surface of which the traction is taken [m]
+  bool on_corners = true;                    ///< whether its ends are those
+};
 
 /// Particles of a body in the reference configuration, in cell order.
 template <int Dim>

@@ -12,7 +12,6 @@
 
 #include "mpm/data/blocks.hpp"
 #include "mpm/data/columns.hpp"
-#include "mpm/data/instant.hpp"
 #include "mpm/step/state.hpp"
 
 namespace assay::mpm {
@@ -55,39 +54,55 @@ struct Slot {
 /// What is known of a pass without running it.
 struct PassInfo {
   std::string name;
-  std::string doc;            ///< one line
-  std::string called_for_by;  ///< scene key
-  std::vector<Column> reads, writes;
-  std::vector<std::string> grid_fields;  ///< that it touches
+  Slot slot{Phase::stress, Part::last};
+  std::string doc = {};            ///< one line
+  std::string called_for_by = {};  ///< scene key
+  std::vector<Column> reads = {}, writes = {};
+  std::vector<std::string> grid_fields = {};  ///< that it touches
   /// That bring it; empty: a pass of the spine. One that an effect's file names here is needed besides that effect.
-  std::vector<std::string> effects;
+  std::vector<std::string> effects = {};
   bool once = false;  ///< before the first step alone
   Stages stages = Stages::all;
-  Slot slot{Phase::stress, Part::last};
   bool updates_material = false;  ///< of all particles
 };
 
 /// A pass bound to a state.
 struct Kernel {
   using Whole = std::function<void(const Instant&)>;
+  using OfBlock = std::function<std::size_t(const Instant&, const Block&)>;
+  using End = std::function<void(const Instant&, std::optional<std::size_t> bad)>;
 
   Whole begin;  ///< before any block, or all of a pass that does not go over particles by block
   /// Null, or particles [begin, end) of a block: the first that something is wrong with, or none_bad. Safe for
   /// different blocks at once, on the inertia and force that the block names.
-  std::function<std::size_t(const Instant&, const Block&)> block;
+  OfBlock block;
   /// After the blocks, with the first particle that one of them reported.
-  std::function<void(const Instant&, std::optional<std::size_t> bad)> end;
+  End end;
   bool scatters = false;  ///< to inertia or force
 
   Kernel() = default;
   template <class Callable>
   requires std::is_invocable_v<Callable, const Instant&> Kernel(Callable whole)
       : begin(std::move(whole)) {}  // NOLINT(google-explicit-constructor): a pass is often just this
+  /// Over particles by block, and afterwards what is to be done with what the blocks reported.
+  static Kernel over_blocks(OfBlock body, End after = {}) {
+    Kernel kernel;
+    kernel.block = std::move(body);
+    kernel.end = std::move(after);
+    return kernel;
+  }
 };
 
 template <int Dim>
 struct Pass : PassInfo {
-  std::function<Kernel(State<Dim>&)> bind;
+  std::function<Kernel(State<Dim>&)> bind = {};
 };
+
+/// A kernel of a basis, over all blocks.
+template <int Dim>
+Kernel over_blocks(State<Dim>& s, BlockKernel<Dim> kernel, Kernel::End after = {}) {
+  return Kernel::over_blocks([&s, kernel](const Instant& now, const Block& block) { return kernel(s, block, now); },
+                             std::move(after));
+}
 
 }  // namespace assay::mpm

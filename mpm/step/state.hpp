@@ -10,8 +10,7 @@
 #include <typeindex>
 #include <vector>
 
-#include "harness/material/failed_step.hpp"
-#include "mpm/grid/images.hpp"
+#include "harness/material/material_failure.hpp"
 #include "mpm/grid/live_nodes.hpp"
 #include "mpm/kernels/kernels.hpp"
 #include "mpm/setup/setup.hpp"
@@ -54,11 +53,6 @@ struct State : KernelState<Dim> {
 
   Setup<Dim> setup;
   LiveNodes<Dim> live{setup.grid};  ///< in which all nodal fields are kept up to date
-  Kernels<Dim> kernels = kernels_of<Dim>(setup.method.basis, setup.instructions);
-  std::vector<double> held_mass;  ///< of particles that never move, a node; empty where nothing is held
-  std::vector<std::uint32_t> held_nodes;
-  Images<Dim> images;                 ///< of symmetry planes and periodic ends; empty without
-  std::array<ColumnData, 2> history;  ///< material state by block, [c * n + p]: begin and end of the step
   std::vector<TileCopy<Dim>> tile_copies;
   std::optional<Finding> finding;
   Ledger ledger;
@@ -74,13 +68,29 @@ struct State : KernelState<Dim> {
     if (!kept) kept = std::make_shared<T>();
     return *static_cast<T*>(kept.get());
   }
+  /// Null where nobody has asked for it.
   template <class T>
-  bool owns() const {
-    return owned_.contains(typeid(T));
+  const T* find() const {
+    const auto kept = owned_.find(typeid(T));
+    return kept == owned_.end() ? nullptr : static_cast<const T*>(kept->second.get());
   }
 
  private:
   std::map<std::type_index, std::shared_ptr<void>> owned_;
 };
+
+/// What never moves: mass of particles, a node, and nodes; empty where nothing is held.
+struct Held {
+  std::vector<double> mass;
+  std::vector<std::uint32_t> nodes;
+};
+
+/// Those of the setup's basis, made once.
+template <int Dim>
+const Kernels<Dim>& kernels_for(State<Dim>& s) {
+  auto& kernels = s.template own<Kernels<Dim>>();
+  if (!kernels.place) kernels = kernels_of<Dim>(s.setup.method.basis, s.setup.instructions);
+  return kernels;
+}
 
 }  // namespace assay::mpm

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mpm/basis/basis.hpp"
-#include "mpm/setup/traction.hpp"
+#include "mpm/setup/setup.hpp"
 
 namespace assay::mpm {
 

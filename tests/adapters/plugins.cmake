@@ -22,7 +22,7 @@ foreach(source IN LISTS plugin_sources)
 endforeach()
 foreach(plugin IN ITEMS prints flushes_when_loaded)
   target_sources(test_plugin_${plugin} PRIVATE
-    ${PROJECT_SOURCE_DIR}/adapters/models/neo_hookean.c ${PROJECT_SOURCE_DIR}/adapters/models/neo_hookean_extensions.c)
+    ${PROJECT_SOURCE_DIR}/adapters/models/neo_hookean.c)
 endforeach()
 add_library(test_helper SHARED ${CMAKE_CURRENT_LIST_DIR}/helper/helper.c)
 target_link_libraries(test_helper PRIVATE assay_options)

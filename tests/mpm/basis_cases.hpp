@@ -26,7 +26,12 @@ using EveryBasis = testing::Types<
 struct BasisCaseName {
   template <class T>
   static std::string GetName(int) {
-    return T::Basis::name + std::to_string(T::Dim) + "d";
+    const std::string dimension = std::to_string(T::Dim) + "d";
+#define ASSAY_BASIS(word, type, header) \
+  if (std::is_same_v<typename T::Basis, type<T::Dim>>) return #word + dimension;
+#include "mpm/basis/bases.inc"
+#undef ASSAY_BASIS
+    return dimension;
   }
 };
 
@@ -45,6 +50,39 @@ class Random {
  private:
   std::mt19937_64 engine_;
 };
+
+/// Of the particle p, the nodes with moments w_i r_i in place of slopes.
+template <class Basis>
+typename Basis::Nodes nodes_with_moments(const Basis& basis, std::size_t p) {
+  typename Basis::Nodes nodes;
+  basis.expand(p, 1, nodes);
+  basis.slopes_to_moments(1, nodes);
+  return nodes;
+}
+
+/// Adds w_i (A + (0, C r_i)): C acts on the last Dim.
+template <int K, int Dim, class Basis>
+void scatter_affine(const Basis& basis, std::size_t p, const std::array<double, K>& A, const Mat<Dim>& C,
+                    double* field) {
+  const auto nodes = nodes_with_moments(basis, p);
+  NodePacks<K, Dim> value;
+  value.template set<Dim>(A, C);
+  basis.template add_affine<K>(nodes, 0, value, field);
+}
+
+/// sum_i w_i f_i (x) r_i of the first Dim components.
+template <int K, int Dim, class Basis>
+Mat<Dim> first_moment(const Basis& basis, std::size_t p, const double* field) {
+  return basis.template moment<K>(nodes_with_moments(basis, p), 0, field);
+}
+
+/// D = sum_i w_i r_i (x) r_i [m^2].
+template <int Dim, class Basis>
+Mat<Dim> second_moment(const Basis& basis, std::size_t p) {
+  typename Basis::Nodes nodes;
+  basis.expand(p, 1, nodes);
+  return basis.spread(nodes, 0);
+}
 
 /// A strongly deformed F: rotation (by any angle, about all axes in turn) times shear up to 4 times stretch by 1/2
 /// to 2.

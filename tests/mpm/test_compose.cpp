@@ -3,6 +3,7 @@
 #include "mpm/compose.hpp"
 #include "mpm/kernels/affine.hpp"
 #include "mpm/mass/mass_matrix.hpp"
+#include "mpm/material/stress_blocks.hpp"
 
 #include <algorithm>
 
@@ -95,7 +96,10 @@ TEST(Compose, AbsentEffectsHaveNoColumn) {
 }
 
 std::size_t allocated(const State<2>& s, const ColumnUse& use) {
-  if (use.column == Column::history) return s.history[0].bytes() + s.history[1].bytes();
+  if (use.column == Column::history) {
+    const auto* history = s.find<MaterialHistory>();
+    return history ? history->begin.bytes() + history->end.bytes() : 0;
+  }
   return s.columns[static_cast<std::size_t>(use.column)].bytes();
 }
 
@@ -117,8 +121,8 @@ TEST(Compose, ColumnsAndGridTakeTheBytesThatAreTold) {
         if (told[k]) continue;
         EXPECT_TRUE(s.columns[k].empty()) << info(static_cast<Column>(k)).name;
       }
-      EXPECT_EQ(s.history[0].empty(), !everything);
-      EXPECT_EQ(s.held_nodes.empty(), !everything);
+      EXPECT_EQ(s.own<MaterialHistory>().begin.empty(), !everything);
+      EXPECT_EQ(s.own<Held>().nodes.empty(), !everything);
       std::size_t grid = s.inertia.bytes() + s.force.bytes() + s.motion.bytes();
       const auto& solver = s.own<SolverFields<2>>();
       for (const auto& field : solver.vectors) grid += field.bytes();
@@ -126,7 +130,7 @@ TEST(Compose, ColumnsAndGridTakeTheBytesThatAreTold) {
       if (const int across = mass_nodes_across<2>(way)) {  // made in the first step
         grid += MassStencil<2>::entries(across) * sizeof(double) * setup.grid.nodes();
       }
-      grid += (s.held_mass.size() + solver.inverse_mass.size()) * sizeof(double);
+      grid += (s.own<Held>().mass.size() + solver.inverse_mass.size()) * sizeof(double);
       EXPECT_EQ(grid, grid_bytes_per_node(setup) * setup.grid.nodes());
     }
   }

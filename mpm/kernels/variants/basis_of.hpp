@@ -3,7 +3,7 @@
 #pragma once
 
 #include "mpm/basis/basis.hpp"
-#include "mpm/kernels/column_access.hpp"
+#include "mpm/kernels/kernel_state.hpp"
 #include "mpm/kernels/kernels.hpp"
 
 // Each set of instructions has kernels in a namespace of its own.

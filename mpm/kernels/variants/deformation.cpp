@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mpm/data/dimension.hpp"
-#include "mpm/kernels/advance.hpp"
+#include "mpm/kernels/kernels.hpp"
 #include "mpm/kernels/variants/basis_of.hpp"
 
 namespace assay::mpm::ASSAY_INSTRUCTIONS {
@@ -9,15 +8,6 @@ template <int Dim>
 std::size_t advance(const Deformations<Dim>& d, std::size_t n, double dt);
 
 namespace {
-
-template <int Dim>
-ASSAY_INLINE double determinant_of(const double* F) {
-  if constexpr (Dim == 2) {
-    return F[0] * F[3] - F[1] * F[2];
-  } else {
-    return F[0] * (F[4] * F[8] - F[5] * F[7]) - F[1] * (F[3] * F[8] - F[5] * F[6]) + F[2] * (F[3] * F[7] - F[4] * F[6]);
-  }
-}
 
 template <int Dim, bool RateOfF>
 ASSAY_INLINE std::size_t advance_by(const Deformations<Dim>& d, std::size_t n, double dt) {
@@ -31,7 +21,8 @@ ASSAY_INLINE std::size_t advance_by(const Deformations<Dim>& d, std::size_t n, d
   double good = 1;
   ASSAY_INDEPENDENT
   for (std::size_t p = 0; p < n; ++p) {
-    double old[N], after[N];
+    double old[N];
+    Mat<Dim> after;
     for (int c = 0; c < N; ++c) old[c] = F[c][p];
     for (int i = 0; i < Dim; ++i) {
       for (int j = 0; j < Dim; ++j) {
@@ -44,14 +35,14 @@ ASSAY_INLINE std::size_t advance_by(const Deformations<Dim>& d, std::size_t n, d
         after[i * Dim + j] = old[i * Dim + j] + dt * change;
       }
     }
-    good = determinant_of<Dim>(after) > 0 ? good : 0;
+    good = determinant<Dim>(after) > 0 ? good : 0;
     for (int c = 0; c < N; ++c) before[c][p] = old[c], F[c][p] = now[c][p] = after[c];
   }
   if (good > 0) return n;
   for (std::size_t p = 0; p < n; ++p) {
-    double after[N];
+    Mat<Dim> after;
     for (int c = 0; c < N; ++c) after[c] = now[c][p];
-    if (!(determinant_of<Dim>(after) > 0)) return p;
+    if (!(determinant<Dim>(after) > 0)) return p;
   }
   return n;
 }

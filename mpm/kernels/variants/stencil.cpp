@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "mpm/data/dimension.hpp"
 #include "mpm/kernels/mass_stencil.hpp"
 #include "mpm/kernels/variants/basis_of.hpp"
 

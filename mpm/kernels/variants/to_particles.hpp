@@ -19,8 +19,7 @@ ASSAY_INLINE bool move(KernelState<Dim>& s, std::size_t begin, std::size_t n,
   const double flip = s.method.flip, dt = now.dt, kick = now.kick;
   int lost = 0;
   for (std::size_t d = 0; d < Dim; ++d) {
-    double *x = s.column(Column::position, static_cast<int>(d)) + begin,
-           *v = s.column(Column::velocity, static_cast<int>(d)) + begin;
+    double *x = s.column(Column::position, d) + begin, *v = s.column(Column::velocity, d) + begin;
     ASSAY_INDEPENDENT
     for (std::size_t k = 0; k < n; ++k) {
       const double of_grid = motion.value[d][k];
@@ -35,7 +34,7 @@ ASSAY_INLINE bool move(KernelState<Dim>& s, std::size_t begin, std::size_t n,
     for (std::size_t k = 0; k < n; ++k) lost |= 0 * (x[k] + v[k]) != 0 ? 1 : 0;
     if constexpr (Gradient) {
       for (std::size_t i = 0; i < Dim; ++i) {
-        double* L = s.column(Column::velocity_gradient, static_cast<int>(i * Dim + d)) + begin;
+        double* L = s.column(Column::velocity_gradient, i * Dim + d) + begin;
         ASSAY_INDEPENDENT
         for (std::size_t k = 0; k < n; ++k) L[k] = motion.slope[d][i][k];
       }
@@ -110,7 +109,7 @@ ASSAY_INLINE void take(KernelState<Dim>& s, const B& basis, const typename B::No
       motion.set(k, found);
     }
     for (std::size_t c = 0; c < corner_components<Dim>; ++c) {
-      double* at = s.column(Column::corners, static_cast<int>(c)) + begin;
+      double* at = s.column(Column::corners, c) + begin;
       ASSAY_INDEPENDENT
       for (std::size_t k = 0; k < n; ++k) at[k] += dt * velocity[c][k];
     }

@@ -14,6 +14,7 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "mpm/mass/mass_matrix.hpp"
+#include "mpm/material/stress_blocks.hpp"
 #include "mpm/simulation.hpp"
 #include "mpm/step/surface_loads.hpp"
 #include "tests/drivers/scene_text.hpp"
@@ -170,18 +171,27 @@ TEST(EffectList, ThePlainVortexTakesOneInItsSteps) {
 /// What a state has of an effect beside columns; null: nothing.
 using Trace = bool (*)(const mpm::State<2>&);
 const std::map<std::string, Trace> traces{
-    {"edge_traction", [](const mpm::State<2>& s) { return s.owns<mpm::SurfaceLoads>(); }},
-    {"particle_traction", [](const mpm::State<2>& s) { return s.owns<mpm::SurfaceLoads>(); }},
-    {"undeformed_traction", [](const mpm::State<2>& s) { return s.owns<mpm::SurfaceLoads>(); }},
-    {"images", [](const mpm::State<2>& s) { return !s.images.empty(); }},
+    {"edge_traction", [](const mpm::State<2>& s) { return s.find<mpm::SurfaceLoads>() != nullptr; }},
+    {"particle_traction", [](const mpm::State<2>& s) { return s.find<mpm::SurfaceLoads>() != nullptr; }},
+    {"undeformed_traction", [](const mpm::State<2>& s) { return s.find<mpm::SurfaceLoads>() != nullptr; }},
+    {"images",
+     [](const mpm::State<2>& s) {
+       const auto* images = s.find<mpm::Images<2>>();
+       return images && !images->empty();
+     }},
     {"outside_held",
      [](const mpm::State<2>& s) {
-       return !s.held_nodes.empty() || !s.held_mass.empty() || !s.setup.seeds.held.empty();
+       const auto* held = s.find<mpm::Held>();
+       return (held && (!held->nodes.empty() || !held->mass.empty())) || !s.setup.seeds.held.empty();
      }},
-    {"history", [](const mpm::State<2>& s) { return !s.history[0].empty() || !s.history[1].empty(); }},
-    {"mass_matrix", [](const mpm::State<2>& s) { return s.owns<mpm::SolverFields<2>>(); }},
-    {"velocity_terms", [](const mpm::State<2>& s) { return s.owns<mpm::SolverFields<2>>(); }},
-    {"force_stages", [](const mpm::State<2>& s) { return s.owns<mpm::SolverFields<2>>(); }},
+    {"history",
+     [](const mpm::State<2>& s) {
+       const auto* history = s.find<mpm::MaterialHistory>();
+       return history && (!history->begin.empty() || !history->end.empty());
+     }},
+    {"mass_matrix", [](const mpm::State<2>& s) { return s.find<mpm::SolverFields<2>>() != nullptr; }},
+    {"velocity_terms", [](const mpm::State<2>& s) { return s.find<mpm::SolverFields<2>>() != nullptr; }},
+    {"force_stages", [](const mpm::State<2>& s) { return s.find<mpm::SolverFields<2>>() != nullptr; }},
     {"energy_account", [](const mpm::State<2>& s) { return !s.block_power.empty(); }},
     {"shadow", [](const mpm::State<2>& s) { return s.setup.response && s.setup.response->shadow(); }},
 };

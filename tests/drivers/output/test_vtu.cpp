@@ -8,7 +8,6 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "drivers/output/vtu_blocks.hpp"
 #include "tests/drivers/sample_vortex.hpp"
 #include "tests/support/vtu_reader.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Advice is tried: the keys that a message names are set, the scene is then accepted, and its run survives.
-#include "drivers/simulation/advice.hpp"
+#include "drivers/simulation/warnings.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include "drivers/findings/findings.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/scene_reader.hpp"
-#include "drivers/simulation/advice.hpp"
+#include "drivers/simulation/warnings.hpp"
 #include "mpm/simulation.hpp"
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/simulation/first_breakdown.hpp"

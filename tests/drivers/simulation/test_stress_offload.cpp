@@ -9,9 +9,9 @@
 
 #include "adapters/worker/remote_table.hpp"
 #include "drivers/material/material_table.hpp"
-#include "mpm/material/passes_particle.hpp"
+#include "mpm/material/material_batch.hpp"
 #include "mpm/simulation.hpp"
-#include "mpm/step/sweep.hpp"
+#include "mpm/step/run_kernels.hpp"
 #include "tests/mpm/one_place.hpp"
 #include "tests/support/built.hpp"
 
@@ -73,7 +73,7 @@ class StressPass {
     const auto add = [&](const double* from, std::size_t n) { all.insert(all.end(), from, from + n); };
     for (int c = 0; c < 5; ++c) add(s.column(mpm::Column::stress, c), s.particles);
     for (int c = 0; c < 4; ++c) add(s.column(mpm::Column::deformation_gradient, c), s.particles);
-    add(s.history[0].data(), s.particles * s.setup.material->state_size());
+    add(s.find<mpm::MaterialHistory>()->begin.data(), s.particles * s.setup.material->state_size());
     return all;
   }
 

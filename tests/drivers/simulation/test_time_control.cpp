@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Steps as long as the particles allow: they follow what waves there are, meet T/2 and the end, and are refused where
 // they are fixed.
-#include "drivers/simulation/time_control.hpp"
 
 #include <gtest/gtest.h>
 

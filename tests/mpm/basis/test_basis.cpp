@@ -96,7 +96,7 @@ TYPED_TEST(EveryBasisTest, MomentsAndAffineScatterAreSumsOverNodes) {
     GridField<M> found;
     field.allocate(this->grid.nodes());
     found.allocate(this->grid.nodes());
-    this->basis.template scatter_affine<M>(0, A, C, found.data());
+    scatter_affine<M, N>(this->basis, 0, A, C, found.data());
     Mat<N> first{}, second{};
     for (std::size_t i = 0; i < w.nodes(); ++i) {
       const double weight = w.node(i)[0];
@@ -113,8 +113,8 @@ TYPED_TEST(EveryBasisTest, MomentsAndAffineScatterAreSumsOverNodes) {
         EXPECT_NEAR(found.node(i)[c], weight * value, round_off);
       }
     }
-    const Mat<N> moment = this->basis.template first_moment<K>(0, field.data());
-    const Mat<N> spread = this->basis.second_moment(0);
+    const Mat<N> moment = first_moment<K, N>(this->basis, 0, field.data());
+    const Mat<N> spread = second_moment<N>(this->basis, 0);
     for (std::size_t c = 0; c < N * N; ++c) {
       EXPECT_NEAR(moment[c], first[c], round_off * h);
       EXPECT_NEAR(spread[c], second[c], round_off * h * h);

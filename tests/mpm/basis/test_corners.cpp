@@ -7,7 +7,6 @@
 #include <map>
 #include <memory>
 
-#include "mpm/basis/corner_average.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
 namespace assay::mpm::test_corners {

@@ -25,7 +25,7 @@ double difference(Setup<Dim> setup, int threads) {
   State<Dim>& s = simulation.state();
   const auto by_particles = [&](const GridField<Dim>& x, GridField<Dim>& y) {
     y.zero();
-    s.kernels.multiply_mass(s, Block{0, s.particles, nullptr, y.data()}, x.data());
+    kernels_for(s).multiply_mass(s, Block{0, s.particles, nullptr, y.data()}, x.data());
   };
   const MassStencil<Dim> stencil(s.setup.grid, mass_nodes_across<Dim>(s.method), by_particles);
   GridField<Dim> x, expected, found;

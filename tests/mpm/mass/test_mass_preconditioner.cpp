@@ -71,7 +71,7 @@ TEST(MassPreconditioner, ItsMeansAreSharesOfTheMatrix) {
     const MassStencil<2> stencil(s.setup.grid, mass_nodes_across<2>(method),
                                  [&](const GridField<2>& x, GridField<2>& y) {
                                    y.zero();
-                                   s.kernels.multiply_mass(s, Block{0, s.particles, nullptr, y.data()}, x.data());
+                                   kernels_for(s).multiply_mass(s, Block{0, s.particles, nullptr, y.data()}, x.data());
                                  });
     for (const auto& mean : stencil.means()) {
       double symbol = 0, sum = 0;  // of the shortest wave, and of the longest

@@ -6,8 +6,7 @@
 
 #include "harness/motion/kinds/vortex.hpp"
 #include "mpm/data/blocks.hpp"
-#include "mpm/material/passes_particle.hpp"
-#include "mpm/step/sweep.hpp"
+#include "mpm/step/run_kernels.hpp"
 #include "tests/harness/builtin_material.hpp"
 #include "tests/mpm/basis_cases.hpp"
 #include "tests/mpm/vortex_setup.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The accounts, and the body force that is planted wrong.
-#include "mpm/material/passes_particle.hpp"
-#include "mpm/step/sweep.hpp"
+#include "mpm/material/material_batch.hpp"
+#include "mpm/step/run_kernels.hpp"
 
 #include <functional>
 

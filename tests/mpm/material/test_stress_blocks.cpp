@@ -5,9 +5,8 @@
 #include <mutex>
 #include <vector>
 
-#include "mpm/material/offload.hpp"
-#include "mpm/material/passes_particle.hpp"
-#include "mpm/step/sweep.hpp"
+#include "mpm/material/material_batch.hpp"
+#include "mpm/step/run_kernels.hpp"
 #include "tests/mpm/basis_cases.hpp"
 #include "tests/mpm/one_place.hpp"
 #include "tests/mpm/vortex_setup.hpp"

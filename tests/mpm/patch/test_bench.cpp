@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mpm/patch/bench.hpp"
 
 #include <gtest/gtest.h>
 

@@ -98,7 +98,7 @@ class Spoilt : public SeparableBasis<Spoilt<Inner, Width, Spoil>, 2, Width> {
 template <class Basis>
 void use(State<2>& s) {
   s.basis = std::make_shared<Basis>(s.setup.grid, s.setup.seeds.half_size, s.particles);
-  s.kernels = baseline::table<Basis, 2>();
+  s.own<Kernels<2>>() = baseline::table<Basis, 2>();
 }
 
 template <auto Spoil>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mpm/seeding/particle_order.hpp"
+#include "mpm/seeding/seeds_on_grid.hpp"
 
 #include <gtest/gtest.h>
 

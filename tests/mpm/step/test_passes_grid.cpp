@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Nodes and particles that are held.
-#include "mpm/step/passes_grid.hpp"
+#include "mpm/step/passes.hpp"
 
 #include <limits>
 #include <numeric>
@@ -54,7 +54,7 @@ TEST_P(HeldOutside, NodesOutsideTheRingStayAndTheirMassCounts) {
       ++outside;
       for (std::size_t c = 0; c < 4; ++c) ASSERT_EQ(s.motion.node(i)[c], 0);
     }
-    EXPECT_EQ(outside, s.held_nodes.size());
+    EXPECT_EQ(outside, s.own<Held>().nodes.size());
   }
   EXPECT_LT(s.ledger.mass_defect, 1e3 * epsilon);
   EXPECT_GT(momentum_scale(s), 1);  // the ring turns inside

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Particles on lines between cells, where the linear basis has slopes at nodes without mass.
-#include "mpm/step/passes_massless.hpp"
+#include "mpm/step/passes.hpp"
 
 #include <algorithm>
 #include <limits>

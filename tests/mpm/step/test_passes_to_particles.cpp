@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whole steps: conservation of momentum and mass, rigid translation.
-#include "mpm/step/passes_to_particles.hpp"
+#include "mpm/step/passes.hpp"
 
 #include <limits>
 #include <numeric>

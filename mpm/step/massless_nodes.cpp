@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mpm/step/passes_massless.hpp"
-
+// Nodes that particles reach by their slopes alone.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "mpm/basis/basis.hpp"
-#include "mpm/data/blocks.hpp"
-#include "mpm/data/dimension.hpp"
+#include "mpm/step/passes.hpp"
 
 namespace assay::mpm {
 
@@ -100,13 +93,15 @@ std::vector<Neighbour<Dim>> neighbours_of(const Setup<Dim>& setup) {
 template <int Dim>
 class MasslessFinder {
  public:
-  explicit MasslessFinder(const State<Dim>& s)
+  explicit MasslessFinder(State<Dim>& s)
       : s_(&s),
+        images_(&s.template own<Images<Dim>>()),
         least_(least_share * s.setup.density * std::pow(s.setup.grid.spacing, Dim)),
         neighbours_(neighbours_of(s.setup)) {
-    if (s.held_nodes.empty()) return;
+    const Held& held = s.template own<Held>();
+    if (held.nodes.empty()) return;
     held_.resize(s.setup.grid.nodes(), false);
-    for (const std::uint32_t i : s.held_nodes) held_[i] = true;
+    for (const std::uint32_t i : held.nodes) held_[i] = true;
   }
 
   void find(MasslessNodes& found) const {
@@ -142,7 +137,7 @@ class MasslessFinder {
       if (!inside) continue;
       // across a periodic end the node that has the mass
       const std::size_t node =
-          s_->images.cell(static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + neighbour.distance));
+          images_->cell(static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + neighbour.distance));
       if (!s_->live.holds(node) || !has_mass(node)) continue;
       steps = neighbour.steps;
       found.shares.push_back({node, s_->inertia.node(node)[0]});
@@ -154,6 +149,7 @@ class MasslessFinder {
   }
 
   const State<Dim>* s_;
+  const Images<Dim>* images_;
   double least_;  ///< [kg]
   std::vector<Neighbour<Dim>> neighbours_;
   std::vector<bool> held_;  ///< of each node; empty where none is
@@ -193,12 +189,11 @@ bool has_massless_nodes(const Setup<Dim>& setup) {
 
 template <int Dim>
 Pass<Dim> fold_massless_pass(Phase phase, Folded what) {
-  Pass<Dim> pass;
-  pass.slot = {phase, Part::hand_over};
-  pass.name = "fold_massless";
-  pass.doc = "what nodes without mass were given, to their neighbours";
-  pass.called_for_by = "method.basis";
-  pass.grid_fields = {"mass", "momentum"};
+  Pass<Dim> pass{{.name = "fold_massless",
+                  .slot = {phase, Part::hand_over},
+                  .doc = "what nodes without mass were given, to their neighbours",
+                  .called_for_by = "method.basis",
+                  .grid_fields = {"mass", "momentum"}}};
   if (what != Folded::inertia) pass.grid_fields.push_back("force");
   pass.bind = [what](State<Dim>& s) -> Kernel {
     s.on_lines.resize(blocks_of(s.particles));
@@ -214,16 +209,14 @@ Pass<Dim> fold_massless_pass(Phase phase, Folded what) {
 
 template <int Dim>
 Pass<Dim> unfold_massless_pass(Phase phase) {
-  Pass<Dim> pass;
-  pass.slot = {phase, Part::take_over};
-  pass.name = "unfold_massless";
-  pass.doc = "nodes without mass move as their neighbours";
-  pass.called_for_by = "method.basis";
-  pass.grid_fields = {"mass", "velocity", "acceleration"};
-  pass.bind = [](State<Dim>& s) -> Kernel {
-    return [&s, &massless = s.template own<MasslessNodes>()](const Instant&) { take_over(s.motion, massless); };
-  };
-  return pass;
+  return {{.name = "unfold_massless",
+           .slot = {phase, Part::take_over},
+           .doc = "nodes without mass move as their neighbours",
+           .called_for_by = "method.basis",
+           .grid_fields = {"mass", "velocity", "acceleration"}},
+          [](State<Dim>& s) -> Kernel {
+            return [&s, &massless = s.template own<MasslessNodes>()](const Instant&) { take_over(s.motion, massless); };
+          }};
 }
 
 template bool has_massless_nodes(const Setup<ASSAY_DIMENSION>&);

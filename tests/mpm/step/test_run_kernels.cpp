@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mpm/step/sweep.hpp"
+#include "mpm/step/run_kernels.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "mpm/patch/methods.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
-namespace assay::mpm::test_sweep {
+namespace assay::mpm::test_run_kernels {
 namespace {
 
 /// Enough particles for several tiles; b from a sheet, averaged over domains clipped to the ring.
@@ -117,4 +117,4 @@ TEST(Sweep, TheFirstParticleThatIsBadIsTold) {
 }
 
 }  // namespace
-}  // namespace assay::mpm::test_sweep
+}  // namespace assay::mpm::test_run_kernels

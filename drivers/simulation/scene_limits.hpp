@@ -9,6 +9,12 @@ namespace assay::drivers {
 /// Cells around the body: room to go wrong in before the grid's edge.
 inline constexpr int grid_margin = 4;
 
+/// Throws InputError at a key of the scene.
+[[noreturn]] inline void refuse(const Scene& scene, const std::string& key, const std::string& why,
+                                const std::string& known = {}) {
+  throw InputError(scene.place(key), key, why, known);
+}
+
 /// Throws InputError where the motion has no acceleration at some times.
 void require_acceleration(const Scene& scene);
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The bar beside a picture that says which colour is which value.
+// What pictures of coloured values have around them: the axes of a panel, and the bar that says which colour is which
+// value.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "drivers/picture/colormap.hpp"
@@ -18,15 +20,28 @@ struct ColorBar {
   Axis axis;
   std::string label;                     ///< with its unit
   double left = 0, top = 0, bottom = 0;  ///< [pixel]
-  double text_size = picture_text_size;
-};
 
-/// Room that it takes to the right of `left` [pixel].
-double width_of(const ColorBar& bar);
+  /// Room that it takes to the right of `left` [pixel].
+  double width() const;
+  /// Grey where the value is not finite.
+  Color color_of(double value) const;
+};
 
 void draw(Canvas& canvas, const ColorBar& bar);
 
 /// Ends of the colours for these values, those that are not finite left out: around 0 if diverging.
 std::array<double, 2> color_range(std::span<const double> values, ColorMap map);
+
+/// The axes of a rectangle.
+struct PanelAxes {
+  double left = 0, top = 0, right = 0, bottom = 0;  ///< [pixel]
+  Axis x, y;
+  std::string x_title, y_title;
+  double title_below = 52;                  ///< of x, from the rectangle to the baseline [pixel]
+  std::function<Point(double, double)> at;  ///< where a value is drawn
+  bool names_y = true;                      ///< else y has marks alone
+};
+
+void draw(Canvas& canvas, const PanelAxes& axes);
 
 }  // namespace assay::drivers

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mpm/step/sweep.hpp"
+#include "mpm/step/run_kernels.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,6 @@
 #include <mutex>
 
 #include "mpm/data/crew.hpp"
-#include "mpm/data/dimension.hpp"
 
 namespace assay::mpm {
 
