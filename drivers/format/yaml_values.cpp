@@ -11,14 +11,9 @@
 
 namespace assay::drivers {
 
-namespace {
-
-[[noreturn]] void refuse(const Tree& tree, const std::string& key, const std::string& what,
-                         const std::string& known = {}) {
+void refuse_value(const Tree& tree, const std::string& key, const std::string& what, const std::string& known) {
   throw InputError(tree.where, key, what, known);
 }
-
-}  // namespace
 
 std::string described(const Tree& tree) {
   switch (tree.kind) {
@@ -48,15 +43,15 @@ double number_value(const Tree& tree, const std::string& key, const Range& range
   const std::string found = ", found " + described(tree);
   const std::optional<double> read = plain ? parse_number(tree.text) : std::nullopt;
   if (!read)
-    refuse(tree, key,
-           std::string("must be a ") + (range.whole ? "whole number" : "number") + found + number_remedy(tree));
+    refuse_value(tree, key,
+                 std::string("must be a ") + (range.whole ? "whole number" : "number") + found + number_remedy(tree));
   const double value = read.value_or(0);
-  if (!std::isfinite(value)) refuse(tree, key, "must be a finite number" + found);
-  if (range.whole && value != std::floor(value)) refuse(tree, key, "must be a whole number" + found);
+  if (!std::isfinite(value)) refuse_value(tree, key, "must be a finite number" + found);
+  if (range.whole && value != std::floor(value)) refuse_value(tree, key, "must be a whole number" + found);
   constexpr double most = 9007199254740992.0;  // whole numbers beyond are not all there
   if (range.whole && std::abs(value) > most && range.holds(value))
-    refuse(tree, key, "must be a whole number up to " + number_text(most) + found);
-  if (!range.holds(value)) refuse(tree, key, "must be " + range.text() + found);
+    refuse_value(tree, key, "must be a whole number up to " + number_text(most) + found);
+  if (!range.holds(value)) refuse_value(tree, key, "must be " + range.text() + found);
   return value;
 }
 
@@ -64,19 +59,21 @@ bool boolean_value(const Tree& tree, const std::string& key) {
   const bool plain = tree.kind == Tree::Kind::scalar && !tree.quoted;
   if (plain && (tree.text == "true" || tree.text == "True" || tree.text == "TRUE")) return true;
   if (plain && (tree.text == "false" || tree.text == "False" || tree.text == "FALSE")) return false;
-  refuse(tree, key, "must be true or false, found " + described(tree) + boolean_remedy(tree));
+  refuse_value(tree, key, "must be true or false, found " + described(tree) + boolean_remedy(tree));
 }
 
 std::string text_value(const Tree& tree, const std::string& key) {
-  if (tree.kind != Tree::Kind::scalar) refuse(tree, key, "must be text, found " + described(tree));
+  if (tree.kind != Tree::Kind::scalar) refuse_value(tree, key, "must be text, found " + described(tree));
   return tree.text.substr(0, tree.text.find_last_not_of('\n') + 1);  // that of a block, as after `title: >`
 }
 
 std::string choice_value(const Tree& tree, const std::string& key, const std::vector<std::string>& known,
                          const std::string& source) {
-  if (tree.kind != Tree::Kind::scalar) refuse(tree, key, "must be a word, found " + described(tree), joined(known));
+  if (tree.kind != Tree::Kind::scalar)
+    refuse_value(tree, key, "must be a word, found " + described(tree), joined(known));
   if (std::find(known.begin(), known.end(), tree.text) == known.end()) {
-    refuse(tree, key, unknown("value " + described(tree), tree.text, known), known_words(tree.text, known, source));
+    refuse_value(tree, key, unknown("value " + described(tree), tree.text, known),
+                 known_words(tree.text, known, source));
   }
   return tree.text;
 }
@@ -88,11 +85,11 @@ std::vector<double> numbers_value(const Tree& tree, const std::string& key, std:
                                       : std::to_string(rows) + " rows of " + std::to_string(columns) + " numbers";
   const std::string remedy = rows == 1 ? list_remedy(tree, columns) : "";
   if (tree.kind != Tree::Kind::sequence) {
-    refuse(tree, key, "must be a list of " + shape + ", found " + described(tree) + remedy);
+    refuse_value(tree, key, "must be a list of " + shape + ", found " + described(tree) + remedy);
   }
   if (tree.items.size() != expected) {
-    refuse(tree, key,
-           "must be a list of " + shape + ", found " + std::to_string(tree.items.size()) + " in it" + remedy);
+    refuse_value(tree, key,
+                 "must be a list of " + shape + ", found " + std::to_string(tree.items.size()) + " in it" + remedy);
   }
   std::vector<double> values;
   for (std::size_t i = 0; i < expected; ++i) {
@@ -112,7 +109,7 @@ void require_map(const Tree& tree, const std::string& key, const std::string& kn
   const std::string remedy = tree.kind == Tree::Kind::scalar     ? key_remedy(tree.text)
                              : tree.kind == Tree::Kind::sequence ? ": its keys stand without '-' and brackets"
                                                                  : "";
-  refuse(tree, key, "must be a map of keys, found " + described(tree) + remedy, known);
+  refuse_value(tree, key, "must be a map of keys, found " + described(tree) + remedy, known);
 }
 
 namespace {

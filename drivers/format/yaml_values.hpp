@@ -13,6 +13,10 @@ namespace assay::drivers {
 using assay::positive;
 using assay::Range;
 
+/// Throws InputError at the value.
+[[noreturn]] void refuse_value(const Tree& tree, const std::string& key, const std::string& what,
+                               const std::string& known = {});
+
 /// Finite, in range.
 double number_value(const Tree& tree, const std::string& key, const Range& range = {});
 bool boolean_value(const Tree& tree, const std::string& key);

@@ -2,14 +2,13 @@
 #include "drivers/material/compiler_messages.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <optional>
-#include <sstream>
 
 #include "drivers/text/lookalikes.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/unseen.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
@@ -23,25 +22,29 @@ struct CompilerMessage {
   std::string text;
 };
 
-std::optional<CompilerMessage> message_of(const std::string& line, const std::vector<std::string>& kinds) {
-  for (const std::string& word : kinds) {
-    const std::size_t at = line.find(word);
-    if (at == line.npos) continue;
-    CompilerMessage message{{line.substr(0, at)}, line.substr(at + word.size())};
-    std::string& file = message.where.file;
-    for (int* number : {&message.where.column, &message.where.line}) {
+const std::vector<std::string> of_errors{": Error: ", ": Fatal Error: "}, of_warnings{": Warning: "};
+
+/// Those of one of these kinds.
+std::vector<CompilerMessage> messages_in(const std::string& said, const std::vector<std::string>& kinds) {
+  std::vector<CompilerMessage> messages;
+  for (const std::string& line : split(said, '\n')) {
+    const auto kind =
+        std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return line.find(k) != line.npos; });
+    if (kind == kinds.end()) continue;
+    const std::size_t at = line.find(*kind);
+    Location where{line.substr(0, at)};
+    std::string& file = where.file;
+    for (int* number : {&where.column, &where.line}) {
       const std::size_t colon = file.rfind(':');
       const auto value = colon == file.npos ? std::nullopt : parse_integer(file.substr(colon + 1));
       if (!value) break;
       *number = static_cast<int>(*value);
       file.resize(colon);
     }
-    return message;
+    messages.push_back({where, line.substr(at + kind->size())});
   }
-  return std::nullopt;
+  return messages;
 }
-
-constexpr const char *error_mark = ": Error: ", *fatal_mark = ": Fatal Error: ";
 
 /// Its own words without the marks of the compiler's drawing.
 std::string plain_message(std::string text) {
@@ -64,11 +67,9 @@ std::string library_not_found(const std::string& said) {
 std::optional<Location> place_of_own_include(const FortranSource& source, const std::string& file) {
   const std::string name = fs::path(file).filename().string();
   if (abaqus_include(name).empty() || fs::exists(fs::path(source.file).parent_path() / name)) return std::nullopt;
-  const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
-  const auto has_it = [&](const std::string& line) {
-    return std::search(line.begin(), line.end(), name.begin(), name.end(), same) != line.end();
-  };
-  const auto line = std::find_if(source.lines.begin(), source.lines.end(), has_it);
+  const auto line = std::find_if(source.lines.begin(), source.lines.end(), [&](const std::string& each) {
+    return small_letters(each).find(small_letters(name)) != each.npos;
+  });
   if (line == source.lines.end()) return std::nullopt;
   return Location{source.file, static_cast<int>(line - source.lines.begin()) + 1, 1};
 }
@@ -86,12 +87,8 @@ std::string with_character_named(const FortranSource& source, int line, const st
 }  // namespace
 
 bool names_a_line(const std::string& said) {
-  std::istringstream lines(said);
-  for (std::string line; std::getline(lines, line);) {
-    const auto message = message_of(line, {error_mark, fatal_mark});
-    if (message && message->where.line > 0) return true;
-  }
-  return false;
+  const std::vector<CompilerMessage> all = messages_in(said, of_errors);
+  return std::any_of(all.begin(), all.end(), [](const CompilerMessage& each) { return each.where.line > 0; });
 }
 
 std::vector<std::string> warnings_in(const std::string& said) {
@@ -100,63 +97,53 @@ std::vector<std::string> warnings_in(const std::string& said) {
                                           "Integer division truncated", "out of bounds (0 < "};
   constexpr const char* own_variable = "'__";  // of the compiler's
   std::vector<std::string> warnings;
-  std::istringstream lines(said);
-  for (std::string line; std::getline(lines, line);) {
-    const auto message = message_of(line, {": Warning: "});
-    const auto is_in = [&](const char* words) { return message->text.find(words) != std::string::npos; };
-    if (!message || std::none_of(std::begin(seldom_meant), std::end(seldom_meant), is_in)) continue;
-    if (message->text.starts_with(own_variable)) continue;
-    std::string text = message->text.substr(0, message->text.find(" [-W"));
+  for (const auto& [where, message] : messages_in(said, of_warnings)) {
+    const auto is_in = [&text = message](const char* words) { return text.find(words) != std::string::npos; };
+    if (std::none_of(std::begin(seldom_meant), std::end(seldom_meant), is_in)) continue;
+    if (message.starts_with(own_variable)) continue;
+    std::string text = message.substr(0, message.find(" [-W"));
     for (const std::string mark : {" at (1)", " at (2)"}) {
       if (const std::size_t at = text.find(mark); at != text.npos) text.erase(at, mark.size());
     }
-    const std::string& file = message->where.file;
-    const std::string whole =
-        file.substr(file.starts_with("./") ? 2 : 0) + ":" + std::to_string(message->where.line) + ": " + text;
-    if (std::find(warnings.begin(), warnings.end(), whole) == warnings.end()) warnings.push_back(whole);
+    const std::string whole = place_text(where.file.substr(where.file.starts_with("./") ? 2 : 0), where.line) + text;
+    if (!is_one_of(whole, warnings)) warnings.push_back(whole);
   }
   return warnings;
 }
 
 InputError refusal_of_compiler(const FortranSource& source, const std::string& version, const std::string& said) {
-  std::istringstream lines(said);
-  std::string line, text;
-  std::optional<CompilerMessage> first;
-  int errors = 0;
-  while (std::getline(lines, line)) {
-    const auto message = message_of(line, {error_mark, fatal_mark});
-    if (!message) continue;
-    if (!first) first = message;
-    if (text.empty()) text = plain_message(message->text);
-    if (!plain_message(message->text).empty()) ++errors;
-  }
+  const std::vector<CompilerMessage> all = messages_in(said, of_errors);
+  std::vector<std::string> texts;
+  for (const CompilerMessage& each : all) texts.push_back(plain_message(each.text));
+  std::erase(texts, "");
   if (const std::string absent = library_not_found(said); !absent.empty()) {
     return InputError({source.file}, "link",
                       "the linker finds no library '" + one_line(absent, 80) + "': its lib" + one_line(absent, 80) +
                           ".so or .a must be in a folder of the linker, or give the file");
   }
-  if (!first) return InputError({source.file}, "", "does not compile: " + one_line(said, 300));
-  if (first->where.line == 0) first->where.file = source.file;  // the compiler names itself
-  if (first->where.file.starts_with("./") || first->where.file.find('/') == std::string::npos) {
-    first->where.file = (fs::path(source.file).parent_path() / first->where.file).lexically_normal().string();
+  if (all.empty()) return InputError({source.file}, "", "does not compile: " + one_line(said, 300));
+  Location where = all.front().where;
+  std::string text = texts.empty() ? "" : texts.front();
+  if (where.line == 0) where.file = source.file;  // the compiler names itself
+  if (where.file.starts_with("./") || where.file.find('/') == std::string::npos) {
+    where.file = (fs::path(source.file).parent_path() / where.file).lexically_normal().string();
   }
-  if (first->where.file == source.file) text = with_character_named(source, first->where.line, text);
-  const bool fixed = source.form.form == FortranForm::fixed;
-  if (const auto place = place_of_own_include(source, first->where.file)) {
-    const std::string name = fs::path(first->where.file).filename().string();
-    first->where = *place;
+  if (where.file == source.file) text = with_character_named(source, where.line, text);
+  if (const auto place = place_of_own_include(source, where.file)) {
+    const std::string name = fs::path(where.file).filename().string();
+    where = *place;
     text += "; " + name + " holds IMPLICIT REAL*8(A-H,O-Z), beside which there is no IMPLICIT NONE";
   }
-  std::string more = errors > 1 ? "; " + std::to_string(errors - 1) + " more" : "";
+  std::string more = texts.size() > 1 ? "; " + std::to_string(texts.size() - 1) + " more" : "";
   if (source.has_cards) {
     more +=
         "; columns 73 to 80 hold the numbers of punched cards, which Abaqus reads as code: " + card_remedy(source.file);
   } else if (source.cut_line > 0) {
     more += "; what stands beyond column 132, as in line " + std::to_string(source.cut_line) + ", is cut";
   } else if (!source.form.why.empty()) {
-    more += std::string("; it was taken for ") + (fixed ? "fixed" : "free") + " form " + source.form.why;
+    more += std::string("; it was taken for ") + word_of(source.form.form) + " form " + source.form.why;
   }
-  return {first->where, "", "does not compile: " + text + more + " (" + version + ")"};
+  return {where, "", "does not compile: " + text + more + " (" + version + ")"};
 }
 
 }  // namespace assay::drivers

@@ -10,6 +10,12 @@
 
 namespace assay::drivers {
 
+/// A keyword, which may be cut after `least` letters: Abaqus knows it by as many.
+struct Keyword {
+  const char* whole;
+  std::size_t least;
+};
+
 struct DeckLine {
   Location where;
   std::vector<std::string> items;  ///< between commas, without blanks around them
@@ -23,8 +29,7 @@ struct DeckBlock {
   Location where;
   std::vector<DeckLine> data;
 
-  /// Whether it is that keyword, which may be cut after `least` letters: Abaqus knows it by as many.
-  bool is(const std::string& whole, std::size_t least) const;
+  bool is(const Keyword& known) const;
   /// The value of a parameter, which may be cut after `least` letters; empty where it has none.
   std::string value(const std::string& parameter, std::size_t least = std::string::npos) const;
 };

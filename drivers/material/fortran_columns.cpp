@@ -2,13 +2,13 @@
 #include "drivers/material/fortran_columns.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 
 #include "drivers/system/input_error.hpp"
 #include "drivers/text/numbers.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
@@ -16,16 +16,9 @@ namespace {
 
 constexpr std::size_t card_end = 80;  ///< the last column of a punched card
 
-std::string without_blanks_around(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t");
-  return begin == text.npos ? "" : text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
-}
-
 std::optional<LongLine> beyond(const std::string& code, std::size_t column, int line) {
-  if (code.size() <= column) return std::nullopt;
-  std::string tail = without_blanks_around(code.substr(column));
-  if (tail.empty()) return std::nullopt;
-  return LongLine{line, std::move(tail), code.substr(0, column)};
+  const std::string tail(stripped(std::string_view(code).substr(std::min(column, code.size()))));
+  return tail.empty() ? std::nullopt : std::optional(LongLine{line, tail, code.substr(0, column)});
 }
 
 struct CardNumber {
@@ -36,9 +29,9 @@ struct CardNumber {
 /// Of a line whose code ends in column 80 at most: "00000010", "UMAT0010".
 std::optional<CardNumber> card_number(const LongLine& line, std::size_t code_size) {
   const std::string& text = line.beyond;
-  const auto digits = std::find_if(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c); });
-  const bool letters_first = std::all_of(text.begin(), digits, [](unsigned char c) { return std::isalpha(c); });
-  const bool digits_last = std::all_of(digits, text.end(), [](unsigned char c) { return std::isdigit(c); });
+  const auto digits = std::find_if(text.begin(), text.end(), is_digit);
+  const bool letters_first = std::all_of(text.begin(), digits, is_letter);
+  const bool digits_last = std::all_of(digits, text.end(), is_digit);
   if (code_size > card_end || !letters_first || !digits_last || digits == text.end()) return std::nullopt;
   return CardNumber{std::string(text.begin(), digits), parse_integer(std::string(digits, text.end())).value_or(0)};
 }
@@ -74,27 +67,21 @@ std::vector<LongLine> taken_cards(std::vector<LongLine>& tails, const std::vecto
 
 /// "line 3", "5 lines: 3, 4, 7, ...".
 std::string which(const std::vector<LongLine>& lines) {
-  constexpr std::size_t shown = 6;
+  constexpr std::size_t most = 6;
   if (lines.size() == 1) return "line " + std::to_string(lines.front().line);
-  std::string text = std::to_string(lines.size()) + " lines: ";
-  for (std::size_t k = 0; k < std::min(shown, lines.size()); ++k) {
-    text += (k ? ", " : "") + std::to_string(lines[k].line);
-  }
-  return text + (lines.size() > shown ? ", ..." : "");
-}
-
-std::string begin_of(const std::vector<LongLine>& lines, const std::string& file) {
-  return file + ":" + std::to_string(lines.front().line) + ": ";
+  std::vector<std::string> numbers;
+  for (std::size_t k = 0; k < std::min(most, lines.size()); ++k) numbers.push_back(std::to_string(lines[k].line));
+  if (lines.size() > most) numbers.emplace_back("...");
+  return std::to_string(lines.size()) + " lines: " + joined(numbers);
 }
 
 /// The last word of the code, with what Abaqus sees behind it: "1.d000000010".
 std::string joined_word(const LongLine& card) {
   std::string code = card.before;
   std::erase_if(code, [](char c) { return c == ' ' || c == '\t'; });
-  std::size_t begin = code.size();
-  const auto of_word = [](unsigned char c) { return std::isalnum(c) || c == '.' || c == '_'; };
-  while (begin > 0 && of_word(static_cast<unsigned char>(code[begin - 1]))) --begin;
-  return code.substr(begin) + card.beyond;
+  const auto of_word = [](char c) { return is_letter_or_digit(c) || c == '.' || c == '_'; };
+  const auto begin = std::find_if_not(code.rbegin(), code.rend(), of_word).base();
+  return std::string(begin, code.end()) + card.beyond;
 }
 
 }  // namespace
@@ -119,25 +106,27 @@ ColumnReadings readings_of(const std::vector<std::string>& lines, FortranForm fo
 }
 
 std::vector<std::string> column_sentences(const ColumnReadings& readings, const std::string& file) {
-  constexpr std::size_t longest = 60;
+  struct Row {
+    const std::vector<LongLine>& lines;
+    const char *what, *code;  ///< before the first line's own word
+    std::string more;         ///< behind it
+  };
+  const Row rows[] = {
+      {readings.cards, "columns 73 to 80 hold the numbers of punched cards (",
+       "), and Abaqus reads them as code, since it takes 132 columns: this line ends in '",
+       "', here too; to remove them: " + card_remedy(file)},
+      {readings.tails, "code beyond column 72 (", "), here '",
+       "': Abaqus reads it, since it takes 132 columns, and so does assay; a compiler at its usual 72 columns drops it "
+       "silently"},
+      {readings.cut, "code beyond column 132 (", "), here '",
+       "': Abaqus reads 132 columns and cuts this off silently, and so does assay"}};
   std::vector<std::string> all;
-  if (!readings.cards.empty()) {
-    const LongLine& first = readings.cards.front();
-    all.push_back(begin_of(readings.cards, file) + "columns 73 to 80 hold the numbers of punched cards (" +
-                  which(readings.cards) +
-                  "), and Abaqus reads them as code, since it takes 132 columns: this line ends " + "in '" +
-                  one_line(joined_word(first), longest) + "', here too; to remove them: " + card_remedy(file));
-  }
-  if (!readings.tails.empty()) {
-    all.push_back(begin_of(readings.tails, file) + "code beyond column 72 (" + which(readings.tails) + "), here '" +
-                  one_line(readings.tails.front().beyond, longest) +
-                  "': Abaqus reads it, since it takes 132 columns, and so does assay; a compiler at its usual 72 " +
-                  "columns drops it silently");
-  }
-  if (!readings.cut.empty()) {
-    all.push_back(begin_of(readings.cut, file) + "code beyond column 132 (" + which(readings.cut) + "), here '" +
-                  one_line(readings.cut.front().beyond, longest) +
-                  "': Abaqus reads 132 columns and cuts this off silently, and so does assay");
+  for (const auto& [lines, what, code, more] : rows) {
+    if (lines.empty()) continue;
+    constexpr std::size_t longest = 60;
+    const LongLine& first = lines.front();
+    all.push_back(place_text(file, first.line) + what + which(lines) + code +
+                  one_line(&lines == &readings.cards ? joined_word(first) : first.beyond, longest) + more);
   }
   return all;
 }
@@ -153,8 +142,8 @@ std::vector<std::string> joined_line_sentences(const std::vector<std::string>& l
     if (last == std::string::npos || line[last] != '\\' || line.starts_with('#') ||
         of_line.find('\\') != std::string::npos)
       continue;
-    all.push_back(file + ":" + std::to_string(k + 1) +
-                  ": the comment ends in a backslash, by which the preprocessor makes the next line a part of it: "
+    all.push_back(place_text(file, static_cast<int>(k) + 1) +
+                  "the comment ends in a backslash, by which the preprocessor makes the next line a part of it: "
                   "leave the backslash out, or put a full stop behind it");
   }
   return all;

@@ -14,18 +14,16 @@
 
 #include "adapters/worker/shortage.hpp"
 #include "drivers/material/compiler_messages.hpp"
-#include "drivers/material/linked.hpp"
 #include "drivers/material/tool_process.hpp"
 #include "drivers/system/whole_file.hpp"
 #include "drivers/text/numbers.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string first_line_of(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 bool is_short_of_file_size() {
   rlimit size = {};
@@ -39,7 +37,7 @@ std::string version_of_compiler(const std::string& program) {
   const std::lock_guard lock(guard);
   if (const auto at = known.find(program); at != known.end()) return at->second;
   const ToolEnd asked = run_tool({.program = program, .arguments = {"--version"}, .limit_s = 20});
-  const std::string version = one_line(first_line_of(asked.said), 200);
+  const std::string version = one_line(split(asked.said, '\n').front(), 200);
   if (asked.status != 0 || version.find("Fortran") == std::string::npos) {
     throw SystemError("'" + program + "' is no gfortran that works: " +
                       (!version.empty() ? version
@@ -117,13 +115,13 @@ std::vector<std::string> flags_for(const FortranSource& source, const FortranCom
                                  "-fno-diagnostics-show-caret"};
   constexpr int first_strict_version = 10;  // which takes arguments that do not match for errors
   if (major_version(compiler) >= first_strict_version) {
-    flags.insert(flags.end(), {"-fallow-argument-mismatch", "-fallow-invalid-boz"});
+    append_all(flags, {"-fallow-argument-mismatch", "-fallow-invalid-boz"});
   }
-  flags.emplace_back(fixed ? "-ffixed-form" : "-ffree-form");
-  flags.push_back(fixed ? "-ffixed-line-length-" + std::to_string(abaqus_columns) : "-ffree-line-length-none");
-  flags.insert(flags.end(), {"-x", source.preprocessed ? "f95-cpp-input" : "f95"});
-  if (source.preprocessed) flags.insert(flags.end(), {"-DABQ_LNX86_64", "-DABQ_FORTRAN"});  // as Abaqus does on Linux
-  flags.insert(flags.end(), compiler.options.begin(), compiler.options.end());
+  append_all(flags, {fixed ? "-ffixed-form" : "-ffree-form",
+                     fixed ? "-ffixed-line-length-" + std::to_string(abaqus_columns) : "-ffree-line-length-none", "-x",
+                     source.preprocessed ? "f95-cpp-input" : "f95"});
+  if (source.preprocessed) append_all(flags, {"-DABQ_LNX86_64", "-DABQ_FORTRAN"});  // as Abaqus does on Linux
+  append_all(flags, compiler.options);
   return flags;
 }
 
@@ -138,14 +136,9 @@ std::vector<std::string> compile_library(const FortranSource& source, const Fort
     call.folder = folder;
     write_bytes(place / file.filename(), source.adapted.empty() ? source.bytes : source.adapted, O_CREAT | O_EXCL);
   }
-  for (const std::string& word :
-       {"-I" + (place / "include").string(), "-I" + file.parent_path().string(), "-J" + folder,
-        "./" + file.filename().string(), std::string("-x"), std::string("none"), std::string("-o"), library}) {
-    call.arguments.push_back(word);
-  }
-  for (const std::string& word : source.link) {
-    for (const std::string& argument : link_arguments(word)) call.arguments.push_back(argument);
-  }
+  append_all(call.arguments, {"-I" + (place / "include").string(), "-I" + file.parent_path().string(), "-J" + folder,
+                              "./" + file.filename().string(), "-x", "none", "-o", library});
+  for (const std::string& word : source.link) append_all(call.arguments, link_arguments(word));
   call.arguments.emplace_back("-lm");
   const ToolEnd end = run_tool(call);
   if (end.stopped) {

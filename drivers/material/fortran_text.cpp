@@ -2,7 +2,8 @@
 #include "drivers/material/fortran_text.hpp"
 
 #include <algorithm>
-#include <cctype>
+
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
@@ -11,7 +12,11 @@ namespace {
 constexpr std::size_t statement_column = 6;  ///< from 0: behind label and continuation mark
 constexpr const char* blanks = " \t";
 
-bool is_quote(char c) { return c == '\'' || c == '"'; }
+/// `open`: the mark of a character constant that is open behind c; 0 for none.
+void note_mark(char c, char& open) {
+  const bool is_mark = c == '\'' || c == '"';
+  if (open == 0 ? is_mark : c == open) open = open == 0 ? c : '\0';
+}
 
 void trim_end(std::string& text) { text.erase(text.find_last_not_of(blanks) + 1); }
 
@@ -34,13 +39,8 @@ bool is_comment_in_fixed_form(const std::string& line) {
 /// Where a comment begins, or the text's size; `open` is the mark of a character constant that is not closed.
 std::size_t end_of_code(const std::string& text, std::size_t begin, char& open) {
   for (std::size_t k = begin; k < text.size(); ++k) {
-    if (open != 0) {
-      if (text[k] == open) open = 0;
-    } else if (text[k] == '!') {
-      return k;
-    } else if (is_quote(text[k])) {
-      open = text[k];
-    }
+    if (open == 0 && text[k] == '!') return k;
+    note_mark(text[k], open);
   }
   return text.size();
 }
@@ -48,23 +48,9 @@ std::size_t end_of_code(const std::string& text, std::size_t begin, char& open) 
 /// Adds code to a statement: small letters, no blanks, no text of character constants.
 void append_code(std::string& statement, std::string_view code, char& open) {
   for (const char c : code) {
-    if (open != 0) {
-      if (c == open) open = 0, statement += c;
-    } else if (is_quote(c)) {
-      open = c;
-      statement += c;
-    } else if (c != ' ' && c != '\t') {
-      statement += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-  }
-}
-
-/// The parts between semicolons.
-void add_statements(std::vector<FortranStatement>& all, int line, const std::string& text) {
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(';', begin), text.size());
-    if (end > begin) all.push_back({line, text.substr(begin, end - begin)});
-    begin = end + 1;
+    const char before = open;
+    note_mark(c, open);
+    if (open != before || (open == 0 && c != ' ' && c != '\t')) statement += small_letter(c);
   }
 }
 
@@ -72,14 +58,9 @@ void add_statements(std::vector<FortranStatement>& all, int line, const std::str
 
 std::vector<std::string> lines_of_source(std::string_view bytes) {
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
-  std::vector<std::string> lines;
-  while (!bytes.empty()) {
-    const std::size_t end = std::min(bytes.find('\n'), bytes.size());
-    std::string line(bytes.substr(0, end));
-    std::erase(line, '\r');
-    lines.push_back(std::move(line));
-    bytes.remove_prefix(std::min(end + 1, bytes.size()));
-  }
+  std::vector<std::string> lines = split(bytes, '\n');
+  if (lines.back().empty()) lines.pop_back();
+  for (std::string& line : lines) std::erase(line, '\r');
   return lines;
 }
 
@@ -105,6 +86,8 @@ std::string FortranCode::of(const std::string& line) {
   return code;
 }
 
+std::string place_text(const std::string& file, int line) { return file + ":" + std::to_string(line) + ": "; }
+
 std::vector<FortranStatement> statements_of(const std::vector<std::string>& lines, FortranForm form) {
   std::vector<FortranStatement> all;
   FortranCode reader(form);
@@ -113,7 +96,9 @@ std::vector<FortranStatement> statements_of(const std::vector<std::string>& line
   char open = 0;
   bool goes_on = false;  // of free form: the last line of code ends with '&'
   const auto finish = [&] {
-    add_statements(all, begin, text);
+    for (std::string& part : split(text, ';')) {
+      if (!part.empty()) all.push_back({begin, std::move(part)});
+    }
     text.clear();
     open = 0;
   };

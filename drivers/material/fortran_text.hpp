@@ -10,6 +10,7 @@
 namespace assay::drivers {
 
 enum class FortranForm { fixed, free };
+constexpr const char* word_of(FortranForm form) { return form == FortranForm::fixed ? "fixed" : "free"; }
 
 /// Columns that a compiler reads of a line in fixed form: by the standard, by Abaqus, and without a bound.
 inline constexpr std::size_t standard_columns = 72, abaqus_columns = 132, all_columns = std::string::npos;
@@ -43,6 +44,9 @@ struct FortranStatement {
   int line = 0;  ///< at which it begins
   std::string text;
 };
+
+/// "model.f:12: ", as warnings begin.
+std::string place_text(const std::string& file, int line);
 
 std::vector<FortranStatement> statements_of(const std::vector<std::string>& lines, FortranForm form);
 

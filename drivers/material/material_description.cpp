@@ -10,7 +10,6 @@
 #include "drivers/format/yaml_values.hpp"
 #include "drivers/format/yaml_writer.hpp"
 #include "drivers/material/foreign_description.hpp"
-#include "drivers/material/linked.hpp"
 #include "drivers/material/model_files.hpp"
 #include "drivers/material/source_entry.hpp"
 #include "drivers/material/source_library.hpp"

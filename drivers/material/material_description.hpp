@@ -32,7 +32,7 @@ struct MaterialDescription {
   std::map<std::string, Location> key_where;      ///< places of its keys
   std::string library_key = "library";            ///< the key that named the library, for messages
   std::string source = {};                        ///< absolute path of the Fortran source of the library; empty: none
-  std::vector<std::string> link = {};             ///< what the source is linked with: linked.hpp
+  std::vector<std::string> link = {};             ///< what the source is linked with: words of linked_word()
   std::vector<ModelFile> files = {};              ///< of the folder of a process of its own
   std::vector<std::string> warnings = {};         ///< sentences on the source
 };

@@ -23,7 +23,7 @@ struct SourceRequest {
   std::string deck;      ///< absolute; empty: none
   std::string material;  ///< of the deck, or CMNAME
   std::string symbol;
-  std::vector<std::string> link;     ///< linked.hpp
+  std::vector<std::string> link;     ///< words of linked_word()
   std::size_t least_properties = 0;  ///< so many have names that somebody knows: p1, p2, ...
   bool needs_values = false;         ///< PROPS without values are refused
   std::string material_key = "FILE.inp:NAME", symbol_key = "FILE.f:NAME";  ///< how to choose, in messages

@@ -11,7 +11,6 @@
 #include "adapters/elf_symbols.hpp"
 #include "adapters/library.hpp"
 #include "drivers/material/fortran_compiler.hpp"
-#include "drivers/material/linked.hpp"
 #include "drivers/system/environment.hpp"
 #include "drivers/system/whole_file.hpp"
 #include "drivers/text/sha256.hpp"

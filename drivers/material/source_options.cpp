@@ -9,7 +9,6 @@
 
 #include "drivers/format/number_slips.hpp"
 #include "drivers/material/abaqus_deck.hpp"
-#include "drivers/material/linked.hpp"
 #include "drivers/scene/material_path.hpp"
 #include "drivers/system/environment.hpp"
 #include "drivers/system/input_file.hpp"

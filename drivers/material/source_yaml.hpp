@@ -15,7 +15,7 @@ namespace assay::drivers {
 struct SourceYaml {
   std::string source, deck;  ///< absolute
   std::string name, material_name;
-  std::vector<std::string> link;  ///< linked.hpp
+  std::vector<std::string> link;  ///< words of linked_word()
   SourceEntry entry;
   SourceFacts facts;
   std::vector<GivenProperty> properties;  ///< NaN: to be given by whoever uses it

@@ -9,15 +9,9 @@
 #include <type_traits>
 
 #include "drivers/scene/scene_keys.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
-
-/// The names of an enumeration, as names_of() beside it lists them.
-template <class Enum>
-std::vector<std::string> words_of() {
-  const auto names = names_of(Enum{});
-  return {names.begin(), names.end()};
-}
 
 template <class Member>
 struct Optional : std::false_type {

@@ -5,7 +5,7 @@
 
 #include <regex>
 
-#include "drivers/material/fortran_adapted.hpp"
+#include "drivers/material/fortran_form.hpp"
 #include "drivers/material/tool_process.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
