@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "adapters/elf_symbols.hpp"
-#include "adapters/foreign/absent_routines.hpp"
 #include "adapters/foreign/foreign_calls.hpp"
 #include "adapters/foreign/foreign_library.hpp"
 #include "adapters/foreign/foreign_state.hpp"

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "adapters/foreign/component_order.hpp"
 #include "adapters/foreign/foreign_state.hpp"
 #include "adapters/foreign/kinematics.hpp"
 

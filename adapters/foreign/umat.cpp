@@ -6,10 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "adapters/foreign/component_order.hpp"
+#include "adapters/foreign/foreign_library.hpp"
 #include "adapters/foreign/foreign_state.hpp"
 #include "adapters/foreign/kinematics.hpp"
-#include "adapters/foreign/model_end.hpp"
 
 namespace assay::adapters {
 

@@ -2,7 +2,7 @@
 // From DDSDDE to d sigma / d F1.
 #include <algorithm>
 
-#include "adapters/foreign/component_order.hpp"
+#include "adapters/foreign/foreign_state.hpp"
 #include "adapters/foreign/kinematics.hpp"
 #include "adapters/foreign/umat.hpp"
 

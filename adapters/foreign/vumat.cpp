@@ -5,10 +5,8 @@
 #include <bit>
 #include <cstdint>
 
-#include "adapters/foreign/component_order.hpp"
+#include "adapters/foreign/foreign_library.hpp"
 #include "adapters/foreign/foreign_state.hpp"
-#include "adapters/foreign/model_end.hpp"
-#include "adapters/foreign/vumat_entry.hpp"
 #include "harness/material/progress_mark.hpp"
 
 namespace assay::adapters {

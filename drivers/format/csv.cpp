@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "drivers/format/csv_lines.hpp"
 #include "drivers/format/number_slips.hpp"
 #include "drivers/format/yaml_lines.hpp"
 #include "drivers/system/input_error.hpp"

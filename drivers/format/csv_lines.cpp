@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/format/csv_lines.hpp"
+#include "drivers/format/csv.hpp"
 
 #include <algorithm>
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "drivers/text/lookalikes.hpp"
 #include "drivers/text/numbers.hpp"
+#include "drivers/text/unseen.hpp"
 
 namespace assay::drivers {
 

@@ -6,7 +6,6 @@
 #include <map>
 
 #include "drivers/format/number_slips.hpp"
-#include "drivers/material/deck_keywords.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/unseen.hpp"
 #include "drivers/text/words.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/material/deck_keywords.hpp"
+#include "drivers/material/abaqus_deck.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "adapters/foreign/foreign_model.hpp"
-#include "drivers/format/yaml_rows.hpp"
+#include "drivers/format/yaml_values.hpp"
 
 namespace assay::drivers {
 

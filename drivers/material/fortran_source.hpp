@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/material/fortran_columns.hpp"
-#include "drivers/material/fortran_form.hpp"
-#include "drivers/material/fortran_routines.hpp"
+#include "drivers/material/fortran_text.hpp"
 #include "drivers/system/input_error.hpp"
 
 namespace assay::drivers {

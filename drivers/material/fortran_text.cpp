@@ -2,7 +2,12 @@
 #include "drivers/material/fortran_text.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
 
+#include "drivers/system/input_error.hpp"
+#include "drivers/text/numbers.hpp"
 #include "drivers/text/words.hpp"
 
 namespace assay::drivers {
@@ -52,6 +57,76 @@ void append_code(std::string& statement, std::string_view code, char& open) {
     note_mark(c, open);
     if (open != before || (open == 0 && c != ' ' && c != '\t')) statement += small_letter(c);
   }
+}
+
+constexpr std::size_t card_end = 80;  ///< the last column of a punched card
+
+std::optional<LongLine> beyond(const std::string& code, std::size_t column, int line) {
+  const std::string tail(stripped(std::string_view(code).substr(std::min(column, code.size()))));
+  return tail.empty() ? std::nullopt : std::optional(LongLine{line, tail, code.substr(0, column)});
+}
+
+struct CardNumber {
+  std::string letters;
+  std::int64_t number = 0;
+};
+
+/// Of a line whose code ends in column 80 at most: "00000010", "UMAT0010".
+std::optional<CardNumber> card_number(const LongLine& line, std::size_t code_size) {
+  const std::string& text = line.beyond;
+  const auto digits = std::find_if(text.begin(), text.end(), is_digit);
+  const bool letters_first = std::all_of(text.begin(), digits, is_letter);
+  const bool digits_last = std::all_of(digits, text.end(), is_digit);
+  if (code_size > card_end || !letters_first || !digits_last || digits == text.end()) return std::nullopt;
+  return CardNumber{std::string(text.begin(), digits), parse_integer(std::string(digits, text.end())).value_or(0)};
+}
+
+/// Whether they rise; each routine may begin anew.
+bool rise(const std::vector<std::optional<CardNumber>>& numbers) {
+  constexpr int pairs_a_fall = 5;
+  const CardNumber* last = nullptr;
+  int pairs = 0, falls = 0;
+  for (const auto& number : numbers) {
+    if (!number) continue;
+    if (last) ++pairs;
+    if (last && last->letters == number->letters && last->number >= number->number) ++falls;
+    last = &*number;
+  }
+  return pairs > 0 && falls * pairs_a_fall <= pairs;
+}
+
+/// Takes the numbers of cards out of `tails`.
+std::vector<LongLine> taken_cards(std::vector<LongLine>& tails, const std::vector<std::optional<CardNumber>>& numbers) {
+  std::vector<LongLine> cards, others;
+  const bool rising = rise(numbers);
+  const auto count = std::count_if(numbers.begin(), numbers.end(), [](const auto& each) { return each.has_value(); });
+  for (std::size_t k = 0; k < tails.size(); ++k) {
+    const LongLine& line = tails[k];
+    const bool alone = count == 1 && numbers[k] && numbers[k]->letters.empty() && line.before.ends_with(' ') &&
+                       line.beyond.size() == card_end - standard_columns;
+    (numbers[k] && (rising || alone) ? cards : others).push_back(line);
+  }
+  tails = std::move(others);
+  return cards;
+}
+
+/// "line 3", "5 lines: 3, 4, 7, ...".
+std::string which(const std::vector<LongLine>& lines) {
+  constexpr std::size_t most = 6;
+  if (lines.size() == 1) return "line " + std::to_string(lines.front().line);
+  std::vector<std::string> numbers;
+  for (std::size_t k = 0; k < std::min(most, lines.size()); ++k) numbers.push_back(std::to_string(lines[k].line));
+  if (lines.size() > most) numbers.emplace_back("...");
+  return std::to_string(lines.size()) + " lines: " + joined(numbers);
+}
+
+/// The last word of the code, with what Abaqus sees behind it: "1.d000000010".
+std::string joined_word(const LongLine& card) {
+  std::string code = card.before;
+  std::erase_if(code, [](char c) { return c == ' ' || c == '\t'; });
+  const auto of_word = [](char c) { return is_letter_or_digit(c) || c == '.' || c == '_'; };
+  const auto begin = std::find_if_not(code.rbegin(), code.rend(), of_word).base();
+  return std::string(begin, code.end()) + card.beyond;
 }
 
 }  // namespace
@@ -126,6 +201,74 @@ std::vector<FortranStatement> statements_of(const std::vector<std::string>& line
   }
   finish();
   return all;
+}
+
+ColumnReadings readings_of(const std::vector<std::string>& lines, FortranForm form) {
+  ColumnReadings found;
+  if (form == FortranForm::free) return found;
+  std::vector<std::optional<CardNumber>> numbers;
+  FortranCode abaqus(form, abaqus_columns), everything(form, all_columns);
+  int number = 0;
+  for (const std::string& line : lines) {
+    ++number;
+    const std::string code = abaqus.of(line), whole = everything.of(line);
+    if (auto tail = beyond(whole, abaqus_columns, number)) found.cut.push_back(std::move(*tail));
+    if (auto tail = beyond(code, standard_columns, number)) {
+      numbers.push_back(card_number(*tail, whole.size()));
+      found.tails.push_back(std::move(*tail));
+    }
+  }
+  found.cards = taken_cards(found.tails, numbers);
+  return found;
+}
+
+std::vector<std::string> column_sentences(const ColumnReadings& readings, const std::string& file) {
+  struct Row {
+    const std::vector<LongLine>& lines;
+    const char *what, *code;  ///< before the first line's own word
+    std::string more;         ///< behind it
+  };
+  const Row rows[] = {
+      {readings.cards, "columns 73 to 80 hold the numbers of punched cards (",
+       "), and Abaqus reads them as code, since it takes 132 columns: this line ends in '",
+       "', here too; to remove them: " + card_remedy(file)},
+      {readings.tails, "code beyond column 72 (", "), here '",
+       "': Abaqus reads it, since it takes 132 columns, and so does assay; a compiler at its usual 72 columns drops it "
+       "silently"},
+      {readings.cut, "code beyond column 132 (", "), here '",
+       "': Abaqus reads 132 columns and cuts this off silently, and so does assay"}};
+  std::vector<std::string> all;
+  for (const auto& [lines, what, code, more] : rows) {
+    if (lines.empty()) continue;
+    constexpr std::size_t longest = 60;
+    const LongLine& first = lines.front();
+    all.push_back(place_text(file, first.line) + what + which(lines) + code +
+                  one_line(&lines == &readings.cards ? joined_word(first) : first.beyond, longest) + more);
+  }
+  return all;
+}
+
+std::vector<std::string> joined_line_sentences(const std::vector<std::string>& lines, FortranForm form,
+                                               const std::string& file) {
+  std::vector<std::string> all;
+  FortranCode code(form, all_columns);
+  for (std::size_t k = 0; k + 1 < lines.size(); ++k) {
+    const std::string& line = lines[k];
+    const std::size_t last = line.find_last_not_of(" \t\r");
+    const std::string of_line = code.of(line);
+    if (last == std::string::npos || line[last] != '\\' || line.starts_with('#') ||
+        of_line.find('\\') != std::string::npos)
+      continue;
+    all.push_back(place_text(file, static_cast<int>(k) + 1) +
+                  "the comment ends in a backslash, by which the preprocessor makes the next line a part of it: "
+                  "leave the backslash out, or put a full stop behind it");
+  }
+  return all;
+}
+
+std::string card_remedy(const std::string& file) {
+  const std::filesystem::path path = std::filesystem::path(file).filename();
+  return "cut -c1-72 " + path.string() + " > " + path.stem().string() + "_72" + path.extension().string();
 }
 
 }  // namespace assay::drivers

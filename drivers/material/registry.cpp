@@ -7,10 +7,8 @@
 #include <set>
 
 #include "adapters/builtin.hpp"
-#include "drivers/material/fortran_form.hpp"
+#include "drivers/material/fortran_text.hpp"
 #include "drivers/material/material_description.hpp"
-#include "drivers/material/material_table.hpp"
-#include "drivers/material/raw_library.hpp"
 #include "drivers/material/source_description.hpp"
 #include "drivers/material/source_library.hpp"
 #include "drivers/scene/material_path.hpp"

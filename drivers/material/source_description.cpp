@@ -9,10 +9,7 @@
 #include "adapters/elf_symbols.hpp"
 #include "drivers/material/abaqus_deck.hpp"
 #include "drivers/material/source_entry.hpp"
-#include "drivers/material/source_facts.hpp"
 #include "drivers/material/source_library.hpp"
-#include "drivers/material/source_traps.hpp"
-#include "drivers/material/source_yaml.hpp"
 #include "drivers/scene/material_path.hpp"
 
 namespace assay::drivers {

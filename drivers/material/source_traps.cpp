@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/material/source_traps.hpp"
+#include "drivers/material/source_entry.hpp"
 
 #include <algorithm>
 #include <cctype>

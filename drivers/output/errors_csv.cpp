@@ -4,7 +4,6 @@
 #include <array>
 
 #include "drivers/format/csv.hpp"
-#include "drivers/format/csv_lines.hpp"
 
 namespace assay::drivers {
 

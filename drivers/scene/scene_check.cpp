@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/scene/scene_check.hpp"
+#include "drivers/scene/scene_reader.hpp"
 
 #include <cmath>
 #include <utility>

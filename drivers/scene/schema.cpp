@@ -8,7 +8,6 @@
 #include "drivers/result/build_information.hpp"
 #include "drivers/result/result_json.hpp"
 #include "drivers/scene/expect.hpp"
-#include "drivers/scene/schema_parts.hpp"
 #include "harness/motion/registry.hpp"
 
 namespace assay::drivers {

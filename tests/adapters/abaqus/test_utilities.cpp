@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-#include "adapters/foreign/component_order.hpp"
+#include "adapters/foreign/foreign_state.hpp"
 #include "tests/adapters/abaqus/abaqus_library.hpp"
 
 namespace assay::adapters::test_utilities {

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "adapters/worker/remote_table.hpp"
-#include "drivers/material/material_table.hpp"
+#include "drivers/material/registry.hpp"
 #include "mpm/material/passes_particle.hpp"
 #include "mpm/simulation.hpp"
 #include "mpm/step/sweep.hpp"
