@@ -54,6 +54,21 @@ inline Tensor read_tensor(const double* in, const std::array<Pair, 9>& order, st
   return A;
 }
 
+/// Of point p among n: [component][point].
+inline Tensor tensor_at(const double* nine, std::size_t n, std::size_t p) {
+  Tensor A;
+  for (std::size_t c = 0; c < 9; ++c) component(A, static_cast<int>(c)) = nine[c * n + p];
+  return A;
+}
+
+/// The names of a list's elements, "a, b".
+template <class List>
+std::string listed_names(const List& list) {
+  std::string names;
+  for (const auto& each : list) names += (names.empty() ? "" : ", ") + each.name;
+  return names;
+}
+
 /// How an interface keeps symmetric tensors.
 struct StateLayout {
   const std::array<Pair, 6>& order;
@@ -63,6 +78,11 @@ struct StateLayout {
 /// Components of the declared variables of a point.
 int foreign_state_size(const std::vector<ForeignVariable>& variables);
 int components_of(ForeignVariable::Kind kind);
+/// ASSAY_SCALAR, ...
+std::int32_t abi_kind(ForeignVariable::Kind kind);
+
+/// CMNAME, padded with blanks.
+std::array<char, 80> cmname_of(const ForeignModel& model);
 
 /// ours -> foreign and back; both contiguous, in declared order. Scalars, vectors and tensors are the same in both.
 void to_foreign(const StateLayout& layout, const std::vector<ForeignVariable>& variables, const double* ours,

@@ -61,9 +61,9 @@ class Mfront {
   struct Arrays {
     std::size_t gradients, forces, density, properties, internal, stored, dissipated, external;
   };
-  void add_outputs();
+  template <class Add>
+  void add_own(Arrays& arrays, const Add& add);
   void add_inputs(Arrays& arrays, const std::string& when);
-  void add_beginning();
   void set_parameters();
   void hand_over(const PointStep& step, double request);
   std::int32_t call(double dt);

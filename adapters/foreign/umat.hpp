@@ -42,8 +42,6 @@ class Umat {
   };
   void make_arrays(std::size_t fence);
   void add_arrays();
-  void watch_inputs();
-  void hand_over(const PointStep& step);
   void hand_over_tensors(const PointStep& step);
   void hand_over_scalars(const PointStep& step);
   void call(const PointStep& step);

@@ -40,7 +40,6 @@ class Vumat {
   struct Block {
     Block(std::size_t n, const ForeignModel& model, std::size_t fence);
     void hold(const HostValues& values);
-    void watch_inputs();
     std::size_t n;
     GuardedArrays arrays;
     std::size_t props, coords, lengths, density, strain, spin, temperature[2], stretch[2], gradient[2], fields[2],
@@ -58,9 +57,8 @@ class Vumat {
   /// `time`: of the end of the step; 0: the call before the first step, whose inputs a model may well set.
   void call(Block& block, double time, double dt);
   static void require_written(const Block& block);
-  /// Into the new state what nobody writes, and out of it again, of a call of one point: what it has left of the state
-  /// stays as it was, and is noted where the call counts.
-  static void empty_state(Block& block);
+  /// Of a call of one point, whose new state held what nobody writes: what it has left of the state stays as it was,
+  /// and is noted where the call counts.
   void note_state(Block& block, bool counts);
 
   const ForeignTable& table_;

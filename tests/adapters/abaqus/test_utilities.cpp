@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tensors: SINV, SPRINC, SPRIND, ROTSIG, VSPRINC and VSPRIND.
-#include "adapters/abaqus/utilities.hpp"
 
 #include <gtest/gtest.h>
 
