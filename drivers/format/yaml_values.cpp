@@ -35,6 +35,8 @@ std::string parent_of(const std::string& path) {
   return dot == path.npos ? std::string() : path.substr(0, dot);
 }
 
+std::string last_part(const std::string& path) { return path.substr(path.rfind('.') + 1); }
+
 std::string key_path(const std::string& prefix, const std::string& key) {
   return prefix.empty() ? key : prefix + "." + key;
 }

@@ -44,6 +44,8 @@ std::string described(const Tree& tree);
 std::string key_path(const std::string& prefix, const std::string& key);
 /// Of "motion.amplitude.peak" "motion.amplitude"; empty at the top.
 std::string parent_of(const std::string& path);
+/// And "peak".
+std::string last_part(const std::string& path);
 
 struct YamlRow {
   const char* name;
