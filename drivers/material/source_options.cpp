@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The words of a list: between commas, with blanks around them, or between blanks.
-std::vector<std::string> items_of(const std::string& list) {
+std::vector<std::string> listed_items(const std::string& list) {
   std::vector<std::string> items;
   std::istringstream parts(list + ",");
   for (std::string part; std::getline(parts, part, ',');) {
@@ -53,7 +53,7 @@ void refuse_other_place(const std::string& name, std::size_t place) {
 std::vector<GivenProperty> props_in(const std::string& list) {
   std::vector<GivenProperty> props;
   std::set<std::string> names;
-  for (const std::string& item : items_of(list)) {
+  for (const std::string& item : listed_items(list)) {
     const std::size_t equals = item.find('=');
     const auto value = deck_number(equals == item.npos ? item : item.substr(equals + 1));
     if (value && item.starts_with("00") && !props.empty())

@@ -36,9 +36,6 @@ Scene scene_from_text(std::string_view text, const std::string& file, const std:
 /// Where a key of the scene stands.
 using KeyPlace = std::function<Location(const std::string& key)>;
 
-/// Throws InputError at the key.
-[[noreturn]] void refuse_at(const KeyPlace& where, const std::string& key, const std::string& what);
-
 /// Throws InputError at the key that does not go with the others.
 void check_scene(const Scene& scene, const KeyPlace& where);
 
