@@ -15,7 +15,14 @@
 
 namespace assay::drivers {
 
-constexpr std::size_t umat_arguments = 37, vumat_arguments = 33;
+/// What Abaqus hands over, by the names of its manual, in small letters; a routine may call them otherwise.
+const std::vector<std::string>& usual_arguments(adapters::ForeignInterface interface);
+
+/// "UMAT".
+std::string capital_name(adapters::ForeignInterface interface);
+
+/// Letters, digits and underscores: no element of an array.
+bool is_plain_variable(const std::string& name);
 
 struct SourceEntry {
   std::string symbol;  ///< in the library

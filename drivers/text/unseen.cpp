@@ -75,27 +75,6 @@ bool is_unseen(std::uint32_t code) {
   return name_in(steering, code) || name_in(blanks, code) || name_in(without_width, code);
 }
 
-/// Length of the UTF-8 character at `at` and its code point; 0 where there is none.
-std::size_t decode(std::string_view text, std::size_t at, std::uint32_t& code) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(at);
-  const std::size_t length = first < 0x80                    ? 1
-                             : first >= 0xC2 && first < 0xE0 ? 2
-                             : (first & 0xF0u) == 0xE0       ? 3
-                             : first >= 0xF0 && first < 0xF5 ? 4
-                                                             : 0;
-  if (length == 0 || at + length > text.size()) return 0;
-  code = length == 1 ? first : first & (0xFFu >> (length + 1));
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(at + i) & 0xC0u) != 0x80u) return 0;
-    code = code << 6 | (byte(at + i) & 0x3Fu);
-  }
-  constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};  // what is longer than it need be is no UTF-8
-  if (code < least[length] || code > 0x10FFFF || (code >= 0xD800 && code < 0xE000)) return 0;
-  if ((code & 0xFFFE) == 0xFFFE) return 0;  // never a character: no XML may hold U+FFFE or U+FFFF
-  return length;
-}
-
 template <class IsWritten>
 std::string written(std::string_view text, bool breaks, const IsWritten& is_written) {
   std::string out;
@@ -187,10 +166,29 @@ std::string words_of(std::uint32_t code, const std::string& meant) {
 
 }  // namespace
 
+std::size_t character_size(std::string_view text, std::uint32_t& code) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  const std::size_t length = first < 0x80                    ? 1
+                             : first >= 0xC2 && first < 0xE0 ? 2
+                             : (first & 0xF0u) == 0xE0       ? 3
+                             : first >= 0xF0 && first < 0xF5 ? 4
+                                                             : 0;
+  if (length == 0 || length > text.size()) return 0;
+  code = length == 1 ? first : first & (0xFFu >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0u) != 0x80u) return 0;
+    code = code << 6 | (byte(i) & 0x3Fu);
+  }
+  constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};  // what is longer than it need be is no UTF-8
+  return code < least[length] || code > 0x10FFFF || (code >= 0xD800 && code < 0xE000) ? 0 : length;
+}
+
 void for_each_character(std::string_view text, const std::function<void(std::uint32_t, std::string_view)>& take) {
   for (std::size_t at = 0; at < text.size();) {
     std::uint32_t code = 0;
-    const std::size_t length = decode(text, at, code);
+    std::size_t length = character_size(text.substr(at), code);
+    if ((code & 0xFFFE) == 0xFFFE) length = 0;  // never a character: no XML may hold U+FFFE or U+FFFF
     take(length == 0 ? no_character : code, text.substr(at, std::max<std::size_t>(length, 1)));
     at += std::max<std::size_t>(length, 1);
   }

@@ -12,6 +12,9 @@ namespace assay::drivers {
 
 constexpr std::uint32_t no_character = 0xFFFFFFFFu;  ///< the code of a byte that belongs to no character of UTF-8
 
+/// Bytes of the UTF-8 character that begins the text, which is not empty, and its code point; 0 where it is none.
+std::size_t character_size(std::string_view text, std::uint32_t& code);
+
 /// Calls take(code, bytes) for each character.
 void for_each_character(std::string_view text, const std::function<void(std::uint32_t, std::string_view)>& take);
 

@@ -26,6 +26,12 @@ inline bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c
 inline bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 inline bool is_letter_or_digit(char c) { return is_letter(c) || is_digit(c); }
 
+/// As the name of a model: small letters and digits, '_' for all else.
+inline std::string as_name(std::string text) {
+  for (char& c : text) c = is_letter_or_digit(c) ? small_letter(c) : '_';
+  return text;
+}
+
 /// Without blanks at its ends.
 inline std::string_view stripped(std::string_view text, std::string_view blanks = " \t") {
   const std::size_t first = text.find_first_not_of(blanks);
