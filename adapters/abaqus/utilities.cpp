@@ -9,30 +9,88 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <mutex>
 #include <string>
 
 #include <Eigen/Eigenvalues>
 
-#include "adapters/abaqus/utilities.hpp"
+extern "C" {
+
+/// What happens where a model ends the analysis: set by the host; must not return. Null: a line on standard error, and
+/// the process ends with status 1.
+void (*assay_abaqus_on_end)(const char* what) = nullptr;
+
+/// GETOUTDIR: where the model may look for its files; set by the host.
+char assay_abaqus_folder[4096] = ".";
+
+}  // extern "C"
 
 namespace {
+
+constexpr unsigned mutex_count = 100;  ///< Abaqus has as many
+std::mutex mutexes[mutex_count];
+thread_local bool held[mutex_count];  ///< by this thread
+
+unsigned place_of(int id) { return (static_cast<unsigned>(id) - 1) % mutex_count; }
+
+void lock(int id) {
+  mutexes[place_of(id)].lock();
+  held[place_of(id)] = true;
+}
+
+void unlock(unsigned place) {
+  if (!held[place]) return;
+  held[place] = false;
+  mutexes[place].unlock();
+}
+
+/// A call that the model has ended comes back to nothing: the next one would wait for ever.
+void unlock_all() {
+  for (unsigned place = 0; place < mutex_count; ++place) unlock(place);
+}
+
+[[noreturn]] void end_analysis(const char* what) {
+  unlock_all();
+  if (assay_abaqus_on_end) assay_abaqus_on_end(what);
+  std::fprintf(stderr, "the model %s\n", what);
+  std::exit(1);
+}
+
+/// A Fortran character variable of `size`, blank-padded, and the length of the text in it.
+void write_text(const char* text, char* out, int* length, std::size_t size) {
+  const std::size_t n = std::min(std::strlen(text), size);
+  std::fill_n(out, size, ' ');
+  std::copy_n(text, n, out);
+  *length = static_cast<int>(n);
+}
 
 using Tensor = Eigen::Matrix3d;
 
 constexpr int strains = 2;  ///< LSTR: 1 stresses, 2 strains with engineering shears
 
-/// Components 11, 22, 33, 12, 13, 23, as many as there are.
-Tensor tensor_of(const double* s, int lstr, int ndi, int nshr) {
-  constexpr int row[] = {0, 0, 1}, column[] = {1, 2, 2};
-  const double shear = lstr == strains ? 0.5 : 1;
+/// Places of the shear components: 12, 13, 23 of Abaqus/Standard, 12, 23, 31 of Abaqus/Explicit.
+struct Shears {
+  int row[3], column[3];
+};
+constexpr Shears of_standard{{0, 0, 1}, {1, 2, 2}}, of_explicit{{0, 1, 2}, {1, 2, 0}};
+
+/// Components 11, 22, 33 and the shears, as many as there are, `stride` apart.
+Tensor tensor_of(const double* s, double shear, int ndi, int nshr, const Shears& shears = of_standard,
+                 std::size_t stride = 1) {
+  const auto at = [&](int k) { return s[static_cast<std::size_t>(k) * stride]; };
+  const auto& [row, column] = shears;
   Tensor A = Tensor::Zero();
-  for (int k = 0; k < ndi && k < 3; ++k) A(k, k) = s[k];
-  for (int k = 0; k < nshr && k < 3; ++k) A(row[k], column[k]) = A(column[k], row[k]) = shear * s[ndi + k];
+  for (int k = 0; k < ndi && k < 3; ++k) A(k, k) = at(k);
+  for (int k = 0; k < nshr && k < 3; ++k) A(row[k], column[k]) = A(column[k], row[k]) = shear * at(ndi + k);
   return A;
 }
 
+Tensor tensor_of(const double* s, const int* lstr, const int* ndi, const int* nshr) {
+  return tensor_of(s, *lstr == strains ? 0.5 : 1, *ndi, *nshr);
+}
+
 void write_components(const Tensor& A, int lstr, int ndi, int nshr, double* s) {
-  constexpr int row[] = {0, 0, 1}, column[] = {1, 2, 2};
+  const auto& [row, column] = of_standard;
   const double shear = lstr == strains ? 2 : 1;
   for (int k = 0; k < ndi && k < 3; ++k) s[k] = A(k, k);
   for (int k = 0; k < nshr && k < 3; ++k) s[ndi + k] = shear * A(row[k], column[k]);
@@ -89,7 +147,7 @@ extern "C" {
 
 /// SINV1 = tr(s) / 3, SINV2 = sqrt(3/2 dev s : dev s).
 void sinv_(const double* stress, double* sinv1, double* sinv2, const int* ndi, const int* nshr) {
-  const Tensor A = tensor_of(stress, 1, *ndi, *nshr);
+  const Tensor A = tensor_of(stress, 1.0, *ndi, *nshr);
   *sinv1 = A.trace() / 3;
   const Tensor deviator = A - *sinv1 * Tensor::Identity();
   *sinv2 = std::sqrt(1.5) * deviator.norm();
@@ -97,13 +155,13 @@ void sinv_(const double* stress, double* sinv1, double* sinv2, const int* ndi, c
 
 /// Principal values, in ascending order.
 void sprinc_(const double* s, double* ps, const int* lstr, const int* ndi, const int* nshr) {
-  const Principal found(tensor_of(s, *lstr, *ndi, *nshr));
+  const Principal found(tensor_of(s, lstr, ndi, nshr));
   for (int k = 0; k < 3; ++k) ps[k] = found.values(k);
 }
 
 /// And directions: AN(K, I), I = 1, 2, 3 are the cosines of PS(K).
 void sprind_(const double* s, double* ps, double* an, const int* lstr, const int* ndi, const int* nshr) {
-  const Principal found(tensor_of(s, *lstr, *ndi, *nshr));
+  const Principal found(tensor_of(s, lstr, ndi, nshr));
   for (int k = 0; k < 3; ++k) {
     ps[k] = found.values(k);
     for (int i = 0; i < 3; ++i) an[3 * i + k] = found.directions(i, k);
@@ -112,13 +170,13 @@ void sprind_(const double* s, double* ps, double* an, const int* lstr, const int
 
 /// SPRIME = R S R^T, R column by column.
 void rotsig_(const double* s, const double* r, double* sprime, const int* lstr, const int* ndi, const int* nshr) {
-  const Tensor R = Eigen::Map<const Tensor>(r), A = tensor_of(s, *lstr, *ndi, *nshr);
+  const Tensor R = Eigen::Map<const Tensor>(r), A = tensor_of(s, lstr, ndi, nshr);
   write_components(R * A * R.transpose(), *lstr, *ndi, *nshr, sprime);
 }
 
 /// The analysis ends.
-void xit_() { assay_abaqus_end("called XIT"); }
-void xplb_exit_() { assay_abaqus_end("called XPLB_EXIT"); }
+void xit_() { end_analysis("called XIT"); }
+void xplb_exit_() { end_analysis("called XPLB_EXIT"); }
 
 /// LOP 1: information, -1: warning, -2: error, -3: error that ends the analysis. %I, %R and %S of the text stand for
 /// the next integer, real and string.
@@ -132,7 +190,7 @@ void stdb_abqerr_(const int* lop, const char* text, const int* intv, const doubl
   if (*lop != fatal) return;
   char what[sizeof line + 60];
   std::snprintf(what, sizeof what, "reported an error that ends the analysis: %s", line);
-  assay_abaqus_end(what);
+  end_analysis(what);
 }
 
 void xplb_abqerr_(const int* lop, const char* text, const int* intv, const double* realv, const char* charv,
@@ -144,14 +202,10 @@ void xplb_abqerr_(const int* lop, const char* text, const int* intv, const doubl
 void getvrm_(const char*, double*, int*, char*, int* jrcd, ...) { *jrcd = 1; }
 void vgetvrm_(const char*, double*, int*, char*, int* jrcd, ...) { *jrcd = 1; }
 
-void getoutdir_(char* folder, int* length, std::size_t size) {
-  assay_abaqus_text(assay_abaqus_folder, folder, length, size);
-}
-void vgetoutdir_(char* folder, int* length, std::size_t size) {
-  assay_abaqus_text(assay_abaqus_folder, folder, length, size);
-}
-void getjobname_(char* name, int* length, std::size_t size) { assay_abaqus_text("assay", name, length, size); }
-void vgetjobname_(char* name, int* length, std::size_t size) { assay_abaqus_text("assay", name, length, size); }
+void getoutdir_(char* folder, int* length, std::size_t size) { write_text(assay_abaqus_folder, folder, length, size); }
+void vgetoutdir_(char* folder, int* length, std::size_t size) { write_text(assay_abaqus_folder, folder, length, size); }
+void getjobname_(char* name, int* length, std::size_t size) { write_text("assay", name, length, size); }
+void vgetjobname_(char* name, int* length, std::size_t size) { write_text("assay", name, length, size); }
 
 void getrank_(int* rank) { *rank = 0; }
 void vgetrank_(int* rank) { *rank = 0; }
@@ -165,15 +219,9 @@ int get_thread_id() { return 0; }
 /// Principal values and directions of n tensors 11, 22, 33, 12, 23, 31, [component][point].
 void vsprind_(const int* nblock, const double* tensor, double* values, double* vectors, const int* ndir,
               const int* nshr) {
-  constexpr int row[] = {0, 1, 2}, column[] = {1, 2, 0};
   const auto n = static_cast<std::size_t>(*nblock);
   for (std::size_t p = 0; p < n; ++p) {
-    Tensor A = Tensor::Zero();
-    for (int k = 0; k < *ndir && k < 3; ++k) A(k, k) = tensor[static_cast<std::size_t>(k) * n + p];
-    for (int k = 0; k < *nshr && k < 3; ++k) {
-      A(row[k], column[k]) = A(column[k], row[k]) = tensor[static_cast<std::size_t>(*ndir + k) * n + p];
-    }
-    const Principal found(A);
+    const Principal found(tensor_of(tensor + p, 1.0, *ndir, *nshr, of_explicit, n));
     for (std::size_t k = 0; k < 3; ++k) {
       const auto i = static_cast<Eigen::Index>(k);
       values[k * n + p] = found.values(i);
@@ -187,5 +235,37 @@ void vsprind_(const int* nblock, const double* tensor, double* values, double* v
 void vsprinc_(const int* nblock, const double* tensor, double* values, const int* ndir, const int* nshr) {
   vsprind_(nblock, tensor, values, nullptr, ndir, nshr);
 }
+
+// From Fortran and from C.
+void mutexinit_(const int*) {}
+void mutexlock_(const int* id) { lock(*id); }
+void mutexunlock_(const int* id) { unlock(place_of(*id)); }
+void MutexInit(int) {}
+void MutexLock(int id) { lock(id); }
+void MutexUnlock(int id) { unlock(place_of(id)); }
+
+// Table collections of the input file: there are none, and every routine says so by JERROR, its last argument before
+// the lengths of texts.
+void settablecollection_(const char*, int* jerror, ...) { *jerror = 1; }
+
+void getparametertable_(const char*, const int*, int*, int*, double*, char*, int* jerror, ...) { *jerror = 1; }
+void getparametertablerow_(const char*, const int*, const int*, int*, int*, double*, char*, int* jerror, ...) {
+  *jerror = 1;
+}
+
+void getpropertytable_(const char*, const double*, const double*, const double*, const int*, double*, double*,
+                       const int*, int* jerror, ...) {
+  *jerror = 1;
+}
+void vgetpropertytable_(const char*, const int*, const double*, const double*, const double*, const int*, double*,
+                        double*, double*, const int*, int* jerror, ...) {
+  *jerror = 1;
+}
+
+void queryparametertable_(const char*, int*, int*, int* jerror, ...) { *jerror = 1; }
+void querypropertytable_(const char*, int*, double*, char*, int* jerror, ...) { *jerror = 1; }
+void querytablecollection_(int*, char*, int* jerror, ...) { *jerror = 1; }
+void querytablecollectionsize_(int*, int* jerror, ...) { *jerror = 1; }
+void querytablecollectionnames_(char*, const int*, ...) {}
 
 }  // extern "C"

@@ -12,6 +12,7 @@
 #include <memory>
 
 #include "adapters/foreign/foreign_point.hpp"
+#include "adapters/foreign/foreign_state.hpp"
 #include "adapters/foreign/host_values.hpp"
 #include "harness/material/material.hpp"
 #include "harness/material/progress_mark.hpp"
@@ -33,23 +34,12 @@ class ForeignCalls {
   static void destroy(void* self) { delete static_cast<ForeignCalls*>(self); }
 
   static std::int32_t initial_state(void* self, std::size_t n, const double* cauchy, double* state) {
-    auto& s = *static_cast<ForeignCalls*>(self);
-    const CallMark mark;
-    const auto lock = s.turn();
-    try {
-      s.reason_.clear();
-      for (std::size_t p = 0; p < n; ++p) {
-        mark_point(p);
-        const Tensor stress = tensor_at(cauchy, n, p);
-        s.bridge_.initial_state(stress, s.state0_.data());
-        if (!stress.isZero(0)) s.require_carried(stress);
-        for (std::size_t c = 0; c < s.state0_.size(); ++c) state[c * n + p] = s.state0_[c];
-      }
-      return ASSAY_GOOD;
-    } catch (const std::exception& error) {
-      s.reason_ = error.what();
-      return ASSAY_FAILED;
-    }
+    return of_each_point(self, n, [&](ForeignCalls& s, std::size_t p) {
+      const Tensor stress = tensor_at(cauchy, n, p);
+      s.bridge_.initial_state(stress, s.state0_.data());
+      if (!stress.isZero(0)) s.require_carried(stress);
+      for (std::size_t c = 0; c < s.state0_.size(); ++c) state[c * n + p] = s.state0_[c];
+    });
   }
 
   static void update(void* self, const assay_step* step, std::size_t n, const double* state0, double* state1,
@@ -80,17 +70,23 @@ class ForeignCalls {
 
   static std::int32_t tangent(void* self, const assay_step* step, std::size_t n, const double* state0,
                               double* tangent) {
+    return of_each_point(self, n, [&](ForeignCalls& s, std::size_t p) {
+      double at_point[81];
+      s.bridge_.tangent(s.point_at(*step, n, p, state0), at_point);
+      for (std::size_t k = 0; k < 81; ++k) tangent[k * n + p] = at_point[k];
+    });
+  }
+
+ private:
+  /// What fails at a point is the reason.
+  template <class Work>
+  static std::int32_t of_each_point(void* self, std::size_t n, const Work& work) {
     auto& s = *static_cast<ForeignCalls*>(self);
     const CallMark mark;
     const auto lock = s.turn();
     try {
       s.reason_.clear();
-      for (std::size_t p = 0; p < n; ++p) {
-        mark_point(p);
-        double at_point[81];
-        s.bridge_.tangent(s.point_at(*step, n, p, state0), at_point);
-        for (std::size_t k = 0; k < 81; ++k) tangent[k * n + p] = at_point[k];
-      }
+      for (std::size_t p = 0; p < n; ++p) mark_point(p), work(s, p);
       return ASSAY_GOOD;
     } catch (const std::exception& error) {
       s.reason_ = error.what();
@@ -98,7 +94,6 @@ class ForeignCalls {
     }
   }
 
- private:
   static Bridge& bridge_of(void* self) { return static_cast<ForeignCalls*>(self)->bridge_; }
 
   ForeignCalls(const ForeignTable& table, const double* properties) : table_(table), bridge_(table, properties) {
@@ -173,12 +168,6 @@ class ForeignCalls {
 
   static void say(char* message, const std::string& text) {
     message[text.copy(message, ASSAY_MESSAGE_SIZE - 1)] = '\0';
-  }
-
-  static Tensor tensor_at(const double* nine, std::size_t n, std::size_t p) {
-    Tensor A;
-    for (std::size_t c = 0; c < 9; ++c) component(A, static_cast<int>(c)) = nine[c * n + p];
-    return A;
   }
 
   PointStep point_at(const assay_step& step, std::size_t n, std::size_t p, const double* state0) {

@@ -2,15 +2,23 @@
 #include "adapters/foreign/foreign_library.hpp"
 
 #include <dlfcn.h>
-
+#include <elf.h>
+#include <link.h>
+#include <unistd.h>
+#include <algorithm>
+#include <array>
+#include <csetjmp>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <utility>
 
 #include "adapters/elf_check.hpp"
-#include "adapters/foreign/absent_routines.hpp"
-#include "adapters/foreign/model_end.hpp"
+#include "adapters/elf_symbols.hpp"
 #include "adapters/library.hpp"
+#include "harness/material/material.hpp"
 
 namespace assay::adapters {
 
@@ -33,6 +41,75 @@ void load_utilities(const std::string& folder) {
   auto* place = static_cast<char*>(dlsym(library, "assay_abaqus_folder"));
   if (place) place[folder.copy(place, room - 1)] = '\0';
 }
+
+#if defined(__x86_64__)
+constexpr std::uint64_t jump_slot = R_X86_64_JUMP_SLOT;
+#elif defined(__aarch64__)
+constexpr std::uint64_t jump_slot = R_AARCH64_JUMP_SLOT;
+#else
+constexpr std::uint64_t jump_slot = 0;  ///< none is known: the loader keeps its way
+#endif
+
+constexpr std::size_t most_absent = 64;  ///< of a process; those beyond are left to the loader
+using Routine = void (*)();
+
+std::array<std::string, most_absent> absent_names;  ///< never changed again: a call may come from any thread
+
+[[noreturn]] void end_call(std::size_t which) {
+  static thread_local char words[256];
+  std::snprintf(words, sizeof words, "called %s, %s", absent_names[which].c_str(), absent_words);
+  leave_model(words);
+  std::fprintf(stderr, "the model %s\n", words);
+  constexpr int as_the_loader = 127;
+  ::_exit(as_the_loader);
+}
+
+template <std::size_t... k>
+constexpr std::array<Routine, most_absent> routines_of(std::index_sequence<k...>) {
+  return {+[] { end_call(k); }...};
+}
+constexpr auto routines = routines_of(std::make_index_sequence<most_absent>());
+
+/// Of one name always the same; null where there is no more.
+Routine stand_in(const std::string& name) {
+  static std::mutex guard;
+  static std::size_t taken = 0;
+  const std::lock_guard lock(guard);
+  for (std::size_t k = 0; k < taken; ++k) {
+    if (absent_names[k] == name) return routines[k];
+  }
+  if (taken == most_absent) return nullptr;
+  absent_names[taken] = name;
+  return routines[taken++];
+}
+
+/// Where the loader keeps what a library calls.
+struct CallTable {
+  const Elf64_Rela* relocations = nullptr;
+  std::size_t bytes = 0;
+  const Elf64_Sym* symbols = nullptr;
+  const char* strings = nullptr;
+};
+
+/// The loader keeps addresses as integers.
+void* address(Elf64_Addr place) {
+  return reinterpret_cast<void*>(place);  // NOLINT(performance-no-int-to-ptr)
+}
+
+CallTable calls_of(const link_map& map) {
+  CallTable table;
+  for (const Elf64_Dyn* entry = map.l_ld; entry->d_tag != DT_NULL; ++entry) {
+    const auto pointer = [&] { return address(entry->d_un.d_ptr); };
+    if (entry->d_tag == DT_JMPREL) table.relocations = static_cast<const Elf64_Rela*>(pointer());
+    if (entry->d_tag == DT_PLTRELSZ) table.bytes = entry->d_un.d_val;
+    if (entry->d_tag == DT_SYMTAB) table.symbols = static_cast<const Elf64_Sym*>(pointer());
+    if (entry->d_tag == DT_STRTAB) table.strings = static_cast<const char*>(pointer());
+  }
+  return table;
+}
+
+thread_local std::jmp_buf* way_back = nullptr;
+thread_local char words[256];
 
 }  // namespace
 
@@ -63,6 +140,59 @@ LoadedLibrary load_foreign_library(const std::string& path, const std::string& f
     return incomplete[path] = {handle, missing};
   }
   throw LibraryError("cannot be loaded: " + message);
+}
+
+std::vector<std::string> missing_symbols(void* library, const std::string& path) {
+  std::vector<std::string> missing = wanted_symbols(path);
+  std::erase_if(missing, [library](const std::string& name) {
+    return dlsym(library, name.c_str()) || dlsym(RTLD_DEFAULT, name.c_str());
+  });
+  return missing;
+}
+
+void stand_in_for(const std::vector<std::string>& missing, void* library) {
+  link_map* map = nullptr;
+  if (jump_slot == 0 || missing.empty() || ::dlinfo(library, RTLD_DI_LINKMAP, &map) != 0) return;
+  const CallTable table = calls_of(*map);
+  if (!table.relocations || !table.symbols || !table.strings) return;
+  for (std::size_t k = 0; k < table.bytes / sizeof(Elf64_Rela); ++k) {
+    const Elf64_Rela& call = table.relocations[k];
+    if (ELF64_R_TYPE(call.r_info) != jump_slot) continue;
+    const std::string name = table.strings + table.symbols[ELF64_R_SYM(call.r_info)].st_name;
+    if (std::find(missing.begin(), missing.end(), name) == missing.end()) continue;
+    const Routine routine = stand_in(name);
+    if (routine) std::memcpy(address(map->l_addr + call.r_offset), &routine, sizeof routine);
+  }
+}
+
+std::string missing_words(const std::vector<std::string>& missing) {
+  constexpr std::size_t most_named = 5;
+  std::string names;
+  for (std::size_t k = 0; k < std::min(missing.size(), most_named); ++k) {
+    names += (k == 0 ? "" : k + 1 == missing.size() ? " and " : ", ") + missing[k];
+  }
+  if (missing.size() > most_named) names += " and " + std::to_string(missing.size() - most_named) + " more";
+  return names.empty() ? "" : "calls " + names + ", " + absent_words;
+}
+
+std::optional<std::string> ended_in(const std::function<void()>& body) {
+  std::jmp_buf here;
+  if (setjmp(here) == 0) {  // nothing here is changed between this and the way back
+    way_back = &here;
+    body();
+    way_back = nullptr;
+    return std::nullopt;
+  }
+  way_back = nullptr;
+  return words;
+}
+
+void leave_model(const char* what) {
+  if (way_back) {
+    words[std::string(what).copy(words, sizeof words - 1)] = '\0';
+    std::longjmp(*way_back, 1);
+  }
+  if (on_model_end) on_model_end(what);
 }
 
 }  // namespace assay::adapters

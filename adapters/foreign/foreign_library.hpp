@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A foreign library in this process, with what it expects of its host.
+// Routines that a library calls and nobody provides.
+// Models end the analysis by routines of their host (XIT). Here such a call ends the call of the model alone: the point
+// has failed.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,5 +24,25 @@ LoadedLibrary load_foreign_library(const std::string& path, const std::string& f
 /// The companion library with the host's utility routines: beside the program, or in ../lib/assay/abaqus of it. Empty
 /// where it is not found.
 std::string utilities_library();
+
+/// Of a library that is loaded, lazily bound: symbols that neither it nor anybody it was loaded with defines.
+std::vector<std::string> missing_symbols(void* library, const std::string& path);
+
+/// From now on a call of one of them ends the call of the model, as leave_model, with its name; the loader would end
+/// the process.
+void stand_in_for(const std::vector<std::string>& missing, void* library);
+
+/// "calls trust_ and utol_, which nobody provides"; empty where nothing is missing.
+std::string missing_words(const std::vector<std::string>& missing);
+
+/// Runs `body`; how the model ended the analysis in it, as "called XIT", nothing where it came back.
+std::optional<std::string> ended_in(const std::function<void()>& body);
+
+/// What the host's routines call: back to where `ended_in` was called, or, outside of it, to `on_model_end`.
+void leave_model(const char* what);
+
+/// What happens where a model ends the analysis outside of a call: must not return. Null: a line on standard error, and
+/// the process ends.
+inline void (*on_model_end)(const char* what) = nullptr;
 
 }  // namespace assay::adapters

@@ -2,6 +2,7 @@
 // A model behind somebody else's interface, in plain values: what a description says of it.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -11,18 +12,21 @@
 namespace assay::adapters {
 
 enum class ForeignInterface { umat, vumat, mfront };
+constexpr std::array<const char*, 3> names_of(ForeignInterface) { return {"umat", "vumat", "mfront"}; }
 
 /// How a step becomes a strain increment and a rotation.
 enum class Kinematics {
   objective,  ///< polar decomposition of the step, logarithmic strain: second order, objective at any step
   abaqus,     ///< Hughes and Winget: first order in simple shear, as the program that the model was written for
 };
+constexpr std::array<const char*, 2> names_of(Kinematics) { return {"objective", "abaqus"}; }
 
 /// In which axes a UMAT is given tensors.
 enum class Axes {
   fixed,         ///< those of space: a model of a material with directions turns them itself
   corotational,  ///< they turn with the polar rotation of F, as with Abaqus' *ORIENTATION
 };
+constexpr std::array<const char*, 2> names_of(Axes) { return {"fixed", "corotational"}; }
 
 /// One material constant, in the model's own units. A value that is NaN must be given.
 struct ForeignProperty {
@@ -46,6 +50,10 @@ struct ForeignVariable {
   std::vector<double> initial = {};  ///< one value for all components, or one for each; empty: zero
   bool kind_is_said = true;          ///< or it stands as a scalar because nobody has said what it is
 };
+
+constexpr std::array<const char*, 6> names_of(ForeignVariable::Kind) {
+  return {"scalar", "vector", "symmetric_tensor", "strain", "tensor", "mandel"};
+}
 
 /// A field of the host, constant: PREDEF, or an external state variable of MFront.
 struct ForeignField {

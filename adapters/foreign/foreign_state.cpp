@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "adapters/foreign/host_values.hpp"
+
 namespace assay::adapters {
 
 namespace {
@@ -15,25 +17,29 @@ double shear_of(const StateLayout& layout, Kind kind) {
   return kind == Kind::strain ? layout.strain_shear : layout.stress_shear;
 }
 
-bool is_symmetric(Kind kind) { return kind == Kind::symmetric_tensor || kind == Kind::strain || kind == Kind::mandel; }
+/// Of each variable: convert(shear, from, to) where it is a symmetric tensor; all else is the same on both sides.
+template <class Convert>
+void convert_state(const StateLayout& layout, const std::vector<ForeignVariable>& variables, const double* from,
+                   double* to, const Convert& convert) {
+  for (const ForeignVariable& variable : variables) {
+    const int n = components_of(variable.kind);
+    if (abi_kind(variable.kind) == ASSAY_SYMMETRIC_TENSOR)
+      convert(shear_of(layout, variable.kind), from, to);
+    else
+      std::copy_n(from, n, to);
+    from += n, to += n;
+  }
+}
 
 }  // namespace
 
-int components_of(Kind kind) {
-  switch (kind) {
-    case Kind::scalar:
-      return 1;
-    case Kind::vector:
-      return 3;
-    case Kind::symmetric_tensor:
-    case Kind::strain:
-    case Kind::mandel:
-      return 6;
-    case Kind::tensor:
-      return 9;
-  }
-  return 0;
+std::int32_t abi_kind(Kind kind) {
+  constexpr std::int32_t kinds[] = {ASSAY_SCALAR,           ASSAY_VECTOR, ASSAY_SYMMETRIC_TENSOR,
+                                    ASSAY_SYMMETRIC_TENSOR, ASSAY_TENSOR, ASSAY_SYMMETRIC_TENSOR};
+  return kinds[static_cast<std::size_t>(kind)];
 }
+
+int components_of(Kind kind) { return components_of_kind(abi_kind(kind)); }
 
 int foreign_state_size(const std::vector<ForeignVariable>& variables) {
   int size = 0;
@@ -43,30 +49,16 @@ int foreign_state_size(const std::vector<ForeignVariable>& variables) {
 
 void to_foreign(const StateLayout& layout, const std::vector<ForeignVariable>& variables, const double* ours,
                 double* foreign) {
-  for (const ForeignVariable& variable : variables) {
-    const int n = components_of(variable.kind);
-    if (is_symmetric(variable.kind)) {
-      write_symmetric(read_symmetric(ours, standard_order, plain_shear), layout.order, shear_of(layout, variable.kind),
-                      foreign);
-    } else {
-      std::copy_n(ours, n, foreign);
-    }
-    ours += n, foreign += n;
-  }
+  convert_state(layout, variables, ours, foreign, [&](double shear, const double* from, double* to) {
+    write_symmetric(read_symmetric(from, standard_order, plain_shear), layout.order, shear, to);
+  });
 }
 
 void from_foreign(const StateLayout& layout, const std::vector<ForeignVariable>& variables, const double* foreign,
                   double* ours) {
-  for (const ForeignVariable& variable : variables) {
-    const int n = components_of(variable.kind);
-    if (is_symmetric(variable.kind)) {
-      write_symmetric(read_symmetric(foreign, layout.order, shear_of(layout, variable.kind)), standard_order,
-                      plain_shear, ours);
-    } else {
-      std::copy_n(foreign, n, ours);
-    }
-    ours += n, foreign += n;
-  }
+  convert_state(layout, variables, foreign, ours, [&](double shear, const double* from, double* to) {
+    write_symmetric(read_symmetric(from, layout.order, shear), standard_order, plain_shear, to);
+  });
 }
 
 void write_initial(const std::vector<ForeignVariable>& variables, double* ours) {
@@ -78,6 +70,13 @@ void write_initial(const std::vector<ForeignVariable>& variables, double* ours) 
     }
     ours += n;
   }
+}
+
+std::array<char, 80> cmname_of(const ForeignModel& model) {
+  std::array<char, 80> name;
+  name.fill(' ');
+  model.material_name.copy(name.data(), name.size());
+  return name;
 }
 
 bool serves_all_components(const ForeignModel& model) {
@@ -99,6 +98,32 @@ std::string shortest_text(double value) {
   char text[32];
   const auto end = std::to_chars(text, text + sizeof text, value).ptr;
   return {text, end};
+}
+
+HostValues host_values_of(const ForeignModel& model) {
+  HostValues values;
+  values.element = model.element;
+  values.point = model.point;
+  values.step = model.step;
+  values.temperature = model.temperature;
+  values.length = model.characteristic_length;
+  for (const ForeignField& field : model.fields) values.fields.push_back(field.value);
+  return values;
+}
+
+void Surroundings::take_back(GuardedArrays& arrays) {
+  for (const std::size_t word : arrays.take_back(words)) {
+    const auto at = std::lower_bound(written.begin(), written.end(), word);
+    if (at == written.end() || *at != word) written.insert(at, word);
+  }
+}
+
+std::vector<std::size_t> Surroundings::left_at_times() const {
+  std::vector<std::size_t> components;
+  for (std::size_t k = 0; k < state_left.size(); ++k) {
+    if (state_left[k] && state_written[k]) components.push_back(k + 1);
+  }
+  return components;
 }
 
 }  // namespace assay::adapters

@@ -1,11 +1,73 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The declared state of one point between a foreign array and the state of our ABI.
+// Orders of components of foreign interfaces, and the factors of their shear components.
 #pragma once
 
-#include "adapters/foreign/component_order.hpp"
+#include <array>
+#include <cstddef>
+#include <numbers>
+
 #include "adapters/foreign/foreign_point.hpp"
+#include "harness/numeric/tensor.hpp"
 
 namespace assay::adapters {
+
+using Pair = std::array<int, 2>;
+
+/// 11, 22, 33, 12, 13, 23: UMAT, MFront, and the state of our own ABI.
+inline constexpr std::array<Pair, 6> standard_order{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
+/// 11, 22, 33, 12, 23, 31: VUMAT.
+inline constexpr std::array<Pair, 6> explicit_order{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}}};
+/// 11, 22, 33, 12, 23, 31, 21, 32, 13: VUMAT's deformation gradient.
+inline constexpr std::array<Pair, 9> explicit_tensor_order{
+    {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}, {1, 0}, {2, 1}, {0, 2}}};
+/// 11, 22, 33, 12, 21, 13, 31, 23, 32: MFront's tensors.
+inline constexpr std::array<Pair, 9> mfront_tensor_order{
+    {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 0}, {0, 2}, {2, 0}, {1, 2}, {2, 1}}};
+
+/// What a shear component is multiplied with.
+inline constexpr double plain_shear = 1, engineering_shear = 2, mfront_shear = std::numbers::sqrt2;
+
+/// Six components of a symmetric tensor, `stride` apart.
+inline void write_symmetric(const Tensor& A, const std::array<Pair, 6>& order, double shear, double* out,
+                            std::size_t stride = 1) {
+  for (std::size_t k = 0; k < 6; ++k) out[k * stride] = (k < 3 ? 1 : shear) * A(order[k][0], order[k][1]);
+}
+
+inline Tensor read_symmetric(const double* in, const std::array<Pair, 6>& order, double shear, std::size_t stride = 1) {
+  Tensor A;
+  for (std::size_t k = 0; k < 6; ++k) {
+    const double value = in[k * stride] / (k < 3 ? 1 : shear);
+    A(order[k][0], order[k][1]) = A(order[k][1], order[k][0]) = value;
+  }
+  return A;
+}
+
+/// Nine components of a tensor, `stride` apart.
+inline void write_tensor(const Tensor& A, const std::array<Pair, 9>& order, double* out, std::size_t stride = 1) {
+  for (std::size_t k = 0; k < 9; ++k) out[k * stride] = A(order[k][0], order[k][1]);
+}
+
+inline Tensor read_tensor(const double* in, const std::array<Pair, 9>& order, std::size_t stride = 1) {
+  Tensor A;
+  for (std::size_t k = 0; k < 9; ++k) A(order[k][0], order[k][1]) = in[k * stride];
+  return A;
+}
+
+/// Of point p among n: [component][point].
+inline Tensor tensor_at(const double* nine, std::size_t n, std::size_t p) {
+  Tensor A;
+  for (std::size_t c = 0; c < 9; ++c) component(A, static_cast<int>(c)) = nine[c * n + p];
+  return A;
+}
+
+/// The names of a list's elements, "a, b".
+template <class List>
+std::string listed_names(const List& list) {
+  std::string names;
+  for (const auto& each : list) names += (names.empty() ? "" : ", ") + each.name;
+  return names;
+}
 
 /// How an interface keeps symmetric tensors.
 struct StateLayout {
@@ -16,6 +78,11 @@ struct StateLayout {
 /// Components of the declared variables of a point.
 int foreign_state_size(const std::vector<ForeignVariable>& variables);
 int components_of(ForeignVariable::Kind kind);
+/// ASSAY_SCALAR, ...
+std::int32_t abi_kind(ForeignVariable::Kind kind);
+
+/// CMNAME, padded with blanks.
+std::array<char, 80> cmname_of(const ForeignModel& model);
 
 /// ours -> foreign and back; both contiguous, in declared order. Scalars, vectors and tensors are the same in both.
 void to_foreign(const StateLayout& layout, const std::vector<ForeignVariable>& variables, const double* ours,

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "adapters/elf_symbols.hpp"
-#include "adapters/foreign/absent_routines.hpp"
 #include "adapters/foreign/foreign_calls.hpp"
 #include "adapters/foreign/foreign_library.hpp"
 #include "adapters/foreign/foreign_state.hpp"
@@ -20,22 +19,6 @@ namespace assay::adapters {
 namespace {
 
 using Kind = ForeignVariable::Kind;
-
-std::int32_t kind_of(Kind kind) {
-  switch (kind) {
-    case Kind::vector:
-      return ASSAY_VECTOR;
-    case Kind::symmetric_tensor:
-    case Kind::strain:
-    case Kind::mandel:
-      return ASSAY_SYMMETRIC_TENSOR;
-    case Kind::tensor:
-      return ASSAY_TENSOR;
-    case Kind::scalar:
-      break;
-  }
-  return ASSAY_SCALAR;
-}
 
 template <class Bridge>
 const void* bridge_extension(const assay_material* table, const char* id) {
@@ -68,15 +51,8 @@ std::vector<ForeignVariable> bind(ForeignTable& table) {
 
 /// Whether the model keeps its tensors in axes of its own.
 bool rotates_itself(const ForeignModel& model, bool own) {
-  switch (model.interface) {
-    case ForeignInterface::umat:
-      return model.axes == Axes::corotational;
-    case ForeignInterface::vumat:
-      return true;
-    case ForeignInterface::mfront:
-      return !(model.finite_strain && own);
-  }
-  return false;
+  if (model.interface == ForeignInterface::umat) return model.axes == Axes::corotational;
+  return model.interface == ForeignInterface::vumat || !(model.finite_strain && own);
 }
 
 const char* kept(ForeignTable& table, std::string text) {
@@ -94,7 +70,7 @@ void write_lists(ForeignTable& table, const std::vector<ForeignVariable>& state)
   for (std::size_t k = 0; k < state.size(); ++k) {
     const bool tensor = state[k].kind != Kind::scalar;
     const std::int32_t role = tensor && rotates_itself(model, k < own) ? ASSAY_ROLE_ROTATES_ITSELF : ASSAY_ROLE_PLAIN;
-    table.state_list.push_back({kept(table, state[k].name), kept(table, state[k].unit), kind_of(state[k].kind), role,
+    table.state_list.push_back({kept(table, state[k].name), kept(table, state[k].unit), abi_kind(state[k].kind), role,
                                 kept(table, state[k].doc)});
   }
   table.parameter_count = static_cast<std::uint32_t>(table.parameter_list.size());
@@ -130,17 +106,11 @@ void begin_analysis(void* library) {
 }
 
 std::vector<ForeignVariable> bind_interface(ForeignTable& table) {
-  switch (table.model.interface) {
-    case ForeignInterface::umat:
-      table.entry = entry_of(table, "umat");
-      begin_analysis(table.library);
-      return bind<Umat>(table);
-    case ForeignInterface::vumat:
-      table.entry = entry_of(table, "vumat");
-      begin_analysis(table.library);
-      return bind<Vumat>(table);
-    case ForeignInterface::mfront:
-      break;
+  const ForeignInterface interface = table.model.interface;
+  if (interface != ForeignInterface::mfront) {
+    table.entry = entry_of(table, names_of(interface)[static_cast<std::size_t>(interface)]);
+    begin_analysis(table.library);
+    return interface == ForeignInterface::umat ? bind<Umat>(table) : bind<Vumat>(table);
   }
   const std::vector<std::string> known = mfront_behaviours(table.model.library);
   if (table.model.symbol.empty() && known.size() == 1) table.model.symbol = known.front();
@@ -165,15 +135,10 @@ void require_sound(const ForeignTable& table) {
 std::size_t bridge_variables(const ForeignModel& model) {
   ForeignModel bare = model;
   bare.state.clear();
-  switch (model.interface) {
-    case ForeignInterface::umat:
-      return Umat::state_of(bare).size();
-    case ForeignInterface::vumat:
-      return Vumat::state_of(bare).size();
-    case ForeignInterface::mfront:
-      return Mfront::state_of(bare).size();
-  }
-  return 0;
+  const auto state_of = model.interface == ForeignInterface::umat    ? Umat::state_of
+                        : model.interface == ForeignInterface::vumat ? Vumat::state_of
+                                                                     : Mfront::state_of;
+  return state_of(bare).size();
 }
 
 const assay_material* foreign_table(const ForeignModel& model) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "adapters/foreign/component_order.hpp"
 #include "adapters/foreign/foreign_state.hpp"
 #include "adapters/foreign/kinematics.hpp"
 
@@ -49,49 +48,42 @@ std::vector<ForeignVariable> Mfront::state_of(const ForeignModel& model) {
   return all;
 }
 
+/// Where a behaviour keeps its own state: outputs at the end of a step, inputs at its beginning.
+template <class Add>
+void Mfront::add_own(Arrays& a, const Add& add) {
+  a.forces = add("the thermodynamic forces", 6);
+  a.internal = add("the internal state variables", size_of(behaviour_.internal));
+  a.stored = add("the stored energy", 1);
+  a.dissipated = add("the dissipated energy", 1);
+}
+
 Mfront::Mfront(const ForeignTable& table, const double* properties)
     : table_(table),
       model_(table.model),
       behaviour_(*table.behaviour),
       given_(properties, properties + table.model.properties.size()) {
-  add_outputs();
+  const std::string at_end = " at the end", at_beginning = " at the beginning";
+  add_own(end_, [&](const char* words, std::size_t size) { return arrays_.add(words + at_end, size); });
   operator_ = arrays_.add("K", operator_size);
   scalars_ = arrays_.add("the scalars", scalar_count);
   inputs_.begin(arrays_);
-  add_inputs(begin_, " at the beginning");
-  add_inputs(end_, " at the end");
-  add_beginning();
-}
-
-void Mfront::add_outputs() {
-  end_.forces = arrays_.add("the thermodynamic forces at the end", 6);
-  end_.internal = arrays_.add("the internal state variables at the end", size_of(behaviour_.internal));
-  end_.stored = arrays_.add("the stored energy at the end", 1);
-  end_.dissipated = arrays_.add("the dissipated energy at the end", 1);
+  add_inputs(begin_, at_beginning);
+  add_inputs(end_, at_end);
+  add_own(begin_, [&](const char* words, std::size_t size) {
+    return inputs_.add_array(arrays_, words + at_beginning, size, written_beginning);
+  });
 }
 
 /// What a behaviour is given at both ends of the step.
 void Mfront::add_inputs(Arrays& a, const std::string& when) {
-  const std::size_t gradient = model_.finite_strain ? 9 : 6, external = size_of(behaviour_.external);
-  const auto add = [&](WrittenInput name, const char* words, std::size_t size) {
-    const std::size_t array = arrays_.add(words + when, size);
-    inputs_.add(name, InputWatch::every_call, array);
-    return array;
+  const auto input = [&](WrittenInput name, const char* words, std::size_t size) {
+    return inputs_.add_array(arrays_, words + when, size, name);
   };
-  a.gradients = add(written_gradients, "the gradients", gradient);
-  a.density = add(written_others, "the mass density", 1);
-  a.properties = add(written_properties, "the material properties", properties_of(behaviour_));
-  a.external = add(written_others, "the external state variables", external + (behaviour_.temperature ? 1 : 0));
-}
-
-void Mfront::add_beginning() {
-  begin_.forces = arrays_.add("the thermodynamic forces at the beginning", 6);
-  begin_.internal = arrays_.add("the internal state variables at the beginning", size_of(behaviour_.internal));
-  begin_.stored = arrays_.add("the stored energy at the beginning", 1);
-  begin_.dissipated = arrays_.add("the dissipated energy at the beginning", 1);
-  for (const std::size_t array : {begin_.forces, begin_.internal, begin_.stored, begin_.dissipated}) {
-    inputs_.add(written_beginning, InputWatch::every_call, array);
-  }
+  a.gradients = input(written_gradients, "the gradients", model_.finite_strain ? 9 : 6);
+  a.density = input(written_others, "the mass density", 1);
+  a.properties = input(written_properties, "the material properties", properties_of(behaviour_));
+  a.external = input(written_others, "the external state variables",
+                     size_of(behaviour_.external) + (behaviour_.temperature ? 1 : 0));
 }
 
 MfrontState Mfront::pointers(const Arrays& a) {

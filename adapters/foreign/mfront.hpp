@@ -2,15 +2,43 @@
 // A behaviour of MFront's generic interface as a model of ours. State of a point: the thermodynamic force at the
 // beginning (of finite strains Cauchy's stress; of small strains J R^T sigma R in the frame of the polar rotation R),
 // stored and dissipated energy, then the internal variables. Small strains are ln U in that frame.
+// MFront's generic behaviour interface, api_version 1: the struct that behaviours take, as its header
+// MFront/GenericBehaviour/BehaviourData.h lays it out.
 #pragma once
 
 #include "adapters/foreign/foreign_point.hpp"
 #include "adapters/foreign/guarded_arrays.hpp"
-#include "adapters/foreign/mfront_entry.hpp"
 #include "adapters/foreign/mfront_metadata.hpp"
 #include "adapters/foreign/written_inputs.hpp"
 
 namespace assay::adapters {
+
+struct MfrontState {
+  double* gradients;
+  double* thermodynamic_forces;
+  double* mass_density;
+  double* material_properties;
+  double* internal_state_variables;
+  double* stored_energy;
+  double* dissipated_energy;
+  double* external_state_variables;
+};
+static_assert(sizeof(MfrontState) == 64);
+
+struct MfrontData {
+  char* error_message;  ///< 512 bytes
+  double dt;            ///< of the step
+  double* K;            ///< in: what is asked for; out: the operator
+  double* rdt;          ///< time step that is proposed over the present one
+  double* speed_of_sound;
+  MfrontState s0, s1;
+};
+static_assert(sizeof(MfrontData) == 168);
+
+/// 1: good, 0: unreliable, -1: failed.
+using MfrontEntry = int (*)(MfrontData*);
+/// 0: not taken.
+using MfrontSetParameter = int (*)(const char* name, double value);
 
 /// Throws ForeignError.
 ForeignVariable::Kind mfront_kind(const MfrontVariable& variable);
@@ -33,9 +61,9 @@ class Mfront {
   struct Arrays {
     std::size_t gradients, forces, density, properties, internal, stored, dissipated, external;
   };
-  void add_outputs();
+  template <class Add>
+  void add_own(Arrays& arrays, const Add& add);
   void add_inputs(Arrays& arrays, const std::string& when);
-  void add_beginning();
   void set_parameters();
   void hand_over(const PointStep& step, double request);
   std::int32_t call(double dt);

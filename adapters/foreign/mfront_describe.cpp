@@ -32,8 +32,7 @@ namespace {
 void take_initial(const ForeignVariable& given, ForeignModel& model) {
   const auto own =
       std::find_if(model.state.begin(), model.state.end(), [&](const auto& v) { return v.name == given.name; });
-  std::string names;
-  for (const ForeignVariable& v : model.state) names += (names.empty() ? "" : ", ") + v.name;
+  const std::string names = listed_names(model.state);
   const std::string key = "state." + given.name;
   if (own == model.state.end()) {
     throw ForeignError(key, "the behaviour has no such state variable", names.empty() ? "none" : names);
@@ -48,10 +47,10 @@ void take_initial(const ForeignVariable& given, ForeignModel& model) {
 
 /// Of a description: the names that its fields may have.
 void require_fields(const MfrontBehaviour& behaviour, const ForeignModel& model) {
-  std::string names;
-  for (const MfrontVariable& variable : behaviour.external) {
-    if (mfront_kind(variable) == Kind::scalar) names += (names.empty() ? "" : ", ") + variable.name;
-  }
+  std::vector<MfrontVariable> scalars;
+  std::copy_if(behaviour.external.begin(), behaviour.external.end(), std::back_inserter(scalars),
+               [](const MfrontVariable& variable) { return mfront_kind(variable) == Kind::scalar; });
+  const std::string names = listed_names(scalars);
   for (const ForeignField& field : model.fields) {
     const bool known = std::any_of(behaviour.external.begin(), behaviour.external.end(),
                                    [&](const auto& variable) { return variable.name == field.name; });
@@ -106,9 +105,8 @@ void Mfront::describe(const MfrontBehaviour& behaviour, ForeignModel& model) {
     const bool known = std::any_of(model.properties.begin(), model.properties.end(),
                                    [&](const auto& p) { return p.name == property.name; });
     if (known) continue;
-    std::string names;
-    for (const ForeignProperty& p : model.properties) names += (names.empty() ? "" : ", ") + p.name;
-    throw ForeignError("properties." + property.name, "behaviour '" + behaviour.name + "' has no such property", names);
+    throw ForeignError("properties." + property.name, "behaviour '" + behaviour.name + "' has no such property",
+                       listed_names(model.properties));
   }
   const std::vector<ForeignVariable> given = std::move(model.state);
   model.state.clear();

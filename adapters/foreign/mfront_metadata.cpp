@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "adapters/elf_symbols.hpp"
-#include "adapters/foreign/foreign_table.hpp"
+#include "adapters/foreign/foreign_state.hpp"
 
 namespace assay::adapters {
 
@@ -138,14 +138,12 @@ void require_consistent(const Symbols& symbols, const MfrontBehaviour& behaviour
   constexpr int symmetric_tensor = 1, tensor = 3;
   require_one("Gradients", behaviour.finite_strain ? tensor : symmetric_tensor);
   require_one("ThermodynamicForces", symmetric_tensor);
-  std::string named;
-  for (const MfrontVariable& each : symbols.variables("ModellingHypotheses", "")) {
-    if (each.name == hypothesis) return;
-    named += (named.empty() ? "" : ", ") + each.name;
-  }
+  const std::vector<MfrontVariable> hypotheses = symbols.variables("ModellingHypotheses", "");
+  const auto is_ours = [](const MfrontVariable& each) { return each.name == hypothesis; };
+  if (std::any_of(hypotheses.begin(), hypotheses.end(), is_ours)) return;
   throw ForeignError("symbol",
                      "behaviour '" + behaviour.name + "' does not name the hypothesis " + hypothesis + " among its own",
-                     named.empty() ? "none" : named);
+                     hypotheses.empty() ? "none" : listed_names(hypotheses));
 }
 
 /// "p[0]" in names of symbols: p_mfront_index_0.

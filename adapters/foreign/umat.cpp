@@ -6,16 +6,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "adapters/foreign/component_order.hpp"
+#include "adapters/foreign/foreign_library.hpp"
 #include "adapters/foreign/foreign_state.hpp"
 #include "adapters/foreign/kinematics.hpp"
-#include "adapters/foreign/model_end.hpp"
 
 namespace assay::adapters {
 
 namespace {
 
-constexpr std::size_t umat_name_length = 80, least_fields = 16;
+constexpr std::size_t least_fields = 16;
 
 /// Scalars that are handed over by reference: for the model to write, and given.
 enum UmatScalar : std::size_t { sse, spd, scd, rpl, drpldt, pnewdt, umat_scalar_count };
@@ -74,7 +73,6 @@ void Umat::make_arrays(std::size_t fence) {
   integers_.ntens = ntens_;
   integers_.nstatv = nstatv_;
   integers_.nprops = static_cast<int>(model_.properties.size());
-  watch_inputs();
   hold(host_);
 }
 
@@ -105,31 +103,21 @@ void Umat::add_arrays() {
   drplde_ = arrays_.add("DRPLDE", n);
   scalars_ = arrays_.add("the scalars", umat_scalar_count);
   inputs_.begin(arrays_);
-  stran_ = arrays_.add("STRAN", n);
-  dstran_ = arrays_.add("DSTRAN", n);
-  time_ = arrays_.add("TIME", 2);
-  predef_ = arrays_.add("PREDEF", std::max(least_fields, model_.fields.size()));
-  dpred_ = arrays_.add("DPRED", arrays_.size(predef_));
-  props_ = arrays_.add("PROPS", model_.properties.size());
-  coords_ = arrays_.add("COORDS", 3);
-  drot_ = arrays_.add("DROT", 9);
-  dfgrd0_ = arrays_.add("DFGRD0", 9);
-  dfgrd1_ = arrays_.add("DFGRD1", 9);
-  given_ = arrays_.add("the given scalars", given_count);
-}
-
-void Umat::watch_inputs() {
+  const auto input = [&](WrittenInput name, const char* words, std::size_t size, InputWatch::Change change) {
+    return inputs_.add_array(arrays_, words, size, name, change);
+  };
   using enum InputWatch::Change;
-  inputs_.add(written_stran, every_call, stran_);
-  inputs_.add(written_dstran, every_call, dstran_);
-  inputs_.add(written_time, every_call, time_);
-  inputs_.add(written_predef, once, predef_);
-  inputs_.add(written_predef, once, dpred_);
-  inputs_.add(written_props, once, props_);
-  inputs_.add(written_coords, once, coords_);
-  inputs_.add(written_drot, every_call, drot_);
-  inputs_.add(written_dfgrd0, every_call, dfgrd0_);
-  inputs_.add(written_dfgrd1, every_call, dfgrd1_);
+  stran_ = input(written_stran, "STRAN", n, every_call);
+  dstran_ = input(written_dstran, "DSTRAN", n, every_call);
+  time_ = input(written_time, "TIME", 2, every_call);
+  predef_ = input(written_predef, "PREDEF", std::max(least_fields, model_.fields.size()), once);
+  dpred_ = input(written_predef, "DPRED", arrays_.size(predef_), once);
+  props_ = input(written_props, "PROPS", model_.properties.size(), once);
+  coords_ = input(written_coords, "COORDS", 3, once);
+  drot_ = input(written_drot, "DROT", 9, every_call);
+  dfgrd0_ = input(written_dfgrd0, "DFGRD0", 9, every_call);
+  dfgrd1_ = input(written_dfgrd1, "DFGRD1", 9, every_call);
+  given_ = arrays_.add("the given scalars", given_count);
   inputs_.add(written_dtime, every_call, given_, dtime, 1);
   inputs_.add(written_temp, every_call, given_, temp, 2);
   inputs_.add(written_celent, every_call, given_, celent, 1);
@@ -155,12 +143,6 @@ void Umat::initial_state(const Tensor& cauchy, double* state) {
     if (const auto broken = arrays_.broken_fence()) throw PointFailure(overrun_words + ("SDVINI " + *broken));
     from_foreign(umat_layout, model_.state, arrays_[statev_], state + own_state_);
   }
-}
-
-void Umat::hand_over(const PointStep& step) {
-  require_served(model_, step.F0, step.F1);
-  hand_over_tensors(step);
-  hand_over_scalars(step);
 }
 
 void Umat::hand_over_tensors(const PointStep& step) {
@@ -213,23 +195,23 @@ void Umat::hand_over_scalars(const PointStep& step) {
 }
 
 std::optional<std::string> Umat::call_entry() {
-  char name[umat_name_length];
-  std::fill_n(name, umat_name_length, ' ');
-  std::copy_n(model_.material_name.data(), std::min(umat_name_length, model_.material_name.size()), name);
+  const auto name = cmname_of(model_);
   double *s = arrays_[scalars_], *given = arrays_[given_];
   Integers& i = integers_;
   return ended_in([&] {
     reinterpret_cast<UmatEntry>(table_.entry)(
         arrays_[stress_], arrays_[statev_], arrays_[ddsdde_], s + sse, s + spd, s + scd, s + rpl, arrays_[ddsddt_],
         arrays_[drplde_], s + drpldt, arrays_[stran_], arrays_[dstran_], arrays_[time_], given + dtime, given + temp,
-        given + dtemp, arrays_[predef_], arrays_[dpred_], name, &i.ndi, &i.nshr, &i.ntens, &i.nstatv, arrays_[props_],
-        &i.nprops, arrays_[coords_], arrays_[drot_], s + pnewdt, given + celent, arrays_[dfgrd0_], arrays_[dfgrd1_],
-        &i.noel, &i.npt, &i.layer, &i.kspt, i.jstep, &i.kinc, umat_name_length);
+        given + dtemp, arrays_[predef_], arrays_[dpred_], name.data(), &i.ndi, &i.nshr, &i.ntens, &i.nstatv,
+        arrays_[props_], &i.nprops, arrays_[coords_], arrays_[drot_], s + pnewdt, given + celent, arrays_[dfgrd0_],
+        arrays_[dfgrd1_], &i.noel, &i.npt, &i.layer, &i.kspt, i.jstep, &i.kinc, name.size());
   });
 }
 
 void Umat::call(const PointStep& step) {
-  hand_over(step);
+  require_served(model_, step.F0, step.F1);
+  hand_over_tensors(step);
+  hand_over_scalars(step);
   inputs_.keep(arrays_);
   if (surroundings_.lent()) surroundings_.lend(arrays_);
   probe_.lend(arrays_);
@@ -264,6 +246,49 @@ void Umat::update(const PointStep& step, PointEnd& end) {
   end.state1[umat_time] = step.state0[umat_time] + step.dt;
   if (model_.each_its_element) end.state1[umat_element] = step.state0[umat_element];
   from_foreign(umat_layout, model_.state, arrays_[statev_], end.state1 + own_state_);
+}
+
+/// DDSDDE, column by column, on a strain in the axes of space [Pa].
+Tensor Umat::moduli_on(const Tensor& strain) const {
+  const double* ddsdde = arrays_[ddsdde_];
+  const auto n = static_cast<std::size_t>(ntens_);
+  double e[6], s[6] = {};
+  write_symmetric(Tensor(frame_.transpose() * strain * frame_), standard_order, engineering_shear, e);
+  for (std::size_t j = 0; j < n; ++j) {
+    for (std::size_t i = 0; i < n; ++i) s[i] += ddsdde[j * n + i] * e[j];
+  }
+  return model_.units.stress * frame_ * read_symmetric(s, standard_order, plain_shear) * frame_.transpose();
+}
+
+/// (1/J) (J sigma)^Jaumann = C : D, in any axes; that of Truesdell has - D sigma - sigma D beside it.
+Tensor Umat::finite_strain_rate(const PointStep& step, const Tensor& E, const Tensor& sigma) const {
+  const Tensor l = E * step.F1.inverse(), D = 0.5 * (l + l.transpose()), w = 0.5 * (l - l.transpose());
+  const bool of_tau = model_.moduli == Moduli::jaumann_of_tau || model_.moduli == Moduli::truesdell_of_tau;
+  Tensor objective = moduli_on(D) / (of_tau ? step.F1.determinant() : 1);
+  if (model_.moduli == Moduli::truesdell || model_.moduli == Moduli::truesdell_of_tau) {
+    objective += D * sigma + sigma * D;
+  }
+  return objective - D.trace() * sigma + w * sigma - sigma * w;
+}
+
+/// d sigma / d DSTRAN in axes that turn with DROT, or with R.
+Tensor Umat::small_strain_rate(const PointStep& step, const Tensor& E, const Tensor& sigma) const {
+  const StepStrain rate = turns() ? rate_of_corotational_step(step.F0, step.F1, E, model_.kinematics)
+                                  : rate_of_step(step.F0, step.F1, E, model_.kinematics);
+  const Tensor& R = turns() ? frame_ : rotation_;
+  const Tensor w = rate.rotation * R.transpose();
+  return moduli_on(R * rate.strain * R.transpose()) + w * sigma - sigma * w;
+}
+
+void Umat::tangent(const PointStep& step, double* tangent) {
+  call(step);
+  const Tensor sigma = frame_ * stress() * frame_.transpose();
+  for (int column = 0; column < 9; ++column) {
+    Tensor E = Tensor::Zero();
+    component(E, column) = 1;
+    const Tensor d = model_.finite_strain ? finite_strain_rate(step, E, sigma) : small_strain_rate(step, E, sigma);
+    for (int row = 0; row < 9; ++row) tangent[9 * row + column] = component(d, row);
+  }
 }
 
 }  // namespace assay::adapters

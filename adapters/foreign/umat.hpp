@@ -2,13 +2,15 @@
 // Abaqus' UMAT as a model of ours. State of a point: stress [Pa] and strain (STRAN; plain components), both carried on
 // by the host, the three energies per volume [J/m^3], the time since the point's beginning [s], NOEL where each point
 // has one of its own, then STATEV as declared.
+// Abaqus/Standard's user material, as Fortran compilers on Linux export it: all by reference, and the length of CMNAME
+// by value at the end.
 #pragma once
 
-#include "adapters/foreign/beyond_probe.hpp"
+#include <cstddef>
+
 #include "adapters/foreign/foreign_point.hpp"
 #include "adapters/foreign/guarded_arrays.hpp"
 #include "adapters/foreign/host_values.hpp"
-#include "adapters/foreign/umat_entry.hpp"
 #include "adapters/foreign/written_inputs.hpp"
 
 namespace assay::adapters {
@@ -40,8 +42,6 @@ class Umat {
   };
   void make_arrays(std::size_t fence);
   void add_arrays();
-  void watch_inputs();
-  void hand_over(const PointStep& step);
   void hand_over_tensors(const PointStep& step);
   void hand_over_scalars(const PointStep& step);
   void call(const PointStep& step);
@@ -69,5 +69,24 @@ class Umat {
   std::size_t stress_, statev_, ddsdde_, ddsddt_, drplde_, stran_, dstran_, time_, predef_, dpred_, props_, coords_,
       drot_, dfgrd0_, dfgrd1_, given_, scalars_;
 };
+
+// clang-format off
+using UmatEntry = void (*)(
+    double* stress, double* statev, double* ddsdde, double* sse, double* spd, double* scd,
+    double* rpl, double* ddsddt, double* drplde, double* drpldt,
+    double* stran, double* dstran, double* time, double* dtime, double* temp, double* dtemp,
+    double* predef, double* dpred, const char* cmname,
+    int* ndi, int* nshr, int* ntens, int* nstatv, double* props, int* nprops,
+    double* coords, double* drot, double* pnewdt, double* celent,
+    double* dfgrd0, double* dfgrd1, int* noel, int* npt, int* layer, int* kspt, int* jstep, int* kinc,
+    std::size_t cmname_length);
+
+/// Abaqus' SDVINI: initial STATEV of one point.
+using SdviniEntry = void (*)(double* statev, double* coords, int* nstatv, int* ncrds, int* noel, int* npt, int* layer,
+                             int* kspt);
+
+/// Abaqus' UEXTERNALDB; LOP = 0: the analysis begins.
+using UexternaldbEntry = void (*)(int* lop, int* lrestart, double* time, double* dtime, int* kstep, int* kinc);
+// clang-format on
 
 }  // namespace assay::adapters

@@ -5,17 +5,14 @@
 #include <bit>
 #include <cstdint>
 
-#include "adapters/foreign/component_order.hpp"
+#include "adapters/foreign/foreign_library.hpp"
 #include "adapters/foreign/foreign_state.hpp"
-#include "adapters/foreign/model_end.hpp"
-#include "adapters/foreign/vumat_entry.hpp"
 #include "harness/material/progress_mark.hpp"
 
 namespace assay::adapters {
 
 namespace {
 
-constexpr std::size_t vumat_name_length = 80;
 /// Points a call: models dimension arrays of their own for no more than Abaqus hands over, 136.
 constexpr std::size_t most_points = 128;
 /// Of jblock: nblock, points, layers and sections, then the element of each point.
@@ -24,12 +21,6 @@ constexpr StateLayout vumat_layout{explicit_order, plain_shear, plain_shear};
 
 /// Where a point's own state begins.
 enum VumatState : std::size_t { vumat_stress = 0, vumat_internal = 6, vumat_inelastic = 7, vumat_time = 8 };
-
-Tensor tensor_at(const double* nine, std::size_t n, std::size_t p) {
-  Tensor A;
-  for (std::size_t c = 0; c < 9; ++c) component(A, static_cast<int>(c)) = nine[c * n + p];
-  return A;
-}
 
 /// A number that no model computes: one that is no number, with a mark.
 constexpr std::uint64_t mark_of_unwritten = 0x7ff8a55a7c0ffee1;
@@ -85,24 +76,28 @@ Vumat::Block::Block(std::size_t points, const ForeignModel& model, std::size_t f
   internal[1] = arrays.add("enerInternNew", n);
   inelastic[1] = arrays.add("enerInelasNew", n);
   inputs.begin(arrays);
-  props = arrays.add("props", model.properties.size());
-  coords = arrays.add("coordMp", 3 * n);
-  lengths = arrays.add("charLength", n);
-  density = arrays.add("density", n);
-  strain = arrays.add("strainInc", 6 * n);
-  spin = arrays.add("relSpinInc", 3 * n);
+  const auto input = [&](WrittenInput name, const std::string& words, std::size_t components,
+                         InputWatch::Change change = InputWatch::every_call) {
+    return inputs.add_array(arrays, words, components * n, name, change);
+  };
+  props = inputs.add_array(arrays, "props", model.properties.size(), written_props);
+  coords = input(written_others, "coordMp", 3);
+  lengths = input(written_others, "charLength", 1);
+  density = input(written_others, "density", 1);
+  strain = input(written_strain_inc, "strainInc", 6);
+  spin = input(written_others, "relSpinInc", 3);
   for (const int end : {0, 1}) {
     const std::string when = end ? "New" : "Old";
-    temperature[end] = arrays.add("temp" + when, n);
-    stretch[end] = arrays.add("stretch" + when, 6 * n);
-    gradient[end] = arrays.add("defgrad" + when, 9 * n);
-    fields[end] = arrays.add("field" + when, std::max<std::size_t>(model.fields.size(), 1) * n);
+    temperature[end] = input(written_temperatures, "temp" + when, 1);
+    stretch[end] = input(written_stretch, "stretch" + when, 6);
+    gradient[end] = input(written_defgrad, "defgrad" + when, 9);
+    fields[end] =
+        input(written_others, "field" + when, std::max<std::size_t>(model.fields.size(), 1), InputWatch::once);
   }
-  stress[0] = arrays.add("stressOld", 6 * n);
-  state[0] = arrays.add("stateOld", size * n);
-  internal[0] = arrays.add("enerInternOld", n);
-  inelastic[0] = arrays.add("enerInelasOld", n);
-  watch_inputs();
+  stress[0] = input(written_stress_old, "stressOld", 6);
+  state[0] = input(written_state_old, "stateOld", size);
+  internal[0] = input(written_energies, "enerInternOld", 1);
+  inelastic[0] = input(written_energies, "enerInelasOld", 1);
 }
 
 void Vumat::Block::hold(const HostValues& values) {
@@ -122,24 +117,6 @@ void Vumat::hold(const HostValues& values) {
 void Vumat::widen() {
   blocks_.clear();
   fence_ = GuardedArrays::widest_fence;
-}
-
-void Vumat::Block::watch_inputs() {
-  using enum InputWatch::Change;
-  inputs.add(written_props, every_call, props);
-  inputs.add(written_strain_inc, every_call, strain);
-  for (const int end : {0, 1}) {
-    inputs.add(written_stretch, every_call, stretch[end]);
-    inputs.add(written_defgrad, every_call, gradient[end]);
-    inputs.add(written_temperatures, every_call, temperature[end]);
-    inputs.add(written_others, once, fields[end]);
-  }
-  inputs.add(written_stress_old, every_call, stress[0]);
-  inputs.add(written_state_old, every_call, state[0]);
-  for (const std::size_t array : {internal[0], inelastic[0]}) inputs.add(written_energies, every_call, array);
-  for (const std::size_t array : {coords, lengths, density, spin}) {
-    inputs.add(written_others, every_call, array);
-  }
 }
 
 Vumat::Block& Vumat::block_of(std::size_t n) {
@@ -211,8 +188,6 @@ void Vumat::require_written(const Block& block) {
   }
 }
 
-void Vumat::empty_state(Block& block) { block.arrays.fill(block.state[1], unwritten()); }
-
 void Vumat::note_state(Block& block, bool counts) {
   const std::size_t size = block.arrays.size(block.state[1]);
   surroundings_.state_written.resize(size), surroundings_.state_left.resize(size);
@@ -225,9 +200,7 @@ void Vumat::note_state(Block& block, bool counts) {
 }
 
 void Vumat::call(Block& block, double time, double dt) {
-  char name[vumat_name_length];
-  std::fill_n(name, vumat_name_length, ' ');
-  std::copy_n(model_.material_name.data(), std::min(vumat_name_length, model_.material_name.size()), name);
+  const auto name = cmname_of(model_);
   int nblock[block_numbers] = {static_cast<int>(block.n), host_.point, host_.layer, host_.section};
   std::fill_n(nblock + 4, most_points, host_.element);
   int ndir = 3, nshr = 3, nstatev = foreign_state_size(model_.state), nfieldv = static_cast<int>(model_.fields.size()),
@@ -237,17 +210,17 @@ void Vumat::call(Block& block, double time, double dt) {
   GuardedArrays& a = block.arrays;
   block.inputs.keep(a);
   const bool lent = surroundings_.lent() && block.n == 1;
-  if (lent) surroundings_.lend(a), empty_state(block);
+  if (lent) surroundings_.lend(a), a.fill(block.state[1], unwritten());
   if (host_.outputs_before != 0) a.fill(block.state[1], host_.outputs_before);
   probe_.lend(a);
   const auto ended = ended_in([&] {
     reinterpret_cast<VumatEntry>(table_.entry)(
-        nblock, &ndir, &nshr, &nstatev, &nfieldv, &nprops, &lanneal, &step_time, &total_time, &length, name,
+        nblock, &ndir, &nshr, &nstatev, &nfieldv, &nprops, &lanneal, &step_time, &total_time, &length, name.data(),
         a[block.coords], a[block.lengths], a[block.props], a[block.density], a[block.strain], a[block.spin],
         a[block.temperature[0]], a[block.stretch[0]], a[block.gradient[0]], a[block.fields[0]], a[block.stress[0]],
         a[block.state[0]], a[block.internal[0]], a[block.inelastic[0]], a[block.temperature[1]], a[block.stretch[1]],
         a[block.gradient[1]], a[block.fields[1]], a[block.stress[1]], a[block.state[1]], a[block.internal[1]],
-        a[block.inelastic[1]], vumat_name_length);
+        a[block.inelastic[1]], name.size());
   });
   for (std::size_t k = 0; host_.outputs_before != 0 && k < a.size(block.state[1]); ++k) {
     if (a[block.state[1]][k] == host_.outputs_before) a[block.state[1]][k] = a[block.state[0]][k];

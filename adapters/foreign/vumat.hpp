@@ -2,11 +2,13 @@
 // Abaqus' VUMAT as a model of ours, a whole batch a call. State of a point: Cauchy stress in the frame of the polar
 // rotation R [Pa], internal and inelastic energy per mass [J/kg], the time since the point's beginning [s], then the
 // state as declared.
+// Abaqus/Explicit's user material. Arrays are (nblock, components), column-major: component c of point p is
+// a[c * nblock + p].
 #pragma once
 
+#include <cstddef>
 #include <memory>
 
-#include "adapters/foreign/beyond_probe.hpp"
 #include "adapters/foreign/foreign_point.hpp"
 #include "adapters/foreign/guarded_arrays.hpp"
 #include "adapters/foreign/host_values.hpp"
@@ -38,7 +40,6 @@ class Vumat {
   struct Block {
     Block(std::size_t n, const ForeignModel& model, std::size_t fence);
     void hold(const HostValues& values);
-    void watch_inputs();
     std::size_t n;
     GuardedArrays arrays;
     std::size_t props, coords, lengths, density, strain, spin, temperature[2], stretch[2], gradient[2], fields[2],
@@ -56,9 +57,8 @@ class Vumat {
   /// `time`: of the end of the step; 0: the call before the first step, whose inputs a model may well set.
   void call(Block& block, double time, double dt);
   static void require_written(const Block& block);
-  /// Into the new state what nobody writes, and out of it again, of a call of one point: what it has left of the state
-  /// stays as it was, and is noted where the call counts.
-  static void empty_state(Block& block);
+  /// Of a call of one point, whose new state held what nobody writes: what it has left of the state stays as it was,
+  /// and is noted where the call counts.
   void note_state(Block& block, bool counts);
 
   const ForeignTable& table_;
@@ -70,5 +70,17 @@ class Vumat {
   std::size_t fence_ = GuardedArrays::usual_fence;
   std::vector<std::unique_ptr<Block>> blocks_;
 };
+
+// clang-format off
+using VumatEntry = void (*)(
+    int* nblock, int* ndir, int* nshr, int* nstatev, int* nfieldv, int* nprops, int* lanneal,
+    double* step_time, double* total_time, double* dt, const char* cmname, double* coord_mp, double* char_length,
+    double* props, double* density, double* strain_inc, double* rel_spin_inc,
+    double* temp_old, double* stretch_old, double* defgrad_old, double* field_old,
+    double* stress_old, double* state_old, double* ener_intern_old, double* ener_inelas_old,
+    double* temp_new, double* stretch_new, double* defgrad_new, double* field_new,
+    double* stress_new, double* state_new, double* ener_intern_new, double* ener_inelas_new,
+    std::size_t cmname_length);
+// clang-format on
 
 }  // namespace assay::adapters

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstring>
-#include <utility>
+#include <iterator>
 
 namespace assay::adapters {
 
@@ -12,36 +12,38 @@ namespace {
 
 std::atomic<std::uint32_t> written_so_far{0};
 
+/// In the order of the bits.
+constexpr const char* input_names[] = {"STRAN",
+                                       "DSTRAN",
+                                       "TIME",
+                                       "DTIME",
+                                       "TEMP",
+                                       "PREDEF",
+                                       "PROPS",
+                                       "COORDS",
+                                       "DROT",
+                                       "CELENT",
+                                       "DFGRD0",
+                                       "DFGRD1",
+                                       "integers as NTENS, KINC",
+                                       "strainInc",
+                                       "stretch",
+                                       "defgrad",
+                                       "stressOld",
+                                       "stateOld",
+                                       "tempOld or tempNew",
+                                       "enerInternOld or enerInelasOld",
+                                       "others",
+                                       "s0",
+                                       "gradients",
+                                       "material properties"};
+
 }  // namespace
 
 std::string written_input_names(std::uint32_t written) {
-  constexpr std::pair<WrittenInput, const char*> all[] = {{written_stran, "STRAN"},
-                                                          {written_dstran, "DSTRAN"},
-                                                          {written_time, "TIME"},
-                                                          {written_dtime, "DTIME"},
-                                                          {written_temp, "TEMP"},
-                                                          {written_predef, "PREDEF"},
-                                                          {written_props, "PROPS"},
-                                                          {written_coords, "COORDS"},
-                                                          {written_drot, "DROT"},
-                                                          {written_celent, "CELENT"},
-                                                          {written_dfgrd0, "DFGRD0"},
-                                                          {written_dfgrd1, "DFGRD1"},
-                                                          {written_integers, "integers as NTENS, KINC"},
-                                                          {written_strain_inc, "strainInc"},
-                                                          {written_stretch, "stretch"},
-                                                          {written_defgrad, "defgrad"},
-                                                          {written_stress_old, "stressOld"},
-                                                          {written_state_old, "stateOld"},
-                                                          {written_temperatures, "tempOld or tempNew"},
-                                                          {written_energies, "enerInternOld or enerInelasOld"},
-                                                          {written_others, "others"},
-                                                          {written_beginning, "s0"},
-                                                          {written_gradients, "gradients"},
-                                                          {written_properties, "material properties"}};
   std::string text;
-  for (const auto& [input, name] : all) {
-    if (written & input) text += (text.empty() ? "" : ", ") + std::string(name);
+  for (std::size_t k = 0; k < std::size(input_names); ++k) {
+    if (written & (written_stran << k)) text += (text.empty() ? "" : ", ") + std::string(input_names[k]);
   }
   return text;
 }
@@ -49,6 +51,13 @@ std::string written_input_names(std::uint32_t written) {
 std::uint32_t written_inputs() { return written_so_far.load(std::memory_order_relaxed); }
 
 void InputWatch::begin(const GuardedArrays& arrays) { begin_ = arrays.count(); }
+
+std::size_t InputWatch::add_array(GuardedArrays& arrays, const std::string& words, std::size_t n, WrittenInput name,
+                                  Change change) {
+  const std::size_t handle = arrays.add(words, n);
+  add(name, change, handle);
+  return handle;
+}
 
 void InputWatch::add(WrittenInput name, Change change, std::size_t handle, std::size_t first, std::size_t count) {
   parts_.push_back({name, change, handle, first, count});

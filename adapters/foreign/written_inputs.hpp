@@ -13,32 +13,15 @@ namespace assay::adapters {
 
 /// Or-ed, with what else a process is watched for (Habit): the lowest byte and the upper half are left to that.
 using Habits = std::uint64_t;
-enum WrittenInput : std::uint32_t {
-  written_stran = 1u << 8,
-  written_dstran = 1u << 9,
-  written_time = 1u << 10,
-  written_dtime = 1u << 11,
-  written_temp = 1u << 12,
-  written_predef = 1u << 13,
-  written_props = 1u << 14,
-  written_coords = 1u << 15,
-  written_drot = 1u << 16,
-  written_celent = 1u << 17,
-  written_dfgrd0 = 1u << 18,
-  written_dfgrd1 = 1u << 19,
-  written_integers = 1u << 20,
-  written_strain_inc = 1u << 21,
-  written_stretch = 1u << 22,
-  written_defgrad = 1u << 23,
-  written_stress_old = 1u << 24,
-  written_state_old = 1u << 25,
-  written_others = 1u << 26,
-  written_beginning = 1u << 27,
-  written_gradients = 1u << 28,
-  written_properties = 1u << 29,
-  written_temperatures = 1u << 30,
-  written_energies = 1u << 31,
-};
+using WrittenInput = std::uint32_t;
+inline constexpr WrittenInput written_stran = 1u << 8, written_dstran = 1u << 9, written_time = 1u << 10,
+                              written_dtime = 1u << 11, written_temp = 1u << 12, written_predef = 1u << 13,
+                              written_props = 1u << 14, written_coords = 1u << 15, written_drot = 1u << 16,
+                              written_celent = 1u << 17, written_dfgrd0 = 1u << 18, written_dfgrd1 = 1u << 19,
+                              written_integers = 1u << 20, written_strain_inc = 1u << 21, written_stretch = 1u << 22,
+                              written_defgrad = 1u << 23, written_stress_old = 1u << 24, written_state_old = 1u << 25,
+                              written_temperatures = 1u << 26, written_energies = 1u << 27, written_others = 1u << 28,
+                              written_beginning = 1u << 29, written_gradients = 1u << 30, written_properties = 1u << 31;
 inline constexpr Habits any_written_input = 0xffffff00;
 
 /// "STRAN, DTIME"; empty where none is written.
@@ -55,6 +38,9 @@ class InputWatch {
 
   /// Inputs begin with the array that is added next.
   void begin(const GuardedArrays& arrays);
+  /// The handle of a new array of n doubles that is an input, all of it.
+  std::size_t add_array(GuardedArrays& arrays, const std::string& words, std::size_t n, WrittenInput name,
+                        Change change = every_call);
   /// `count` doubles of an array from `first` on; all where count is 0.
   void add(WrittenInput name, Change change, std::size_t handle, std::size_t first = 0, std::size_t count = 0);
   /// Integers that are handed over by reference; they live as long as this.

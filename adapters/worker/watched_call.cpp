@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "adapters/foreign/beyond_probe.hpp"
+#include "adapters/foreign/host_values.hpp"
 #include "adapters/worker/futex.hpp"
 #include "adapters/worker/process_watch.hpp"
 #include "harness/material/own_process.hpp"

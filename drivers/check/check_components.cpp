@@ -12,7 +12,6 @@
 #include "drivers/check/check_steps.hpp"
 #include "drivers/check/check_undeclared.hpp"
 #include "drivers/material/material_description.hpp"
-#include "drivers/material/model_files.hpp"
 
 namespace assay::drivers {
 

@@ -16,7 +16,7 @@
 #include "drivers/check/check_judgement.hpp"
 #include "drivers/check/check_vortex.hpp"
 #include "drivers/check/replay.hpp"
-#include "drivers/material/model_files.hpp"
+#include "drivers/material/material_description.hpp"
 #include "drivers/scene/material_path.hpp"
 #include "drivers/system/own_files.hpp"
 #include "drivers/system/whole_file.hpp"

@@ -6,7 +6,6 @@
 #include "adapters/foreign/foreign_state.hpp"
 #include "adapters/foreign/foreign_table.hpp"
 #include "drivers/check/check_foreign.hpp"
-#include "drivers/material/foreign_words.hpp"
 #include "drivers/material/material_description.hpp"
 #include "drivers/text/numbers.hpp"
 
@@ -46,7 +45,7 @@ bool begins_elsewhere(const ForeignVariable& v) {
 
 /// "vector", or "{kind: vector, initial: [1, 0, 0]}"
 std::string variable_words(const ForeignVariable& v) {
-  const std::string& kind = foreign_words::kinds[static_cast<std::size_t>(v.kind)];
+  const std::string kind = names_of(v.kind)[static_cast<std::size_t>(v.kind)];
   if (!begins_elsewhere(v)) return kind;
   std::string numbers;
   for (const double value : v.initial) numbers += (numbers.empty() ? "" : ", ") + number_text(value);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 
-#include "adapters/foreign/component_order.hpp"
 #include "adapters/foreign/foreign_state.hpp"
 #include "adapters/foreign/foreign_table.hpp"
 #include "drivers/check/check_state_blocks.hpp"

@@ -28,8 +28,8 @@
 #include "drivers/system/own_files.hpp"
 #include "drivers/system/terminal.hpp"
 #include "drivers/system/whole_file.hpp"
-#include "drivers/text/lookalikes.hpp"
 #include "drivers/text/numbers.hpp"
+#include "drivers/text/unseen.hpp"
 #include "harness/material/material_failure.hpp"
 
 namespace assay::drivers {

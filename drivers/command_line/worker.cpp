@@ -6,10 +6,10 @@
 #include <exception>
 #include <string>
 
-#include "adapters/foreign/model_end.hpp"
+#include "adapters/foreign/foreign_library.hpp"
 #include "adapters/worker/crash_marks.hpp"
 #include "adapters/worker/warden.hpp"
-#include "drivers/material/material_table.hpp"
+#include "drivers/material/registry.hpp"
 #include "drivers/simulation/stress_offload.hpp"
 
 namespace assay::drivers {

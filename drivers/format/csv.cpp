@@ -5,13 +5,13 @@
 #include <cassert>
 #include <cmath>
 
-#include "drivers/format/csv_lines.hpp"
 #include "drivers/format/number_slips.hpp"
-#include "drivers/format/yaml_lines.hpp"
+#include "drivers/format/text_check.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/unseen.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
@@ -19,10 +19,6 @@ namespace {
 
 /// For a message: what cannot be seen is written out, overlong text does not reach the terminal.
 std::string quoted(std::string_view text) { return "'" + shown(text, 40) + "'"; }
-
-bool contains(const std::vector<std::string>& names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 std::string csv_remedy(const std::string& text) {
   if (text.find('#') != text.npos) return ": only a line that begins with '#' is a remark";
@@ -35,16 +31,12 @@ class Reader {
          const std::vector<std::string>& optional)
       : lines_(text, file), required_(required), known_(required) {
     table_.file = file;
-    known_.insert(known_.end(), optional.begin(), optional.end());
+    append_all(known_, optional);
   }
 
   CsvTable read() {
     while (const auto fields = lines_.next()) {
-      if (table_.names.empty()) {
-        header(*fields);
-      } else {
-        row(*fields);
-      }
+      table_.names.empty() ? header(*fields) : row(*fields);
     }
     if (table_.names.empty()) fail(0, "the file holds no header line with the columns " + joined(required_));
     if (table_.rows() == 0) fail(0, "the file holds no row of numbers");
@@ -65,13 +57,13 @@ class Reader {
     ends_with_separator_ = fields.size() > 1 && fields.back().text.empty();
     if (ends_with_separator_) fields.pop_back();
     for (const CsvField& field : fields) {
-      if (!contains(known_, field.text)) refuse_column(field);
-      if (contains(table_.names, field.text)) fail(field.column, "column " + quoted(field.text) + " twice");
+      if (!is_one_of(field.text, known_)) refuse_column(field);
+      if (is_one_of(field.text, table_.names)) fail(field.column, "column " + quoted(field.text) + " twice");
       table_.names.emplace_back(field.text);
     }
     std::vector<std::string> missing;
     for (const std::string& name : required_) {
-      if (!contains(table_.names, name)) missing.push_back(quoted(name));
+      if (!is_one_of(name, table_.names)) missing.push_back(quoted(name));
     }
     if (!missing.empty()) {
       fail(1,
@@ -89,7 +81,7 @@ class Reader {
     if (field.text.empty()) fail(field.column, "a column without a name: two separators, or more than one at the end");
     const std::size_t unit = field.text.find_first_of("[(");
     const std::string name(stripped(std::string_view(field.text).substr(0, unit)));
-    if (unit != field.text.npos && contains(known_, name))
+    if (unit != field.text.npos && is_one_of(name, known_))
       fail(field.column, "column " + quoted(field.text) + ": the name alone, " + quoted(name) + ", without its unit");
     const bool blanks = field.text.find_first_of(" \t|:") != std::string::npos;
     const bool others = field.text.find_first_of(",;") != std::string::npos;
@@ -145,6 +137,37 @@ std::string guarded(const std::string& field) {
   return formula && !parse_number(field) ? "'" + field : field;
 }
 
+char separator_in(std::string_view header) {
+  bool quoted = false;
+  bool semicolon = false, tab = false;
+  for (const char c : header.substr(0, header.find_last_not_of(" \t") + 1)) {
+    if (c == '"') quoted = !quoted;
+    semicolon = semicolon || (!quoted && c == ';');
+    tab = tab || (!quoted && c == '\t');
+  }
+  const bool comma = header.find(',') != header.npos;
+  return semicolon ? ';' : tab && !comma ? '\t' : ',';
+}
+
+/// Where the line ends that begins the text: a break in quotes belongs to its field.
+std::size_t end_of_line(std::string_view text) {
+  const std::size_t plain = std::min(text.find_first_of("\r\n"), text.size());
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == text.npos || text[first] == '#' || text.substr(0, plain).find('"') == text.npos) return plain;
+  bool quoted = false;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '"') quoted = !quoted;
+    if (!quoted && (text[at] == '\n' || text[at] == '\r')) return at;
+  }
+  return quoted ? plain : text.size();
+}
+
+/// What is written before a text that a spreadsheet would take for a formula is none of the text.
+std::string unguarded(std::string text) {
+  const bool guarded = text.size() > 1 && text[0] == '\'' && formula_marks.find(text[1]) != formula_marks.npos;
+  return guarded ? text.substr(1) : text;
+}
+
 }  // namespace
 
 CsvText::CsvText(const std::vector<std::string>& names) : width_(names.size()) {
@@ -156,7 +179,7 @@ void CsvText::row(std::span<const double> values) {
   assert(values.size() == width_);
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (i > 0) text_ += ',';
-    if (std::isfinite(values[i])) text_ += number_text(values[i]);
+    text_ += csv_number(values[i]);
   }
   text_ += '\n';
 }
@@ -181,8 +204,8 @@ std::string csv_number(const std::optional<double>& value) {
 }
 
 const std::vector<double>* CsvTable::column(std::string_view name) const {
-  const auto at = std::find(names.begin(), names.end(), name);
-  return at == names.end() ? nullptr : &columns[static_cast<std::size_t>(at - names.begin())];
+  const std::size_t at = index_of(name, names);
+  return at == names.size() ? nullptr : &columns[at];
 }
 
 CsvTable read_csv(std::string_view text, const std::string& file, const std::vector<std::string>& required,
@@ -193,6 +216,83 @@ CsvTable read_csv(std::string_view text, const std::string& file, const std::vec
 std::string read_input_file(const std::string& file) {
   constexpr std::size_t limit = std::size_t{256} << 20;  // some millions of points
   return read_bytes(file, limit);
+}
+
+CsvLines::CsvLines(std::string_view text, const std::string& file) : rest_(text), file_(file) {
+  if (is_utf16(text)) throw InputError({file, 1, 1}, "", "UTF-16 text: save it as UTF-8");
+  if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
+}
+
+std::optional<std::vector<CsvField>> CsvLines::next() {
+  while (!rest_.empty()) {
+    line_ += 1 + broken_;
+    const std::size_t end = end_of_line(rest_);
+    const std::string_view line = rest_.substr(0, end);
+    broken_ = static_cast<int>(std::count(line.begin(), line.end(), '\n'));
+    const bool both = rest_.substr(end).starts_with("\r\n");
+    rest_.remove_prefix(std::min(end + (both ? 2 : 1), rest_.size()));
+    const std::size_t first = line.find_first_not_of(" \t");
+    if (first == line.npos || line[first] == '#') continue;
+    if (separator_ == 0 && line.size() == 5 && line.starts_with("sep=")) {
+      separator_ = line[4];
+      continue;
+    }
+    if (separator_ == 0) separator_ = separator_in(line);
+    return split(line);
+  }
+  return std::nullopt;
+}
+
+std::vector<CsvField> CsvLines::split(std::string_view line) const {
+  std::vector<CsvField> fields;
+  for (std::size_t at = 0;; ++at) {
+    fields.push_back(field(line, at));
+    fields.back().text = unguarded(std::move(fields.back().text));
+    if (at >= line.size()) return fields;
+  }
+}
+
+/// From `at`, which is left at the separator behind the field or at the line's end.
+CsvField CsvLines::field(std::string_view line, std::size_t& at) const {
+  const auto is_blank = [&](std::size_t i) { return (line[i] == ' ' || line[i] == '\t') && line[i] != separator_; };
+  std::size_t first = at;
+  while (first < line.size() && is_blank(first)) ++first;
+  CsvField found{{}, static_cast<int>(first) + 1, first < line.size() && line[first] == '"'};
+  if (!found.quoted) {
+    at = std::min(line.find(separator_, first), line.size());
+    std::size_t last = at;
+    while (last > first && is_blank(last - 1)) --last;
+    found.text = line.substr(first, last - first);
+    return found;
+  }
+  for (at = first + 1;; ++at) {
+    const std::size_t quote = line.find('"', at);
+    if (quote == line.npos)
+      throw InputError({file_, line_, found.column}, "", "a quote that is not closed in its line");
+    found.text += line.substr(at, quote - at);
+    at = quote + 1;
+    if (at >= line.size() || line[at] != '"') break;
+    found.text += '"';
+  }
+  while (at < line.size() && is_blank(at)) ++at;
+  if (at < line.size() && line[at] != separator_)
+    throw InputError({file_, line_, static_cast<int>(at) + 1}, "", "text behind a closing quote");
+  return found;
+}
+
+std::string CsvLines::separator_name() const {
+  return separator_ == ','    ? "a comma"
+         : separator_ == ';'  ? "a semicolon"
+         : separator_ == '\t' ? "a tab"
+                              : "'" + std::string(1, separator_) + "'";
+}
+
+std::optional<double> csv_value(const std::string& field, bool comma) {
+  if (!comma || field.find(',') == field.npos) return parse_number(field);
+  if (field.find('.') != field.npos) return std::nullopt;
+  std::string with_point = field;
+  with_point[field.find(',')] = '.';
+  return parse_number(with_point);
 }
 
 }  // namespace assay::drivers

@@ -2,13 +2,13 @@
 #include "drivers/format/number_slips.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 #include <string_view>
 #include <vector>
 
-#include "drivers/text/lookalikes.hpp"
 #include "drivers/text/numbers.hpp"
+#include "drivers/text/unseen.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
@@ -18,16 +18,6 @@ constexpr const char* in_quotes = " in quotes, which make it a text: write ";
 
 std::string without(std::string text, std::string_view characters) {
   std::erase_if(text, [&](char c) { return characters.find(c) != characters.npos; });
-  return text;
-}
-
-std::string trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-  return first == text.npos ? std::string() : std::string(text.substr(first, last - first + 1));
-}
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
 }
 
@@ -62,7 +52,7 @@ std::string separated(const std::string& text) {
 
 /// "1d3" of Fortran, "1x10^3", "10^3", "10**3", "1*^3".
 std::string other_exponent(const std::string& text) {
-  std::string word = lower(without(text, " "));
+  std::string word = small_letters(without(text, " "));
   const auto replace = [&](const std::string& from, const std::string& to) {
     const std::size_t at = word.find(from);
     if (at != word.npos) word.replace(at, from.size(), to);
@@ -74,26 +64,26 @@ std::string other_exponent(const std::string& text) {
     if (word.starts_with("10**")) word = "1e" + word.substr(4);
   }
   if (word.starts_with("e") && parse_number("1" + word)) word.insert(0, "1");
-  return word != lower(text) && parse_number(word) ? ": write " + word : std::string();
+  return word != small_letters(text) && parse_number(word) ? ": write " + word : std::string();
 }
 
 std::string other_base(const std::string& text) {
-  const std::string word = lower(text);
+  const std::string word = small_letters(text);
   const bool is_other = word.size() > 2 && word[0] == '0' && (word[1] == 'x' || word[1] == 'o' || word[1] == 'b');
   return is_other ? ": numbers are decimal" : std::string();
 }
 
 std::string not_finite(const std::string& text) {
-  const std::string word = without(lower(text), "+-.");
+  const std::string word = without(small_letters(text), "+-.");
   return word == "inf" || word == "infinity" || word == "nan" ? ": it must be finite" : std::string();
 }
 
 std::string expression(const std::string& text) {
-  const std::string word = lower(text);
+  const std::string word = small_letters(text);
   if (word == "pi" || word == "π") return ": expressions are not evaluated, write 3.141592653589793";
   const bool computes = word.find_first_of("*/^(") != word.npos || word.find("sqrt") != word.npos ||
                         word.find_first_of("+-", 1) != word.npos;
-  const bool has_digit = std::any_of(word.begin(), word.end(), [](unsigned char c) { return std::isdigit(c); });
+  const bool has_digit = std::any_of(word.begin(), word.end(), is_digit);
   const bool plain = word.find_first_not_of("0123456789.+-*/^() \tepisqrt") == word.npos;
   return computes && has_digit && plain ? ": expressions are not evaluated, write the value" : std::string();
 }
@@ -107,7 +97,7 @@ std::string enclosed(const std::string& text) {
 }
 
 std::string no_exponent(const std::string& text) {
-  const std::string word = lower(text);
+  const std::string word = small_letters(text);
   const bool ends = word.ends_with('e') || word.ends_with("e+") || word.ends_with("e-");
   return ends && parse_number(word.substr(0, word.rfind('e'))) ? ": an exponent has digits" : std::string();
 }
@@ -116,7 +106,7 @@ std::string no_exponent(const std::string& text) {
 std::string tail(const std::string& text) {
   const std::size_t length = leading_number(text);
   if (length == 0) return {};
-  const std::string number = text.substr(0, length), rest = trimmed(text.substr(length));
+  const std::string number = text.substr(0, length), rest(stripped(std::string_view(text).substr(length)));
   if (rest.starts_with('#')) return ": write a space before '#', which begins a comment";
   if (rest.starts_with("//") || rest.starts_with('!') || rest.starts_with("/*"))
     return ": a comment begins with ' #', write " + number;
@@ -128,8 +118,7 @@ std::string tail(const std::string& text) {
       rest.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/*^- ()[]") == rest.npos;
   const bool unit = word || rest.find("µ") != rest.npos || rest.find("³") != rest.npos || rest.find("²") != rest.npos ||
                     rest.find("°") != rest.npos;
-  if (unit && std::isalpha(static_cast<unsigned char>(number.back())) == 0)
-    return ": a number has no unit, write it alone (in a scene in SI units)";
+  if (unit && !is_letter(number.back())) return ": a number has no unit, write it alone (in a scene in SI units)";
   return {};
 }
 
@@ -146,7 +135,7 @@ std::string out_of_range(const std::string& text) {
 /// "< 0.1" of an expectation.
 std::string comparison(const std::string& text) {
   if (text.empty() || (text[0] != '<' && text[0] != '>')) return {};
-  const std::string rest = trimmed(text.substr(std::min(text.find_first_not_of("<>="), text.size())));
+  const std::string rest(stripped(text.substr(std::min(text.find_first_not_of("<>="), text.size()))));
   if (!parse_number(rest)) return {};
   return std::string(": write {") + (text[0] == '<' ? "below: " : "above: ") + rest + "}";
 }
@@ -167,30 +156,14 @@ std::string of_plain(const std::string& text) {
 /// The numbers of a text in which blanks, commas, semicolons, 'x' or brackets stand between them; none where anything
 /// else does.
 std::vector<std::string> numbers_in(std::string text) {
-  for (char& c : text) {
-    if (std::string_view(",;x()[]<>\t").find(c) != std::string_view::npos) c = ' ';
-  }
-  std::vector<std::string> numbers;
-  for (std::size_t begin = 0; (begin = text.find_first_not_of(' ', begin)) != text.npos;) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    numbers.push_back(text.substr(begin, end - begin));
-    if (!parse_number(numbers.back())) return {};
-    begin = end;
-  }
-  return numbers;
-}
-
-std::string listed(const std::vector<std::string>& numbers) {
-  std::string list;
-  for (const std::string& number : numbers) list += (list.empty() ? "" : ", ") + number;
-  return "[" + list + "]";
-}
-
-bool is_true(const std::string& word) {
-  return word == "true" || word == ".true." || word == "yes" || word == "on" || word == "y";
-}
-bool is_false(const std::string& word) {
-  return word == "false" || word == ".false." || word == "no" || word == "off" || word == "n";
+  std::replace_if(
+      text.begin(), text.end(),
+      [](char c) { return std::string_view(",;x()[]<>\t").find(c) != std::string_view::npos; }, ' ');
+  std::vector<std::string> numbers = split(text, ' ');
+  std::erase(numbers, "");
+  const bool all =
+      std::all_of(numbers.begin(), numbers.end(), [](const auto& n) { return parse_number(n).has_value(); });
+  return all ? numbers : std::vector<std::string>();
 }
 
 }  // namespace
@@ -201,19 +174,19 @@ std::string number_remedy(const Tree& found) {
     return ": write " + found.items[0].text + " without brackets";
   }
   if (found.kind != Tree::Kind::scalar) return {};
-  const std::string text = trimmed(found.text);
+  const std::string text(stripped(found.text));
   if (found.quoted && parse_number(text)) return in_quotes + text;
   return of_plain(text);
 }
 
-std::string number_remedy(const std::string& found) { return of_plain(trimmed(found)); }
+std::string number_remedy(const std::string& found) { return of_plain(std::string(stripped(found))); }
 
 std::string boolean_remedy(const Tree& found) {
   if (found.kind != Tree::Kind::scalar) return {};
-  const std::string word = lower(trimmed(found.text));
+  const std::string word = small_letters(std::string(stripped(found.text)));
   if (found.quoted && (word == "true" || word == "false")) return in_quotes + word;
-  if (is_true(word) || word == "1") return ": write true";
-  if (is_false(word) || word == "0") return ": write false";
+  if (is_one_of(word, {"true", ".true.", "yes", "on", "y", "1"})) return ": write true";
+  if (is_one_of(word, {"false", ".false.", "no", "off", "n", "0"})) return ": write false";
   return {};
 }
 
@@ -224,12 +197,12 @@ std::string list_remedy(const Tree& found, std::size_t count) {
   std::vector<std::string> numbers = numbers_in(text.text);
   if (numbers.size() == 1 && count == 2 && !one_item) numbers.assign(count, numbers[0]);
   if (count == 0 ? numbers.empty() : numbers.size() != count) return {};
-  return (one_item ? ": a comma belongs between them, write " : ": write ") + listed(numbers);
+  return (one_item ? ": a comma belongs between them, write [" : ": write [") + joined(numbers) + "]";
 }
 
 std::string list_of_numbers(const std::string& text) {
   const std::vector<std::string> numbers = numbers_in(text);
-  return numbers.empty() ? "" : listed(numbers);
+  return numbers.empty() ? "" : "[" + joined(numbers) + "]";
 }
 
 }  // namespace assay::drivers

@@ -6,30 +6,6 @@
 
 namespace assay::drivers {
 
-namespace {
-
-/// Bytes of the UTF-8 character that begins the text, 0 where it is none (overlong, surrogate, beyond U+10FFFF).
-std::size_t character(std::string_view text) {
-  const auto byte = [&](std::size_t i) -> unsigned {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
-  };
-  const auto follows = [&](std::size_t i, unsigned low = 0x80, unsigned high = 0xBF) {
-    return byte(i) >= low && byte(i) <= high;
-  };
-  const unsigned first = byte(0);
-  if (first < 0x80) return 1;
-  if (first >= 0xC2 && first <= 0xDF) return follows(1) ? 2 : 0;
-  if (first >= 0xE0 && first <= 0xEF) {
-    return follows(1, first == 0xE0 ? 0xA0 : 0x80, first == 0xED ? 0x9F : 0xBF) && follows(2) ? 3 : 0;
-  }
-  if (first >= 0xF0 && first <= 0xF4) {
-    return follows(1, first == 0xF0 ? 0x90 : 0x80, first == 0xF4 ? 0x8F : 0xBF) && follows(2) && follows(3) ? 4 : 0;
-  }
-  return 0;
-}
-
-}  // namespace
-
 bool is_utf16(std::string_view text) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return true;
   const auto is_zero = [&](std::size_t i) { return text[i] == '\0'; };
@@ -47,11 +23,10 @@ void check_text(std::string_view text, const std::string& name, std::size_t limi
   if (is_utf16(text)) throw InputError(where, "", "UTF-16 text: save it as UTF-8");
   bool indenting = true;
   for (std::size_t i = 0; i < text.size();) {
-    const std::size_t size = character(text.substr(i));
+    std::uint32_t code = 0;
+    const std::size_t size = character_size(text.substr(i), code);
     const auto byte = static_cast<unsigned char>(text[i]);
-    if (size == 0) {
-      throw InputError(where, "", "not UTF-8 text");
-    }
+    if (size == 0) throw InputError(where, "", "not UTF-8 text");
     if ((byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r') || byte == 0x7f) {
       throw InputError(where, "", "a control character, " + shown(text.substr(i, 1), 1) + "; not a text file?");
     }

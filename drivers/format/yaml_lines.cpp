@@ -2,6 +2,9 @@
 #include "drivers/format/yaml_lines.hpp"
 
 #include <algorithm>
+#include <string>
+
+#include "drivers/format/yaml_slips.hpp"
 
 namespace assay::drivers {
 
@@ -41,11 +44,6 @@ Bare bare(std::string_view line) {
   return out;
 }
 
-std::string_view stripped(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-  return first == text.npos ? std::string_view() : text.substr(first, last - first + 1);
-}
-
 std::size_t key_colon(std::string_view text, std::size_t from) {
   for (std::size_t at = text.find(':', from); at != text.npos; at = text.find(':', at + 1)) {
     if (at + 1 == text.size() || text[at + 1] == ' ' || text[at + 1] == '\t') return at;
@@ -54,5 +52,72 @@ std::size_t key_colon(std::string_view text, std::size_t from) {
 }
 
 bool has_key(std::string_view line) { return key_colon(line) != line.npos; }
+
+namespace {
+
+/// Where the quote stands: behind the scalar's anchor, if it has one; npos for none.
+std::size_t quote_at(std::string_view text, std::size_t at) {
+  while (at < text.size() && (text[at] == '&' || text[at] == '!')) {
+    at = std::min(text.find_first_of(" \t\r\n", at), text.size());
+    at = std::min(text.find_first_not_of(" \t\r\n", at), text.size());
+  }
+  return at < text.size() && (text[at] == '"' || text[at] == '\'') ? at : text.npos;
+}
+
+/// Where it is closed; npos: nowhere.
+std::size_t quote_end(std::string_view text, std::size_t begin) {
+  const char quote = text[begin];
+  for (std::size_t i = begin + 1; i < text.size(); ++i) {
+    if (quote == '"' && text[i] == '\\') {
+      ++i;
+    } else if (text[i] == quote) {
+      if (quote == '"' || i + 1 >= text.size() || text[i + 1] != quote) return i;
+      ++i;
+    }
+  }
+  return text.npos;
+}
+
+/// The column of the key or of the dash that a quote in a line belongs to: more lines of its text are indented deeper.
+std::size_t column_of_owner(const std::vector<std::string_view>& lines, std::size_t line, std::size_t quote) {
+  std::size_t first = indent_of(lines[line]), dash = std::string::npos;
+  while (lines[line].substr(first).starts_with("- ")) {
+    dash = first;
+    first = std::min(lines[line].find_first_not_of(' ', first + 1), lines[line].size());
+  }
+  if (first != quote) return first;
+  if (dash != std::string::npos) return dash;
+  while (line-- > 0) {
+    const std::string above = bare(lines[line]).text;
+    if (stripped(above).empty()) continue;
+    return stripped(above).ends_with(':') ? std::min(indent_of(above), first) : first;
+  }
+  return first;
+}
+
+}  // namespace
+
+std::optional<YamlSlip> quote_slip(std::string_view text, std::size_t byte) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  const std::size_t begin = quote_at(text, byte);
+  if (begin == text.npos) return std::nullopt;
+  const std::size_t end = quote_end(text, begin);
+  if (text.substr(begin, end - begin).find('\n') == text.npos && end != text.npos) return std::nullopt;
+  const auto lines = yaml_lines(text.substr(0, end));
+  const std::string_view before = text.substr(0, begin);
+  const auto at = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+  const std::size_t column = begin - (before.rfind('\n') + 1);
+  YamlSlip slip{static_cast<int>(at) + 1, static_cast<int>(column) + 1, "a quote that is not closed"};
+  if (end == text.npos) return slip;
+  const std::size_t owner = column_of_owner(lines, at, column);
+  for (std::size_t i = at + 1; i < lines.size(); ++i) {
+    if (indent_of(lines[i]) > owner || !(has_key(lines[i]) || stripped(lines[i]).starts_with("- "))) continue;
+    slip.what += " in its line: line " + std::to_string(i + 1) +
+                 " would be part of the text; lines of a text are indented deeper than its key";
+    return slip;
+  }
+  return std::nullopt;
+}
 
 }  // namespace assay::drivers

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "drivers/text/words.hpp"
+
 namespace assay::drivers {
 
 /// Without their ends.
@@ -22,9 +24,6 @@ struct Bare {
 };
 
 Bare bare(std::string_view line);
-
-/// Without blanks and tabs at its ends.
-std::string_view stripped(std::string_view text);
 
 /// Where a colon ends a key: before a blank, a bracket that closes or the end.
 std::size_t key_colon(std::string_view text, std::size_t from = 0);

@@ -13,9 +13,7 @@
 
 #include "drivers/format/text_check.hpp"
 #include "drivers/format/yaml_lines.hpp"
-#include "drivers/format/yaml_quotes.hpp"
 #include "drivers/format/yaml_slips.hpp"
-#include "drivers/text/lookalikes.hpp"
 #include "drivers/text/unseen.hpp"
 
 namespace assay::drivers {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a user may have done where a text is no YAML, or YAML of another meaning than was meant.
+// Quotes that swallow what follows: a parser does not mind.
 #pragma once
 
 #include <cstddef>
@@ -28,5 +29,10 @@ std::optional<BracketedList> list_in_other_brackets(std::string_view text, std::
 /// To follow what is said of a text that stands where a key, or a map of keys, belongs: ": a blank belongs after ':'";
 /// empty for a text without such a slip.
 std::string key_remedy(const std::string& text);
+
+/// What is wrong with the quoted scalar whose event is at a byte, not counting a byte order mark: it is not closed, or
+/// a later quote closes it and lines that are keys would be its text. Nothing where all is well, and where no quote
+/// stands there.
+std::optional<YamlSlip> quote_slip(std::string_view text, std::size_t byte);
 
 }  // namespace assay::drivers

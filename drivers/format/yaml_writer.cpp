@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <set>
 #include <string_view>
 #include <utility>
+
+#include "drivers/system/input_error.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
@@ -19,14 +21,11 @@ std::string digits_of(double value, std::chars_format format) {
 
 /// Text to every reader: YAML 1.1 has more words for truth than 1.2, and PyYAML knows them in three spellings.
 bool is_plain_text(const std::string& text) {
-  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
-  const auto plain = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '-' || c == '.' || c == '/'; };
+  const auto letter = [](char c) { return is_letter(c) || c == '_'; };
+  const auto plain = [&](char c) { return letter(c) || is_digit(c) || c == '-' || c == '.' || c == '/'; };
   if (text.empty() || !(letter(text[0]) || (text[0] == '/' && text.size() > 1))) return false;
   if (!std::all_of(text.begin(), text.end(), plain)) return false;
-  static const std::set<std::string> words{"null", "true", "false", "yes", "no", "on", "off", "y", "n"};
-  std::string small = text;
-  for (char& c : small) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return words.count(small) == 0;
+  return !is_one_of(small_letters(text), {"null", "true", "false", "yes", "no", "on", "off", "y", "n"});
 }
 
 /// What stands for the character at the beginning of `text`, and its bytes; nothing where it may stand as it is. YAML
@@ -80,9 +79,9 @@ std::string yaml_scalar(const std::string& text) {
 }
 
 std::string yaml_list(const std::vector<std::string>& texts) {
-  std::string list;
-  for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + yaml_scalar(text);
-  return "[" + list + "]";
+  std::vector<std::string> scalars(texts.size());
+  std::transform(texts.begin(), texts.end(), scalars.begin(), yaml_scalar);
+  return "[" + joined(scalars) + "]";
 }
 
 }  // namespace assay::drivers

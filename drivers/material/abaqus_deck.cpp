@@ -2,14 +2,13 @@
 #include "drivers/material/abaqus_deck.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <map>
 
 #include "drivers/format/number_slips.hpp"
-#include "drivers/material/deck_keywords.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/unseen.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
@@ -17,17 +16,17 @@ namespace {
 
 constexpr std::size_t items_a_line = 8;
 
-std::string deck_letters(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
+constexpr Keyword material_keyword{"material", 4}, user_material{"usermaterial", 7}, depvar{"depvar", 3},
+    density_keyword{"density", 3}, initial_conditions{"initialconditions", 8}, parameter{"parameter", 5},
+    solid_section{"solidsection", 6}, shell_section{"shellsection", 6};
 
-bool is_user_material(const DeckBlock& block) { return block.is("usermaterial", 7); }
-bool is_section(const DeckBlock& block) { return block.is("solidsection", 6) || block.is("shellsection", 6); }
+bool is_section(const DeckBlock& block) { return block.is(solid_section) || block.is(shell_section); }
 
 bool tells_of_material(const DeckBlock& block) {
-  return block.is("material", 4) || is_user_material(block) || block.is("depvar", 3) || block.is("density", 3) ||
-         is_section(block) || block.is("initialconditions", 8) || block.is("parameter", 5);
+  constexpr Keyword others[] = {material_keyword, user_material,      depvar,
+                                density_keyword,  initial_conditions, parameter};
+  return is_section(block) ||
+         std::any_of(std::begin(others), std::end(others), [&](const Keyword& k) { return block.is(k); });
 }
 
 /// "K = 1000." of *Parameter; what is no number is left to whoever uses it.
@@ -36,14 +35,13 @@ using DeckNumbers = std::map<std::string, double>;
 DeckNumbers numbers_named_in(const std::vector<DeckBlock>& blocks) {
   DeckNumbers numbers;
   for (const DeckBlock& block : blocks) {
-    if (!block.is("parameter", 5)) continue;
+    if (!block.is(parameter)) continue;
     for (const DeckLine& line : block.data) {
-      const std::string text = line.items.empty() ? "" : line.items[0];
-      const std::size_t equals = text.find('=');
-      std::string name = text.substr(0, equals), value = equals == text.npos ? "" : text.substr(equals + 1);
-      std::erase(name, ' ');
-      std::erase(value, ' ');
-      if (const auto number = deck_number(value)) numbers[deck_letters(name)] = *number;
+      std::string text = line.items.empty() ? "" : line.items[0];
+      std::erase(text, ' ');
+      const std::size_t equals = std::min(text.find('='), text.size());
+      const auto number = deck_number(text.substr(std::min(equals + 1, text.size())));
+      if (number) numbers[small_letters(text.substr(0, equals))] = *number;
     }
   }
   return numbers;
@@ -54,7 +52,7 @@ double number_at(const DeckLine& line, std::size_t k, const std::string& key, co
   if (item.empty()) return 0;  // Abaqus' default
   if (const auto number = deck_number(item)) return *number;
   const bool is_name = item.size() > 2 && item.front() == '<' && item.back() == '>';
-  const auto found = named.find(is_name ? deck_letters(item.substr(1, item.size() - 2)) : "");
+  const auto found = named.find(is_name ? small_letters(item.substr(1, item.size() - 2)) : "");
   if (found != named.end()) return found->second;
   throw InputError(line.where, key,
                    "must be a number, found '" + one_line(item, 60) + "'" +
@@ -178,22 +176,22 @@ std::vector<DeckMaterial> materials_of(const std::vector<DeckBlock>& blocks, std
     has_constants = within = thermal = false;
   };
   for (const DeckBlock& block : blocks) {
-    if (block.is("material", 4)) {
+    if (block.is(material_keyword)) {
       finish();
       within = true;
       current.name = block.value("name");
       require_utf8(current.name, block.where, "*Material");
-      note_once(deck_letters(current.name), "Material, name=" + one_line(current.name, 80), block, names);
-    } else if (within && is_user_material(block) && deck_letters(block.value("type")) == "thermal") {
+      note_once(small_letters(current.name), "Material, name=" + one_line(current.name, 80), block, names);
+    } else if (within && block.is(user_material) && small_letters(block.value("type")) == "thermal") {
       thermal = true;
-    } else if (within && is_user_material(block)) {
+    } else if (within && block.is(user_material)) {
       note_once("constants", "User Material", block, parts);
       current.constants = constants_of(block, named, current.notes);
       has_constants = true;
-    } else if (within && block.is("depvar", 3)) {
+    } else if (within && block.is(depvar)) {
       note_once("depvar", "Depvar", block, parts);
       read_depvar(block, current);
-    } else if (within && block.is("density", 3) && !block.data.empty()) {
+    } else if (within && block.is(density_keyword) && !block.data.empty()) {
       note_once("density", "Density", block, parts);
       current.density = number_at(block.data[0], 0, "*Density", named);
       if (current.density < 0) throw InputError(block.data[0].where, "*Density", "must not be negative");
@@ -210,21 +208,23 @@ std::string names_of_materials(const std::vector<DeckMaterial>& materials) {
 }
 
 void add_remarks(const std::vector<DeckBlock>& blocks, DeckMaterial& material) {
-  for (const DeckBlock& block : blocks) {
-    const bool of_this = deck_letters(block.value("material")) == deck_letters(material.name);
-    if (is_section(block) && of_this && !block.value("orientation").empty()) {
-      material.notes.push_back(block.where.text() + ": it is used with an *Orientation, under which Abaqus turns the " +
-                               "axes of a UMAT with the body: axes: corotational would do the same");
-      break;
-    }
-  }
-  for (const DeckBlock& block : blocks) {
-    if (!block.is("initialconditions", 8) || deck_letters(block.value("type")) != "solution") continue;
-    material.notes.push_back(block.where.text() +
-                             ": *Initial Conditions give values of STATEV, which are not taken: write them as the " +
-                             "initial values of `state`");
-    break;
-  }
+  const auto note_first = [&](const auto& holds, const std::string& what) {
+    const auto block = std::find_if(blocks.begin(), blocks.end(), holds);
+    if (block != blocks.end()) material.notes.push_back(block->where.text() + what);
+  };
+  note_first(
+      [&](const DeckBlock& block) {
+        return is_section(block) && !block.value("orientation").empty() &&
+               small_letters(block.value("material")) == small_letters(material.name);
+      },
+      ": it is used with an *Orientation, under which Abaqus turns the axes of a UMAT with the body: axes: "
+      "corotational "
+      "would do the same");
+  note_first(
+      [](const DeckBlock& block) {
+        return block.is(initial_conditions) && small_letters(block.value("type")) == "solution";
+      },
+      ": *Initial Conditions give values of STATEV, which are not taken: write them as the initial values of `state`");
 }
 
 }  // namespace
@@ -249,7 +249,7 @@ DeckMaterial read_deck(const std::string& file, const std::string& asked, const 
                      names_of_materials(all));
   }
   const auto found = asked.empty() ? all.begin() : std::find_if(all.begin(), all.end(), [&](const DeckMaterial& each) {
-    return deck_letters(each.name) == deck_letters(asked);
+    return small_letters(each.name) == small_letters(asked);
   });
   if (found == all.end()) {
     throw InputError({file}, "", "has no material '" + one_line(asked, 80) + "' with *User Material",

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What an Abaqus input file says of a material of a user's routine.
+// The keyword blocks of an Abaqus input file.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,5 +34,34 @@ DeckMaterial read_deck(const std::string& file, const std::string& asked, const 
 
 /// A number as Abaqus and Fortran write it: 1.d5 too. Nothing for what is none.
 std::optional<double> deck_number(std::string text);
+
+/// A keyword, which may be cut after `least` letters: Abaqus knows it by as many.
+struct Keyword {
+  const char* whole;
+  std::size_t least;
+};
+
+struct DeckLine {
+  Location where;
+  std::vector<std::string> items;  ///< between commas, without blanks around them
+};
+
+/// "*User Material, constants=8" and the data lines below it. Words are in small letters and without blanks, values as
+/// they stand and without quotes.
+struct DeckBlock {
+  std::string keyword;  ///< "usermaterial"
+  std::map<std::string, std::string> parameters;
+  Location where;
+  std::vector<DeckLine> data;
+
+  bool is(const Keyword& known) const;
+  /// The value of a parameter, which may be cut after `least` letters; empty where it has none.
+  std::string value(const std::string& parameter, std::size_t least = std::string::npos) const;
+};
+
+/// The blocks whose keyword `wanted` takes, in their order; *Include is followed. What cannot be included is told in
+/// `notes`. Throws InputError where the file cannot be read.
+std::vector<DeckBlock> deck_blocks(const std::string& file, bool (*wanted)(const DeckBlock& block),
+                                   std::vector<std::string>& notes);
 
 }  // namespace assay::drivers

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/material/deck_keywords.hpp"
-#include "drivers/system/input_file.hpp"
+#include "drivers/material/abaqus_deck.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <optional>
+
+#include "drivers/system/input_file.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
@@ -18,33 +18,27 @@ namespace {
 constexpr std::size_t longest_deck_line = std::size_t{1} << 16;
 constexpr std::uintmax_t largest_deck = std::uintmax_t{1} << 28;  // with all that it includes [bytes]
 
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r");
-  return begin == text.npos ? "" : text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
-}
+std::string trimmed(std::string_view text) { return std::string(stripped(text, " \t\r")); }
 
 /// The parts between commas outside of quotes.
 std::vector<std::string> items_of(const std::string& line) {
-  std::vector<std::string> items;
-  std::string item;
+  std::vector<std::string> items(1);
   bool quoted = false;
   for (const char c : line) {
     quoted ^= c == '"';
-    if (c == ',' && !quoted) {
-      items.push_back(trimmed(item));
-      item.clear();
-    } else {
-      item += c;
-    }
+    if (c == ',' && !quoted)
+      items.emplace_back();
+    else
+      items.back() += c;
   }
-  if (!trimmed(item).empty()) items.push_back(trimmed(item));
+  for (std::string& item : items) item = trimmed(item);
+  if (items.back().empty()) items.pop_back();
   return items;
 }
 
 std::string keyword_word(std::string text) {
   std::erase_if(text, [](unsigned char c) { return std::isspace(c) != 0; });
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
+  return small_letters(std::move(text));
 }
 
 std::string without_quotes(const std::string& text) {
@@ -109,7 +103,7 @@ class DeckReader {
       const std::string value = equals < items[k].size() ? trimmed(items[k].substr(equals + 1)) : "";
       block.parameters[keyword_word(items[k].substr(0, equals))] = without_quotes(value);
     }
-    if (block.is("include", 4)) return include(block, depth);
+    if (block.is({"include", 4})) return include(block, depth);
     keeps_ = wanted_(block);
     if (keeps_) blocks_.push_back(std::move(block));
   }
@@ -137,8 +131,8 @@ class DeckReader {
 
 }  // namespace
 
-bool DeckBlock::is(const std::string& whole, std::size_t least) const {
-  return keyword.size() >= least && whole.starts_with(keyword);
+bool DeckBlock::is(const Keyword& known) const {
+  return keyword.size() >= known.least && std::string_view(known.whole).starts_with(keyword);
 }
 
 std::string DeckBlock::value(const std::string& parameter, std::size_t least) const {

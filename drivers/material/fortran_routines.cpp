@@ -1,71 +1,58 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/material/fortran_routines.hpp"
+#include "drivers/material/fortran_text.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 
 #include "drivers/text/numbers.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
 namespace {
 
-bool of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '%'; }
+bool of_name(char c) { return is_letter_or_digit(c) || c == '_' || c == '%'; }
 
-/// Where the parenthesis that opens at `open` is closed; npos: nowhere.
-std::size_t closing(const std::string& text, std::size_t open) {
-  int depth = 0;
-  for (std::size_t k = open; k < text.size(); ++k) {
-    depth += text[k] == '(' ? 1 : text[k] == ')' ? -1 : 0;
-    if (depth == 0) return k;
-  }
-  return std::string::npos;
-}
+bool is_name(const std::string& text) { return !text.empty() && std::all_of(text.begin(), text.end(), of_name); }
 
-/// The parts between commas that stand in no parentheses.
-std::vector<std::string> parts_of(const std::string& text) {
-  std::vector<std::string> parts;
+/// Where `word` stands outside of parentheses that open at `from` or behind it; npos: nowhere.
+std::size_t find_outside(const std::string& text, std::string_view word, std::size_t from = 0) {
   int depth = 0;
-  std::string part;
-  for (const char c : text) {
-    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
-    if (c == ',' && depth == 0) {
-      parts.push_back(std::move(part));
-      part.clear();
-    } else {
-      part += c;
-    }
-  }
-  if (!part.empty() || !parts.empty()) parts.push_back(std::move(part));
-  return parts;
-}
-
-/// Where `word` stands outside of parentheses; npos: nowhere.
-std::size_t find_outside(const std::string& text, const std::string& word) {
-  int depth = 0;
-  for (std::size_t k = 0; k < text.size(); ++k) {
+  for (std::size_t k = from; k < text.size(); ++k) {
     depth += text[k] == '(' ? 1 : text[k] == ')' ? -1 : 0;
     if (depth == 0 && text.compare(k, word.size(), word) == 0) return k;
   }
   return std::string::npos;
 }
 
+/// Where the parenthesis that opens at `open` is closed; npos: nowhere.
+std::size_t closing(const std::string& text, std::size_t open) { return find_outside(text, ")", open); }
+
+/// The parts between commas that stand in no parentheses.
+std::vector<std::string> parts_of(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0, end = 0; !text.empty() && end != text.npos; begin = end + 1) {
+    end = find_outside(text, ",", begin);
+    parts.push_back(text.substr(begin, end - begin));
+  }
+  return parts;
+}
+
 /// "subroutineumat(a,b)", behind recursive, pure and the like.
 bool begins_subroutine(std::string text, FortranRoutine& routine) {
-  for (bool stripped = true; stripped;) {
-    stripped = false;
+  for (bool goes_on = true; goes_on;) {
+    goes_on = false;
     for (const char* prefix : {"recursive", "pure", "impure", "elemental", "module"}) {
       if (!text.starts_with(prefix)) continue;
       text.erase(0, std::string_view(prefix).size());
-      stripped = true;
+      goes_on = true;
     }
   }
   constexpr std::string_view word = "subroutine";
   if (!text.starts_with(word)) return false;
   const std::size_t open = std::min(text.find('('), text.size());
   routine.name = text.substr(word.size(), open - word.size());
-  if (routine.name.empty() || !std::all_of(routine.name.begin(), routine.name.end(), of_name)) return false;
+  if (!is_name(routine.name)) return false;
   const std::size_t close = open < text.size() ? closing(text, open) : open;
   if (close == std::string::npos) return false;
   if (close > open) routine.arguments = parts_of(text.substr(open + 1, close - open - 1));
@@ -130,12 +117,16 @@ void note_use(const std::string& text, std::size_t at, std::size_t end, ArrayUse
   if (index == 0 || (call && argument && inside.find(':') == inside.npos)) use.whole = false;  // more may be behind it
 }
 
-/// Calls `found(begin, end)` for every place of a name.
+/// Calls `found(text, begin, end)` for every place of a name in statements that are executed.
 template <class Found>
-void for_each_place(const std::string& text, const std::string& name, const Found& found) {
-  for (std::size_t at = 0; (at = text.find(name, at)) != text.npos; at += name.size()) {
-    const std::size_t end = at + name.size();
-    if ((at == 0 || !of_name(text[at - 1])) && (end == text.size() || !of_name(text[end]))) found(at, end);
+void for_each_use(std::span<const FortranStatement> statements, const std::string& name, const Found& found) {
+  for (const auto& [line, text] : statements) {
+    FortranRoutine head;
+    if (declares(text) || begins_subroutine(text, head)) continue;
+    for (std::size_t at = 0; (at = text.find(name, at)) != text.npos; at += name.size()) {
+      const std::size_t end = at + name.size();
+      if ((at == 0 || !of_name(text[at - 1])) && (end == text.size() || !of_name(text[end]))) found(text, at, end);
+    }
   }
 }
 
@@ -178,32 +169,22 @@ std::vector<FortranVariable> variables_of(std::span<const FortranStatement> stat
     const std::size_t colons = find_outside(text, "::");
     for (const std::string& part : parts_of(text.substr(colons == text.npos ? at : colons + 2))) {
       const std::string name = part.substr(0, part.find_first_of("(*="));
-      if (!name.empty() && std::all_of(name.begin(), name.end(), of_name)) {
-        all.push_back({type, bytes, name, statement.line});
-      }
+      if (is_name(name)) all.push_back({type, bytes, name, statement.line});
     }
   }
   return all;
 }
 
 bool uses(std::span<const FortranStatement> statements, const std::string& variable) {
-  return std::any_of(statements.begin(), statements.end(), [&](const FortranStatement& statement) {
-    bool found = false;
-    FortranRoutine head;
-    if (declares(statement.text) || begins_subroutine(statement.text, head)) return false;
-    for_each_place(statement.text, variable, [&](std::size_t, std::size_t) { found = true; });
-    return found;
-  });
+  bool found = false;
+  for_each_use(statements, variable, [&](const std::string&, std::size_t, std::size_t) { found = true; });
+  return found;
 }
 
 ArrayUse use_of(std::span<const FortranStatement> statements, const std::string& array) {
   ArrayUse use;
-  for (const FortranStatement& statement : statements) {
-    FortranRoutine head;
-    if (declares(statement.text) || begins_subroutine(statement.text, head)) continue;
-    for_each_place(statement.text, array,
-                   [&](std::size_t at, std::size_t end) { note_use(statement.text, at, end, use); });
-  }
+  for_each_use(statements, array,
+               [&](const std::string& text, std::size_t at, std::size_t end) { note_use(text, at, end, use); });
   return use;
 }
 
@@ -217,8 +198,7 @@ std::vector<FortranInclude> includes_of(const std::vector<std::string>& lines, F
     if (line.starts_with('#')) code = line;
     const std::size_t first = code.find_first_not_of(" \t#");
     if (first == code.npos) continue;
-    std::string word = code.substr(first, std::string_view("include").size());
-    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string word = small_letters(code.substr(first, std::string_view("include").size()));
     const std::size_t open = word == "include" ? code.find_first_of("'\"<", first + word.size()) : code.npos;
     if (open == code.npos || code.find_first_not_of(" \t", first + word.size()) != open) continue;
     const std::size_t close = code.find(code[open] == '<' ? '>' : code[open], open + 1);

@@ -2,11 +2,12 @@
 #include "drivers/material/fortran_source.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
-#include "drivers/material/fortran_adapted.hpp"
+#include "drivers/scene/material_path.hpp"
+#include "drivers/system/environment.hpp"
 #include "drivers/system/input_file.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
@@ -16,10 +17,8 @@ namespace {
 
 constexpr std::size_t largest_source = std::size_t{32} << 20;
 
-std::string small_name(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
+/// Its last part, in small letters.
+std::string small_name(const std::string& file) { return small_letters(fs::path(file).filename().string()); }
 
 /// In the source's folder, where the name may have letters of the other size; empty: not there.
 std::string file_beside(const fs::path& folder, const std::string& name) {
@@ -34,10 +33,6 @@ std::string file_beside(const fs::path& folder, const std::string& name) {
   }
   std::sort(alike.begin(), alike.end());
   return alike.empty() ? "" : (folder / alike.front()).string();
-}
-
-bool begins_with_directive(const std::vector<std::string>& lines) {
-  return std::any_of(lines.begin(), lines.end(), [](const std::string& line) { return line.starts_with('#'); });
 }
 
 std::string text_of_lines(const std::vector<std::string>& lines) {
@@ -100,19 +95,26 @@ void add_includes(const std::vector<std::string>& lines, FortranSource& source) 
     const FortranForm by_name = form_by_name(source.file);
     const std::vector<std::string> more = lines_for_compiler(said, source.form, by_name);
     if (more != said) source.includes.back().adapted = text_of_lines(more);
-    const std::vector<FortranStatement> found = statements_of(more, source.form.form);
-    source.statements.insert(source.statements.end(), found.begin(), found.end());
-    const auto sentences = column_sentences(columns_of(said, source.form, by_name), path);
-    source.warnings.insert(source.warnings.end(), sentences.begin(), sentences.end());
+    append_all(source.statements, statements_of(more, source.form.form));
+    append_all(source.warnings, column_sentences(columns_of(said, source.form, by_name), path));
     add_includes(more, source);
   }
+}
+
+bool is_path(const std::string& word) { return word.find('/') != word.npos; }
+
+/// As the linker's -l takes it: no option, no list.
+bool is_plain_library_name(const std::string& name) {
+  return !name.empty() && name.front() != '-' && std::all_of(name.begin(), name.end(), [](char c) {
+    return is_letter_or_digit(c) || c == '_' || c == '-' || c == '.' || c == '+';
+  });
 }
 
 }  // namespace
 
 bool FortranSource::includes_parameters(const FortranRoutine& routine) const {
   for (const FortranInclude& include : includes_of(lines, form.form)) {
-    const std::string name = small_name(fs::path(include.name).filename().string());
+    const std::string name = small_name(include.name);
     const bool within = include.line >= routine.line && include.line <= routine.last_line;
     if (within && (name == "aba_param.inc" || name == "vaba_param.inc")) return true;
   }
@@ -131,14 +133,13 @@ FortranSource read_fortran_source(const std::string& file, const Location& where
   source.lines = lines_for_compiler(said, source.form, form_by_name(file));
   if (source.lines != said) source.adapted = text_of_lines(source.lines);
   const std::string ending = fs::path(file).extension().string();
-  const bool capital = ending.size() > 1 && std::isupper(static_cast<unsigned char>(ending[1]));
-  source.preprocessed = capital || begins_with_directive(source.lines);
+  const bool capital = ending.size() > 1 && is_letter(ending[1]) && small_letter(ending[1]) != ending[1];
+  source.preprocessed = capital || std::any_of(source.lines.begin(), source.lines.end(),
+                                               [](const std::string& line) { return line.starts_with('#'); });
   source.statements = statements_of(source.lines, source.form.form);
   const ColumnReadings readings = columns_of(said, source.form, form_by_name(file));
   source.warnings = column_sentences(readings, file);
-  if (source.preprocessed)
-    for (std::string& each : joined_line_sentences(said, source.form.form, file))
-      source.warnings.push_back(std::move(each));
+  if (source.preprocessed) append_all(source.warnings, joined_line_sentences(said, source.form.form, file));
   source.has_cards = !readings.cards.empty();
   if (!readings.cut.empty()) source.cut_line = readings.cut.front().line;
   add_includes(source.lines, source);
@@ -146,7 +147,7 @@ FortranSource read_fortran_source(const std::string& file, const Location& where
 }
 
 std::string abaqus_include(const std::string& name) {
-  const std::string file = small_name(fs::path(name).filename().string());
+  const std::string file = small_name(name);
   const std::string reals = "      implicit real*8 (a-h,o-z)\n";  // serves both forms of the source
   if (file == "aba_param.inc") return reals + "      parameter (nprecd=2)\n";
   if (file == "vaba_param.inc") {
@@ -155,5 +156,31 @@ std::string abaqus_include(const std::string& name) {
   if (file.starts_with("smaaspuser") && file.ends_with(".hdr")) return "! what it declares needs no declaration here\n";
   return {};
 }
+
+std::string linked_word(const std::string& said, const std::string& folder, const Location& where,
+                        const std::string& key) {
+  const std::string extension = fs::path(said).extension().string();
+  const bool object = extension == ".a" || extension == ".o" || extension == ".so";
+  std::error_code code;
+  std::string file = absolute_path(fs::path(folder) / said);
+  if (!is_path(said) && !object && !fs::exists(file, code)) {
+    if (is_plain_library_name(said)) return said;
+    throw InputError(
+        where, key,
+        "must be the name of a library (lapack) or a file (.a, .o, .so), found '" + one_line(said, 80) + "'");
+  }
+  if (object && fs::is_regular_file(file, code)) return file;
+  throw InputError(where, key,
+                   "'" + one_line(file, 200) +
+                       (fs::exists(file, code) ? "' is no library and no object (.a, .o, .so)" : "': no such file"));
+}
+
+std::vector<std::string> link_arguments(const std::string& word) {
+  if (!is_path(word)) return {"-l" + word};
+  if (!word.ends_with(".so")) return {word};
+  return {word, "-Wl,-rpath," + fs::path(word).parent_path().string()};
+}
+
+std::string link_content(const std::string& word) { return is_path(word) ? word + "\n" + read_bytes(word) : word; }
 
 }  // namespace assay::drivers

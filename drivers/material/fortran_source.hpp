@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/material/fortran_columns.hpp"
-#include "drivers/material/fortran_form.hpp"
-#include "drivers/material/fortran_routines.hpp"
+#include "drivers/material/fortran_text.hpp"
 #include "drivers/system/input_error.hpp"
 
 namespace assay::drivers {
@@ -24,7 +22,7 @@ struct FortranSource {
   std::string file;  ///< absolute
   std::string bytes;
   FoundForm form;
-  std::vector<std::string> lines;            ///< as gfortran reads them: see fortran_adapted.hpp
+  std::vector<std::string> lines;            ///< as gfortran reads them: see fortran_form.hpp
   std::string adapted;                       ///< the same where they are not those of the file; else empty
   bool preprocessed = false;                 ///< its name ends in capitals, or it has lines that begin with '#'
   std::vector<IncludedFile> includes;        ///< those that are found
@@ -35,7 +33,7 @@ struct FortranSource {
   bool includes_parameters(const FortranRoutine& routine) const;  ///< ABA_PARAM.INC, VABA_PARAM.INC
   bool has_cards = false;                                         ///< numbers of punched cards, which are read as code
   int cut_line = 0;                                               ///< the first with code beyond column 132; 0: none
-  std::vector<std::string> link;                                  ///< what it is linked with: see linked.hpp
+  std::vector<std::string> link;                                  ///< what it is linked with: words of linked_word()
 };
 
 /// Throws InputError at `where`, `key`: missing, no text, too long.
@@ -44,5 +42,16 @@ FortranSource read_fortran_source(const std::string& file, const Location& where
 /// The text of a file that Abaqus provides, by its name in any letters: ABA_PARAM.INC, VABA_PARAM.INC,
 /// SMAAspUserSubroutines.hdr and its like; empty for any other name.
 std::string abaqus_include(const std::string& name);
+
+/// "lapack" is a library of the linker's folders (-llapack), "./mine.a" a file (.a, .o, .so) relative to `folder`: the
+/// word of either, files absolute. Throws InputError at `where`, `key`.
+std::string linked_word(const std::string& said, const std::string& folder, const Location& where,
+                        const std::string& key);
+
+/// The arguments of the compiler for such a word.
+std::vector<std::string> link_arguments(const std::string& word);
+
+/// What a library depends on when it is linked with such a word: its name, and the bytes of a file.
+std::string link_content(const std::string& word);
 
 }  // namespace assay::drivers

@@ -6,27 +6,24 @@
 #include <filesystem>
 #include <iterator>
 
+#include "adapters/elf_symbols.hpp"
+#include "adapters/foreign/mfront_metadata.hpp"
+#include "adapters/library.hpp"
 #include "drivers/format/file_kind.hpp"
 #include "drivers/format/yaml_values.hpp"
 #include "drivers/format/yaml_writer.hpp"
 #include "drivers/material/foreign_description.hpp"
-#include "drivers/material/linked.hpp"
-#include "drivers/material/model_files.hpp"
 #include "drivers/material/source_entry.hpp"
 #include "drivers/material/source_library.hpp"
-#include "drivers/material/source_traps.hpp"
 #include "drivers/scene/material_path.hpp"
 #include "drivers/system/environment.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/text/unseen.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
 namespace {
-
-bool contains(const std::vector<std::string>& list, const std::string& word) {
-  return std::find(list.begin(), list.end(), word) != list.end();
-}
 
 /// native, umat, ...
 std::string interface_of(const Tree& root) {
@@ -37,10 +34,10 @@ std::string interface_of(const Tree& root) {
 std::vector<std::string> keys_of(const std::string& interface) {
   std::vector<std::string> known{"library", "name", "interface", "density", "time_limit", "memory_limit", "files"};
   if (interface == "umat" || interface == "vumat") known.insert(known.begin() + 1, {"source", "link"});
-  const std::vector<std::string> native{"parameters"}, &more = interface == "native" ? native : foreign_keys();
-  const bool of_abaqus = interface != "mfront";
-  std::copy_if(more.begin(), more.end(), std::back_inserter(known),
-               [&](const std::string& key) { return of_abaqus || !contains(keys_of_abaqus(), key); });
+  if (interface == "native") append_all(known, {"parameters"});
+  for (const std::string& key : interface == "native" ? std::vector<std::string>() : foreign_keys()) {
+    if (interface != "mfront" || !is_one_of(key, keys_of_abaqus())) known.push_back(key);
+  }
   return known;
 }
 
@@ -113,18 +110,8 @@ void read_library(const Tree& root, const std::string& interface, const std::fil
   description.library_key = "source";
   description.warnings = text.warnings;
   const Tree* symbol = root.find("symbol");
-  for (const auto& more : {made.warnings, entry_traps(text, symbol ? symbol->text : interface + "_")})
-    description.warnings.insert(description.warnings.end(), more.begin(), more.end());
-}
-
-/// A file's name as the name of a table: "My-Clay.yaml" is my_clay.
-std::string name_of_file(const std::string& file) {
-  std::string name = stem_of_input(file);
-  for (char& c : name) {
-    const auto u = static_cast<unsigned char>(c);
-    c = std::isalnum(u) ? static_cast<char>(std::tolower(u)) : '_';
-  }
-  return name;
+  append_all(description.warnings, made.warnings);
+  append_all(description.warnings, entry_traps(text, symbol ? symbol->text : interface + "_"));
 }
 
 void read_numbers(const Tree& root, MaterialDescription& description) {
@@ -136,14 +123,43 @@ void read_numbers(const Tree& root, MaterialDescription& description) {
       description.parameter_where[entry.key] = entry.value.where;
     }
   }
-  if (const Tree* density = root.find("density")) {
-    description.density = number_value(*density, "density", {.lower = 0, .lower_open = true});
+  if (const Tree* density = root.find("density")) description.density = number_value(*density, "density", positive);
+  const auto below = [](double upper) { return Range{.lower = 0, .upper = upper, .lower_open = true}; };
+  read_rows(root, "",
+            {number_row("time_limit", description.limits.seconds, below(1e7)),
+             number_row("memory_limit", description.limits.gigabytes, below(1e6))});
+}
+
+MaterialDescription mfront_description(MaterialDescription description, const std::vector<std::string>& behaviours) {
+  std::string asked = description.name.empty() && behaviours.size() == 1 ? behaviours.front() : description.name;
+  for (const std::string& behaviour : behaviours) {
+    if (small_letters(behaviour) == asked) asked = behaviour;  // by the name that its model has here
   }
-  if (const Tree* limit = root.find("time_limit")) {
-    description.limits.seconds = number_value(*limit, "time_limit", {.lower = 0, .upper = 1e7, .lower_open = true});
+  if (!is_one_of(asked, behaviours)) {
+    const std::string what = asked.empty() ? "holds several behaviours of MFront: ask for one as 'lib.so:NAME'"
+                                           : "has no behaviour '" + one_line(asked, 80) + "'";
+    throw InputError(description.library_where, description.library_key, "'" + description.library + "' " + what,
+                     joined(behaviours));
   }
-  if (const Tree* limit = root.find("memory_limit")) {
-    description.limits.gigabytes = number_value(*limit, "memory_limit", {.lower = 0, .upper = 1e6, .lower_open = true});
+  adapters::ForeignModel model;
+  model.interface = adapters::ForeignInterface::mfront;
+  model.library = description.library;
+  model.symbol = asked;
+  description.name = model.name = small_letters(asked);
+  model.temperature = 293.15;
+  description.foreign = std::move(model);
+  return description;
+}
+
+/// Throws InputError where a library is one of those that need a description.
+void refuse_subroutines(const MaterialDescription& description, const std::vector<std::string>& symbols) {
+  for (const std::string word : {"vumat", "umat"}) {
+    const std::vector<std::string> found = subroutines_in(symbols, word);
+    if (found.empty()) continue;
+    throw InputError(description.library_where, description.library_key,
+                     "'" + description.library + "' exports '" + found.front() + "', a " + capital_letters(word) +
+                         ": it needs a description, a YAML file with library, " + "interface: " + word +
+                         (found.front() == word + "_" ? "" : ", symbol: " + found.front()) + ", properties and state");
   }
 }
 
@@ -173,7 +189,7 @@ MaterialDescription read_description(const std::string& text, const std::string&
     description.files = read_model_files(*files, std::filesystem::path(file).parent_path());
   }
   if (interface != "native") {
-    if (description.name.empty()) description.name = name_of_file(file);
+    if (description.name.empty()) description.name = as_name(stem_of_input(file));
     description.foreign = read_foreign(root, interface, description.library, description.name, description.key_where);
     if (!description.source.empty()) {
       description.foreign->folder = std::filesystem::path(description.source).parent_path().string();
@@ -194,13 +210,9 @@ std::string yaml_of(const MaterialDescription& description, bool by_library) {
   for (const auto& [name, value] : description.parameters) {
     text += "  " + yaml_scalar(name) + ": " + yaml_number(value) + "\n";
   }
-  const adapters::WorkerLimits usual;
-  if (description.limits.seconds != usual.seconds) {
-    text += "time_limit: " + yaml_number(description.limits.seconds) + "\n";
-  }
-  if (description.limits.gigabytes != usual.gigabytes) {
-    text += "memory_limit: " + yaml_number(description.limits.gigabytes) + "\n";
-  }
+  const adapters::WorkerLimits usual, own = description.limits;
+  if (own.seconds != usual.seconds) text += "time_limit: " + yaml_number(own.seconds) + "\n";
+  if (own.gigabytes != usual.gigabytes) text += "memory_limit: " + yaml_number(own.gigabytes) + "\n";
   if (description.density) text += "density: " + yaml_number(*description.density) + "\n";
   if (!description.files.empty()) text += "files:\n";
   for (const ModelFile& file : description.files) {
@@ -215,6 +227,52 @@ std::string description_yaml(const MaterialDescription& description) { return ya
 
 std::string lasting_yaml(const MaterialDescription& description) {
   return yaml_of(description, description.source.empty());
+}
+
+void refuse_undeclared_interface(const MaterialDescription& description) {
+  try {
+    const std::vector<std::string> symbols = adapters::exported_symbols(description.library);
+    if (std::binary_search(symbols.begin(), symbols.end(), "assay_material_entry")) return;
+    std::string interface = adapters::mfront_behaviours(description.library).empty() ? "" : "mfront";
+    for (const char* word : {"vumat", "umat"}) {
+      if (interface.empty() && !subroutines_in(symbols, word).empty()) interface = word;
+    }
+    if (interface.empty()) return;
+    throw InputError(
+        description.library_where, description.library_key,
+        "'" + description.library + "' is no plug-in of the ABI: the description lacks interface: " + interface);
+  } catch (const adapters::LibraryError&) {
+  }
+}
+
+std::vector<std::string> subroutines_in(const std::vector<std::string>& symbols, const std::string& word) {
+  std::vector<std::string> found;
+  for (const std::string& symbol : symbols) {
+    const std::string name = small_letters(symbol);
+    const bool named = name == word || name == word + "_";
+    if (named) found.insert(found.begin(), symbol);
+    if (!named && name.starts_with(word + "_") && name.ends_with("_")) found.push_back(symbol);
+  }
+  return found;
+}
+
+MaterialDescription description_of_library(const std::string& library, const std::string& table, const Location& where,
+                                           const std::string& key) {
+  MaterialDescription description;
+  description.library = library;
+  description.name = table;
+  description.library_where = description.name_where = where;
+  description.library_key = key;
+  try {
+    const std::vector<std::string> symbols = adapters::exported_symbols(library);
+    if (std::binary_search(symbols.begin(), symbols.end(), "assay_material_entry")) return description;
+    const std::vector<std::string> behaviours = adapters::mfront_behaviours(library);
+    if (!behaviours.empty()) return mfront_description(std::move(description), behaviours);
+    refuse_subroutines(description, symbols);
+  } catch (const adapters::LibraryError&) {
+    return description;
+  }
+  return description;
 }
 
 }  // namespace assay::drivers

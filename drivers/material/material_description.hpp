@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The YAML description of a library's material: {library, name, interface, parameters, density}, and what a foreign
 // interface does not say of itself.
+// Files that a model opens in the folder in which it works: `files` of a description.
+// A shared library that nobody has described: what it exports says what it is.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -10,6 +13,7 @@
 
 #include "adapters/foreign/foreign_model.hpp"
 #include "adapters/worker/worker_limits.hpp"
+#include "drivers/format/yaml_reader.hpp"
 #include "drivers/system/input_error.hpp"
 
 namespace assay::drivers {
@@ -32,7 +36,7 @@ struct MaterialDescription {
   std::map<std::string, Location> key_where;      ///< places of its keys
   std::string library_key = "library";            ///< the key that named the library, for messages
   std::string source = {};                        ///< absolute path of the Fortran source of the library; empty: none
-  std::vector<std::string> link = {};             ///< what the source is linked with: linked.hpp
+  std::vector<std::string> link = {};             ///< what the source is linked with: words of linked_word()
   std::vector<ModelFile> files = {};              ///< of the folder of a process of its own
   std::vector<std::string> warnings = {};         ///< sentences on the source
 };
@@ -47,5 +51,27 @@ std::string description_yaml(const MaterialDescription& description);
 
 /// The same for a file that is kept: of a source, so that it is compiled when it has changed.
 std::string lasting_yaml(const MaterialDescription& description);
+
+/// A list of paths relative to `folder`, or a map from names to paths. A path that stays below the folder keeps it as
+/// its name, another is known by its last part. Throws InputError: no such file, a name that leads out of a folder, two
+/// of one name.
+std::vector<ModelFile> read_model_files(const Tree& tree, const std::filesystem::path& folder);
+
+/// Copies them to the folder in which this process stands: one of its own. What is there stays. Throws SystemError.
+void place_model_files(const std::vector<ModelFile>& files);
+
+/// The description of a library that describes itself: of the material ABI, or of MFront's generic interface. table:
+/// which of its models; empty: its only one. where, key: who names it. Throws InputError: a UMAT or VUMAT, which needs
+/// a description; none or several behaviours; nothing that is known. A library that cannot be read is left to whoever
+/// loads it.
+MaterialDescription description_of_library(const std::string& library, const std::string& table, const Location& where,
+                                           const std::string& key);
+
+/// Of a description that names no foreign interface: throws InputError where its library can be of no other, as that of
+/// a UMAT. A library that cannot be read is left to whoever loads it.
+void refuse_undeclared_interface(const MaterialDescription& description);
+
+/// Exported symbols that look like the entry points of UMATs and VUMATs.
+std::vector<std::string> subroutines_in(const std::vector<std::string>& symbols, const std::string& word);
 
 }  // namespace assay::drivers

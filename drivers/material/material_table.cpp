@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/material/material_table.hpp"
+#include "drivers/material/registry.hpp"
 
 #include <system_error>
 
@@ -7,8 +7,7 @@
 #include "adapters/library.hpp"
 #include "adapters/worker/remote_table.hpp"
 #include "adapters/worker/worker_process.hpp"
-#include "drivers/material/model_files.hpp"
-#include "drivers/material/raw_library.hpp"
+#include "drivers/material/material_description.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/own_files.hpp"

@@ -79,29 +79,18 @@ std::span<const assay_parameter> parameters_of(const assay_material& table) {
 std::span<const assay_state_variable> state_of(const assay_material& table) { return {table.state, table.state_count}; }
 
 std::string kind_name(std::int32_t kind) {
-  switch (kind) {
-    case ASSAY_SCALAR:
-      return "scalar";
-    case ASSAY_VECTOR:
-      return "vector";
-    case ASSAY_SYMMETRIC_TENSOR:
-      return "symmetric tensor";
-    case ASSAY_TENSOR:
-      return "tensor";
-  }
-  return "unknown";
+  return kind == ASSAY_SCALAR             ? "scalar"
+         : kind == ASSAY_VECTOR           ? "vector"
+         : kind == ASSAY_SYMMETRIC_TENSOR ? "symmetric tensor"
+         : kind == ASSAY_TENSOR           ? "tensor"
+                                          : "unknown";
 }
 
 std::string role_name(std::int32_t role) {
-  switch (role) {
-    case ASSAY_ROLE_PLAIN:
-      return "plain";
-    case ASSAY_ROLE_ROTATES_ITSELF:
-      return "rotates itself";
-    case ASSAY_ROLE_DIRECTION:
-      return "direction";
-  }
-  return "unknown";
+  return role == ASSAY_ROLE_PLAIN            ? "plain"
+         : role == ASSAY_ROLE_ROTATES_ITSELF ? "rotates itself"
+         : role == ASSAY_ROLE_DIRECTION      ? "direction"
+                                             : "unknown";
 }
 
 std::vector<std::string> flag_names(const assay_material& table) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/material/model_files.hpp"
+#include "drivers/material/material_description.hpp"
 
 #include <algorithm>
 

@@ -7,10 +7,8 @@
 #include <set>
 
 #include "adapters/builtin.hpp"
-#include "drivers/material/fortran_form.hpp"
+#include "drivers/material/fortran_text.hpp"
 #include "drivers/material/material_description.hpp"
-#include "drivers/material/material_table.hpp"
-#include "drivers/material/raw_library.hpp"
 #include "drivers/material/source_description.hpp"
 #include "drivers/material/source_library.hpp"
 #include "drivers/scene/material_path.hpp"
@@ -19,6 +17,7 @@
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/own_files.hpp"
 #include "drivers/text/numbers.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
@@ -28,13 +27,11 @@ namespace {
 
 /// What to do with a file of another language.
 std::string other_source(const std::string& file) {
-  const std::string ending = fs::path(file).extension().string();
-  for (const char* other : {".c", ".cc", ".cpp", ".cxx", ".C", ".cu", ".py", ".m", ".jl"}) {
-    if (ending == other)
-      return ": of sources those in Fortran are compiled here; of others build a shared library and name it, as "
-             "`assay new-material` shows";
-  }
-  return {};
+  const bool other =
+      is_one_of(fs::path(file).extension().string(), {".c", ".cc", ".cpp", ".cxx", ".C", ".cu", ".py", ".m", ".jl"});
+  return other ? ": of sources those in Fortran are compiled here; of others build a shared library and name it, as "
+                 "`assay new-material` shows"
+               : "";
 }
 
 std::string environment(const char* name) {
@@ -131,9 +128,8 @@ std::string registry_folder() {
 std::vector<RegisteredName> registered_names() {
   std::vector<RegisteredName> all;
   for (const assay_material* table : adapters::builtin_tables()) all.push_back({table->name, {}});
-  const auto add = [&](const std::vector<RegisteredName>& more) { all.insert(all.end(), more.begin(), more.end()); };
-  if (!registry_folder().empty()) add(names_in(registry_folder(), true));
-  for (const std::string& folder : material_folders()) add(names_in(folder, false));
+  if (!registry_folder().empty()) append_all(all, names_in(registry_folder(), true));
+  for (const std::string& folder : material_folders()) append_all(all, names_in(folder, false));
   std::set<std::string> seen;
   std::erase_if(all, [&](const RegisteredName& n) { return !seen.insert(n.name).second; });
   return all;

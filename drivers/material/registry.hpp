@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where names of materials lead: built-in, the user's registry, the folders of $ASSAY_MATERIAL_PATH.
+// From a description to a table: in this process, or in a worker.
 #pragma once
 
 #include <map>
@@ -7,8 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "adapters/worker/warden.hpp"
 #include "drivers/material/material_description.hpp"
-#include "drivers/scene/isolation.hpp"
+#include "drivers/scene/material_path.hpp"
 #include "drivers/system/input_error.hpp"
 #include "harness/assay_material.h"
 
@@ -50,5 +52,19 @@ std::vector<RegisteredName> registered_names();
 /// The folder of the registry, ${ASSAY_DATA_HOME:-$XDG_DATA_HOME/assay}/materials; empty where there is no home. Throws
 /// InputError where ASSAY_DATA_HOME is no absolute path.
 std::string registry_folder();
+
+/// With the table, library, parameters and density of the description; `file` stands for it in messages. Throws
+/// InputError at the key to blame.
+MaterialSource source_of(const MaterialDescription& description, const std::string& file, Isolation isolation);
+
+/// What a worker does whose task is a model: answers calls until its host ends.
+void serve_material(adapters::WorkerFloor& floor, const std::string& task);
+
+/// The table that a task of that kind names, in this process, in whose folder its files are laid. Throws InputError,
+/// and what adapters throw.
+const assay_material* table_of_task(const std::string& task);
+
+/// Tasks of workers begin with one of these words and a line's end.
+inline constexpr const char* model_task = "model";
 
 }  // namespace assay::drivers

@@ -2,18 +2,15 @@
 #include "drivers/material/source_description.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 
 #include "adapters/elf_symbols.hpp"
 #include "drivers/material/abaqus_deck.hpp"
 #include "drivers/material/source_entry.hpp"
-#include "drivers/material/source_facts.hpp"
 #include "drivers/material/source_library.hpp"
-#include "drivers/material/source_traps.hpp"
-#include "drivers/material/source_yaml.hpp"
 #include "drivers/scene/material_path.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
@@ -42,28 +39,12 @@ std::string source_beside(const std::string& deck, const Location& where, const 
                    joined(found));
 }
 
-/// A file's name as that of a model: "My-Clay.f" is my_clay.
-std::string model_name(const std::string& file) {
-  std::string name = fs::path(file).stem().string();
-  for (char& c : name) {
-    const auto u = static_cast<unsigned char>(c);
-    c = std::isalnum(u) && u < 0x80 ? static_cast<char>(std::tolower(u)) : '_';
-  }
-  return name;
-}
-
 /// "; model.inp beside it may have them: --deck model.inp".
 std::string deck_hint(const std::string& source) {
   const fs::path deck = fs::path(source).replace_extension(".inp");
   std::error_code code;
   if (!fs::is_regular_file(deck, code)) return {};
   return "; " + deck.filename().string() + " beside it may have them: --deck " + deck.filename().string();
-}
-
-/// As Fortran has it: letters of either size.
-bool is_same_word(const std::string& a, const std::string& b) {
-  const auto same = [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
 }
 
 class Describer {
@@ -85,7 +66,7 @@ class Describer {
 
   SourceDescription described() {
     SourceDescription result;
-    yaml_.name = result.name = model_name(source_.file);
+    yaml_.name = result.name = as_name(fs::path(source_.file).stem().string());
     yaml_.entry = entry_;
     yaml_.facts = facts_;
     yaml_.link = request_.link;
@@ -96,9 +77,9 @@ class Describer {
     result.text = source_yaml(yaml_);
     result.notes = notes();
     result.warnings = source_.warnings;
-    if (deck_) result.warnings.insert(result.warnings.end(), deck_->warnings.begin(), deck_->warnings.end());
-    for (const auto& more : {library_.warnings, entry_traps(source_, entry_)})
-      result.warnings.insert(result.warnings.end(), more.begin(), more.end());
+    if (deck_) append_all(result.warnings, deck_->warnings);
+    append_all(result.warnings, library_.warnings);
+    append_all(result.warnings, entry_traps(source_, entry_));
     warn_of_too_few(facts_.props, "PROPS", yaml_.properties.size(), result.warnings);
     warn_of_too_few(facts_.state, "STATEV", static_cast<std::size_t>(yaml_.state), result.warnings);
     return result;
@@ -140,7 +121,7 @@ class Describer {
     for (std::size_t k = 0; k < yaml_.properties.size(); ++k) {
       const std::string& name = yaml_.properties[k].name;
       for (const auto& [place, own] : facts_.property_names) {
-        if (!is_same_word(name, own) || place == static_cast<int>(k + 1)) continue;
+        if (small_letters(name) != small_letters(own) || place == static_cast<int>(k + 1)) continue;
         throw InputError({}, "--props",
                          "'" + one_line(name, 60) + "' stands at place " + std::to_string(k + 1) + ", and in " +
                              source_.file + " it is PROPS(" + std::to_string(place) +
@@ -207,8 +188,8 @@ class Describer {
     }
     if (yaml_.density) all.push_back(yaml_.density->words);
     all.push_back(assumptions());
-    for (const std::string& sentence : facts_.sentences) all.push_back(sentence);
-    if (deck_) all.insert(all.end(), deck_->notes.begin(), deck_->notes.end());
+    append_all(all, facts_.sentences);
+    if (deck_) append_all(all, deck_->notes);
     return all;
   }
 
@@ -221,9 +202,8 @@ class Describer {
 
   std::string source_note() const {
     const bool fixed = source_.form.form == FortranForm::fixed;
-    const bool umat = entry_.interface == adapters::ForeignInterface::umat;
-    const std::string form = source_.form.mixed ? "a" : fixed ? "fixed" : "free";
-    return std::string(umat ? "a UMAT" : "a VUMAT") + " (" + entry_.symbol + ") in " + form + " form" +
+    const std::string form = source_.form.mixed ? "a" : word_of(source_.form.form);
+    return "a " + capital_name(entry_.interface) + " (" + entry_.symbol + ") in " + form + " form" +
            (source_.form.why.empty() ? "" : " " + source_.form.why) +
            (fixed ? ", read at 132 columns as by Abaqus" : "") + "; " + library_.compiler;
   }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From a Fortran source to the description of a foreign model: what was given, what the text tells, what is not known.
+// The description of a source as a file to be edited.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "drivers/material/abaqus_deck.hpp"
+#include "drivers/material/source_entry.hpp"
 #include "drivers/system/input_error.hpp"
 
 namespace assay::drivers {
@@ -23,7 +26,7 @@ struct SourceRequest {
   std::string deck;      ///< absolute; empty: none
   std::string material;  ///< of the deck, or CMNAME
   std::string symbol;
-  std::vector<std::string> link;     ///< linked.hpp
+  std::vector<std::string> link;     ///< words of linked_word()
   std::size_t least_properties = 0;  ///< so many have names that somebody knows: p1, p2, ...
   bool needs_values = false;         ///< PROPS without values are refused
   std::string material_key = "FILE.inp:NAME", symbol_key = "FILE.f:NAME";  ///< how to choose, in messages
@@ -43,5 +46,21 @@ bool is_source_or_deck(const std::string& file);
 /// line of the source or the deck; SystemError.
 SourceDescription describe_source(const std::string& file, const SourceRequest& request, const Location& where,
                                   const std::string& key);
+
+struct SourceYaml {
+  std::string source, deck;  ///< absolute
+  std::string name, material_name;
+  std::vector<std::string> link;  ///< words of linked_word()
+  SourceEntry entry;
+  SourceFacts facts;
+  std::vector<GivenProperty> properties;  ///< NaN: to be given by whoever uses it
+  std::string properties_from;            ///< "--props", "*User Material", "its text"; empty: there are none
+  int state = 0;
+  std::vector<DeckVariable> variables;  ///< names of some of them
+  std::string state_from;
+  std::optional<DeckDensity> density;
+};
+
+std::string source_yaml(const SourceYaml& yaml);
 
 }  // namespace assay::drivers

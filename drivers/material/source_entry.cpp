@@ -2,10 +2,12 @@
 #include "drivers/material/source_entry.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
 #include "drivers/system/input_error.hpp"
+#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
@@ -13,22 +15,15 @@ namespace {
 
 using adapters::ForeignInterface;
 
-/// Places of arguments, from 0.
-namespace place {
-constexpr std::size_t umat_statev = 1, umat_dstran = 11, umat_stran = 10, umat_dtime = 13, umat_props = 23,
-                      umat_drot = 26, umat_dfgrd0 = 29, umat_dfgrd1 = 30;
-constexpr std::size_t vumat_dt = 9, vumat_props = 13, vumat_state_old = 22, vumat_state_new = 30;
-}  // namespace place
-
 std::string fortran_name(std::string symbol) {
-  std::transform(symbol.begin(), symbol.end(), symbol.begin(), [](unsigned char c) { return std::tolower(c); });
   if (symbol.ends_with('_')) symbol.pop_back();
-  return symbol;
+  return small_letters(std::move(symbol));
 }
 
 std::optional<ForeignInterface> interface_by_arguments(const FortranRoutine& routine) {
-  if (routine.arguments.size() == umat_arguments) return ForeignInterface::umat;
-  if (routine.arguments.size() == vumat_arguments) return ForeignInterface::vumat;
+  for (const ForeignInterface interface : {ForeignInterface::umat, ForeignInterface::vumat}) {
+    if (routine.arguments.size() == usual_arguments(interface).size()) return interface;
+  }
   return std::nullopt;
 }
 
@@ -80,20 +75,51 @@ SourceEntry asked_entry(const FortranSource& source, const std::vector<std::stri
 InputError none_found(const FortranSource& source, const std::vector<FortranRoutine>& routines) {
   std::vector<std::string> names;
   for (const FortranRoutine& routine : routines) {
-    const std::size_t count = routine.arguments.size();
-    if (count == 37 || count == 33) {
+    const std::string count = std::to_string(routine.arguments.size());
+    if (const auto interface = interface_by_arguments(routine)) {
       return {{source.file, routine.line, 1},
               "",
-              "'" + routine.name + "' has the " + std::to_string(count) + " arguments of a " +
-                  (count == 37 ? "UMAT" : "VUMAT") +
+              "'" + routine.name + "' has the " + count + " arguments of a " + capital_name(*interface) +
                   ", but no program can find it: move it out of its MODULE or CONTAINS"};
     }
-    names.push_back(routine.name + " (" + std::to_string(count) + ")");
+    names.push_back(routine.name + " (" + count + ")");
   }
   return {{source.file},
           "",
           "has no UMAT and no VUMAT: no routine of that name, and none of 37 or 33 arguments",
           names.empty() ? "" : "its subroutines " + joined(names)};
+}
+
+/// Of several arrays together: old and new state of a VUMAT.
+ArrayUse use_of_any(const std::vector<FortranStatement>& statements, const std::vector<std::string>& arrays) {
+  ArrayUse all;
+  for (const std::string& array : arrays) {
+    const ArrayUse one = use_of(statements, array);
+    all.used = all.used || one.used;
+    all.whole = all.whole && one.whole;
+    all.largest = std::max(all.largest, one.largest);
+  }
+  return all;
+}
+
+bool uses_any(const std::vector<FortranStatement>& statements, const std::vector<std::string>& names) {
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return uses(statements, name); });
+}
+
+/// "emod=props(1)".
+std::map<int, std::string> property_names(const std::vector<FortranStatement>& statements, const std::string& props) {
+  std::map<int, std::string> names;
+  for (const FortranStatement& statement : statements) {
+    const std::string& text = statement.text;
+    const std::size_t equals = text.find("=" + props + "(");
+    if (equals == text.npos || equals == 0 || !text.ends_with(')')) continue;
+    const std::size_t begin = equals + props.size() + 2;
+    const auto index = parse_integer(text.substr(begin, text.size() - 1 - begin));
+    const std::string name = text.substr(0, equals);
+    if (index && *index > 0 && *index < 100000 && is_plain_variable(name))
+      names.emplace(static_cast<int>(*index), name);
+  }
+  return names;
 }
 
 }  // namespace
@@ -117,29 +143,86 @@ SourceEntry entry_of_source(const FortranSource& source, const std::vector<std::
                    symbols_text(plain.empty() ? entries : plain));
 }
 
+const std::vector<std::string>& usual_arguments(ForeignInterface interface) {
+  static const std::vector<std::string> of_umat{
+      "stress", "statev", "ddsdde", "sse",   "spd",    "scd",    "rpl",    "ddsddt", "drplde", "drpldt",
+      "stran",  "dstran", "time",   "dtime", "temp",   "dtemp",  "predef", "dpred",  "cmname", "ndi",
+      "nshr",   "ntens",  "nstatv", "props", "nprops", "coords", "drot",   "pnewdt", "celent", "dfgrd0",
+      "dfgrd1", "noel",   "npt",    "layer", "kspt",   "jstep",  "kinc"};
+  static const std::vector<std::string> of_vumat{
+      "nblock",        "ndir",    "nshr",       "nstatev",    "nfieldv",    "nprops",    "lanneal",  "steptime",
+      "totaltime",     "dt",      "cmname",     "coordmp",    "charlength", "props",     "density",  "straininc",
+      "relspininc",    "tempold", "stretchold", "defgradold", "fieldold",   "stressold", "stateold", "enerinternold",
+      "enerinelasold", "tempnew", "stretchnew", "defgradnew", "fieldnew",   "stressnew", "statenew", "enerinternnew",
+      "enerinelasnew"};
+  return interface == ForeignInterface::umat ? of_umat : of_vumat;
+}
+
 EntryNames names_of_entry(const SourceEntry& entry) {
-  const std::vector<std::string>& a = entry.routine.arguments;
-  EntryNames names;
-  if (entry.interface == ForeignInterface::umat && a.size() == umat_arguments) {
-    names = {a[place::umat_props],
-             a[place::umat_dtime],
-             {a[place::umat_statev]},
-             {a[place::umat_stran], a[place::umat_dstran]},
-             {a[place::umat_dfgrd0], a[place::umat_dfgrd1]},
-             {a[place::umat_drot], "rotsig"}};
-  } else if (entry.interface == ForeignInterface::vumat) {
-    names = {"props", "dt", {"stateold", "statenew"}, {}, {}, {}};
-    if (a.size() == vumat_arguments) {
-      names.props = a[place::vumat_props];
-      names.dtime = a[place::vumat_dt];
-      names.state = {a[place::vumat_state_old], a[place::vumat_state_new]};
-    }
-  }
-  return names;
+  const std::vector<std::string>&own = entry.routine.arguments, &usual = usual_arguments(entry.interface);
+  const bool umat = entry.interface == ForeignInterface::umat, known = own.size() == usual.size();
+  if (umat && !known) return {};
+  const auto name = [&](const char* word) { return known ? own[index_of(word, usual)] : word; };
+  if (!umat) return {name("props"), name("dt"), {name("stateold"), name("statenew")}, {}, {}, {}};
+  return {name("props"),
+          name("dtime"),
+          {name("statev")},
+          {name("stran"), name("dstran")},
+          {name("dfgrd0"), name("dfgrd1")},
+          {name("drot"), "rotsig"}};
+}
+
+bool is_plain_variable(const std::string& name) {
+  return std::all_of(name.begin(), name.end(), [](char c) { return is_letter_or_digit(c) || c == '_'; });
+}
+
+std::string capital_name(ForeignInterface interface) {
+  return capital_letters(names_of(interface)[static_cast<std::size_t>(interface)]);
 }
 
 std::optional<SourceEntry> entry_named(const FortranSource& source, const std::string& symbol) {
   return entry_behind(symbol, source.routines());
+}
+
+SourceFacts facts_of(const FortranSource& source, const SourceEntry& entry) {
+  const EntryNames names = names_of_entry(entry);
+  const std::vector<FortranStatement>& all = source.statements;
+  const bool umat = entry.interface == adapters::ForeignInterface::umat;
+  SourceFacts facts;
+  facts.props = use_of(all, names.props);
+  facts.state = use_of_any(all, names.state);
+  facts.property_names = property_names(all, names.props);
+  facts.uses_duration = uses(all, names.dtime);
+  const bool gradients = uses_any(all, names.gradients), strains = uses_any(all, names.strains);
+  facts.finite_strain = umat && gradients && !strains;
+  if (facts.uses_duration) {
+    facts.sentences.emplace_back(std::string(umat ? "DTIME" : "dt") +
+                                 " is used: if the stress depends on the rate, write flags: [rate_dependent]");
+  }
+  if (umat && facts.state.used && !gradients && !uses_any(all, names.rotations)) {
+    facts.sentences.emplace_back(
+        "neither DROT nor ROTSIG nor DFGRD1 is used: a tensor in STATEV would not rotate with the body");
+  }
+  if (facts.finite_strain) {
+    facts.sentences.emplace_back(
+        "the source reads DFGRD1 and no strain: DDSDDE may be for finite strain (then declare strain: finite)");
+  }
+  return facts;
+}
+
+DeckDensity density_of(double value) {
+  constexpr double tonne_per_mm3 = 1e12, pound_s2_per_in4 = 1.0686895e7;  // [kg/m^3]
+  DeckDensity density{value, "", "", ""};
+  const std::string said = "density " + rounded_text(value, 6) + " of *Density";
+  if (value > 1e-10 && value < 1e-7) {
+    density = {value * tonne_per_mm3, "MPa", "mm", said + " can only be t/mm^3: units {stress: MPa, length: mm}"};
+  } else if (value > 1e-5 && value < 1e-2) {
+    density = {value * pound_s2_per_in4, "psi", "in",
+               said + " can only be lbf s^2/in^4: units {stress: psi, length: in}"};
+  } else {
+    density.words = said + " is taken for kg/m^3, and stresses for Pa";
+  }
+  return density;
 }
 
 }  // namespace assay::drivers

@@ -1,17 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The entry point of a Fortran source: which of its routines Abaqus would call.
+// What the text of a routine lets one guess.
+// What a source compiles with, and its author did not mean.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "adapters/foreign/foreign_model.hpp"
 #include "drivers/material/fortran_source.hpp"
+#include "drivers/material/fortran_text.hpp"
 
 namespace assay::drivers {
 
-constexpr std::size_t umat_arguments = 37, vumat_arguments = 33;
+/// What Abaqus hands over, by the names of its manual, in small letters; a routine may call them otherwise.
+const std::vector<std::string>& usual_arguments(adapters::ForeignInterface interface);
+
+/// "UMAT".
+std::string capital_name(adapters::ForeignInterface interface);
+
+/// Letters, digits and underscores: no element of an array.
+bool is_plain_variable(const std::string& name);
 
 struct SourceEntry {
   std::string symbol;  ///< in the library
@@ -36,5 +47,32 @@ EntryNames names_of_entry(const SourceEntry& entry);
 
 /// The entry of a symbol, which need not be there; nothing where it is neither a UMAT nor a VUMAT.
 std::optional<SourceEntry> entry_named(const FortranSource& source, const std::string& symbol);
+
+struct SourceFacts {
+  ArrayUse props, state;
+  std::map<int, std::string> property_names;  ///< of "EMOD = PROPS(1)": what the source calls it
+  bool uses_duration = false;                 ///< DTIME
+  bool finite_strain = false;                 ///< it reads F, and no strain
+  std::vector<std::string> sentences;         ///< what may follow, and is not assumed
+};
+
+SourceFacts facts_of(const FortranSource& source, const SourceEntry& entry);
+
+/// A deck's density, of which the size tells the units.
+struct DeckDensity {
+  double si = 0;               ///< [kg/m^3]
+  std::string stress, length;  ///< units of the model; empty: SI, or not told
+  std::string words;           ///< a sentence
+};
+
+DeckDensity density_of(double value);
+
+/// Sentences on a list of arguments that is not what Abaqus hands over, in their number or by their names in another
+/// order; on arguments whose declared size is another: integers of 8 bytes, reals of 4. And on variables that take a
+/// property and hold less of it: integers by their first letter, reals of 4 bytes.
+std::vector<std::string> entry_traps(const FortranSource& source, const SourceEntry& entry);
+
+/// The same of a symbol, which need not be there.
+std::vector<std::string> entry_traps(const FortranSource& source, const std::string& symbol);
 
 }  // namespace assay::drivers

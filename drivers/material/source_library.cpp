@@ -4,17 +4,16 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 
 #include "adapters/elf_symbols.hpp"
 #include "adapters/library.hpp"
 #include "drivers/material/fortran_compiler.hpp"
-#include "drivers/material/linked.hpp"
 #include "drivers/system/environment.hpp"
 #include "drivers/system/whole_file.hpp"
 #include "drivers/text/sha256.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
@@ -50,7 +49,7 @@ class MakingFolder {
 /// What no file name should hold becomes '_'.
 std::string plain_stem(std::string stem) {
   for (char& c : stem) {
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-') c = '_';
+    if (!is_letter_or_digit(c) && c != '-') c = '_';
   }
   constexpr std::size_t longest = 60;
   return stem.substr(0, longest);

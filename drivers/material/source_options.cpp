@@ -9,7 +9,7 @@
 
 #include "drivers/format/number_slips.hpp"
 #include "drivers/material/abaqus_deck.hpp"
-#include "drivers/material/linked.hpp"
+#include "drivers/material/fortran_source.hpp"
 #include "drivers/scene/material_path.hpp"
 #include "drivers/system/environment.hpp"
 #include "drivers/system/input_file.hpp"
@@ -18,6 +18,7 @@
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/sha256.hpp"
 #include "drivers/text/unseen.hpp"
+#include "drivers/text/words.hpp"
 #include "drivers/text/wrapped_text.hpp"
 
 namespace assay::drivers {
@@ -26,17 +27,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
+[[noreturn]] void refuse_props(const std::string& what) { throw InputError({}, "--props", what); }
+
 /// The words of a list: between commas, with blanks around them, or between blanks.
-std::vector<std::string> items_of(const std::string& list) {
+std::vector<std::string> listed_items(const std::string& list) {
   std::vector<std::string> items;
-  std::istringstream parts(list + ",");
-  for (std::string part; std::getline(parts, part, ',');) {
+  for (const std::string& part : split(list, ',')) {
     std::istringstream words(part);
     const std::size_t before = items.size();
     for (std::string word; words >> word;) items.push_back(word);
     if (items.size() == before)
-      throw InputError({}, "--props",
-                       "has no value at place " + std::to_string(before + 1) + ": write 0 where 0 is meant");
+      refuse_props("has no value at place " + std::to_string(before + 1) + ": write 0 where 0 is meant");
   }
   return items;
 }
@@ -45,33 +46,31 @@ std::vector<std::string> items_of(const std::string& list) {
 void refuse_other_place(const std::string& name, std::size_t place) {
   const auto number = name.starts_with('p') ? parse_integer(std::string_view(name).substr(1)) : std::nullopt;
   if (!number || *number == static_cast<std::int64_t>(place)) return;
-  throw InputError({}, "--props",
-                   "'" + one_line(name, 60) + "' stands at place " + std::to_string(place) +
-                       ", and PROPS are taken in the order in which they are given");
+  refuse_props("'" + one_line(name, 60) + "' stands at place " + std::to_string(place) +
+               ", and PROPS are taken in the order in which they are given");
 }
 
 /// "1000,.3" or "E=1000,nu=.3".
 std::vector<GivenProperty> props_in(const std::string& list) {
   std::vector<GivenProperty> props;
   std::set<std::string> names;
-  for (const std::string& item : items_of(list)) {
+  for (const std::string& item : listed_items(list)) {
     const std::size_t equals = item.find('=');
     const auto value = deck_number(equals == item.npos ? item : item.substr(equals + 1));
     if (value && item.starts_with("00") && !props.empty())
-      throw InputError({}, "--props", "'" + one_line(item, 60) + "': a comma separates PROPS, not digits");
+      refuse_props("'" + one_line(item, 60) + "': a comma separates PROPS, not digits");
     if (std::string with_commas = list; !value && item.find(';') != item.npos) {
       std::replace(with_commas.begin(), with_commas.end(), ';', ',');
-      throw InputError({}, "--props", "commas separate PROPS: write " + one_line(with_commas, 80));
+      refuse_props("commas separate PROPS: write " + one_line(with_commas, 80));
     }
     if (!value || equals == 0) {
-      throw InputError({}, "--props",
-                       "must be NUMBER or NAME=NUMBER, separated by commas, found '" + one_line(item, 60) + "'" +
-                           number_remedy(equals == item.npos ? item : item.substr(equals + 1)));
+      refuse_props("must be NUMBER or NAME=NUMBER, separated by commas, found '" + one_line(item, 60) + "'" +
+                   number_remedy(equals == item.npos ? item : item.substr(equals + 1)));
     }
     props.push_back({equals == item.npos ? "" : item.substr(0, equals), *value});
     const std::string name = equals == item.npos ? "p" + std::to_string(props.size()) : props.back().name;
     refuse_other_place(name, props.size());
-    if (!names.insert(name).second) throw InputError({}, "--props", "'" + one_line(name, 60) + "' is there twice");
+    if (!names.insert(name).second) refuse_props("'" + one_line(name, 60) + "' is there twice");
   }
   return props;
 }
@@ -79,8 +78,7 @@ std::vector<GivenProperty> props_in(const std::string& list) {
 /// "lapack,./mine.a": files relative to the working folder.
 std::vector<std::string> link_in(const std::string& list) {
   std::vector<std::string> words;
-  std::istringstream items(list);
-  for (std::string item; std::getline(items, item, ',');) {
+  for (const std::string& item : split(list, ',')) {
     if (!item.empty()) words.push_back(linked_word(item, absolute_path(""), {}, "--link"));
   }
   return words;
@@ -118,6 +116,13 @@ std::string write_description(const SourceDescription& described, const std::str
   return file.string();
 }
 
+/// As the user would name it; whole where the folder in which the user stands is gone.
+std::string from_here(const fs::path& file) {
+  std::error_code code;
+  const fs::path here = fs::current_path(code);
+  return code ? file.string() : file.lexically_proximate(here).string();
+}
+
 }  // namespace
 
 SourceRequest request_of(const SourceOptions& options) {
@@ -151,17 +156,6 @@ bool asks_for_source(const std::string& material) {
   const MaterialName name = parse_material(material);
   return name.is_path && is_source_or_deck(name.file);
 }
-
-namespace {
-
-/// As the user would name it; whole where the folder in which the user stands is gone.
-std::string from_here(const fs::path& file) {
-  std::error_code code;
-  const fs::path here = fs::current_path(code);
-  return code ? file.string() : file.lexically_proximate(here).string();
-}
-
-}  // namespace
 
 std::string described_source(const std::string& material, SourceRequest request, const std::string& folder,
                              Verbosity verbosity) {

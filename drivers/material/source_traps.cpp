@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/material/source_traps.hpp"
+#include "drivers/material/source_entry.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <set>
 
 #include "drivers/system/input_error.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
@@ -13,10 +12,10 @@ using adapters::ForeignInterface;
 
 namespace {
 
-/// Places of arguments, from 0.
-constexpr std::size_t umat_cmname = 18, vumat_cmname = 10;
-const std::set<std::size_t> umat_integers{19, 20, 21, 22, 24, 31, 32, 33, 34, 35, 36},
-    vumat_integers{0, 1, 2, 3, 4, 5, 6};
+/// Of both interfaces.
+const std::vector<std::string> integer_arguments{"ndi",  "nshr",    "ntens",   "nstatv", "nprops", "noel",
+                                                 "npt",  "layer",   "kspt",    "jstep",  "kinc",   "nblock",
+                                                 "ndir", "nstatev", "nfieldv", "lanneal"};
 
 /// What stands for the types of arguments that are not declared.
 struct ImplicitTypes {
@@ -38,11 +37,6 @@ ImplicitTypes implicit_types(const FortranSource& source, const FortranRoutine& 
     if (text.starts_with("implicitinteger*8") || text.starts_with("implicitinteger(8)")) types.integer_bytes = 8;
   }
   return types;
-}
-
-std::string capitals(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::toupper(c); });
-  return text;
 }
 
 /// Bytes of each argument as the routine has it; 0 where that is not told.
@@ -73,8 +67,7 @@ std::string receiver_of(const std::string& text, const std::string& props) {
     if (text.find(whole, equals) != text.npos) return {};
   }
   const std::string name = text.substr(0, equals);
-  const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
-  return plain ? name : std::string();
+  return is_plain_variable(name) ? name : std::string();
 }
 
 /// Sentences on variables that hold less of a property than it has.
@@ -91,48 +84,30 @@ void add_lossy(const FortranSource& source, const SourceEntry& entry, const std:
     const bool is_declared = declared != variables.end();
     const bool by_letter = !is_declared && !implicit.none && name[0] >= 'i' && name[0] <= 'n';
     if (by_letter && whole.empty()) line_of_whole = statement.line;
-    if (by_letter) whole.push_back(capitals(name));
+    if (by_letter) whole.push_back(capital_letters(name));
     if (!is_declared || declared->type != "real" || declared->bytes != 4) continue;
     if (single.empty()) line_of_single = statement.line;
-    single.push_back(capitals(name));
+    single.push_back(capital_letters(name));
   }
-  const auto at = [&](int line) { return source.file + ":" + std::to_string(line) + ": "; };
   if (!whole.empty()) {
-    all.push_back(at(line_of_whole) + few_of(whole) +
+    all.push_back(place_text(source.file, line_of_whole) + few_of(whole) +
                   (whole.size() > 1 ? " are integers by their first letter, and take"
-                                    : " is an integer by its first "
-                                      "letter, and takes") +
+                                    : " is an integer by its first letter, and takes") +
                   " PROPS: digits after the decimal point are lost (if this is intended, write INT)");
   }
   if (!single.empty()) {
-    all.push_back(at(line_of_single) + few_of(single) +
+    all.push_back(place_text(source.file, line_of_single) + few_of(single) +
                   (single.size() > 1 ? " are reals of 4 bytes, and take" : " is a real of 4 bytes, and takes") +
                   " PROPS: only seven digits are kept");
   }
 }
 
-/// As the manual of Abaqus has them. A routine may call them otherwise.
-const std::vector<std::string> usual_of_umat{
-    "stress", "statev", "ddsdde", "sse",   "spd",    "scd",    "rpl",    "ddsddt", "drplde", "drpldt",
-    "stran",  "dstran", "time",   "dtime", "temp",   "dtemp",  "predef", "dpred",  "cmname", "ndi",
-    "nshr",   "ntens",  "nstatv", "props", "nprops", "coords", "drot",   "pnewdt", "celent", "dfgrd0",
-    "dfgrd1", "noel",   "npt",    "layer", "kspt",   "jstep",  "kinc"};
-const std::vector<std::string> usual_of_vumat{
-    "nblock",        "ndir",    "nshr",       "nstatev",    "nfieldv",    "nprops",    "lanneal",  "steptime",
-    "totaltime",     "dt",      "cmname",     "coordmp",    "charlength", "props",     "density",  "straininc",
-    "relspininc",    "tempold", "stretchold", "defgradold", "fieldold",   "stressold", "stateold", "enerinternold",
-    "enerinelasold", "tempnew", "stretchnew", "defgradnew", "fieldnew",   "stressnew", "statenew", "enerinternnew",
-    "enerinelasnew"};
-
 /// Of a list that is longer or shorter, or has the usual names in another order; or empty.
 std::string list_trap(const std::vector<std::string>& arguments, const std::vector<std::string>& usual) {
-  const auto has = [](const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
   if (arguments.size() != usual.size()) {
     std::vector<std::string> missing;
     for (const std::string& name : usual) {
-      if (!has(arguments, name)) missing.push_back(capitals(name));
+      if (!is_one_of(name, arguments)) missing.push_back(capital_letters(name));
     }
     const bool few = missing.size() + arguments.size() == usual.size();  // the others are called as usual
     return "takes " + std::to_string(arguments.size()) + " arguments, and Abaqus hands over " +
@@ -141,8 +116,8 @@ std::string list_trap(const std::vector<std::string>& arguments, const std::vect
            "; every argument after the first missing or added one is read wrongly";
   }
   for (std::size_t k = 0; k < usual.size(); ++k) {
-    if (arguments[k] != usual[k] && has(usual, arguments[k]))
-      return capitals(arguments[k]) + " stands where Abaqus hands over " + capitals(usual[k]) +
+    if (arguments[k] != usual[k] && is_one_of(arguments[k], usual))
+      return capital_letters(arguments[k]) + " stands where Abaqus hands over " + capital_letters(usual[k]) +
              ": arguments go by their places";
   }
   return {};
@@ -152,31 +127,29 @@ std::string list_trap(const std::vector<std::string>& arguments, const std::vect
 
 std::vector<std::string> entry_traps(const FortranSource& source, const SourceEntry& entry) {
   const FortranRoutine& routine = entry.routine;
-  const bool umat = entry.interface == ForeignInterface::umat;
   if (routine.line == 0) return {};
-  const std::string list = list_trap(routine.arguments, umat ? usual_of_umat : usual_of_vumat);
-  if (!list.empty()) return {source.file + ":" + std::to_string(routine.line) + ": " + list};
+  const std::vector<std::string>& usual = usual_arguments(entry.interface);
+  const std::string where = place_text(source.file, routine.line), list = list_trap(routine.arguments, usual);
+  if (!list.empty()) return {where + list};
   const std::vector<FortranVariable> variables = variables_of(routine.statements);
   const ImplicitTypes implicit = implicit_types(source, routine);
-  const auto& integers = umat ? umat_integers : vumat_integers;
-  const std::size_t text = umat ? umat_cmname : vumat_cmname;
   std::vector<std::string> wide, narrow;
   for (std::size_t k = 0; k < routine.arguments.size(); ++k) {
-    if (k == text) continue;
-    const bool integer = integers.contains(k);
+    if (usual[k] == "cmname") continue;
+    const bool integer = is_one_of(usual[k], integer_arguments);
     const int bytes = bytes_of_argument(routine.arguments[k], integer, variables, implicit);
-    if (integer && bytes == 8) wide.push_back(capitals(routine.arguments[k]));
-    if (!integer && bytes == 4) narrow.push_back(capitals(routine.arguments[k]));
+    if (integer && bytes == 8) wide.push_back(capital_letters(routine.arguments[k]));
+    if (!integer && bytes == 4) narrow.push_back(capital_letters(routine.arguments[k]));
   }
   std::vector<std::string> all;
-  const std::string where = source.file + ":" + std::to_string(routine.line) + ": ";
   if (!wide.empty()) {
     all.push_back(where + few_of(wide) + (wide.size() > 1 ? " are" : " is") +
                   " declared an integer of 8 bytes, and Abaqus hands over 4: what is read is another number");
   }
   if (!narrow.empty()) {
     all.push_back(where + few_of(narrow) + (narrow.size() > 1 ? " are reals" : " is a real") +
-                  " of 4 bytes, and Abaqus hands over 8: INCLUDE '" + (umat ? "ABA_PARAM.INC" : "VABA_PARAM.INC") +
+                  " of 4 bytes, and Abaqus hands over 8: INCLUDE '" +
+                  (entry.interface == ForeignInterface::umat ? "ABA_PARAM.INC" : "VABA_PARAM.INC") +
                   "' or IMPLICIT REAL*8 (A-H,O-Z) is missing, or a declaration says real");
   }
   add_lossy(source, entry, variables, implicit, all);

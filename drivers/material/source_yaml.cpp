@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/material/source_yaml.hpp"
+#include "drivers/material/source_description.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <set>
 
 #include "drivers/format/yaml_writer.hpp"
+#include "drivers/text/words.hpp"
 #include "harness/material/material.hpp"
 
 namespace assay::drivers {
@@ -65,15 +64,10 @@ std::string state_yaml(const SourceYaml& yaml) {
   return with_comment("state:", of) + named_state_text(yaml);
 }
 
-std::string material_words(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
-  constexpr std::size_t longest = 80;  // CMNAME
-  return name.substr(0, longest);
-}
-
 }  // namespace
 
 std::string source_yaml(const SourceYaml& yaml) {
+  constexpr std::size_t longest_name = 80;  // CMNAME
   const bool umat = yaml.entry.interface == adapters::ForeignInterface::umat;
   std::string text = comment("What assay takes " + yaml.source + " for" +
                              (yaml.deck.empty() ? "" : ", by " + yaml.deck) + ". Made to be edited:");
@@ -88,7 +82,8 @@ std::string source_yaml(const SourceYaml& yaml) {
   if (umat)
     text += with_comment("# strain: finite", "where DDSDDE is that of J sigma with Jaumann's rate; small otherwise");
   text += with_comment("# flags: [non_smooth]", "what yields, breaks or touches; rate_dependent: what flows with time");
-  if (!yaml.material_name.empty()) text += "material_name: " + yaml_scalar(material_words(yaml.material_name)) + "\n";
+  if (!yaml.material_name.empty())
+    text += "material_name: " + yaml_scalar(capital_letters(yaml.material_name).substr(0, longest_name)) + "\n";
   if (!yaml.density) return text;
   text += with_comment("density: " + yaml_number(yaml.density->si), "kg/m^3");
   if (!yaml.density->stress.empty()) {

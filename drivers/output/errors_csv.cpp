@@ -2,7 +2,6 @@
 #include "drivers/output/errors_csv.hpp"
 
 #include "drivers/format/csv.hpp"
-#include "drivers/format/csv_lines.hpp"
 
 namespace assay::drivers {
 

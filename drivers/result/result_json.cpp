@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "drivers/result/json_depth.hpp"
 #include "drivers/result/json_fields.hpp"
+#include "drivers/result/json_figure.hpp"
 
 namespace assay::drivers {
 

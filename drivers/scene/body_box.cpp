@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drivers/scene/initial_velocity.hpp"
+#include "drivers/scene/scene.hpp"
 
 namespace assay::drivers {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/scene/deformation_csv.hpp"
+#include "drivers/scene/scene_reader.hpp"
 
 #include "drivers/format/csv.hpp"
 #include "drivers/system/input_error.hpp"

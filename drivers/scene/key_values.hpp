@@ -9,15 +9,9 @@
 #include <type_traits>
 
 #include "drivers/scene/scene_keys.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
-
-/// The names of an enumeration, as names_of() beside it lists them.
-template <class Enum>
-std::vector<std::string> words_of() {
-  const auto names = names_of(Enum{});
-  return {names.begin(), names.end()};
-}
 
 template <class Member>
 struct Optional : std::false_type {
@@ -34,6 +28,8 @@ constexpr KeyType type_of() {
   if constexpr (std::is_same_v<Kept, bool>) return KeyType::boolean;
   if constexpr (std::is_same_v<Kept, std::string>) return KeyType::text;
   if constexpr (std::is_enum_v<Kept>) return KeyType::choice;
+  if constexpr (std::is_same_v<Kept, Vector3>) return KeyType::vector;
+  if constexpr (std::is_same_v<Kept, Tensor>) return KeyType::matrix;
   if constexpr (requires(Kept k) { std::tuple_size<Kept>::value; })
     return std::tuple_size_v<Kept> == 2 ? KeyType::pair : KeyType::vector;
   return KeyType::number;
@@ -45,6 +41,10 @@ Value value_of(const Member& member) {
     return member ? value_of(*member) : Value();
   } else if constexpr (std::is_enum_v<Member>) {
     return std::string(names_of(member)[static_cast<std::size_t>(member)]);
+  } else if constexpr (std::is_same_v<Member, Tensor>) {
+    std::vector<double> list;
+    for (int i = 0; i < 9; ++i) list.push_back(component(member, i));
+    return list;
   } else if constexpr (type_of<Member>() == KeyType::pair || type_of<Member>() == KeyType::vector) {
     return std::vector<double>(member.begin(), member.end());
   } else if constexpr (std::is_same_v<Member, int>) {
@@ -62,9 +62,12 @@ void give(Member& member, const Value& value) {
   } else if constexpr (std::is_enum_v<Member>) {
     const auto names = names_of(member);
     member = static_cast<Member>(std::find(names.begin(), names.end(), std::get<std::string>(value)) - names.begin());
+  } else if constexpr (std::is_same_v<Member, Tensor>) {
+    for (int i = 0; i < 9; ++i)
+      component(member, i) = std::get<std::vector<double>>(value)[static_cast<std::size_t>(i)];
   } else if constexpr (type_of<Member>() == KeyType::pair || type_of<Member>() == KeyType::vector) {
     const auto& list = std::get<std::vector<double>>(value);
-    for (std::size_t k = 0; k < member.size(); ++k) member[k] = static_cast<typename Member::value_type>(list[k]);
+    for (std::size_t k = 0; k < list.size(); ++k) member[k] = static_cast<typename Member::value_type>(list[k]);
   } else if constexpr (std::is_same_v<Member, int>) {
     member = static_cast<int>(std::get<double>(value));
   } else {
@@ -72,15 +75,11 @@ void give(Member& member, const Value& value) {
   }
 }
 
-/// What else is to say of a key.
-struct KeyRules {
-  Range range = {};
-  std::vector<std::string> choices = {};  ///< of the enumeration's names; empty: all
-  bool required = false;
-  std::string derived = {};
-  std::vector<std::string> motions = {}, domains = {};
-  bool (*shown)(const Scene&) = nullptr;  ///< whether resolved.yaml has it; null: where the member has a value
-};
+/// A key whose value is not one member's.
+inline Key key_by(const std::string& path, const std::string& doc, KeyType type, std::function<Value(const Scene&)> get,
+                  std::function<void(Scene&, const Value&)> set, KeyRules rules = {}) {
+  return {std::move(rules), path, type, doc, std::move(get), std::move(set)};
+}
 
 /// at(scene): the address of the member; null where the scene has no such section.
 template <class At>
@@ -90,20 +89,12 @@ Key key(const std::string& path, const std::string& doc, At at, KeyRules rules =
   if constexpr (std::is_enum_v<Kept>) {
     if (rules.choices.empty()) rules.choices = words_of<Kept>();
   }
-  return {path,
-          type_of<Member>(),
-          doc,
-          [at, shown = rules.shown](const Scene& scene) {
-            const auto* member = at(scene);
-            return member && (!shown || shown(scene)) ? value_of(*member) : Value();
-          },
-          [at](Scene& scene, const Value& value) { give(*at(scene), value); },
-          rules.range,
-          std::move(rules.choices),
-          rules.required,
-          std::move(rules.derived),
-          std::move(rules.motions),
-          std::move(rules.domains)};
+  const auto get = [at, shown = rules.shown](const Scene& scene) {
+    const auto* member = at(scene);
+    return member && (!shown || shown(scene)) ? value_of(*member) : Value();
+  };
+  return key_by(
+      path, doc, type_of<Member>(), get, [at](Scene& s, const Value& v) { give(*at(s), v); }, rules);
 }
 
 // The addresses, for scenes that are to be changed and others alike.

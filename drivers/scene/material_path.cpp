@@ -2,19 +2,16 @@
 #include "drivers/scene/material_path.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <iterator>
 
 #include "drivers/system/environment.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
 namespace {
 
 std::string ending_of(const std::string& file) {
-  std::string ending = std::filesystem::path(file).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending;
+  return small_letters(std::filesystem::path(file).extension().string());
 }
 
 bool ends_as_source(const std::string& text) { return is_fortran_source(text) || is_deck(text); }
@@ -26,10 +23,8 @@ bool ends_as_path(const std::string& text) {
 }  // namespace
 
 bool is_fortran_source(const std::string& file) {
-  const std::string ending = ending_of(file);
-  constexpr const char* known[] = {".f",   ".for", ".ftn", ".f77", ".f90", ".f95",
-                                   ".f03", ".f08", ".f15", ".f18", ".fpp"};
-  return std::any_of(std::begin(known), std::end(known), [&](const char* each) { return ending == each; });
+  return is_one_of(ending_of(file),
+                   {".f", ".for", ".ftn", ".f77", ".f90", ".f95", ".f03", ".f08", ".f15", ".f18", ".fpp"});
 }
 
 bool is_deck(const std::string& file) { return ending_of(file) == ".inp"; }
@@ -55,9 +50,9 @@ std::string absolute_material(const std::string& adapter, const std::filesystem:
 }
 
 bool is_material_name(const std::string& name) {
-  const auto alnum = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
-  return !name.empty() && name.size() <= 100 && alnum(name[0]) && !ends_as_path(name) &&
-         std::all_of(name.begin(), name.end(), [&](char c) { return alnum(c) || c == '_' || c == '-' || c == '.'; });
+  const auto of_name = [](char c) { return is_letter_or_digit(c) || c == '_' || c == '-' || c == '.'; };
+  return !name.empty() && name.size() <= 100 && is_letter_or_digit(name[0]) && !ends_as_path(name) &&
+         std::all_of(name.begin(), name.end(), of_name);
 }
 
 }  // namespace assay::drivers

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How a material is named: by a registered name, or by the path of a library or a description.
+// Where the code of a material runs.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 
@@ -28,5 +30,12 @@ std::string absolute_material(const std::string& adapter, const std::filesystem:
 
 /// Letters, digits, '_', '-' and '.', beginning with a letter or digit, and not a path.
 bool is_material_name(const std::string& name);
+
+enum class Isolation {
+  automatic,  ///< foreign interfaces in workers, native libraries and built-in models in this process
+  worker,     ///< in processes of its own, which may die; built-in models stay here
+  none,       ///< in this process
+};
+constexpr std::array<const char*, 3> names_of(Isolation) { return {"automatic", "worker", "none"}; }
 
 }  // namespace assay::drivers

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/scene/motion_keys.hpp"
+#include "drivers/scene/scene_keys.hpp"
 
 #include <algorithm>
 
@@ -11,57 +11,37 @@ namespace assay::drivers {
 
 namespace {
 
-Value list_of(const Vector3& v) { return std::vector<double>{v.x(), v.y(), v.z()}; }
-Vector3 vector_of(const Value& v) {
-  const auto& list = std::get<std::vector<double>>(v);
-  return {list[0], list[1], list[2]};
-}
-
-Value list_of(const Tensor& tensor) {
-  std::vector<double> list;
-  for (int i = 0; i < 9; ++i) list.push_back(component(tensor, i));
-  return list;
-}
-Tensor tensor_of(const Value& v) {
-  Tensor tensor;
-  for (int i = 0; i < 9; ++i) component(tensor, i) = std::get<std::vector<double>>(v)[static_cast<std::size_t>(i)];
-  return tensor;
-}
-
 /// Shows each key of a motion with its value; one that is answered is given to the motion.
 class EachKey final : public MotionKeys {
  public:
+  using Words = std::vector<std::string>;
   using Answer = std::optional<Value>;
-  using Show = std::function<Answer(const MotionKey&, KeyType, const std::vector<std::string>& words, const Value&)>;
+  using Show = std::function<Answer(const MotionKey&, KeyType, const Words& words, const Value&)>;
   explicit EachKey(Show show) : show_(std::move(show)) {}
 
-  bool number(const MotionKey& key, double& value) override {
-    return answered(show_(key, KeyType::number, {}, value), [&](const Value& v) { value = std::get<double>(v); });
-  }
-  bool whole(const MotionKey& key, int& value) override {
-    return answered(show_(key, KeyType::number, {}, double(value)), [&](const Value& v) { drivers::give(value, v); });
-  }
+  bool number(const MotionKey& key, double& value) override { return show(key, value); }
+  bool whole(const MotionKey& key, int& value) override { return show(key, value); }
+  bool vector(const MotionKey& key, Vector3& value) override { return show(key, value); }
+  bool tensor(const MotionKey& key, Tensor& value) override { return show(key, value); }
   bool number_or_auto(const MotionKey& key, std::optional<double>& value) override {
-    return answered(show_(key, KeyType::automatic, {}, value ? Value(*value) : Value("auto")),
-                    [&](const Value& v) { value = std::get<double>(v); });
+    return answered(show_(key, KeyType::automatic, {}, value ? Value(*value) : Value("auto")), value);
   }
   bool word(const MotionKey& key, std::span<const char* const> words, int& which) override {
-    const std::vector<std::string> names(words.begin(), words.end());
-    return answered(show_(key, KeyType::choice, names, names[static_cast<std::size_t>(which)]), [&](const Value& v) {
-      which = static_cast<int>(std::find(names.begin(), names.end(), std::get<std::string>(v)) - names.begin());
-    });
-  }
-  bool vector(const MotionKey& key, Vector3& value) override {
-    return answered(show_(key, KeyType::vector, {}, list_of(value)), [&](const Value& v) { value = vector_of(v); });
-  }
-  bool tensor(const MotionKey& key, Tensor& value) override {
-    return answered(show_(key, KeyType::matrix, {}, list_of(value)), [&](const Value& v) { value = tensor_of(v); });
+    const Words names(words.begin(), words.end());
+    std::string name = names[static_cast<std::size_t>(which)];
+    const bool given = answered(show_(key, KeyType::choice, names, name), name);
+    which = static_cast<int>(index_of(name, names));
+    return given;
   }
 
  private:
-  template <class Take>
-  bool answered(const Answer& answer, const Take& take) {
-    if (answer) take(*answer);
+  template <class T>
+  bool show(const MotionKey& key, T& value) {
+    return answered(show_(key, type_of<T>(), {}, value_of(value)), value);
+  }
+  template <class T>
+  static bool answered(const Answer& answer, T& value) {
+    if (answer) give(value, *answer);
     return answer.has_value();
   }
   Show show_;
@@ -90,16 +70,14 @@ std::vector<Key> keys_of(Motion motion) {
   std::vector<Key> keys;
   EachKey each([&](const MotionKey& key, KeyType type, const auto& words, const Value&) -> EachKey::Answer {
     const std::string name = key.name;
-    keys.push_back({"motion." + name,
-                    type,
-                    key.doc,
-                    [name](const Scene& s) { return value_in(s, name); },
-                    [name](Scene& s, const Value& v) { give_motion(s, name, v); },
-                    key.range,
-                    words,
-                    key.required,
-                    key.derived,
-                    {std::string(motion->type())}});
+    keys.push_back(key_by(
+        "motion." + name, key.doc, type, [name](const Scene& s) { return value_in(s, name); },
+        [name](Scene& s, const Value& v) { give_motion(s, name, v); },
+        {.range = key.range,
+         .choices = words,
+         .required = key.required,
+         .derived = key.derived,
+         .motions = {std::string(motion->type())}}));
     return std::nullopt;
   });
   motion->keys(each);
@@ -133,76 +111,43 @@ void set_motion(Scene& s, const Value& v) {
   }
 }
 
-/// The reader reads the file when it knows where the scene lies.
-void set_path(Scene& s, const Value& v) { s.motion = DeformationTable(std::get<std::string>(v)); }
-Value path_of(const Scene& s) {
-  const auto* table = s.motion.as<DeformationTable>();
-  return table ? Value(table->source()) : Value();
-}
-
-/// Without a table the motion refuses the key.
-void set_interpolation(Scene& s, const Value& v) {
-  if (auto* table = s.motion.as<DeformationTable>()) {
-    Interpolation interpolation = table->interpolation();
-    give(interpolation, v);
-    s.motion = table->interpolated(interpolation);
-  }
-}
-Value interpolation_of(const Scene& s) {
-  const auto* table = s.motion.as<DeformationTable>();
-  return table ? value_of(table->interpolation()) : Value();
-}
-
-void set_frame_velocity(Scene& s, const Value& v) {
-  const auto& list = std::get<std::vector<double>>(v);
-  s.frame->velocity = {list[0], list[1], 0};
-}
-Value frame_velocity_of(const Scene& s) {
-  return s.frame ? Value(std::vector<double>{s.frame->velocity.x(), s.frame->velocity.y()}) : Value();
-}
-
 std::vector<Key> keys_before() {
-  return {
-      key("title", "one-line title for pictures and reports", ASSAY_AT(title)),
-      {"motion.type",
-       KeyType::choice,
-       "which manufactured motion the body follows",
-       [](const Scene& s) { return Value(motion_type(s)); },
-       set_motion,
-       {},
-       types_of([](const Motion&) { return true; }),
-       true},
-  };
+  return {key("title", "one-line title for pictures and reports", ASSAY_AT(title)),
+          key_by("motion.type", "which manufactured motion the body follows", KeyType::choice,
+                 [](const Scene& s) { return Value(motion_type(s)); }, set_motion,
+                 {.choices = types_of([](const Motion&) { return true; }), .required = true})};
 }
 
+/// Without a table the motion refuses motion.interpolation. The reader reads the file when it knows where the scene
+/// lies.
 std::vector<Key> keys_of_table() {
-  const std::vector<std::string> of_homogeneous{"homogeneous"};
+  const auto table_of = [](auto& s) { return s.motion.template as<DeformationTable>(); };
   return {
-      {"motion.path",
-       KeyType::text,
-       "CSV file of F(t), in place of motion.final; columns t, F11, F12, F21, F22, others optional",
-       path_of,
-       set_path,
-       {},
-       {},
-       false,
-       "none: F goes straight to final",
-       of_homogeneous},
-      {"motion.interpolation",
-       KeyType::choice,
-       "F between the rows of motion.path: straight lines, PCHIP (no overshoot) or a cubic spline",
-       interpolation_of,
-       set_interpolation,
-       {},
-       words_of<Interpolation>(),
-       false,
-       "linear for tabulate, monotone for what needs a body force",
-       of_homogeneous},
-  };
+      key_by(
+          "motion.path", "CSV file of F(t), in place of motion.final; columns t, F11, F12, F21, F22, others optional",
+          KeyType::text, [=](const Scene& s) { return table_of(s) ? Value(table_of(s)->source()) : Value(); },
+          [](Scene& s, const Value& v) { s.motion = DeformationTable(std::get<std::string>(v)); },
+          {.derived = "none: F goes straight to final", .motions = {"homogeneous"}}),
+      key_by(
+          "motion.interpolation",
+          "F between the rows of motion.path: straight lines, PCHIP (no overshoot) or a cubic spline", KeyType::choice,
+          [=](const Scene& s) { return table_of(s) ? value_of(table_of(s)->interpolation()) : Value(); },
+          [=](Scene& s, const Value& v) {
+            if (!table_of(s)) return;
+            Interpolation interpolation = table_of(s)->interpolation();
+            give(interpolation, v);
+            s.motion = table_of(s)->interpolated(interpolation);
+          },
+          {.choices = words_of<Interpolation>(),
+           .derived = "linear for tabulate, monotone for what needs a body force",
+           .motions = {"homogeneous"}})};
 }
 
 std::vector<Key> keys_behind() {
   const std::vector<std::string> of_vortex = types_of(is_vortex);
+  const auto velocity_of = [](const Scene& s) {
+    return s.frame ? Value(std::vector<double>{s.frame->velocity.x(), s.frame->velocity.y()}) : Value();
+  };
   return {
       key("motion.allow_unstable",
           "run a motion that is not a stable solution for the model; otherwise the run is refused",
@@ -211,28 +156,21 @@ std::vector<Key> keys_behind() {
           ASSAY_IN(frame, angle), {.motions = of_vortex}),
       key("frame.spin", "angular velocity w: the whole motion rotates by a further angle w t [rad/s]",
           ASSAY_IN(frame, spin), {.motions = of_vortex}),
-      {"frame.velocity",
-       KeyType::pair,
-       "velocity of the whole motion [m/s]",
-       frame_velocity_of,
-       set_frame_velocity,
-       {},
-       {},
-       false,
-       {},
-       of_vortex},
+      key_by("frame.velocity", "velocity of the whole motion [m/s]", KeyType::pair, velocity_of,
+             [](Scene& s, const Value& v) { give(s.frame->velocity, v); }, {.motions = of_vortex}),
   };
 }
 
 }  // namespace
 
 std::vector<Key> motion_keys() {
-  std::vector<Key> keys = keys_before();
-  for (auto part : {keys_of_motions(), keys_behind()}) keys.insert(keys.end(), part.begin(), part.end());
+  std::vector<Key> keys = keys_before(), of_motions = keys_of_motions();
   const auto instead =
-      std::find_if(keys.begin(), keys.end(), [](const Key& key) { return key.path == "motion.final"; });
-  const std::vector<Key> table = keys_of_table();
-  keys.insert(instead, table.begin(), table.end());
+      std::find_if(of_motions.begin(), of_motions.end(), [](const Key& key) { return key.path == "motion.final"; });
+  const std::vector<Key> of_table = keys_of_table();
+  of_motions.insert(instead, of_table.begin(), of_table.end());
+  append_all(keys, of_motions);
+  append_all(keys, keys_behind());
   return keys;
 }
 

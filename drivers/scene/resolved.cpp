@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 
 #include "drivers/format/yaml_writer.hpp"
 #include "drivers/scene/expect.hpp"
@@ -17,50 +18,46 @@ std::string number_of(const Key& key, double value) {
   return key.range.whole ? std::to_string(static_cast<std::int64_t>(value)) : yaml_number(value);
 }
 
-std::string list_text(const Key& key, const std::vector<double>& values) {
-  std::string text;
-  for (const double value : values) text += (text.empty() ? "" : ", ") + number_of(key, value);
-  return "[" + text + "]";
+std::string list_text(const Key& key, std::span<const double> values) {
+  std::vector<std::string> texts;
+  for (const double value : values) texts.push_back(number_of(key, value));
+  return flow_list(texts);
 }
 
 std::string value_text(const Key& key, const Value& value) {
   if (const auto* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
   if (const auto* number = std::get_if<double>(&value)) return number_of(key, *number);
   if (const auto* text = std::get_if<std::string>(&value)) return yaml_scalar(*text);
-  const auto& list = std::get<std::vector<double>>(value);
+  const std::span<const double> list = std::get<std::vector<double>>(value);
   if (key.type != KeyType::matrix) return list_text(key, list);
-  const auto row = [&](int k) { return list_text(key, {list.begin() + 3 * k, list.begin() + 3 * k + 3}); };
-  return "[" + row(0) + ", " + row(1) + ", " + row(2) + "]";
+  return flow_list(
+      {list_text(key, list.subspan(0, 3)), list_text(key, list.subspan(3, 3)), list_text(key, list.subspan(6, 3))});
 }
 
 std::string indent(const std::string& path) {
   return std::string(2 * static_cast<std::size_t>(std::count(path.begin(), path.end(), '.')), ' ');
 }
 
-std::string last_word(const std::string& path) { return path.substr(path.rfind('.') + 1); }
-
 std::string keys_text(const std::string& section, const Scene& scene) {
   std::string text;
   for (const Key& key : scene_keys()) {
-    const std::size_t dot = key.path.rfind('.');
-    if ((dot == key.path.npos ? std::string() : key.path.substr(0, dot)) != section || !applies(key, scene)) continue;
+    if (parent_of(key.path) != section || !applies(key, scene)) continue;
     const Value value = key.get(scene);
     if (value.index() == 0) continue;
-    text += indent(key.path) + last_word(key.path) + ": " + value_text(key, value) + "\n";
+    text += indent(key.path) + last_part(key.path) + ": " + value_text(key, value) + "\n";
   }
   return text;
 }
 
 std::string free_text(const std::string& section, const Scene& scene) {
   std::string text;
-  if (section == "material.parameters") {
-    for (const auto& [name, value] : scene.material.parameters) {
-      text += "    " + yaml_scalar(name) + ": " + yaml_number(value) + "\n";
-    }
+  const auto add = [&](const std::string& key, const std::string& value) {
+    text += indent(section + ".") + yaml_scalar(key) + ": " + value + "\n";
+  };
+  if (section == "expect") {
+    for (const Expectation& line : scene.expect) add(line.key, expectation_yaml(line));
   } else {
-    for (const Expectation& line : scene.expect) {
-      text += "  " + yaml_scalar(line.key) + ": " + expectation_yaml(line) + "\n";
-    }
+    for (const auto& [name, value] : scene.material.parameters) add(name, yaml_number(value));
   }
   return text;
 }
@@ -71,7 +68,7 @@ std::string resolved_yaml(const Scene& scene) {
   std::string text = keys_text("", scene);
   for (const Section& section : scene_sections()) {
     const std::string inside = section.free_keys ? free_text(section.path, scene) : keys_text(section.path, scene);
-    if (!inside.empty()) text += indent(section.path) + last_word(section.path) + ":\n" + inside;
+    if (!inside.empty()) text += indent(section.path) + last_part(section.path) + ":\n" + inside;
   }
   return text;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene as plain values: what a YAML file under configs/ says after reading, with defaults filled.
+// The velocity with which a body that is left to itself begins.
 #pragma once
 
 #include <array>
@@ -8,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/scene/isolation.hpp"
+#include "drivers/scene/material_path.hpp"
 #include "drivers/system/input_error.hpp"
 #include "harness/motion/frame.hpp"
 #include "harness/motion/motion.hpp"
@@ -163,5 +164,16 @@ Path baseline_path(const Scene& scene);
 
 /// All paths that points of the body take: of the axis-aligned motion one for each of some Y, of others the baseline.
 std::vector<Path> baseline_paths(const Scene& scene);
+
+/// L = D + W: L11, L12, L21, L22 [1/s].
+inline std::array<double, 4> gradient_of(const InitialVelocity& v) {
+  return {v.stretching[0], v.stretching[2] - v.spin, v.stretching[2] + v.spin, v.stretching[1]};
+}
+
+/// v = velocity + L X [m/s].
+inline std::array<double, 2> velocity_at(const InitialVelocity& v, double X, double Y) {
+  const std::array<double, 4> L = gradient_of(v);
+  return {v.velocity[0] + L[0] * X + L[1] * Y, v.velocity[1] + L[2] * X + L[3] * Y};
+}
 
 }  // namespace assay::drivers

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "drivers/scene/key_values.hpp"
-#include "drivers/scene/motion_keys.hpp"
 
 namespace assay::drivers {
 
@@ -175,8 +174,9 @@ std::vector<Key> run_keys() {
 
 #undef IF
 
-bool contains(const std::vector<std::string>& list, const std::string& word) {
-  return list.empty() || std::find(list.begin(), list.end(), word) != list.end();
+/// Whether a list, of all where it is empty, has the word.
+bool admits(const std::vector<std::string>& list, const std::string& word) {
+  return list.empty() || is_one_of(word, list);
 }
 
 }  // namespace
@@ -210,17 +210,16 @@ const std::vector<Section>& scene_sections() {
 const std::vector<Key>& scene_keys() {
   static const std::vector<Key> keys = [] {
     std::vector<Key> all = motion_keys();
-    for (auto part : {body_keys(), method_keys(), remedy_keys(), run_keys()})
-      all.insert(all.end(), part.begin(), part.end());
+    for (const auto& part : {body_keys(), method_keys(), remedy_keys(), run_keys()}) append_all(all, part);
     return all;
   }();
   return keys;
 }
 
-bool of_motion(const Key& key, const Scene& scene) { return contains(key.motions, motion_type(scene)); }
+bool of_motion(const Key& key, const Scene& scene) { return admits(key.motions, motion_type(scene)); }
 
 bool applies(const Key& key, const Scene& scene) {
-  return of_motion(key, scene) && contains(key.domains, domain_name(scene.body.domain));
+  return of_motion(key, scene) && admits(key.domains, domain_name(scene.body.domain));
 }
 
 bool applies(const Section& section, const Scene& scene) {
@@ -233,9 +232,7 @@ bool applies(const Section& section, const Scene& scene) {
 std::vector<std::string> names_under(const std::string& section, const Scene* scene) {
   std::vector<std::string> names;
   const auto add = [&](const std::string& path) {
-    const std::size_t dot = path.rfind('.');
-    const std::string parent = dot == path.npos ? std::string() : path.substr(0, dot);
-    if (parent == section) names.push_back(dot == path.npos ? path : path.substr(dot + 1));
+    if (parent_of(path) == section) names.push_back(last_part(path));
   };
   for (const Key& key : scene_keys()) {
     if (!scene || applies(key, *scene)) add(key.path);

@@ -18,18 +18,23 @@ using Value = std::variant<std::monostate, bool, double, std::string, std::vecto
 /// automatic: a number, or the word "auto", which is what stands where nothing is given.
 enum class KeyType { number, automatic, boolean, text, choice, pair, vector, matrix };
 
-struct Key {
+/// What is to say of a key beside its value.
+struct KeyRules {
+  Range range = {};                       ///< of a number, or of each in a pair or matrix
+  std::vector<std::string> choices = {};  ///< of words; of an enumeration's names empty: all
+  bool required = false;
+  std::string derived = {};               ///< how the default follows from other keys; empty: it is a constant
+  std::vector<std::string> motions = {};  ///< motion.type for which the key exists; empty: all
+  std::vector<std::string> domains = {};  ///< likewise body.domain
+  bool (*shown)(const Scene&) = nullptr;  ///< whether resolved.yaml has it; null: where it has a value
+};
+
+struct Key : KeyRules {
   std::string path;  ///< "motion.amplitude.peak"
   KeyType type = KeyType::number;
   std::string doc;  ///< one line, with the unit
   std::function<Value(const Scene&)> get;
   std::function<void(Scene&, const Value&)> set;
-  Range range = {};  ///< of a number, or of each in a pair or matrix
-  std::vector<std::string> choices = {};
-  bool required = false;
-  std::string derived = {};               ///< how the default follows from other keys; empty: it is a constant
-  std::vector<std::string> motions = {};  ///< motion.type for which the key exists; empty: all
-  std::vector<std::string> domains = {};  ///< likewise body.domain
 };
 
 struct Section {
@@ -57,5 +62,11 @@ bool applies(const Section& section, const Scene& scene);
 
 std::string motion_type(const Scene& scene);
 std::string domain_name(Body::Domain domain);
+
+/// The part that says what moves and how: title, motion.* and frame.*.
+std::vector<Key> motion_keys();
+
+/// The words of motion.type of all motions for which something holds.
+std::vector<std::string> types_of(const std::function<bool(const Motion&)>& holds);
 
 }  // namespace assay::drivers

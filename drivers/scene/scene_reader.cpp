@@ -8,10 +8,8 @@
 #include "drivers/format/file_kind.hpp"
 #include "drivers/format/number_slips.hpp"
 #include "drivers/format/yaml_slips.hpp"
-#include "drivers/scene/deformation_csv.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/material_path.hpp"
-#include "drivers/scene/scene_check.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/scene/settings.hpp"
 #include "drivers/system/environment.hpp"
@@ -66,7 +64,7 @@ Value read_value(const Key& key, const Tree& tree) {
 /// Where the key itself stands; of the whole its beginning.
 Location key_place(const Tree& root, const std::string& path) {
   const Tree* map = path.find('.') == path.npos ? &root : value_at(root, parent_of(path));
-  const std::string name = path.substr(path.rfind('.') + 1);
+  const std::string name = last_part(path);
   for (const Tree::Entry& entry : map ? map->entries : std::vector<Tree::Entry>{}) {
     if (entry.key == name) return entry.key_where;
   }
@@ -80,7 +78,7 @@ std::string place_of(const Tree::Entry& entry, const std::string& section, const
     return "unknown key here: it belongs to the scene itself, beside " + section.substr(0, section.find('.'));
   for (const Key& key : scene_keys()) {
     const bool common = entry.key == "type" || entry.key == "final" || entry.key == "path";
-    if (common || key.path.substr(key.path.rfind('.') + 1) != entry.key) continue;
+    if (common || last_part(key.path) != entry.key) continue;
     return "unknown key here: it belongs to " + parent_of(key.path);
   }
   const bool number = entry.value.kind == Tree::Kind::scalar && parse_number(entry.value.text);

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The strict scene reader.
+// What must hold between the keys of a scene.
+// F(t) of a homogeneous motion from a CSV file.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "drivers/format/yaml_reader.hpp"
 #include "drivers/scene/scene.hpp"
+#include "harness/motion/kinds/deformation_table.hpp"
 #include "harness/numeric/interpolant.hpp"
 
 namespace assay::drivers {
@@ -28,5 +32,16 @@ Scene scene_of(const Tree& root, const std::string& file, const std::string& sha
 /// The same of a text; `file` is its name, `sha256` of its bytes.
 Scene scene_from_text(std::string_view text, const std::string& file, const std::vector<std::string>& sets = {},
                       Interpolation otherwise = to_run);
+
+/// Where a key of the scene stands.
+using KeyPlace = std::function<Location(const std::string& key)>;
+
+/// Throws InputError at the key that does not go with the others.
+void check_scene(const Scene& scene, const KeyPlace& where);
+
+/// Columns t [s], F11, F12, F21, F22, perhaps F33, and F13, F23, F31, F32, which only come together (0, and 1 for F33,
+/// where not given). Throws InputError as read_csv does, and unless the first row is t = 0 with F = I, times ascend,
+/// and det F > 0 at all rows and at 32 times between two.
+DeformationTable read_deformation_table(const std::string& file, Interpolation interpolation);
 
 }  // namespace assay::drivers

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/result/build_information.hpp"
+#include "drivers/result/json_fields.hpp"
 #include "drivers/result/result_json.hpp"
 #include "drivers/scene/expect.hpp"
-#include "drivers/scene/schema_parts.hpp"
 #include "harness/motion/registry.hpp"
 
 namespace assay::drivers {
@@ -99,10 +99,7 @@ Json default_of(const Key& key) {
   for (const Scene& scene : kinds_of_scene()) {
     if (!applies(key, scene)) continue;
     const Value value = key.get(scene);
-    if (const auto* truth = std::get_if<bool>(&value)) return *truth;
-    if (const auto* number = std::get_if<double>(&value)) return *number;
-    if (const auto* text = std::get_if<std::string>(&value)) return *text;
-    if (const auto* list = std::get_if<std::vector<double>>(&value)) return *list;
+    if (value.index() != 0) return JsonFields<Json>::of(value);
   }
   return nullptr;
 }
@@ -130,29 +127,21 @@ Json free_section(const Section& section) {
 /// The section whose alternatives are the motions; in others every key is listed that some motion knows.
 bool is_of_motion(const std::string& section) { return section.starts_with("motion"); }
 
-Json object_schema(const std::string& path, const Scene& scene);
-
 /// One alternative for each motion where the keys of a section depend on it.
-Json section_schema(const Section& section, const Scene& scene) {
-  if (section.free_keys) return free_section(section);
-  Json out = object_schema(section.path, scene);
-  out["description"] = section.doc;
-  return out;
-}
-
 Json object_schema(const std::string& path, const Scene& scene) {
   Json properties = Json::object(), required = Json::array();
   for (const Key& key : scene_keys()) {
     if (parent_of(key.path) != path || (is_of_motion(path) && !of_motion(key, scene))) continue;
-    const std::string name = key.path.substr(path.empty() ? 0 : path.size() + 1);
+    const std::string name = last_part(key.path);
     properties[name] = key_schema(key);
     if (key.path == "motion.type") properties[name] = {{"const", motion_type(scene)}, {"description", key.doc}};
     if (key.required) required.push_back(name);
   }
   for (const Section& section : scene_sections()) {
     if (parent_of(section.path) != path || (is_of_motion(section.path) && !applies(section, scene))) continue;
-    const std::string name = section.path.substr(path.empty() ? 0 : path.size() + 1);
-    properties[name] = section_schema(section, scene);
+    const std::string name = last_part(section.path);
+    Json& part = properties[name] = section.free_keys ? free_section(section) : object_schema(section.path, scene);
+    part["description"] = section.doc;
     if (section.required) required.push_back(name);
   }
   Json patterns{{merge_pattern, Json::object()}};

@@ -7,8 +7,7 @@
 
 #include "drivers/material/material_choice.hpp"
 #include "drivers/scene/body_box.hpp"
-#include "drivers/scene/initial_velocity.hpp"
-#include "drivers/scene/motion_keys.hpp"
+#include "drivers/scene/scene.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/simulation/body_ends.hpp"
 #include "drivers/simulation/scene_limits.hpp"

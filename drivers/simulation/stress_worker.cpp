@@ -7,7 +7,7 @@
 #include "adapters/worker/servant.hpp"
 #include "adapters/worker/watched_call.hpp"
 #include "adapters/worker/worker_process.hpp"
-#include "drivers/material/material_table.hpp"
+#include "drivers/material/registry.hpp"
 #include "drivers/simulation/stress_offload.hpp"
 #include "drivers/simulation/stress_page.hpp"
 #include "drivers/text/numbers.hpp"

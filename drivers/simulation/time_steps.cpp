@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "drivers/scene/body_box.hpp"
-#include "drivers/scene/initial_velocity.hpp"
+#include "drivers/scene/scene.hpp"
 #include "drivers/simulation/scene_limits.hpp"
 #include "drivers/text/number_format.hpp"
 #include "harness/stability/wave_speed.hpp"

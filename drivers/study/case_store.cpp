@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/output/errors_csv.hpp"
-#include "drivers/result/json_depth.hpp"
 #include "drivers/result/json_fields.hpp"
+#include "drivers/result/json_figure.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/whole_file.hpp"
 #include "drivers/text/sha256.hpp"

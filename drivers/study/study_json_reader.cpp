@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "drivers/result/fields.hpp"
-#include "drivers/result/json_depth.hpp"
+#include "drivers/result/json_figure.hpp"
 #include "drivers/study/clock.hpp"
 #include "drivers/study/study_json.hpp"
 #include "drivers/system/input_error.hpp"

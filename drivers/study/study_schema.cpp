@@ -5,7 +5,7 @@
 
 #include "drivers/result/result_json.hpp"
 #include "drivers/scene/expect.hpp"
-#include "drivers/scene/schema_parts.hpp"
+#include "drivers/scene/schema.hpp"
 #include "drivers/study/study.hpp"
 #include "drivers/study/study_reader.hpp"
 

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "drivers/system/input_file.hpp"
-#include "drivers/text/lookalikes.hpp"
 #include "drivers/text/unseen.hpp"
 
 namespace assay::drivers {

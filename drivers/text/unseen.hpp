@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Characters that a reader cannot see, or takes for others: written out, and named.
+// Characters that are easily taken for others: of word processors, of other scripts, of formulas in a paper.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +11,9 @@
 namespace assay::drivers {
 
 constexpr std::uint32_t no_character = 0xFFFFFFFFu;  ///< the code of a byte that belongs to no character of UTF-8
+
+/// Bytes of the UTF-8 character that begins the text, which is not empty, and its code point; 0 where it is none.
+std::size_t character_size(std::string_view text, std::uint32_t& code);
 
 /// Calls take(code, bytes) for each character.
 void for_each_character(std::string_view text, const std::function<void(std::uint32_t, std::string_view)>& take);
@@ -41,5 +45,15 @@ std::string without_unseen(std::string_view text);
 
 /// The text up to `limit` bytes, cut between characters and marked by "...".
 std::string cut(std::string_view text, std::size_t limit);
+
+/// The text with what is meant in the place of each character that is easily taken for another one.
+std::string as_meant(std::string_view text);
+
+/// "U+2212 stands where '-' belongs": the first such character; empty without any. `word` is what was meant, where that
+/// is known: the '_' of its keys is written as a dash as well.
+std::string lookalike(std::string_view text, std::string_view word = {});
+
+/// The same of marks alone, such as brackets, colons and quotes: letters of other scripts are text.
+std::string lookalike_mark(std::string_view text);
 
 }  // namespace assay::drivers

@@ -18,7 +18,6 @@
 #include "drivers/material/foreign_description.hpp"
 #include "drivers/material/material_description.hpp"
 #include "drivers/material/material_text.hpp"
-#include "drivers/material/raw_library.hpp"
 #include "drivers/material/registry.hpp"
 #include "drivers/material/source_library.hpp"
 #include "drivers/material/source_options.hpp"

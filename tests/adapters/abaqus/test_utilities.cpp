@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tensors: SINV, SPRINC, SPRIND, ROTSIG, VSPRINC and VSPRIND.
-#include "adapters/abaqus/utilities.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-#include "adapters/foreign/component_order.hpp"
+#include "adapters/foreign/foreign_state.hpp"
 #include "tests/adapters/abaqus/abaqus_library.hpp"
 
 namespace assay::adapters::test_utilities {

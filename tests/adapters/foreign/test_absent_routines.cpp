@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/foreign/absent_routines.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/foreign/beyond_probe.hpp"
+#include "adapters/foreign/host_values.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/foreign/component_order.hpp"
+#include "adapters/foreign/foreign_state.hpp"
 
 #include <gtest/gtest.h>
 

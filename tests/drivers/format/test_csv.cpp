@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "drivers/format/csv_lines.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/input_file.hpp"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/material/fortran_columns.hpp"
 
 #include <gtest/gtest.h>
 
 #include <regex>
 
-#include "drivers/material/fortran_adapted.hpp"
+#include "drivers/material/fortran_text.hpp"
 #include "drivers/material/tool_process.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/material/fortran_routines.hpp"
+#include "drivers/material/fortran_text.hpp"
 
 #include <gtest/gtest.h>
 

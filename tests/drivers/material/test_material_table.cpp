@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From descriptions to tables, in this process and in workers.
-#include "drivers/material/material_table.hpp"
+#include "drivers/material/registry.hpp"
 
 #include <gtest/gtest.h>
 

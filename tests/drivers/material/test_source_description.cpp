@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "drivers/format/yaml_reader.hpp"
-#include "drivers/material/compiler_messages.hpp"
+#include "drivers/material/fortran_compiler.hpp"
 #include "drivers/material/material_description.hpp"
 #include "drivers/material/registry.hpp"
-#include "drivers/material/source_facts.hpp"
+#include "drivers/material/source_entry.hpp"
 #include "tests/drivers/material/source_fixture.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/support/kept_yaml.hpp"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/scene/deformation_csv.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "adapters/worker/remote_table.hpp"
-#include "drivers/material/material_table.hpp"
+#include "drivers/material/registry.hpp"
 #include "mpm/material/material_batch.hpp"
 #include "mpm/simulation.hpp"
 #include "mpm/step/run_kernels.hpp"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/text/lookalikes.hpp"
 #include "drivers/text/unseen.hpp"
 
 #include <gtest/gtest.h>
