@@ -1,24 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/check/check_energies.hpp"
-
-#include <Eigen/LU>
+// Whether a VUMAT counts the work of all components of the strain.
 #include <algorithm>
 #include <cmath>
 
 #include "drivers/check/check_foreign.hpp"
 #include "harness/check/judge.hpp"
 #include "harness/check/march.hpp"
-#include "harness/material/material_failure.hpp"
 
 namespace assay::drivers {
 
 namespace {
 
-constexpr const char* energy_test = "energy";
-
 struct Energies {
   double counted;  ///< by the model
   double work;     ///< of its stress, on the reference volume
+  double share() const { return counted / work; }
 };
 
 /// Along a straight loading from rest. Throws MaterialFailure.
@@ -41,41 +37,34 @@ Energies energies_along(const Material& material, std::size_t energy, const Tens
 }  // namespace
 
 void judge_energies(const ResolvedMaterial& material, check::Report& report) {
-  const auto test = std::find_if(report.tests.begin(), report.tests.end(),
-                                 [](const check::TestResult& each) { return each.id == energy_test; });
-  const bool is_vumat = material.foreign && material.foreign->interface == adapters::ForeignInterface::vumat;
+  check::TestResult* const test = test_of(report, "energy");
   const std::size_t energy = place_in_state(material.material.table(), "ENERINTERN");
-  if (!is_vumat || test == report.tests.end() || energy >= material.material.state_size() || report.strain == 0) return;
-  Tensor extension = Tensor::Zero(), shear = Tensor::Zero();
-  extension(0, 0) = 1, shear(0, 1) = 1;
+  if (!is_of(material, adapters::ForeignInterface::vumat) || !test || energy >= material.material.state_size() ||
+      report.strain == 0)
+    return;
   constexpr double most = 0.1;  // of increments of finite length, and of the density that is taken
   constexpr double farthest = 0.02;
+  constexpr double significant = 1e-6;  // of the work of the other: a fluid takes none in shear, or in extension
+  Tensor extension = Tensor::Zero(), shear = Tensor::Zero();
+  extension(0, 0) = shear(0, 1) = 1;
   const double amplitude = std::min(farthest, report.strain);
   try {
-    constexpr double significant = 1e-6;  // of the work of the other: a fluid takes none in shear, or in extension
     const Energies of_extension = energies_along(material.material, energy, extension, amplitude);
     const Energies of_shear = energies_along(material.material, energy, shear, amplitude);
     const double least = significant * std::max(std::abs(of_extension.work), std::abs(of_shear.work));
     if (!(std::abs(of_extension.work) > least && std::abs(of_shear.work) > least)) return;
-    const double extension_share = of_extension.counted / of_extension.work,
-                 shear_share = of_shear.counted / of_shear.work;
-    const double larger = std::max(std::abs(extension_share), std::abs(shear_share));
-    if (larger == 0) return;
-    const double apart = std::abs(shear_share - extension_share) / std::abs(extension_share);  // infinite of no share
-    *test = {.id = energy_test, .measure = apart, .threshold = most};
+    const double extended = of_extension.share(), sheared = of_shear.share();
+    if (std::max(std::abs(extended), std::abs(sheared)) == 0) return;
+    const double apart = std::abs(sheared - extended) / std::abs(extended);  // infinite of no share
+    *test = {.id = test->id, .measure = apart, .threshold = most};
     test->sentence = "enerInternNew counts the work of shears and of extensions alike";
-    if (apart <= most && extension_share > 0) return;
-    test->verdict = check::Verdict::fail;
-    test->cause = check::causes::energy;
-    if (apart <= most)
-      test->sentence = "enerInternNew falls when the stress does work, and grows when it gives work back";
-    else if (extension_share == 0)
-      test->sentence = "enerInternNew counts the work of a shear, and none of that of an extension";
-    else
-      test->sentence = "enerInternNew counts the work of a shear " + check::rounded(shear_share / extension_share) +
-                       " times as it counts that of an extension: each shear of strainInc, which is the tensor's, "
-                       "stands for two components";
-    report.diagnosis.push_back({test->cause, test->sentence});
+    if (apart <= most && extended > 0) return;
+    fail_test(report, *test, check::causes::energy,
+              apart <= most   ? "enerInternNew falls when the stress does work, and grows when it gives work back"
+              : extended == 0 ? "enerInternNew counts the work of a shear, and none of that of an extension"
+                              : "enerInternNew counts the work of a shear " + check::rounded(sheared / extended) +
+                                    " times as it counts that of an extension: each shear of strainInc, which is the "
+                                    "tensor's, stands for two components");
   } catch (const std::runtime_error&) {  // what it does not stand has been told
   }
 }

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay check --methods`: the patch tests of every particle method that can be composed.
-#include <chrono>
-
 #include "adapters/builtin.hpp"
 #include "drivers/check/check.hpp"
-#include "drivers/check/check_output.hpp"
-#include "drivers/check/methods_table.hpp"
+#include "drivers/check/methods_report.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/progress.hpp"
+#include "harness/numeric/stopwatch.hpp"
 
 namespace assay::drivers {
 
@@ -31,7 +29,7 @@ std::vector<mpm::Method> chosen_methods(const std::string& name) {
 
 int check_methods(const CheckOptions& options) {
   watch_interrupts();
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   CheckedMethods checked;
   const auto material = std::make_shared<const Material>(adapters::builtin_table("neo_hookean"),
                                                          std::map<std::string, double>{{"E", 1e3}, {"nu", 0.3}});
@@ -44,10 +42,10 @@ int check_methods(const CheckOptions& options) {
     checked.methods.push_back(mpm::run_patch_tests(method, bench));
   }
   progress.finish();
-  checked.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  checked.wall_s = watch.seconds();
   stop_if_interrupted();
-  tell(options, methods_text(checked, options.verbosity), methods_json(checked),
-       methods_junit(checked, options.junit_name), methods_markdown(checked));
+  tell_check(options, methods_text(checked, options.verbosity), methods_json(checked),
+             methods_junit(checked, options.junit_name), methods_markdown(checked));
   return checked.passes() ? 0 : 1;
 }
 

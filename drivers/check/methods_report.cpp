@@ -30,11 +30,13 @@ std::string method_row(const std::string& id, const std::string& verdict, const 
   return table_line("  " + padded(id, 25) + padded(verdict, 9) + padded(measure, 11) + padded(threshold, 10) + order);
 }
 
+const std::string head_of_tests = method_row("test", "verdict", "measured", "at most", "order");
+
 std::string rows_of(const mpm::MethodReport& report, Verbosity verbosity) {
   std::string page = name_of(report.method) + "\n";
   for (const TestResult& test : report.tests) {
-    page += method_row(test.id, test.verdict == Verdict::fail ? "FAIL" : verdict_name(test.verdict),
-                       measured_text(test.measure), measured_text(test.threshold), order_text(test.order));
+    page += method_row(test.id, shown_verdict(test.verdict), measured_text(test.measure), measured_text(test.threshold),
+                       order_text(test.order));
     if (verbosity == Verbosity::verbose || test.verdict == Verdict::fail)
       page += wrapped(test.sentence, "    ", "    ");
   }
@@ -43,11 +45,15 @@ std::string rows_of(const mpm::MethodReport& report, Verbosity verbosity) {
 
 std::int64_t count_of(const std::vector<mpm::MethodReport>& methods, Verdict verdict) {
   std::int64_t count = 0;
-  for (const auto& report : methods) {
-    count += std::count_if(report.tests.begin(), report.tests.end(),
-                           [&](const TestResult& test) { return test.verdict == verdict; });
-  }
+  for (const auto& report : methods) count += std::ranges::count(report.tests, verdict, &TestResult::verdict);
   return count;
+}
+
+/// What belongs to that name; a new entry at the end where there is none.
+template <class T>
+T& entry_of(std::vector<std::pair<std::string, T>>& entries, const std::string& name) {
+  const auto known = std::ranges::find(entries, name, &std::pair<std::string, T>::first);
+  return known == entries.end() ? entries.emplace_back(name, T()).second : known->second;
 }
 
 /// What is not promised and why, each reason once.
@@ -57,10 +63,8 @@ std::string reasons(const CheckedMethods& checked) {
     for (const TestResult& test : report.tests) {
       const std::string reason = exemption(report.method, test.id);
       if (reason.empty()) continue;
-      auto known = std::find_if(found.begin(), found.end(), [&](const auto& each) { return each.first == reason; });
-      if (known == found.end()) known = found.insert(found.end(), {reason, {}});
-      auto& ids = known->second;
-      if (std::find(ids.begin(), ids.end(), test.id) == ids.end()) ids.push_back(test.id);
+      std::vector<std::string>& ids = entry_of(found, reason);
+      if (std::ranges::count(ids, test.id) == 0) ids.push_back(test.id);
     }
   }
   std::string page;
@@ -70,11 +74,11 @@ std::string reasons(const CheckedMethods& checked) {
 
 /// "methods: pass; 197 methods, 2380 tests passed, 0 failed, 969 not promised"
 std::string verdict_of(const CheckedMethods& checked) {
-  const std::size_t count = checked.methods.size();
-  return "methods: " + std::string(checked.passes() ? "pass" : "FAIL") + "; " + std::to_string(count) +
-         (count == 1 ? " method, " : " methods, ") + tests_passed(count_of(checked.methods, Verdict::pass)) + ", " +
-         std::to_string(count_of(checked.methods, Verdict::fail)) + " failed, " +
-         std::to_string(count_of(checked.methods, Verdict::not_applicable)) + " not promised\n";
+  const auto& all = checked.methods;
+  return "methods: " + std::string(checked.passes() ? "pass" : "FAIL") + "; " + std::to_string(all.size()) +
+         (all.size() == 1 ? " method, " : " methods, ") + tests_passed(count_of(all, Verdict::pass)) + ", " +
+         std::to_string(count_of(all, Verdict::fail)) + " failed, " +
+         std::to_string(count_of(all, Verdict::not_applicable)) + " not promised\n";
 }
 
 /// The rows of what fails, below the method's name.
@@ -84,7 +88,7 @@ std::string failures_of(const CheckedMethods& checked) {
     std::erase_if(report.tests, [](const TestResult& test) { return test.verdict != Verdict::fail; });
     if (!report.tests.empty()) page += rows_of(report, Verbosity::normal);
   }
-  return page.empty() ? page : method_row("test", "verdict", "measured", "at most", "order") + page + "\n";
+  return page.empty() ? page : head_of_tests + page + "\n";
 }
 
 /// A line for each basis and formulation, in the order of the methods.
@@ -92,16 +96,13 @@ std::string counts_by_basis(const CheckedMethods& checked) {
   std::vector<std::pair<std::string, std::vector<mpm::MethodReport>>> groups;
   for (const mpm::MethodReport& report : checked.methods) {
     const mpm::MethodNames names = names_of(report.method);
-    const std::string group = names.basis + ", " + names.formulation;
-    auto known = std::find_if(groups.begin(), groups.end(), [&](const auto& each) { return each.first == group; });
-    if (known == groups.end()) known = groups.insert(groups.end(), {group, {}});
-    known->second.push_back(report);
+    entry_of(groups, names.basis + ", " + names.formulation).push_back(report);
   }
   std::string page = method_row("basis", "methods", "passed", "failed", "not promised");
   for (const auto& [group, reports] : groups) {
-    page += method_row(group, std::to_string(reports.size()), std::to_string(count_of(reports, Verdict::pass)),
-                       std::to_string(count_of(reports, Verdict::fail)),
-                       std::to_string(count_of(reports, Verdict::not_applicable)));
+    const auto counted = [&of = reports](Verdict verdict) { return std::to_string(count_of(of, verdict)); };
+    page += method_row(group, std::to_string(reports.size()), counted(Verdict::pass), counted(Verdict::fail),
+                       counted(Verdict::not_applicable));
   }
   return page;
 }
@@ -134,7 +135,7 @@ std::string methods_text(const CheckedMethods& checked, Verbosity verbosity) {
   if (verbosity == Verbosity::quiet) return verdict;
   std::string page = verdict + "\n";
   if (verbosity == Verbosity::verbose || checked.methods.size() == 1) {
-    page += method_row("test", "verdict", "measured", "at most", "order");
+    page += head_of_tests;
     for (const auto& report : checked.methods) page += rows_of(report, verbosity);
     return page + "\n" + reasons(checked);
   }

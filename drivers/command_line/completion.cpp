@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/command_line/completion.hpp"
-
+// What a shell completes.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <set>
 #include <sstream>
 
+#include "drivers/command_line/verb.hpp"
 #include "drivers/material/registry.hpp"
 
 namespace assay::drivers {

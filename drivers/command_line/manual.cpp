@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/command_line/manual.hpp"
-
+// The man page, and what docs/assay.1 does not say of the verbs.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+
+#include "drivers/command_line/verb.hpp"
 
 namespace assay::drivers {
 

@@ -47,4 +47,15 @@ struct AddedVerb {
 /// flags outlive `app`.
 std::vector<AddedVerb> add_verbs(CLI::App& app, bool& quiet, bool& verbose);
 
+/// What a shell offers where the tab key is pressed: a line for each thing that may stand in place of the last of the
+/// words, which follow `assay`: a word, a tab and its meaning; "*.csv" for files of that kind; "*" for all files; "*/"
+/// for folders. The scripts of completions/ ask for it.
+std::string completions(const CLI::App& app, const std::vector<AddedVerb>& verbs,
+                        const std::vector<std::string>& words);
+
+/// The man page: `page`, which is docs/assay.1 in roff with a section `.SS assay VERB` for a verb, with an entry for
+/// each option that the section of its verb does not name, and with a section for each verb that has none, both in the
+/// words of the help.
+std::string whole_manual(const CLI::App& app, const std::vector<AddedVerb>& verbs, std::string page);
+
 }  // namespace assay::drivers

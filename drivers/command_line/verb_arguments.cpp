@@ -37,9 +37,9 @@ void add_repeatable(VerbArguments& verb, const std::string& name, std::vector<st
       ->allow_extra_args(false);
 }
 
-void add_scene(VerbArguments& verb, std::string& scene, std::vector<std::string>& sets) {
-  add_value(verb, "SCENE", scene, "", "YAML file of the scene", "*.yaml *.yml */")->required();
-  add_repeatable(verb, "--set", sets, "KEY.PATH=YAML", "replaces a value of the scene; repeatable");
+void add_scene(VerbArguments& verb, SceneOptions& given) {
+  add_value(verb, "SCENE", given.scene, "", "YAML file of the scene", "*.yaml *.yml */")->required();
+  add_repeatable(verb, "--set", given.sets, "KEY.PATH=YAML", "replaces a value of the scene; repeatable");
 }
 
 void add_out(VerbArguments& verb, std::string& out, const std::string& type, const std::string& doc) {
@@ -51,9 +51,9 @@ void add_out(VerbArguments& verb, std::string& out, const std::string& type, con
   add_value(verb, "-o", out, type, doc)->check(fault, "");
 }
 
-void add_results(VerbArguments& verb, std::string& out, bool& json) {
-  add_out(verb, out, "DIR", "folder for the results (default: results/SCENE)");
-  verb.app.add_flag("--json", json, "print result.json instead of text");
+void add_results(VerbArguments& verb, SceneOptions& given) {
+  add_out(verb, given.out, "DIR", "folder for the results (default: results/SCENE)");
+  verb.app.add_flag("--json", given.json, "print result.json instead of text");
 }
 
 std::string results_folder(const std::string& out, const std::string& input) {

@@ -2,10 +2,12 @@
 // Arguments that several verbs take.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "drivers/command_line/verb.hpp"
+#include "drivers/findings/run_options.hpp"
 #include "drivers/material/source_options.hpp"
 
 namespace assay::drivers {
@@ -23,13 +25,13 @@ void add_repeatable(VerbArguments& verb, const std::string& name, std::vector<st
                     const std::string& type, const std::string& doc);
 
 /// SCENE and --set.
-void add_scene(VerbArguments& verb, std::string& scene, std::vector<std::string>& sets);
+void add_scene(VerbArguments& verb, SceneOptions& given);
 
 /// -o, which takes no empty name. type: DIR or CSV.
 void add_out(VerbArguments& verb, std::string& out, const std::string& type, const std::string& doc);
 
 /// -o and --json of a verb that leaves a folder of results.
-void add_results(VerbArguments& verb, std::string& out, bool& json);
+void add_results(VerbArguments& verb, SceneOptions& given);
 
 /// The folder `out`; where it is empty, results/NAME with the name of the input.
 std::string results_folder(const std::string& out, const std::string& input);
@@ -39,6 +41,15 @@ void add_junit(VerbArguments& verb, std::string& file, std::string& name, const 
 
 /// Throws InputError where there is a --junit-name without --junit.
 void require_junit_of_name(const std::string& verb, const std::string& file, const std::string& name);
+
+/// The act of a verb whose options the arguments fill.
+template <class Options>
+Act act_of(const std::shared_ptr<Options>& given, int (*verb)(const Options&)) {
+  return [given, verb](Verbosity verbosity) {
+    given->verbosity = verbosity;
+    return verb(*given);
+  };
+}
 
 /// What is said of a Fortran source.
 void add_source_options(VerbArguments& verb, SourceOptions& source);

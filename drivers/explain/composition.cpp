@@ -11,9 +11,8 @@ namespace assay::drivers {
 
 namespace {
 
-template <class List, class Value>
-bool contains(const List& list, const Value& value) {
-  return std::find(list.begin(), list.end(), value) != list.end();
+bool contains(const std::vector<std::string>& list, const std::string& name) {
+  return std::ranges::count(list, name) > 0;
 }
 
 EffectPart part_of(const EffectEntry& entry, const Problem& problem, const Composition& c) {
@@ -44,9 +43,8 @@ StepWork work_of(const Problem& problem, const Composition& c) {
     const std::size_t times = mpm::times_a_step(pass, setup.method);
     work.column_bytes += particles * static_cast<double>(times * bytes_moved(pass, setup));
     for (const mpm::GridFieldUse& use : c.grid_fields) {
-      const bool touched = std::any_of(use.holds.begin(), use.holds.end(),
-                                       [&](const std::string& name) { return contains(pass.grid_fields, name); });
-      if (touched) work.grid_bytes += nodes * static_cast<double>(times * use.bytes);
+      const auto is_its_own = [&pass](const std::string& name) { return contains(pass.grid_fields, name); };
+      if (std::ranges::any_of(use.holds, is_its_own)) work.grid_bytes += nodes * static_cast<double>(times * use.bytes);
     }
     if (pass.updates_material) work.material_updates += static_cast<std::int64_t>(times * setup.seeds.size());
   }
@@ -74,6 +72,12 @@ Composition composition_of(const Problem& problem) {
   c.work = work_of(problem, c);
   for (const EffectEntry& entry : effects()) c.effects.push_back(part_of(entry, problem, c));
   return c;
+}
+
+std::vector<std::string> names_of(const std::vector<mpm::Column>& columns) {
+  std::vector<std::string> names;
+  for (const mpm::Column column : columns) names.emplace_back(mpm::info(column).name);
+  return names;
 }
 
 std::vector<Observer> observers_of(const Problem& problem) {

@@ -7,6 +7,7 @@
 
 #include "drivers/explain/effects.hpp"
 #include "drivers/result/result.hpp"
+#include "harness/exact/exact_solution.hpp"
 #include "mpm/compose.hpp"
 
 namespace assay::drivers {
@@ -17,6 +18,13 @@ namespace assay::drivers {
 struct StepWork {
   double column_bytes = 0, grid_bytes = 0;
   std::int64_t material_updates = 0;
+
+  static void fields(auto& self, auto& archive) {
+    archive("column_bytes", self.column_bytes);
+    archive("grid_bytes", self.grid_bytes);
+    archive("material_updates", self.material_updates);
+    archive("measured", false);
+  }
 };
 
 /// An effect in this composition.
@@ -26,6 +34,20 @@ struct EffectPart {
   std::string key;                                        ///< of the scene, that calls for it; empty: none
   std::vector<std::string> passes, columns, grid_fields;  ///< that it brings; empty where it is not there
   std::size_t bytes_per_particle = 0, bytes_per_node = 0;
+
+  static void fields(auto& self, auto& archive) {
+    const EffectEntry& entry = entry_of(self.effect);
+    archive("name", self.effect);
+    archive("doc", entry.doc);
+    archive("key", or_null(self.key));
+    archive("there", self.is_there);
+    archive("passes", self.passes);
+    archive("columns", self.columns);
+    archive("grid_fields", self.grid_fields);
+    archive("asks_material", self.is_there && entry.asks_material);
+    archive("bytes_per_particle", self.bytes_per_particle);
+    archive("bytes_per_node", self.bytes_per_node);
+  }
 };
 
 struct Composition {
@@ -47,11 +69,23 @@ struct Observer {
   std::string name;
   std::size_t times;
   std::string called_for_by;
+
+  static void fields(auto& self, auto& archive) {
+    archive("name", self.name);
+    archive("times", self.times);
+    archive("called_for_by", self.called_for_by);
+  }
 };
 std::vector<Observer> observers_of(const Problem& problem);
 
-/// `assay explain --json`. response: null where there is none.
-std::string explanation_json(const Problem& problem, const Composition& composition, const Response* response,
-                             const ScreenFigures& screen);
+/// Names of columns.
+std::vector<std::string> names_of(const std::vector<mpm::Column>& columns);
+
+/// Passes, columns, observers, memory, steps, response and stability of a problem, as `assay explain` prints them.
+/// Without an exact solution, which is not made where the run is refused, there is no response.
+std::string explanation(const Problem& problem, const ExactSolution* exact, const ScreenFigures& screen);
+
+/// The same as JSON.
+std::string explanation_json(const Problem& problem, const ExactSolution* exact, const ScreenFigures& screen);
 
 }  // namespace assay::drivers

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/explain/explanation.hpp"
-
+// What `assay explain` prints.
 #include <fmt/core.h>
-#include <cmath>
-#include <cstdio>
 
 #include "drivers/explain/composition.hpp"
-#include "drivers/findings/findings.hpp"
-#include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/screening.hpp"
-#include "drivers/simulation/warnings.hpp"
 #include "drivers/system/input_error.hpp"
-#include "drivers/system/terminal.hpp"
 #include "drivers/text/number_format.hpp"
 #include "drivers/text/wrapped_text.hpp"
 #include "mpm/step/stages.hpp"
@@ -21,27 +14,22 @@ namespace assay::drivers {
 
 namespace {
 
-std::string columns_text(const std::vector<mpm::Column>& columns) {
-  std::string text;
-  for (const mpm::Column column : columns) text += (text.empty() ? "" : ", ") + std::string(mpm::info(column).name);
-  return text;
-}
-
 std::string bytes_text(double bytes) { return rounded_text(bytes / (1024.0 * 1024), 3) + " MiB"; }
 
-/// "passes ...; columns ...; grid fields ..., 16 bytes a particle".
+/// "pass ...; column ..., 16 bytes a particle; grid field ..., 8 bytes a node".
 std::string brought_text(const EffectPart& part) {
-  std::string text;
-  const auto add = [&](const std::string& what) { text += (text.empty() ? "" : "; ") + what; };
-  if (!part.passes.empty()) add("pass " + joined(part.passes));
-  if (!part.columns.empty())
-    add("column " + joined(part.columns) + fmt::format(", {} bytes a particle", part.bytes_per_particle));
-  if (!part.grid_fields.empty()) {
-    add("grid field " + joined(part.grid_fields) + fmt::format(", {} bytes a node", part.bytes_per_node));
-  }
   const EffectEntry& entry = entry_of(part.effect);
-  if (!entry.around.empty()) add(entry.around);
-  if (entry.asks_material) add("calls of the material beside the particles' stress");
+  std::string text;
+  const auto add = [&](bool is_there, const std::string& what) {
+    if (is_there) text += (text.empty() ? "" : "; ") + what;
+  };
+  add(!part.passes.empty(), "pass " + joined(part.passes));
+  add(!part.columns.empty(),
+      fmt::format("column {}, {} bytes a particle", joined(part.columns), part.bytes_per_particle));
+  add(!part.grid_fields.empty(),
+      fmt::format("grid field {}, {} bytes a node", joined(part.grid_fields), part.bytes_per_node));
+  add(!entry.around.empty(), entry.around);
+  add(entry.asks_material, "calls of the material beside the particles' stress");
   return text;
 }
 
@@ -50,11 +38,12 @@ std::string passes_text(const Problem& problem, const Composition& c) {
   const std::string indent(22, ' ');
   for (const auto& pass : c.passes) {
     text += wrapped(pass.doc, fmt::format("  {:19} ", pass.name), indent);
-    if (!pass.reads.empty()) text += wrapped("reads " + columns_text(pass.reads), indent + "  ", indent + "    ");
-    if (!pass.writes.empty()) text += wrapped("writes " + columns_text(pass.writes), indent + "  ", indent + "    ");
-    if (!pass.grid_fields.empty()) {
-      text += wrapped("on the grid " + joined(pass.grid_fields), indent + "  ", indent + "    ");
-    }
+    const auto add = [&](const std::string& does, const std::vector<std::string>& names) {
+      if (!names.empty()) text += wrapped(does + joined(names), indent + "  ", indent + "    ");
+    };
+    add("reads ", names_of(pass.reads));
+    add("writes ", names_of(pass.writes));
+    add("on the grid ", pass.grid_fields);
     const std::size_t times = mpm::times_a_step(pass, problem.setup.method);
     const std::string often = pass.once   ? "; once, before the first step"
                               : times > 1 ? fmt::format("; {} times a step", times)
@@ -136,10 +125,6 @@ std::string steps_text(const Problem& problem) {
                  "  fastest wave on the path ", "    ");
 }
 
-std::string frame_line(const Problem& problem) {
-  return problem.scene.frame ? wrapped(frame_text(*problem.scene.frame), "frame: ", "  ") : "";
-}
-
 std::string exact_solution_line(const Problem& problem) {
   if (!problem.setup.uses_exact_solution()) return "";
   return wrapped(problem.setup.has_virtual_stress()
@@ -150,19 +135,18 @@ std::string exact_solution_line(const Problem& problem) {
 
 std::string ends_text(const Problem& problem) {
   constexpr const char* axes[] = {"x", "y"};
-  std::string text;
+  std::vector<std::string> all;
   for (std::size_t d = 0; d < 2; ++d) {
     const mpm::AxisEnds& ends = problem.setup.ends[d];
-    const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
     if (ends.periodic) {
-      add(std::string("periodic along ") + axes[d]);
+      all.push_back(std::string("periodic along ") + axes[d]);
       continue;
     }
     for (const auto& at : {ends.lower, ends.upper}) {
-      if (at) add(std::string("a symmetry plane at ") + axes[d] + " = " + rounded_text(*at, 6) + " m");
+      if (at) all.push_back(std::string("a symmetry plane at ") + axes[d] + " = " + rounded_text(*at, 6) + " m");
     }
   }
-  return text.empty() ? "" : wrapped(text, "faces: ", "  ");
+  return all.empty() ? "" : wrapped(joined(all), "faces: ", "  ");
 }
 
 std::string response_text(const Problem& problem, const ExactSolution* exact) {
@@ -192,12 +176,12 @@ std::string response_text(const Problem& problem, const ExactSolution* exact) {
 
 }  // namespace
 
-std::string explanation(const Problem& problem, const ExactSolution* exact, const ScreenFigures& screen, bool json) {
+std::string explanation(const Problem& problem, const ExactSolution* exact, const ScreenFigures& screen) {
   const Composition c = composition_of(problem);
-  if (json)
-    return explanation_json(problem, c, exact && exact->response() ? exact->response()->get() : nullptr, screen);
+  const auto& turned = problem.scene.frame;
+  const std::string frame = turned ? wrapped(frame_text(*turned), "frame: ", "  ") : "";
   return passes_text(problem, c) + observers_text(problem) + memory_text(problem, c) + work_text(c) + effects_text(c) +
-         steps_text(problem) + frame_line(problem) + exact_solution_line(problem) + ends_text(problem) +
+         steps_text(problem) + frame + exact_solution_line(problem) + ends_text(problem) +
          response_text(problem, exact) + wrapped(screen_sentence(screen), "motion: ", "  ");
 }
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/findings/run_junit.hpp"
-
+// A run as JUnit's XML.
 #include <algorithm>
 #include <filesystem>
 
-#include "drivers/findings/verdict.hpp"
+#include "drivers/findings/findings.hpp"
 #include "drivers/output/junit.hpp"
-#include "drivers/output/output_folder.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/input_file.hpp"

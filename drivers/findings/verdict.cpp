@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/findings/verdict.hpp"
-
+// What is found, as text of 80 columns.
 #include <fmt/core.h>
 
 #include <filesystem>
@@ -9,6 +8,7 @@
 #include "drivers/simulation/rim.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/text/number_format.hpp"
+#include "drivers/text/table_text.hpp"
 #include "drivers/text/wrapped_text.hpp"
 
 namespace assay::drivers {
@@ -17,23 +17,22 @@ namespace {
 
 std::string figure(const Figure& value) { return value ? rounded_text(*value, 3) : "-"; }
 
+std::string error_row(const std::string& name, const std::string& half, const std::string& end, const std::string& l2,
+                      const std::string& linf = {}) {
+  return table_line(fmt::format("  {:22} {:>10} {:>10} {:>10} {:>12}", name, half, end, l2, linf));
+}
+
 std::string error_lines(const ErrorFigures& e) {
   std::string text =
-      fmt::format("  {:22} {:>10} {:>10} {:>10} {:>12}\n", "error", "at T/2", "at end", "max L2", "max Linf");
-  text += fmt::format("  {:22} {:>10} {:>10} {:>10} {:>12}\n", "displacement [m]", figure(e.l2_half), figure(e.l2_end),
-                      figure(e.l2_max), figure(e.linf_max));
-  text += fmt::format("  {:22} {:>10} {:>10} {:>10}\n", "  rms, all particles", figure(e.rms36_half),
-                      figure(e.rms36_end), figure(e.rms36_max));
-  const auto maximum = [&](const char* name, const FieldMaximum& m) {
-    text += fmt::format("  {:22} {:>10} {:>10} {:>10} {:>12}\n", name, "", "", figure(m.l2_max), figure(m.linf_max));
-  };
-  maximum("velocity [m/s]", e.velocity);
-  maximum("F [1]", e.deformation_gradient);
-  maximum("det F [1]", e.jacobian);
-  maximum("Cauchy stress [Pa]", e.stress);
-  if (e.relative) {
-    text += fmt::format("  {:22} {:>10} {:>10} {:>10}\n", "relative to the motion", "", "", figure(e.relative));
-  }
+      error_row("error", "at T/2", "at end", "max L2", "max Linf") +
+      error_row("displacement [m]", figure(e.l2_half), figure(e.l2_end), figure(e.l2_max), figure(e.linf_max)) +
+      error_row("  rms, all particles", figure(e.rms36_half), figure(e.rms36_end), figure(e.rms36_max));
+  const std::pair<const char*, const FieldMaximum&> maxima[] = {{"velocity [m/s]", e.velocity},
+                                                                {"F [1]", e.deformation_gradient},
+                                                                {"det F [1]", e.jacobian},
+                                                                {"Cauchy stress [Pa]", e.stress}};
+  for (const auto& [name, of] : maxima) text += error_row(name, "", "", figure(of.l2_max), figure(of.linf_max));
+  if (e.relative) text += error_row("relative to the motion", "", "", figure(e.relative));
   return text;
 }
 
@@ -57,6 +56,16 @@ std::string profile_lines(const Result& r) {
 std::string summary_of(const Result& result) {
   if (exit_status(result) != 0) return "NOT AS EXPECTED";
   return result.expect.empty() ? "NOTHING WAS EXPECTED" : "AS EXPECTED";
+}
+
+std::string outcome_text(const Result& result) {
+  std::string text = (result.title.empty() ? "" : result.title + ": ") + result.outcome;
+  if (result.t) text += fmt::format(" at t = {} s", figure(result.t));
+  return wrapped(text + ": " + summary_of(result), "", "  ") + expectations_text(result, false);
+}
+
+std::string reason_text(const Result& result) {
+  return result.reason.empty() ? "" : wrapped(result.reason, "  ", "  ");
 }
 
 }  // namespace
@@ -110,21 +119,10 @@ std::string expectations_text(const Result& result, bool that_hold) {
   return text;
 }
 
-namespace {
-
-std::string outcome_text(const Result& result) {
-  std::string text = (result.title.empty() ? "" : result.title + ": ") + result.outcome;
-  if (result.t) text += fmt::format(" at t = {} s", figure(result.t));
-  return wrapped(text + ": " + summary_of(result), "", "  ") + expectations_text(result, false);
+std::string said_of(const Result& result, const SceneOptions& options, const std::string& text) {
+  if (!options.quiet()) return text;
+  return exit_status(result) == 0 ? "" : outcome_text(result) + reason_text(result);
 }
-
-std::string reason_text(const Result& result) {
-  return result.reason.empty() ? "" : wrapped(result.reason, "  ", "  ");
-}
-
-}  // namespace
-
-std::string contradiction_text(const Result& result) { return outcome_text(result) + reason_text(result); }
 
 std::string verdict_text(const Result& result, const std::string& folder, bool with_profile) {
   std::string text = outcome_text(result);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/tabulation/references.hpp"
-
-#include <algorithm>
+// What of a material does not come from the same equations as its tabulated response.
 #include <cmath>
 
 #include "drivers/system/interrupt.hpp"
+#include "drivers/tabulation/tabulation.hpp"
 #include "drivers/text/number_format.hpp"
 #include "drivers/text/wrapped_text.hpp"
 #include "harness/history/point_driver.hpp"
@@ -31,25 +30,37 @@ std::vector<double> places(const Interval& range) {
   return list;
 }
 
-}  // namespace
+/// The largest difference, over the largest value.
+class Difference {
+ public:
+  void add(double difference, double value) {
+    difference_ = larger(difference_, difference);
+    scale_ = larger(scale_, value);
+  }
+  double relative() const { return scale_ > 0 ? difference_ / scale_ : difference_; }
+
+ private:
+  double difference_ = 0, scale_ = 0;
+};
 
 Figure difference_to_closed_form(const std::shared_ptr<const Material>& material, const Path& path,
                                  const Response& response, double end) {
   const auto form = ClosedForm::of(material, path);
   if (!form || !response.sheet()) return std::nullopt;
-  double difference = 0, scale = 0;
+  Difference found;
   for (int i = 0; i < rows; ++i) {
     for (int j = 0; j < rows; ++j) {
       const double xi = path.parameter.lower + path.parameter.width() * i / (rows - 1), t = end * j / (rows - 1);
       Tensor tau, slope, exact, exact_slope;
       response.at(xi, t, tau, slope);
       form->at(xi, t, exact, exact_slope);
-      difference = larger(difference, largest_of(tau - exact));
-      scale = larger(scale, largest_of(exact));
+      found.add(largest_of(tau - exact), largest_of(exact));
     }
   }
-  return scale > 0 ? difference / scale : difference;
+  return found.relative();
 }
+
+}  // namespace
 
 Figure difference_of_forms(const Material& material, const Path& path, double end) {
   // a stepper without events cannot follow a rate form over its kinks
@@ -64,14 +75,13 @@ Figure difference_of_forms(const Material& material, const Path& path, double en
   stop_if_interrupted();
   options.form = Form::increments;
   const Histories increments = integrate_histories(material, path, xi, t, options);
-  double difference = 0, scale = 0;
+  Difference found;
   for (std::size_t k = 0; k < t.size(); ++k) {
     for (std::size_t i = 0; i < rates.tau[k].size(); ++i) {
-      difference = larger(difference, std::abs(rates.tau[k][i] - increments.tau[k][i]));
-      scale = larger(scale, std::abs(rates.tau[k][i]));
+      found.add(std::abs(rates.tau[k][i] - increments.tau[k][i]), std::abs(rates.tau[k][i]));
     }
   }
-  return scale > 0 ? difference / scale : difference;
+  return found.relative();
 }
 
 ReferenceFigures references_of(const std::shared_ptr<const Material>& material, const Path& path,

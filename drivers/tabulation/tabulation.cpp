@@ -16,9 +16,6 @@ namespace {
 constexpr int sheet_rows = 41;     ///< values of xi and of t in sheet.csv
 constexpr int curve_points = 201;  ///< values of eps in curve.csv
 
-/// "11" and so on.
-std::string name_of(int component) { return std::to_string(component / 3 + 1) + std::to_string(component % 3 + 1); }
-
 /// Whether the path shears out of the plane, or the material answers with stress there.
 bool leaves_the_plane(const Tabulation& tab) {
   const auto leaves = [](const Tensor& A) { return A(0, 2) != 0 || A(1, 2) != 0 || A(2, 0) != 0 || A(2, 1) != 0; };
@@ -41,38 +38,9 @@ std::vector<int> written_of(const Tabulation& tab) {
 
 void add_component_columns(const std::vector<int>& components, const std::string& slope,
                            std::vector<std::string>& names) {
-  for (const int c : components) names.push_back("tau" + name_of(c));
-  for (const int c : components) names.push_back("dtau" + name_of(c) + slope);
+  for (const int c : components) names.push_back("tau" + index_text(c));
+  for (const int c : components) names.push_back("dtau" + index_text(c) + slope);
 }
-
-/// Rows of the sheet.
-class SheetTable {
- public:
-  explicit SheetTable(const Tabulation& tab) : tab_(tab), written_(written_of(tab)), csv_(columns(written_)) {}
-
-  void add(double xi, double t) {
-    stop_if_interrupted();
-    Tensor tau, slope;
-    tab_.response->at(xi, t, tau, slope);
-    std::vector<double> row{xi, t, tab_.path.deformation_gradient(xi, t)(1, 0)};
-    for (const int c : written_) row.push_back(component(tau, c));
-    for (const int c : written_) row.push_back(component(slope, c));
-    csv_.row(row);
-  }
-
-  std::string text() const { return csv_.text(); }
-
- private:
-  static std::vector<std::string> columns(const std::vector<int>& written) {
-    std::vector<std::string> names{"xi", "t", "gamma"};
-    add_component_columns(written, "_dxi", names);
-    return names;
-  }
-
-  const Tabulation& tab_;
-  std::vector<int> written_;
-  CsvText csv_;
-};
 
 /// The time at which |g| is first largest: there tau(xi, t) against eps = xi g is the curve of first loading.
 double time_of_first_peak(const Path& path, double end, double period) {
@@ -115,20 +83,32 @@ void cover(const std::vector<SheetPoint>& points, const std::string& file, Tabul
 }
 
 std::string regular_sheet(const Tabulation& tab) {
-  SheetTable table(tab);
+  std::vector<SheetPoint> points;
   for (int j = 0; j < sheet_rows; ++j) {
     for (int i = 0; i < sheet_rows; ++i) {
-      table.add(tab.path.parameter.lower + tab.path.parameter.width() * i / (sheet_rows - 1),
-                tab.end * j / (sheet_rows - 1));
+      points.push_back({tab.path.parameter.lower + tab.path.parameter.width() * i / (sheet_rows - 1),
+                        tab.end * j / (sheet_rows - 1)});
     }
   }
-  return table.text();
+  return sheet_at(tab, points);
 }
 
 std::string sheet_at(const Tabulation& tab, const std::vector<SheetPoint>& points) {
-  SheetTable table(tab);
-  for (const SheetPoint& point : points) table.add(point.xi, point.t);
-  return table.text();
+  const std::vector<int> written = written_of(tab);
+  std::vector<std::string> names{"xi", "t", "gamma"};
+  add_component_columns(written, "_dxi", names);
+  CsvText csv(names);
+  for (const auto& [xi, t, line] : points) {
+    stop_if_interrupted();
+    Tensor tau, slope;
+    tab.response->at(xi, t, tau, slope);
+    std::vector<double> row{xi, t, tab.path.deformation_gradient(xi, t)(1, 0)};
+    for (const Tensor* of : {&tau, &slope}) {
+      for (const int c : written) row.push_back(component(*of, c));
+    }
+    csv.row(row);
+  }
+  return csv.text();
 }
 
 Curve curve_of(const Tabulation& tab) {
@@ -176,7 +156,7 @@ LinePlot plot_of(const Curve& curve, const std::vector<std::vector<double>>& val
   for (std::size_t k = 0; k < values.size(); ++k) {
     const int c = curve.components[k];  // below the diagonal, and 22, lie on another in many models
     const bool dashed = c == 3 || c == 4 || c == 6 || c == 7;
-    plot.series.push_back({name_of(c), curve.x, values[k], true, false, dashed});
+    plot.series.push_back({index_text(c), curve.x, values[k], true, false, dashed});
   }
   return plot;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay materials`: what is registered, for people (80 columns) and for machines.
-#include "drivers/verbs/materials.hpp"
+#include "drivers/verbs/verbs.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

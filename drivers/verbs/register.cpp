@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay register`: a library or a description of one becomes a name in the user's registry.
-#include "drivers/verbs/register.hpp"
+#include "drivers/verbs/verbs.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
