@@ -2,15 +2,37 @@
 // What a run of a problem consists of, and what that costs, without running it: what `assay explain` tells.
 #pragma once
 
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "drivers/explain/effects.hpp"
 #include "drivers/result/result.hpp"
+#include "drivers/simulation/problem.hpp"
 #include "harness/exact/exact_solution.hpp"
 #include "mpm/compose.hpp"
 
 namespace assay::drivers {
+
+/// An optional effect: what it is, the scene key that calls for it, and what it brings into a run. What a scene does
+/// not call for is not there: no pass, column, grid field, observer or call of the material.
+struct EffectEntry {
+  std::string name, doc;
+  std::string key;                                 ///< of the scene; empty: no key calls for it
+  std::string around;                              ///< what it brings around the steps; empty: nothing
+  std::function<bool(const Problem&)> called_for;  ///< by this scene
+  bool asks_material = false;                      ///< it can, in steps, for more than the particles' stress
+  /// Where another key than `key` can call for it, too: the one that does so here.
+  std::function<std::string(const Problem&)> called_by = nullptr;
+
+  std::string key_of(const Problem& problem) const { return called_by ? called_by(problem) : key; }
+};
+
+/// Those of a step, which are the records of mpm/effects, and those of a run, around its steps.
+std::span<const EffectEntry> effects();
+
+/// Throws std::out_of_range where there is none.
+const EffectEntry& entry_of(const std::string& effect);
 
 /// Work of one step after the first, counted from the composition: what each pass reads and writes of the columns of
 /// all particles, what it touches of the grid's fields once a node that is reached, and points that the material
