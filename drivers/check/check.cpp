@@ -181,9 +181,8 @@ void refuse_unknown_parameters(const CheckOptions& options, const std::vector<Ch
       return !checked.error.empty() || std::any_of(checked.parameters.begin(), checked.parameters.end(),
                                                    [&](const auto& own) { return own.first == parameter; });
     };
-    if (std::none_of(all.begin(), all.end(), has)) {
+    if (std::none_of(all.begin(), all.end(), has))
       throw InputError({}, "--parameters", "no material has a parameter '" + one_line(name, 60) + "'");
-    }
   }
 }
 

@@ -42,9 +42,8 @@ Stress stress_of(const Material& material, int place) {
   component(F, place) += strain;
   const Answer answer = answer_of(material, {0, 1, Tensor::Identity(), F, material.initial_state(1)});
   Stress stress;
-  for (std::size_t c = 0; c < stress.size(); ++c) {
+  for (std::size_t c = 0; c < stress.size(); ++c)
     stress[c] = is_good(answer) ? std::abs(answer[stress_of_answer + c]) : NAN;
-  }
   return stress;
 }
 

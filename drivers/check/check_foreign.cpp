@@ -136,9 +136,8 @@ void keep_elements(const Material& material) {
 
 std::size_t place_in_state(const assay_material& table, const std::string& name) {
   std::size_t at = 0;
-  for (std::uint32_t v = 0; v < table.state_count && name != table.state[v].name; ++v) {
+  for (std::uint32_t v = 0; v < table.state_count && name != table.state[v].name; ++v)
     at += static_cast<std::size_t>(components_of_kind(table.state[v].kind));
-  }
   return at;
 }
 

@@ -70,9 +70,8 @@ class Hosts {
       access_.hold(material_.self(), usual_);
       if (variation.of_an_output) compare_tangents(tangent_of(steps_[k]), of_other, effect);
       // what is kept outside the state is no dependence
-      if (!same_answer(found, answers_[k]) && same_answer(answer_of(material_, steps_[k]), answers_[k])) {
+      if (!same_answer(found, answers_[k]) && same_answer(answer_of(material_, steps_[k]), answers_[k]))
         note(found, k, effect);
-      }
     }
     return effect;
   }

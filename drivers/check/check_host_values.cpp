@@ -15,35 +15,36 @@ using adapters::HostValues;
 using Value = HostVariation::Value;
 using Variations = std::vector<HostVariation>;
 
-/// In later steps than a point's first: 1 is what set-up code asks for, and rightly.
-HostVariation counter(const std::string& name, int HostValues::*place, const std::vector<int>& values,
-                      bool counts = true) {
+/// One value after the other.
+template <class T>
+HostVariation varied(const std::string& name, bool counts, const std::vector<T>& values,
+                     const std::function<std::string(const T&)>& words,
+                     const std::function<void(HostValues&, const T&)>& set) {
   HostVariation variation{name, counts, {}};
-  for (const int value : values) {
-    variation.values.push_back({"at " + std::to_string(value), [=](HostValues& host) { host.*place = value; }});
-  }
+  for (const T& value : values)
+    variation.values.push_back({"at " + words(value), [=](HostValues& host) { set(host, value); }});
   return variation;
+}
+
+/// In later steps than a point's first: 1 is what set-up code asks for, and rightly.
+HostVariation counter(const std::string& name, const std::vector<int>& values,
+                      const std::function<void(HostValues&, int)>& set, bool counts = true) {
+  return varied<int>(
+      name, counts, values, [](int value) { return std::to_string(value); }, set);
 }
 
 /// KINC is 1 again where another step of the analysis begins: a set-up that asks for KINC alone begins anew.
 Variations increments() {
-  HostVariation increment{"KINC", true, {}};
-  for (const int value : {3, 10, 100, 1000, 100000}) {
-    increment.values.push_back({"at " + std::to_string(value), [=](HostValues& host) { host.increment = value; }});
-  }
-  HostVariation step = counter("KSTEP", &HostValues::step, {2, 3, 10, 100});
+  HostVariation step = counter("KSTEP", {2, 3, 10, 100}, [](HostValues& host, int v) { host.step = v; });
   step.values.push_back(
       {"where a second step begins (KSTEP 2, KINC 1)", [](HostValues& host) { host.step = 2, host.increment = 1; }});
-  return {increment, step};
+  return {counter("KINC", {3, 10, 100, 1000, 100000}, [](HostValues& host, int v) { host.increment = v; }), step};
 }
 
 HostVariation multiples(const std::string& name, double HostValues::*place) {
-  HostVariation variation{name, false, {}};
-  for (const double times : {0.01, 0.5, 2.0, 10.0}) {
-    variation.values.push_back(
-        {"at " + rounded_text(times, 3) + " times its value", [=](HostValues& host) { host.*place *= times; }});
-  }
-  return variation;
+  return varied<double>(
+      name, false, {0.01, 0.5, 2.0, 10.0}, [](double times) { return rounded_text(times, 3) + " times its value"; },
+      [=](HostValues& host, double times) { host.*place *= times; });
 }
 
 /// TIME(1) begins at 0 with each step of the analysis, and TIME(2) goes on: a set-up that asks for TIME(1) alone begins
@@ -63,14 +64,12 @@ Variations step_times(const ForeignModel& model) {
 }
 
 HostVariation places(const std::string& name) {
-  HostVariation variation{name, false, {}};
-  for (const std::array<double, 3>& place :
-       {std::array{0.3, 0.7, 0.2}, std::array{10.0, -3.0, 2.0}, std::array{-400.0, 1000.0, 70.0}}) {
-    const std::string words =
-        "at (" + rounded_text(place[0], 4) + ", " + rounded_text(place[1], 4) + ", " + rounded_text(place[2], 4) + ")";
-    variation.values.push_back({words, [=](HostValues& host) { host.place = place; }});
-  }
-  return variation;
+  using Place = std::array<double, 3>;
+  const auto words = [](const Place& at) {
+    return "(" + rounded_text(at[0], 4) + ", " + rounded_text(at[1], 4) + ", " + rounded_text(at[2], 4) + ")";
+  };
+  return varied<Place>(name, false, {{0.3, 0.7, 0.2}, {10, -3, 2}, {-400, 1000, 70}}, words,
+                       [](HostValues& host, const Place& place) { host.place = place; });
 }
 
 HostVariation temperatures(const std::string& name, double usual) {
@@ -108,10 +107,11 @@ std::vector<HostVariation> host_variations(const ForeignModel& model) {
     add({multiples("stepTime", &HostValues::step_time_times)});
     all.back().counts = all.back().of_later_steps = true;
   }
-  add({counter(umat ? "NPT" : "jblock(2)", &HostValues::point, {2, 4, 8}),
-       counter(umat ? "LAYER" : "jblock(3)", &HostValues::layer, {2, 3}),
-       counter(umat ? "KSPT" : "jblock(4)", &HostValues::section, {2, 3}),
-       counter(umat ? "NOEL" : "jblock(5)", &HostValues::element, {2, 999, 100000}, false),
+  add({counter(umat ? "NPT" : "jblock(2)", {2, 4, 8}, [](HostValues& host, int v) { host.point = v; }),
+       counter(umat ? "LAYER" : "jblock(3)", {2, 3}, [](HostValues& host, int v) { host.layer = v; }),
+       counter(umat ? "KSPT" : "jblock(4)", {2, 3}, [](HostValues& host, int v) { host.section = v; }),
+       counter(
+           umat ? "NOEL" : "jblock(5)", {2, 999, 100000}, [](HostValues& host, int v) { host.element = v; }, false),
        temperatures(umat ? "TEMP" : "tempOld and tempNew", model.temperature),
        outputs(umat ? "what DDSDDE holds before the call" : "what stateNew holds before the call")});
   if (umat) add({{"DTEMP", false, {{"for 1", [](HostValues& host) { host.temperature_rise = 1; }}}}});
@@ -119,9 +119,8 @@ std::vector<HostVariation> host_variations(const ForeignModel& model) {
   if (!umat) add({multiples("density", &HostValues::density_times)});
   constexpr std::size_t most_fields = 4;
   const std::size_t fields = umat ? most_fields : std::clamp<std::size_t>(model.fields.size(), 1, most_fields);
-  for (std::size_t k = 0; k < fields; ++k) {
+  for (std::size_t k = 0; k < fields; ++k)
     add({field((umat ? "PREDEF(" : "field ") + std::to_string(k + 1) + (umat ? ")" : ""), k)});
-  }
   return all;
 }
 

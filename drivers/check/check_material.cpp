@@ -126,9 +126,8 @@ CheckedMaterial check_material(const ResolvedMaterial& material, const std::stri
   checked.library = material.library;
   checked.description = material.description;
   checked.model = material.material.name();
-  for (std::uint32_t i = 0; i < material.material.table().parameter_count; ++i) {
+  for (std::uint32_t i = 0; i < material.material.table().parameter_count; ++i)
     checked.parameters.emplace_back(material.material.table().parameters[i].name, material.material.parameters()[i]);
-  }
   checked.of_example = material.of_example;
   reporter.material(checked);
   const std::optional<ResolvedMaterial> other = judge(material, settings, reporter, checked);

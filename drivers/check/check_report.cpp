@@ -234,9 +234,7 @@ JunitSuite suite(const CheckedMaterial& checked, const std::string& given) {
   JunitSuite out{"assay check " + (given.empty() ? checked.name : given), "assay.check"};
   out.seconds = checked.wall_s;
   for (const auto& [name, value] : checked.parameters) out.properties.emplace_back(name, number_text(value));
-  if (!checked.of_example.empty()) {
-    out.properties.emplace_back("parameters of the example", joined(checked.of_example));
-  }
+  if (!checked.of_example.empty()) out.properties.emplace_back("parameters of the example", joined(checked.of_example));
   for (const std::string& what : checked.report.not_tested) out.properties.emplace_back("not tested", what);
   for (const Dependence& each : checked.depends_on) out.properties.emplace_back("depends on " + each.on, each.how);
   for (const TestResult& test : checked.report.tests) {
@@ -244,9 +242,8 @@ JunitSuite suite(const CheckedMaterial& checked, const std::string& given) {
     if (const std::string remark = remark_of(test); !remark.empty())
       out.properties.emplace_back("remark of " + test.id, remark);
   }
-  if (!checked.error.empty()) {
+  if (!checked.error.empty())
     out.cases.push_back({classname, "loading", 0, JunitCase::Kind::error, checked.error, "not checked"});
-  }
   for (const check::Diagnosis& d : checked.report.diagnosis) out.said += d.cause + ": " + d.sentence + "\n";
   return out;
 }

@@ -27,9 +27,7 @@ std::size_t size_of(Kind kind) { return static_cast<std::size_t>(adapters::compo
 
 /// Components of that kind as Q turns them; shears of some are multiples of the tensor's.
 void turn(Kind kind, const Tensor& Q, double* components) {
-  const std::int32_t plain = kind == Kind::vector   ? ASSAY_VECTOR
-                             : kind == Kind::tensor ? ASSAY_TENSOR
-                                                    : ASSAY_SYMMETRIC_TENSOR;
+  const int plain = kind == Kind::vector ? ASSAY_VECTOR : kind == Kind::tensor ? ASSAY_TENSOR : ASSAY_SYMMETRIC_TENSOR;
   const double shear = kind == Kind::strain   ? 1 / adapters::engineering_shear
                        : kind == Kind::mandel ? 1 / adapters::mfront_shear
                                               : 1;
@@ -122,9 +120,8 @@ class Search {
     std::size_t at = 0;
     for (std::uint32_t v = 0; v < table.state_count; ++v) {
       const std::int32_t kind = table.state[v].kind;
-      if (kind != ASSAY_SCALAR && table.state[v].role == ASSAY_ROLE_PLAIN) {
+      if (kind != ASSAY_SCALAR && table.state[v].role == ASSAY_ROLE_PLAIN)
         check::Variable(kind, &state[at]).turned(Q_).write(&state[at]);
-      }
       at += static_cast<std::size_t>(components_of_kind(kind));
     }
   }
@@ -132,9 +129,8 @@ class Search {
   /// Places where so many numbers follow each other of which nobody has said what they are.
   std::vector<StateBlock> candidates() const {
     std::vector<bool> unknown;
-    for (const adapters::ForeignVariable& v : model_.state) {
+    for (const adapters::ForeignVariable& v : model_.state)
       unknown.insert(unknown.end(), size_of(v.kind), !v.kind_is_said && v.kind == Kind::scalar);
-    }
     std::vector<StateBlock> all;
     for (std::size_t first = 0; first < unknown.size(); ++first) {
       for (const Kind kind : likely_kinds) {

@@ -46,9 +46,8 @@ std::map<std::string, double> parameters_in(const std::string& list) {
                             : parse_number(item) ? ": a comma separates parameters, not digits"
                                                  : std::string()));
     }
-    if (!parameters.emplace(name, *value).second) {
+    if (!parameters.emplace(name, *value).second)
       throw InputError({}, "--parameters", "'" + one_line(name, 60) + "' is given twice");
-    }
     begin = end + 1;
   }
   return parameters;

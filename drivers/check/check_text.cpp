@@ -44,12 +44,10 @@ std::string row(const std::string& id, const std::string& verdict, const std::st
 /// "; strains to 0.019, under 1e+05 Pa": where they are not those of most models.
 std::string unusual_effort(const check::Report& report) {
   std::string text;
-  if (report.strain > 0 && report.strain < 0.5 * check::Effort{}.strain) {
+  if (report.strain > 0 && report.strain < 0.5 * check::Effort{}.strain)
     text += "; strains to " + rounded_text(report.strain, 2);
-  }
-  if (report.pressure > 0) {
+  if (report.pressure > 0)
     text += (text.empty() ? "; under " : ", under ") + rounded_text(report.pressure, 2) + " Pa at rest";
-  }
   return text;
 }
 

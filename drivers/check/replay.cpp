@@ -95,17 +95,15 @@ void append_numbers(const Tree& tree, const std::string& key, std::size_t count,
     out.push_back(any_number(tree, key));
     return;
   }
-  if (tree.kind != Tree::Kind::sequence || tree.items.size() != count) {
+  if (tree.kind != Tree::Kind::sequence || tree.items.size() != count)
     throw InputError(tree.where, key, "must be a list of " + std::to_string(count) + ", found " + described(tree));
-  }
   for (const Tree& item : tree.items) out.push_back(any_number(item, key));
 }
 
 Tensor tensor_of(const Tree& root, const std::string& key) {
   const Tree& tree = required(root, "", key);
-  if (tree.kind != Tree::Kind::sequence || tree.items.size() != 3) {
+  if (tree.kind != Tree::Kind::sequence || tree.items.size() != 3)
     throw InputError(tree.where, key, "must be three rows, found " + described(tree));
-  }
   std::vector<double> values;
   for (const Tree& row : tree.items) append_numbers(row, key, 3, values);
   Tensor F;
@@ -197,14 +195,12 @@ Replay read_replay(const std::string& file, Isolation isolation, const std::stri
   replay.where = required(root, "", "material").where;
   if (!material.empty()) replay.material = material, replay.where = {};
   const Tree* folders = root.find("material_path");
-  if (folders && material_folders().empty()) {
+  if (folders && material_folders().empty())
     ::setenv("ASSAY_MATERIAL_PATH", text_value(*folders, "material_path").c_str(), 1);
-  }
   const Tree& parameters = required(root, "", "parameters");
   require_map(parameters, "parameters", "the parameters of the material");
-  for (const Tree::Entry& entry : parameters.entries) {
+  for (const Tree::Entry& entry : parameters.entries)
     replay.parameters[entry.key] = number_value(entry.value, "parameters." + one_line(entry.key, 80));
-  }
   const auto number = [&root](const char* key, auto& value) {
     if (const Tree* found = root.find(key)) value = number_value(*found, key);
   };

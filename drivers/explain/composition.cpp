@@ -16,9 +16,7 @@ namespace {
 EffectEntry entry_of_step(const mpm::EffectRecord<2>& record) {
   EffectEntry entry{record.name, record.doc, record.key, record.around, {}, record.asks_material};
   entry.called_for = [&record](const Problem& problem) { return record.called_for(problem.setup); };
-  if (record.called_by) {
-    entry.called_by = [&record](const Problem& problem) { return record.called_by(problem.setup); };
-  }
+  if (record.called_by) entry.called_by = [&record](const Problem& problem) { return record.called_by(problem.setup); };
   return entry;
 }
 

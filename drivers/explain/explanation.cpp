@@ -57,9 +57,8 @@ std::string passes_text(const Problem& problem, const Composition& c) {
 
 std::string observers_text(const Problem& problem) {
   std::string text;
-  for (const Observer& o : observers_of(problem)) {
+  for (const Observer& o : observers_of(problem))
     text += fmt::format("  {:19} {} times, because of {}\n", o.name, o.times, o.called_for_by);
-  }
   return text.empty() ? "nothing between steps\n" : "between steps\n" + text;
 }
 
@@ -76,9 +75,8 @@ std::string memory_text(const Problem& problem, const Composition& c) {
                               grid.count[0], grid.count[1], c.bytes_per_node, grouped_text(c.nodes_reached),
                               rounded_text(problem.estimated_bytes() / (1024.0 * 1024), 3)),
                   "grid: ", "  ");
-  for (const auto& use : c.grid_fields) {
+  for (const auto& use : c.grid_fields)
     text += wrapped(use.doc, fmt::format("  {:20} {:4} bytes  ", use.name, use.bytes), indent);
-  }
   return text;
 }
 
@@ -100,9 +98,8 @@ std::string effects_text(const Composition& c) {
       continue;
     }
     there += wrapped(entry.doc, fmt::format("  {:19} ", entry.name), indent);
-    if (const std::string brought = brought_text(part); !brought.empty()) {
+    if (const std::string brought = brought_text(part); !brought.empty())
       there += wrapped(brought, indent + "  ", indent + "    ");
-    }
     there += wrapped("because of " + part.key, indent + "  ", indent);
   }
   return "effects, in addition to the passes of every run\n" + (there.empty() ? "  none\n" : there) +

@@ -127,9 +127,8 @@ HeatMap sheet_picture(const Tabulation& tab) {
   }
   map.lines = fronts.lines();
   const std::vector<double> turns = tab.path.reversals(tab.end);
-  for (std::size_t k = 0; k < turns.size() && turns.size() <= most_reversals; ++k) {
+  for (std::size_t k = 0; k < turns.size() && turns.size() <= most_reversals; ++k)
     map.dashes.push_back({{turns[k], map.y[0]}, {turns[k], map.y[1]}});
-  }
   return map;
 }
 

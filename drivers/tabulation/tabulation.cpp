@@ -120,12 +120,10 @@ Figure difference_to_closed_form(const std::shared_ptr<const Material>& material
 
 void cover(const std::vector<SheetPoint>& points, const std::string& file, Tabulation& tab) {
   for (const SheetPoint& point : points) {
-    if (point.t > tab.last) {
+    if (point.t > tab.last)
       throw InputError({file, point.line, 1}, "t", "beyond the last row of motion.path, " + rounded_text(tab.last, 6));
-    }
-    if (!can_be_reached(tab.path, point)) {
+    if (!can_be_reached(tab.path, point))
       throw InputError({file, point.line, 1}, "xi", "det F <= 0 on the way to " + rounded_text(point.xi, 6));
-    }
     tab.path.parameter.lower = std::min(tab.path.parameter.lower, point.xi);
     tab.path.parameter.upper = std::max(tab.path.parameter.upper, point.xi);
     tab.end = std::max(tab.end, point.t);
@@ -226,9 +224,8 @@ Figure difference_of_forms(const Material& material, const Path& path, double en
   const Histories increments = integrate_histories(material, path, xi, t, options);
   Difference found;
   for (std::size_t k = 0; k < t.size(); ++k) {
-    for (std::size_t i = 0; i < rates.tau[k].size(); ++i) {
+    for (std::size_t i = 0; i < rates.tau[k].size(); ++i)
       found.add(std::abs(rates.tau[k][i] - increments.tau[k][i]), std::abs(rates.tau[k][i]));
-    }
   }
   return found.relative();
 }

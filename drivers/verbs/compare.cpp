@@ -2,7 +2,7 @@
 // `assay compare`: what has changed from one study's results to another's.
 #include <CLI/CLI.hpp>
 
-#include "drivers/command_line/verb_arguments.hpp"
+#include "drivers/command_line/verb.hpp"
 #include "drivers/output/pages.hpp"
 #include "drivers/study/comparison_text.hpp"
 #include "drivers/system/input_error.hpp"

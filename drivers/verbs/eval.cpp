@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <functional>
 
-#include "drivers/command_line/verb_arguments.hpp"
+#include "drivers/command_line/verb.hpp"
 #include "drivers/findings/findings.hpp"
 #include "drivers/format/csv.hpp"
 #include "drivers/format/yaml_writer.hpp"

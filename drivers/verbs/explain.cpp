@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "drivers/command_line/verb_arguments.hpp"
+#include "drivers/command_line/verb.hpp"
 #include "drivers/explain/composition.hpp"
 #include "drivers/findings/findings.hpp"
 #include "drivers/scene/scene_reader.hpp"

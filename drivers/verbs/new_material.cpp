@@ -12,7 +12,7 @@
 
 #include "adapters/builtin.hpp"
 #include "drivers/command_line/project_templates.hpp"
-#include "drivers/command_line/verb_arguments.hpp"
+#include "drivers/command_line/verb.hpp"
 #include "drivers/output/output_folder.hpp"
 #include "drivers/result/build_information.hpp"
 #include "drivers/system/input_error.hpp"
@@ -69,17 +69,15 @@ const Flavour& flavour_of(const NewMaterialOptions& options) {
     if (each.language == options.language && each.interface == options.interface) return each;
     if (languages.empty() || languages.back() != each.language) languages.emplace_back(each.language);
   }
-  if (options.language == "umat") {
+  if (options.language == "umat")
     throw InputError({}, "--language", "umat is an interface: --language fortran --interface umat", joined(languages));
-  }
   if (std::find(languages.begin(), languages.end(), options.language) == languages.end()) {
     throw InputError({}, "--language",
                      unknown("language '" + one_line(options.language, 60) + "'", options.language, languages),
                      joined(languages));
   }
-  if (options.interface == "umat") {
+  if (options.interface == "umat")
     throw InputError({}, "--interface", "umat goes with --language fortran, found " + options.language);
-  }
   throw InputError(
       {}, "--interface",
       unknown("interface '" + one_line(options.interface, 60) + "'", options.interface, {"native", "umat"}),

@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "drivers/command_line/verb_arguments.hpp"
+#include "drivers/command_line/verb.hpp"
 #include "drivers/findings/findings.hpp"
 #include "drivers/output/errors_csv.hpp"
 #include "drivers/output/junit.hpp"
@@ -71,9 +71,7 @@ std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& opt
     result.advice = advice_after_large_error(problem, result.error.relative.value_or(0));
   if (exact) record_along(problem.scene, *exact, response_s, result);
   result.peak_rss_bytes = peak_memory();  // before pictures are drawn
-  if (problem.scene.output.tractions) {
-    result.tractions = traction_table(problem, result, folder, options.quiet());
-  }
+  if (problem.scene.output.tractions) result.tractions = traction_table(problem, result, folder, options.quiet());
   std::vector<ReportPicture> pictures;
   for (auto& picture : snapshots.finish()) pictures.push_back({picture.caption, std::move(picture.png)});
   return pictures;
@@ -95,9 +93,8 @@ bool admitted(const Problem& problem, bool quiet, Result& result) {
 /// The files beside the snapshots that need no verdict.
 void write_history(const Scene& scene, const Result& result, OutputFolder& folder) {
   folder.write("errors.csv", errors_csv(result.history));
-  if (scene.output.pictures && !result.history.empty()) {
+  if (scene.output.pictures && !result.history.empty())
     folder.write("error_history.png", png(error_history_plot(result.history)));
-  }
 }
 
 /// Report and verdict. Returns the text of result.json.
@@ -105,9 +102,8 @@ std::string write_verdict(const Scene& scene, const Result& result, std::vector<
                           OutputFolder& folder) {
   const std::string resolved = resolved_yaml(scene);
   folder.write("resolved.yaml", resolved);
-  if (scene.output.report) {
+  if (scene.output.report)
     folder.write("report.html", report_html(result, {period_of(scene.motion), std::move(pictures), resolved}));
-  }
   std::string json = result_json(result);
   folder.write("result.json", json);
   return json;

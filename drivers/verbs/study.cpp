@@ -6,7 +6,7 @@
 #include <set>
 #include <thread>
 
-#include "drivers/command_line/verb_arguments.hpp"
+#include "drivers/command_line/verb.hpp"
 #include "drivers/output/output_folder.hpp"
 #include "drivers/study/analysis.hpp"
 #include "drivers/study/case_list.hpp"

@@ -5,7 +5,7 @@
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
-#include "drivers/command_line/verb_arguments.hpp"
+#include "drivers/command_line/verb.hpp"
 #include "drivers/findings/findings.hpp"
 #include "drivers/output/output_folder.hpp"
 #include "drivers/output/pages.hpp"
