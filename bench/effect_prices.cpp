@@ -19,7 +19,7 @@
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/simulate.hpp"
 #include "drivers/simulation/stress_offload.hpp"
-#include "drivers/verbs/run.hpp"
+#include "drivers/verbs/verbs.hpp"
 #include "mpm/simulation.hpp"
 
 namespace {

@@ -2,6 +2,7 @@
 #include "drivers/check/causes_page.hpp"
 
 #include <algorithm>
+#include <span>
 #include <sstream>
 
 #include "drivers/format/yaml_lines.hpp"
@@ -30,26 +31,16 @@ std::string plain(const std::string& markdown) {
     const char c = markdown[k];
     if (c == '`') {
       is_code = !is_code;
-      continue;
-    }
-    if (is_code) {
-      text += c;
-      continue;
-    }
-    if (c == '*' && markdown.compare(k, 2, "**") == 0) {
+    } else if (!is_code && markdown.compare(k, 2, "**") == 0) {
       ++k;
-      continue;
-    }
-    if (c == '[' && markdown.find("](", k) != std::string::npos) {
+    } else if (!is_code && c == '[' && markdown.find("](", k) != std::string::npos) {
       is_link = true;
-      continue;
-    }
-    if (c == ']' && is_link) {
+    } else if (!is_code && c == ']' && is_link) {
       is_link = false;
       k = std::min(markdown.find(')', k), markdown.size() - 1);
-      continue;
+    } else {
+      text += c;
     }
-    text += c;
   }
   return text;
 }
@@ -63,45 +54,34 @@ std::string mark_of(const std::string& line) {
 }
 
 /// Paragraphs and items of lists on lines of 80 columns; code as it stands, a little to the right.
-class Pager {
- public:
-  std::string of(const std::vector<std::string>& lines) {
-    for (const std::string& line : lines) add(line);
-    flush();
-    return page_;
-  }
-
- private:
-  void add(const std::string& line) {
+std::string paged(std::span<const std::string> lines) {
+  std::string page, paragraph, mark;
+  bool is_code = false;
+  const auto flush = [&] {
+    if (!paragraph.empty()) page += wrapped(plain(paragraph), mark, std::string(mark.size(), ' '));
+    paragraph.clear();
+    mark.clear();
+  };
+  for (const std::string& line : lines) {
+    const std::string begins = mark_of(line);
     if (line.starts_with(fence)) {
       flush();
-      is_code_ = !is_code_;
-      return;
+      is_code = !is_code;
+    } else if (is_code) {
+      page += line.empty() ? "\n" : "    " + line + "\n";
+    } else if (line.empty()) {
+      flush();
+      if (!page.ends_with("\n\n")) page += "\n";
+    } else {
+      if (!begins.empty()) flush(), mark = begins;
+      const std::size_t text =
+          begins.empty() ? indent_of(line) : begins.size();  // lines of an item stand below its text
+      paragraph += (paragraph.empty() ? "" : " ") + line.substr(text);
     }
-    if (is_code_) {
-      page_ += line.empty() ? "\n" : "    " + line + "\n";
-      return;
-    }
-    const std::string mark = mark_of(line);
-    if (line.empty() || !mark.empty()) flush();
-    if (line.empty()) {
-      if (!page_.ends_with("\n\n")) page_ += "\n";
-      return;
-    }
-    if (!mark.empty()) mark_ = mark;
-    const std::size_t text = mark.empty() ? indent_of(line) : mark.size();  // lines of an item stand below its text
-    paragraph_ += (paragraph_.empty() ? "" : " ") + line.substr(text);
   }
-
-  void flush() {
-    if (!paragraph_.empty()) page_ += wrapped(plain(paragraph_), mark_, std::string(mark_.size(), ' '));
-    paragraph_.clear();
-    mark_.clear();
-  }
-
-  std::string page_, paragraph_, mark_;
-  bool is_code_ = false;
-};
+  flush();
+  return page;
+}
 
 }  // namespace
 
@@ -115,11 +95,10 @@ std::vector<std::string> explained_causes() {
 
 std::string explained_cause(const std::string& cause) {
   const std::vector<std::string> lines = lines_of(causes_page());
-  const auto begin = std::find(lines.begin(), lines.end(), std::string(heading) + cause);
+  const auto begin = std::ranges::find(lines, std::string(heading) + cause);
   if (begin == lines.end()) return {};
-  const auto end =
-      std::find_if(begin + 1, lines.end(), [](const std::string& line) { return line.starts_with(heading); });
-  std::string text = cause + "\n" + Pager().of({begin + 1, end});
+  const auto end = std::find_if(begin + 1, lines.end(), [](const auto& line) { return line.starts_with(heading); });
+  std::string text = cause + "\n" + paged({begin + 1, end});
   while (text.ends_with("\n\n")) text.pop_back();
   return text;
 }
@@ -131,9 +110,7 @@ int explain_cause(const std::string& cause) {
     return 0;
   }
   const std::string text = explained_cause(cause);
-  if (text.empty()) {
-    throw InputError({}, "--explain", unknown("cause", one_line(cause, 60), known), joined(known));
-  }
+  if (text.empty()) throw InputError({}, "--explain", unknown("cause", one_line(cause, 60), known), joined(known));
   print(text);
   return 0;
 }

@@ -3,19 +3,15 @@
 #include "drivers/check/check.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <thread>
 
 #include "adapters/worker/remote_table.hpp"
 #include "adapters/worker/shortage.hpp"
-#include "drivers/check/check_components.hpp"
+#include "drivers/check/check_foreign.hpp"
 #include "drivers/check/check_material.hpp"
-#include "drivers/check/check_output.hpp"
-#include "drivers/check/check_replay.hpp"
-#include "drivers/check/check_subject.hpp"
 #include "drivers/material/registry.hpp"
-#include "drivers/material/source_options.hpp"
 #include "drivers/output/junit.hpp"
+#include "drivers/output/pages.hpp"
 #include "drivers/scene/material_path.hpp"
 #include "drivers/system/environment.hpp"
 #include "drivers/system/input_file.hpp"
@@ -23,7 +19,7 @@
 #include "drivers/system/own_files.hpp"
 #include "drivers/system/progress.hpp"
 #include "drivers/system/terminal.hpp"
-#include "drivers/text/numbers.hpp"
+#include "harness/numeric/stopwatch.hpp"
 
 namespace assay::drivers {
 
@@ -43,42 +39,38 @@ CheckProcesses processes_for(const CheckOptions& options) {
           .limit_s = options.quick ? quick_limit : full_limit};
 }
 
+/// The same material checked with other settings.
+using Again = std::function<CheckedMaterial(const CheckSettings&)>;
+
 /// In workers the end of a foreign model's process is a refusal, and so it is of an F that is no number: the rest is
 /// judged without that test.
-void take_end_for_refusal(CheckedMaterial& checked, const CheckOptions& options, const CheckSettings& settings,
-                          const std::function<CheckTask(const CheckSettings&)>& task_of) {
+void take_end_for_refusal(CheckedMaterial& checked, CheckSettings settings, const Again& again) {
   constexpr const char* senseless = "calls.senseless";
   const std::vector<check::Diagnosis>& found = checked.report.diagnosis;
   const bool ended = !checked.description.empty() && found.size() == 1 &&
                      found.front().cause == check::causes::ends_process && checked.report.tests.back().id == senseless;
   if (!ended) return;
   const std::string sentence = found.front().sentence;
-  CheckSettings others = settings;
-  others.without = senseless;
-  checked = check_in_processes({task_of(others)}, processes_for(options)).front();
-  checked.report.tests.push_back({.id = senseless,
-                                  .verdict = check::Verdict::not_applicable,
-                                  .sentence = sentence + ", of an F that is no number: a refusal, in a worker"});
+  settings.without = senseless;
+  checked = again(settings);
+  checked.report.tests.push_back(
+      not_applicable(senseless, sentence + ", of an F that is no number: a refusal, in a worker"));
 }
 
 /// A model that dies in the first test by reading or writing an address, and does not where its arrays begin at
 /// multiples of 64 bytes, asks for an alignment that nobody promises.
-void tell_alignment(CheckedMaterial& checked, const CheckOptions& options, const CheckSettings& settings,
-                    const std::function<CheckTask(const CheckSettings&)>& task_of) {
+void tell_alignment(CheckedMaterial& checked, CheckSettings settings, const Again& again) {
   constexpr const char* first = "calls.arrays";
   check::Report& report = checked.report;
   const bool asked = report.diagnosis.size() == 1 && report.diagnosis.front().cause == check::causes::overrun &&
                      report.tests.back().id == first && !report.tests.back().measure;
   if (!asked) return;
-  CheckSettings others = settings;
-  others.only = first;
-  others.well_aligned = true;
-  others.folder.clear();
-  const CheckedMaterial aligned = check_in_processes({task_of(others)}, processes_for(options)).front();
-  const auto stands = [](const check::TestResult& test) {
-    return test.id == first && test.verdict == check::Verdict::pass;
-  };
-  if (std::none_of(aligned.report.tests.begin(), aligned.report.tests.end(), stands)) return;
+  settings.only = first;
+  settings.well_aligned = true;
+  settings.folder.clear();
+  const check::Report aligned = again(settings).report;
+  const check::TestResult* const stands = test_of(aligned, first);
+  if (!stands || stands->verdict != check::Verdict::pass) return;
   check::TestResult& test = report.tests.back();
   test.cause = check::causes::of_alignment;
   test.sentence +=
@@ -86,14 +78,15 @@ void tell_alignment(CheckedMaterial& checked, const CheckOptions& options, const
   report.diagnosis.front() = {test.cause, test.sentence};
 }
 
-/// Of a model that ends the process before any test.
-CheckedMaterial ended_early(const std::string& name, const std::string& sentence) {
-  CheckedMaterial checked;
-  checked.name = name;
-  checked.report.tests.push_back(
-      {.id = "loading", .verdict = check::Verdict::fail, .cause = check::causes::ends_process, .sentence = sentence});
-  checked.report.diagnosis.push_back({check::causes::ends_process, sentence});
-  return checked;
+/// What the process of the check cannot find out about itself.
+void judge_from_outside(CheckedMaterial& checked, const CheckSettings& settings, const CheckProcesses& how,
+                        const std::function<CheckTask(const CheckSettings&)>& task_of) {
+  const Again again = [&](const CheckSettings& other) { return check_in_processes({task_of(other)}, how).front(); };
+  take_end_for_refusal(checked, settings, again);
+  tell_alignment(checked, settings, again);
+  judge_components(checked, settings.effort, how);
+  judge_printing(checked);
+  leave_replay_of_the_end(checked, settings);
 }
 
 CheckedMaterial check_one(const CheckOptions& options) {
@@ -118,11 +111,7 @@ CheckedMaterial check_one(const CheckOptions& options) {
   };
   CheckedMaterial checked = check_in_processes({task_of(settings)}, how).front();
   progress.finish();
-  take_end_for_refusal(checked, options, settings, task_of);
-  tell_alignment(checked, options, settings, task_of);
-  judge_components(checked, settings.effort, processes_for(options));
-  judge_printing(checked);
-  leave_replay_of_the_end(checked, settings);
+  judge_from_outside(checked, settings, processes_for(options), task_of);
   return checked;
 }
 
@@ -148,12 +137,8 @@ std::vector<CheckedMaterial> check_all(const CheckOptions& options) {
   std::vector<CheckedMaterial> all = check_in_processes(tasks, how);
   progress.finish();
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const auto task_of_one = [&](const CheckSettings& other) { return task_of(names[k], other); };
-    take_end_for_refusal(all[k], options, settings, task_of_one);
-    tell_alignment(all[k], options, settings, task_of_one);
-    judge_components(all[k], settings.effort, how);
-    judge_printing(all[k]);
-    leave_replay_of_the_end(all[k], settings);
+    judge_from_outside(all[k], settings, processes_for(options),
+                       [&](const CheckSettings& other) { return task_of(names[k], other); });
   }
   return all;
 }
@@ -170,7 +155,7 @@ void require_room(const std::vector<CheckedMaterial>& all) {
 int reported(const CheckOptions& options, const std::vector<CheckedMaterial>& all, const std::string& json,
              const std::string& text) {
   require_room(all);
-  tell(options, text, json, check_junit(all, options.junit_name));
+  tell_check(options, text, json, check_junit(all, options.junit_name));
   int status = 0;
   for (const CheckedMaterial& checked : all) {
     if (!checked.unwritten.empty()) throw SystemError(checked.unwritten);
@@ -181,13 +166,12 @@ int reported(const CheckOptions& options, const std::vector<CheckedMaterial>& al
 }
 
 void refuse_what_contradicts(const CheckOptions& options) {
-  if (!options.json.empty() && options.json == options.junit) {
-    throw InputError({}, "--junit", "is the same file as --json: '" + one_line(options.json, 60) + "'");
-  }
-  if (!options.markdown.empty() && (options.markdown == options.json || options.markdown == options.junit)) {
-    throw InputError({}, "--markdown",
-                     "is the same file as --json or --junit: '" + one_line(options.markdown, 60) + "'");
-  }
+  const auto refuse = [](const char* option, const std::string& file, const char* others) {
+    throw InputError({}, option, std::string("is the same file as ") + others + ": '" + one_line(file, 60) + "'");
+  };
+  if (!options.json.empty() && options.json == options.junit) refuse("--junit", options.json, "--json");
+  if (!options.markdown.empty() && (options.markdown == options.json || options.markdown == options.junit))
+    refuse("--markdown", options.markdown, "--json or --junit");
 }
 
 /// A name that no material has is a slip.
@@ -197,13 +181,24 @@ void refuse_unknown_parameters(const CheckOptions& options, const std::vector<Ch
       return !checked.error.empty() || std::any_of(checked.parameters.begin(), checked.parameters.end(),
                                                    [&](const auto& own) { return own.first == parameter; });
     };
-    if (std::none_of(all.begin(), all.end(), has)) {
+    if (std::none_of(all.begin(), all.end(), has))
       throw InputError({}, "--parameters", "no material has a parameter '" + one_line(name, 60) + "'");
-    }
   }
 }
 
 }  // namespace
+
+void refuse_inputs_as_outputs(const CheckOptions& options) {
+  refuse_input_as_output(options.json, "--json");
+  refuse_input_as_output(options.junit, "--junit");
+  refuse_input_as_output(options.markdown, "--markdown");
+}
+
+void tell_check(const CheckOptions& options, const std::string& text, const std::string& json, const std::string& junit,
+                const std::string& markdown) {
+  refuse_inputs_as_outputs(options);
+  tell(text, {{options.json, json, true}, {options.junit, junit}, {options.markdown, markdown}});
+}
 
 int check(const CheckOptions& options) {
   constexpr std::size_t most_files_at_once = 32;  // measured: with 24 all that is looked for is found
@@ -214,26 +209,30 @@ int check(const CheckOptions& options) {
   if (options.material.empty() || options.methods) refuse_source_options(options.source, "");
   if (options.methods) return check_methods(options);
   if (!options.replay.empty()) return check_replay(options);
-  if (!options.all) {
-    CheckedMaterial checked;
-    try {
-      checked = check_one(options);
-    } catch (const ModelEnded& ended) {
-      checked = ended_early(options.material, ended.sentence);
-    }
-    if (checked.unsuitable) throw InputError(checked.error);
-    if (!checked.error.empty()) {
-      require_room({checked});
-      throw SystemError(checked.error);
-    }
-    return reported(options, {checked}, check_json(checked),
-                    check_text(checked, options.verbosity, prints_to_terminal() ? Rows::telling : Rows::all));
+  if (options.all) {
+    const Stopwatch watch;
+    const std::vector<CheckedMaterial> all = check_all(options);
+    const double wall_s = watch.seconds();
+    refuse_unknown_parameters(options, all);
+    return reported(options, all, check_json(all), check_text(all, wall_s));
   }
-  const auto start = std::chrono::steady_clock::now();
-  const std::vector<CheckedMaterial> all = check_all(options);
-  const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  refuse_unknown_parameters(options, all);
-  return reported(options, all, check_json(all), check_text(all, wall_s));
+  CheckedMaterial checked;
+  try {
+    checked = check_one(options);
+  } catch (const ModelEnded& ended) {  // before any test
+    checked.name = options.material;
+    add_test(checked.report, {.id = "loading",
+                              .verdict = check::Verdict::fail,
+                              .cause = check::causes::ends_process,
+                              .sentence = ended.sentence});
+  }
+  if (checked.unsuitable) throw InputError(checked.error);
+  if (!checked.error.empty()) {
+    require_room({checked});
+    throw SystemError(checked.error);
+  }
+  return reported(options, {checked}, check_json(checked),
+                  check_text(checked, options.verbosity, prints_to_terminal() ? Rows::telling : Rows::all));
 }
 
 }  // namespace assay::drivers

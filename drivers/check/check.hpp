@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 
+#include "drivers/material/material_choice.hpp"
 #include "drivers/material/source_options.hpp"
 
 namespace assay::drivers {
@@ -32,5 +34,25 @@ int check(const CheckOptions& options);
 
 /// The patch tests of the particle method `options.material`; of all where that is empty.
 int check_methods(const CheckOptions& options);
+
+/// Takes the step of a replay file again, as it is and from a turned frame, then the test that failed. Returns 1 where
+/// it fails again, 0 where it does not. Throws InputError.
+int check_replay(const CheckOptions& options);
+
+/// Throws InputError where a file of them would replace one that was read.
+void refuse_inputs_as_outputs(const CheckOptions& options);
+
+/// What was found, as the options ask for it. Throws SystemError.
+void tell_check(const CheckOptions& options, const std::string& text, const std::string& json, const std::string& junit,
+                const std::string& markdown = {});
+
+/// "E=1e3,nu=0.3": names and numbers. Throws InputError.
+std::map<std::string, double> parameters_in(const std::string& list);
+
+/// The material of a scene, a source, a description, a library or a name, made in a worker. Throws InputError.
+ResolvedMaterial material_to_check(const CheckOptions& options);
+
+/// At what its author shows it, where its parameters have no default; `given` before all, as far as it takes them.
+ResolvedMaterial registered_material(const std::string& name, const std::map<std::string, double>& given);
 
 }  // namespace assay::drivers

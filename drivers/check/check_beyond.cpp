@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/check/check_beyond.hpp"
-
+// What a UMAT or VUMAT reads or writes beyond its arrays: an answer that changes with the words around them, and words
+// that change.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
-#include "adapters/foreign/host_values.hpp"
 #include "drivers/check/check_elsewhere.hpp"
+#include "drivers/check/check_foreign.hpp"
 #include "drivers/check/check_steps.hpp"
 #include "drivers/material/material_description.hpp"
 #include "harness/check/arrays.hpp"
@@ -18,30 +17,7 @@ namespace {
 
 using adapters::HostAccess;
 using Words = std::vector<double>;
-
-/// Numbers that may stand beside an array: none at all, as in memory that nobody has used, and those of strains,
-/// of counts and of stresses.
-enum class Fill { zero, no_number, of_strain, of_one, of_stress };
-constexpr Fill other_fills[] = {Fill::no_number, Fill::of_strain, Fill::of_one, Fill::of_stress};
-
-/// Each word another number, since some read only what differs between them.
-double word_of(Fill fill, std::size_t word, double stress) {
-  constexpr double golden = 0.6180339887498949;
-  const double turns = static_cast<double>(word) * golden, share = 0.5 + (turns - std::floor(turns));
-  switch (fill) {
-    case Fill::zero:
-      return 0;
-    case Fill::no_number:
-      return NAN;
-    case Fill::of_strain:
-      return 1e-3 * share;
-    case Fill::of_one:
-      return share;
-    case Fill::of_stress:
-      return stress * share;
-  }
-  return 0;
-}
+using Places = std::vector<std::size_t>;
 
 /// An instance with wide fences, and steps whose answer is to be the same whatever stands there.
 class Look {
@@ -65,15 +41,15 @@ class Look {
     return !steps_.empty();
   }
 
-  /// Words of [begin, end) that the answers of the kept steps depend on.
-  std::vector<std::size_t> read() {
-    std::vector<std::size_t> found;
+  /// Words that the answers of the kept steps depend on.
+  Places read() {
+    Places found;
     find(0, words_.size(), found);
     return found;
   }
 
-  std::vector<std::size_t> written() const { return access_.written(material_.self()); }
-  std::vector<std::size_t> left_at_times() const { return access_.left_at_times(material_.self()); }
+  Places written() const { return access_.written(material_.self()); }
+  Places left_at_times() const { return access_.left_at_times(material_.self()); }
 
  private:
   void add_steps(double amplitude) {
@@ -107,29 +83,32 @@ class Look {
   /// Zeros, then other numbers, then zeros again, by which what is kept outside the state is told from what is read.
   bool tells(const RepeatedStep& step) {
     const Answer usual = answer(step, words_);
-    for (std::size_t c = stress_of_answer; c < state_of_answer; ++c) {
-      if (std::isfinite(usual[c])) stress_ = std::max(stress_, std::abs(usual[c]));
-    }
-    bool differs = false;
-    for (const Fill fill : other_fills) differs = differs || !same_answer(answer(step, filled(fill)), usual);
-    return differs && same_answer(answer(step, words_), usual) && is_steady(step, words_);
+    stress_ = std::max(stress_, largest_stress(usual));
+    return differs(step, usual, 0, words_.size()) && same_answer(answer(step, words_), usual) &&
+           is_steady(step, words_);
   }
 
-  Words filled(Fill fill, std::size_t begin = 0, std::size_t end = static_cast<std::size_t>(-1)) const {
-    Words words = words_;
-    for (std::size_t w = begin; w < std::min(end, words.size()); ++w) words[w] = word_of(fill, w, stress_);
-    return words;
-  }
-
-  bool depends_on(std::size_t begin, std::size_t end) {
-    return std::any_of(steps_.begin(), steps_.end(), [&](const RepeatedStep& step) {
-      const Answer usual = answer(step, words_);
-      return std::any_of(std::begin(other_fills), std::end(other_fills),
-                         [&](Fill fill) { return !same_answer(answer(step, filled(fill, begin, end)), usual); });
+  /// Whether numbers in the words of [begin, end) change the answer: none at all, as in memory that nobody has used,
+  /// and those of strains, of counts and of stresses. Each word another one, since some read only what differs between
+  /// them.
+  bool differs(const RepeatedStep& step, const Answer& usual, std::size_t begin, std::size_t end) {
+    constexpr double golden = 0.6180339887498949, strain = 1e-3;
+    return std::ranges::any_of(std::array{static_cast<double>(NAN), strain, 1.0, stress_}, [&](double size) {
+      Words words = words_;
+      for (std::size_t w = begin; w < end; ++w) {
+        const double turns = static_cast<double>(w) * golden;
+        words[w] = size * (0.5 + (turns - std::floor(turns)));
+      }
+      return !same_answer(answer(step, words), usual);
     });
   }
 
-  void find(std::size_t begin, std::size_t end, std::vector<std::size_t>& found) {
+  bool depends_on(std::size_t begin, std::size_t end) {
+    return std::ranges::any_of(
+        steps_, [&](const RepeatedStep& step) { return differs(step, answer(step, words_), begin, end); });
+  }
+
+  void find(std::size_t begin, std::size_t end, Places& found) {
     if (!depends_on(begin, end)) return;
     const std::size_t before = found.size();
     if (end - begin > 1) {
@@ -149,8 +128,6 @@ class Look {
   double stress_ = 1;  ///< the largest that was seen [Pa]
 };
 
-check::History::value_type row_of_words(const std::vector<std::size_t>& words) { return {words.begin(), words.end()}; }
-
 /// One row where nothing is amiss; else what is read around the arrays, what is written there, and what is left of the
 /// state at times.
 std::optional<check::History> looked(const ResolvedMaterial& material, const HostAccess& access,
@@ -159,8 +136,11 @@ std::optional<check::History> looked(const ResolvedMaterial& material, const Hos
       [&]() -> check::History {
         Look look(material, access, effort);
         if (!look.depends() && look.written().empty() && look.left_at_times().empty()) return {{}};
-        if (!closely) return {{}, {}, {}};
-        return {row_of_words(look.read()), row_of_words(look.written()), row_of_words(look.left_at_times())};
+        check::History rows(3);
+        if (!closely) return rows;
+        const Places found[] = {look.read(), look.written(), look.left_at_times()};
+        for (std::size_t k = 0; k < rows.size(); ++k) rows[k].assign(found[k].begin(), found[k].end());
+        return rows;
       },
       limit_s);
 }
@@ -176,19 +156,16 @@ std::vector<adapters::GuardedArrays::Beyond> places_of(const ResolvedMaterial& m
 
 }  // namespace
 
-std::optional<BeyondFinding> goes_beyond(const ResolvedMaterial& material, const check::Effort& effort) {
-  const auto* access = material.material.extension<HostAccess>(adapters::host_access);
+std::optional<ForeignFinding> goes_beyond(const ResolvedMaterial& material, const check::Effort& effort) {
+  const HostAccess* const access = host_of(material.material);
   if (!access || material.description.empty()) return std::nullopt;
   constexpr double brief_s = 20, long_s = 60;
   const double limit_s = std::min(brief_s, read_description(material.description).limits.seconds);
   const auto first = looked(material, *access, effort, false, limit_s);
   const auto found = first && first->size() == 3 ? looked(material, *access, effort, true, long_s) : first;
-  if (!found) {
-    return BeyondFinding{{.id = beyond_test,
-                          .verdict = check::Verdict::not_applicable,
-                          .sentence = "the process in which it was looked for has ended, or took too long"},
-                         {}};
-  }
+  if (!found)
+    return ForeignFinding{
+        not_applicable(beyond_test, "the process in which it was looked for has ended, or took too long")};
   Beyonds places;
   if (found->size() == 3) {
     places = {places_of(material, *access, found->front()), places_of(material, *access, (*found)[1])};

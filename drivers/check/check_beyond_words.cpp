@@ -3,34 +3,28 @@
 #include <algorithm>
 #include <map>
 
-#include "drivers/check/check_beyond.hpp"
+#include "drivers/check/check_foreign.hpp"
 
 namespace assay::drivers {
 
 namespace {
 
-using adapters::GuardedArrays;
-
 /// Of one array.
 struct Place {
   std::size_t size = 0;  ///< that it has
   std::vector<std::ptrdiff_t> indices;
+  std::ptrdiff_t last() const { return indices.back(); }
 };
-using Places = std::map<std::string, Place>;
+using ArrayPlaces = std::map<std::string, Place>;
 
-Places by_array(const std::vector<GuardedArrays::Beyond>& all) {
-  Places places;
-  for (const GuardedArrays::Beyond& each : all) {
+ArrayPlaces by_array(const std::vector<adapters::GuardedArrays::Beyond>& all) {
+  ArrayPlaces places;
+  for (const auto& each : all) {
     places[each.array].size = each.size;
     places[each.array].indices.push_back(each.index);
   }
   for (auto& [name, place] : places) std::sort(place.indices.begin(), place.indices.end());
   return places;
-}
-
-std::ptrdiff_t last_of(const Places& places, const char* array) {
-  const auto at = places.find(array);
-  return at == places.end() ? 0 : at->second.indices.back();
 }
 
 /// "STATEV(1:7)"
@@ -39,41 +33,62 @@ std::string elements_of(const std::string& array, const Place& place) {
 }
 
 /// Numbers that a description must count, or give: those before are there.
-std::string counted(std::size_t there, const char* how) {
-  return there == 0 ? std::string("none is ") + how : std::to_string(there) + (there == 1 ? " is " : " are ") + how;
+std::string counted(std::size_t there, const std::string& how) {
+  return there == 0 ? ", none is " + how : ", " + std::to_string(there) + (there == 1 ? " is " : " are ") + how;
 }
 
-check::Diagnosis of_state(const std::string& array, const Place& place, const Places& written) {
-  const char* const output = array == "STATEV" ? "STATEV" : "stateNew";
+/// "`state` must declare 7 numbers"
+std::string demanded(const std::string& how, std::ptrdiff_t count) {
+  return how + " " + std::to_string(count) + " numbers";
+}
+
+check::Diagnosis of_state(const std::string& array, const Place& place, const ArrayPlaces& written) {
+  const std::string output = array == "STATEV" ? array : "stateNew";
   const auto also = written.find(output);
-  const std::ptrdiff_t needed = std::max(place.indices.back(), last_of(written, output));
+  std::ptrdiff_t needed = place.last();
   std::string words = "reads " + elements_of(array, place);
-  if (also != written.end()) words += " and writes " + elements_of(output, also->second);
-  words += ", " + counted(place.size, "declared") + ": ";
-  words += place.size == 0 ? "write `state: " + std::to_string(needed) + "`"
-                           : "`state` must declare " + std::to_string(needed) + " numbers";
-  return {check::causes::state_undeclared, words};
+  if (also != written.end()) {
+    needed = std::max(needed, also->second.last());
+    words += " and writes " + elements_of(output, also->second);
+  }
+  return {check::causes::state_undeclared, words + counted(place.size, "declared") + ": " +
+                                               (place.size == 0 ? "write `state: " + std::to_string(needed) + "`"
+                                                                : demanded("`state` must declare", needed))};
 }
 
 check::Diagnosis of_properties(const std::string& array, const Place& place) {
-  return {check::causes::properties_missing, "reads " + elements_of(array, place) + ", " +
-                                                 counted(place.size, "given") + ": `properties` must give " +
-                                                 std::to_string(place.indices.back()) + " numbers"};
+  return {check::causes::properties_missing, "reads " + elements_of(array, place) + counted(place.size, "given") +
+                                                 ": " + demanded("`properties` must give", place.last())};
 }
 
 bool is_of_state(const std::string& array) { return array == "STATEV" || array == "stateOld" || array == "stateNew"; }
 
 check::Diagnosis of_others(const std::string& array, const Place& place, const std::string& does) {
   if (array.find(' ') != std::string::npos) return {check::causes::overrun, does + " beyond " + array};
-  std::string words = does + " " + elements_of(array, place);
-  if (is_of_state(array) && place.indices.back() > 0) {
-    words += ", " + counted(place.size, "declared") + ": `state` must declare " + std::to_string(place.indices.back()) +
-             " numbers";
-  } else {
-    words +=
-        " of " + array + ", which has " + std::to_string(place.size) + (place.size == 1 ? " component" : " components");
+  return {check::causes::overrun,
+          does + " " + elements_of(array, place) +
+              (is_of_state(array) && place.last() > 0
+                   ? counted(place.size, "declared") + ": " + demanded("`state` must declare", place.last())
+                   : " of " + array + ", which has " + std::to_string(place.size) +
+                         (place.size == 1 ? " component" : " components"))};
+}
+
+/// The first of what tells of a description that is not whole, or, where none does, of one overrun.
+std::vector<check::Diagnosis> causes_of(const Beyonds& found) {
+  const ArrayPlaces read = by_array(found.read), written = by_array(found.written);
+  std::vector<check::Diagnosis> causes;
+  for (const auto& [array, place] : read) {
+    if (place.last() <= 0) continue;
+    if (array == "PROPS" || array == "props") causes.push_back(of_properties(array, place));
+    if (is_of_state(array)) causes.push_back(of_state(array, place, written));
   }
-  return {check::causes::overrun, words};
+  if (!causes.empty()) return causes;
+  if (!read.empty()) return {of_others(read.begin()->first, read.begin()->second, "reads")};
+  if (!written.empty()) return {of_others(written.begin()->first, written.begin()->second, "writes")};
+  if (found.left_at_times.empty()) return {};
+  return {{check::causes::overrun, "leaves stateNew(" + ranges_of(found.left_at_times) +
+                                       ") unwritten in some steps, and writes it in others: a VUMAT must write each "
+                                       "component of its state in each step"}};
 }
 
 }  // namespace
@@ -90,35 +105,16 @@ std::string ranges_of(const std::vector<std::ptrdiff_t>& indices) {
   return text;
 }
 
-BeyondFinding judged_beyond(const Beyonds& found) {
-  BeyondFinding finding{{.id = beyond_test, .measure = 0, .threshold = 0}, {}};
-  finding.test.sentence = "no step reads or writes beyond the arrays that are passed to it";
-  const Places read = by_array(found.read), written = by_array(found.written);
-  for (const auto& [array, place] : read) {
-    const bool of_the_state = is_of_state(array), behind = place.indices.back() > 0;
-    if (behind && (array == "PROPS" || array == "props")) finding.causes.push_back(of_properties(array, place));
-    if (behind && of_the_state) finding.causes.push_back(of_state(array, place, written));
-  }
-  for (const auto& [array, place] : read) {
-    if (finding.causes.empty()) finding.causes.push_back(of_others(array, place, "reads"));
-  }
-  for (const auto& [array, place] : written) {
-    if (finding.causes.empty()) finding.causes.push_back(of_others(array, place, "writes"));
-  }
-  if (finding.causes.empty() && !found.left_at_times.empty()) {
-    finding.causes.push_back({check::causes::overrun, "leaves stateNew(" + ranges_of(found.left_at_times) +
-                                                          ") unwritten in some steps, and writes it in others: a "
-                                                          "VUMAT must write each component of its state in each step"});
-  }
+ForeignFinding judged_beyond(const Beyonds& found) {
+  ForeignFinding finding{{.id = beyond_test, .measure = 0, .threshold = 0}, causes_of(found)};
+  check::TestResult& test = finding.test;
+  test.sentence = "no step reads or writes beyond the arrays that are passed to it";
   if (finding.causes.empty()) return finding;
-  finding.test.measure =
-      static_cast<double>(std::max({found.read.size(), found.written.size(), found.left_at_times.size()}));
-  finding.test.verdict = check::Verdict::fail;
-  finding.test.cause = finding.causes.front().cause;
-  finding.test.sentence = finding.causes.front().sentence;
-  for (std::size_t k = 1; k < finding.causes.size(); ++k) {
-    finding.test.sentence += "; " + finding.causes[k].sentence;
-  }
+  test.measure = static_cast<double>(std::max({found.read.size(), found.written.size(), found.left_at_times.size()}));
+  test.verdict = check::Verdict::fail;
+  test.cause = finding.causes.front().cause;
+  test.sentence = finding.causes.front().sentence;
+  for (std::size_t k = 1; k < finding.causes.size(); ++k) test.sentence += "; " + finding.causes[k].sentence;
   return finding;
 }
 

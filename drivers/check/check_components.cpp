@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/check/check_components.hpp"
-
+// How many components a UMAT fills, by what small strains from rest answer, and by the battery with four of them.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "adapters/foreign/foreign_table.hpp"
-#include "drivers/check/check_beyond.hpp"
 #include "drivers/check/check_elsewhere.hpp"
 #include "drivers/check/check_foreign.hpp"
 #include "drivers/check/check_steps.hpp"
-#include "drivers/check/check_undeclared.hpp"
 #include "drivers/material/material_description.hpp"
 
 namespace assay::drivers {
@@ -29,8 +26,8 @@ std::optional<Described> umat_of(const CheckedMaterial& checked) {
   if (checked.description.empty()) return std::nullopt;
   const MaterialDescription description = read_description(checked.description);
   const auto& model = description.foreign;
-  const bool is_umat = model && model->interface == adapters::ForeignInterface::umat;
-  return is_umat ? std::optional(Described{*model, description.files}) : std::nullopt;
+  if (!model || model->interface != adapters::ForeignInterface::umat) return std::nullopt;
+  return Described{*model, description.files};
 }
 
 using Stress = std::array<double, 9>;  ///< magnitudes, row-major [Pa]; not a number where the step is refused
@@ -42,11 +39,10 @@ Stress stress_of(const Material& material, int place) {
   constexpr double strain = 1e-4;
   Tensor F = Tensor::Identity();
   component(F, place) += strain;
-  const Answer answer = answer_of(material, {0, 1, Tensor::Identity(), F, material.initial_state(1), true});
+  const Answer answer = answer_of(material, {0, 1, Tensor::Identity(), F, material.initial_state(1)});
   Stress stress;
-  for (std::size_t c = 0; c < stress.size(); ++c) {
+  for (std::size_t c = 0; c < stress.size(); ++c)
     stress[c] = is_good(answer) ? std::abs(answer[stress_of_answer + c]) : NAN;
-  }
   return stress;
 }
 
@@ -88,60 +84,50 @@ Fills filled_by(const Described& described, const std::map<std::string, double>&
   return alike ? Fills::six : Fills::plane_strain;
 }
 
-/// What overruns an array of four.
-bool may_overrun(const check::Report& report) {
-  using namespace check::causes;
-  const char* const all[] = {hidden_state, not_finite, overrun, ends_process};
-  return std::any_of(report.diagnosis.begin(), report.diagnosis.end(), [&](const check::Diagnosis& each) {
-    return std::any_of(std::begin(all), std::end(all), [&](const char* cause) { return each.cause == cause; });
-  });
-}
-
 /// The battery with four components.
 CheckedMaterial with_four(const CheckedMaterial& checked, const Described& described, const check::Effort& effort,
-                          const CheckProcesses& how) {
+                          CheckProcesses how) {
   const std::map<std::string, double> parameters(checked.parameters.begin(), checked.parameters.end());
-  const auto report_of = [&](std::uint32_t flags, const CheckReporter& reporter) {
+  const auto run = [&](const CheckReporter& reporter) {
+    CheckedMaterial found;
+    reporter.begins("loading");
+    place_model_files(described.files);
     ForeignModel model = described.model;
-    model.components = {4}, model.flags |= flags;
-    check::Effort quick = effort;
-    quick.quick = true;
-    return check::run_battery(made_for_tests(model, parameters), {.effort = quick, .begins = reporter.begins});
+    model.components = {4};
+    check::Options options{.effort = effort, .begins = reporter.begins};
+    options.effort.quick = true;
+    found.report = check::run_battery(made_for_tests(model, parameters), options);
+    if (model.flags_are_said || !failed_test(found.report, "clock")) return found;
+    model.flags |= ASSAY_RATE_DEPENDENT;
+    check::Report of_rate = check::run_battery(made_for_tests(model, parameters), options);
+    if (settles_rate(of_rate, found.report)) found.report = std::move(of_rate);
+    return found;
   };
-  const CheckTask task{checked.name, [&](const CheckReporter& reporter) {
-                         CheckedMaterial found;
-                         reporter.begins("loading");
-                         place_model_files(described.files);
-                         found.report = report_of(0, reporter);
-                         if (described.model.flags_are_said || !failed_test(found.report, "clock")) return found;
-                         check::Report of_rate = report_of(ASSAY_RATE_DEPENDENT, reporter);
-                         if (settles_rate(of_rate, found.report)) found.report = std::move(of_rate);
-                         return found;
-                       }};
-  CheckProcesses quietly = how;
-  quietly.progress = {}, quietly.at_work = {};
-  return check_in_processes({task}, quietly).front();
+  how.progress = {}, how.at_work = {};
+  return check_in_processes({CheckTask{checked.name, run}}, how).front();
 }
 
 /// Of what was tried with four components.
-std::string words_of(const CheckedMaterial& checked, const CheckedMaterial& four) {
+std::string words_of(const check::Report& six, const check::Report& four) {
+  using namespace check::causes;
   const std::string key = "; with components: [4] in its description ";
   if (four.passes()) return key + "it passes: it fills the components of plane strain alone";
-  const auto count = [](const CheckedMaterial& of, check::Verdict verdict) { return count_of(of.report, verdict); };
-  const bool reaches_more = count(four, check::Verdict::pass) > 2 * count(checked, check::Verdict::pass) ||
-                            2 * count(four, check::Verdict::fail) < count(checked, check::Verdict::fail);
-  if (!reaches_more || four.report.diagnosis.empty() || may_overrun(four.report)) return "";
-  return key + "it can be judged, and fails for another reason: " + four.report.diagnosis.front().cause;
+  const auto passed = [](const check::Report& of) { return count_of(of, check::Verdict::pass); };
+  const auto failed = [](const check::Report& of) { return count_of(of, check::Verdict::fail); };
+  const bool reaches_more = passed(four) > 2 * passed(six) || 2 * failed(four) < failed(six);
+  const bool may_overrun = diagnosed(four, {hidden_state, not_finite, overrun, ends_process});  // an array of four
+  if (!reaches_more || may_overrun) return "";
+  return key + "it can be judged, and fails for another reason: " + four.diagnosis.front().cause;
 }
 
 }  // namespace
 
 void judge_components(CheckedMaterial& checked, const check::Effort& effort, const CheckProcesses& how) {
   const bool passes = checked.passes();
-  if (checked.hangs || (!passes && checked.report.diagnosis.empty())) return;
+  if (checked.hangs || (!passes && checked.report.passes())) return;
   const std::optional<Described> umat = umat_of(checked);
-  const auto serves_six = [&] { return std::ranges::count(umat->model.components, 6) > 0; };
-  if (!umat || (passes && serves_six())) return;  // one of plane stress passes no test of six
+  if (!umat || (passes && std::ranges::count(umat->model.components, 6) > 0))
+    return;  // no test of six passes in a plane
   const Fills fills = filled_by(*umat, {checked.parameters.begin(), checked.parameters.end()});
   if (fills == Fills::plane_stress) {
     checked.unsuitable = true;
@@ -152,7 +138,8 @@ void judge_components(CheckedMaterial& checked, const check::Effort& effort, con
     return;
   }
   if (passes || umat->model.components_are_said || fills == Fills::six) return;
-  checked.report.diagnosis.front().sentence += words_of(checked, with_four(checked, *umat, effort, how));
+  const CheckedMaterial four = with_four(checked, *umat, effort, how);
+  if (four.error.empty()) checked.report.diagnosis.front().sentence += words_of(checked.report, four.report);
 }
 
 }  // namespace assay::drivers

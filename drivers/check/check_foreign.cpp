@@ -2,15 +2,16 @@
 #include "drivers/check/check_foreign.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
 #include <stdexcept>
 
 #include "adapters/foreign/foreign_state.hpp"
 #include "adapters/foreign/foreign_table.hpp"
-#include "adapters/foreign/host_values.hpp"
 #include "adapters/foreign/mfront_metadata.hpp"
 #include "drivers/material/material_description.hpp"
 #include "harness/check/derivatives.hpp"
+#include "harness/check/judge.hpp"
+#include "harness/check/march.hpp"
 
 namespace assay::drivers {
 
@@ -39,11 +40,10 @@ std::optional<check::TestResult> tangent_with(const ForeignModel& model, const R
                                               const check::Report& before) {
   try {
     const Material other = made_for_tests(model, material.choice.parameters);
-    const check::Report report = check::run_battery(
+    check::Report report = check::run_battery(
         other, {.effort = before.effort, .only = tangent_test, .declarations = declarations_of(material)});
-    const auto test = std::find_if(report.tests.begin(), report.tests.end(),
-                                   [](const check::TestResult& each) { return each.id == tangent_test; });
-    const bool is_told = test != report.tests.end() && (report.passes() || test->verdict == check::Verdict::fail);
+    const check::TestResult* const test = test_of(report, tangent_test);
+    const bool is_told = test && (report.passes() || test->verdict == check::Verdict::fail);
     return is_told ? std::optional(*test) : std::nullopt;
   } catch (const std::runtime_error&) {
     return std::nullopt;
@@ -52,23 +52,12 @@ std::optional<check::TestResult> tangent_with(const ForeignModel& model, const R
 
 bool passes(const std::optional<check::TestResult>& test) { return test && test->verdict == check::Verdict::pass; }
 
-/// Whether a diagnosis is one of rotations.
-bool turns_wrongly(const check::Report& report) {
-  using namespace check::causes;
-  return std::any_of(report.diagnosis.begin(), report.diagnosis.end(), [](const check::Diagnosis& diagnosis) {
-    const std::string& cause = diagnosis.cause;
-    return cause == rotation_missing || cause == wrong_spin || cause == state_not_rotated || cause == not_indifferent ||
-           cause == explicit_spin;
-  });
-}
-
-const char* strain_word(bool finite) { return finite ? "finite" : "small"; }
+std::string strain_word(const ForeignModel& model) { return model.finite_strain ? "finite" : "small"; }
 
 /// What DDSDDE is, of the model with which it is right.
 std::string strain_words(const ForeignModel& right) {
-  return std::string("DDSDDE is that of strain: ") + (right.finite_strain
-                                                          ? "finite, the modulus of J sigma by the Jaumann rate, over J"
-                                                          : "small, d STRESS / d DSTRAN");
+  return "DDSDDE is that of strain: " + strain_word(right) +
+         (right.finite_strain ? ", the modulus of J sigma by the Jaumann rate, over J" : ", d STRESS / d DSTRAN");
 }
 
 /// What it is, of a DDSDDE that passes by none of the conventions; empty where that cannot be told.
@@ -102,11 +91,9 @@ bool is_nearer(const check::TestResult& a, const check::TestResult& b) {
 /// The first that is not symmetric; empty where there is none.
 std::string tensor_without_initial_value(const ResolvedMaterial& material) {
   const assay_material& table = material.material.table();
-  const std::optional<ForeignModel>& described = material.foreign;
-  if (!described || described->interface != ForeignInterface::mfront) return {};
   for (std::uint32_t v = 0; v < table.state_count; ++v) {
     if (table.state[v].kind != ASSAY_TENSOR) continue;
-    const bool said = std::any_of(described->state.begin(), described->state.end(), [&](const auto& own) {
+    const bool said = std::ranges::any_of(material.foreign->state, [&](const auto& own) {
       return own.name == table.state[v].name && !own.initial.empty();
     });
     if (!said) return table.state[v].name;
@@ -114,18 +101,43 @@ std::string tensor_without_initial_value(const ResolvedMaterial& material) {
   return {};
 }
 
+struct Energies {
+  double counted;  ///< by the model
+  double work;     ///< of its stress, on the reference volume
+  double share() const { return counted / work; }
+};
+
+/// Along a straight loading from rest. Throws MaterialFailure.
+Energies energies_along(const Material& material, std::size_t energy, const Tensor& slope, double amplitude) {
+  constexpr int steps = 100;
+  double work = 0;
+  Tensor F = Tensor::Identity();
+  check::Point now{Tensor::Zero(), material.initial_state(1)};
+  for (int k = 0; k < steps; ++k) {
+    const Tensor next = Tensor::Identity() + amplitude * (k + 1.0) / steps * slope;
+    const check::Point end = check::stepped(material, static_cast<double>(k) / steps, 1.0 / steps, F, next, now.state);
+    const Tensor middle = 0.5 * (F + next), l = (next - F) * middle.inverse();
+    const Tensor stress = 0.5 * (now.cauchy + end.cauchy);
+    work += middle.determinant() * stress.cwiseProduct(0.5 * (l + l.transpose())).sum();
+    F = next, now = end;
+  }
+  return {now.state[energy], work};
+}
+
 }  // namespace
 
+const adapters::HostAccess* host_of(const Material& material) {
+  return material.extension<adapters::HostAccess>(adapters::host_access);
+}
+
 void keep_elements(const Material& material) {
-  const auto* access = material.extension<adapters::HostAccess>(adapters::host_access);
-  if (access) access->keep_elements(material.self());
+  if (const auto* access = host_of(material)) access->keep_elements(material.self());
 }
 
 std::size_t place_in_state(const assay_material& table, const std::string& name) {
   std::size_t at = 0;
-  for (std::uint32_t v = 0; v < table.state_count && name != table.state[v].name; ++v) {
+  for (std::uint32_t v = 0; v < table.state_count && name != table.state[v].name; ++v)
     at += static_cast<std::size_t>(components_of_kind(table.state[v].kind));
-  }
   return at;
 }
 
@@ -135,29 +147,9 @@ Material made_for_tests(const ForeignModel& model, const std::map<std::string, d
   return made;
 }
 
-check::TestResult* failed_test(check::Report& report, const char* id) {
-  const auto test = std::find_if(report.tests.begin(), report.tests.end(), [&](const check::TestResult& each) {
-    return each.id == id && each.verdict == check::Verdict::fail;
-  });
-  return test == report.tests.end() ? nullptr : &*test;
-}
-
-void say_instead(check::Report& report, check::TestResult& test, const std::string& sentence) {
-  for (check::Diagnosis& diagnosis : report.diagnosis) {
-    if (diagnosis.sentence == test.sentence) diagnosis = {test.cause, sentence};
-  }
-  test.sentence = sentence;
-}
-
-void say_also(check::Report& report, const std::string& sentence, const std::string& more) {
-  std::vector<std::string*> found;  // `sentence` may be one of them
-  for (check::Diagnosis& each : report.diagnosis) {
-    if (each.sentence == sentence) found.push_back(&each.sentence);
-  }
-  for (check::TestResult& test : report.tests) {
-    if (test.sentence == sentence) found.push_back(&test.sentence);
-  }
-  for (std::string* each : found) *each += more;
+bool is_native(const CheckedMaterial& checked) {
+  if (!checked.description.empty()) return !read_description(checked.description).foreign;
+  return checked.library.empty() || adapters::mfront_behaviours(checked.library).empty();
 }
 
 check::Declarations declarations_of(const ResolvedMaterial& material) {
@@ -172,50 +164,7 @@ check::Declarations declarations_of(const ResolvedMaterial& material) {
           .guesses_roles = true,
           .may_drop_stress = true,
           .tangent_within = 2e-3,
-          .tangent = umat ? std::string("DDSDDE of strain: ") + (model->finite_strain ? "finite" : "small")
-                          : "what the interface asks for"};
-}
-
-void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& report) {
-  check::TestResult* const test = failed_test(report, tangent_test);
-  if (!test) return;
-  std::optional<ForeignModel> model = material.foreign;
-  if (!model || model->interface != ForeignInterface::umat) return;
-  const std::string before = test->sentence;
-  if (turns_wrongly(report)) {
-    test->verdict = check::Verdict::not_applicable;
-    test->cause.clear();
-    test->sentence =
-        before + "; it cannot be judged before the rotation is repaired, because assay converts DDSDDE with it";
-    std::erase_if(report.diagnosis, [&](const check::Diagnosis& d) { return d.sentence == before; });
-    return;
-  }
-  model->finite_strain = !model->finite_strain;
-  const std::optional<check::TestResult> other = tangent_with(*model, material, report);
-  if (!passes(other)) {
-    const std::string words = other_moduli(*model, material, report);
-    if (words.empty() && !model->strain_is_said && other && is_nearer(*other, *test)) {
-      test->cause = other->cause, test->measure = other->measure, test->threshold = other->threshold;
-      say_instead(report, *test,
-                  other->sentence + " (by `strain: " + strain_word(model->finite_strain) +
-                      "`, to which it is nearer than to the other: declare which it is)");
-    }
-    if (words.empty()) return;
-    test->cause = check::causes::tangent_convention;
-    say_instead(report, *test, "DDSDDE is " + words);
-    return;
-  }
-  if (model->strain_is_said) {
-    test->cause = check::causes::tangent_convention;
-    say_instead(report, *test, strain_words(*model) + "; it is declared strain: " + strain_word(!model->finite_strain));
-    return;
-  }
-  std::erase_if(report.diagnosis, [&](const check::Diagnosis& d) { return d.sentence == before; });
-  *test = *other;
-  test->sentence =
-      check::remark_words + strain_words(*model) +
-      ". The description does not say which, and both were tried: with `strain: " + strain_word(model->finite_strain) +
-      "` it passes, so declare that";
+          .tangent = umat ? "DDSDDE of strain: " + strain_word(*model) : "what the interface asks for"};
 }
 
 std::vector<std::string> foreign_not_tested(const ResolvedMaterial& material) {
@@ -225,9 +174,48 @@ std::vector<std::string> foreign_not_tested(const ResolvedMaterial& material) {
   return {"other temperatures" + fields + " (the tests keep them constant)"};
 }
 
+void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& report) {
+  using namespace check::causes;
+  check::TestResult* const test = failed_test(report, tangent_test);
+  if (!test || !is_of(material, ForeignInterface::umat)) return;
+  const std::string before = test->sentence;
+  if (diagnosed(report, {rotation_missing, wrong_spin, state_not_rotated, not_indifferent, explicit_spin})) {
+    test->verdict = check::Verdict::not_applicable;
+    test->cause.clear();
+    test->sentence =
+        before + "; it cannot be judged before the rotation is repaired, because assay converts DDSDDE with it";
+    std::erase_if(report.diagnosis, [&](const check::Diagnosis& d) { return d.sentence == before; });
+    return;
+  }
+  ForeignModel model = *material.foreign;
+  model.finite_strain = !model.finite_strain;
+  const std::optional<check::TestResult> other = tangent_with(model, material, report);
+  if (passes(other) && !model.strain_is_said) {
+    std::erase_if(report.diagnosis, [&](const check::Diagnosis& d) { return d.sentence == before; });
+    *test = *other;
+    test->sentence = check::remark_words + strain_words(model) +
+                     ". The description does not say which, and both were tried: with `strain: " + strain_word(model) +
+                     "` it passes, so declare that";
+    return;
+  }
+  const std::string words = passes(other) ? "" : other_moduli(model, material, report);
+  if (passes(other) || !words.empty()) {
+    test->cause = tangent_convention;
+    say_instead(report, *test,
+                passes(other) ? strain_words(model) + "; it is declared strain: " + strain_word(*material.foreign)
+                              : "DDSDDE is " + words);
+  } else if (!model.strain_is_said && other && is_nearer(*other, *test)) {
+    test->cause = other->cause, test->measure = other->measure, test->threshold = other->threshold;
+    say_instead(report, *test,
+                other->sentence + " (by `strain: " + strain_word(model) +
+                    "`, to which it is nearer than to the other: declare which it is)");
+  }
+}
+
 void tell_initial_values(const ResolvedMaterial& material, check::Report& report) {
   check::TestResult* const loading = failed_test(report, "loading");
-  const std::string name = loading ? tensor_without_initial_value(material) : "";
+  if (!loading || !is_of(material, ForeignInterface::mfront)) return;
+  const std::string name = tensor_without_initial_value(material);
   if (name.empty()) return;
   say_instead(report, *loading,
               loading->sentence + "; " + name +
@@ -235,9 +223,37 @@ void tell_initial_values(const ResolvedMaterial& material, check::Report& report
                   ": {initial: [1, 1, 1, 0, 0, 0, 0, 0, 0]}}");
 }
 
-bool is_native(const CheckedMaterial& checked) {
-  if (!checked.description.empty()) return !read_description(checked.description).foreign;
-  return checked.library.empty() || adapters::mfront_behaviours(checked.library).empty();
+void judge_energies(const ResolvedMaterial& material, check::Report& report) {
+  check::TestResult* const test = test_of(report, "energy");
+  const std::size_t energy = place_in_state(material.material.table(), "ENERINTERN");
+  if (!is_of(material, adapters::ForeignInterface::vumat) || !test || energy >= material.material.state_size() ||
+      report.strain == 0)
+    return;
+  constexpr double most = 0.1;  // of increments of finite length, and of the density that is taken
+  constexpr double farthest = 0.02;
+  constexpr double significant = 1e-6;  // of the work of the other: a fluid takes none in shear, or in extension
+  Tensor extension = Tensor::Zero(), shear = Tensor::Zero();
+  extension(0, 0) = shear(0, 1) = 1;
+  const double amplitude = std::min(farthest, report.strain);
+  try {
+    const Energies of_extension = energies_along(material.material, energy, extension, amplitude);
+    const Energies of_shear = energies_along(material.material, energy, shear, amplitude);
+    const double least = significant * std::max(std::abs(of_extension.work), std::abs(of_shear.work));
+    if (!(std::abs(of_extension.work) > least && std::abs(of_shear.work) > least)) return;
+    const double extended = of_extension.share(), sheared = of_shear.share();
+    if (std::max(std::abs(extended), std::abs(sheared)) == 0) return;
+    const double apart = std::abs(sheared - extended) / std::abs(extended);  // infinite of no share
+    *test = {.id = test->id, .measure = apart, .threshold = most};
+    test->sentence = "enerInternNew counts the work of shears and of extensions alike";
+    if (apart <= most && extended > 0) return;
+    fail_test(report, *test, check::causes::energy,
+              apart <= most   ? "enerInternNew falls when the stress does work, and grows when it gives work back"
+              : extended == 0 ? "enerInternNew counts the work of a shear, and none of that of an extension"
+                              : "enerInternNew counts the work of a shear " + check::rounded(sheared / extended) +
+                                    " times as it counts that of an extension: each shear of strainInc, which is the "
+                                    "tensor's, stands for two components");
+  } catch (const std::runtime_error&) {  // what it does not stand has been told
+  }
 }
 
 }  // namespace assay::drivers

@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What `check` says of a model that a description declares, in the words of descriptions.
+// What `check` finds out about a model behind a foreign interface beyond the battery: by another description of it, by
+// other values of what its host tells, and by what lies around its arrays.
 #pragma once
 
-#include "drivers/check/check_report.hpp"
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "adapters/foreign/host_values.hpp"
+#include "drivers/check/check_process.hpp"
 #include "drivers/material/material_choice.hpp"
-#include "harness/check/battery.hpp"
 
 namespace assay::drivers {
 
-/// The test of that id, where it fails; null otherwise.
-check::TestResult* failed_test(check::Report& report, const char* id);
+inline constexpr const char *beyond_test = "calls.beyond", *host_test = "calls.host";
 
-/// Another sentence, with the test's cause, in the diagnosis too.
-void say_instead(check::Report& report, check::TestResult& test, const std::string& sentence);
-
-/// More words behind a sentence, wherever it stands.
-void say_also(check::Report& report, const std::string& sentence, const std::string& more);
+/// The handle on what a bridge's host tells; null of what is no bridge.
+const adapters::HostAccess* host_of(const Material& material);
 
 /// In the process of the check points have the element that its tests give them.
 void keep_elements(const Material& material);
@@ -26,21 +29,133 @@ std::size_t place_in_state(const assay_material& table, const std::string& name)
 /// A model made as the tests need it: with keep_elements. Throws what Material does.
 Material made_for_tests(const adapters::ForeignModel& model, const std::map<std::string, double>& parameters);
 
-/// Those of the ABI for a native model.
+inline bool is_of(const ResolvedMaterial& material, adapters::ForeignInterface interface) {
+  return material.foreign && material.foreign->interface == interface;
+}
+
+/// Whether it was a model of our own interface, to which its rules apply.
+bool is_native(const CheckedMaterial& checked);
+
+/// How the author of the model declares things; of a native model as the ABI does.
 check::Declarations declarations_of(const ResolvedMaterial& material);
+
+/// What of a foreign model the tests leave as it is.
+std::vector<std::string> foreign_not_tested(const ResolvedMaterial& material);
+
+/// A test of its own, and what it adds to the report of a material.
+struct ForeignFinding {
+  check::TestResult test;
+  std::vector<check::Diagnosis> causes = {};  ///< empty where it passes
+  std::vector<Dependence> depends_on = {};    ///< which is no failure
+};
+
+// What a UMAT or VUMAT reads or writes beyond the arrays that it is handed: the same steps with other words around
+// them.
+
+/// What a look has found: each place once.
+struct Beyonds {
+  std::vector<adapters::GuardedArrays::Beyond> read, written;
+  std::vector<std::ptrdiff_t> left_at_times = {};  ///< of stateNew: written in some steps, and not in others
+};
+
+/// For a process that has not called the model yet, which is called in others alone. Nothing for an interface that
+/// tells how much it hands over.
+std::optional<ForeignFinding> goes_beyond(const ResolvedMaterial& material, const check::Effort& effort);
+
+/// In the words of descriptions.
+ForeignFinding judged_beyond(const Beyonds& found);
+
+/// "1:7", "1:4, 7": indices in order.
+std::string ranges_of(const std::vector<std::ptrdiff_t>& indices);
+
+// What it takes from its host beside its step and its state: counters, places, temperatures, lengths.
+
+/// One thing that the host tells, and other values of it.
+struct HostVariation {
+  struct Value {
+    std::string words;  ///< "at 10"
+    std::function<void(adapters::HostValues&)> set;
+  };
+  std::string name;  ///< as the interface has it
+  bool counts;       ///< how far the host is, by which no material can tell anything
+  std::vector<Value> values;
+  bool of_later_steps = counts;   ///< in a point's first step set-up code looks at it, and rightly
+  bool is_a_combination = false;  ///< with counters that are tried alone: it tells nothing where one of these does
+  bool of_an_output = false;      ///< which the material is to set, whatever it held
+};
+
+/// Of that interface, one after the other.
+std::vector<HostVariation> host_variations(const adapters::ForeignModel& model);
+
+/// strain, pressure: of the battery's histories. Nothing for other interfaces.
+std::optional<ForeignFinding> depends_on_host(const ResolvedMaterial& material, double strain, double pressure);
+
+// Which numbers of the state are tensors that nobody has declared.
+
+/// Components one after the other, from STATEV(first + 1) on.
+struct StateBlock {
+  std::size_t first;
+  adapters::ForeignVariable::Kind kind;
+  bool operator==(const StateBlock&) const = default;
+};
+
+/// What the state is if it is turned with a loaded body, so that the next step has the turned stress.
+struct StateGuess {
+  std::vector<StateBlock> blocks;  ///< empty: nothing fits
+  bool turns = false;              ///< whether the numbers are more than scalars
+};
+
+/// strain, pressure: of the battery's histories.
+StateGuess guessed_blocks(const ResolvedMaterial& material, const adapters::ForeignModel& model, double strain,
+                          double pressure);
+
+/// The same model with these tensors declared, by the names "STATEV(1:6)".
+adapters::ForeignModel with_blocks(const adapters::ForeignModel& model, const std::vector<StateBlock>& blocks);
+
+// Rules behind the battery: each looks for what its report leaves open, and changes the report.
 
 /// Of a UMAT whose tangent fails: whether it is right with the other value of `strain` in its description, or cannot be
 /// judged beside a state that does not turn, by which DDSDDE is converted.
 void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& report);
 
+/// Into the test `energy` of a VUMAT, which offers no energy otherwise: work of shears and of extensions must count
+/// alike, whatever density the model divides it by. Nothing of one that counts none.
+void judge_energies(const ResolvedMaterial& material, check::Report& report);
+
 /// Of an MFront behaviour that cannot be loaded at all: a tensor that begins at zero for want of an initial value in
 /// its description, as the elastic part of F must not.
 void tell_initial_values(const ResolvedMaterial& material, check::Report& report);
 
-/// What of a foreign model the tests leave as it is.
-std::vector<std::string> foreign_not_tested(const ResolvedMaterial& material);
+/// Of a UMAT that does not turn with the body, as its battery found: whether it is such a tensor. The diagnosis is then
+/// that of the model with the tensor declared, and says how to declare it.
+void judge_state_blocks(const ResolvedMaterial& material, check::Report& report);
 
-/// Whether it was a model of our own interface, to which its rules apply.
-bool is_native(const CheckedMaterial& checked);
+/// For a model that is not isotropic and whose description says nothing of `symmetry`: that it was taken for isotropic,
+/// and whether it passes as one that has directions of its own. For one that fails with fixed axes: whether it passes
+/// with axes that turn with the body.
+void hint_symmetry(const ResolvedMaterial& material, check::Report& report);
+
+/// Of a model whose same step is not the same again: its cause, where that is a state by element: two bodies, each with
+/// an element of its own, are as either of them alone, and with one for both are not.
+void judge_elements(const ResolvedMaterial& material, check::Report& report);
+
+/// Of a UMAT that fails, and whose description says nothing of `components`: whether four cure it, or bring another
+/// defect to light; its diagnosis says so then. One of plane stress cannot be judged, whatever is said and even where
+/// it passes with four: `error`. Throws Interrupted, SystemError.
+void judge_components(CheckedMaterial& checked, const check::Effort& effort, const CheckProcesses& how);
+
+// Whether it depends on the rate, of which its description says nothing.
+
+/// Whether its description says nothing of `flags`, and the length of a step changes its answer.
+bool may_depend_on_rate(const ResolvedMaterial& material, const check::Report& report);
+
+/// The same model, with the flag. Throws what Material does.
+ResolvedMaterial as_rate_dependent(const ResolvedMaterial& material);
+
+/// Whether the battery finds less of the model with the flag than it did without, and nothing of its clock.
+bool settles_rate(const check::Report& with_flag, const check::Report& without);
+
+/// A remark on it in the test of the clock; what the last line says of it.
+Dependence say_rate(check::Report& report, double effect);
 
 }  // namespace assay::drivers

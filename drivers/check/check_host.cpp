@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/check/check_host.hpp"
-
+// What a model takes from its host: the same steps under other values of what the host tells.
 #include <algorithm>
 #include <cmath>
 
 #include "adapters/foreign/foreign_state.hpp"
 #include "drivers/check/check_elsewhere.hpp"
+#include "drivers/check/check_foreign.hpp"
 #include "drivers/check/check_steps.hpp"
-#include "drivers/material/material_description.hpp"
 #include "harness/check/judge.hpp"
 #include "harness/material/offer.hpp"
 
@@ -21,10 +20,20 @@ using adapters::HostValues;
 constexpr double from_nothing = 1e6;   ///< of the largest stress, which is none then
 constexpr double same_within = 1e-12;  ///< of the largest stress, as in calls.repeated
 
+/// What another value of one thing has done to the same steps.
+struct HostEffect {
+  double stress = 0;    ///< largest change, of the largest stress
+  double tangent = 0;   ///< largest change of the tangent, of its largest component
+  bool state = false;   ///< whether the state is another
+  bool taken = true;    ///< whether the same steps are taken
+  bool process = true;  ///< whether the process has come back
+  bool matters() const { return stress > 0 || tangent > 0 || state || !taken || !process; }
+};
+using HostEffects = std::vector<HostEffect>;
+
 /// Numbers of a state that are not the model's own.
 std::size_t bridge_components(const ResolvedMaterial& material) {
-  const auto& model = material.foreign;
-  const auto own = model ? adapters::foreign_state_size(model->state) : 0;
+  const auto own = material.foreign ? adapters::foreign_state_size(material.foreign->state) : 0;
   return material.material.state_size() - static_cast<std::size_t>(own);
 }
 
@@ -45,7 +54,7 @@ class Hosts {
     for (const RepeatedStep& step : steps_) {
       answers_.push_back(answer_of(material_, step));
       const double so_far = step.first ? 1e-300 : scales_.back();
-      scales_.push_back(std::max(so_far, stress_of(answers_.back())));
+      scales_.push_back(std::max(so_far, largest_stress(answers_.back())));
     }
   }
 
@@ -61,9 +70,8 @@ class Hosts {
       access_.hold(material_.self(), usual_);
       if (variation.of_an_output) compare_tangents(tangent_of(steps_[k]), of_other, effect);
       // what is kept outside the state is no dependence
-      if (!same_answer(found, answers_[k]) && same_answer(answer_of(material_, steps_[k]), answers_[k])) {
+      if (!same_answer(found, answers_[k]) && same_answer(answer_of(material_, steps_[k]), answers_[k]))
         note(found, k, effect);
-      }
     }
     return effect;
   }
@@ -89,14 +97,6 @@ class Hosts {
       change = std::max(change, std::abs(other[c] - usual[c]));
     }
     if (change > same_within * largest) effect.tangent = std::max(effect.tangent, change / largest);
-  }
-
-  static double stress_of(const Answer& answer) {
-    double largest = 0;
-    for (std::size_t c = stress_of_answer; c < state_of_answer; ++c) {
-      if (std::isfinite(answer[c])) largest = std::max(largest, std::abs(answer[c]));
-    }
-    return largest;
   }
 
   void note(const Answer& found, std::size_t k, HostEffect& effect) const {
@@ -129,52 +129,48 @@ class Trials {
       : material_(material), access_(access), strain_(strain), pressure_(pressure) {}
 
   /// Of each value of each of them; nothing where the same steps cannot be taken at all.
-  std::optional<std::vector<std::vector<HostEffect>>> effects(const std::vector<HostVariation>& all) const {
+  std::optional<std::vector<HostEffects>> effects(const std::vector<HostVariation>& all) const {
     if (auto found = tried(all)) return found;
     if (!tried({})) return std::nullopt;
-    std::vector<std::vector<HostEffect>> effects;
+    std::vector<HostEffects> effects;
     for (const HostVariation& variation : all) {
       const auto found = tried({variation});
-      effects.push_back(found ? found->front() : one_by_one(variation));
+      effects.push_back(found ? found->front() : HostEffects());
+      for (std::size_t k = 0; !found && k < variation.values.size(); ++k) {
+        HostVariation alone = variation;
+        alone.values = {variation.values[k]};
+        const auto one = tried({alone});
+        effects.back().push_back(one ? one->front().front() : HostEffect{.process = false});
+      }
     }
     return effects;
   }
 
  private:
-  std::vector<HostEffect> one_by_one(const HostVariation& variation) const {
-    std::vector<HostEffect> each;
-    for (const HostVariation::Value& value : variation.values) {
-      HostVariation alone = variation;
-      alone.values = {value};
-      const auto one = tried({alone});
-      each.push_back(one ? one->front().front() : HostEffect{.process = false});
-    }
-    return each;
-  }
-
-  std::optional<std::vector<std::vector<HostEffect>>> tried(const std::vector<HostVariation>& all) const {
+  std::optional<std::vector<HostEffects>> tried(const std::vector<HostVariation>& all) const {
     constexpr double limit_s = 30;
+    constexpr std::size_t numbers = 4;  // of an effect
     const auto rows = made_elsewhere(
         [&] {
           Hosts hosts(material_, access_, strain_, pressure_);
           check::History found;
           for (const HostVariation& variation : all) {
+            found.emplace_back();
             for (const HostVariation::Value& value : variation.values) {
               const HostEffect effect = hosts.effect(variation, value);
-              found.push_back({effect.stress, effect.tangent, effect.state ? 1.0 : 0.0, effect.taken ? 1.0 : 0.0});
+              for (const double number : {effect.stress, effect.tangent, double(effect.state), double(effect.taken)})
+                found.back().push_back(number);
             }
           }
           return found;
         },
         limit_s);
     if (!rows) return std::nullopt;
-    std::vector<std::vector<HostEffect>> effects;
-    auto row = rows->begin();
-    for (const HostVariation& variation : all) {
+    std::vector<HostEffects> effects;
+    for (const std::vector<double>& row : *rows) {
       effects.emplace_back();
-      for (std::size_t k = 0; k < variation.values.size(); ++k, ++row) {
-        effects.back().push_back({(*row)[0], (*row)[1], (*row)[2] != 0, (*row)[3] != 0, true});
-      }
+      for (std::size_t at = 0; at < row.size(); at += numbers)
+        effects.back().push_back({row[at], row[at + 1], row[at + 2] != 0, row[at + 3] != 0});
     }
     return effects;
   }
@@ -195,7 +191,7 @@ std::string how_much(const HostEffect& effect, const std::string& words) {
 }
 
 /// The first that tells most: tables end somewhere, and what stands behind them tells nothing.
-std::size_t telling_of(const std::vector<HostEffect>& effects) {
+std::size_t telling_of(const HostEffects& effects) {
   const auto rank = [](const HostEffect& effect) {
     return effect.process && effect.taken && effect.stress > 0 ? 4
            : !effect.taken                                     ? 3
@@ -203,8 +199,7 @@ std::size_t telling_of(const std::vector<HostEffect>& effects) {
            : effect.tangent > 0 || effect.state                ? 1
                                                                : 0;
   };
-  const auto less = [&](const HostEffect& a, const HostEffect& b) { return rank(a) < rank(b); };
-  return static_cast<std::size_t>(std::max_element(effects.begin(), effects.end(), less) - effects.begin());
+  return static_cast<std::size_t>(std::ranges::max_element(effects, {}, rank) - effects.begin());
 }
 
 bool is_element(const std::string& name) { return name == "NOEL" || name == "jblock(5)"; }
@@ -213,25 +208,17 @@ void add_failure(const HostVariation& variation, const HostEffect& effect, const
                  check::TestResult& test) {
   const std::string sentence = "the answer of a step depends on " + variation.name + ": " + how_much(effect, words) +
                                (variation.of_an_output ? ": an output is read before it is set" : "");
-  const char* cause = variation.of_an_output ? check::causes::hidden_state : check::causes::host_counters;
   test.sentence = test.verdict == check::Verdict::fail ? test.sentence + "; " + sentence : sentence;
   test.verdict = check::Verdict::fail;
-  if (test.cause.empty()) test.cause = cause;
+  if (test.cause.empty())
+    test.cause = variation.of_an_output ? check::causes::hidden_state : check::causes::host_counters;
   const double stress = effect.process && effect.taken ? effect.stress : INFINITY;
   test.measure = std::max(test.measure.value_or(0), stress);
 }
 
-/// What is no failure, into the sentence.
-void tell_dependences(const HostFinding& finding, check::TestResult& test) {
-  for (const Dependence& each : finding.depends_on) {
-    test.sentence += "; depends on " + each.on + ": " + each.how;
-    if (is_element(each.on)) test.sentence += "; `noel:` in its description sets the element";
-  }
-}
-
 /// Into the finding; `kept`: names of counters that the state alone depends on.
-void judge_one(const HostVariation& variation, const HostEffect& effect, const std::string& words, HostFinding& finding,
-               std::string& kept) {
+void judge_one(const HostVariation& variation, const HostEffect& effect, const std::string& words,
+               ForeignFinding& finding, std::string& kept) {
   if (!effect.matters()) return;
   const bool of_state_alone = effect.process && effect.taken && effect.stress == 0 && effect.tangent == 0;
   if (variation.counts && of_state_alone) {
@@ -246,18 +233,15 @@ void judge_one(const HostVariation& variation, const HostEffect& effect, const s
 
 }  // namespace
 
-std::optional<HostFinding> depends_on_host(const ResolvedMaterial& material, double strain, double pressure) {
-  const auto* access = material.material.extension<HostAccess>(adapters::host_access);
+std::optional<ForeignFinding> depends_on_host(const ResolvedMaterial& material, double strain, double pressure) {
+  const HostAccess* const access = host_of(material.material);
   if (!access || !material.foreign) return std::nullopt;
   const std::vector<HostVariation> all = host_variations(*material.foreign);
   const auto effects = Trials(material, *access, strain, pressure).effects(all);
-  HostFinding finding{{.id = host_test, .measure = 0, .threshold = same_within}, {}};
-  if (!effects) {
-    finding.test = {.id = host_test, .verdict = check::Verdict::not_applicable};
-    finding.test.sentence = "there are no steps that could be taken again";
-    return finding;
-  }
-  finding.test.sentence = "the result does not depend on counters of the host";
+  if (!effects) return ForeignFinding{not_applicable(host_test, "there are no steps that could be taken again")};
+  ForeignFinding finding{{.id = host_test, .measure = 0, .threshold = same_within}};
+  check::TestResult& test = finding.test;
+  test.sentence = "the result does not depend on counters of the host";
   std::string kept;
   bool counter_matters = false;
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -266,11 +250,12 @@ std::optional<HostFinding> depends_on_host(const ResolvedMaterial& material, dou
     counter_matters |= all[k].of_later_steps && (*effects)[k][telling].matters();
     judge_one(all[k], (*effects)[k][telling], all[k].values[telling].words, finding, kept);
   }
-  tell_dependences(finding, finding.test);
-  if (!kept.empty()) {
-    finding.test.sentence += std::string("; ") + check::remark_words + "the state keeps " + kept +
-                             ", and no stress of the same step depends on it";
+  for (const Dependence& each : finding.depends_on) {
+    test.sentence += "; depends on " + each.on + ": " + each.how;
+    if (is_element(each.on)) test.sentence += "; `noel:` in its description sets the element";
   }
+  if (!kept.empty()) remark(test, "the state keeps " + kept + ", and no stress of the same step depends on it");
+  if (test.verdict == check::Verdict::fail) finding.causes.push_back({test.cause, test.sentence});
   return finding;
 }
 

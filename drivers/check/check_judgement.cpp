@@ -1,50 +1,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/check/check_judgement.hpp"
-
-#include <algorithm>
-
-#include "drivers/check/check_beyond.hpp"
-#include "drivers/check/check_elements.hpp"
+// The battery, and around it what a foreign interface leaves open.
 #include "drivers/check/check_elsewhere.hpp"
-#include "drivers/check/check_energies.hpp"
 #include "drivers/check/check_foreign.hpp"
-#include "drivers/check/check_host.hpp"
-#include "drivers/check/check_state_blocks.hpp"
-#include "drivers/check/check_undeclared.hpp"
+#include "drivers/check/check_material.hpp"
 #include "harness/numeric/stopwatch.hpp"
 
 namespace assay::drivers {
 
 namespace {
 
+constexpr const char* repeated_test = "calls.repeated";
+
+/// What a test beside the battery finds, told as the battery tells its own.
+template <class Test>
+std::optional<ForeignFinding> told(const char* id, const CheckReporter& reporter, const Test& test) {
+  if (reporter.begins) reporter.begins(id);
+  const Stopwatch watch;
+  std::optional<ForeignFinding> found = test();
+  if (!found) return found;
+  found->test.wall_s = watch.seconds();
+  if (reporter.ends) reporter.ends(found->test);
+  return found;
+}
+
 /// Whether the rest can be judged: what lies beyond the arrays spoils every other test.
 bool judge_beyond(const ResolvedMaterial& material, const CheckSettings& settings, const CheckReporter& reporter,
                   check::Report& report) {
   const bool asked = (settings.only.empty() || settings.only == beyond_test) && settings.without != beyond_test;
-  if (asked && reporter.begins) reporter.begins(beyond_test);
-  const Stopwatch watch;
-  auto found = asked ? goes_beyond(material, settings.effort) : std::nullopt;
+  if (!asked) return true;
+  const auto found = told(beyond_test, reporter, [&] { return goes_beyond(material, settings.effort); });
   if (!found) return true;
-  found->test.wall_s = watch.seconds();
-  if (reporter.ends) reporter.ends(found->test);
   report.effort = settings.effort;
   report.tests.push_back(found->test);
   report.diagnosis = found->causes;
   if (found->causes.empty()) return settings.only != beyond_test;
   for (const std::string& id : check::test_ids()) {
-    if (id == "loading" || !settings.only.empty()) continue;
-    report.tests.push_back({.id = id,
-                            .verdict = check::Verdict::not_applicable,
-                            .sentence = check::not_judged + (": " + found->test.cause)});
+    if (id != "loading" && settings.only.empty())
+      report.tests.push_back(not_applicable(id, check::not_judged + (": " + found->test.cause)));
   }
   return false;
 }
 
-constexpr const char* repeated_test = "calls.repeated";
-
 /// The same with another CMNAME. A host has one name for each set of PROPS, and a model may keep what belongs to it.
 std::optional<Material> under_another_name(const ResolvedMaterial& material) {
-  if (!material.foreign || material.foreign->interface == adapters::ForeignInterface::mfront) return std::nullopt;
+  if (!material.foreign || is_of(material, adapters::ForeignInterface::mfront)) return std::nullopt;
   adapters::ForeignModel other = *material.foreign;
   other.material_name += "-2";
   return made_for_tests(other, material.choice.parameters);
@@ -58,17 +57,14 @@ check::Report with_named_others(const ResolvedMaterial& material, const check::O
   named.table_of_others = &other->table();
   check::Report again = check::run_battery(material.material, named);
   if (failed_test(again, repeated_test)) return first;
-  for (check::TestResult& test : again.tests) {
-    if (test.id == repeated_test)
-      test.sentence += std::string("; ") + check::remark_words +
-                       "what it keeps outside the state goes by CMNAME, and a host gives each set of PROPS another";
-  }
+  if (check::TestResult* const test = test_of(again, repeated_test))
+    remark(*test, "what it keeps outside the state goes by CMNAME, and a host gives each set of PROPS another");
   return again;
 }
 
 /// Behind what `before` holds.
 check::Report battery_of(const ResolvedMaterial& material, const CheckSettings& settings, const CheckReporter& reporter,
-                         check::Report before) {
+                         const check::Report& before) {
   const std::string only = settings.only == process_test ? std::string() : settings.only;
   const bool repeats = only.empty() || only == repeated_test;
   const check::History elsewhere =
@@ -91,23 +87,15 @@ check::Report battery_of(const ResolvedMaterial& material, const CheckSettings& 
 /// What the model takes from its host, of one that can be loaded.
 void judge_host(const ResolvedMaterial& material, const CheckSettings& settings, const CheckReporter& reporter,
                 CheckedMaterial& checked) {
-  check::Report& report = checked.report;
-  judge_elements(material, report);
+  const check::Report& report = checked.report;
   const bool asked = settings.only.empty() || settings.only == host_test;
-  const bool keeps_state = std::any_of(report.diagnosis.begin(), report.diagnosis.end(), [](const auto& each) {
-    return each.cause == check::causes::hidden_state || each.cause == check::causes::kept_by_element;
-  });
+  const bool keeps_state = diagnosed(report, {check::causes::hidden_state, check::causes::kept_by_element});
   if (!asked || keeps_state || report.strain == 0) return;
-  if (reporter.begins) reporter.begins(host_test);
-  const Stopwatch watch;
-  auto found = depends_on_host(material, report.strain, report.pressure);
+  const auto found =
+      told(host_test, reporter, [&] { return depends_on_host(material, report.strain, report.pressure); });
   if (!found) return;
-  found->test.wall_s = watch.seconds();
-  if (reporter.ends) reporter.ends(found->test);
-  report.tests.push_back(found->test);
+  add_test(checked.report, found->test);
   checked.depends_on.insert(checked.depends_on.end(), found->depends_on.begin(), found->depends_on.end());
-  if (found->test.verdict == check::Verdict::fail)
-    report.diagnosis.push_back({found->test.cause, found->test.sentence});
 }
 
 /// The battery again, of the model as one that depends on the rate, where its description says nothing of it and the
@@ -126,6 +114,10 @@ std::optional<ResolvedMaterial> settle_rate(const ResolvedMaterial& material, co
   return other;
 }
 
+/// What is asked of a foreign model behind the battery, one after the other.
+constexpr auto rules = {judge_foreign_tangent, judge_energies, tell_initial_values,
+                        judge_state_blocks,    hint_symmetry,  judge_elements};
+
 }  // namespace
 
 std::optional<ResolvedMaterial> judge(const ResolvedMaterial& material, const CheckSettings& settings,
@@ -137,11 +129,7 @@ std::optional<ResolvedMaterial> judge(const ResolvedMaterial& material, const Ch
   std::optional<ResolvedMaterial> other = settle_rate(material, settings, reporter, before, checked);
   const ResolvedMaterial& judged = other ? *other : material;
   for (std::string& what : foreign_not_tested(judged)) checked.report.not_tested.push_back(std::move(what));
-  judge_foreign_tangent(judged, checked.report);
-  judge_energies(judged, checked.report);
-  tell_initial_values(judged, checked.report);
-  judge_state_blocks(judged, checked.report);
-  hint_symmetry(judged, checked.report);
+  for (const auto& rule : rules) rule(judged, checked.report);
   judge_host(judged, settings, reporter, checked);
   return other;
 }

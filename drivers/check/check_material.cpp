@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/check/check_material.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <cctype>
-#include <chrono>
 #include <filesystem>
 
 #include "adapters/foreign/written_inputs.hpp"
 #include "adapters/worker/kept_output.hpp"
 #include "adapters/worker/process_watch.hpp"
-#include "drivers/check/check_beyond.hpp"
 #include "drivers/check/check_foreign.hpp"
-#include "drivers/check/check_host.hpp"
-#include "drivers/check/check_judgement.hpp"
-#include "drivers/check/check_vortex.hpp"
 #include "drivers/check/replay.hpp"
 #include "drivers/material/material_description.hpp"
 #include "drivers/scene/material_path.hpp"
@@ -28,18 +22,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The name that was asked for, or the model's own where that is a path; what no file name should hold becomes '_'.
-std::string stem_of(const CheckedMaterial& checked) {
+/// "clay.rotation.during.yaml", by the name that was asked for, or the model's own where that is a path; what no file
+/// name should hold becomes '_'.
+std::string replay_name(const CheckedMaterial& checked, const std::string& test) {
   std::string stem = is_material_name(checked.name) ? checked.name : checked.model;
   for (char& c : stem) {
     if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-') c = '_';
   }
-  return stem;
-}
-
-/// "clay.rotation.during.yaml"
-std::string replay_name(const CheckedMaterial& checked, const std::string& test) {
-  return stem_of(checked) + "." + test + ".yaml";
+  return stem + "." + test + ".yaml";
 }
 
 /// Wherever this process stands.
@@ -58,16 +48,6 @@ void write_replay(const Replay& replay, Isolation isolation, const CheckSettings
   checked.replays[replay.test] = told.string();
 }
 
-/// Those of earlier failures that are none any more.
-void remove_stale(const CheckedMaterial& checked, const CheckSettings& settings) {
-  std::vector<std::string> ids = check::test_ids();
-  for (const char* own : {process_test, vortex_test, beyond_test, host_test}) ids.emplace_back(own);
-  for (const std::string& id : ids) {
-    std::error_code ignored;
-    if (checked.replays.count(id) == 0) fs::remove(fs::path(settings.place) / replay_name(checked, id), ignored);
-  }
-}
-
 void leave_replays(const ResolvedMaterial& material, bool rate_dependent, CheckedMaterial& checked,
                    const CheckSettings& settings) {
   try {
@@ -83,43 +63,49 @@ void leave_replays(const ResolvedMaterial& material, bool rate_dependent, Checke
     // where a model has limited this process, who watches it writes
     if (!(habits_of_process() & adapters::limits_changed)) checked.unwritten = error.what();
   }
-  remove_stale(checked, settings);
+  for (const std::string& id : tests_of_check()) {  // of earlier failures that are none any more
+    std::error_code ignored;
+    if (checked.replays.count(id) == 0) fs::remove(fs::path(settings.place) / replay_name(checked, id), ignored);
+  }
 }
 
 /// Of a model that passes the battery: the run tells nothing else of one that does not.
-void add_vortex(const ResolvedMaterial& material, check::Report& report, const CheckReporter& reporter) {
+check::TestResult vortex_of(const ResolvedMaterial& material, const check::Report& report,
+                            const CheckReporter& reporter) {
+  if (!report.passes()) return not_applicable(vortex_test, check::not_judged + (": " + report.diagnosis.front().cause));
   reporter.begins(vortex_test);
-  const auto found = std::find_if(report.tests.begin(), report.tests.end(),
-                                  [](const check::TestResult& test) { return test.id == "ellipticity"; });
+  const check::TestResult* const ellipticity = test_of(report, "ellipticity");
   const Stopwatch watch;
-  report.tests.push_back(end_to_end_vortex(material, found == report.tests.end() ? std::nullopt : found->measure));
-  check::TestResult& test = report.tests.back();
+  check::TestResult test = end_to_end_vortex(material, ellipticity ? ellipticity->measure : std::nullopt);
   test.wall_s = watch.seconds();
-  if (test.verdict == check::Verdict::fail) report.diagnosis.push_back({test.cause, test.sentence});
+  return test;
 }
 
 /// After all else that the model has done.
-void add_process(adapters::Habits habits, check::Report& report) {
-  const bool told = std::any_of(report.diagnosis.begin(), report.diagnosis.end(), [](const check::Diagnosis& each) {
-    return each.cause == check::causes::disturbs_process;  // of a step: by its arithmetic
-  });
-  if (told) habits &= ~(adapters::rounding_left | adapters::traps_left);
+check::TestResult process_of(adapters::Habits habits, const check::Report& report) {
+  if (diagnosed(report, {check::causes::disturbs_process}))  // of a step: by its arithmetic
+    habits &= ~(adapters::rounding_left | adapters::traps_left);
   const adapters::Habits harmful = habits & ~adapters::any_written_input;  // inputs were put right
   check::TestResult test{.id = process_test, .measure = std::popcount(harmful), .threshold = 0};
   test.sentence = "the model leaves the process that runs it as it was";
   const std::string words = "the model " + adapters::habit_words(habits);
-  if (harmful == adapters::no_habit && habits != harmful)
-    test.sentence += std::string("; ") + check::remark_words + words;
   if (harmful != adapters::no_habit) {
     test.verdict = check::Verdict::fail;
     test.cause = check::causes::disturbs_process;
     test.sentence = words;
-    report.diagnosis.push_back({test.cause, test.sentence});
+  } else if (habits != harmful) {
+    remark(test, words);
   }
-  report.tests.push_back(test);
+  return test;
 }
 
 }  // namespace
+
+std::vector<std::string> tests_of_check() {
+  std::vector<std::string> ids = check::test_ids();
+  ids.insert(ids.end(), {process_test, vortex_test, beyond_test, host_test});
+  return ids;
+}
 
 ResolvedMaterial in_this_process(const ResolvedMaterial& apart) {
   MaterialChoice choice = apart.choice;
@@ -134,30 +120,24 @@ ResolvedMaterial in_this_process(const ResolvedMaterial& apart) {
 
 CheckedMaterial check_material(const ResolvedMaterial& material, const std::string& name, const CheckSettings& settings,
                                const CheckReporter& reporter) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   CheckedMaterial checked;
   checked.name = name;
   checked.library = material.library;
   checked.description = material.description;
   checked.model = material.material.name();
-  for (std::uint32_t i = 0; i < material.material.table().parameter_count; ++i) {
+  for (std::uint32_t i = 0; i < material.material.table().parameter_count; ++i)
     checked.parameters.emplace_back(material.material.table().parameters[i].name, material.material.parameters()[i]);
-  }
   checked.of_example = material.of_example;
   reporter.material(checked);
   const std::optional<ResolvedMaterial> other = judge(material, settings, reporter, checked);
   const ResolvedMaterial& judged = other ? *other : material;
-  const std::string only = settings.only == process_test ? std::string() : settings.only;
-  const bool asked = settings.only.empty() ? !settings.effort.quick : settings.only == vortex_test;
-  if (asked && checked.report.passes()) {
-    add_vortex(judged, checked.report, reporter);
-  } else if (asked) {
-    checked.report.tests.push_back({.id = vortex_test,
-                                    .verdict = check::Verdict::not_applicable,
-                                    .sentence = check::not_judged + (": " + checked.report.diagnosis.front().cause)});
-  }
-  if (only.empty() && reporter.habits) add_process(reporter.habits(), checked.report);
-  checked.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  check::Report& report = checked.report;
+  const bool runs = settings.only.empty() ? !settings.effort.quick : settings.only == vortex_test;
+  if (runs) add_test(report, vortex_of(judged, report, reporter));
+  if ((settings.only.empty() || settings.only == process_test) && reporter.habits)
+    add_test(report, process_of(reporter.habits(), report));
+  checked.wall_s = watch.seconds();
   if (reporter.over) reporter.over();
   if (!settings.folder.empty()) leave_replays(judged, other.has_value(), checked, settings);
   return checked;
@@ -165,35 +145,31 @@ CheckedMaterial check_material(const ResolvedMaterial& material, const std::stri
 
 void judge_printing(CheckedMaterial& checked) {
   constexpr std::uint64_t much = 1 << 16;  // bytes: complaints of the battery's senseless steps stay far below
-  const auto test = std::find_if(checked.report.tests.begin(), checked.report.tests.end(),
-                                 [](const check::TestResult& each) { return each.id == process_test; });
-  if (test == checked.report.tests.end() || checked.printed_bytes == 0 || !is_native(checked)) return;
+  check::TestResult* const test = test_of(checked.report, process_test);
+  if (!test || checked.printed_bytes == 0 || !is_native(checked)) return;
   const std::string words = "the model prints: " + std::to_string(checked.printed_bytes) + " bytes, the last line \"" +
                             adapters::last_line(checked.printed) + "\"";
-  if (checked.printed_bytes <= much) {
-    test->sentence += std::string("; ") + check::remark_words + words;
-    return;
-  }
-  test->sentence = test->verdict == check::Verdict::fail ? test->sentence + "; " + words : words;
-  test->verdict = check::Verdict::fail;
-  test->cause = check::causes::disturbs_process;
-  std::erase_if(checked.report.diagnosis, [&](const check::Diagnosis& d) { return d.cause == test->cause; });
-  checked.report.diagnosis.push_back({test->cause, test->sentence});
+  if (checked.printed_bytes <= much) return remark(*test, words);
+  const char* const cause = check::causes::disturbs_process;
+  std::erase_if(checked.report.diagnosis, [&](const check::Diagnosis& d) { return d.cause == cause; });
+  const bool also = test->verdict == check::Verdict::fail;
+  fail_test(checked.report, *test, cause, also ? test->sentence + "; " + words : words);
 }
 
 void leave_replay_of_the_end(CheckedMaterial& checked, const CheckSettings& settings) {
   if (settings.folder.empty() || checked.model.empty() || checked.passes() || !checked.replays.empty()) return;
-  const auto test = std::find_if(checked.report.tests.begin(), checked.report.tests.end(), [](const auto& each) {
+  using namespace check::causes;
+  const auto test = std::ranges::find_if(checked.report.tests, [](const check::TestResult& each) {
     return each.verdict == check::Verdict::fail &&
-           (each.cause == check::causes::ends_process || each.cause == check::causes::overrun ||
-            each.cause == check::causes::of_alignment || each.cause == check::causes::disturbs_process);
+           std::ranges::count(std::initializer_list<const char*>{ends_process, overrun, of_alignment, disturbs_process},
+                              each.cause) > 0;
   });
   if (test == checked.report.tests.end() || !checked.unwritten.empty()) return;
   Replay replay;
   replay.material = !checked.description.empty() ? checked.description
                     : checked.library.empty()    ? checked.model
                                                  : checked.library + ":" + checked.model;
-  for (const auto& [parameter, value] : checked.parameters) replay.parameters[parameter] = value;
+  replay.parameters.insert(checked.parameters.begin(), checked.parameters.end());
   if (!checked.library.empty()) replay.library_sha256 = hash_of_library(checked.library);
   replay.test = test->id;
   replay.effort = settings.effort;

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/check/check_replay.hpp"
-
-#include <cmath>
-
+// `assay check --replay`: a failure taken again.
 #include "adapters/worker/remote_table.hpp"
+#include "drivers/check/check.hpp"
 #include "drivers/check/check_material.hpp"
-#include "drivers/check/check_output.hpp"
+#include "drivers/check/check_steps.hpp"
 #include "drivers/check/replay.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/terminal.hpp"
 #include "drivers/text/number_format.hpp"
 #include "drivers/text/wrapped_text.hpp"
-#include "harness/material/checked_update.hpp"
 
 namespace assay::drivers {
 
@@ -20,11 +17,9 @@ namespace {
 /// The step alone: "step". `is_all`: nothing else of the failure is repeated.
 check::TestResult step_again(const Material& material, const FailedStep& step, bool is_all) {
   check::TestResult result{.id = "step", .verdict = check::Verdict::fail, .step = step};
-  double F0[9], F1[9], cauchy[9];
-  for (int c = 0; c < 9; ++c) F0[c] = component(step.F0, c), F1[c] = component(step.F1, c);
-  std::vector<double> state1(step.state0.size());
-  const UpdateReport report = material.update(step.t, step.dt, 1, F0, F1, step.state0.data(), state1.data(), cauchy);
-  if (report.worst == ASSAY_FAILED) {
+  UpdateReport report;
+  const Answer answer = answer_of(material, step, &report);
+  if (!is_good(answer)) {
     const bool died = report.dt_factor == 0;
     result.cause = check::cause_of_refusal(report.message, report.not_finite);
     if (died && result.cause == check::causes::refuses) result.cause = check::causes::ends_process;
@@ -33,7 +28,7 @@ check::TestResult step_again(const Material& material, const FailedStep& step, b
   }
   result.verdict = check::Verdict::pass;
   result.sentence = "the step is taken; stress 11, 22, 33, 12, 13, 23 [Pa]:";
-  for (const int c : {0, 4, 8, 1, 2, 5}) result.sentence += " " + rounded_text(cauchy[c], 6);
+  for (const std::size_t c : {0, 4, 8, 1, 2, 5}) result.sentence += " " + rounded_text(answer[stress_of_answer + c], 6);
   if (is_all) result.sentence += ". The failure needs earlier calls, which this replay does not make";
   return result;
 }
@@ -53,9 +48,8 @@ CheckedMaterial again(const Replay& replay, const ResolvedMaterial& resolved, bo
   }
   if (!replay.step) return checked;
   reporter.begins("step");
-  check::TestResult step = step_again(resolved.material, *replay.step, !has_changed && replay.test.empty());
-  if (step.verdict == check::Verdict::fail) checked.report.diagnosis.push_back({step.cause, step.sentence});
-  checked.report.tests.insert(checked.report.tests.begin(), std::move(step));
+  add_test(checked.report, step_again(resolved.material, *replay.step, !has_changed && replay.test.empty()));
+  std::rotate(checked.report.tests.begin(), checked.report.tests.end() - 1, checked.report.tests.end());
   return checked;
 }
 
@@ -78,7 +72,7 @@ int check_replay(const CheckOptions& options) {
   judge_printing(checked);
   const std::string text =
       wrapped(replay.reason, "the failure was: ", "    ") + "\n" + check_text(checked, Verbosity::verbose);
-  tell(options, text, check_json(checked), check_junit({checked}, options.junit_name));
+  tell_check(options, text, check_json(checked), check_junit({checked}, options.junit_name));
   if (checked.unsuitable) throw InputError(checked.error);
   if (!checked.error.empty()) throw SystemError(checked.error);
   return checked.passes() ? 0 : 1;

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/output/junit.hpp"
-#include "drivers/result/json_figure.hpp"
+#include "drivers/result/json_fields.hpp"
 #include "drivers/scene/material_path.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/text/number_format.hpp"
@@ -20,69 +20,123 @@ using Json = nlohmann::ordered_json;
 using check::TestResult;
 using check::Verdict;
 
-Json json_of(const CheckedMaterial& checked) {
-  Json out;
-  out["material"] = checked.name;
-  out["library"] = json_text(checked.library);
-  if (!checked.description.empty()) out["description"] = checked.description;
-  out["model"] = json_text(checked.model);
-  out["parameters"] = Json::object();
-  for (const auto& [name, value] : checked.parameters) out["parameters"][name] = json_figure(value);
-  if (!checked.of_example.empty()) out["parameters_of_example"] = checked.of_example;
-  out["verdict"] = overall(checked);
-  out["error"] = json_text(checked.error);
-  out["unwritten"] = json_text(checked.unwritten);
-  out["printed"] = checked.printed;
-  out["wall_s"] = json_figure(checked.wall_s);
-  out["strain"] = json_figure(checked.report.strain);
-  out["pressure"] = json_figure(checked.report.pressure);
-  out["step"] = json_figure(checked.report.effort.step);
-  out["not_tested"] = checked.report.not_tested;
-  if (!checked.depends_on.empty()) out["depends_on"] = Json::array();
-  for (const Dependence& each : checked.depends_on) out["depends_on"].push_back({{"on", each.on}, {"how", each.how}});
-  out["diagnosis"] = Json::array();
-  for (const check::Diagnosis& d : checked.report.diagnosis) {
-    out["diagnosis"].push_back({{"cause", d.cause}, {"sentence", d.sentence}});
+template <class T, class U>
+concept Is = std::is_same_v<std::remove_const_t<T>, U>;
+
+// What JSON says, once for its writer and its reader.
+
+void describe(Is<Dependence> auto& each, auto&& json) {
+  json("on", each.on);
+  json("how", each.how);
+}
+
+void describe(Is<check::Diagnosis> auto& each, auto&& json) {
+  json("cause", each.cause);
+  json("sentence", each.sentence);
+}
+
+void describe(Is<TestResult> auto& test, auto&& json) {
+  json("id", test.id);
+  json("verdict", test.verdict);
+  json("wall_s", test.wall_s);
+  json("measure", test.measure);
+  json("threshold", test.threshold);
+  json("order", test.order);
+  json.or_null("cause", test.cause);
+  json("sentence", test.sentence);
+}
+
+void describe(Is<CheckedMaterial> auto& checked, auto&& json) {
+  json("material", checked.name);
+  json.or_null("library", checked.library);
+  json.if_any("description", checked.description);
+  json.or_null("model", checked.model);
+  json("parameters", checked.parameters);
+  json.if_any("parameters_of_example", checked.of_example);
+  json.derived("verdict", overall(checked));
+  json.or_null("error", checked.error);
+  json.or_null("unwritten", checked.unwritten);
+  json("printed", checked.printed);
+  json("wall_s", checked.wall_s);
+  json("strain", checked.report.strain);
+  json("pressure", checked.report.pressure);
+  json("step", checked.report.effort.step);
+  json("not_tested", checked.report.not_tested);
+  json.if_any("depends_on", checked.depends_on);
+  json("diagnosis", checked.report.diagnosis);
+  json("tests", checked.report.tests);
+}
+
+using Values = std::vector<std::pair<std::string, double>>;
+
+struct Writer {
+  Json out = Json::object();
+
+  template <class T>
+  static Json of(const T& value) {
+    Writer inner;
+    if constexpr (requires { describe(value, inner); }) {
+      describe(value, inner);
+    } else if constexpr (std::is_same_v<T, Verdict>) {
+      return verdict_name(value);
+    } else if constexpr (std::is_same_v<T, Values>) {
+      for (const auto& [name, number] : value) inner(name, number);
+    } else if constexpr (is_list_field<T>) {
+      inner.out = Json::array();
+      for (const auto& each : value) inner.out.push_back(of(each));
+    } else {
+      return JsonFields<Json>::of(value);
+    }
+    return inner.out;
   }
-  out["tests"] = Json::array();
-  for (const TestResult& test : checked.report.tests) {
-    const auto replay = checked.replays.find(test.id);
-    out["tests"].push_back({{"id", test.id},
-                            {"verdict", verdict_name(test.verdict)},
-                            {"wall_s", json_figure(test.wall_s)},
-                            {"measure", json_figure(test.measure)},
-                            {"threshold", json_figure(test.threshold)},
-                            {"order", json_figure(test.order)},
-                            {"cause", json_text(test.cause)},
-                            {"sentence", test.sentence},
-                            {"replay", replay == checked.replays.end() ? Json(nullptr) : Json(replay->second)}});
+
+  void operator()(const std::string& key, const auto& value) { out[key] = of(value); }
+  void derived(const char* key, const auto& value) { out[key] = value; }
+  void or_null(const char* key, const std::string& text) { out[key] = json_text(text); }
+  void if_any(const char* key, const auto& value) {
+    if (!value.empty()) out[key] = of(value);
+  }
+};
+
+/// Throws Json::exception where something is missing, or not what it should be. Of what is null the value stays.
+struct Reader {
+  const Json& in;
+
+  template <class T>
+  static void take(const Json& from, T& value) {
+    if constexpr (requires(Reader inner) { describe(value, inner); }) {
+      describe(value, Reader{from});
+    } else if constexpr (std::is_same_v<T, Verdict>) {
+      for (const Verdict each : {Verdict::pass, Verdict::fail, Verdict::not_applicable}) {
+        if (from == verdict_name(each)) value = each;
+      }
+    } else if constexpr (std::is_same_v<T, Values>) {
+      for (const auto& [name, number] : from.items()) take(number, value.emplace_back(name, NAN).second);
+    } else if constexpr (is_list_field<T>) {
+      for (const Json& each : from) take(each, value.emplace_back());
+    } else if (!from.is_null()) {
+      value = from.get<std::conditional_t<is_optional_field<T>, double, T>>();
+    }
+  }
+
+  void operator()(const char* key, auto& value) const { take(in.at(key), value); }
+  void or_null(const char* key, std::string& text) const { take(in.at(key), text); }
+  void derived(const char*, const auto&) const {}
+  void if_any(const char* key, auto& value) const {
+    if (in.contains(key)) take(in.at(key), value);
+  }
+};
+
+Json json_of(const CheckedMaterial& checked) {
+  Json out = Writer::of(checked);
+  for (Json& test : out["tests"]) {
+    const auto replay = checked.replays.find(test["id"]);
+    test["replay"] = replay == checked.replays.end() ? Json() : Json(replay->second);
   }
   return out;
 }
 
 std::string written(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
-
-std::string text_in(const Json& value) { return value.is_null() ? std::string() : value.get<std::string>(); }
-
-std::optional<double> number_in(const Json& value) {
-  return value.is_null() ? std::nullopt : std::optional(value.get<double>());
-}
-
-TestResult test_in(const Json& test) {
-  const std::string verdict = test.at("verdict");
-  const bool measured = !test.at("measure").is_null();
-  const bool infinite = !measured && verdict == "fail" && !test.at("threshold").is_null();
-  return {.id = test.at("id"),
-          .verdict = verdict == "pass"   ? Verdict::pass
-                     : verdict == "fail" ? Verdict::fail
-                                         : Verdict::not_applicable,
-          .measure = infinite ? std::optional<double>(INFINITY) : number_in(test.at("measure")),
-          .threshold = number_in(test.at("threshold")),
-          .order = number_in(test.at("order")),
-          .cause = text_in(test.at("cause")),
-          .sentence = test.at("sentence"),
-          .wall_s = test.at("wall_s")};
-}
 
 }  // namespace
 
@@ -99,49 +153,56 @@ std::string check_json(const std::vector<CheckedMaterial>& all) {
   return written(out);
 }
 
-namespace {
-
-/// Throws Json::exception where something is missing, or not what it should be.
-CheckedMaterial checked_in(const Json& found) {
-  CheckedMaterial checked;
-  checked.name = found.at("material");
-  checked.library = text_in(found.at("library"));
-  checked.description = found.contains("description") ? text_in(found.at("description")) : std::string();
-  for (const auto& [name, value] : found.at("parameters").items()) {
-    checked.parameters.emplace_back(name, number_in(value).value_or(NAN));
-  }
-  if (const auto names = found.find("parameters_of_example"); names != found.end()) {
-    checked.of_example = names->get<std::vector<std::string>>();
-  }
-  checked.model = text_in(found.at("model"));
-  checked.error = text_in(found.at("error"));
-  checked.unwritten = text_in(found.at("unwritten"));
-  checked.wall_s = number_in(found.at("wall_s")).value_or(0);
-  checked.report.strain = number_in(found.at("strain")).value_or(0);
-  checked.report.pressure = number_in(found.at("pressure")).value_or(0);
-  checked.report.effort.step = number_in(found.at("step")).value_or(1);
-  checked.report.not_tested = found.at("not_tested").get<std::vector<std::string>>();
-  if (const auto all = found.find("depends_on"); all != found.end()) {
-    for (const Json& each : *all) checked.depends_on.push_back({each.at("on"), each.at("how")});
-  }
-  for (const Json& d : found.at("diagnosis")) checked.report.diagnosis.push_back({d.at("cause"), d.at("sentence")});
-  for (const Json& test : found.at("tests")) {
-    checked.report.tests.push_back(test_in(test));
-    if (!test.at("replay").is_null()) checked.replays[test.at("id")] = test.at("replay");
-  }
-  return checked;
-}
-
-}  // namespace
-
 std::optional<CheckedMaterial> checked_of_json(const std::string& text) {
   const Json found = Json::parse(text, nullptr, false);
   if (found.is_discarded()) return std::nullopt;
   try {
-    return checked_in(found);
+    CheckedMaterial checked;
+    Reader::take(found, checked);
+    for (TestResult& test : checked.report.tests) {  // JSON has no infinity
+      if (!test.measure && test.threshold && test.verdict == Verdict::fail) test.measure = INFINITY;
+    }
+    for (const Json& test : found.at("tests")) {
+      if (!test.at("replay").is_null()) checked.replays[test.at("id")] = test.at("replay");
+    }
+    return checked;
   } catch (const Json::exception&) {
     return std::nullopt;
   }
+}
+
+void fail_test(check::Report& report, TestResult& test, const std::string& cause, const std::string& sentence) {
+  test.verdict = Verdict::fail;
+  test.cause = cause;
+  test.sentence = sentence;
+  report.diagnosis.push_back({cause, sentence});
+}
+
+void add_test(check::Report& report, TestResult test) {
+  if (test.verdict == Verdict::fail) report.diagnosis.push_back({test.cause, test.sentence});
+  report.tests.push_back(std::move(test));
+}
+
+void say_instead(check::Report& report, TestResult& test, const std::string& sentence) {
+  for (check::Diagnosis& diagnosis : report.diagnosis) {
+    if (diagnosis.sentence == test.sentence) diagnosis = {test.cause, sentence};
+  }
+  test.sentence = sentence;
+}
+
+void say_also(check::Report& report, const std::string& sentence, const std::string& more) {
+  std::vector<std::string*> found;  // `sentence` may be one of them
+  for (check::Diagnosis& each : report.diagnosis) {
+    if (each.sentence == sentence) found.push_back(&each.sentence);
+  }
+  for (TestResult& test : report.tests) {
+    if (test.sentence == sentence) found.push_back(&test.sentence);
+  }
+  for (std::string* each : found) *each += more;
+}
+
+void remark(TestResult& test, const std::string& words) {
+  test.sentence += std::string("; ") + check::remark_words + words;
 }
 
 namespace {
@@ -173,9 +234,7 @@ JunitSuite suite(const CheckedMaterial& checked, const std::string& given) {
   JunitSuite out{"assay check " + (given.empty() ? checked.name : given), "assay.check"};
   out.seconds = checked.wall_s;
   for (const auto& [name, value] : checked.parameters) out.properties.emplace_back(name, number_text(value));
-  if (!checked.of_example.empty()) {
-    out.properties.emplace_back("parameters of the example", joined(checked.of_example));
-  }
+  if (!checked.of_example.empty()) out.properties.emplace_back("parameters of the example", joined(checked.of_example));
   for (const std::string& what : checked.report.not_tested) out.properties.emplace_back("not tested", what);
   for (const Dependence& each : checked.depends_on) out.properties.emplace_back("depends on " + each.on, each.how);
   for (const TestResult& test : checked.report.tests) {
@@ -183,9 +242,8 @@ JunitSuite suite(const CheckedMaterial& checked, const std::string& given) {
     if (const std::string remark = remark_of(test); !remark.empty())
       out.properties.emplace_back("remark of " + test.id, remark);
   }
-  if (!checked.error.empty()) {
+  if (!checked.error.empty())
     out.cases.push_back({classname, "loading", 0, JunitCase::Kind::error, checked.error, "not checked"});
-  }
   for (const check::Diagnosis& d : checked.report.diagnosis) out.said += d.cause + ": " + d.sentence + "\n";
   return out;
 }

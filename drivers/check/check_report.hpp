@@ -2,6 +2,8 @@
 // What the battery has found, as text of 80 columns, JSON and JUnit's XML.
 #pragma once
 
+#include <algorithm>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
@@ -45,6 +47,50 @@ struct CheckedMaterial {
   bool passes() const { return error.empty() && report.passes(); }
 };
 
+// What is found in a report, and changed in it.
+
+/// The test of that id; null where there is none.
+inline auto* test_of(auto& report, const std::string& id) {
+  const auto test = std::ranges::find(report.tests, id, &check::TestResult::id);
+  return test == report.tests.end() ? nullptr : &*test;
+}
+
+/// The test of that id, where it fails; null otherwise.
+inline auto* failed_test(auto& report, const std::string& id) {
+  auto* const test = test_of(report, id);
+  return test && test->verdict == check::Verdict::fail ? test : nullptr;
+}
+
+/// The first diagnosis of one of these causes; null where there is none.
+inline auto* diagnosed(auto& report, std::initializer_list<const char*> causes) {
+  const auto found = std::ranges::find_if(
+      report.diagnosis, [&](const check::Diagnosis& each) { return std::ranges::count(causes, each.cause) > 0; });
+  return found == report.diagnosis.end() ? nullptr : &*found;
+}
+
+int count_of(const check::Report& report, check::Verdict verdict);
+
+inline check::TestResult not_applicable(const std::string& id, const std::string& why) {
+  return {.id = id, .verdict = check::Verdict::not_applicable, .sentence = why};
+}
+
+/// It fails, which the diagnosis says too.
+void fail_test(check::Report& report, check::TestResult& test, const std::string& cause, const std::string& sentence);
+
+/// A test of its own behind the others, and in the diagnosis where it fails.
+void add_test(check::Report& report, check::TestResult test);
+
+/// Another sentence, with the test's cause, in the diagnosis too.
+void say_instead(check::Report& report, check::TestResult& test, const std::string& sentence);
+
+/// More words behind a sentence, wherever it stands.
+void say_also(check::Report& report, const std::string& sentence, const std::string& more);
+
+/// A remark behind the sentence of a test.
+void remark(check::TestResult& test, const std::string& words);
+
+// How it is told.
+
 /// What a test that passes has to say all the same, or empty: a remark, or why it passes with a measure above its
 /// limit.
 std::string remark_of(const check::TestResult& test);
@@ -76,9 +122,8 @@ std::string check_junit(const std::vector<CheckedMaterial>& all, const std::stri
 /// Of a whole material: "pass", "fail", "error".
 std::string overall(const CheckedMaterial& checked);
 
-int count_of(const check::Report& report, check::Verdict verdict);
-
-/// "pass", "fail", "n/a".
+/// "pass", "fail", "n/a"; as tables show it: "FAIL".
 const char* verdict_name(check::Verdict verdict);
+std::string shown_verdict(check::Verdict verdict);
 
 }  // namespace assay::drivers

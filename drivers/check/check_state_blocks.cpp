@@ -1,87 +1,60 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/check/check_state_blocks.hpp"
-
+// What is said of tensors in a state that nobody has declared.
 #include <algorithm>
 
 #include "adapters/foreign/foreign_state.hpp"
-#include "adapters/foreign/foreign_table.hpp"
 #include "drivers/check/check_foreign.hpp"
 #include "drivers/material/material_description.hpp"
+#include "drivers/system/input_error.hpp"
 #include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 
 namespace {
 
+using adapters::components_of;
 using adapters::ForeignModel;
 using adapters::ForeignVariable;
-using Kind = ForeignVariable::Kind;
+using namespace check::causes;
 
 /// What a tensor in the state can be behind, as the tests of rotation tell it.
-bool is_of_turns(const std::string& cause) {
-  using namespace check::causes;
-  const char* const all[] = {rotation_missing,   wrong_spin,  explicit_spin, state_not_rotated, not_indifferent,
-                             components_swapped, other_order, shear_factor,  not_isotropic};
-  return std::any_of(std::begin(all), std::end(all), [&](const char* each) { return cause == each; });
-}
+constexpr auto of_turns = {rotation_missing,   wrong_spin,  explicit_spin, state_not_rotated, not_indifferent,
+                           components_swapped, other_order, shear_factor,  not_isotropic};
 
-std::size_t unknown_of(const ForeignModel& model) {
-  return static_cast<std::size_t>(
-      std::count_if(model.state.begin(), model.state.end(), [](const ForeignVariable& v) { return !v.kind_is_said; }));
-}
-
-/// Of STATEV, where a variable begins, from 0.
-std::size_t component_of(const ForeignModel& model, std::size_t variable) {
-  std::size_t at = 0;
-  for (std::size_t k = 0; k < variable; ++k) {
-    at += static_cast<std::size_t>(adapters::components_of(model.state[k].kind));
-  }
-  return at;
-}
+bool is_of_turns(const check::Diagnosis& each) { return std::ranges::count(of_turns, each.cause) > 0; }
 
 bool begins_elsewhere(const ForeignVariable& v) {
-  return std::any_of(v.initial.begin(), v.initial.end(), [](double value) { return value != 0; });
+  return std::ranges::any_of(v.initial, [](double value) { return value != 0; });
 }
 
 /// "vector", or "{kind: vector, initial: [1, 0, 0]}"
 std::string variable_words(const ForeignVariable& v) {
   const std::string kind = names_of(v.kind)[static_cast<std::size_t>(v.kind)];
   if (!begins_elsewhere(v)) return kind;
-  std::string numbers;
-  for (const double value : v.initial) numbers += (numbers.empty() ? "" : ", ") + number_text(value);
-  return "{kind: " + kind + ", initial: " + (v.initial.size() == 1 ? numbers : "[" + numbers + "]") + "}";
+  std::vector<std::string> numbers;
+  for (const double value : v.initial) numbers.push_back(number_text(value));
+  return "{kind: " + kind + ", initial: " + (numbers.size() == 1 ? numbers[0] : "[" + joined(numbers) + "]") + "}";
 }
 
-/// So many variables from that one on that have no name but their place.
-std::size_t nameless_from(const ForeignModel& model, std::size_t first) {
-  const auto is_nameless = [&](std::size_t at) {
-    const ForeignVariable& v = model.state[at];
-    return !v.kind_is_said && !begins_elsewhere(v) && v.name == "s" + std::to_string(component_of(model, at) + 1);
-  };
-  std::size_t count = 0;
-  while (first + count < model.state.size() && is_nameless(first + count)) ++count;
-  return count;
-}
-
-/// "`state: {t1: symmetric_tensor, s7: scalar}`"
+/// "`state: {t1: symmetric_tensor, s7: scalar}`"; variables that follow each other and have no name but their place are
+/// counted.
 std::string declared(const ForeignModel& model) {
-  std::string text;
-  int tensors = 0;
-  for (std::size_t k = 0; k < model.state.size();) {
-    const ForeignVariable& v = model.state[k];
-    const std::size_t count = nameless_from(model, k);
+  std::vector<std::string> entries;
+  int tensors = 0, place = 1, nameless = 0;
+  for (const ForeignVariable& v : model.state) {
+    const bool is_nameless = !v.kind_is_said && !begins_elsewhere(v) && v.name == "s" + std::to_string(place);
     const bool is_guessed = v.name.find('(') != std::string::npos;
-    text += (text.empty() ? "" : ", ") + (is_guessed ? "t" + std::to_string(++tensors) : v.name) + ": " +
-            (count > 1 ? "{count: " + std::to_string(count) + "}" : variable_words(v));
-    k += std::max<std::size_t>(count, 1);
+    const std::string name = is_guessed ? "t" + std::to_string(++tensors) : v.name;
+    nameless = is_nameless ? nameless + 1 : 0;
+    if (nameless > 1) {
+      const std::string& first = entries.back();
+      entries.back() = first.substr(0, first.find(':')) + ": {count: " + std::to_string(nameless) + "}";
+    } else {
+      entries.push_back(name + ": " + variable_words(v));
+    }
+    place += components_of(v.kind);
   }
-  return "`state: {" + text + "}`";
-}
-
-check::Diagnosis* first_of_turns(check::Report& report) {
-  const auto found = std::find_if(report.diagnosis.begin(), report.diagnosis.end(),
-                                  [](const check::Diagnosis& each) { return is_of_turns(each.cause); });
-  return found == report.diagnosis.end() ? nullptr : &*found;
+  return "`state: {" + joined(entries) + "}`";
 }
 
 /// Of the model with its tensors declared: what it says of one of them.
@@ -94,7 +67,7 @@ std::optional<check::Diagnosis> named(const ForeignModel& model, const ResolvedM
     const check::Report report =
         check::run_battery(other, {.effort = effort, .declarations = declarations_of(material)});
     for (const check::Diagnosis& each : report.diagnosis) {
-      if (is_of_turns(each.cause) && each.sentence.find("STATEV(") != std::string::npos) return each;
+      if (is_of_turns(each) && each.sentence.find("STATEV(") != std::string::npos) return each;
     }
   } catch (const std::runtime_error&) {
   }
@@ -102,7 +75,7 @@ std::optional<check::Diagnosis> named(const ForeignModel& model, const ResolvedM
 }
 
 /// Another cause and sentence for what was found first, of all tests that had that cause.
-void replace(check::Report& report, check::Diagnosis& old, const check::Diagnosis& other) {
+void replace(check::Report& report, const check::Diagnosis& old, const check::Diagnosis& other) {
   for (check::TestResult& test : report.tests) {
     if (test.verdict != check::Verdict::fail || test.cause != old.cause) continue;
     test.cause = other.cause;
@@ -111,7 +84,7 @@ void replace(check::Report& report, check::Diagnosis& old, const check::Diagnosi
   std::vector<check::Diagnosis> all;
   for (const check::Diagnosis& each : report.diagnosis) {
     if (&each == &old) all.push_back(other);
-    if (each.cause != other.cause && !is_of_turns(each.cause)) all.push_back(each);
+    if (each.cause != other.cause && !is_of_turns(each)) all.push_back(each);
   }
   report.diagnosis = all;
 }
@@ -119,28 +92,27 @@ void replace(check::Report& report, check::Diagnosis& old, const check::Diagnosi
 }  // namespace
 
 void judge_state_blocks(const ResolvedMaterial& material, check::Report& report) {
-  check::Diagnosis* const found = first_of_turns(report);
-  if (!found) return;
-  const std::optional<ForeignModel>& model = material.foreign;
-  constexpr std::size_t least = 3;  // components of a vector
-  const bool fixed_axes =
-      model && model->interface == adapters::ForeignInterface::umat && model->axes == adapters::Axes::fixed;
-  if (!fixed_axes || unknown_of(*model) < least) return;
-  const StateGuess guess = guessed_blocks(material, *model, report.strain, report.pressure);
+  constexpr int least = 3;  // components of a vector
+  const check::Diagnosis* const found = diagnosed(report, of_turns);
+  if (!found || !is_of(material, adapters::ForeignInterface::umat)) return;
+  const ForeignModel& model = *material.foreign;
+  const auto unknown = std::ranges::count(model.state, false, &ForeignVariable::kind_is_said);
+  if (model.axes != adapters::Axes::fixed || unknown < least) return;
+  const StateGuess guess = guessed_blocks(material, model, report.strain, report.pressure);
   if (!guess.turns) return;
   if (guess.blocks.empty()) {
-    const std::string words = found->sentence;
-    say_also(report, words,
+    say_also(report, found->sentence,
              "; or, if the source is right, one of the numbers of `state` belongs to a tensor: declare it, as in "
              "`state: {back_stress: symmetric_tensor}`");
     return;
   }
-  const ForeignModel other = with_blocks(*model, guess.blocks);
+  const ForeignModel other = with_blocks(model, guess.blocks);
   const auto diagnosis = named(other, material, report);
   if (diagnosis) replace(report, *found, *diagnosis);
-  say_also(report, first_of_turns(report)->sentence,
-           diagnosis ? "; to have it tested as a tensor, declare " + declared(other)
-                     : "; its state holds tensors: to have them tested, declare " + declared(other));
+  say_also(report, diagnosed(report, of_turns)->sentence,
+           (diagnosis ? "; to have it tested as a tensor, declare "
+                      : "; its state holds tensors: to have them tested, declare ") +
+               declared(other));
 }
 
 }  // namespace assay::drivers

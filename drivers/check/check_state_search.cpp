@@ -6,8 +6,7 @@
 #include <map>
 
 #include "adapters/foreign/foreign_state.hpp"
-#include "adapters/foreign/foreign_table.hpp"
-#include "drivers/check/check_state_blocks.hpp"
+#include "drivers/check/check_foreign.hpp"
 #include "drivers/check/check_steps.hpp"
 #include "harness/check/judge.hpp"
 #include "harness/check/march.hpp"
@@ -27,9 +26,7 @@ std::size_t size_of(Kind kind) { return static_cast<std::size_t>(adapters::compo
 
 /// Components of that kind as Q turns them; shears of some are multiples of the tensor's.
 void turn(Kind kind, const Tensor& Q, double* components) {
-  const std::int32_t plain = kind == Kind::vector   ? ASSAY_VECTOR
-                             : kind == Kind::tensor ? ASSAY_TENSOR
-                                                    : ASSAY_SYMMETRIC_TENSOR;
+  const int plain = kind == Kind::vector ? ASSAY_VECTOR : kind == Kind::tensor ? ASSAY_TENSOR : ASSAY_SYMMETRIC_TENSOR;
   const double shear = kind == Kind::strain   ? 1 / adapters::engineering_shear
                        : kind == Kind::mandel ? 1 / adapters::mfront_shear
                                               : 1;
@@ -52,19 +49,20 @@ class Search {
 
   StateGuess guess() {
     StateGuess found;
-    const double as_scalars = error({});
-    found.turns = as_scalars > check::own_precision;
-    if (!found.turns) return found;
-    as_scalars_ = as_scalars;
-    found.blocks = blocks();
-    if (!found.blocks.empty()) return found;
+    found.turns = turns();
+    if (found.turns) found.blocks = blocks();
+    if (!found.turns || !found.blocks.empty()) return found;
     hold_axes();
-    as_scalars_ = error({});
-    if (as_scalars_ > check::own_precision) found.blocks = blocks();
+    if (turns()) found.blocks = blocks();
     return found;
   }
 
  private:
+  bool turns() {
+    as_scalars_ = error({});
+    return as_scalars_ > check::own_precision;
+  }
+
   std::vector<StateBlock> blocks() const {
     std::vector<StateBlock> found = one_by_one();
     if (!fits(found)) found = axes();
@@ -105,7 +103,7 @@ class Search {
     const Answer usual = answer_of(material_, step), found = answer_of(material_, seen);
     if (!is_good(usual) || !is_good(found)) return is_good(usual) == is_good(found) ? 0 : INFINITY;
     const Tensor expected = stress_in(usual);
-    const double scale = std::max(expected.cwiseAbs().maxCoeff(), 1e-300);
+    const double scale = std::max(largest_stress(usual), 1e-300);
     return check::distance(check::rotated(Q_.transpose(), stress_in(found)), expected) / scale;
   }
 
@@ -121,9 +119,8 @@ class Search {
     std::size_t at = 0;
     for (std::uint32_t v = 0; v < table.state_count; ++v) {
       const std::int32_t kind = table.state[v].kind;
-      if (kind != ASSAY_SCALAR && table.state[v].role == ASSAY_ROLE_PLAIN) {
+      if (kind != ASSAY_SCALAR && table.state[v].role == ASSAY_ROLE_PLAIN)
         check::Variable(kind, &state[at]).turned(Q_).write(&state[at]);
-      }
       at += static_cast<std::size_t>(components_of_kind(kind));
     }
   }
@@ -131,16 +128,15 @@ class Search {
   /// Places where so many numbers follow each other of which nobody has said what they are.
   std::vector<StateBlock> candidates() const {
     std::vector<bool> unknown;
-    for (const adapters::ForeignVariable& v : model_.state) {
+    for (const adapters::ForeignVariable& v : model_.state)
       unknown.insert(unknown.end(), size_of(v.kind), !v.kind_is_said && v.kind == Kind::scalar);
-    }
     std::vector<StateBlock> all;
     for (std::size_t first = 0; first < unknown.size(); ++first) {
       for (const Kind kind : likely_kinds) {
         const auto begin = unknown.begin() + static_cast<std::ptrdiff_t>(first);
         if (first + size_of(kind) > unknown.size()) continue;
         const auto end = begin + static_cast<std::ptrdiff_t>(size_of(kind));
-        if (std::all_of(begin, end, [](bool is) { return is; })) all.push_back({first, kind});
+        if (std::find(begin, end, false) == end) all.push_back({first, kind});
       }
     }
     return all;
@@ -181,17 +177,13 @@ class Search {
   /// Three vectors one after the other, as of a matrix whose columns turn: those of a crystal, or of F. One that is
   /// turned alone is no such matrix any more.
   std::vector<StateBlock> axes() const {
-    for (const StateBlock& first : candidates()) {
-      std::vector<StateBlock> three{first, {first.first + 3, first.kind}, {first.first + 6, first.kind}};
-      if (first.kind == Kind::vector && is_candidate(three[1]) && is_candidate(three[2]) && fits(three)) return three;
+    const std::vector<StateBlock> all = candidates();
+    for (const StateBlock& first : all) {
+      const std::vector<StateBlock> three{first, {first.first + 3, first.kind}, {first.first + 6, first.kind}};
+      const auto is_candidate = [&](const StateBlock& block) { return std::ranges::count(all, block) > 0; };
+      if (first.kind == Kind::vector && std::ranges::all_of(three, is_candidate) && fits(three)) return three;
     }
     return {};
-  }
-
-  bool is_candidate(const StateBlock& block) const {
-    const std::vector<StateBlock> all = candidates();
-    return std::any_of(all.begin(), all.end(),
-                       [&](const StateBlock& each) { return each.first == block.first && each.kind == block.kind; });
   }
 
   /// Numbers that mean nothing without others.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/check/check_subject.hpp"
-
+// What `assay check` is asked to check.
 #include <algorithm>
 
+#include "drivers/check/check.hpp"
 #include "drivers/check/replay.hpp"
 #include "drivers/format/number_slips.hpp"
 #include "drivers/format/yaml_lines.hpp"
@@ -21,12 +21,11 @@ namespace {
 
 /// A scene is a YAML file that has a motion; a description of a material has none.
 bool is_scene(const std::string& material) {
-  if (is_stream(material)) return read_yaml(read_bytes(material), material).find("motion") != nullptr;
   const MaterialName name = parse_material(material);
-  if (!name.is_path || !name.table.empty() || !(name.file.ends_with(".yaml") || name.file.ends_with(".yml"))) {
-    return false;
-  }
-  return read_yaml(read_bytes(name.file), name.file).find("motion") != nullptr;
+  const bool is_yaml =
+      name.is_path && name.table.empty() && (name.file.ends_with(".yaml") || name.file.ends_with(".yml"));
+  const std::string& file = is_stream(material) ? material : name.file;
+  return (is_stream(material) || is_yaml) && read_yaml(read_bytes(file), file).find("motion");
 }
 
 }  // namespace
@@ -37,19 +36,18 @@ std::map<std::string, double> parameters_in(const std::string& list) {
     const std::size_t end = std::min(list.find(',', begin), list.size());
     const std::string item = list.substr(begin, end - begin);
     const std::size_t equals = item.find('=');
-    const auto value =
-        equals == std::string::npos ? std::nullopt : parse_number(stripped(std::string_view(item).substr(equals + 1)));
+    const std::string text = equals == item.npos ? "" : item.substr(equals + 1);
+    const auto value = parse_number(stripped(text));
     const std::string name(stripped(std::string_view(item).substr(0, equals)));
     if (!value || name.empty()) {
       throw InputError({}, "--parameters",
                        "must be NAME=NUMBER, separated by commas, found '" + one_line(item, 60) + "'" +
-                           (equals != std::string::npos ? number_remedy(item.substr(equals + 1))
-                            : parse_number(item)        ? ": a comma separates parameters, not digits"
-                                                        : std::string()));
+                           (equals != item.npos  ? number_remedy(text)
+                            : parse_number(item) ? ": a comma separates parameters, not digits"
+                                                 : std::string()));
     }
-    if (!parameters.emplace(name, *value).second) {
+    if (!parameters.emplace(name, *value).second)
       throw InputError({}, "--parameters", "'" + one_line(name, 60) + "' is given twice");
-    }
     begin = end + 1;
   }
   return parameters;

@@ -21,9 +21,14 @@ std::string remark_of(const TestResult& test) {
 }
 
 int count_of(const check::Report& report, Verdict verdict) {
-  return static_cast<int>(std::count_if(report.tests.begin(), report.tests.end(),
-                                        [&](const TestResult& test) { return test.verdict == verdict; }));
+  return static_cast<int>(std::ranges::count(report.tests, verdict, &TestResult::verdict));
 }
+
+const char* verdict_name(Verdict verdict) {
+  return verdict == Verdict::pass ? "pass" : verdict == Verdict::fail ? "fail" : "n/a";
+}
+
+std::string shown_verdict(Verdict verdict) { return verdict == Verdict::fail ? "FAIL" : verdict_name(verdict); }
 
 std::string overall(const CheckedMaterial& checked) {
   return !checked.error.empty() ? "error" : checked.report.passes() ? "pass" : "fail";
@@ -39,39 +44,27 @@ std::string row(const std::string& id, const std::string& verdict, const std::st
 /// "; strains to 0.019, under 1e+05 Pa": where they are not those of most models.
 std::string unusual_effort(const check::Report& report) {
   std::string text;
-  if (report.strain > 0 && report.strain < 0.5 * check::Effort{}.strain) {
+  if (report.strain > 0 && report.strain < 0.5 * check::Effort{}.strain)
     text += "; strains to " + rounded_text(report.strain, 2);
-  }
-  if (report.pressure > 0) {
+  if (report.pressure > 0)
     text += (text.empty() ? "; under " : ", under ") + rounded_text(report.pressure, 2) + " Pa at rest";
-  }
-  return text;
-}
-
-/// What a pass says nothing of, as one sentence.
-std::string not_tested(const check::Report& report) {
-  std::string text;
-  for (const std::string& what : report.not_tested) text += (text.empty() ? "" : "; ") + what;
   return text;
 }
 
 /// "c10 = 120, c01 = 40": what was not given.
 std::string example_values(const CheckedMaterial& checked) {
-  std::string text;
+  std::vector<std::string> values;
   for (const auto& [name, value] : checked.parameters) {
-    if (std::find(checked.of_example.begin(), checked.of_example.end(), name) == checked.of_example.end()) continue;
-    text += (text.empty() ? "" : ", ") + name + " = " + rounded_text(value, 6);
+    if (std::ranges::count(checked.of_example, name) > 0) values.push_back(name + " = " + rounded_text(value, 6));
   }
-  return text;
+  return joined(values);
 }
 
 /// "depends on TEMP (2 % for +10), COORDS (...)"
 std::string dependences(const CheckedMaterial& checked) {
-  std::string text;
-  for (const Dependence& each : checked.depends_on) {
-    text += (text.empty() ? "depends on " : ", ") + each.on + " (" + each.how + ")";
-  }
-  return text;
+  std::vector<std::string> all;
+  for (const Dependence& each : checked.depends_on) all.push_back(each.on + " (" + each.how + ")");
+  return "depends on " + joined(all);
 }
 
 /// "; 2 remarks": tests that pass and have something to say all the same.
@@ -108,8 +101,8 @@ std::string table_of(const CheckedMaterial& checked, Verbosity verbosity, Rows r
       continue;
     }
     ++shown;
-    page += row(test.id, test.verdict == Verdict::fail ? "FAIL" : verdict_name(test.verdict),
-                measured_text(test.measure), measured_text(test.threshold), measured_text(test.order));
+    page += row(test.id, shown_verdict(test.verdict), measured_text(test.measure), measured_text(test.threshold),
+                measured_text(test.order));
     if (!words.empty()) page += wrapped(words, "    ", "    ");
   }
   if (shown > 0) page.insert(0, "\n" + row("test", "verdict", "measured", "at most", "order"));
@@ -120,10 +113,6 @@ std::string table_of(const CheckedMaterial& checked, Verbosity verbosity, Rows r
 
 }  // namespace
 
-const char* verdict_name(Verdict verdict) {
-  return verdict == Verdict::pass ? "pass" : verdict == Verdict::fail ? "fail" : "n/a";
-}
-
 std::string check_text(const CheckedMaterial& checked, Verbosity verbosity, Rows rows) {
   std::string page = wrapped(summary(checked), "", "    ");
   for (const check::Diagnosis& d : checked.report.diagnosis) {
@@ -133,7 +122,9 @@ std::string check_text(const CheckedMaterial& checked, Verbosity verbosity, Rows
   }
   for (const auto& [test, file] : checked.replays) page += "replay: " + one_line(file) + "\n";
   if (checked.passes() && !checked.report.not_tested.empty()) {
-    page += wrapped(not_tested(checked.report), "not tested: ", "    ");
+    std::string all;
+    for (const std::string& what : checked.report.not_tested) all += (all.empty() ? "" : "; ") + what;
+    page += wrapped(all, "not tested: ", "    ");
   }
   if (!checked.of_example.empty()) {
     page +=

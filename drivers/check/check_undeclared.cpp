@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/check/check_undeclared.hpp"
-
+// What the description of a model leaves open: whether it depends on the rate, and whether it has directions of its
+// own.
 #include <algorithm>
 #include <utility>
 
@@ -27,12 +27,6 @@ ResolvedMaterial taken_for(const ResolvedMaterial& material, adapters::ForeignMo
           .foreign = std::move(model)};
 }
 
-bool passes_as(const ResolvedMaterial& other, const check::Effort& effort) {
-  check::Effort quick = effort;
-  quick.quick = true;
-  return check::run_battery(other.material, {.effort = quick, .declarations = declarations_of(other)}).passes();
-}
-
 /// Whether steps of a loaded body are others that begin at another time of its life.
 bool reads_time(const ResolvedMaterial& material, double strain, double pressure) {
   constexpr int count = 12;
@@ -54,11 +48,10 @@ bool reads_time(const ResolvedMaterial& material, double strain, double pressure
 
 }  // namespace
 
-bool may_depend_on_rate(const ResolvedMaterial& material, check::Report& report) {
-  const auto& model = material.foreign;
+bool may_depend_on_rate(const ResolvedMaterial& material, const check::Report& report) {
   const check::TestResult* const clock = failed_test(report, clock_test);
+  if (!material.foreign || material.foreign->flags_are_said || !clock) return false;
   const std::string flag = declarations_of(material).rate_dependence;  // named where the length of a step is to blame
-  if (!model || model->flags_are_said || !clock) return false;
   return clock->sentence.find(flag) != std::string::npos || !reads_time(material, report.strain, report.pressure);
 }
 
@@ -69,52 +62,51 @@ ResolvedMaterial as_rate_dependent(const ResolvedMaterial& material) {
 }
 
 bool settles_rate(const check::Report& with_flag, const check::Report& without) {
-  const auto is_of_clock = [](const check::Diagnosis& each) { return each.cause == check::causes::clock; };
-  const std::vector<check::Diagnosis>& found = with_flag.diagnosis;
-  if (std::any_of(found.begin(), found.end(), is_of_clock)) return false;
-  const bool overshoots = !found.empty() && found.front().cause == check::causes::dissipation;
+  if (diagnosed(with_flag, {check::causes::clock})) return false;
+  const bool overshoots = !with_flag.passes() && with_flag.diagnosis.front().cause == check::causes::dissipation;
   return overshoots || count_of(with_flag, check::Verdict::fail) < count_of(without, check::Verdict::fail);
 }
 
 Dependence say_rate(check::Report& report, double effect) {
-  for (check::TestResult& test : report.tests) {
-    if (test.id != clock_test || test.verdict == check::Verdict::fail) continue;
-    test.sentence += std::string("; ") + check::remark_words +
-                     "the stress depends on the length of a step, and the model passes the tests of a rate-dependent "
-                     "material. Declare flags: [rate_dependent], or flags: [] if the rate is not meant to matter";
-  }
+  check::TestResult* const clock = test_of(report, clock_test);
+  if (clock && clock->verdict != check::Verdict::fail)
+    remark(*clock,
+           "the stress depends on the length of a step, and the model passes the tests of a rate-dependent material. "
+           "Declare flags: [rate_dependent], or flags: [] if the rate is not meant to matter");
   const std::string share = effect < 1 ? check::percent(effect) : check::rounded(effect) + " times itself";
   return {"the rate", share + "; flags: [rate_dependent] declares it"};
 }
 
 void hint_symmetry(const ResolvedMaterial& material, check::Report& report) {
+  using adapters::Axes;
   const auto& model = material.foreign;
-  if (!model || model->interface == adapters::ForeignInterface::mfront || report.diagnosis.empty()) return;
-  const auto found = std::find_if(report.diagnosis.begin(), report.diagnosis.end(),
-                                  [](const auto& each) { return each.cause == check::causes::not_isotropic; });
-  const bool unsaid = !model->symmetry_is_said && found != report.diagnosis.end();
+  if (!model || model->interface == adapters::ForeignInterface::mfront || report.passes()) return;
+  const check::Diagnosis* const found = diagnosed(report, {check::causes::not_isotropic});
+  const bool unsaid = !model->symmetry_is_said && found;
   if (!unsaid && model->symmetry == ASSAY_ISOTROPIC) return;
-  const auto passes_with = [&](adapters::Axes axes) {
-    adapters::ForeignModel other = *model;
-    if (unsaid) other.symmetry = ASSAY_ANISOTROPIC;
-    other.axes = axes;
-    return passes_as(taken_for(material, std::move(other)), report.effort);
+  const auto passes_with = [&](Axes axes) {
+    adapters::ForeignModel model_so = *model;
+    if (unsaid) model_so.symmetry = ASSAY_ANISOTROPIC;
+    model_so.axes = axes;
+    const ResolvedMaterial other = taken_for(material, std::move(model_so));
+    check::Effort quick = report.effort;
+    quick.quick = true;
+    return check::run_battery(other.material, {.effort = quick, .declarations = declarations_of(other)}).passes();
   };
   const bool alone = unsaid && passes_with(model->axes);
-  const bool turning = !alone && model->axes == adapters::Axes::fixed && passes_with(adapters::Axes::corotational);
+  const bool turning = !alone && model->axes == Axes::fixed && passes_with(Axes::corotational);
   const std::string axes =
       "`axes: corotational`, with which it passes: its components are those in axes that turn with "
       "the body, as by *ORIENTATION";
-  if (!unsaid) {
-    if (turning) say_also(report, std::string(report.diagnosis.front().sentence), "; what it lacks is " + axes);
-    return;
+  if (unsaid) {
+    say_also(report, found->sentence,
+             "; no symmetry is declared, so it was tested as isotropic: `symmetry: anisotropic`" +
+                 (alone     ? ", with which it passes, declares directions of its own"
+                  : turning ? " and " + axes
+                            : ", for a material with directions of its own, does not make it pass"));
+  } else if (turning) {
+    say_also(report, report.diagnosis.front().sentence, "; what it lacks is " + axes);
   }
-  const std::string sentence = found->sentence;
-  say_also(report, sentence,
-           "; no symmetry is declared, so it was tested as isotropic: `symmetry: anisotropic`" +
-               (alone     ? std::string(", with which it passes, declares directions of its own")
-                : turning ? " and " + axes
-                          : ", for a material with directions of its own, does not make it pass"));
 }
 
 }  // namespace assay::drivers

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/check/check_vortex.hpp"
-
+// The vortex with the material that is checked, beside one of the same stiffness.
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 
-#include "adapters/builtin.hpp"
+#include "drivers/check/check_material.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/simulate.hpp"
 #include "drivers/system/interrupt.hpp"
@@ -16,6 +14,7 @@
 #include "harness/check/material_symmetry.hpp"
 #include "harness/check/specimen.hpp"
 #include "harness/motion/kinds/vortex.hpp"
+#include "harness/numeric/stopwatch.hpp"
 
 namespace assay::drivers {
 
@@ -96,20 +95,18 @@ double estimated_s(const Material& material, const check::Specimen& specimen) {
   std::vector<double> state = specimen.rest_state();
   for (std::size_t k = 0; k < calls; ++k) {
     const double t = 0.01 * static_cast<double>(k);
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     state = check::stepped(material, t, 0.01, specimen.space.stretch(specimen.amplitude, t),
                            specimen.space.stretch(specimen.amplitude, t + 0.01), state)
                 .state;
-    taken[k] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    taken[k] = watch.seconds();
   }
   std::nth_element(taken.begin(), taken.begin() + calls / 2, taken.end());
   constexpr double particles = 5032;
   return taken[calls / 2] * particles * usual_steps;
 }
 
-TestResult not_applicable(const std::string& why) {
-  return {.id = vortex_test, .verdict = Verdict::not_applicable, .sentence = why};
-}
+TestResult untold(const std::string& why) { return not_applicable(vortex_test, why); }
 
 TestResult judged(double error, std::optional<double> other, std::optional<double> ellipticity) {
   TestResult result{.id = vortex_test, .measure = error, .threshold = std::max(enough, most * other.value_or(0))};
@@ -118,7 +115,7 @@ TestResult judged(double error, std::optional<double> other, std::optional<doubl
       (other ? ", " + rounded_text(100 * *other, 2) + " % for neo-Hookean elasticity of the same stiffness" : "");
   result.sentence = figures;
   if (*result.measure <= *result.threshold) return result;
-  if (!ellipticity || !(*ellipticity > 0)) return not_applicable(figures + "; it may not be a stable motion");
+  if (!ellipticity || !(*ellipticity > 0)) return untold(figures + "; it may not be a stable motion");
   result.verdict = Verdict::fail;
   result.cause = check::causes::other_stress;
   return result;
@@ -128,30 +125,28 @@ TestResult judged(double error, std::optional<double> other, std::optional<doubl
 
 TestResult end_to_end_vortex(const ResolvedMaterial& resolved, std::optional<double> ellipticity) {
   const Material& material = resolved.material;
-  if (!check::serves_ring(material)) return not_applicable("the vortex needs isotropy about its axis");
-  std::optional<check::Specimen> examined;
+  if (!check::serves_ring(material)) return untold("the vortex needs isotropy about its axis");
+  std::optional<check::Specimen> specimen;
   try {
-    examined = check::examine(material, {});
-    const check::Specimen& specimen = *examined;
-    if (specimen.rest_pressure() > 0) return not_applicable("the vortex begins without stress");
-    if (!(specimen.stiffness(0, 0) > 0)) return not_applicable("the material has no stiffness at rest");
-    if (estimated_s(material, specimen) > patience_s) return not_applicable("the material takes too long for a run");
+    specimen = check::examine(material, {});
+    if (specimen->rest_pressure() > 0) return untold("the vortex begins without stress");
+    if (!(specimen->stiffness(0, 0) > 0)) return untold("the material has no stiffness at rest");
+    if (estimated_s(material, *specimen) > patience_s) return untold("the material takes too long for a run");
   } catch (const std::runtime_error&) {
-    return not_applicable("the material cannot be loaded");
+    return untold("the material cannot be loaded");
   }
-  const check::Specimen& specimen = *examined;
   std::optional<double> error;
   try {
     const Deadline deadline(most_s);
-    error = error_of(resolved.choice, specimen);
+    error = error_of(resolved.choice, *specimen);
   } catch (const TimeIsUp&) {
-    return not_applicable("the run takes more than " + rounded_text(most_s, 2) +
-                          " s of processor time: the material needs too many small steps");
+    return untold("the run takes more than " + rounded_text(most_s, 2) +
+                  " s of processor time: the material needs too many small steps");
   }
-  const auto twin = comparison(specimen.stiffness);
-  const std::optional<double> other = twin ? error_of(*twin, specimen) : std::nullopt;
-  if (twin && !other) return not_applicable("the method is unstable in the vortex at this resolution and stiffness");
-  if (!error) return not_applicable("the run did not complete: not a stable motion for the material at this strain");
+  const auto twin = comparison(specimen->stiffness);
+  const std::optional<double> other = twin ? error_of(*twin, *specimen) : std::nullopt;
+  if (twin && !other) return untold("the method is unstable in the vortex at this resolution and stiffness");
+  if (!error) return untold("the run did not complete: not a stable motion for the material at this strain");
   return judged(*error, other, ellipticity);
 }
 

@@ -27,4 +27,8 @@ std::string methods_json(const CheckedMethods& checked);
 /// One test suite; a test case is named "cpdi/flip/usl translation".
 std::string methods_junit(const CheckedMethods& checked, const std::string& name = {});
 
+/// The tests that all methods pass by name, then one row for methods that agree in all others and one column for tests
+/// that agree in all rows. A row holds every transfer that it names, with every basis and formulation that it names.
+std::string methods_markdown(const CheckedMethods& checked);
+
 }  // namespace assay::drivers

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/check/methods_table.hpp"
-
+// The patch tests of all methods as a table of Markdown.
 #include <algorithm>
 #include <array>
 
+#include "drivers/check/check_report.hpp"
+#include "drivers/check/methods_report.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/text/wrapped_text.hpp"
 
@@ -61,10 +62,9 @@ void shorten_choices(std::vector<MethodsRow>& rows) {
 void merge_rows(std::vector<MethodsRow>& rows, std::size_t axis) {
   std::vector<MethodsRow> merged;
   for (MethodsRow& row : rows) {
-    const auto same = std::find_if(merged.begin(), merged.end(), [&](const MethodsRow& other) {
-      bool agrees = other.verdicts == row.verdicts;
-      for (std::size_t k = 0; k < axis_count; ++k) agrees = agrees && (k == axis || other.names[k] == row.names[k]);
-      return agrees;
+    const auto same = std::ranges::find_if(merged, [&](MethodsRow other) {
+      other.names[axis] = row.names[axis];
+      return other.verdicts == row.verdicts && other.names == row.names;
     });
     if (same == merged.end()) {
       merged.push_back(std::move(row));
@@ -72,8 +72,8 @@ void merge_rows(std::vector<MethodsRow>& rows, std::size_t axis) {
     }
     same->methods += row.methods;
     Names& names = same->names[axis];
-    for (std::string& name : row.names[axis]) {
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
+    for (const std::string& name : row.names[axis]) {
+      if (std::ranges::count(names, name) == 0) names.push_back(name);
     }
   }
   rows = std::move(merged);
@@ -110,15 +110,21 @@ std::string ids_text(const TestGroup& group, const mpm::MethodReport& report) {
   return text;
 }
 
-std::string cells_of(const MethodsRow& row, const std::vector<TestGroup>& groups) {
+std::string line_of_table(const std::vector<std::string>& cells) {
   std::string line = "|";
-  for (const Names& names : row.names) line += " " + joined(names) + " |";
-  line += " " + std::to_string(row.methods) + " |";
+  for (const std::string& cell : cells) line += " " + cell + " |";
+  return line + "\n";
+}
+
+std::string cells_of(const MethodsRow& row, const std::vector<TestGroup>& groups) {
+  std::vector<std::string> cells;
+  for (const Names& names : row.names) cells.push_back(joined(names));
+  cells.push_back(std::to_string(row.methods));
   for (std::size_t k = 1; k < groups.size(); ++k) {
     const Verdict verdict = row.verdicts[groups[k][0]];
-    line += verdict == Verdict::pass ? " pass |" : verdict == Verdict::fail ? " FAIL |" : " - |";
+    cells.push_back(verdict == Verdict::not_applicable ? "-" : shown_verdict(verdict));
   }
-  return line + "\n";
+  return line_of_table(cells);
 }
 
 }  // namespace
@@ -135,12 +141,9 @@ std::string methods_markdown(const CheckedMethods& checked) {
                      (groups[0].empty() ? "none of the tests" : ids_text(groups[0], first)) + ".";
   if (groups.size() == 1) return wrapped(page, "", "", methods_page_width);
   page = wrapped(page + " In the table, - means not promised.", "", "", methods_page_width) + "\n";
-  std::string head = "| Formulation | Basis | Transfer | Methods |", rule = "| --- | --- | --- | --- |";
-  for (std::size_t k = 1; k < groups.size(); ++k) {
-    head += " " + ids_text(groups[k], first) + " |";
-    rule += " --- |";
-  }
-  page += head + "\n" + rule + "\n";
+  std::vector<std::string> head{"Formulation", "Basis", "Transfer", "Methods"};
+  for (std::size_t k = 1; k < groups.size(); ++k) head.push_back(ids_text(groups[k], first));
+  page += line_of_table(head) + line_of_table(std::vector<std::string>(head.size(), "---"));
   for (const MethodsRow& row : rows) page += cells_of(row, groups);
   return page;
 }

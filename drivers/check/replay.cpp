@@ -1,64 +1,81 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/check/replay.hpp"
 
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <span>
 
-#include "drivers/check/check_beyond.hpp"
-#include "drivers/check/check_host.hpp"
 #include "drivers/check/check_material.hpp"
-#include "drivers/check/check_vortex.hpp"
 #include "drivers/format/file_kind.hpp"
 #include "drivers/format/number_slips.hpp"
 #include "drivers/format/yaml_reader.hpp"
 #include "drivers/format/yaml_values.hpp"
 #include "drivers/format/yaml_writer.hpp"
-#include "drivers/material/material_choice.hpp"
-#include "drivers/material/registry.hpp"
 #include "drivers/scene/material_path.hpp"
 #include "drivers/system/environment.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/sha256.hpp"
-#include "harness/motion/kinds/deformation_table.hpp"
 
 namespace assay::drivers {
 
 namespace {
 
-template <class Value>
-std::string list_text(int count, const Value& value) {
-  std::string text;
-  for (int i = 0; i < count; ++i) text += (i ? ", " : "") + yaml_number(value(i));
-  return "[" + text + "]";
+std::string line_of(const std::string& key, const std::string& value) { return key + ": " + value + "\n"; }
+
+std::string list_of(std::span<const double> numbers) {
+  std::vector<std::string> texts;
+  for (const double number : numbers) texts.push_back(yaml_number(number));
+  return "[" + joined(texts) + "]";
 }
 
 std::string tensor_text(const Tensor& F) {
-  std::string text;
-  for (int row = 0; row < 3; ++row) text += (row ? ", " : "") + list_text(3, [&](int c) { return F(row, c); });
-  return "[" + text + "]";
+  std::vector<std::string> rows;
+  for (int row = 0; row < 3; ++row) rows.push_back(list_of(std::array{F(row, 0), F(row, 1), F(row, 2)}));
+  return "[" + joined(rows) + "]";
 }
 
-std::string state_text(const assay_material& table, const std::vector<double>& state) {
-  if (table.state_count == 0) return "state0: {}\n";
-  std::string text = "state0:\n";
-  std::size_t at = 0;
+std::string step_text(const assay_material& table, const FailedStep& step) {
+  std::string text = line_of("t", yaml_number(step.t)) + line_of("dt", yaml_number(step.dt)) +
+                     line_of("F0", tensor_text(step.F0)) + line_of("F1", tensor_text(step.F1)) +
+                     (table.state_count == 0 ? "state0: {}\n" : "state0:\n");
+  std::span<const double> left = step.state0;
   for (std::uint32_t i = 0; i < table.state_count; ++i) {
-    const int count = components_of_kind(table.state[i].kind);
-    const auto value = [&](int c) { return state[at + static_cast<std::size_t>(c)]; };
-    text += "  " + yaml_scalar(table.state[i].name) + ": " +
-            (count == 1 ? yaml_number(value(0)) : list_text(count, value)) + "\n";
-    at += static_cast<std::size_t>(count);
+    const auto count = static_cast<std::size_t>(components_of_kind(table.state[i].kind));
+    text += "  " + line_of(yaml_scalar(table.state[i].name),
+                           count == 1 ? yaml_number(left.front()) : list_of(left.first(count)));
+    left = left.subspan(count);
   }
   return text;
 }
 
-std::string step_text(const assay_material& table, const FailedStep& step) {
-  return "t: " + yaml_number(step.t) + "\ndt: " + yaml_number(step.dt) + "\n" + "F0: " + tensor_text(step.F0) +
-         "\nF1: " + tensor_text(step.F1) + "\n" + state_text(table, step.state0);
+std::string test_text(const Replay& replay) {
+  const check::Effort &effort = replay.effort, usual;
+  std::string text = line_of("test", yaml_scalar(replay.test)) + line_of("quick", effort.quick ? "true" : "false");
+  if (effort.strain != usual.strain) text += line_of("strain", yaml_number(effort.strain));
+  if (effort.strain_is_asked) text += line_of("strain_is_asked", "true");
+  if (effort.step != usual.step) text += line_of("step", yaml_number(effort.step));
+  if (replay.rate_dependent) text += line_of("rate_dependent", "true");
+  if (effort.pressure) text += line_of("pressure", yaml_number(*effort.pressure));
+  return text;
+}
+
+/// Of the numbers in a replay: those of the user's parameters, unless the description says what these are.
+std::string units_words(const ResolvedMaterial& resolved) {
+  if (resolved.foreign) {
+    const adapters::ModelUnits& units = resolved.foreign->units;
+    const bool said = units.stress != 1 || units.time != 1 || units.length != 1;
+    return said ? "Times in s, stresses in Pa, STATEV in the model's own units."
+                : "Times and stresses in the units that the parameters imply.";
+  }
+  const assay_material& table = resolved.material.table();
+  for (std::uint32_t i = 0; i < table.parameter_count; ++i) {
+    const std::string unit = table.parameters[i].unit ? table.parameters[i].unit : "";
+    if (unit.ends_with("Pa")) return "Times in s, stresses in " + one_line(unit, 20) + ", as the parameters.";
+  }
+  return "Times in s, stresses in the unit of the parameters.";
 }
 
 const Tree& required(const Tree& map, const std::string& prefix, const std::string& key) {
@@ -78,17 +95,15 @@ void append_numbers(const Tree& tree, const std::string& key, std::size_t count,
     out.push_back(any_number(tree, key));
     return;
   }
-  if (tree.kind != Tree::Kind::sequence || tree.items.size() != count) {
+  if (tree.kind != Tree::Kind::sequence || tree.items.size() != count)
     throw InputError(tree.where, key, "must be a list of " + std::to_string(count) + ", found " + described(tree));
-  }
   for (const Tree& item : tree.items) out.push_back(any_number(item, key));
 }
 
 Tensor tensor_of(const Tree& root, const std::string& key) {
   const Tree& tree = required(root, "", key);
-  if (tree.kind != Tree::Kind::sequence || tree.items.size() != 3) {
+  if (tree.kind != Tree::Kind::sequence || tree.items.size() != 3)
     throw InputError(tree.where, key, "must be three rows, found " + described(tree));
-  }
   std::vector<double> values;
   for (const Tree& row : tree.items) append_numbers(row, key, 3, values);
   Tensor F;
@@ -123,10 +138,6 @@ FailedStep step_of(const Tree& root, const assay_material& table) {
 
 }  // namespace
 
-Replay replay_of(const Scene& scene, const FailedStep& step, const std::string& reason) {
-  return replay_of(resolve_material(scene.material), step, reason);
-}
-
 std::string hash_of_library(const std::string& file) {
   constexpr std::size_t largest_library = std::size_t{4} << 30;
   static std::mutex guard;
@@ -152,71 +163,23 @@ Replay replay_of(const ResolvedMaterial& resolved, const std::optional<FailedSte
   return replay;
 }
 
-namespace {
-
-std::string test_text(const Replay& replay) {
-  std::string text =
-      "test: " + yaml_scalar(replay.test) + "\nquick: " + (replay.effort.quick ? "true" : "false") + "\n";
-  if (replay.effort.strain != check::Effort{}.strain) text += "strain: " + yaml_number(replay.effort.strain) + "\n";
-  if (replay.effort.strain_is_asked) text += "strain_is_asked: true\n";
-  if (replay.effort.step != check::Effort{}.step) text += "step: " + yaml_number(replay.effort.step) + "\n";
-  if (replay.rate_dependent) text += "rate_dependent: true\n";
-  if (replay.effort.pressure) text += "pressure: " + yaml_number(*replay.effort.pressure) + "\n";
-  return text;
-}
-
-}  // namespace
-
-namespace {
-
-/// Of the numbers in a replay: those of the user's parameters, unless the description says what these are.
-std::string units_words(const ResolvedMaterial& resolved) {
-  if (resolved.foreign) {
-    const adapters::ModelUnits& units = resolved.foreign->units;
-    const bool said = units.stress != 1 || units.time != 1 || units.length != 1;
-    return said ? "Times in s, stresses in Pa, STATEV in the model's own units."
-                : "Times and stresses in the units that the parameters imply.";
-  }
-  const assay_material& table = resolved.material.table();
-  for (std::uint32_t i = 0; i < table.parameter_count; ++i) {
-    const std::string unit = table.parameters[i].unit ? table.parameters[i].unit : "";
-    if (unit.ends_with("Pa")) return "Times in s, stresses in " + one_line(unit, 20) + ", as the parameters.";
-  }
-  return "Times in s, stresses in the unit of the parameters.";
-}
-
-}  // namespace
-
 std::string replay_yaml(const Replay& replay, Isolation isolation) {
   const ResolvedMaterial resolved = resolved_of(replay, isolation);
   const Material& material = resolved.material;
   std::string text = std::string(replay.step ? "# A step that a material failed: F0 and state0 at t, F1 at t + dt."
                                              : "# A test that a material failed, in many steps.") +
                      " To repeat it: assay check --replay\n# " + units_words(resolved) + "\n";
-  text += "material: " + yaml_scalar(replay.material) + "\n";
+  text += line_of("material", yaml_scalar(replay.material));
   std::string folders;  // in which a description finds its library
   for (const std::string& folder : material_folders()) folders += (folders.empty() ? "" : ":") + folder;
-  if (!resolved.description.empty() && !folders.empty()) text += "material_path: " + yaml_scalar(folders) + "\n";
-  text += "parameters:";
-  if (replay.parameters.empty()) text += " {}";
-  text += "\n";
-  for (const auto& [name, value] : replay.parameters)
-    text += "  " + yaml_scalar(name) + ": " + yaml_number(value) + "\n";
-  text += "library_sha256: " + (replay.library_sha256.empty() ? "null" : yaml_scalar(replay.library_sha256)) + "\n";
+  if (!resolved.description.empty() && !folders.empty()) text += line_of("material_path", yaml_scalar(folders));
+  text += replay.parameters.empty() ? "parameters: {}\n" : "parameters:\n";
+  for (const auto& [name, value] : replay.parameters) text += "  " + line_of(yaml_scalar(name), yaml_number(value));
+  text += line_of("library_sha256", replay.library_sha256.empty() ? "null" : yaml_scalar(replay.library_sha256));
   if (!replay.test.empty()) text += test_text(replay);
   if (replay.step) text += step_text(material.table(), *replay.step);
-  return text + "reason: " + yaml_scalar(one_line(replay.reason)) + "\n";
+  return text + line_of("reason", yaml_scalar(one_line(replay.reason)));
 }
-
-namespace {
-
-std::vector<std::string> tests_of_check() {
-  std::vector<std::string> ids = check::test_ids();
-  for (const char* own : {process_test, vortex_test, beyond_test, host_test}) ids.emplace_back(own);
-  return ids;
-}
-
-}  // namespace
 
 Replay read_replay(const std::string& file, Isolation isolation, const std::string& material) {
   const Tree root = read_yaml(read_bytes(file), file);
@@ -232,33 +195,32 @@ Replay read_replay(const std::string& file, Isolation isolation, const std::stri
   replay.where = required(root, "", "material").where;
   if (!material.empty()) replay.material = material, replay.where = {};
   const Tree* folders = root.find("material_path");
-  if (folders && material_folders().empty()) {
+  if (folders && material_folders().empty())
     ::setenv("ASSAY_MATERIAL_PATH", text_value(*folders, "material_path").c_str(), 1);
-  }
   const Tree& parameters = required(root, "", "parameters");
   require_map(parameters, "parameters", "the parameters of the material");
-  for (const Tree::Entry& entry : parameters.entries) {
+  for (const Tree::Entry& entry : parameters.entries)
     replay.parameters[entry.key] = number_value(entry.value, "parameters." + one_line(entry.key, 80));
-  }
+  const auto number = [&root](const char* key, auto& value) {
+    if (const Tree* found = root.find(key)) value = number_value(*found, key);
+  };
+  const auto truth = [&root](const char* key, bool& value) {
+    if (const Tree* found = root.find(key)) value = boolean_value(*found, key);
+  };
   const Tree* hash = root.find("library_sha256");
   if (hash && hash->kind == Tree::Kind::scalar) replay.library_sha256 = hash->text;
   if (const Tree* test = root.find("test"))
     replay.test = choice_value(*test, "test", tests_of_check(), "`assay check --verbose`");
-  if (const Tree* quick = root.find("quick")) replay.effort.quick = boolean_value(*quick, "quick");
-  if (const Tree* strain = root.find("strain")) replay.effort.strain = number_value(*strain, "strain");
-  if (const Tree* asked = root.find("strain_is_asked")) {
-    replay.effort.strain_is_asked = boolean_value(*asked, "strain_is_asked");
-  }
-  if (const Tree* rate = root.find("rate_dependent")) replay.rate_dependent = boolean_value(*rate, "rate_dependent");
-  if (const Tree* step = root.find("step")) replay.effort.step = number_value(*step, "step");
-  if (const Tree* pressure = root.find("pressure")) replay.effort.pressure = number_value(*pressure, "pressure");
-  if (replay.test.empty() || root.find("t")) replay.step = step_of(root, material_of(replay, isolation).table());
+  truth("quick", replay.effort.quick);
+  number("strain", replay.effort.strain);
+  truth("strain_is_asked", replay.effort.strain_is_asked);
+  truth("rate_dependent", replay.rate_dependent);
+  number("step", replay.effort.step);
+  number("pressure", replay.effort.pressure);
+  if (replay.test.empty() || root.find("t"))
+    replay.step = step_of(root, resolved_of(replay, isolation).material.table());
   if (const Tree* reason = root.find("reason")) replay.reason = text_value(*reason, "reason");
   return replay;
-}
-
-Material material_of(const Replay& replay, Isolation isolation) {
-  return std::move(resolved_of(replay, isolation).material);
 }
 
 ResolvedMaterial resolved_of(const Replay& replay, Isolation isolation) {
@@ -270,15 +232,6 @@ ResolvedMaterial resolved_of(const Replay& replay, Isolation isolation) {
   choice.where = replay.where;
   choice.adapter_key = "material", choice.parameters_key = "parameters";
   return resolve_material(choice);
-}
-
-std::string replay_hint(const Scene& scene, const std::vector<std::string>& sets, double end) {
-  std::string command = "assay tabulate " + scene.file;
-  // tabulate takes another function between the rows unless it is told
-  const bool table = scene.motion.as<DeformationTable>();
-  if (table && !scene.places.contains("motion.interpolation")) command += " --set motion.interpolation=monotone";
-  for (const std::string& set : sets) command += " --set '" + set + "'";
-  return "`" + command + " --set time.end=" + yaml_number(end) + "` leaves the step in a replay.yaml";
 }
 
 }  // namespace assay::drivers

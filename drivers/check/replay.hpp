@@ -8,8 +8,6 @@
 #include <string>
 
 #include "drivers/material/material_choice.hpp"
-#include "drivers/result/result.hpp"
-#include "drivers/scene/scene.hpp"
 #include "drivers/system/input_error.hpp"
 #include "harness/check/battery.hpp"
 #include "harness/material/material.hpp"
@@ -35,9 +33,6 @@ std::string hash_of_library(const std::string& file);
 /// Of that material. Throws InputError where its library is gone.
 Replay replay_of(const ResolvedMaterial& material, const std::optional<FailedStep>& step, const std::string& reason);
 
-/// The step of a result in which the scene's material failed. Throws InputError where the material is gone.
-Replay replay_of(const Scene& scene, const FailedStep& step, const std::string& reason);
-
 /// Numbers at full precision; state0 by the names of the material's state variables. Throws InputError where the
 /// material is gone.
 std::string replay_yaml(const Replay& replay, Isolation isolation = Isolation::automatic);
@@ -48,13 +43,7 @@ std::string replay_yaml(const Replay& replay, Isolation isolation = Isolation::a
 Replay read_replay(const std::string& file, Isolation isolation = Isolation::automatic,
                    const std::string& material = {});
 
-/// The same with where it was found.
-ResolvedMaterial resolved_of(const Replay& replay, Isolation isolation = Isolation::automatic);
-
 /// The material of a replay. Throws InputError where it is not found.
-Material material_of(const Replay& replay, Isolation isolation = Isolation::automatic);
-
-/// The command that leaves the step of a scene, as it was read, in a replay.yaml, for verbs that write no folder.
-std::string replay_hint(const Scene& scene, const std::vector<std::string>& sets, double end);
+ResolvedMaterial resolved_of(const Replay& replay, Isolation isolation = Isolation::automatic);
 
 }  // namespace assay::drivers

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The command line as words, and what ends a verb as an exit status.
 #include "drivers/command_line/command_line.hpp"
 
 #include <cxxabi.h>
@@ -13,10 +14,7 @@
 #include <string_view>
 
 #include "adapters/worker/shortage.hpp"
-#include "drivers/command_line/completion.hpp"
-#include "drivers/command_line/manual.hpp"
 #include "drivers/command_line/verb.hpp"
-#include "drivers/command_line/worker.hpp"
 #include "drivers/material/abaqus_deck.hpp"
 #include "drivers/output/junit.hpp"
 #include "drivers/result/build_information.hpp"
@@ -51,6 +49,16 @@ std::vector<std::string> options_of(const CLI::App& verb) {
   return known;
 }
 
+InputError unknown_word(const std::string& who, const std::string& kind, const std::string& word,
+                        const std::vector<std::string>& known) {
+  return InputError({}, who, unknown(kind + " '" + one_line(word, 80) + "'", word, known), joined(known));
+}
+
+bool is_option(const std::string& word) { return word.starts_with("-"); }
+
+/// "--set=a" without its value.
+std::string option_in(const std::string& word) { return word.substr(0, word.find('=')); }
+
 /// CLI11's error in our words: one line, the nearest option for a mistyped one.
 InputError usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const auto chosen = app.get_subcommands();
@@ -63,20 +71,18 @@ InputError usage_error(const CLI::App& app, const CLI::ParseError& error) {
                         " times, but takes one value");
   }
   const std::vector<std::string> extra = app.remaining(true);
-  const auto is_option = [](const std::string& word) { return word.starts_with("-"); };
-  const bool lacks = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError) &&
-                     std::any_of(extra.begin(), extra.end(), is_option);  // a file whose name begins so
-  const bool is_extra = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) && !extra.empty();
+  const auto code = static_cast<CLI::ExitCodes>(error.get_exit_code());
+  const auto option = std::ranges::find_if(extra, is_option);
+  const bool lacks = code == CLI::ExitCodes::RequiredError && option != extra.end();  // a file whose name begins so
+  const bool is_extra = code == CLI::ExitCodes::ExtrasError && !extra.empty();
   if (!lacks && !is_extra) return InputError(who + ": " + error.what());
-  const std::vector<std::string> known = options_of(verb);
-  const auto option = std::find_if(extra.begin(), extra.end(), is_option);
   const std::string& first = option == extra.end() ? extra.back() : *option;  // CLI11 lists them backwards
-  const std::string word = first.starts_with("-") ? first.substr(0, first.find('=')) : first;
-  const std::string kind = word.starts_with("-") ? "option" : "argument";
-  std::error_code code;
-  if (word.starts_with("-") && std::filesystem::exists(first, code))
-    return InputError({}, who, "unknown option '" + one_line(word, 80) + "'; the file is ./" + one_line(first, 80));
-  return InputError({}, who, unknown(kind + " '" + one_line(word, 80) + "'", word, known), joined(known));
+  if (!is_option(first)) return unknown_word(who, "argument", first, options_of(verb));
+  std::error_code ignored;
+  if (std::filesystem::exists(first, ignored))
+    return InputError({}, who,
+                      "unknown option '" + one_line(option_in(first), 80) + "'; the file is ./" + one_line(first, 80));
+  return unknown_word(who, "option", option_in(first), options_of(verb));
 }
 
 std::vector<std::string> names_of(const std::vector<AddedVerb>& verbs) {
@@ -87,8 +93,7 @@ std::vector<std::string> names_of(const std::vector<AddedVerb>& verbs) {
 
 void refuse_unknown_verb(const std::string& word, const std::vector<AddedVerb>& verbs) {
   const std::vector<std::string> known = names_of(verbs);
-  if (std::find(known.begin(), known.end(), word) != known.end()) return;
-  throw InputError({}, "assay", unknown("verb '" + one_line(word, 80) + "'", word, known), joined(known));
+  if (std::ranges::count(known, word) == 0) throw unknown_word("assay", "verb", word, known);
 }
 
 void flush_output() {
@@ -100,13 +105,9 @@ void flush_output() {
 
 /// An option with another dash, as pages and word processors write it, would be taken for a file's name.
 void refuse_other_dashes(const CLI::App& verb, const std::string& word) {
-  std::error_code code;
-  const bool is_option = !word.starts_with("-") && as_meant(word).starts_with("-");
-  if (!is_option || std::filesystem::exists(word, code)) return;
-  const std::vector<std::string> known = options_of(verb);
-  const std::string name = word.substr(0, word.find('='));
-  throw InputError({}, "assay " + verb.get_name(), unknown("option '" + one_line(name, 80) + "'", name, known),
-                   joined(known));
+  std::error_code ignored;
+  if (!is_option(word) && is_option(as_meant(word)) && !std::filesystem::exists(word, ignored))
+    throw unknown_word("assay " + verb.get_name(), "option", option_in(word), options_of(verb));
 }
 
 /// "-o=out" would make a folder "=out".
@@ -123,10 +124,10 @@ void refuse_pair_of_words(const std::string& option, const std::string& name, co
   const bool is_pair = option == "--set" || option == "--parameters";
   if (!is_pair || name.empty() || name.find('=') < name.size() - 1) return;
   if (!parse_number(value) && !value.starts_with('=')) return;
-  const std::string plain = name.substr(0, name.find('=')), meant = value.substr(value.starts_with('=') ? 1 : 0);
+  const std::string meant = value.substr(value.starts_with('=') ? 1 : 0);
   throw InputError({}, option,
                    "a name and its value are one word with '=' between them: write " + option + " " +
-                       one_line(plain, 80) + "=" + (meant.empty() ? "..." : one_line(meant, 60)));
+                       one_line(option_in(name), 80) + "=" + (meant.empty() ? "..." : one_line(meant, 60)));
 }
 
 /// An option would take the next one for its value, and make a folder of that name.
@@ -134,26 +135,26 @@ void refuse_slips_of_options(const std::vector<AddedVerb>& verbs, int argc, cons
   const CLI::App* verb = nullptr;
   for (int i = 1; i < argc && std::string_view(argv[i]) != "--"; ++i) {
     const std::string word = argv[i];
-    const auto named =
-        std::find_if(verbs.begin(), verbs.end(), [&](const AddedVerb& each) { return each.name == word; });
+    const auto named = std::ranges::find(verbs, word, &AddedVerb::name);
     if (!verb && named != verbs.end()) verb = &named->arguments.app;
     if (verb) refuse_other_dashes(*verb, word), refuse_equals_behind_letter(*verb, word);
-    const CLI::Option* option = verb && word.starts_with("-") ? verb->get_option_no_throw(word) : nullptr;
+    const CLI::Option* option = verb && is_option(word) ? verb->get_option_no_throw(word) : nullptr;
     if (!option || option->get_items_expected_min() == 0) continue;
-    const std::string next = ++i < argc ? argv[i] : "";
-    const std::string type = option->get_type_name();
-    if (i < argc && next.empty() && type != "DIR" && type != "FILE" && word != "--set")
-      throw InputError({}, "assay " + verb->get_name(), word + " needs a value, but the value is empty");
+    const bool is_last = ++i >= argc;
+    const std::string next = is_last ? "" : argv[i], type = option->get_type_name();
+    const auto refuse = [&](const std::string& why) {
+      throw InputError({}, "assay " + verb->get_name(), word + " needs a value" + why);
+    };
+    if (!is_last && next.empty() && type != "DIR" && type != "FILE" && word != "--set")
+      refuse(", but the value is empty");
     const bool is_name = type == "DIR" || type == "CSV" || type.starts_with("FILE");
-    const bool is_option = next.starts_with("--") || (next.starts_with("-") && verb->get_option_no_throw(next)) ||
-                           (is_name && next.size() > 1 && next.starts_with("-"));
+    const bool takes_option = next.starts_with("--") || (is_option(next) && verb->get_option_no_throw(next)) ||
+                              (is_name && next.size() > 1 && is_option(next));
     if (i + 1 < argc) refuse_pair_of_words(word, next, argv[i + 1]);
-    if (i < argc && !is_option) continue;
-    throw InputError({}, "assay " + verb->get_name(),
-                     word + " needs a value" +
-                         (is_option ? ", and '" + one_line(next, 60) +
-                                          "' begins like an option; a file of that name is ./" + one_line(next, 60)
-                                    : ""));
+    if (takes_option)
+      refuse(", and '" + one_line(next, 60) + "' begins like an option; a file of that name is ./" +
+             one_line(next, 60));
+    if (is_last) refuse("");
   }
 }
 
@@ -214,12 +215,9 @@ int act(int argc, const char* const* argv) {
   if (asker == "--complete") return print(completions(app, verbs, {argv + 2, argv + argc})), 0;  // a shell's script
   if (asker == "--manual" && argc == 4) return write_file(argv[3], whole_manual(app, verbs, read_bytes(argv[2]))), 0;
   remove_earlier_junit_of(argc, argv);
-  for (int i = 1; i < argc; ++i) {
-    const bool option = argv[i][0] == '-';
-    if (option && app.get_option_no_throw(argv[i])) continue;
-    if (!option) refuse_unknown_verb(argv[i], verbs);
-    break;
-  }
+  int first = 1;
+  while (first < argc && is_option(argv[first]) && app.get_option_no_throw(argv[first])) ++first;
+  if (first < argc && !is_option(argv[first])) refuse_unknown_verb(argv[first], verbs);
   refuse_slips_of_options(verbs, argc, argv);
   std::vector<std::string> words = words_of(argc, argv);
   try {

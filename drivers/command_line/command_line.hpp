@@ -8,4 +8,10 @@ namespace assay::drivers {
 /// are one line on standard error. Throws nothing.
 int command_line(int argc, const char* const* argv) noexcept;
 
+/// The program as a worker of itself: `assay worker`, started by other verbs.
+bool is_worker(int argc, const char* const* argv);
+
+/// The whole life of one. Returns the exit status.
+int worker() noexcept;
+
 }  // namespace assay::drivers

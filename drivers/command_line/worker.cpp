@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/command_line/worker.hpp"
-
+// The life of a worker.
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -9,6 +8,7 @@
 #include "adapters/foreign/foreign_library.hpp"
 #include "adapters/worker/crash_marks.hpp"
 #include "adapters/worker/warden.hpp"
+#include "drivers/command_line/command_line.hpp"
 #include "drivers/material/registry.hpp"
 #include "drivers/simulation/stress_offload.hpp"
 

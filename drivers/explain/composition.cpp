@@ -2,7 +2,9 @@
 #include "drivers/explain/composition.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
+#include "adapters/worker/remote_table.hpp"
 #include "drivers/simulation/simulate.hpp"
 #include "mpm/seeding/seeds_on_grid.hpp"
 #include "mpm/step/stages.hpp"
@@ -11,9 +13,43 @@ namespace assay::drivers {
 
 namespace {
 
-template <class List, class Value>
-bool contains(const List& list, const Value& value) {
-  return std::find(list.begin(), list.end(), value) != list.end();
+EffectEntry entry_of_step(const mpm::EffectRecord<2>& record) {
+  EffectEntry entry{record.name, record.doc, record.key, record.around, {}, record.asks_material};
+  entry.called_for = [&record](const Problem& problem) { return record.called_for(problem.setup); };
+  if (record.called_by) entry.called_by = [&record](const Problem& problem) { return record.called_by(problem.setup); };
+  return entry;
+}
+
+#define IF(expression) [](const Problem& p) -> bool { return expression; }
+
+// clang-format off
+std::vector<EffectEntry> of_runs() {
+  return {
+      {"time_control", "steps from the present fastest wave and fastest particle", "time.control",
+       "calls of the material at some or all particles, between steps",
+       IF(p.scene.time.control == TimeChoice::Control::current)},
+      {"screening", "whether the exact motion is a stable solution", "force.response",
+       "updates of the material along the path, before the run", IF(p.compared)},
+      {"error_sampling", "errors against the exact motion", "force.response",
+       "the exact fields at the particles, between steps", IF(p.compared)},
+      {"shadow", "histories of the response, stepped during the run", "force.response", "histories",
+       IF(p.compared && p.scene.force.response == ForceChoice::Response::shadow && ring_of(p.scene.motion)), true},
+      {"isolation", "the material in processes of its own", "material.isolation",
+       "workers, and memory shared with them", IF(!adapters::start_of(&p.material->table()).task.empty())},
+      {"snapshots", "particles as VTU files", "output.particles", "files, between steps",
+       IF(p.scene.output.writes_particles())},
+      {"pictures", "particles and errors as PNG files", "output.pictures", "two frames of the particles",
+       IF(p.scene.output.pictures && p.compared)},
+      {"report", "report.html", "output.report", "a page, after the run", IF(p.scene.output.report)},
+      {"traction_table", "the algorithms of tractions side by side", "output.tractions",
+       "runs of the scene on three grids", IF(p.scene.output.tractions)},
+  };
+}
+// clang-format on
+#undef IF
+
+bool contains(const std::vector<std::string>& list, const std::string& name) {
+  return std::ranges::count(list, name) > 0;
 }
 
 EffectPart part_of(const EffectEntry& entry, const Problem& problem, const Composition& c) {
@@ -44,9 +80,8 @@ StepWork work_of(const Problem& problem, const Composition& c) {
     const std::size_t times = mpm::times_a_step(pass, setup.method);
     work.column_bytes += particles * static_cast<double>(times * bytes_moved(pass, setup));
     for (const mpm::GridFieldUse& use : c.grid_fields) {
-      const bool touched = std::any_of(use.holds.begin(), use.holds.end(),
-                                       [&](const std::string& name) { return contains(pass.grid_fields, name); });
-      if (touched) work.grid_bytes += nodes * static_cast<double>(times * use.bytes);
+      const auto is_its_own = [&pass](const std::string& name) { return contains(pass.grid_fields, name); };
+      if (std::ranges::any_of(use.holds, is_its_own)) work.grid_bytes += nodes * static_cast<double>(times * use.bytes);
     }
     if (pass.updates_material) work.material_updates += static_cast<std::int64_t>(times * setup.seeds.size());
   }
@@ -54,6 +89,23 @@ StepWork work_of(const Problem& problem, const Composition& c) {
 }
 
 }  // namespace
+
+std::span<const EffectEntry> effects() {
+  static const std::vector<EffectEntry> list = [] {
+    std::vector<EffectEntry> all;
+    for (const auto& record : mpm::effects<2>()) all.push_back(entry_of_step(record));
+    for (EffectEntry& entry : of_runs()) all.push_back(std::move(entry));
+    return all;
+  }();
+  return list;
+}
+
+const EffectEntry& entry_of(const std::string& effect) {
+  for (const EffectEntry& entry : effects()) {
+    if (entry.name == effect) return entry;
+  }
+  throw std::out_of_range("no effect " + effect);
+}
 
 std::size_t bytes_moved(const mpm::PassInfo& pass, const mpm::Setup<2>& setup) {
   std::size_t bytes = 0;
@@ -74,6 +126,12 @@ Composition composition_of(const Problem& problem) {
   c.work = work_of(problem, c);
   for (const EffectEntry& entry : effects()) c.effects.push_back(part_of(entry, problem, c));
   return c;
+}
+
+std::vector<std::string> names_of(const std::vector<mpm::Column>& columns) {
+  std::vector<std::string> names;
+  for (const mpm::Column column : columns) names.emplace_back(mpm::info(column).name);
+  return names;
 }
 
 std::vector<Observer> observers_of(const Problem& problem) {

@@ -2,14 +2,37 @@
 // What a run of a problem consists of, and what that costs, without running it: what `assay explain` tells.
 #pragma once
 
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "drivers/explain/effects.hpp"
 #include "drivers/result/result.hpp"
+#include "drivers/simulation/problem.hpp"
+#include "harness/exact/exact_solution.hpp"
 #include "mpm/compose.hpp"
 
 namespace assay::drivers {
+
+/// An optional effect: what it is, the scene key that calls for it, and what it brings into a run. What a scene does
+/// not call for is not there: no pass, column, grid field, observer or call of the material.
+struct EffectEntry {
+  std::string name, doc;
+  std::string key;                                 ///< of the scene; empty: no key calls for it
+  std::string around;                              ///< what it brings around the steps; empty: nothing
+  std::function<bool(const Problem&)> called_for;  ///< by this scene
+  bool asks_material = false;                      ///< it can, in steps, for more than the particles' stress
+  /// Where another key than `key` can call for it, too: the one that does so here.
+  std::function<std::string(const Problem&)> called_by = nullptr;
+
+  std::string key_of(const Problem& problem) const { return called_by ? called_by(problem) : key; }
+};
+
+/// Those of a step, which are the records of mpm/effects, and those of a run, around its steps.
+std::span<const EffectEntry> effects();
+
+/// Throws std::out_of_range where there is none.
+const EffectEntry& entry_of(const std::string& effect);
 
 /// Work of one step after the first, counted from the composition: what each pass reads and writes of the columns of
 /// all particles, what it touches of the grid's fields once a node that is reached, and points that the material
@@ -17,6 +40,13 @@ namespace assay::drivers {
 struct StepWork {
   double column_bytes = 0, grid_bytes = 0;
   std::int64_t material_updates = 0;
+
+  static void fields(auto& self, auto& archive) {
+    archive("column_bytes", self.column_bytes);
+    archive("grid_bytes", self.grid_bytes);
+    archive("material_updates", self.material_updates);
+    archive("measured", false);
+  }
 };
 
 /// An effect in this composition.
@@ -26,6 +56,20 @@ struct EffectPart {
   std::string key;                                        ///< of the scene, that calls for it; empty: none
   std::vector<std::string> passes, columns, grid_fields;  ///< that it brings; empty where it is not there
   std::size_t bytes_per_particle = 0, bytes_per_node = 0;
+
+  static void fields(auto& self, auto& archive) {
+    const EffectEntry& entry = entry_of(self.effect);
+    archive("name", self.effect);
+    archive("doc", entry.doc);
+    archive("key", or_null(self.key));
+    archive("there", self.is_there);
+    archive("passes", self.passes);
+    archive("columns", self.columns);
+    archive("grid_fields", self.grid_fields);
+    archive("asks_material", self.is_there && entry.asks_material);
+    archive("bytes_per_particle", self.bytes_per_particle);
+    archive("bytes_per_node", self.bytes_per_node);
+  }
 };
 
 struct Composition {
@@ -47,11 +91,23 @@ struct Observer {
   std::string name;
   std::size_t times;
   std::string called_for_by;
+
+  static void fields(auto& self, auto& archive) {
+    archive("name", self.name);
+    archive("times", self.times);
+    archive("called_for_by", self.called_for_by);
+  }
 };
 std::vector<Observer> observers_of(const Problem& problem);
 
-/// `assay explain --json`. response: null where there is none.
-std::string explanation_json(const Problem& problem, const Composition& composition, const Response* response,
-                             const ScreenFigures& screen);
+/// Names of columns.
+std::vector<std::string> names_of(const std::vector<mpm::Column>& columns);
+
+/// Passes, columns, observers, memory, steps, response and stability of a problem, as `assay explain` prints them.
+/// Without an exact solution, which is not made where the run is refused, there is no response.
+std::string explanation(const Problem& problem, const ExactSolution* exact, const ScreenFigures& screen);
+
+/// The same as JSON.
+std::string explanation_json(const Problem& problem, const ExactSolution* exact, const ScreenFigures& screen);
 
 }  // namespace assay::drivers

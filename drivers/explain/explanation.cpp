@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/explain/explanation.hpp"
-
+// What `assay explain` prints, as text and as JSON.
 #include <fmt/core.h>
-#include <cmath>
-#include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "drivers/explain/composition.hpp"
-#include "drivers/findings/findings.hpp"
-#include "drivers/scene/scene_reader.hpp"
+#include "drivers/result/json_fields.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/screening.hpp"
-#include "drivers/simulation/warnings.hpp"
 #include "drivers/system/input_error.hpp"
-#include "drivers/system/terminal.hpp"
 #include "drivers/text/number_format.hpp"
 #include "drivers/text/wrapped_text.hpp"
 #include "mpm/step/stages.hpp"
@@ -21,27 +16,22 @@ namespace assay::drivers {
 
 namespace {
 
-std::string columns_text(const std::vector<mpm::Column>& columns) {
-  std::string text;
-  for (const mpm::Column column : columns) text += (text.empty() ? "" : ", ") + std::string(mpm::info(column).name);
-  return text;
-}
-
 std::string bytes_text(double bytes) { return rounded_text(bytes / (1024.0 * 1024), 3) + " MiB"; }
 
-/// "passes ...; columns ...; grid fields ..., 16 bytes a particle".
+/// "pass ...; column ..., 16 bytes a particle; grid field ..., 8 bytes a node".
 std::string brought_text(const EffectPart& part) {
-  std::string text;
-  const auto add = [&](const std::string& what) { text += (text.empty() ? "" : "; ") + what; };
-  if (!part.passes.empty()) add("pass " + joined(part.passes));
-  if (!part.columns.empty())
-    add("column " + joined(part.columns) + fmt::format(", {} bytes a particle", part.bytes_per_particle));
-  if (!part.grid_fields.empty()) {
-    add("grid field " + joined(part.grid_fields) + fmt::format(", {} bytes a node", part.bytes_per_node));
-  }
   const EffectEntry& entry = entry_of(part.effect);
-  if (!entry.around.empty()) add(entry.around);
-  if (entry.asks_material) add("calls of the material beside the particles' stress");
+  std::string text;
+  const auto add = [&](bool is_there, const std::string& what) {
+    if (is_there) text += (text.empty() ? "" : "; ") + what;
+  };
+  add(!part.passes.empty(), "pass " + joined(part.passes));
+  add(!part.columns.empty(),
+      fmt::format("column {}, {} bytes a particle", joined(part.columns), part.bytes_per_particle));
+  add(!part.grid_fields.empty(),
+      fmt::format("grid field {}, {} bytes a node", joined(part.grid_fields), part.bytes_per_node));
+  add(!entry.around.empty(), entry.around);
+  add(entry.asks_material, "calls of the material beside the particles' stress");
   return text;
 }
 
@@ -50,11 +40,12 @@ std::string passes_text(const Problem& problem, const Composition& c) {
   const std::string indent(22, ' ');
   for (const auto& pass : c.passes) {
     text += wrapped(pass.doc, fmt::format("  {:19} ", pass.name), indent);
-    if (!pass.reads.empty()) text += wrapped("reads " + columns_text(pass.reads), indent + "  ", indent + "    ");
-    if (!pass.writes.empty()) text += wrapped("writes " + columns_text(pass.writes), indent + "  ", indent + "    ");
-    if (!pass.grid_fields.empty()) {
-      text += wrapped("on the grid " + joined(pass.grid_fields), indent + "  ", indent + "    ");
-    }
+    const auto add = [&](const std::string& does, const std::vector<std::string>& names) {
+      if (!names.empty()) text += wrapped(does + joined(names), indent + "  ", indent + "    ");
+    };
+    add("reads ", names_of(pass.reads));
+    add("writes ", names_of(pass.writes));
+    add("on the grid ", pass.grid_fields);
     const std::size_t times = mpm::times_a_step(pass, problem.setup.method);
     const std::string often = pass.once   ? "; once, before the first step"
                               : times > 1 ? fmt::format("; {} times a step", times)
@@ -66,9 +57,8 @@ std::string passes_text(const Problem& problem, const Composition& c) {
 
 std::string observers_text(const Problem& problem) {
   std::string text;
-  for (const Observer& o : observers_of(problem)) {
+  for (const Observer& o : observers_of(problem))
     text += fmt::format("  {:19} {} times, because of {}\n", o.name, o.times, o.called_for_by);
-  }
   return text.empty() ? "nothing between steps\n" : "between steps\n" + text;
 }
 
@@ -85,9 +75,8 @@ std::string memory_text(const Problem& problem, const Composition& c) {
                               grid.count[0], grid.count[1], c.bytes_per_node, grouped_text(c.nodes_reached),
                               rounded_text(problem.estimated_bytes() / (1024.0 * 1024), 3)),
                   "grid: ", "  ");
-  for (const auto& use : c.grid_fields) {
+  for (const auto& use : c.grid_fields)
     text += wrapped(use.doc, fmt::format("  {:20} {:4} bytes  ", use.name, use.bytes), indent);
-  }
   return text;
 }
 
@@ -109,9 +98,8 @@ std::string effects_text(const Composition& c) {
       continue;
     }
     there += wrapped(entry.doc, fmt::format("  {:19} ", entry.name), indent);
-    if (const std::string brought = brought_text(part); !brought.empty()) {
+    if (const std::string brought = brought_text(part); !brought.empty())
       there += wrapped(brought, indent + "  ", indent + "    ");
-    }
     there += wrapped("because of " + part.key, indent + "  ", indent);
   }
   return "effects, in addition to the passes of every run\n" + (there.empty() ? "  none\n" : there) +
@@ -136,10 +124,6 @@ std::string steps_text(const Problem& problem) {
                  "  fastest wave on the path ", "    ");
 }
 
-std::string frame_line(const Problem& problem) {
-  return problem.scene.frame ? wrapped(frame_text(*problem.scene.frame), "frame: ", "  ") : "";
-}
-
 std::string exact_solution_line(const Problem& problem) {
   if (!problem.setup.uses_exact_solution()) return "";
   return wrapped(problem.setup.has_virtual_stress()
@@ -150,19 +134,18 @@ std::string exact_solution_line(const Problem& problem) {
 
 std::string ends_text(const Problem& problem) {
   constexpr const char* axes[] = {"x", "y"};
-  std::string text;
+  std::vector<std::string> all;
   for (std::size_t d = 0; d < 2; ++d) {
     const mpm::AxisEnds& ends = problem.setup.ends[d];
-    const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
     if (ends.periodic) {
-      add(std::string("periodic along ") + axes[d]);
+      all.push_back(std::string("periodic along ") + axes[d]);
       continue;
     }
     for (const auto& at : {ends.lower, ends.upper}) {
-      if (at) add(std::string("a symmetry plane at ") + axes[d] + " = " + rounded_text(*at, 6) + " m");
+      if (at) all.push_back(std::string("a symmetry plane at ") + axes[d] + " = " + rounded_text(*at, 6) + " m");
     }
   }
-  return text.empty() ? "" : wrapped(text, "faces: ", "  ");
+  return all.empty() ? "" : wrapped(joined(all), "faces: ", "  ");
 }
 
 std::string response_text(const Problem& problem, const ExactSolution* exact) {
@@ -190,15 +173,73 @@ std::string response_text(const Problem& problem, const ExactSolution* exact) {
                      grouped_text(sheet->points()), error);
 }
 
+using Json = nlohmann::ordered_json;
+
+Json written(const mpm::Pass<2>& pass, const mpm::Setup<2>& setup) {
+  return {{"name", pass.name},
+          {"doc", pass.doc},
+          {"reads", names_of(pass.reads)},
+          {"writes", names_of(pass.writes)},
+          {"grid_fields", pass.grid_fields},
+          {"times_a_step", mpm::times_a_step(pass, setup.method)},
+          {"bytes_moved_per_particle", bytes_moved(pass, setup)},
+          {"called_for_by", pass.called_for_by},
+          {"effects", pass.effects}};
+}
+
+Json written(const mpm::ColumnUse& use) {
+  return {{"name", mpm::info(use.column).name},
+          {"bytes_per_particle", use.bytes},
+          {"passes", use.passes},
+          {"effect", use.effect ? Json(*use.effect) : Json()}};
+}
+
+Json written(const mpm::GridFieldUse& use) {
+  return {{"name", use.name}, {"doc", use.doc}, {"bytes_per_node", use.bytes}, {"effects", use.effects}};
+}
+
+Json written(const Sheet* sheet) {
+  if (!sheet) return nullptr;
+  return {{"points", sheet->points()}, {"error_tau", sheet->error_tau()}, {"error_dtau", sheet->error_dtau()}};
+}
+
 }  // namespace
 
-std::string explanation(const Problem& problem, const ExactSolution* exact, const ScreenFigures& screen, bool json) {
+std::string explanation(const Problem& problem, const ExactSolution* exact, const ScreenFigures& screen) {
   const Composition c = composition_of(problem);
-  if (json)
-    return explanation_json(problem, c, exact && exact->response() ? exact->response()->get() : nullptr, screen);
+  const auto& turned = problem.scene.frame;
+  const std::string frame = turned ? wrapped(frame_text(*turned), "frame: ", "  ") : "";
   return passes_text(problem, c) + observers_text(problem) + memory_text(problem, c) + work_text(c) + effects_text(c) +
-         steps_text(problem) + frame_line(problem) + exact_solution_line(problem) + ends_text(problem) +
+         steps_text(problem) + frame + exact_solution_line(problem) + ends_text(problem) +
          response_text(problem, exact) + wrapped(screen_sentence(screen), "motion: ", "  ");
+}
+
+std::string explanation_json(const Problem& problem, const ExactSolution* exact, const ScreenFigures& screen) {
+  using Fields = JsonFields<Json>;
+  const Composition c = composition_of(problem);
+  Json json;
+  for (const auto& pass : c.passes) json["passes"].push_back(written(pass, problem.setup));
+  json["observers"] = Fields::of(observers_of(problem));
+  for (const auto& use : c.columns) json["columns"].push_back(written(use));
+  for (const auto& use : c.grid_fields) json["grid_fields"].push_back(written(use));
+  json["bytes_per_particle"] = c.bytes_per_particle;
+  json["bytes_per_node"] = c.bytes_per_node;
+  json["work"] = Fields::of(c.work);
+  json["effects"] = Fields::of(c.effects);
+  json["nodes"] = problem.setup.grid.nodes();
+  json["nodes_reached"] = c.nodes_reached;
+  json["particles"] = problem.particles();
+  json["stepped_particles"] = problem.setup.seeds.size();
+  json["uses_exact_solution"] = problem.setup.uses_exact_solution();
+  json["steps"] = problem.steps;
+  json["dt"] = problem.dt;
+  json["wave_speed"] = problem.wave_speed;
+  if (problem.reference_wave_speed > 0) json["reference_wave_speed"] = problem.reference_wave_speed;
+  if (problem.viscous_shortening > 1) json["viscous_shortening"] = problem.viscous_shortening;
+  json["sheet"] = written(exact && exact->response() ? (*exact->response())->sheet() : nullptr);
+  json["screen"] = {{"verdict", screen.verdict}, {"smallest", *screen.smallest}, {"unjudged", screen.unjudged}};
+  if (screen.largest_safe_amplitude) json["screen"]["largest_safe_amplitude"] = *screen.largest_safe_amplitude;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace assay::drivers

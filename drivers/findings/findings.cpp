@@ -9,6 +9,7 @@
 #include "adapters/worker/remote_table.hpp"
 #include "drivers/check/check_material.hpp"
 #include "drivers/check/replay.hpp"
+#include "drivers/result/build_information.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/resolved.hpp"
 #include "drivers/simulation/simulate.hpp"
@@ -17,9 +18,16 @@
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/supervisor.hpp"
 #include "drivers/text/number_format.hpp"
-#include "harness/sheet/force_error.hpp"
 
 namespace assay::drivers {
+
+Result result_for(const Scene& scene) {
+  Result result;
+  result.title = scene.title;
+  result.provenance = build_information();
+  result.provenance.scene_sha256 = scene.sha256;
+  return result;
+}
 
 void record_sheet(const Scene& scene, const Response& response, double seconds, Result& result) {
   const Sheet* sheet = response.sheet();
@@ -31,45 +39,30 @@ void record_sheet(const Scene& scene, const Response& response, double seconds, 
   if (!sheet->restored()) result.material_calls += sheet->material_calls();
 }
 
-void record_shadow(const Scene& scene, const Response& response, Result& result) {
-  const Shadow* points = response.shadow();
-  if (!points) return;
+void record_along(const Scene& scene, const ExactSolution& exact, double seconds, Result& result) {
   SheetFigures figures;
-  figures.points = points->radii();
-  figures.error_tau = points->error();
-  figures.along = grouped_text(points->radii()) + " shadow histories";
   figures.asked = scene.force.tolerance;
-  result.sheet = figures;
-  result.material_calls += points->calls();
-}
-
-void record_history(const Scene& scene, const HomogeneousStress& stress, Result& result) {
-  if (!stress.is_history()) return;
-  SheetFigures figures;
-  figures.points = 1;
-  figures.error_tau = stress.error();
-  figures.along = "one history";
-  figures.asked = scene.force.tolerance;
-  result.sheet = figures;
-  result.material_calls += stress.material_calls();
-}
-
-void record_box(const Scene& scene, const BoxStress& stress, double seconds, Result& result) {
-  SheetFigures figures;
-  figures.wall_s = seconds;
-  figures.points = stress.modes(0) * stress.modes(1);
-  const std::string size = std::to_string(stress.modes(0)) + " x " + std::to_string(stress.modes(1));
-  figures.error_tau = stress.error();
-  figures.along = "a cosine series of " + size + " modes, by " + (stress.is_history() ? "a history" : "an update") +
-                  " at each of its nodes";
-  figures.asked = scene.force.tolerance;
-  result.sheet = figures;
-  result.material_calls += stress.material_calls();
-}
-
-void record_force_error(const Scene& scene, const Response& response, Result& result) {
-  if (!ring_of(scene.motion) || !response.sheet() || !result.sheet) return;
-  result.sheet->error_b = force_error(scene.motion, scene.material.density, *response.sheet(), scene.time.end);
+  const auto record = [&](std::int64_t points, double error, const std::string& along, std::int64_t calls) {
+    figures.points = points;
+    figures.error_tau = error;
+    figures.along = along;
+    result.sheet = figures;
+    result.material_calls += calls;
+  };
+  if (const Shadow* shadow = exact.response() ? (*exact.response())->shadow() : nullptr) {
+    record(shadow->radii(), shadow->error(), grouped_text(shadow->radii()) + " shadow histories", shadow->calls());
+  } else if (exact.box()) {
+    const BoxStress& box = **exact.box();
+    const std::string size = std::to_string(box.modes(0)) + " x " + std::to_string(box.modes(1));
+    figures.wall_s = seconds;
+    record(box.modes(0) * box.modes(1), box.error(),
+           "a cosine series of " + size + " modes, by " + (box.is_history() ? "a history" : "an update") +
+               " at each of its nodes",
+           box.material_calls());
+  } else if (exact.homogeneous() && (*exact.homogeneous())->is_history()) {
+    const HomogeneousStress& stress = **exact.homogeneous();
+    record(1, stress.error(), "one history", stress.material_calls());
+  }
 }
 
 std::string material_provenance(const Material& material, const std::string& library) {
@@ -107,8 +100,9 @@ void leave_replay(const Scene& scene, OutputFolder& folder, Result& result) {
   if (!result.printed.empty()) folder.write(material_log, result.printed);
   if (!result.failed_step && !result.disturbed) return;
   try {
-    Replay replay = result.failed_step ? replay_of(scene, *result.failed_step, result.reason)
-                                       : replay_of(resolve_material(scene.material), {}, result.warnings.back());
+    const ResolvedMaterial material = resolve_material(scene.material);
+    Replay replay = result.failed_step ? replay_of(material, *result.failed_step, result.reason)
+                                       : replay_of(material, {}, result.warnings.back());
     if (!result.failed_step) replay.test = process_test;
     folder.write("replay.yaml", replay_yaml(replay, scene.material.isolation));
     result.replay = "replay.yaml";
@@ -143,9 +137,8 @@ void close_accounts(const Stopwatch& life, Result& result) {
 }
 
 int exit_status(const Result& result) {
-  const bool all_hold = std::all_of(result.expect.begin(), result.expect.end(), [](const auto& e) { return e.holds; });
-  const bool outcome_expected =
-      std::any_of(result.expect.begin(), result.expect.end(), [](const auto& e) { return e.key == "outcome"; });
+  const bool all_hold = std::ranges::all_of(result.expect, &ExpectationOutcome::holds);
+  const bool outcome_expected = std::ranges::count(result.expect, "outcome", &ExpectationOutcome::key) > 0;
   return all_hold && (outcome_expected || result.outcome == "completed") ? 0 : 1;
 }
 

@@ -1,33 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is found on the way enters the result; the result becomes an exit status.
+// What is found on the way enters the result; the result becomes text, JUnit's XML and an exit status.
 #pragma once
 
+#include <string>
+
+#include "drivers/findings/run_options.hpp"
 #include "drivers/output/output_folder.hpp"
 #include "drivers/result/result.hpp"
 #include "drivers/scene/scene.hpp"
-#include "harness/exact/box_stress.hpp"
-#include "harness/exact/homogeneous_stress.hpp"
-#include "harness/exact/response.hpp"
-#include "harness/history/point_driver.hpp"
+#include "harness/exact/exact_solution.hpp"
+#include "harness/material/material_failure.hpp"
 #include "harness/numeric/stopwatch.hpp"
 
 namespace assay::drivers {
 
+/// In which nothing is found yet.
+Result result_for(const Scene& scene);
+
 /// Size and error of the sheet, seconds it took; nothing where the response is a closed form.
 void record_sheet(const Scene& scene, const Response& response, double seconds, Result& result);
 
-/// Number and error of the shadow points, once the run is over; nothing where the response is something else.
-void record_shadow(const Scene& scene, const Response& response, Result& result);
-
-/// Of a motion whose F is the same everywhere: the error of its one history.
-void record_history(const Scene& scene, const HomogeneousStress& stress, Result& result);
-
-/// Of a motion in the unit box: size and error of its series, once the run is over, and the seconds in which its size
-/// was found.
-void record_box(const Scene& scene, const BoxStress& stress, double seconds, Result& result);
-
-/// What the sheet's error does to the body force of a polar motion.
-void record_force_error(const Scene& scene, const Response& response, Result& result);
+/// Of an exact solution that was taken along the run, once that is over: size and error of its shadow histories, of the
+/// one history of a motion whose F is the same everywhere, or of the series of a motion in the unit box, and the
+/// seconds in which the size of that was found.
+void record_along(const Scene& scene, const ExactSolution& exact, double seconds, Result& result);
 
 /// "neo_hookean 1.0, built in" or "soft_clay 0.3, /path/libclay.so, sha256 ...". Throws InputError where the library
 /// can no longer be read.
@@ -54,5 +50,32 @@ void close_accounts(const Stopwatch& life, Result& result);
 
 /// 0: all that was expected holds; 1: it does not, or the run did not complete and nobody expected that.
 int exit_status(const Result& result);
+
+/// Outcome and verdict, expectations that fail, the reason; then error figures, speed, [the profile,] expectations that
+/// hold, and where the results are.
+std::string verdict_text(const Result& result, const std::string& folder, bool with_profile = false);
+
+/// What a verb says of a result: `text`; with --quiet only, where it ends with 1, the first part of the verdict, down
+/// to the reason.
+std::string said_of(const Result& result, const SceneOptions& options, const std::string& text);
+
+/// Warnings, and the files in the result's folder that tell more of the material.
+std::string process_lines(const Result& result, const std::string& folder);
+
+/// How long it has taken: set-up, the work, and what came behind it.
+std::string times_text(const Result& result, const std::string& work);
+
+/// Size, time and errors of the response, and what was asked where that is missed.
+std::string sheet_text(const SheetFigures& sheet);
+
+/// The expectations that hold or that fail, a line each, "holds" or "FAILS" first.
+std::string expectations_text(const Result& result, bool that_hold);
+
+/// JUnit's XML: a test of the outcome, which takes `seconds`, and one for each expectation. The exit status is 0
+/// exactly where no test fails. A run that was refused is an error.
+std::string run_junit(const Result& result, const RunOptions& options, double seconds);
+
+/// Throws InputError where the file would take the place of another that the run reads or writes.
+void refuse_junit_in_the_way(const RunOptions& options);
 
 }  // namespace assay::drivers

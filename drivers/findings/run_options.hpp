@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What `assay run` is asked for.
+// What verbs of a scene are asked for.
 #pragma once
 
 #include <string>
@@ -9,13 +9,18 @@
 
 namespace assay::drivers {
 
-struct RunOptions {
+struct SceneOptions {
   std::string scene;
-  std::string out;                ///< folder; never empty: results/SCENE by default
+  std::string out;                ///< folder, never empty: results/SCENE by default; of `eval` a file, or empty
   std::vector<std::string> sets;  ///< "key.path=YAML value", in the order given
-  int threads = 1;
-  bool json = false;  ///< result.json on standard output
+  bool json = false;              ///< JSON on standard output
   Verbosity verbosity = Verbosity::normal;
+
+  bool quiet() const { return verbosity == Verbosity::quiet; }
+};
+
+struct RunOptions : SceneOptions {
+  int threads = 1;
   std::string junit = {};       ///< file; "-": standard output; empty: none
   std::string junit_name = {};  ///< of the suite in that file; empty: the scene's
 };

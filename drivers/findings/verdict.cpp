@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/findings/verdict.hpp"
-
+// What is found, as text of 80 columns and as JUnit's XML.
 #include <fmt/core.h>
-
+#include <algorithm>
 #include <filesystem>
 
 #include "drivers/findings/findings.hpp"
+#include "drivers/output/junit.hpp"
+#include "drivers/scene/expect.hpp"
 #include "drivers/simulation/rim.hpp"
 #include "drivers/system/input_error.hpp"
+#include "drivers/system/input_file.hpp"
+#include "drivers/system/whole_file.hpp"
 #include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
+#include "drivers/text/table_text.hpp"
 #include "drivers/text/wrapped_text.hpp"
 
 namespace assay::drivers {
@@ -17,23 +22,22 @@ namespace {
 
 std::string figure(const Figure& value) { return value ? rounded_text(*value, 3) : "-"; }
 
+std::string error_row(const std::string& name, const std::string& half, const std::string& end, const std::string& l2,
+                      const std::string& linf = {}) {
+  return table_line(fmt::format("  {:22} {:>10} {:>10} {:>10} {:>12}", name, half, end, l2, linf));
+}
+
 std::string error_lines(const ErrorFigures& e) {
   std::string text =
-      fmt::format("  {:22} {:>10} {:>10} {:>10} {:>12}\n", "error", "at T/2", "at end", "max L2", "max Linf");
-  text += fmt::format("  {:22} {:>10} {:>10} {:>10} {:>12}\n", "displacement [m]", figure(e.l2_half), figure(e.l2_end),
-                      figure(e.l2_max), figure(e.linf_max));
-  text += fmt::format("  {:22} {:>10} {:>10} {:>10}\n", "  rms, all particles", figure(e.rms36_half),
-                      figure(e.rms36_end), figure(e.rms36_max));
-  const auto maximum = [&](const char* name, const FieldMaximum& m) {
-    text += fmt::format("  {:22} {:>10} {:>10} {:>10} {:>12}\n", name, "", "", figure(m.l2_max), figure(m.linf_max));
-  };
-  maximum("velocity [m/s]", e.velocity);
-  maximum("F [1]", e.deformation_gradient);
-  maximum("det F [1]", e.jacobian);
-  maximum("Cauchy stress [Pa]", e.stress);
-  if (e.relative) {
-    text += fmt::format("  {:22} {:>10} {:>10} {:>10}\n", "relative to the motion", "", "", figure(e.relative));
-  }
+      error_row("error", "at T/2", "at end", "max L2", "max Linf") +
+      error_row("displacement [m]", figure(e.l2_half), figure(e.l2_end), figure(e.l2_max), figure(e.linf_max)) +
+      error_row("  rms, all particles", figure(e.rms36_half), figure(e.rms36_end), figure(e.rms36_max));
+  const std::pair<const char*, const FieldMaximum&> maxima[] = {{"velocity [m/s]", e.velocity},
+                                                                {"F [1]", e.deformation_gradient},
+                                                                {"det F [1]", e.jacobian},
+                                                                {"Cauchy stress [Pa]", e.stress}};
+  for (const auto& [name, of] : maxima) text += error_row(name, "", "", figure(of.l2_max), figure(of.linf_max));
+  if (e.relative) text += error_row("relative to the motion", "", "", figure(e.relative));
   return text;
 }
 
@@ -57,6 +61,16 @@ std::string profile_lines(const Result& r) {
 std::string summary_of(const Result& result) {
   if (exit_status(result) != 0) return "NOT AS EXPECTED";
   return result.expect.empty() ? "NOTHING WAS EXPECTED" : "AS EXPECTED";
+}
+
+std::string outcome_text(const Result& result) {
+  std::string text = (result.title.empty() ? "" : result.title + ": ") + result.outcome;
+  if (result.t) text += fmt::format(" at t = {} s", figure(result.t));
+  return wrapped(text + ": " + summary_of(result), "", "  ") + expectations_text(result, false);
+}
+
+std::string reason_text(const Result& result) {
+  return result.reason.empty() ? "" : wrapped(result.reason, "  ", "  ");
 }
 
 }  // namespace
@@ -110,21 +124,10 @@ std::string expectations_text(const Result& result, bool that_hold) {
   return text;
 }
 
-namespace {
-
-std::string outcome_text(const Result& result) {
-  std::string text = (result.title.empty() ? "" : result.title + ": ") + result.outcome;
-  if (result.t) text += fmt::format(" at t = {} s", figure(result.t));
-  return wrapped(text + ": " + summary_of(result), "", "  ") + expectations_text(result, false);
+std::string said_of(const Result& result, const SceneOptions& options, const std::string& text) {
+  if (!options.quiet()) return text;
+  return exit_status(result) == 0 ? "" : outcome_text(result) + reason_text(result);
 }
-
-std::string reason_text(const Result& result) {
-  return result.reason.empty() ? "" : wrapped(result.reason, "  ", "  ");
-}
-
-}  // namespace
-
-std::string contradiction_text(const Result& result) { return outcome_text(result) + reason_text(result); }
 
 std::string verdict_text(const Result& result, const std::string& folder, bool with_profile) {
   std::string text = outcome_text(result);
@@ -142,6 +145,87 @@ std::string verdict_text(const Result& result, const std::string& folder, bool w
   text += expectations_text(result, true);
   text += fmt::format("{}; results in {}\n", summary_of(result), one_line(folder));
   return text;
+}
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string stem_of_scene(const RunOptions& options) { return fs::path(options.scene).stem().string(); }
+
+/// "the run was unstable: why"; empty of one that has reached its end.
+std::string death_sentence(const Result& result) {
+  if (result.outcome == "completed") return {};
+  const std::string how = result.outcome == "material_failed" ? "the material failed" : "the run was " + result.outcome;
+  return result.reason.empty() ? how : how + ": " + result.reason;
+}
+
+/// An early end that the scene expects is none to complain of.
+JunitCase outcome_case(const Result& result, const std::string& classname, double seconds) {
+  JunitCase out{classname, "outcome", seconds};
+  const bool expected = std::any_of(result.expect.begin(), result.expect.end(),
+                                    [](const auto& line) { return line.key == "outcome" && line.holds; });
+  if (result.outcome == "completed" || expected) return out;
+  out.kind = result.outcome == "refused" ? JunitCase::Kind::error : JunitCase::Kind::failure;
+  out.message = death_sentence(result);
+  out.type = result.outcome;
+  return out;
+}
+
+/// The same name whatever number is expected, so that CI knows the test again.
+std::string name_of_line(const ExpectationOutcome& line) {
+  const bool is_number = figure_of_result(line.key).kind == Field::Kind::number;
+  return line.key + " " + (is_number ? line.expected.substr(0, line.expected.find(' ')) : "equals");
+}
+
+JunitCase expectation_case(const Result& result, const ExpectationOutcome& line, const std::string& classname) {
+  JunitCase out{classname, name_of_line(line)};
+  if (line.holds) return out;
+  const bool never_tried = result.outcome == "refused" && line.found == "null";
+  const std::string death = death_sentence(result);
+  out.kind = never_tried ? JunitCase::Kind::error : JunitCase::Kind::failure;
+  out.message =
+      line.key + ": expected " + line.expected + ", found " + line.found + (death.empty() ? "" : "; " + death);
+  out.type = never_tried ? result.outcome : "expectation";
+  return out;
+}
+
+/// Whether a path names a file of the result.
+bool is_of_the_result(const fs::path& file, const fs::path& folder) {
+  std::error_code error;
+  const auto real = [&](const fs::path& path) { return fs::weakly_canonical(fs::absolute(path), error); };
+  const std::string name = file.filename().string();
+  if (real(file) != real(folder / name)) return false;
+  const std::vector<std::string> names = result_files();
+  return std::any_of(names.begin(), names.end(), [&name](const std::string& pattern) {
+    return matches(pattern.starts_with('+') ? pattern.substr(1) : pattern, name);
+  });
+}
+
+}  // namespace
+
+std::string run_junit(const Result& result, const RunOptions& options, double seconds) {
+  const std::string& given = options.junit_name;
+  const std::string stem = given.empty() ? stem_of_scene(options) : given, classname = "assay.run." + stem;
+  JunitSuite suite{"assay run " + (result.title.empty() || !given.empty() ? stem : result.title), "assay.run"};
+  suite.seconds = seconds;
+  suite.properties = {{"scene", options.scene}, {"results", options.out}, {"subject", result.subject}};
+  suite.cases.push_back(outcome_case(result, classname, seconds));
+  for (const ExpectationOutcome& line : result.expect) suite.cases.push_back(expectation_case(result, line, classname));
+  suite.said = verdict_text(result, options.out);
+  return junit_text({suite});
+}
+
+void refuse_junit_in_the_way(const RunOptions& options) {
+  if (options.junit.empty()) return;
+  const std::string shown = "'" + one_line(options.junit, 60) + "'";
+  if (options.junit == "-") {
+    if (options.json) throw InputError({}, "--junit", "takes the standard output that --json takes: " + shown);
+    return;
+  }
+  refuse_input_as_output(options.junit, "--junit");
+  if (is_of_the_result(options.junit, options.out))
+    throw InputError({}, "--junit", "is a file of the result: " + shown);
 }
 
 }  // namespace assay::drivers

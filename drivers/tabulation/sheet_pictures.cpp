@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/tabulation/sheet_pictures.hpp"
-
+// The response as pictures.
 #include <algorithm>
 #include <cmath>
 
 #include "drivers/system/interrupt.hpp"
+#include "drivers/tabulation/tabulation.hpp"
 #include "drivers/text/number_format.hpp"
 
 namespace assay::drivers {
@@ -19,8 +19,6 @@ constexpr double reach = 0.05;              ///< of the range of xi: how far a f
 constexpr double beside = 1e-6;             ///< of the range of xi: where the slopes on both sides of a front are taken
 constexpr double least_jump = 1e-3;         ///< of the slope: less is the edge of a patch, not a front
 constexpr std::size_t most_reversals = 12;  ///< that are drawn: a table has one at every row
-
-std::string index_text(int component) { return std::to_string(component / 3 + 1) + std::to_string(component % 3 + 1); }
 
 double xi_at(const Tabulation& tab, double share) {
   return tab.path.parameter.lower + share * tab.path.parameter.width();
@@ -79,8 +77,7 @@ std::vector<double> jumps(const Tabulation& tab, double t) {
   return found;
 }
 
-}  // namespace
-
+/// Of tau, row-major.
 int shown_component(const Tabulation& tab) {
   if (tab.path.name == "simple_shear") return 1;
   double largest[9] = {};
@@ -98,6 +95,8 @@ int shown_component(const Tabulation& tab) {
   }
   return best;
 }
+
+}  // namespace
 
 HeatMap sheet_picture(const Tabulation& tab) {
   const int shown = shown_component(tab);
@@ -128,9 +127,8 @@ HeatMap sheet_picture(const Tabulation& tab) {
   }
   map.lines = fronts.lines();
   const std::vector<double> turns = tab.path.reversals(tab.end);
-  for (std::size_t k = 0; k < turns.size() && turns.size() <= most_reversals; ++k) {
+  for (std::size_t k = 0; k < turns.size() && turns.size() <= most_reversals; ++k)
     map.dashes.push_back({{turns[k], map.y[0]}, {turns[k], map.y[1]}});
-  }
   return map;
 }
 

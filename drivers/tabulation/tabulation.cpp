@@ -8,6 +8,10 @@
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/text/number_format.hpp"
+#include "drivers/text/wrapped_text.hpp"
+#include "harness/history/point_driver.hpp"
+#include "harness/material/offer.hpp"
+#include "harness/numeric/largest.hpp"
 
 namespace assay::drivers {
 
@@ -15,9 +19,6 @@ namespace {
 
 constexpr int sheet_rows = 41;     ///< values of xi and of t in sheet.csv
 constexpr int curve_points = 201;  ///< values of eps in curve.csv
-
-/// "11" and so on.
-std::string name_of(int component) { return std::to_string(component / 3 + 1) + std::to_string(component % 3 + 1); }
 
 /// Whether the path shears out of the plane, or the material answers with stress there.
 bool leaves_the_plane(const Tabulation& tab) {
@@ -41,38 +42,9 @@ std::vector<int> written_of(const Tabulation& tab) {
 
 void add_component_columns(const std::vector<int>& components, const std::string& slope,
                            std::vector<std::string>& names) {
-  for (const int c : components) names.push_back("tau" + name_of(c));
-  for (const int c : components) names.push_back("dtau" + name_of(c) + slope);
+  for (const int c : components) names.push_back("tau" + index_text(c));
+  for (const int c : components) names.push_back("dtau" + index_text(c) + slope);
 }
-
-/// Rows of the sheet.
-class SheetTable {
- public:
-  explicit SheetTable(const Tabulation& tab) : tab_(tab), written_(written_of(tab)), csv_(columns(written_)) {}
-
-  void add(double xi, double t) {
-    stop_if_interrupted();
-    Tensor tau, slope;
-    tab_.response->at(xi, t, tau, slope);
-    std::vector<double> row{xi, t, tab_.path.deformation_gradient(xi, t)(1, 0)};
-    for (const int c : written_) row.push_back(component(tau, c));
-    for (const int c : written_) row.push_back(component(slope, c));
-    csv_.row(row);
-  }
-
-  std::string text() const { return csv_.text(); }
-
- private:
-  static std::vector<std::string> columns(const std::vector<int>& written) {
-    std::vector<std::string> names{"xi", "t", "gamma"};
-    add_component_columns(written, "_dxi", names);
-    return names;
-  }
-
-  const Tabulation& tab_;
-  std::vector<int> written_;
-  CsvText csv_;
-};
 
 /// The time at which |g| is first largest: there tau(xi, t) against eps = xi g is the curve of first loading.
 double time_of_first_peak(const Path& path, double end, double period) {
@@ -98,16 +70,60 @@ bool can_be_reached(const Path& path, const SheetPoint& point) {
   return true;
 }
 
+constexpr int rows = 17;                                  ///< of xi and of t
+constexpr double shares[] = {0.0937, 0.3819, 0.7182, 1};  ///< of the way to the end of the range of xi
+constexpr int times = 8;
+constexpr double tolerance = 1e-12;  ///< of a step
+
+/// xi between the two ends, in turns on both sides of zero.
+std::vector<double> places(const Interval& range) {
+  std::vector<double> list;
+  for (const double share : shares) {
+    const bool both = range.lower < 0 && range.upper > 0, down = both && list.size() % 2 == 0;
+    list.push_back(down ? share * range.lower
+                        : (both ? 0 : range.lower) + share * (range.upper - (both ? 0 : range.lower)));
+  }
+  return list;
+}
+
+/// The largest difference, over the largest value.
+class Difference {
+ public:
+  void add(double difference, double value) {
+    difference_ = larger(difference_, difference);
+    scale_ = larger(scale_, value);
+  }
+  double relative() const { return scale_ > 0 ? difference_ / scale_ : difference_; }
+
+ private:
+  double difference_ = 0, scale_ = 0;
+};
+
+Figure difference_to_closed_form(const std::shared_ptr<const Material>& material, const Path& path,
+                                 const Response& response, double end) {
+  const auto form = ClosedForm::of(material, path);
+  if (!form || !response.sheet()) return std::nullopt;
+  Difference found;
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < rows; ++j) {
+      const double xi = path.parameter.lower + path.parameter.width() * i / (rows - 1), t = end * j / (rows - 1);
+      Tensor tau, slope, exact, exact_slope;
+      response.at(xi, t, tau, slope);
+      form->at(xi, t, exact, exact_slope);
+      found.add(largest_of(tau - exact), largest_of(exact));
+    }
+  }
+  return found.relative();
+}
+
 }  // namespace
 
 void cover(const std::vector<SheetPoint>& points, const std::string& file, Tabulation& tab) {
   for (const SheetPoint& point : points) {
-    if (point.t > tab.last) {
+    if (point.t > tab.last)
       throw InputError({file, point.line, 1}, "t", "beyond the last row of motion.path, " + rounded_text(tab.last, 6));
-    }
-    if (!can_be_reached(tab.path, point)) {
+    if (!can_be_reached(tab.path, point))
       throw InputError({file, point.line, 1}, "xi", "det F <= 0 on the way to " + rounded_text(point.xi, 6));
-    }
     tab.path.parameter.lower = std::min(tab.path.parameter.lower, point.xi);
     tab.path.parameter.upper = std::max(tab.path.parameter.upper, point.xi);
     tab.end = std::max(tab.end, point.t);
@@ -115,20 +131,32 @@ void cover(const std::vector<SheetPoint>& points, const std::string& file, Tabul
 }
 
 std::string regular_sheet(const Tabulation& tab) {
-  SheetTable table(tab);
+  std::vector<SheetPoint> points;
   for (int j = 0; j < sheet_rows; ++j) {
     for (int i = 0; i < sheet_rows; ++i) {
-      table.add(tab.path.parameter.lower + tab.path.parameter.width() * i / (sheet_rows - 1),
-                tab.end * j / (sheet_rows - 1));
+      points.push_back({tab.path.parameter.lower + tab.path.parameter.width() * i / (sheet_rows - 1),
+                        tab.end * j / (sheet_rows - 1)});
     }
   }
-  return table.text();
+  return sheet_at(tab, points);
 }
 
 std::string sheet_at(const Tabulation& tab, const std::vector<SheetPoint>& points) {
-  SheetTable table(tab);
-  for (const SheetPoint& point : points) table.add(point.xi, point.t);
-  return table.text();
+  const std::vector<int> written = written_of(tab);
+  std::vector<std::string> names{"xi", "t", "gamma"};
+  add_component_columns(written, "_dxi", names);
+  CsvText csv(names);
+  for (const auto& [xi, t, line] : points) {
+    stop_if_interrupted();
+    Tensor tau, slope;
+    tab.response->at(xi, t, tau, slope);
+    std::vector<double> row{xi, t, tab.path.deformation_gradient(xi, t)(1, 0)};
+    for (const Tensor* of : {&tau, &slope}) {
+      for (const int c : written) row.push_back(component(*of, c));
+    }
+    csv.row(row);
+  }
+  return csv.text();
 }
 
 Curve curve_of(const Tabulation& tab) {
@@ -176,9 +204,50 @@ LinePlot plot_of(const Curve& curve, const std::vector<std::vector<double>>& val
   for (std::size_t k = 0; k < values.size(); ++k) {
     const int c = curve.components[k];  // below the diagonal, and 22, lie on another in many models
     const bool dashed = c == 3 || c == 4 || c == 6 || c == 7;
-    plot.series.push_back({name_of(c), curve.x, values[k], true, false, dashed});
+    plot.series.push_back({index_text(c), curve.x, values[k], true, false, dashed});
   }
   return plot;
+}
+
+Figure difference_of_forms(const Material& material, const Path& path, double end) {
+  // a stepper without events cannot follow a rate form over its kinks
+  if (!Offer<assay_rate>(material) || material.has(ASSAY_NON_SMOOTH)) return std::nullopt;
+  std::vector<double> t;
+  for (int k = 1; k <= times; ++k) t.push_back(end * k / times);
+  DriverOptions options;
+  options.tolerance = tolerance;
+  const std::vector<double> xi = places(path.parameter);
+  options.form = Form::rate;
+  const Histories rates = integrate_histories(material, path, xi, t, options);
+  stop_if_interrupted();
+  options.form = Form::increments;
+  const Histories increments = integrate_histories(material, path, xi, t, options);
+  Difference found;
+  for (std::size_t k = 0; k < t.size(); ++k) {
+    for (std::size_t i = 0; i < rates.tau[k].size(); ++i)
+      found.add(std::abs(rates.tau[k][i] - increments.tau[k][i]), std::abs(rates.tau[k][i]));
+  }
+  return found.relative();
+}
+
+ReferenceFigures references_of(const std::shared_ptr<const Material>& material, const Path& path,
+                               const Response& response, double end) {
+  return {difference_to_closed_form(material, path, response, end), difference_of_forms(*material, path, end)};
+}
+
+std::string references_text(const ReferenceFigures& references, const std::string& path_name) {
+  std::string text;
+  const auto line = [&](const char* name, const Figure& difference) {
+    if (difference) {
+      text += wrapped(std::string("reference: ") + name + ", largest difference " + rounded_text(*difference, 2), "  ",
+                      "    ");
+    }
+  };
+  line("the material's closed form", references.closed_form);
+  line("its rate form by Boost.Odeint against its increments", references.rate_form);
+  if (!text.empty()) return text;
+  return wrapped("reference: none; this material offers no closed form of " + path_name + " and no smooth rate form",
+                 "  ", "    ");
 }
 
 }  // namespace assay::drivers

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "drivers/output/points_csv.hpp"
+#include "drivers/picture/heat_map.hpp"
 #include "drivers/picture/line_plot.hpp"
+#include "drivers/result/result.hpp"
 #include "harness/exact/response.hpp"
 
 namespace assay::drivers {
@@ -21,6 +23,9 @@ struct Tabulation {
   double end = 0, period = 0;                             ///< [s]
   double last = std::numeric_limits<double>::infinity();  ///< time at which the path ends [s]
 };
+
+/// "12": of a component, row-major.
+inline std::string index_text(int c) { return std::to_string(c / 3 + 1) + std::to_string(c % 3 + 1); }
 
 /// The path's range and the end widened to what the points ask for. Throws InputError where det F <= 0 on the way to
 /// one, or where the path ends before it.
@@ -48,5 +53,27 @@ std::string curve_csv(const Curve& curve);
 /// `values`: of the curve; `symbol`: what they are.
 LinePlot plot_of(const Curve& curve, const std::vector<std::vector<double>>& values, const std::string& symbol,
                  const std::string& title);
+
+/// A component of tau, 12 in simple shear, else the one that becomes largest over the sheet: over t and xi, lines where
+/// its slope in xi jumps (the fronts of a material with kinks), dashes where the path turns.
+HeatMap sheet_picture(const Tabulation& tab);
+
+/// That component along four histories xi: over gamma in simple shear, over eps on another straight path, else over t.
+LinePlot histories_plot(const Tabulation& tab);
+
+// What the response is compared with: whatever of the material does not come from the same equations.
+
+/// Largest difference between tau by the material's rate form and by its increments, relative to the largest
+/// component, at 4 values of xi and 8 times; none without a rate form, or where the material has kinks. Throws
+/// MaterialFailure.
+Figure difference_of_forms(const Material& material, const Path& path, double end);
+
+/// That, and the largest difference of the tabulated tau to the material's closed form of the path, relative to its
+/// largest component, at 17 x 17 regular xi and t; none without one.
+ReferenceFigures references_of(const std::shared_ptr<const Material>& material, const Path& path,
+                               const Response& response, double end);
+
+/// One line each, or one that says that there is none.
+std::string references_text(const ReferenceFigures& references, const std::string& path_name);
 
 }  // namespace assay::drivers

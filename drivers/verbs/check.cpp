@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "drivers/check/causes_page.hpp"
-#include "drivers/command_line/verb_arguments.hpp"
+#include "drivers/command_line/verb.hpp"
 #include "drivers/format/number_slips.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/text/numbers.hpp"

@@ -2,12 +2,11 @@
 // `assay compare`: what has changed from one study's results to another's.
 #include <CLI/CLI.hpp>
 
-#include "drivers/command_line/verb_arguments.hpp"
+#include "drivers/command_line/verb.hpp"
+#include "drivers/output/pages.hpp"
 #include "drivers/study/comparison_text.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/input_file.hpp"
-#include "drivers/system/terminal.hpp"
-#include "drivers/system/whole_file.hpp"
 
 namespace assay::drivers {
 
@@ -27,16 +26,10 @@ int compare(const CompareOptions& options) {
   const StoredStudy A = stored_study(options.before), B = stored_study(options.after);
   refuse_input_as_output(options.markdown, "--markdown");
   const Comparison found = compared(A.findings, B.findings);
-  const std::string markdown = options.markdown.empty() ? "" : comparison_markdown(A, B, found);
   const bool whole = options.verbosity == Verbosity::verbose;
-  if (options.json && options.markdown != "-") {
-    print_json(comparison_json(A, B, found));
-  } else {
-    print(options.markdown == "-"                 ? markdown
-          : options.verbosity == Verbosity::quiet ? comparison_verdict(found) + "\n"
-                                                  : comparison_text(A, B, found, whole));
-  }
-  if (!options.markdown.empty() && options.markdown != "-") write_file(options.markdown, markdown);
+  tell(options.verbosity == Verbosity::quiet ? comparison_verdict(found) + "\n" : comparison_text(A, B, found, whole),
+       {{options.json ? "-" : "", options.json ? comparison_json(A, B, found) : "", true},
+        {options.markdown, options.markdown.empty() ? "" : comparison_markdown(A, B, found)}});
   return found.is_worse() ? 1 : 0;
 }
 

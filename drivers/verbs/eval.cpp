@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay eval`: the exact fields of a motion at given reference points and times.
-#include "drivers/verbs/eval.hpp"
+#include "drivers/verbs/verbs.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 
-#include "drivers/check/replay.hpp"
-#include "drivers/command_line/verb_arguments.hpp"
+#include "drivers/command_line/verb.hpp"
 #include "drivers/findings/findings.hpp"
 #include "drivers/format/csv.hpp"
+#include "drivers/format/yaml_writer.hpp"
 #include "drivers/output/points_csv.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/exact_stress.hpp"
@@ -22,62 +23,39 @@
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/terminal.hpp"
 #include "drivers/system/whole_file.hpp"
+#include "drivers/tabulation/tabulation.hpp"
+#include "harness/motion/kinds/deformation_table.hpp"
 #include "harness/numeric/stable_norm.hpp"
 
 namespace assay::drivers {
 
 namespace {
 
-std::vector<std::string> column_names(bool three, bool normals) {
-  std::vector<std::string> names;
-  const auto add = [&](const std::string& list) {
-    for (std::size_t begin = 0; begin < list.size();) {
-      const std::size_t end = std::min(list.find(',', begin), list.size());
-      names.push_back(list.substr(begin, end - begin));
-      begin = end + 1;
-    }
+/// Each column of a row, by its name and value.
+void visit_columns(const ReferencePoint& point, const ExactPoint& exact, bool three, bool normals,
+                   const std::function<void(const std::string& name, double value)>& column) {
+  const auto vector = [&](const std::string& name, const Vector3& of) {
+    for (int d = 0; d < (three ? 3 : 2); ++d) column(name + "xyz"[d], of(d));
   };
-  if (three) {
-    add("X,Y,Z,t,x,y,z,vx,vy,vz,ax,ay,az");
-    for (const char* tensor : {"F", "P"}) {
-      for (const char* c : {"11", "12", "13", "21", "22", "23", "31", "32", "33"})
-        names.push_back(tensor + std::string(c));
-    }
-    add("s11,s22,s33,s12,s13,s23,bx,by,bz");
-  } else {
-    add("X,Y,t,x,y,vx,vy,ax,ay,F11,F12,F21,F22,F33,P11,P12,P21,P22,P33,s11,s12,s22,s33,bx,by");
-  }
-  if (normals) add(three ? "tx,ty,tz" : "tx,ty");
-  return names;
-}
-
-std::vector<double> row_of(const ReferencePoint& point, const ExactState& state, const ExactStress& stress, bool three,
-                           bool normals) {
-  const Tensor &F = state.F, &P = stress.first_piola_kirchhoff, &s = stress.cauchy;
-  std::vector<double> row{point.X, point.Y};
-  if (three) row.push_back(point.Z);
-  row.push_back(point.t);
-  for (const Vector3* vector : {&state.x, &state.v, &state.a}) {
-    for (int d = 0; d < (three ? 3 : 2); ++d) row.push_back((*vector)(d));
-  }
-  for (const Tensor* tensor : {&F, &P}) {
-    if (three) {
-      for (int c = 0; c < 9; ++c) row.push_back(component(*tensor, c));
-    } else {
-      for (const int c : {0, 1, 3, 4, 8}) row.push_back(component(*tensor, c));
-    }
-  }
-  if (three)
-    row.insert(row.end(), {s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(0, 2), s(1, 2)});
-  else
-    row.insert(row.end(), {s(0, 0), s(0, 1), s(1, 1), s(2, 2)});
-  for (int d = 0; d < (three ? 3 : 2); ++d) row.push_back(stress.body_force(d));
-  if (normals) {
-    const Vector3 N = unit_along({point.NX, point.NY, point.NZ});
-    const Vector3 traction = P * N;  // per reference area [Pa]
-    for (int d = 0; d < (three ? 3 : 2); ++d) row.push_back(traction(d));
-  }
-  return row;
+  const auto tensor = [&](const std::string& name, const Tensor& of, const std::vector<int>& components) {
+    for (const int c : components) column(name + index_text(c), component(of, c));
+  };
+  using Components = std::vector<int>;
+  const Components all = three ? Components{0, 1, 2, 3, 4, 5, 6, 7, 8} : Components{0, 1, 3, 4, 8};
+  column("X", point.X);
+  column("Y", point.Y);
+  if (three) column("Z", point.Z);
+  column("t", point.t);
+  vector("", exact.state.x);
+  vector("v", exact.state.v);
+  vector("a", exact.state.a);
+  tensor("F", exact.state.F, all);
+  tensor("P", exact.stress.first_piola_kirchhoff, all);
+  tensor("s", exact.stress.cauchy, three ? Components{0, 4, 8, 1, 2, 5} : Components{0, 1, 4, 8});
+  vector("b", exact.stress.body_force);
+  if (!normals) return;
+  const Vector3 N = unit_along({point.NX, point.NY, point.NZ});
+  vector("t", exact.stress.first_piola_kirchhoff * N);  // the traction per reference area [Pa]
 }
 
 double last_time(const ReferencePoints& points, double otherwise) {
@@ -95,17 +73,22 @@ std::string evaluated(const EvalOptions& options) {
   require_within_motion(scene, points.points, options.points);
   watch_interrupts();
   const double end = last_time(points, scene.time.end);
-  const bool quiet = options.verbosity == Verbosity::quiet;
+  const bool quiet = options.quiet();
   std::string library;
   const auto material = material_of(scene, library);
   refuse_input_as_output(options.out, "-o");
   warn_of_instability(scene, *material, end, quiet);
   if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
   const bool three = scene.motion->is_spatial();
-  CsvText csv(column_names(three, points.has_normals));
   const std::vector<ExactPoint> exact = exact_points(scene, material, points.points, end, quiet);
+  std::vector<std::string> names;
+  visit_columns({}, {}, three, points.has_normals, [&](const std::string& name, double) { names.push_back(name); });
+  CsvText csv(names);
   for (std::size_t i = 0; i < exact.size(); ++i) {
-    csv.row(row_of(points.points[i], exact[i].state, exact[i].stress, three, points.has_normals));
+    std::vector<double> row;
+    visit_columns(points.points[i], exact[i], three, points.has_normals,
+                  [&](const std::string&, double value) { row.push_back(value); });
+    csv.row(row);
   }
   Result process;
   record_process(*material, process);
@@ -113,21 +96,24 @@ std::string evaluated(const EvalOptions& options) {
   return csv.text();
 }
 
-/// How the same failure is met by a tabulation.
+/// The command that leaves the step at which the material failed, as this verb writes no folder.
 std::string hint_of(const EvalOptions& options) {
   const Scene scene = read_scene(options.scene, options.sets);
-  return replay_hint(scene, options.sets, last_time(read_reference_points(options.points), scene.time.end));
+  const double end = last_time(read_reference_points(options.points), scene.time.end);
+  std::string command = "; `assay tabulate " + scene.file;
+  // tabulate takes another function between the rows unless it is told
+  const bool table = scene.motion.as<DeformationTable>();
+  if (table && !scene.places.contains("motion.interpolation")) command += " --set motion.interpolation=monotone";
+  for (const std::string& set : options.sets) command += " --set '" + set + "'";
+  return command + " --set time.end=" + yaml_number(end) + "` leaves the step in a replay.yaml";
 }
 
 Act add_eval_arguments(VerbArguments& verb) {
   const auto given = std::make_shared<EvalOptions>();
-  add_scene(verb, given->scene, given->sets);
+  add_scene(verb, *given);
   add_value(verb, "--points", given->points, "CSV", "reference points, columns X,Y,t")->required();
   add_out(verb, given->out, "CSV", "file for the table (default: standard output)");
-  return [given](Verbosity verbosity) {
-    given->verbosity = verbosity;
-    return eval(*given);
-  };
+  return act_of(given, eval);
 }
 
 }  // namespace
@@ -147,7 +133,7 @@ int eval(const EvalOptions& options) {
   } catch (const MaterialFailure& failure) {
     Result result;
     record_failure(failure, result);
-    const std::string hint = failure.step ? "; " + hint_of(options) : "";
+    const std::string hint = failure.step ? hint_of(options) : "";
     std::fprintf(stderr, "%s%s\n", one_line(result.reason).c_str(), one_line(hint).c_str());
     return 1;
   }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay explain`: what a run of a scene consists of. No particle moves.
-#include "drivers/verbs/explain.hpp"
+#include "drivers/verbs/verbs.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "drivers/command_line/verb_arguments.hpp"
-#include "drivers/explain/explanation.hpp"
+#include "drivers/command_line/verb.hpp"
+#include "drivers/explain/composition.hpp"
 #include "drivers/findings/findings.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/response_source.hpp"
@@ -20,18 +20,15 @@ namespace {
 
 Act add_explain_arguments(VerbArguments& verb) {
   const auto given = std::make_shared<ExplainOptions>();
-  add_scene(verb, given->scene, given->sets);
+  add_scene(verb, *given);
   verb.app.add_flag("--json", given->json, "as JSON");
-  return [given](Verbosity verbosity) {
-    given->verbosity = verbosity;
-    return explain(*given);
-  };
+  return act_of(given, explain);
 }
 
 }  // namespace
 
 int explain(const ExplainOptions& options) {
-  const bool quiet = options.verbosity == Verbosity::quiet || options.json;
+  const bool quiet = options.quiet() || options.json;
   try {
     const Problem problem = assemble(read_scene(options.scene, options.sets), 1);
     for (const std::string& sentence : quiet ? std::vector<std::string>() : warnings_of(problem)) warn(sentence);
@@ -41,8 +38,8 @@ int explain(const ExplainOptions& options) {
     if (problem.compared && !refused) {  // minutes for the sheet of a run that would not begin
       exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end, {.quiet = quiet});
     }
-    const std::string text = explanation(problem, exact.get(), screen, options.json);
-    options.json ? print_json(text) : print(text);
+    options.json ? print_json(explanation_json(problem, exact.get(), screen))
+                 : print(explanation(problem, exact.get(), screen));
     return 0;
   } catch (const MaterialFailure& failure) {
     Result result;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay materials`: what is registered, for people (80 columns) and for machines.
-#include "drivers/verbs/materials.hpp"
+#include "drivers/verbs/verbs.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "drivers/command_line/verb_arguments.hpp"
+#include "drivers/command_line/verb.hpp"
 #include "drivers/material/material_text.hpp"
 #include "drivers/material/registry.hpp"
 #include "drivers/result/json_figure.hpp"
@@ -55,10 +55,10 @@ Json material_json(const std::string& name, const MaterialSource& source) {
   out["version"] = text(table.version);
   out["licence"] = text(table.licence);
   out["doc"] = text(table.doc);
-  out["library"] = source.library.empty() ? Json("built-in") : Json(source.library);
+  out["library"] = source.library.empty() ? "built-in" : source.library;
   if (!source.source.empty()) out["source"] = source.source;
   out["description"] = json_text(source.description);
-  out["density"] = source.density ? json_figure(*source.density) : Json(nullptr);
+  out["density"] = json_figure(source.density);
   out["flags"] = flag_names(table);
   out["parameters"] = parameters_json(source);
   out["state"] = state_json(table);
@@ -81,24 +81,23 @@ Act add_materials_arguments(VerbArguments& verb) {
 }  // namespace
 
 int materials(const MaterialsOptions& options) {
-  const Location command{};
-  Json list = Json::array();
+  const bool is_one = !options.name.empty();
+  const std::vector<RegisteredName> names = is_one ? std::vector<RegisteredName>{} : registered_names();
   std::string page;
-  const std::vector<RegisteredName> names = options.name.empty() ? registered_names() : std::vector<RegisteredName>{};
-  if (options.names) {
-    for (const RegisteredName& registered : names) page += registered.name + "\n";
-    print(page);
-    return 0;
-  }
   std::size_t width = 0;
-  for (const RegisteredName& registered : names) width = std::max(width, registered.name.size());
-  const bool a_line_each = options.name.empty() && options.verbosity != Verbosity::verbose;
+  for (const RegisteredName& registered : names) {
+    width = std::max(width, registered.name.size());
+    if (options.names) page += registered.name + "\n";
+  }
+  if (options.names) return print(page), 0;
+  Json list = Json::array();
+  const bool a_line_each = !is_one && options.verbosity != Verbosity::verbose;
   const auto add = [&](const std::string& name, const MaterialSource& source) {
     list.push_back(material_json(name, source));
     page += a_line_each ? material_line(name, source, width) : (page.empty() ? "" : "\n") + material_text(name, source);
   };
-  if (!options.name.empty()) {
-    const MaterialSource source = find_material(options.name, command, "", Isolation::worker);
+  if (is_one) {
+    const MaterialSource source = find_material(options.name, {}, "", Isolation::worker);
     for (const std::string& warning : source.warnings) warn(warning);
     add(parse_material(options.name).is_path ? source.table->name : options.name, source);
   }
@@ -117,11 +116,10 @@ int materials(const MaterialsOptions& options) {
   }
   if (a_line_each && options.verbosity != Verbosity::quiet)
     page += "\nassay materials NAME shows parameters, units, bounds and state.\n";
-  if (options.json) {
-    print_json((options.name.empty() ? list : list[0]).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-  } else {
+  if (options.json)
+    print_json((is_one ? list[0] : list).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  else
     print(page);
-  }
   return 0;
 }
 

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay new-material`: a small project of a material that builds, passes `check` and runs the vortex.
-#include "drivers/verbs/new_material.hpp"
+#include "drivers/verbs/verbs.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 
 #include "adapters/builtin.hpp"
-#include "drivers/command_line/next_steps.hpp"
 #include "drivers/command_line/project_templates.hpp"
-#include "drivers/command_line/verb_arguments.hpp"
+#include "drivers/command_line/verb.hpp"
 #include "drivers/output/output_folder.hpp"
 #include "drivers/result/build_information.hpp"
 #include "drivers/system/input_error.hpp"
@@ -68,17 +69,15 @@ const Flavour& flavour_of(const NewMaterialOptions& options) {
     if (each.language == options.language && each.interface == options.interface) return each;
     if (languages.empty() || languages.back() != each.language) languages.emplace_back(each.language);
   }
-  if (options.language == "umat") {
+  if (options.language == "umat")
     throw InputError({}, "--language", "umat is an interface: --language fortran --interface umat", joined(languages));
-  }
   if (std::find(languages.begin(), languages.end(), options.language) == languages.end()) {
     throw InputError({}, "--language",
                      unknown("language '" + one_line(options.language, 60) + "'", options.language, languages),
                      joined(languages));
   }
-  if (options.interface == "umat") {
+  if (options.interface == "umat")
     throw InputError({}, "--interface", "umat goes with --language fortran, found " + options.language);
-  }
   throw InputError(
       {}, "--interface",
       unknown("interface '" + one_line(options.interface, 60) + "'", options.interface, {"native", "umat"}),
@@ -119,16 +118,72 @@ void write_project(const fs::path& folder, const std::map<std::string, std::stri
   out.commit();
 }
 
+constexpr const char* program_name = "assay";
+
+/// CMake's prefix of a folder with programs.
+fs::path prefix_of(const fs::path& folder) { return folder.filename() == "bin" ? folder.parent_path() : folder; }
+
+/// Whether CMake finds the package below that prefix.
+bool holds_package(const fs::path& prefix) {
+  std::error_code ignored;
+  const auto is_there = [&](const fs::path& folder) { return fs::exists(folder / "assay-config.cmake", ignored); };
+  if (is_there(prefix / "cmake")) return true;
+  for (const char* folder : {"lib", "lib64", "share"}) {
+    if (is_there(prefix / folder / "cmake" / program_name)) return true;
+  }
+  for (fs::directory_iterator at(prefix / "lib", ignored), end; !ignored && at != end; at.increment(ignored)) {
+    if (is_there(at->path() / "cmake" / program_name)) return true;  // of an architecture
+  }
+  return false;
+}
+
+/// The folder of the first program of that name on PATH; empty where there is none.
+fs::path folder_on_path() {
+  const char* value = std::getenv("PATH");
+  const std::string path = value ? value : "";
+  for (std::size_t begin = 0; begin < path.size();) {
+    const std::size_t colon = std::min(path.find(':', begin), path.size());
+    fs::path folder = path.substr(begin, colon - begin);
+    std::error_code ignored;
+    if (folder.is_absolute() && fs::is_regular_file(folder / program_name, ignored)) return folder;
+    begin = colon + 1;
+  }
+  return {};
+}
+
+/// As a word of the shell.
+std::string shell_word(const std::string& word) {
+  const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.' || c == '/' || c == '+'; };
+  return std::all_of(word.begin(), word.end(), plain) ? word : "'" + replaced(word, "'", "'\\''") + "'";
+}
+
+/// The commands that build and run a new project, as they work from where their reader stands, a line each: into the
+/// folder, configure, build, test, run. CMake finds this program's package by itself where the program is the one on
+/// PATH and its package lies there; else the line says where it is. `run` is the last command, in which "assay" stands
+/// for the program.
+std::string next_steps(const std::string& folder, const std::string& run) {
+  std::error_code error;
+  const fs::path here = fs::read_symlink("/proc/self/exe", error), there = folder_on_path();
+  const bool on_path = !there.empty() && fs::equivalent(there / program_name, here, error);
+  std::string configure = "cmake -B build";
+  if (!on_path || !holds_package(prefix_of(there))) {
+    const fs::path prefix = prefix_of(here.parent_path());
+    configure += holds_package(prefix) ? " -D CMAKE_PREFIX_PATH=" + shell_word(prefix.string())
+                                       : "   # with -D CMAKE_PREFIX_PATH=(where assay is installed)";
+  }
+  const std::string command = on_path ? run : replaced(run, "assay run", shell_word(here.string()) + " run");
+  // A name that begins with a hyphen would be an option.
+  return "  cd " + one_line(shell_word(folder.starts_with('-') ? "./" + folder : folder)) + "\n  " + configure +
+         "\n  cmake --build build\n  ctest --test-dir build  # assay check\n  " + command + "\n";
+}
+
 Act add_new_material_arguments(VerbArguments& verb) {
   const auto given = std::make_shared<NewMaterialOptions>();
   add_value(verb, "NAME", given->name, "", "name of the material")->required();
   add_value(verb, "--language", given->language, "LANGUAGE", "c, c++ or fortran", "c c++ fortran")->required();
   add_value(verb, "--interface", given->interface, "INTERFACE", "native (default), or umat in Fortran", "native umat");
   add_out(verb, given->out, "DIR", "folder for the project, a new one (default: NAME)");
-  return [given](Verbosity verbosity) {
-    given->verbosity = verbosity;
-    return new_material(*given);
-  };
+  return act_of(given, new_material);
 }
 
 }  // namespace

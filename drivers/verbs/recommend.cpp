@@ -2,7 +2,7 @@
 // `assay recommend`: the cheapest measured case of a study that meets an error, or the method that completes most.
 #include <CLI/CLI.hpp>
 
-#include "drivers/command_line/verb_arguments.hpp"
+#include "drivers/command_line/verb.hpp"
 #include "drivers/study/recommendation.hpp"
 #include "drivers/study/survival.hpp"
 #include "drivers/system/terminal.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay register`: a library or a description of one becomes a name in the user's registry.
-#include "drivers/verbs/register.hpp"
+#include "drivers/verbs/verbs.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -12,7 +12,7 @@
 #include "adapters/builtin.hpp"
 #include "adapters/foreign/foreign_state.hpp"
 #include "adapters/probe.hpp"
-#include "drivers/command_line/verb_arguments.hpp"
+#include "drivers/command_line/verb.hpp"
 #include "drivers/format/text_check.hpp"
 #include "drivers/material/abaqus_deck.hpp"
 #include "drivers/material/foreign_description.hpp"
@@ -45,20 +45,18 @@ std::string folder() {
 
 int remove_name(const std::string& name) {
   std::vector<std::string> known;
-  for (const RegisteredName& registered : registered_names()) {
-    if (!registered.file.empty() && fs::path(registered.file).parent_path() == folder())
-      known.push_back(registered.name);
+  for (const auto& [registered, file] : registered_names()) {
+    if (!file.empty() && fs::path(file).parent_path() == folder()) known.push_back(registered);
   }
   if (adapters::builtin_table(name)) throw InputError({}, "--remove", "'" + name + "' is built in");
   const fs::path file = fs::path(folder()) / (name + ".yaml");
   std::error_code code;
-  if (!is_material_name(name) || !fs::exists(fs::symlink_status(file, code))) {
+  const fs::file_status there = fs::symlink_status(file, code);
+  if (!is_material_name(name) || !fs::exists(there))
     throw InputError({}, "--remove", unknown("name '" + name + "'", name, known),
                      known.empty() ? "none" : joined(known));
-  }
-  if (fs::is_directory(fs::symlink_status(file, code))) {
+  if (fs::is_directory(there))
     throw InputError({}, "--remove", "'" + file.string() + "' is a folder and no registered name");
-  }
   fs::remove(file, code);  // which may be gone by now: somebody else has done the same
   if (code) throw SystemError("'" + file.string() + "' cannot be removed: " + code.message());
   return 0;
@@ -85,14 +83,11 @@ std::vector<std::string> names_without_value(const MaterialSource& source) {
 
 /// "3 state variables of 8 numbers", as its author counts them: those of the bridge are none.
 std::string own_state_words(const MaterialSource& source, const adapters::ForeignModel& model) {
-  const std::size_t first = adapters::bridge_variables(model);
+  const auto own = state_of(*source.table).subspan(adapters::bridge_variables(model));
   std::size_t size = 0;
-  for (std::size_t k = first; k < source.table->state_count; ++k) {
-    size += static_cast<std::size_t>(components_of_kind(source.table->state[k].kind));
-  }
-  const std::size_t count = source.table->state_count - first;
-  const std::string words = std::to_string(count) + " state variables";
-  return size == count ? words : words + " of " + std::to_string(size) + " numbers";
+  for (const assay_state_variable& v : own) size += static_cast<std::size_t>(components_of_kind(v.kind));
+  const std::string words = std::to_string(own.size()) + " state variables";
+  return size == own.size() ? words : words + " of " + std::to_string(size) + " numbers";
 }
 
 /// What was found of a foreign model, and what is missing.
@@ -122,19 +117,17 @@ std::string chosen_name(const RegisterOptions& options, const MaterialSource& so
   const bool has_file = !source.description.empty() && !is_stream(options.file);
   if (name.empty()) name = !has_file ? source.table->name : fs::path(options.file).stem().string();
   const std::string key = options.name.empty() ? options.file : "--as";
-  if (!is_material_name(name)) {
+  if (!is_material_name(name))
     throw InputError({}, key,
                      "'" + name + "' is no name: letters, digits, '_', '-' and '.', not ending as a path does");
-  }
-  if (adapters::builtin_table(name)) {
+  if (adapters::builtin_table(name))
     throw InputError({}, key, "'" + name + "' is the name of a built-in material; choose another with --as");
-  }
   return name;
 }
 
 /// The registry is YAML, which holds text and no other bytes.
 void refuse_what_is_no_text(const std::string& path) {
-  const bool control = std::any_of(path.begin(), path.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+  const bool control = std::ranges::any_of(path, [](unsigned char c) { return c < 0x20 || c == 0x7f; });
   if (control) throw InputError({}, "FILE", "its path has control characters, which the registry cannot store");
   try {
     check_text(path, "FILE", path.size());
@@ -184,9 +177,8 @@ std::optional<std::string> tried(const MaterialSource& source, const Location& w
   try {
     std::optional<std::string> defect = adapters::probe_defect(source.table, source.parameters);
     if (source.foreign && !names_without_value(source).empty()) defect.reset();
-    if (defect && !defect->starts_with(adapters::refuses_rest)) {
+    if (defect && !defect->starts_with(adapters::refuses_rest))
       throw InputError(where, "", "material '" + std::string(source.table->name) + "' is refused: " + *defect);
-    }
     return defect;
   } catch (const std::system_error& error) {
     throw SystemError(std::string("the material cannot be probed: ") + error.what());
@@ -231,11 +223,12 @@ int register_material(const RegisterOptions& options) {
   const std::string name = chosen_name(options, candidate.source);
   const std::optional<std::string> defect = tried(candidate.source, {options.file, 0, 0});
   watch_interrupts();
+  const fs::path file = fs::path(folder()) / (name + ".yaml");
   std::error_code code;
   fs::create_directories(folder(), code);
   if (code) throw SystemError("'" + folder() + "' cannot be made: " + code.message());
-  const bool replaces = fs::exists(fs::path(folder()) / (name + ".yaml"), code);
-  write_file(fs::path(folder()) / (name + ".yaml"), candidate.text);
+  const bool replaces = fs::exists(file, code);
+  write_file(file, candidate.text);
   for (const std::string& warning : candidate.warnings) warn(warning);
   if (options.verbosity != Verbosity::quiet) print(told(name, candidate, replaces, defect));
   return 0;

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay run`: from a scene to a verdict.
-#include "drivers/verbs/run.hpp"
+#include "drivers/verbs/verbs.hpp"
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 
-#include "drivers/command_line/verb_arguments.hpp"
+#include "drivers/command_line/verb.hpp"
 #include "drivers/findings/findings.hpp"
-#include "drivers/findings/run_junit.hpp"
-#include "drivers/findings/verdict.hpp"
 #include "drivers/output/errors_csv.hpp"
 #include "drivers/output/junit.hpp"
+#include "drivers/output/pages.hpp"
 #include "drivers/output/report.hpp"
-#include "drivers/result/build_information.hpp"
 #include "drivers/result/result_json.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/resolved.hpp"
@@ -26,8 +23,8 @@
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/terminal.hpp"
-#include "drivers/system/whole_file.hpp"
 #include "harness/motion/kinds/vortex.hpp"
+#include "harness/sheet/force_error.hpp"
 
 namespace assay::drivers {
 
@@ -44,7 +41,9 @@ void record_rim(const Problem& problem, const Response& response, Result& result
 
 void record_response(const Problem& problem, const Response& response, double seconds, Result& result) {
   record_sheet(problem.scene, response, seconds, result);
-  record_force_error(problem.scene, response, result);
+  if (ring_of(problem.scene.motion) && response.sheet())
+    result.sheet->error_b =
+        force_error(problem.scene.motion, problem.scene.material.density, *response.sheet(), problem.scene.time.end);
   record_rim(problem, response, result);
 }
 
@@ -54,28 +53,24 @@ std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& opt
   const Stopwatch of_response;
   std::shared_ptr<const ExactSolution> exact;
   const std::string long_motion = long_motion_sentence(problem);
-  if (!long_motion.empty() && options.verbosity != Verbosity::quiet) warn(long_motion);
+  if (!long_motion.empty() && !options.quiet()) warn(long_motion);
   if (problem.compared) {
     exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end,
-                              {.threads = problem.setup.threads, .quiet = options.verbosity == Verbosity::quiet});
+                              {.threads = problem.setup.threads, .quiet = options.quiet()});
     if (exact->response()) record_response(problem, **exact->response(), of_response.seconds(), result);
   }
   const double response_s = of_response.seconds();
   Snapshots snapshots(problem, folder);
-  Progress progress(problem.scene.title, options.verbosity == Verbosity::quiet);
+  Progress progress(problem.scene.title, options.quiet());
   result.setup_s = life.seconds();
   simulate(problem, exact, snapshots, progress, result);
   if (result.outcome != "completed") result.last_good = snapshots.leave_last_good(exact);
   if (result.outcome == "unstable") result.advice = advice_after_death(problem, result.reason);
   if (result.outcome == "completed")
     result.advice = advice_after_large_error(problem, result.error.relative.value_or(0));
-  if (exact && exact->response()) record_shadow(problem.scene, **exact->response(), result);
-  if (exact && exact->box()) record_box(problem.scene, **exact->box(), response_s, result);
-  if (exact && exact->homogeneous()) record_history(problem.scene, **exact->homogeneous(), result);
+  if (exact) record_along(problem.scene, *exact, response_s, result);
   result.peak_rss_bytes = peak_memory();  // before pictures are drawn
-  if (problem.scene.output.tractions) {
-    result.tractions = traction_table(problem, result, folder, options.verbosity == Verbosity::quiet);
-  }
+  if (problem.scene.output.tractions) result.tractions = traction_table(problem, result, folder, options.quiet());
   std::vector<ReportPicture> pictures;
   for (auto& picture : snapshots.finish()) pictures.push_back({picture.caption, std::move(picture.png)});
   return pictures;
@@ -97,9 +92,8 @@ bool admitted(const Problem& problem, bool quiet, Result& result) {
 /// The files beside the snapshots that need no verdict.
 void write_history(const Scene& scene, const Result& result, OutputFolder& folder) {
   folder.write("errors.csv", errors_csv(result.history));
-  if (scene.output.pictures && !result.history.empty()) {
+  if (scene.output.pictures && !result.history.empty())
     folder.write("error_history.png", png(error_history_plot(result.history)));
-  }
 }
 
 /// Report and verdict. Returns the text of result.json.
@@ -107,9 +101,8 @@ std::string write_verdict(const Scene& scene, const Result& result, std::vector<
                           OutputFolder& folder) {
   const std::string resolved = resolved_yaml(scene);
   folder.write("resolved.yaml", resolved);
-  if (scene.output.report) {
+  if (scene.output.report)
     folder.write("report.html", report_html(result, {period_of(scene.motion), std::move(pictures), resolved}));
-  }
   std::string json = result_json(result);
   folder.write("result.json", json);
   return json;
@@ -118,9 +111,6 @@ std::string write_verdict(const Scene& scene, const Result& result, std::vector<
 /// Poses the scene's problem, and completes the scene by it. Returns whether it is to be run: not where the material
 /// fails on the way, or the motion is not admitted.
 bool pose(const RunOptions& options, Scene& scene, std::optional<Problem>& problem, Result& result) {
-  result.title = scene.title;
-  result.provenance = build_information();
-  result.provenance.scene_sha256 = scene.sha256;
   try {
     problem = assemble(scene, options.threads);
     scene = problem->scene;
@@ -128,34 +118,19 @@ bool pose(const RunOptions& options, Scene& scene, std::optional<Problem>& probl
     result.uses_exact_solution = problem->setup.uses_exact_solution();
     for (const std::string& sentence : warnings_of(*problem)) result.warnings.push_back(sentence);
     result.provenance.material = material_provenance(*problem->material, problem->library);
-    return admitted(*problem, options.verbosity == Verbosity::quiet, result);
+    return admitted(*problem, options.quiet(), result);
   } catch (const MaterialFailure& failure) {
     record_failure(failure, result);
     return false;
   }
 }
 
-/// What was found first, on standard output; then the file for CI, whatever becomes of it.
-void tell_findings(const RunOptions& options, const Result& result, const std::string& json, double seconds) {
-  const std::string junit = options.junit.empty() ? "" : run_junit(result, options, seconds);
-  std::string said;
-  if (options.verbosity != Verbosity::quiet) {
-    said = verdict_text(result, options.out, options.verbosity == Verbosity::verbose);
-  } else if (exit_status(result) != 0) {
-    said = contradiction_text(result);
-  }
-  if (options.json) said = json;
-  if (options.junit == "-") said = junit;
-  options.json&& options.junit != "-" ? print_json(said) : print(said);
-  if (!options.junit.empty() && options.junit != "-") write_file(options.junit, junit);
-}
-
 Act add_run_arguments(VerbArguments& verb) {
   const auto given = std::make_shared<RunOptions>();
   const auto threads = std::make_shared<std::string>();
-  add_scene(verb, given->scene, given->sets);
+  add_scene(verb, *given);
   add_value(verb, "--threads", *threads, "N", "number of threads (default: 1)", "1 2 4 8 16");
-  add_results(verb, given->out, given->json);
+  add_results(verb, *given);
   add_junit(verb, given->junit, given->junit_name, "outcome and expectations as JUnit XML, for CI");
   return [given, threads](Verbosity verbosity) {
     require_junit_of_name("run", given->junit, given->junit_name);
@@ -175,7 +150,7 @@ int run(const RunOptions& options) {
   refuse_junit_in_the_way(options);
   require_junit_folder(options.junit, options.out);
   watch_interrupts();
-  Result result;
+  Result result = result_for(scene);
   std::optional<Problem> problem;
   const bool runs = pose(options, scene, problem, result);
   refuse_input_as_output(options.junit, "--junit");
@@ -196,7 +171,9 @@ int run(const RunOptions& options) {
   const std::string json = write_verdict(scene, result, std::move(pictures), folder);
   stop_if_interrupted();
   folder.commit();
-  tell_findings(options, result, json, life.seconds());
+  const std::string junit = options.junit.empty() ? "" : run_junit(result, options, life.seconds());
+  const std::string text = verdict_text(result, options.out, options.verbosity == Verbosity::verbose);
+  tell(said_of(result, options, text), {{options.json ? "-" : "", json, true}, {options.junit, junit}});
   return exit_status(result);
 }
 

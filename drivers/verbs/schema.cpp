@@ -2,7 +2,7 @@
 // `assay schema`: what an editor completes and checks scenes and studies by.
 #include <CLI/CLI.hpp>
 
-#include "drivers/command_line/verb_arguments.hpp"
+#include "drivers/command_line/verb.hpp"
 #include "drivers/scene/schema.hpp"
 #include "drivers/study/study_schema.hpp"
 #include "drivers/system/terminal.hpp"

@@ -6,7 +6,7 @@
 #include <set>
 #include <thread>
 
-#include "drivers/command_line/verb_arguments.hpp"
+#include "drivers/command_line/verb.hpp"
 #include "drivers/output/output_folder.hpp"
 #include "drivers/study/analysis.hpp"
 #include "drivers/study/case_list.hpp"
@@ -37,8 +37,19 @@ struct StudyOptions {
   bool list = false;                   ///< the cases, and nothing else
   bool json = false;                   ///< study.json on standard output
   Verbosity verbosity = Verbosity::normal;
-  std::string program = {};  ///< that runs a case; empty: this one
+
+  bool quiet() const { return verbosity == Verbosity::quiet; }
 };
+
+/// On standard error, where remarks are wanted.
+void remark(const StudyOptions& options, const std::string& line) {
+  if (!options.quiet()) std::fprintf(stderr, "%s\n", line.c_str());
+}
+
+/// "1 case is", "3 cases are".
+std::string counted(std::size_t count, const std::string& what, const std::string& one, const std::string& more) {
+  return std::to_string(count) + " " + what + (count == 1 ? one : more);
+}
 
 StudyFindings findings_of(const Plan& plan, const CaseStore& store) {
   std::vector<StudyCase> cases;
@@ -50,10 +61,7 @@ StudyFindings findings_of(const Plan& plan, const CaseStore& store) {
 class Teller {
  public:
   Teller(const Plan& plan, const CaseStore& store, const StudyOptions& options)
-      : plan_(plan),
-        store_(store),
-        speaks_(options.verbosity != Verbosity::quiet && !options.json),
-        progress_("study", options.verbosity == Verbosity::quiet) {}
+      : plan_(plan), store_(store), speaks_(!options.quiet() && !options.json), progress_("study", options.quiet()) {}
 
   void operator()(const RunnerReport& report) {
     if (report.finished && speaks_) {
@@ -82,33 +90,30 @@ class Teller {
   Progress progress_;
 };
 
-/// What is said before cases are run, on standard error.
+/// What is said before cases are run.
 void warn_of_earlier(const Plan& plan, const CaseStore& store, const StudyOptions& options) {
-  if (options.resume || options.verbosity == Verbosity::quiet) return;
+  if (options.resume || options.quiet()) return;
   std::size_t finished = 0;
   std::set<std::string> keys;  // a case that is planned twice is run once, by the shard that it is in first
   for (const PlannedCase& one : plan.cases) {
     const bool first = keys.insert(one.key).second;
     finished += first && options.shard.holds(one.number) && store.state_of(one.key) == CaseState::finished ? 1 : 0;
   }
-  if (finished > 0) {
-    std::fprintf(stderr, "warning: %zu finished %s run again; --resume keeps %s\n", finished,
-                 finished == 1 ? "case is" : "cases are", finished == 1 ? "it" : "them");
-  }
+  if (finished > 0)
+    remark(options, "warning: " + counted(finished, "finished ", "case is", "cases are") +
+                        " run again; --resume keeps " + (finished == 1 ? "it" : "them"));
 }
 
 void say_what_was_kept(const RunnerSummary& summary, const StudyOptions& options) {
-  if (options.verbosity == Verbosity::quiet) return;
-  if (summary.kept > 0) std::fprintf(stderr, "%zu finished cases were kept\n", summary.kept);
+  if (summary.kept > 0) remark(options, std::to_string(summary.kept) + " finished cases were kept");
   if (summary.torn > 0)
-    std::fprintf(stderr, "warning: %zu torn %s run again\n", summary.torn,
-                 summary.torn == 1 ? "case was" : "cases were");
+    remark(options, "warning: " + counted(summary.torn, "torn ", "case was", "cases were") + " run again");
 }
 
 Plan planned(const StudyOptions& options) {
   Study study = read_study(options.study);
   watch_interrupts();
-  Progress progress("reading the scenes", options.verbosity == Verbosity::quiet);
+  Progress progress("reading the scenes", options.quiet());
   return plan_of(std::move(study), [&](double fraction) {
     stop_if_interrupted();
     progress.update(fraction);
@@ -121,15 +126,13 @@ void warn_of_strangers(const Plan& plan, const std::vector<CaseStore>& stores, c
   for (const PlannedCase& one : plan.cases) keys.insert(one.key);
   std::size_t strangers = 0;
   for (const CaseStore& store : stores) strangers += store.finished_besides(keys);
-  if (strangers == 0 || options.verbosity == Verbosity::quiet) return;  // without reading what has finished
+  if (strangers == 0 || options.quiet()) return;  // without reading what has finished
   const auto is_missing = [&](const PlannedCase& one) {
     return one.invalid.empty() && stores.front().state_of(one.key) == CaseState::missing;
   };
-  if (std::none_of(plan.cases.begin(), plan.cases.end(), is_missing)) return;
-  std::fprintf(stderr,
-               "warning: cases are missing, and %zu finished %s to another key: another program, library, scene or "
-               "number of threads\n",
-               strangers, strangers == 1 ? "one belongs" : "ones belong");
+  if (std::ranges::any_of(plan.cases, is_missing))
+    remark(options, "warning: cases are missing, and " + counted(strangers, "finished ", "one belongs", "ones belong") +
+                        " to another key: another program, library, scene or number of threads");
 }
 
 /// What other folders have of the cases that are not finished here.
@@ -143,23 +146,22 @@ void gather(const Plan& plan, const CaseStore& store, const StudyOptions& option
   }
   std::size_t torn = 0;
   for (const PlannedCase& one : plan.cases) {
-    const auto state = [&](const CaseStore& where) { return where.state_of(one.key); };
-    const auto take = [&](CaseState wanted) {
-      return std::any_of(others.begin(), others.end(),
-                         [&](const CaseStore& from) { return store.take(one, from, wanted); });
+    const auto has = [&](CaseState state) {
+      return [&one, state](const CaseStore& where) { return where.state_of(one.key) == state; };
+    };
+    const auto is_here = [&](CaseState wanted) {
+      return has(wanted)(store) ||
+             std::ranges::any_of(others, [&](const CaseStore& from) { return store.take(one, from, wanted); });
     };
     stop_if_interrupted();
-    if (!one.invalid.empty() || state(store) == CaseState::finished || take(CaseState::finished)) continue;
-    if (state(store) == CaseState::crashed || take(CaseState::crashed)) continue;
-    if (state(store) == CaseState::stopped || take(CaseState::stopped)) continue;
-    const bool is_torn = state(store) == CaseState::torn ||
-                         std::any_of(others.begin(), others.end(),
-                                     [&](const CaseStore& from) { return state(from) == CaseState::torn; });
-    torn += is_torn ? 1 : 0;
+    if (!one.invalid.empty() || is_here(CaseState::finished) || is_here(CaseState::crashed) ||
+        is_here(CaseState::stopped))
+      continue;
+    if (has(CaseState::torn)(store) || std::ranges::any_of(others, has(CaseState::torn))) ++torn;
   }
-  if (torn > 0 && options.verbosity != Verbosity::quiet)
-    std::fprintf(stderr, "warning: %zu torn %s not trusted; run the study again with --resume\n", torn,
-                 torn == 1 ? "case is" : "cases are");
+  if (torn > 0)
+    remark(options, "warning: " + counted(torn, "torn ", "case is", "cases are") +
+                        " not trusted; run the study again with --resume");
   others.insert(others.begin(), store);
   warn_of_strangers(plan, others, options);
 }
@@ -170,7 +172,7 @@ int conclude(const Plan& plan, const CaseStore& store, const StudyOptions& optio
   write_study(findings, store, options.out);
   if (options.json) {
     print_json(study_json(findings));
-  } else if (options.verbosity != Verbosity::quiet) {
+  } else if (!options.quiet()) {
     print(study_text(findings, options.out));
   } else if (!findings.holds()) {
     print(contradiction_text(findings));
@@ -191,22 +193,19 @@ int study(const StudyOptions& options) {
     return conclude(plan, store, options);
   }
   const StudySession session(options.out, plan.study.sha256, options.resume, options.shard.count > 1);
-  if (session.begun_by().empty()) {
+  if (session.begun_by().empty())
     warn_of_earlier(plan, store, options);
-  } else if (options.verbosity != Verbosity::quiet) {
-    std::fprintf(stderr, "another study runs in this folder (%s began): they share its cases\n",
-                 session.begun_by().c_str());
-  }
+  else
+    remark(options, "another study runs in this folder (" + session.begun_by() + " began): they share its cases");
   if (session.resumes()) warn_of_strangers(plan, {store}, options);
   Teller teller(plan, store, options);
   RunnerOptions how;
-  if (!options.program.empty()) how.program = options.program;
   how.jobs = options.jobs, how.resume = session.resumes(), how.shard = options.shard;
   how.session = &session;
   const RunnerSummary summary = run_cases(plan, store, how, [&](const RunnerReport& report) { teller(report); });
   say_what_was_kept(summary, options);
   if (options.shard.count == 1) return conclude(plan, store, options);
-  if (options.verbosity != Verbosity::quiet) {
+  if (!options.quiet()) {
     print("shard " + std::to_string(options.shard.index) + "/" + std::to_string(options.shard.count) + ": " +
           std::to_string(summary.run + summary.kept) + " cases; when all shards are done: assay study " +
           one_line(options.study) + " -o " + one_line(options.out) + " --merge\n");

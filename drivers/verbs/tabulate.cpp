@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay tabulate`: the point driver's sheet tau(xi, t), its slope, and the curve tau(eps).
-#include "drivers/verbs/tabulate.hpp"
+#include "drivers/verbs/verbs.hpp"
 
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
-#include <cstdio>
 
-#include "drivers/command_line/verb_arguments.hpp"
+#include "drivers/command_line/verb.hpp"
 #include "drivers/findings/findings.hpp"
-#include "drivers/findings/verdict.hpp"
 #include "drivers/output/output_folder.hpp"
-#include "drivers/result/build_information.hpp"
+#include "drivers/output/pages.hpp"
 #include "drivers/result/result_json.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/resolved.hpp"
@@ -23,9 +21,6 @@
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/interrupt.hpp"
-#include "drivers/system/terminal.hpp"
-#include "drivers/tabulation/references.hpp"
-#include "drivers/tabulation/sheet_pictures.hpp"
 #include "drivers/tabulation/tabulation.hpp"
 #include "drivers/text/number_format.hpp"
 #include "drivers/text/wrapped_text.hpp"
@@ -70,15 +65,14 @@ void write_tables(const Tabulation& tab, const std::vector<SheetPoint>& points, 
   folder.write("slope.png", png(plot_of(curve, curve.slope, slope, slope + of + who)));
   folder.write("sheet.png", png(sheet_picture(tab)));
   if (!tab.material->path_independent()) folder.write("histories.png", png(histories_plot(tab)));
-  if (points.empty()) return;
-  folder.write("points.csv", sheet_at(tab, points));
+  if (!points.empty()) folder.write("points.csv", sheet_at(tab, points));
 }
 
 Act add_tabulate_arguments(VerbArguments& verb) {
   const auto given = std::make_shared<TabulateOptions>();
-  add_scene(verb, given->scene, given->sets);
+  add_scene(verb, *given);
   add_value(verb, "--points", given->points, "CSV", "also the response at the xi,t of this file");
-  add_results(verb, given->out, given->json);
+  add_results(verb, *given);
   return [given](Verbosity verbosity) {
     given->out = results_folder(given->out, given->scene);
     given->verbosity = verbosity;
@@ -107,18 +101,14 @@ int tabulate(const TabulateOptions& options) {
   cover(points, options.points, tab);
   OutputFolder folder(options.out);
   folder.keep_inputs();
-  Result result;
-  result.title = scene.title;
-  result.provenance = build_information();
-  result.provenance.scene_sha256 = scene.sha256;
+  Result result = result_for(scene);
   result.provenance.material = material_provenance(*tab.material, library);
   if (std::string swing = swing_sentence(scene); !swing.empty()) result.warnings.push_back(std::move(swing));
-  warn_of_instability(scene, *tab.material, tab.end, options.verbosity == Verbosity::quiet);
+  warn_of_instability(scene, *tab.material, tab.end, options.quiet());
   result.setup_s = life.seconds();
   try {
     if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
-    tab.response =
-        response_of(scene, tab.material, tab.path, tab.end, {.quiet = options.verbosity == Verbosity::quiet});
+    tab.response = response_of(scene, tab.material, tab.path, tab.end, {.quiet = options.quiet()});
     record_sheet(scene, *tab.response, life.seconds() - result.setup_s, result);
     result.t = tab.end;
     result.reference = references_of(tab.material, tab.path, *tab.response, tab.end);
@@ -137,12 +127,7 @@ int tabulate(const TabulateOptions& options) {
   const std::string json = result_json(result);
   folder.write("result.json", json);
   folder.commit();
-  if (options.json)
-    print_json(json);
-  else if (options.verbosity != Verbosity::quiet)
-    print(summary(tab, result, options.out));
-  else if (exit_status(result) != 0)
-    print(contradiction_text(result));
+  tell(said_of(result, options, summary(tab, result, options.out)), {{options.json ? "-" : "", json, true}});
   return exit_status(result);
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/verbs/run.hpp"
+#include "drivers/verbs/verbs.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
 namespace assay::drivers {

@@ -7,7 +7,7 @@
 
 #include "drivers/format/csv.hpp"
 #include "drivers/text/numbers.hpp"
-#include "drivers/verbs/eval.hpp"
+#include "drivers/verbs/verbs.hpp"
 #include "harness/numeric/central_difference.hpp"
 #include "harness/numeric/tensor.hpp"
 #include "tests/drivers/scratch_folder.hpp"

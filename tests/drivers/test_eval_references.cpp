@@ -12,7 +12,7 @@
 #include "drivers/format/csv.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/text/numbers.hpp"
-#include "drivers/verbs/eval.hpp"
+#include "drivers/verbs/verbs.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
 namespace assay::drivers::test_eval_references {

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <functional>
 
-#include "drivers/verbs/tabulate.hpp"
+#include "drivers/verbs/verbs.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/quiet_run.hpp"
 

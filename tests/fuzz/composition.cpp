@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "adapters/builtin.hpp"
-#include "drivers/explain/explanation.hpp"
+#include "drivers/explain/composition.hpp"
 #include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/problem.hpp"
@@ -93,8 +93,8 @@ void compose_scene(drivers::Scene scene) {
   }
   drivers::ScreenFigures screen;
   screen.verdict = "neutral", screen.smallest = 0;
-  check_text(drivers::explanation(problem, nullptr, screen, false));
-  check_text(drivers::explanation(problem, nullptr, screen, true));
+  check_text(drivers::explanation(problem, nullptr, screen));
+  check_text(drivers::explanation_json(problem, nullptr, screen));
   require(!problem.subject().empty(), "a run says what it is of");
   static_cast<void>(drivers::warnings_of(problem));
 }

@@ -22,7 +22,7 @@ std::set<std::string> words() {
 TEST(Motions, TheirWordsStandInTheirFilesAlone) {
   const std::set<std::string> may_name{
       "drivers/scene/motion_keys.cpp \"homogeneous\"",  // motion.path, whose file is read with the scene
-      "drivers/check/check_vortex.hpp \"vortex\"",      // a test of check
+      "drivers/check/check_material.hpp \"vortex\"",    // a test of check
       "drivers/verbs/new_material.cpp \"vortex\"",      // a file
       "harness/motion/path.hpp \"rotating_stretch\"",   // names of paths
   };

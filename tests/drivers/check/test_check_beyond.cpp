@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/check/check_beyond.hpp"
+#include "drivers/check/check_foreign.hpp"
 
 #include <gtest/gtest.h>
 
@@ -107,7 +107,7 @@ TEST(BeyondWords, JoinWhatFollowsEachOther) {
 }
 
 TEST(BeyondWords, OfOtherArraysAreAnOverrun) {
-  const BeyondFinding strain = judged_beyond({{{"STRAN", 4, 5}, {"STRAN", 4, 6}}, {}});
+  const ForeignFinding strain = judged_beyond({{{"STRAN", 4, 5}, {"STRAN", 4, 6}}, {}});
   EXPECT_EQ(strain.test.cause, check::causes::overrun);
   EXPECT_EQ(strain.test.sentence, "reads STRAN(5:6) of STRAN, which has 4 components");
   EXPECT_EQ(judged_beyond({{{"STATEV", 7, 0}}, {}}).test.cause, check::causes::overrun) << "before its first";
@@ -115,7 +115,7 @@ TEST(BeyondWords, OfOtherArraysAreAnOverrun) {
 }
 
 TEST(BeyondWords, OfWhatIsOnlyWrittenAreAnOverrunToo) {
-  const BeyondFinding state = judged_beyond({{}, {{"STATEV", 1, 2}, {"STATEV", 1, 3}}});
+  const ForeignFinding state = judged_beyond({{}, {{"STATEV", 1, 2}, {"STATEV", 1, 3}}});
   EXPECT_EQ(state.test.cause, check::causes::overrun);
   EXPECT_EQ(state.test.sentence, "writes STATEV(2:3), 1 is declared: `state` must declare 3 numbers");
   EXPECT_EQ(judged_beyond({{}, {}, {2, 3, 4}}).test.cause, check::causes::overrun);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the author of a source has not declared, and `check` finds by trying.
-#include "drivers/check/check_undeclared.hpp"
+#include "drivers/check/check_foreign.hpp"
 
 #include <gtest/gtest.h>
 

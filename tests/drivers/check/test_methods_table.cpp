@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of methods and tests says of every method what was found, and of none anything else.
-#include "drivers/check/methods_table.hpp"
+#include "drivers/check/methods_report.hpp"
 
 #include <gtest/gtest.h>
 

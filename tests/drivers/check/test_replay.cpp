@@ -34,7 +34,7 @@ RunOptions quick_run(const std::string& out, const std::vector<std::string>& mor
 /// Taken again the step fails with the same words; of a smaller one it does not.
 void expect_the_same_failure(const std::string& folder, const std::string& words) {
   const Replay replay = read_replay(folder + "/replay.yaml");
-  const Material material = material_of(replay);
+  const Material material = std::move(resolved_of(replay).material);
   const UpdateReport report = take_again(material, *replay.step);
   EXPECT_EQ(report.worst, ASSAY_FAILED);
   EXPECT_EQ(report.message, words);
@@ -89,7 +89,7 @@ TEST(Replay, OfAHistoryThatFailsMidwayNamesThePlaceAndCachesNothing) {
     EXPECT_GT(replay.step->t + replay.step->dt, 0);
     EXPECT_LT(replay.step->t + replay.step->dt, 0.5);  // on the way up
     EXPECT_GT(std::abs(replay.step->F1(1, 0)), 4e-4 * std::stod(modulus));
-    EXPECT_EQ(take_again(material_of(replay), *replay.step).worst, ASSAY_FAILED);
+    EXPECT_EQ(take_again(resolved_of(replay).material, *replay.step).worst, ASSAY_FAILED);
     EXPECT_FALSE(kept()) << modulus;
   }
   EXPECT_EQ(run(quick_run(out, material("1000", "0.02"))), 0);

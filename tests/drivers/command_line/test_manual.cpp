@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/command_line/manual.hpp"
+#include "drivers/command_line/verb.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a scene does not call for is not there, effect by effect: counted in the composition and in what a simulation
 // has allocated; and it is there in the same scene with the effect.
-#include "drivers/explain/effects.hpp"
+#include "drivers/explain/composition.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,6 @@
 #include <set>
 
 #include "bench/effect_scenes.hpp"
-#include "drivers/explain/composition.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "mpm/mass/mass_matrix.hpp"
@@ -41,6 +40,15 @@ bool holds(const List& list, const Value& value) {
 
 Problem problem_of(const std::string& file, const std::vector<std::string>& sets) {
   return assemble(read_scene(file, sets), 1);
+}
+
+/// Names of those that the problem calls for.
+Names effects_of(const Problem& problem) {
+  Names found;
+  for (const EffectEntry& entry : effects()) {
+    if (entry.called_for(problem)) found.push_back(entry.name);
+  }
+  return found;
 }
 
 std::string config(const std::string& name) { return ASSAY_SOURCE_DIR "/configs/" + name + ".yaml"; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/tabulation/references.hpp"
+#include "drivers/tabulation/tabulation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/verbs/materials.hpp"
+#include "drivers/verbs/verbs.hpp"
 
 #include <nlohmann/json.hpp>
 #include <sstream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/verbs/new_material.hpp"
+#include "drivers/verbs/verbs.hpp"
 
 #include <cstdlib>
 #include <fstream>

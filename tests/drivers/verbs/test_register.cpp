@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/verbs/register.hpp"
+#include "drivers/verbs/verbs.hpp"
 
 #include <sys/stat.h>
 

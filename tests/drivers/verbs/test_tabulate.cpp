@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/verbs/tabulate.hpp"
+#include "drivers/verbs/verbs.hpp"
 
 #include <gtest/gtest.h>
 
