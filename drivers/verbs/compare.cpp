@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "drivers/command_line/verb_arguments.hpp"
-#include "drivers/study/comparison_text.hpp"
+#include "drivers/study/pages/answers.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/terminal.hpp"

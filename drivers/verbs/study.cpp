@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay study`: what accuracy costs, over the cases of a study.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <set>
 #include <thread>
 
 #include "drivers/command_line/verb_arguments.hpp"
 #include "drivers/output/output_folder.hpp"
-#include "drivers/study/analysis.hpp"
-#include "drivers/study/case_list.hpp"
-#include "drivers/study/runner.hpp"
-#include "drivers/study/study_files.hpp"
-#include "drivers/study/study_json.hpp"
-#include "drivers/study/study_reader.hpp"
-#include "drivers/study/study_session.hpp"
-#include "drivers/study/study_text.hpp"
+#include "drivers/study/analysis/analysis.hpp"
+#include "drivers/study/analysis/study_json.hpp"
+#include "drivers/study/pages/study_pages.hpp"
+#include "drivers/study/plan/study_reader.hpp"
+#include "drivers/study/run/case_store.hpp"
+#include "drivers/study/run/runner.hpp"
+#include "drivers/study/run/study_session.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/progress.hpp"
@@ -29,6 +31,7 @@ namespace {
 struct StudyOptions {
   std::string study;
   std::string out;                     ///< folder of the results
+  std::string jobs_text, shard_text;   ///< as they stand on the command line
   int jobs = 1;                        ///< threads of cases that run side by side
   Shard shard = {};                    ///< the cases of this call
   bool resume = false;                 ///< finished cases stay
@@ -37,7 +40,13 @@ struct StudyOptions {
   bool list = false;                   ///< the cases, and nothing else
   bool json = false;                   ///< study.json on standard output
   Verbosity verbosity = Verbosity::normal;
-  std::string program = {};  ///< that runs a case; empty: this one
+
+  bool is_quiet() const { return verbosity == Verbosity::quiet; }
+  /// On standard error.
+  template <class... Values>
+  void say(fmt::format_string<Values...> text, Values&&... values) const {
+    if (!is_quiet()) std::fputs(fmt::format(text, std::forward<Values>(values)...).c_str(), stderr);
+  }
 };
 
 StudyFindings findings_of(const Plan& plan, const CaseStore& store) {
@@ -52,8 +61,8 @@ class Teller {
   Teller(const Plan& plan, const CaseStore& store, const StudyOptions& options)
       : plan_(plan),
         store_(store),
-        speaks_(options.verbosity != Verbosity::quiet && !options.json),
-        progress_("study", options.verbosity == Verbosity::quiet) {}
+        speaks_(!options.is_quiet() && !options.json),
+        progress_("study", options.is_quiet()) {}
 
   void operator()(const RunnerReport& report) {
     if (report.finished && speaks_) {
@@ -84,7 +93,7 @@ class Teller {
 
 /// What is said before cases are run, on standard error.
 void warn_of_earlier(const Plan& plan, const CaseStore& store, const StudyOptions& options) {
-  if (options.resume || options.verbosity == Verbosity::quiet) return;
+  if (options.resume || options.is_quiet()) return;
   std::size_t finished = 0;
   std::set<std::string> keys;  // a case that is planned twice is run once, by the shard that it is in first
   for (const PlannedCase& one : plan.cases) {
@@ -92,23 +101,15 @@ void warn_of_earlier(const Plan& plan, const CaseStore& store, const StudyOption
     finished += first && options.shard.holds(one.number) && store.state_of(one.key) == CaseState::finished ? 1 : 0;
   }
   if (finished > 0) {
-    std::fprintf(stderr, "warning: %zu finished %s run again; --resume keeps %s\n", finished,
-                 finished == 1 ? "case is" : "cases are", finished == 1 ? "it" : "them");
+    options.say("warning: {} finished {} run again; --resume keeps {}\n", finished,
+                finished == 1 ? "case is" : "cases are", finished == 1 ? "it" : "them");
   }
-}
-
-void say_what_was_kept(const RunnerSummary& summary, const StudyOptions& options) {
-  if (options.verbosity == Verbosity::quiet) return;
-  if (summary.kept > 0) std::fprintf(stderr, "%zu finished cases were kept\n", summary.kept);
-  if (summary.torn > 0)
-    std::fprintf(stderr, "warning: %zu torn %s run again\n", summary.torn,
-                 summary.torn == 1 ? "case was" : "cases were");
 }
 
 Plan planned(const StudyOptions& options) {
   Study study = read_study(options.study);
   watch_interrupts();
-  Progress progress("reading the scenes", options.verbosity == Verbosity::quiet);
+  Progress progress("reading the scenes", options.is_quiet());
   return plan_of(std::move(study), [&](double fraction) {
     stop_if_interrupted();
     progress.update(fraction);
@@ -121,47 +122,43 @@ void warn_of_strangers(const Plan& plan, const std::vector<CaseStore>& stores, c
   for (const PlannedCase& one : plan.cases) keys.insert(one.key);
   std::size_t strangers = 0;
   for (const CaseStore& store : stores) strangers += store.finished_besides(keys);
-  if (strangers == 0 || options.verbosity == Verbosity::quiet) return;  // without reading what has finished
+  if (strangers == 0 || options.is_quiet()) return;  // without reading what has finished
   const auto is_missing = [&](const PlannedCase& one) {
     return one.invalid.empty() && stores.front().state_of(one.key) == CaseState::missing;
   };
-  if (std::none_of(plan.cases.begin(), plan.cases.end(), is_missing)) return;
-  std::fprintf(stderr,
-               "warning: cases are missing, and %zu finished %s to another key: another program, library, scene or "
-               "number of threads\n",
-               strangers, strangers == 1 ? "one belongs" : "ones belong");
+  if (std::ranges::none_of(plan.cases, is_missing)) return;
+  options.say(
+      "warning: cases are missing, and {} finished {} to another key: another program, library, scene or number of "
+      "threads\n",
+      strangers, strangers == 1 ? "one belongs" : "ones belong");
 }
 
 /// What other folders have of the cases that are not finished here.
 void gather(const Plan& plan, const CaseStore& store, const StudyOptions& options) {
-  std::vector<CaseStore> others;
+  std::vector<CaseStore> stores{store};  // this one and the others
   for (const std::string& from : options.from) {
     std::error_code code;
     if (!std::filesystem::is_directory(from, code))
       throw InputError({}, "assay study", "--from: no such folder: '" + one_line(from, 200) + "'");
-    others.emplace_back(from);
+    stores.emplace_back(from);
   }
   std::size_t torn = 0;
   for (const PlannedCase& one : plan.cases) {
-    const auto state = [&](const CaseStore& where) { return where.state_of(one.key); };
-    const auto take = [&](CaseState wanted) {
-      return std::any_of(others.begin(), others.end(),
-                         [&](const CaseStore& from) { return store.take(one, from, wanted); });
-    };
     stop_if_interrupted();
-    if (!one.invalid.empty() || state(store) == CaseState::finished || take(CaseState::finished)) continue;
-    if (state(store) == CaseState::crashed || take(CaseState::crashed)) continue;
-    if (state(store) == CaseState::stopped || take(CaseState::stopped)) continue;
-    const bool is_torn = state(store) == CaseState::torn ||
-                         std::any_of(others.begin(), others.end(),
-                                     [&](const CaseStore& from) { return state(from) == CaseState::torn; });
-    torn += is_torn ? 1 : 0;
+    if (!one.invalid.empty()) continue;
+    const bool has_ended = std::ranges::any_of(
+        std::array{CaseState::finished, CaseState::crashed, CaseState::stopped}, [&](CaseState wanted) {
+          return store.state_of(one.key) == wanted ||
+                 std::any_of(stores.begin() + 1, stores.end(),
+                             [&](const auto& from) { return store.take(one, from, wanted); });
+        });
+    const auto is_torn = [&](const CaseStore& where) { return where.state_of(one.key) == CaseState::torn; };
+    if (!has_ended && std::ranges::any_of(stores, is_torn)) ++torn;
   }
-  if (torn > 0 && options.verbosity != Verbosity::quiet)
-    std::fprintf(stderr, "warning: %zu torn %s not trusted; run the study again with --resume\n", torn,
-                 torn == 1 ? "case is" : "cases are");
-  others.insert(others.begin(), store);
-  warn_of_strangers(plan, others, options);
+  if (torn > 0)
+    options.say("warning: {} torn {} not trusted; run the study again with --resume\n", torn,
+                torn == 1 ? "case is" : "cases are");
+  warn_of_strangers(plan, stores, options);
 }
 
 int conclude(const Plan& plan, const CaseStore& store, const StudyOptions& options) {
@@ -170,7 +167,7 @@ int conclude(const Plan& plan, const CaseStore& store, const StudyOptions& optio
   write_study(findings, store, options.out);
   if (options.json) {
     print_json(study_json(findings));
-  } else if (options.verbosity != Verbosity::quiet) {
+  } else if (!options.is_quiet()) {
     print(study_text(findings, options.out));
   } else if (!findings.holds()) {
     print(contradiction_text(findings));
@@ -193,23 +190,22 @@ int study(const StudyOptions& options) {
   const StudySession session(options.out, plan.study.sha256, options.resume, options.shard.count > 1);
   if (session.begun_by().empty()) {
     warn_of_earlier(plan, store, options);
-  } else if (options.verbosity != Verbosity::quiet) {
-    std::fprintf(stderr, "another study runs in this folder (%s began): they share its cases\n",
-                 session.begun_by().c_str());
+  } else {
+    options.say("another study runs in this folder ({} began): they share its cases\n", session.begun_by());
   }
   if (session.resumes()) warn_of_strangers(plan, {store}, options);
   Teller teller(plan, store, options);
   RunnerOptions how;
-  if (!options.program.empty()) how.program = options.program;
-  how.jobs = options.jobs, how.resume = session.resumes(), how.shard = options.shard;
-  how.session = &session;
+  how.jobs = options.jobs, how.resume = session.resumes(), how.session = &session, how.shard = options.shard;
   const RunnerSummary summary = run_cases(plan, store, how, [&](const RunnerReport& report) { teller(report); });
-  say_what_was_kept(summary, options);
+  if (summary.kept > 0) options.say("{} finished cases were kept\n", summary.kept);
+  if (summary.torn > 0)
+    options.say("warning: {} torn {} run again\n", summary.torn, summary.torn == 1 ? "case was" : "cases were");
   if (options.shard.count == 1) return conclude(plan, store, options);
-  if (options.verbosity != Verbosity::quiet) {
-    print("shard " + std::to_string(options.shard.index) + "/" + std::to_string(options.shard.count) + ": " +
-          std::to_string(summary.run + summary.kept) + " cases; when all shards are done: assay study " +
-          one_line(options.study) + " -o " + one_line(options.out) + " --merge\n");
+  if (!options.is_quiet()) {
+    print(fmt::format("shard {}/{}: {} cases; when all shards are done: assay study {} -o {} --merge\n",
+                      options.shard.index, options.shard.count, summary.run + summary.kept, one_line(options.study),
+                      one_line(options.out)));
   }
   return 0;
 }
@@ -224,12 +220,7 @@ Shard shard_of(const std::string& text) {
   return {static_cast<std::size_t>(index), static_cast<std::size_t>(count)};
 }
 
-/// The options as they stand on the command line.
-struct StudyWords : StudyOptions {
-  std::string jobs_text, shard_text;
-};
-
-int study_of(StudyWords& given, Verbosity verbosity) {
+int study_of(StudyOptions& given, Verbosity verbosity) {
   const bool runs = !given.merge && !given.list;
   if (given.merge && given.list) throw InputError("assay study: --merge and --list exclude each other");
   if (!runs && (given.resume || !given.shard_text.empty()))
@@ -243,7 +234,7 @@ int study_of(StudyWords& given, Verbosity verbosity) {
 }
 
 Act add_study_arguments(VerbArguments& verb) {
-  const auto given = std::make_shared<StudyWords>();
+  const auto given = std::make_shared<StudyOptions>();
   add_value(verb, "STUDY", given->study, "", "YAML file of the study", "*.yaml *.yml */")->required();
   add_value(verb, "--jobs", given->jobs_text, "N", "untimed cases at the same time (default: all cores)", "1 2 4 8 16");
   verb.app.add_flag("--resume", given->resume, "keep finished cases of an earlier run");
