@@ -42,9 +42,7 @@ std::optional<std::size_t> best_case(const StudyFindings& findings) { return ext
 std::optional<std::size_t> worst_case(const StudyFindings& findings) { return extreme(findings, std::greater<>()); }
 
 Figure number_of(const StudyCase& one, const std::string& key) {
-  const auto found = one.figures.find(key);
-  if (found == one.figures.end()) return {};
-  const double* number = std::get_if<double>(&found->second);
+  const auto* number = value_in<double>(one.figures, key);
   return number && std::isfinite(*number) ? Figure(*number) : std::nullopt;
 }
 
@@ -72,8 +70,7 @@ std::string cases_text(std::ptrdiff_t count) {
 }
 
 bool uses_exact_solution(const StudyCase& one) {
-  const auto found = one.figures.find("uses_exact_solution");
-  const bool* flag = found == one.figures.end() ? nullptr : std::get_if<bool>(&found->second);
+  const auto* flag = value_in<bool>(one.figures, "uses_exact_solution");
   return flag && *flag;
 }
 

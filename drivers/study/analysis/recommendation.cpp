@@ -38,11 +38,6 @@ void count(Survival& of, const StudyCase& one, std::size_t index) {
   of.lost.push_back(index);
 }
 
-double middle_of(std::vector<double> values) {
-  std::ranges::sort(values);
-  return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
-}
-
 void find_ratios(const StudyFindings& findings, std::vector<Survival>& methods) {
   std::map<std::string, double> best;  // by place
   for (const StudyCase& one : findings.cases) {
@@ -58,7 +53,7 @@ void find_ratios(const StudyFindings& findings, std::vector<Survival>& methods) 
       const auto at = best.find(place_of(one));
       if (at != best.end()) ratios.push_back(*one.error / at->second);
     }
-    if (!ratios.empty()) method.error_ratio = middle_of(ratios);
+    if (!ratios.empty()) method.error_ratio = median(ratios);
   }
 }
 

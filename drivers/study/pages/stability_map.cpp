@@ -114,18 +114,6 @@ std::size_t place_of(const std::string& text, std::vector<std::string>& all) {
 
 constexpr double cell_width = 112, cell_height = 42, cell_text_size = 14, cell_small_size = 12, most_of_name = 330;
 
-std::string html_cell(const StabilityCell& cell) {
-  const StudyCase* one = telling_case(cell);
-  if (!one) return html::element("td", html::none);
-  std::string text = html::element("b", escaped(cell.text));
-  if (!cell.detail.empty()) text += html::element("small", escaped(cell.detail));
-  if (!one->reason.empty()) text += html::element("small", escaped(cut_text(one->reason, 70)));
-  const std::string title = one->reason.empty() ? "" : "\" title=\"" + escaped(one->reason);
-  return html::element("td class=\"state\" style=\"background:" + css_color(cell.background) +
-                           ";color:" + css_color(cell.ink) + title + "\"",
-                       text);
-}
-
 /// As much of a name as fits, with dots where it does not.
 std::string fitting(const std::string& name, double size, double width) {
   for (std::size_t length = name.size(); length > 4; length -= 4) {
@@ -204,17 +192,16 @@ StabilityMap stability_map(const StudyFindings& findings) {
   return map;
 }
 
-std::string stability_table(const StabilityMap& map) {
-  std::vector<std::string> head{escaped(map.row_name)};
-  for (const std::string& column : map.columns) {
-    head.push_back(escaped(map.column_name.empty() ? column : map.column_name + " = " + column));
-  }
-  std::vector<std::vector<std::string>> rows;
-  for (const StabilityRow& row : map.rows) {
-    rows.push_back({escaped(row.name)});
-    for (const StabilityCell& cell : row.cells) rows.back().push_back(html_cell(cell));
-  }
-  return html::table(head, rows);
+std::string stability_cell(const StabilityCell& cell) {
+  const StudyCase* one = telling_case(cell);
+  if (!one) return html::element("td", html::none);
+  std::string text = html::element("b", escaped(cell.text));
+  if (!cell.detail.empty()) text += html::element("small", escaped(cell.detail));
+  if (!one->reason.empty()) text += html::element("small", escaped(cut_text(one->reason, 70)));
+  const std::string title = one->reason.empty() ? "" : "\" title=\"" + escaped(one->reason);
+  return html::element("td class=\"state\" style=\"background:" + css_color(cell.background) +
+                           ";color:" + css_color(cell.ink) + title + "\"",
+                       text);
 }
 
 Drawing stability_picture(const StabilityMap& map) {

@@ -37,8 +37,8 @@ struct StabilityMap {
 /// error; what died is orange, what was refused or stopped is grey. The findings must outlive the map.
 StabilityMap stability_map(const StudyFindings& findings);
 
-/// A table of HTML with the reasons.
-std::string stability_table(const StabilityMap& map);
+/// A cell of a table of HTML, with the reason.
+std::string stability_cell(const StabilityCell& cell);
 
 Drawing stability_picture(const StabilityMap& map);
 

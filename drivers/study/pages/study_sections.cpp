@@ -21,6 +21,9 @@ namespace {
 /// A remark below a table of the report.
 std::string tally(const std::string& words) { return element("p class=\"tally\"", element("small", words)) + "\n"; }
 
+/// A head of a table in HTML that may be empty.
+std::string html_head(const std::string& name) { return element("th scope=\"col\"", escaped(name)); }
+
 Cell error_cell(const StudyFindings& findings, const Figure& error) {
   return unbroken_cell(error, error ? error_text(findings, *error) : "");
 }
@@ -149,18 +152,19 @@ Section stability(const StudyFindings& findings) {
   Section out{"What completes and what does not"};
   out.file = "stability.csv";
   const StabilityMap map = stability_map(findings);
-  if (!findings.cases.empty()) out.before[Page::html] = stability_table(map);
   out.after[Page::html] =
       tally("Blue: completed; darker means a smaller error. Orange: failed at that time. Grey: refused or stopped.");
-  const auto add_column = [&](const std::string& head) {
-    out.table.columns.push_back({{"", "", head.empty() ? html::none : plain_markdown(head), ""}});
+  const auto add_column = [&](const std::string& name, const std::string& head) {
+    out.table.columns.push_back({{"", "", name.empty() ? html::none : plain_markdown(name), html_head(head)}});
   };
-  add_column(map.row_name);
-  for (const std::string& column : map.columns) add_column(column);
+  add_column(map.row_name, map.row_name);
+  for (const std::string& column : map.columns)
+    add_column(column, map.column_name.empty() ? column : map.column_name + " = " + column);
   for (const StabilityRow& row : map.rows) {
     auto& cells = out.table.rows.emplace_back(std::vector<Cell>{row.name});
     for (const StabilityCell& cell : row.cells) {
-      cells.emplace_back(cell.of.empty() ? html::none : cell.text + (cell.detail.empty() ? "" : ", " + cell.detail));
+      const std::string words = cell.text + (cell.detail.empty() ? "" : ", " + cell.detail);
+      cells.push_back(Cell(cell.of.empty() ? html::none : words).on(Page::html, stability_cell(cell)));
     }
   }
   return out;
@@ -200,7 +204,7 @@ Section budget(const StudyFindings& findings) {
                        {{"share", "", "share", "share"}},
                        {{"outcome", "", "", ""}},
                        {{"", "source, case", "", ""}},
-                       {{"", "", "", "<th scope=\"col\"></th>"}}};
+                       {{"", "", "", html_head("")}}};
   double largest = 0;
   for (const BudgetLine& line : findings.budget) largest = std::max(largest, line.share.value_or(0));
   for (const BudgetLine& line : findings.budget) {

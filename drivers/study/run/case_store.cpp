@@ -38,10 +38,6 @@ std::optional<std::string> bytes_of(const fs::path& file) {
   }
 }
 
-std::string record_text(const Json& record) {
-  return record.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
 /// The record without its own hash; nothing where it is not what was written.
 std::optional<Json> read_record(const fs::path& folder, const std::string& key) {
   const auto text = bytes_of(folder / record_file);
@@ -53,7 +49,7 @@ std::optional<Json> read_record(const fs::path& folder, const std::string& key) 
     return std::nullopt;
   const Json seal = record.value("sha256", Json());
   record.erase("sha256");
-  return seal == sha256_hex(record_text(record)) ? std::optional(record) : std::nullopt;
+  return seal == sha256_hex(json_document(record)) ? std::optional(record) : std::nullopt;
 }
 
 /// Every file that a run has left, without the record and what is hidden.
@@ -82,15 +78,8 @@ void clear_case(const fs::path& folder) {
 }
 
 Figure number_in(const std::map<std::string, FlatValue>& figures, const std::string& key) {
-  const auto found = figures.find(key);
-  const auto* number = found == figures.end() ? nullptr : std::get_if<double>(&found->second);
+  const auto* number = value_in<double>(figures, key);
   return number ? Figure(*number) : Figure();
-}
-
-std::string text_in(const std::map<std::string, FlatValue>& figures, const std::string& key) {
-  const auto found = figures.find(key);
-  const auto* text = found == figures.end() ? nullptr : std::get_if<std::string>(&found->second);
-  return text ? *text : std::string();
 }
 
 /// What result.json and errors.csv say.
@@ -99,8 +88,9 @@ void read_result(const fs::path& folder, StudyCase& found) {
   if (!read) return;
   found.figures.insert(read->figures.begin(), read->figures.end());
   found.passes = read->passes;
-  found.outcome = text_in(found.figures, "outcome");
-  found.reason = text_in(found.figures, "reason");
+  const auto* outcome = value_in<std::string>(found.figures, "outcome");
+  const auto* reason = value_in<std::string>(found.figures, "reason");
+  found.outcome = outcome ? *outcome : "", found.reason = reason ? *reason : "";
   found.work = number_in(found.figures, "work.particle_steps");
   found.history = displacement_history(bytes_of(folder / "errors.csv").value_or(""));
 }
@@ -170,9 +160,9 @@ void CaseStore::finish(const PlannedCase& one, const CaseRecord& record) const {
                {"clock", JsonFields<Json>::of(record.clock)},
                {"files", files}};
   // As it will be read: a text that is no UTF-8 is replaced, and a number that is none becomes null.
-  text = Json::parse(record_text(text));
-  text["sha256"] = sha256_hex(record_text(text));
-  write_file(folder / record_file, record_text(text));
+  text = Json::parse(json_document(text));
+  text["sha256"] = sha256_hex(json_document(text));
+  write_file(folder / record_file, json_document(text));
 }
 
 StudyCase CaseStore::read(const PlannedCase& one) const {

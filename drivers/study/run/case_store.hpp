@@ -7,9 +7,9 @@
 #include <set>
 #include <string>
 
-#include "drivers/study/run/study_case.hpp"
 #include "drivers/study/case_lock.hpp"
 #include "drivers/study/plan/plan.hpp"
+#include "drivers/study/run/study_case.hpp"
 
 namespace assay::drivers {
 

@@ -79,4 +79,11 @@ struct StudyCase {
   }
 };
 
+/// What result.json says under that key; null where there is nothing of that type.
+template <class T>
+const T* value_in(const std::map<std::string, FlatValue>& figures, const std::string& key) {
+  const auto found = figures.find(key);
+  return found == figures.end() ? nullptr : std::get_if<T>(&found->second);
+}
+
 }  // namespace assay::drivers
