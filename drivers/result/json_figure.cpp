@@ -11,6 +11,10 @@ nlohmann::ordered_json json_figure(const std::optional<double>& value) {
   return *value;
 }
 
+std::string json_document(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
 nlohmann::ordered_json json_text(const std::string& text) {
   if (text.empty()) return nullptr;
   return text;

@@ -3,8 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "drivers/command_line/verb.hpp"
-#include "drivers/study/recommendation.hpp"
-#include "drivers/study/survival.hpp"
+#include "drivers/study/pages/answers.hpp"
 #include "drivers/system/terminal.hpp"
 
 namespace assay::drivers {

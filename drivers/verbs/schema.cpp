@@ -4,7 +4,7 @@
 
 #include "drivers/command_line/verb.hpp"
 #include "drivers/scene/schema.hpp"
-#include "drivers/study/study_schema.hpp"
+#include "drivers/study/plan/study_reader.hpp"
 #include "drivers/system/terminal.hpp"
 
 namespace assay::drivers {

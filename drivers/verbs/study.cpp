@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `assay study`: what accuracy costs, over the cases of a study.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <set>
 #include <thread>
 
 #include "drivers/command_line/verb.hpp"
 #include "drivers/output/output_folder.hpp"
-#include "drivers/study/analysis.hpp"
-#include "drivers/study/case_list.hpp"
-#include "drivers/study/runner.hpp"
-#include "drivers/study/study_files.hpp"
-#include "drivers/study/study_json.hpp"
-#include "drivers/study/study_reader.hpp"
-#include "drivers/study/study_session.hpp"
-#include "drivers/study/study_text.hpp"
+#include "drivers/study/analysis/analysis.hpp"
+#include "drivers/study/analysis/study_json.hpp"
+#include "drivers/study/pages/study_pages.hpp"
+#include "drivers/study/plan/study_reader.hpp"
+#include "drivers/study/run/case_store.hpp"
+#include "drivers/study/run/runner.hpp"
+#include "drivers/study/run/study_session.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/progress.hpp"
@@ -29,6 +31,7 @@ namespace {
 struct StudyOptions {
   std::string study;
   std::string out;                     ///< folder of the results
+  std::string jobs_text, shard_text;   ///< as they stand on the command line
   int jobs = 1;                        ///< threads of cases that run side by side
   Shard shard = {};                    ///< the cases of this call
   bool resume = false;                 ///< finished cases stay
@@ -38,18 +41,13 @@ struct StudyOptions {
   bool json = false;                   ///< study.json on standard output
   Verbosity verbosity = Verbosity::normal;
 
-  bool quiet() const { return verbosity == Verbosity::quiet; }
+  bool is_quiet() const { return verbosity == Verbosity::quiet; }
+  /// On standard error.
+  template <class... Values>
+  void say(fmt::format_string<Values...> text, Values&&... values) const {
+    if (!is_quiet()) std::fputs(fmt::format(text, std::forward<Values>(values)...).c_str(), stderr);
+  }
 };
-
-/// On standard error, where remarks are wanted.
-void remark(const StudyOptions& options, const std::string& line) {
-  if (!options.quiet()) std::fprintf(stderr, "%s\n", line.c_str());
-}
-
-/// "1 case is", "3 cases are".
-std::string counted(std::size_t count, const std::string& what, const std::string& one, const std::string& more) {
-  return std::to_string(count) + " " + what + (count == 1 ? one : more);
-}
 
 StudyFindings findings_of(const Plan& plan, const CaseStore& store) {
   std::vector<StudyCase> cases;
@@ -61,7 +59,10 @@ StudyFindings findings_of(const Plan& plan, const CaseStore& store) {
 class Teller {
  public:
   Teller(const Plan& plan, const CaseStore& store, const StudyOptions& options)
-      : plan_(plan), store_(store), speaks_(!options.quiet() && !options.json), progress_("study", options.quiet()) {}
+      : plan_(plan),
+        store_(store),
+        speaks_(!options.is_quiet() && !options.json),
+        progress_("study", options.is_quiet()) {}
 
   void operator()(const RunnerReport& report) {
     if (report.finished && speaks_) {
@@ -90,30 +91,25 @@ class Teller {
   Progress progress_;
 };
 
-/// What is said before cases are run.
+/// What is said before cases are run, on standard error.
 void warn_of_earlier(const Plan& plan, const CaseStore& store, const StudyOptions& options) {
-  if (options.resume || options.quiet()) return;
+  if (options.resume || options.is_quiet()) return;
   std::size_t finished = 0;
   std::set<std::string> keys;  // a case that is planned twice is run once, by the shard that it is in first
   for (const PlannedCase& one : plan.cases) {
     const bool first = keys.insert(one.key).second;
     finished += first && options.shard.holds(one.number) && store.state_of(one.key) == CaseState::finished ? 1 : 0;
   }
-  if (finished > 0)
-    remark(options, "warning: " + counted(finished, "finished ", "case is", "cases are") +
-                        " run again; --resume keeps " + (finished == 1 ? "it" : "them"));
-}
-
-void say_what_was_kept(const RunnerSummary& summary, const StudyOptions& options) {
-  if (summary.kept > 0) remark(options, std::to_string(summary.kept) + " finished cases were kept");
-  if (summary.torn > 0)
-    remark(options, "warning: " + counted(summary.torn, "torn ", "case was", "cases were") + " run again");
+  if (finished > 0) {
+    options.say("warning: {} finished {} run again; --resume keeps {}\n", finished,
+                finished == 1 ? "case is" : "cases are", finished == 1 ? "it" : "them");
+  }
 }
 
 Plan planned(const StudyOptions& options) {
   Study study = read_study(options.study);
   watch_interrupts();
-  Progress progress("reading the scenes", options.quiet());
+  Progress progress("reading the scenes", options.is_quiet());
   return plan_of(std::move(study), [&](double fraction) {
     stop_if_interrupted();
     progress.update(fraction);
@@ -126,44 +122,43 @@ void warn_of_strangers(const Plan& plan, const std::vector<CaseStore>& stores, c
   for (const PlannedCase& one : plan.cases) keys.insert(one.key);
   std::size_t strangers = 0;
   for (const CaseStore& store : stores) strangers += store.finished_besides(keys);
-  if (strangers == 0 || options.quiet()) return;  // without reading what has finished
+  if (strangers == 0 || options.is_quiet()) return;  // without reading what has finished
   const auto is_missing = [&](const PlannedCase& one) {
     return one.invalid.empty() && stores.front().state_of(one.key) == CaseState::missing;
   };
-  if (std::ranges::any_of(plan.cases, is_missing))
-    remark(options, "warning: cases are missing, and " + counted(strangers, "finished ", "one belongs", "ones belong") +
-                        " to another key: another program, library, scene or number of threads");
+  if (std::ranges::none_of(plan.cases, is_missing)) return;
+  options.say(
+      "warning: cases are missing, and {} finished {} to another key: another program, library, scene or number of "
+      "threads\n",
+      strangers, strangers == 1 ? "one belongs" : "ones belong");
 }
 
 /// What other folders have of the cases that are not finished here.
 void gather(const Plan& plan, const CaseStore& store, const StudyOptions& options) {
-  std::vector<CaseStore> others;
+  std::vector<CaseStore> stores{store};  // this one and the others
   for (const std::string& from : options.from) {
     std::error_code code;
     if (!std::filesystem::is_directory(from, code))
       throw InputError({}, "assay study", "--from: no such folder: '" + one_line(from, 200) + "'");
-    others.emplace_back(from);
+    stores.emplace_back(from);
   }
   std::size_t torn = 0;
   for (const PlannedCase& one : plan.cases) {
-    const auto has = [&](CaseState state) {
-      return [&one, state](const CaseStore& where) { return where.state_of(one.key) == state; };
-    };
-    const auto is_here = [&](CaseState wanted) {
-      return has(wanted)(store) ||
-             std::ranges::any_of(others, [&](const CaseStore& from) { return store.take(one, from, wanted); });
-    };
     stop_if_interrupted();
-    if (!one.invalid.empty() || is_here(CaseState::finished) || is_here(CaseState::crashed) ||
-        is_here(CaseState::stopped))
-      continue;
-    if (has(CaseState::torn)(store) || std::ranges::any_of(others, has(CaseState::torn))) ++torn;
+    if (!one.invalid.empty()) continue;
+    const bool has_ended = std::ranges::any_of(
+        std::array{CaseState::finished, CaseState::crashed, CaseState::stopped}, [&](CaseState wanted) {
+          return store.state_of(one.key) == wanted ||
+                 std::any_of(stores.begin() + 1, stores.end(),
+                             [&](const auto& from) { return store.take(one, from, wanted); });
+        });
+    const auto is_torn = [&](const CaseStore& where) { return where.state_of(one.key) == CaseState::torn; };
+    if (!has_ended && std::ranges::any_of(stores, is_torn)) ++torn;
   }
   if (torn > 0)
-    remark(options, "warning: " + counted(torn, "torn ", "case is", "cases are") +
-                        " not trusted; run the study again with --resume");
-  others.insert(others.begin(), store);
-  warn_of_strangers(plan, others, options);
+    options.say("warning: {} torn {} not trusted; run the study again with --resume\n", torn,
+                torn == 1 ? "case is" : "cases are");
+  warn_of_strangers(plan, stores, options);
 }
 
 int conclude(const Plan& plan, const CaseStore& store, const StudyOptions& options) {
@@ -172,7 +167,7 @@ int conclude(const Plan& plan, const CaseStore& store, const StudyOptions& optio
   write_study(findings, store, options.out);
   if (options.json) {
     print_json(study_json(findings));
-  } else if (!options.quiet()) {
+  } else if (!options.is_quiet()) {
     print(study_text(findings, options.out));
   } else if (!findings.holds()) {
     print(contradiction_text(findings));
@@ -193,22 +188,24 @@ int study(const StudyOptions& options) {
     return conclude(plan, store, options);
   }
   const StudySession session(options.out, plan.study.sha256, options.resume, options.shard.count > 1);
-  if (session.begun_by().empty())
+  if (session.begun_by().empty()) {
     warn_of_earlier(plan, store, options);
-  else
-    remark(options, "another study runs in this folder (" + session.begun_by() + " began): they share its cases");
+  } else {
+    options.say("another study runs in this folder ({} began): they share its cases\n", session.begun_by());
+  }
   if (session.resumes()) warn_of_strangers(plan, {store}, options);
   Teller teller(plan, store, options);
   RunnerOptions how;
-  how.jobs = options.jobs, how.resume = session.resumes(), how.shard = options.shard;
-  how.session = &session;
+  how.jobs = options.jobs, how.resume = session.resumes(), how.session = &session, how.shard = options.shard;
   const RunnerSummary summary = run_cases(plan, store, how, [&](const RunnerReport& report) { teller(report); });
-  say_what_was_kept(summary, options);
+  if (summary.kept > 0) options.say("{} finished cases were kept\n", summary.kept);
+  if (summary.torn > 0)
+    options.say("warning: {} torn {} run again\n", summary.torn, summary.torn == 1 ? "case was" : "cases were");
   if (options.shard.count == 1) return conclude(plan, store, options);
-  if (!options.quiet()) {
-    print("shard " + std::to_string(options.shard.index) + "/" + std::to_string(options.shard.count) + ": " +
-          std::to_string(summary.run + summary.kept) + " cases; when all shards are done: assay study " +
-          one_line(options.study) + " -o " + one_line(options.out) + " --merge\n");
+  if (!options.is_quiet()) {
+    print(fmt::format("shard {}/{}: {} cases; when all shards are done: assay study {} -o {} --merge\n",
+                      options.shard.index, options.shard.count, summary.run + summary.kept, one_line(options.study),
+                      one_line(options.out)));
   }
   return 0;
 }
@@ -223,12 +220,7 @@ Shard shard_of(const std::string& text) {
   return {static_cast<std::size_t>(index), static_cast<std::size_t>(count)};
 }
 
-/// The options as they stand on the command line.
-struct StudyWords : StudyOptions {
-  std::string jobs_text, shard_text;
-};
-
-int study_of(StudyWords& given, Verbosity verbosity) {
+int study_of(StudyOptions& given, Verbosity verbosity) {
   const bool runs = !given.merge && !given.list;
   if (given.merge && given.list) throw InputError("assay study: --merge and --list exclude each other");
   if (!runs && (given.resume || !given.shard_text.empty()))
@@ -242,7 +234,7 @@ int study_of(StudyWords& given, Verbosity verbosity) {
 }
 
 Act add_study_arguments(VerbArguments& verb) {
-  const auto given = std::make_shared<StudyWords>();
+  const auto given = std::make_shared<StudyOptions>();
   add_value(verb, "STUDY", given->study, "", "YAML file of the study", "*.yaml *.yml */")->required();
   add_value(verb, "--jobs", given->jobs_text, "N", "untimed cases at the same time (default: all cores)", "1 2 4 8 16");
   verb.app.add_flag("--resume", given->resume, "keep finished cases of an earlier run");

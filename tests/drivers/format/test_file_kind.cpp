@@ -6,7 +6,7 @@
 #include "drivers/check/replay.hpp"
 #include "drivers/material/material_description.hpp"
 #include "drivers/scene/scene_reader.hpp"
-#include "drivers/study/study_reader.hpp"
+#include "drivers/study/plan/study_reader.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/scene_text.hpp"
 #include "tests/drivers/scratch_folder.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/study/findings.hpp"
+#include "drivers/study/analysis/findings.hpp"
 
 namespace assay::drivers {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "drivers/study/study_reader.hpp"
+#include "drivers/study/plan/study_reader.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/analysis.hpp"
+#include "drivers/study/analysis/analysis.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "drivers/study/study_words.hpp"
+#include "drivers/study/pages/words.hpp"
 
 namespace assay::drivers::test_analysis {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/axes_reader.hpp"
+#include "drivers/study/plan/study_reader.hpp"
 
 #include <gtest/gtest.h>
 

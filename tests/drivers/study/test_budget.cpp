@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/budget.hpp"
+#include "drivers/study/analysis/analysis.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/case_key.hpp"
+#include "drivers/study/plan/plan.hpp"
 #include "drivers/system/program_identity.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <set>
 
-#include "drivers/study/plan.hpp"
 #include "tests/drivers/material/fortran_texts.hpp"
 #include "tests/drivers/material/source_fixture.hpp"
 #include "tests/drivers/study/study_text_fixture.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/comparison.hpp"
+#include "drivers/study/analysis/comparison.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 #include <sstream>
 
-#include "drivers/study/comparison_text.hpp"
+#include "drivers/study/pages/answers.hpp"
 #include "drivers/system/input_error.hpp"
 #include "tests/drivers/study/two_methods.hpp"
 

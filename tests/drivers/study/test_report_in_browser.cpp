@@ -8,9 +8,9 @@
 #include <map>
 #include <sstream>
 
-#include "drivers/study/stability_map.hpp"
-#include "drivers/study/study_report.hpp"
-#include "drivers/study/work_precision_plot.hpp"
+#include "drivers/study/pages/stability_map.hpp"
+#include "drivers/study/pages/study_pages.hpp"
+#include "drivers/study/pages/work_precision.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/drivers/study/page_probe.hpp"
 #include "tests/drivers/study/sample_study.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/sampling.hpp"
+#include "drivers/study/plan/plan.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/stability_map.hpp"
+#include "drivers/study/pages/stability_map.hpp"
 
 #include <gtest/gtest.h>
 
 #include "drivers/picture/colormap.hpp"
+#include "drivers/study/pages/study_pages.hpp"
 #include "tests/drivers/study/sample_study.hpp"
 
 namespace assay::drivers::test_stability_map {
@@ -38,7 +39,7 @@ TEST(StabilityMap, every_cell_can_be_read) {
 
 TEST(StabilityMap, table_tells_the_reason_and_escapes_it) {
   const StudyFindings findings = sample_study();
-  const std::string html = stability_table(stability_map(findings));
+  const std::string html = study_report_html(findings, {});
   EXPECT_NE(html.find("determinant -0.2 &lt;&amp;&gt; &quot;far out&quot;"), std::string::npos);
   EXPECT_NE(html.find("<b>unstable</b>"), std::string::npos);
   EXPECT_EQ(html.find("<&>"), std::string::npos);
@@ -89,7 +90,7 @@ TEST(StabilityMap, of_samples_counts_what_completed) {
   EXPECT_NE(css_color(steady.background), css_color(frail.background));
   ASSERT_NE(telling_case(frail), nullptr);
   EXPECT_EQ(telling_case(frail)->number, 2u);
-  EXPECT_NE(stability_table(map).find("det F &lt;= 0: particle 1"), std::string::npos);
+  EXPECT_NE(stability_cell(frail).find("det F &lt;= 0: particle 1"), std::string::npos);
   EXPECT_EQ(stability_map(sampled_study(30)).rows.size(), 60u);  // these can still be told apart
 }
 

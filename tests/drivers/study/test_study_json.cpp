@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/study_json.hpp"
+#include "drivers/study/analysis/study_json.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/study_markdown.hpp"
+#include "drivers/study/pages/study_pages.hpp"
 
 #include <gtest/gtest.h>
 

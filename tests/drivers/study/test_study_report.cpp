@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/study_report.hpp"
+#include "drivers/study/pages/study_pages.hpp"
 
 #include <gtest/gtest.h>
 
-#include "drivers/study/study_tables.hpp"
 #include "tests/drivers/study/sample_study.hpp"
 #include "tests/drivers/study/two_methods.hpp"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/study_schema.hpp"
+#include "drivers/study/plan/study_reader.hpp"
 
 #include <filesystem>
 
 #include "drivers/format/yaml_values.hpp"
 #include "drivers/result/build_information.hpp"
-#include "drivers/study/study_reader.hpp"
 #include "drivers/system/input_file.hpp"
 #include "tests/drivers/json_schema.hpp"
 #include "tests/drivers/refusal.hpp"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/study_words.hpp"
+#include "drivers/study/pages/words.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "drivers/study/study_markdown.hpp"
+#include "drivers/study/pages/study_pages.hpp"
 #include "tests/drivers/study/sample_study.hpp"
 
 namespace assay::drivers::test_study_words {

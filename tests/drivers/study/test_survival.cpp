@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/survival.hpp"
+#include "drivers/study/analysis/recommendation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "drivers/study/pages/answers.hpp"
+#include "drivers/study/pages/words.hpp"
 #include "drivers/system/input_error.hpp"
 #include "tests/drivers/study/two_methods.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/time_noise.hpp"
+#include "drivers/study/analysis/clock.hpp"
 
 #include <gtest/gtest.h>
 

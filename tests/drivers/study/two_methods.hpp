@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/study/findings.hpp"
+#include "drivers/study/analysis/findings.hpp"
 #include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "drivers/command_line/command_line.hpp"
-#include "drivers/study/study_json.hpp"
+#include "drivers/study/analysis/study_json.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/drivers/study/two_methods.hpp"
 

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a study found: the content of study.json, which `fields` name (drivers/result/fields.hpp), of the tables and of
+// the report.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "drivers/study/run/study_case.hpp"
+#include "harness/numeric/convergence.hpp"
+
+namespace assay::drivers {
+
+/// The cases that differ in resolution alone.
+struct StudySeries {
+  std::string name;
+  std::vector<std::size_t> cases;  ///< indices into StudyFindings::cases, the coarsest first
+  std::vector<Figure> pairwise;    ///< observed order from the case before; the first is absent
+  std::optional<FittedOrder> fit;  ///< over all completed resolutions; absent of fewer than two
+  using Range = AsymptoticRange;
+  Range asymptotic = Range::unknown;
+  std::string sentence;     ///< of that judgement, with the orders
+  Figure published = {};    ///< an order that others have found
+  std::string source = {};  ///< and where
+
+  static void fields(auto& self, auto& archive) {
+    archive("name", self.name);
+    archive("cases", self.cases);
+    archive("pairwise", self.pairwise);
+    archive("fit", self.fit);
+    archive("asymptotic", self.asymptotic);
+    archive("sentence", self.sentence);
+    archive("published", self.published);
+    archive("source", self.source);
+  }
+};
+
+/// What one more digit of accuracy costs.
+struct StudyDigit {
+  double error = 0;                 ///< the level: 0.1, 0.01, ...
+  std::optional<std::size_t> best;  ///< the cheapest measured case that meets it; index into cases
+  Figure cost;                      ///< of that case
+  std::string series;               ///< the cheapest where costs are interpolated between measured resolutions
+  Figure interpolated;              ///< its cost at exactly this error
+  Figure factor;                    ///< interpolated cost over that of the level before
+
+  static void fields(auto& self, auto& archive) {
+    archive("error", self.error);
+    archive("best", self.best);
+    archive("cost", self.cost);
+    archive("series", self.series);
+    archive("interpolated", self.interpolated);
+    archive("factor", self.factor);
+  }
+};
+
+/// One source of a run's error, found by refining it alone.
+struct BudgetLine {
+  std::string base;       ///< label of the run
+  std::string source;     ///< "space", "time step", "sheet", "transfer"; words of the study
+  std::string changed;    ///< "grid.spacing=0.025"
+  Figure error, refined;  ///< the study's figure before and after
+  Figure share;           ///< largest change of the L2 history over time, over the run's largest error
+  std::string outcome;    ///< of the refined run
+
+  static void fields(auto& self, auto& archive) {
+    archive("base", self.base);
+    archive("source", self.source);
+    archive("changed", self.changed);
+    archive("error", self.error);
+    archive("refined", self.refined);
+    archive("share", self.share);
+    archive("outcome", self.outcome);
+  }
+};
+
+struct StudyExpectationOutcome {
+  std::string where;  ///< label of the case or series
+  ExpectationOutcome outcome;
+
+  static void fields(auto& self, auto& archive) {
+    archive("where", self.where);
+    ExpectationOutcome::fields(self.outcome, archive);
+  }
+};
+
+struct StudyFindings {
+  std::string title, question;
+  bool asks_survival = false;                   ///< which method lives through most, not what accuracy costs
+  std::string error_key, cost_key, refine_key;  ///< "error.relative", "step_cpu_s", "grid.spacing" (or empty)
+  std::string error_name, error_unit;           ///< "largest L2 error of u over the motion", "" or "m"
+  std::string cost_name, cost_unit;             ///< "processor time of the steps", "s"
+  std::vector<std::string> axes;
+  std::vector<StudyCase> cases;
+  std::vector<StudySeries> series;
+  std::vector<std::size_t> front;       ///< by cost: indices of the cases that no other beats in error and cost
+  std::vector<std::size_t> work_front;  ///< the same by particle-steps
+  std::vector<StudyDigit> digits;
+  std::vector<BudgetLine> budget;
+  std::vector<StudyExpectationOutcome> expect;
+  std::vector<std::string> warnings;
+  std::vector<std::string> machines;  ///< all that cases were run on
+  Provenance provenance;
+  std::string study_yaml;  ///< the text of the study's file
+
+  int count(const std::string& outcome) const;
+  /// Whether a case has crashed or was stopped and nobody expected that.
+  bool ended_badly(const StudyCase& one) const;
+  bool holds() const;  ///< all that was expected does, no case is missing and none ended badly
+
+  static void fields(auto& self, auto& archive) {
+    archive("title", self.title);
+    archive("question", self.question);
+    archive("answer", std::string(self.asks_survival ? "survival" : "cost"));
+    archive.section("error", [&](auto& error) {
+      error("key", self.error_key);
+      error("name", self.error_name);
+      error("unit", self.error_unit);
+    });
+    archive.section("cost", [&](auto& cost) {
+      cost("key", self.cost_key);
+      cost("name", self.cost_name);
+      cost("unit", self.cost_unit);
+    });
+    archive("refine", self.refine_key);
+    archive("axes", self.axes);
+    archive("cases", self.cases);
+    archive("series", self.series);
+    archive("front", self.front);
+    archive("work_front", self.work_front);
+    archive("digits", self.digits);
+    archive("budget", self.budget);
+    archive("expect", self.expect);
+    archive("warnings", self.warnings);
+    archive("machines", self.machines);
+    archive("load", load_of(self));
+    archive("provenance", self.provenance);
+    archive("study", self.study_yaml);
+  }
+};
+
+/// Best and worst completed case by error; none of a study without any.
+std::optional<std::size_t> best_case(const StudyFindings& findings);
+std::optional<std::size_t> worst_case(const StudyFindings& findings);
+
+/// A number of result.json; absent where it is none.
+Figure number_of(const StudyCase& one, const std::string& key);
+
+/// A text on its axis; empty where the case does not stand on it.
+std::string value_on(const StudyCase& one, const std::string& axis);
+
+bool uses_exact_solution(const StudyCase& one);
+
+/// A case whose relative error is undefined: the exact solution is zero, as of a motion that stands still.
+bool is_at_rest(const StudyFindings& findings, const StudyCase& one);
+
+/// ": the exact solution is zero in 3 cases, ..."; empty without one.
+std::string rest_words(const StudyFindings& findings);
+
+/// "1 case was", "3 cases were".
+std::string cases_text(std::ptrdiff_t count);
+
+inline constexpr const char* work_key = "work.particle_steps";
+
+}  // namespace assay::drivers
