@@ -9,7 +9,6 @@
 #include "drivers/check/check_steps.hpp"
 #include "drivers/material/material_description.hpp"
 #include "harness/check/march.hpp"
-#include "harness/check/space.hpp"
 
 namespace assay::drivers {
 

@@ -10,7 +10,6 @@
 #include "adapters/foreign/host_values.hpp"
 #include "adapters/foreign/mfront_metadata.hpp"
 #include "drivers/material/material_description.hpp"
-#include "harness/check/derivatives.hpp"
 
 namespace assay::drivers {
 
