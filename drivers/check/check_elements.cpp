@@ -6,7 +6,6 @@
 #include "drivers/check/check_foreign.hpp"
 #include "drivers/check/check_steps.hpp"
 #include "harness/check/march.hpp"
-#include "harness/check/space.hpp"
 
 namespace assay::drivers {
 

@@ -24,7 +24,6 @@
 #include "adapters/worker/own_folder.hpp"
 #include "drivers/system/exit_guard.hpp"
 #include "drivers/system/own_files.hpp"
-#include "harness/check/calls.hpp"
 #include "harness/material/own_process.hpp"
 #include "harness/material/progress_mark.hpp"
 

@@ -18,7 +18,7 @@ std::optional<check::History> made_elsewhere(const std::function<check::History(
 /// within limit_s. For a process that has not called the model yet.
 check::History history_elsewhere(const Material& material, const check::Effort& effort, double limit_s = 1);
 
-/// The same of other parameters (harness/check/calls.hpp), from a copy of the library whose first instance has these:
+/// The same of other parameters (harness/check/arrays.hpp), from a copy of the library whose first instance has these:
 /// a library that was loaded before may keep what its first instance was. Empty, too, of a model that is no native
 /// plug-in.
 check::History history_of_others(const ResolvedMaterial& material, const check::Effort& effort, double limit_s = 1);

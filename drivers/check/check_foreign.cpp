@@ -9,7 +9,6 @@
 #include "adapters/foreign/foreign_table.hpp"
 #include "adapters/foreign/mfront_metadata.hpp"
 #include "drivers/material/material_description.hpp"
-#include "harness/check/derivatives.hpp"
 #include "harness/check/judge.hpp"
 #include "harness/check/march.hpp"
 

@@ -10,7 +10,6 @@
 #include "drivers/check/check_steps.hpp"
 #include "harness/check/judge.hpp"
 #include "harness/check/march.hpp"
-#include "harness/check/space.hpp"
 #include "harness/check/state_variable.hpp"
 
 namespace assay::drivers {

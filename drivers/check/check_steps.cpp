@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "harness/check/march.hpp"
-#include "harness/check/space.hpp"
 
 namespace assay::drivers {
 

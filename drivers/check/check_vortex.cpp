@@ -11,8 +11,8 @@
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/whole_file.hpp"
 #include "drivers/text/number_format.hpp"
-#include "harness/check/material_symmetry.hpp"
 #include "harness/check/specimen.hpp"
+#include "harness/check/symmetry_class.hpp"
 #include "harness/motion/kinds/vortex.hpp"
 #include "harness/numeric/stopwatch.hpp"
 

@@ -9,7 +9,7 @@
 #include "drivers/system/input_error.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/unseen.hpp"
-#include "harness/check/material_symmetry.hpp"
+#include "harness/check/symmetry_class.hpp"
 #include "harness/material/thrown.hpp"
 
 namespace assay::drivers {

@@ -9,9 +9,8 @@
 #include <utility>
 
 #include "harness/check/call_steps.hpp"
-#include "harness/check/guarded.hpp"
-#include "harness/check/offered_arrays.hpp"
-#include "harness/check/specimen.hpp"
+#include "harness/check/judge.hpp"
+#include "harness/check/state_variable.hpp"
 #include "harness/material/thrown.hpp"
 #include "harness/numeric/arithmetic.hpp"
 
@@ -68,14 +67,12 @@ Deed refusal_of(const std::string& message) {
 
 /// Whether a variable other than a direction, which the host fills, still has the mark.
 bool leaves_unwritten(const Material& material, const std::vector<double>& state, std::size_t n) {
-  const assay_material& table = material.table();
-  auto at = state.begin();
-  for (std::uint32_t v = 0; v < table.state_count; ++v) {
-    const auto end = at + static_cast<std::ptrdiff_t>(n) * components_of_kind(table.state[v].kind);
-    if (table.state[v].role != ASSAY_ROLE_DIRECTION && std::find(at, end, no_value) != end) return true;
-    at = end;
-  }
-  return false;
+  const std::vector<StatePlace> places = state_of(material.table());
+  return std::any_of(places.begin(), places.end(), [&](const StatePlace& place) {
+    const auto* first = state.data() + n * place.first;
+    const auto* last = state.data() + n * place.end();
+    return place.role != ASSAY_ROLE_DIRECTION && std::find(first, last, no_value) != last;
+  });
 }
 
 /// A message up to its end.
@@ -241,8 +238,6 @@ std::array<double, 4> amplitudes_of_first(const Effort& effort) {
 }
 
 TestResult guarded_arrays(const Material& material, const Options& options, FirstCalls& first) {
-  TestResult result{.id = "calls.arrays", .measure = 0, .threshold = 0};
-  result.sentence = "nothing is written beyond the arrays, and every output is written";
   const std::size_t bytes = options.well_aligned ? 0 : promised;
   std::string what;
   for (const double amplitude : amplitudes_of_first(options.effort)) {
@@ -252,16 +247,12 @@ TestResult guarded_arrays(const Material& material, const Options& options, Firs
   if (what.empty()) what = misdeed_in_batches(material, options.effort, bytes, first.batches);
   if (what.empty()) what = misdeed_of_offers(material, options.effort, bytes);
   if (what.empty() && material.wrote_parameters()) what = "it writes into the parameters that create is given";
-  if (what.empty()) return result;
-  result.measure = 1;
-  result.verdict = Verdict::fail;
-  result.cause = causes::overrun;
-  result.sentence = what;
+  if (what.empty()) return passed(0, 0, "nothing is written beyond the arrays, and every output is written");
   for (const auto& [prefix, cause] : {std::pair<std::string, const char*>(arithmetic_prefix, causes::disturbs_process),
                                       {exception_prefix, causes::ends_process}}) {
-    if (what.starts_with(prefix)) result.cause = cause, result.sentence = what.substr(prefix.size());
+    if (what.starts_with(prefix)) return failed(cause, 1, 0, what.substr(prefix.size()));
   }
-  return result;
+  return failed(causes::overrun, 1, 0, what);
 }
 
 History history(const Material& material, double amplitude) {

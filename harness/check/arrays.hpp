@@ -3,6 +3,9 @@
 #pragma once
 
 #include <array>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "harness/check/battery.hpp"
 
@@ -37,5 +40,8 @@ std::array<double, 4> amplitudes_of_first(const Effort& effort);
 
 /// One of these again.
 History history(const Material& material, double amplitude);
+
+/// Each parameter a little larger, where its bounds allow that.
+std::map<std::string, double> other_parameters(const Material& material);
 
 }  // namespace assay::check

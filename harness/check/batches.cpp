@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/check/batches.hpp"
-
+// That a point's answer is its own: not that of its place in a batch, of the size of that, of where arrays lie, or of
+// another thread.
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <deque>
+#include <functional>
+#include <thread>
 #include <utility>
 
-#include "harness/check/call_steps.hpp"
 #include "harness/check/judge.hpp"
+#include "harness/check/tests.hpp"
 #include "harness/material/progress_mark.hpp"
+#include "harness/numeric/parallel.hpp"
 
 namespace assay::check {
 
@@ -32,11 +37,8 @@ struct Expected {
 };
 
 Expected expected_of(const Specimen& specimen, Steps steps) {
-  Expected expected{std::move(steps), {}};
-  for (std::size_t p = 0; p < expected.steps.n; ++p) {
-    expected.results.push_back(alone(*specimen.material, expected.steps, p));
-  }
-  return expected;
+  std::vector<Result> results = one_by_one(*specimen.material, steps);
+  return {std::move(steps), std::move(results)};
 }
 
 /// One batch, and whether all is well there.
@@ -81,33 +83,31 @@ BatchFinding find_in_batches(const Specimen& specimen, BatchFinding finding) {
   return finding;
 }
 
-TestResult not_loaded_while_it_turns(const char* id) {
-  return {.id = id, .verdict = Verdict::not_applicable, .sentence = "the model cannot be loaded while it rotates"};
+/// As `judge`, of a material that may refuse to be loaded while it rotates.
+TestResult while_it_turns(const std::function<TestResult()>& judge) {
+  return if_taken(judge, left_out("the model cannot be loaded while it rotates"));
+}
+
+/// What such a finding says.
+std::string words_of(const BatchFinding& finding) {
+  if (!finding.refusal.empty()) {
+    return "a batch of " + std::to_string(finding.n) +
+           " points that are loaded alike is refused, and a point alone is not: " + finding.refusal;
+  }
+  return where(finding) + " otherwise than alone; the difference is " + rounded(finding.worst) +
+         " of the largest stress: the points of a batch influence each other";
 }
 
 }  // namespace
 
 TestResult batches(const Specimen& specimen, const BatchFinding& alike) {
-  constexpr const char* id = "calls.batch";
-  try {
+  return while_it_turns([&] {
     const BatchFinding finding = alike.wrong > 0 ? alike : find_in_batches(specimen, alike);
-    TestResult result{.id = id, .measure = finding.worst, .threshold = same_in_batch};
-    result.sentence =
-        "each point of a batch of up to " + std::to_string(finding.largest) + " points has the same result as alone";
-    if (finding.wrong == 0) return result;
-    result.verdict = Verdict::fail;
-    result.cause = causes::of_batch;
-    if (!finding.refusal.empty()) {
-      result.sentence = "a batch of " + std::to_string(finding.n) +
-                        " points that are loaded alike is refused, and a point alone is not: " + finding.refusal;
-      return result;
-    }
-    result.sentence = where(finding) + " otherwise than alone; the difference is " + rounded(finding.worst) +
-                      " of the largest stress: the points of a batch influence each other";
-    return result;
-  } catch (const MaterialFailure&) {
-    return not_loaded_while_it_turns(id);
-  }
+    return finding.wrong > 0 ? failed(causes::of_batch, finding.worst, same_in_batch, words_of(finding))
+                             : passed(finding.worst, same_in_batch,
+                                      "each point of a batch of up to " + std::to_string(finding.largest) +
+                                          " points has the same result as alone");
+  });
 }
 
 namespace {
@@ -118,7 +118,7 @@ double effect_of_place(const Material& material, const Expected& expected, const
   Difference difference;
   const Comparison with_batch(material.table(), batch), with_single(material.table(), expected.results);
   const std::vector<Result> found = together(material, expected.steps, bytes);
-  for (std::size_t p = 0; p < expected.steps.n; ++p) difference.note(with_batch.difference(p, found[p]), "");
+  difference.note(with_batch, found, "");
   for (std::size_t p = 0; p < expected.steps.n; p += 4) {
     difference.note(with_single.difference(p, alone(material, expected.steps, p, bytes)), "");
   }
@@ -128,27 +128,105 @@ double effect_of_place(const Material& material, const Expected& expected, const
 }  // namespace
 
 TestResult alignment(const Specimen& specimen) {
-  constexpr const char* id = "calls.alignment";
-  try {
+  return while_it_turns([&] {
     const Expected expected = expected_of(specimen, steps_along(specimen, specimen.options.effort.quick ? 9 : 37));
     const std::vector<Result> batch = together(*specimen.material, expected.steps);
-    TestResult result{.id = id, .measure = 0, .threshold = same_in_batch};
-    result.sentence = "the result does not depend on the addresses of the arrays";
+    double worst = 0;
     std::size_t place = 0;
     for (const std::size_t bytes : {8, 16, 24, 32, 48}) {
       const double effect = effect_of_place(*specimen.material, expected, batch, bytes);
-      if (effect > *result.measure) result.measure = effect, place = bytes;
+      if (effect > worst) worst = effect, place = bytes;
     }
-    if (*result.measure <= same_in_batch) return result;
-    result.verdict = Verdict::fail;
-    result.cause = causes::of_alignment;
-    result.sentence = "if the arrays of a step begin " + std::to_string(place) +
-                      " bytes beyond a multiple of 64, and not at a multiple, the result differs by " +
-                      rounded(*result.measure) + " of the largest stress";
-    return result;
-  } catch (const MaterialFailure&) {
-    return not_loaded_while_it_turns(id);
+    return judged(worst, same_in_batch, "the result does not depend on the addresses of the arrays",
+                  causes::of_alignment,
+                  "if the arrays of a step begin " + std::to_string(place) +
+                      " bytes beyond a multiple of 64, and not at a multiple, the result differs by " + rounded(worst) +
+                      " of the largest stress");
+  });
+}
+
+namespace {
+
+constexpr int at_once = 2;
+
+/// Stress and state of all points; nothing where one is refused.
+std::vector<double> taken(const Material& material, const Steps& batch) {
+  std::vector<double> all((9 + material.state_size()) * batch.n);
+  const UpdateReport report = material.update(batch.t, batch.dt, batch.n, batch.F0.data(), batch.F1.data(),
+                                              batch.state0.data(), all.data() + 9 * batch.n, all.data());
+  return report.worst == ASSAY_FAILED ? std::vector<double>() : all;
+}
+
+/// Over the largest of all.
+double difference(const std::vector<double>& expected, const std::vector<double>& found) {
+  if (found.size() != expected.size()) return INFINITY;
+  double scale = 0, worst = 0;
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    scale = std::max(scale, std::abs(expected[k]));
+    worst = std::max(worst, std::abs(found[k] - expected[k]));
   }
+  return scale > 0 ? worst / scale : worst;
+}
+
+/// Until all threads have begun, or long enough: where all cores are in use one might end before the other begins.
+void await_others(std::atomic<int>& begun) {
+  constexpr std::int64_t patience_ns = 200'000'000;
+  const std::int64_t begin = now_ns();
+  ++begun;
+  while (begun < at_once && now_ns() - begin < patience_ns) std::this_thread::yield();
+}
+
+/// The largest difference that a thread meets in so many calls.
+double in_threads(const Material& material, const std::vector<Steps>& batches,
+                  const std::vector<std::vector<double>>& expected, int calls) {
+  std::deque<Material> own;
+  for (int k = 0; k < at_once; ++k) own.push_back(material.clone());
+  std::vector<double> worst(batches.size(), 0);
+  std::atomic<bool> found{false};
+  std::atomic<int> begun{0};
+  for_each_index(at_once, {.threads = at_once}, [&](int thread) {
+    const auto k = static_cast<std::size_t>(thread);
+    const Material& mine = material.has(ASSAY_THREAD_SAFE) ? own.front() : own[k];
+    await_others(begun);
+    for (int call = 0; call < calls && !found; ++call) {
+      worst[k] = std::max(worst[k], difference(expected[k], taken(mine, batches[k])));
+      if (worst[k] > 0) found = true;
+    }
+  });
+  return *std::max_element(worst.begin(), worst.end());
+}
+
+TestResult judged_threads(const Material& material, double worst) {
+  constexpr double most = 1e-12;  // as in calls.repeated
+  return judged(worst, most, "two threads at once get the same results as one thread", causes::hidden_state,
+                "the same steps in two threads at once differ by " + rounded(worst) + ": " +
+                    (material.has(ASSAY_THREAD_SAFE)
+                         ? "ASSAY_THREAD_SAFE is declared, but both threads write to the same data"
+                         : "data is kept outside the instance, although each thread has its own instance"));
+}
+
+}  // namespace
+
+TestResult threads(const Specimen& specimen) {
+  constexpr std::size_t points = 256;
+  const Material& material = *specimen.material;
+  if (specimen.options.declarations.guesses_roles) {
+    return left_out("foreign routines run in processes of their own, not in threads");
+  }
+  constexpr int smaller = 6;
+  double amplitude = specimen.amplitude;
+  for (int k = 0; k < smaller; ++k, amplitude *= 0.5) {
+    const std::vector<Steps> batches{steps_from_rest(specimen, points, amplitude),
+                                     steps_from_rest(specimen, points, -amplitude)};
+    const std::int64_t begin = now_ns();
+    const std::vector<std::vector<double>> expected{taken(material, batches[0]), taken(material, batches[1])};
+    if (expected[0].empty() || expected[1].empty()) continue;
+    const double pair_s = 1e-9 * static_cast<double>(now_ns() - begin);
+    const double long_enough = specimen.options.effort.quick ? 0.03 : 0.06;  // [s], many slices of a scheduler
+    const int calls = static_cast<int>(std::clamp(long_enough / pair_s, 2.0, 1e5));
+    return judged_threads(material, in_threads(material, batches, expected, calls));
+  }
+  return left_out("no batch of moderate steps from rest is taken");
 }
 
 }  // namespace assay::check

@@ -3,19 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <set>
 
-#include "harness/check/arrays.hpp"
-#include "harness/check/constant_rotation.hpp"
 #include "harness/check/diagnosis.hpp"
-#include "harness/check/entries.hpp"
+#include "harness/check/judge.hpp"
 #include "harness/check/loading.hpp"
-#include "harness/check/long_steps.hpp"
-#include "harness/check/other_clock.hpp"
 #include "harness/check/own_pace.hpp"
-#include "harness/check/rest.hpp"
-#include "harness/check/scope.hpp"
+#include "harness/check/work.hpp"
 #include "harness/material/thrown.hpp"
 #include "harness/numeric/stopwatch.hpp"
 
@@ -25,32 +21,29 @@ namespace {
 
 /// At all resolutions of the tests.
 bool stands_unturned(const Specimen& specimen) {
-  try {
-    for (const int finer : {0, 1, 2}) {
-      march(*specimen.material, out_and_back(specimen),
-            {.steps = specimen.steps() << finer, .state = specimen.rest_state()});
-    }
+  const auto stands = [&] {
+    for (const int finer : {0, 1, 2}) from_rest(specimen, out_and_back(specimen), specimen.steps() << finer);
     return true;
-  } catch (const MaterialFailure&) {
-    return false;
-  }
-}
-
-std::string drifting_of(const Specimen& specimen) {
-  try {
-    return drifting_variable(specimen);
-  } catch (const MaterialFailure&) {
-    return {};
-  }
+  };
+  return if_taken(stands, false);
 }
 
 /// What a model gives is looked at where it gives it. A measure that is no number is therefore of the test's own
 /// making, and says nothing of the model.
 TestResult without_own_nan(TestResult test) {
   if (test.verdict != Verdict::fail || !test.measure || !std::isnan(*test.measure)) return test;
-  return {.id = test.id,
-          .verdict = Verdict::not_applicable,
-          .sentence = "stresses of this size are beyond the arithmetic of the test"};
+  return left_out("stresses of this size are beyond the arithmetic of the test");
+}
+
+/// One test, between what is told of it.
+template <class Test>
+void take(const char* id, const Options& options, const Test& test, Report& report) {
+  if (options.begins) options.begins(id);
+  const Stopwatch watch;
+  report.tests.push_back(test());
+  report.tests.back().id = id;
+  report.tests.back().wall_s = watch.seconds();
+  if (options.ends) options.ends(report.tests.back());
 }
 
 /// The tests of a list, as far as `report` allows.
@@ -58,30 +51,21 @@ void take(const std::vector<Entry>& list, const Specimen& specimen, Evidence& ev
   const Options& options = specimen.options;
   for (const Entry& entry : list) {
     if ((!options.only.empty() && options.only != entry.id) || options.without == entry.id) continue;
-    if (options.begins) options.begins(entry.id);
-    const Stopwatch watch;
-    try {
-      report.tests.push_back(without_own_nan(entry.run(specimen, evidence)));
-    } catch (const MaterialFailure& failure) {
-      const bool twin = entry.cause_of_failure && stands_unturned(specimen);
-      report.tests.push_back(refused(entry.id, twin ? entry.cause_of_failure : nullptr, failure));
-    }
-    report.tests.back().wall_s = watch.seconds();
-    if (options.ends) options.ends(report.tests.back());
+    const auto test = [&] {
+      try {
+        return without_own_nan(entry.run(specimen, evidence));
+      } catch (const MaterialFailure& failure) {
+        const bool twin = entry.cause_of_failure && stands_unturned(specimen);
+        return refused(entry.id, twin ? entry.cause_of_failure : nullptr, failure);
+      }
+    };
+    take(entry.id, options, test, report);
   }
 }
 
 bool any_failed(const Report& report) {
   return std::any_of(report.tests.begin(), report.tests.end(),
                      [](const TestResult& test) { return test.verdict == Verdict::fail; });
-}
-
-/// The rest of the battery where the first tests have failed.
-void leave(const std::vector<Entry>& list, const std::string& cause, Report& report) {
-  for (const Entry& entry : list) {
-    report.tests.push_back(
-        {.id = entry.id, .verdict = Verdict::not_applicable, .sentence = not_judged + (": " + cause)});
-  }
 }
 
 bool has_state_that_turns(const assay_material& table) {
@@ -102,11 +86,11 @@ std::string cause_of_refusal(const std::string& words, bool not_finite) {
 }
 
 std::vector<std::string> test_ids() {
-  std::vector<std::string> ids{"calls.arrays", "loading"};
+  std::vector<std::string> all{ids::arrays, ids::loading};
   for (const auto& list : {first_entries(), entries()}) {
-    for (const Entry& entry : list) ids.emplace_back(entry.id);
+    for (const Entry& entry : list) all.emplace_back(entry.id);
   }
-  return ids;
+  return all;
 }
 
 namespace {
@@ -139,7 +123,7 @@ void take_all(const Specimen& specimen, Evidence& evidence, Report& report) {
   add_findings_of_loading(specimen, report);
   if (specimen.modulus == 0 || is_decided(report)) return;
   evidence.turned = turned_step(specimen);
-  evidence.drifting = drifting_of(specimen);
+  evidence.drifting = if_taken([&] { return drifting_variable(specimen); }, {});
   evidence.overshoots = overshoot(specimen);
   evidence.pressed_at_rest = pressed_at_rest(specimen);
   evidence.grows_at_rest = grows_at_rest(specimen);
@@ -154,14 +138,11 @@ Report run_once(const Material& material, const Options& options) {
   Evidence evidence;
   evidence.has_state_that_turns = has_state_that_turns(material.table());
   evidence.has_spin = evidence.has_state_that_turns && material.has(ASSAY_USES_INCREMENT);
-  if (options.begins) options.begins("calls.arrays");
-  const Stopwatch watch;
-  report.tests.push_back(guarded_arrays(material, options, evidence.first));
-  report.tests.back().wall_s = watch.seconds();
-  if (options.ends) options.ends(report.tests.back());
+  take(
+      ids::arrays, options, [&] { return guarded_arrays(material, options, evidence.first); }, report);
   try {
     if (!any_failed(report)) {
-      if (options.begins) options.begins("loading");
+      if (options.begins) options.begins(ids::loading);
       take_all(examine(material, options), evidence, report);
     }
   } catch (const std::runtime_error& error) {
@@ -169,13 +150,13 @@ Report run_once(const Material& material, const Options& options) {
   }
   report.diagnosis = diagnose(report.tests, evidence);
   if (!options.only.empty()) return report;
-  std::vector<Entry> all = first_entries();
-  for (Entry& entry : entries()) all.push_back(std::move(entry));
-  std::erase_if(all, [&](const Entry& entry) {
-    return options.without == entry.id ||
-           std::any_of(report.tests.begin(), report.tests.end(), [&](const auto& test) { return test.id == entry.id; });
-  });
-  if (!all.empty()) leave(all, report.diagnosis.front().cause, report);
+  for (const std::string& id : test_ids()) {
+    const auto is_it = [&](const TestResult& test) { return test.id == id; };
+    const bool taken = std::any_of(report.tests.begin(), report.tests.end(), is_it);
+    if (taken || id == ids::arrays || id == ids::loading || id == options.without) continue;
+    report.tests.push_back(left_out(not_judged + (": " + report.diagnosis.front().cause)));
+    report.tests.back().id = id;
+  }
   return report;
 }
 
@@ -224,15 +205,20 @@ bool begins_alike(const Report& one, const Report& other) {
   return !one.passes() && one.diagnosis.front().cause == other.diagnosis.front().cause;
 }
 
+/// For another strain, or other times, than those for which a process has given histories.
+Options without_elsewhere(Options options) {
+  options.elsewhere.clear();
+  options.others_elsewhere.clear();
+  return options;
+}
+
 /// Again at smaller strains as long as a step is refused.
 Report at_smaller_strains(const Material& material, const Options& options) {
   constexpr double smaller = 0.125, least = 1e-4;
   Report first = run_once(material, options);
-  Options other = options;
+  Options other = without_elsewhere(options);
   other.effort.strain = first.strain;
   other.has_refused = true;
-  other.elsewhere.clear();  // of the strain that was asked for
-  other.others_elsewhere.clear();
   while (any_refused(first) && (other.effort.strain *= smaller) > least) {
     Report again = run_once(material, other);
     if (any_refused(again)) continue;
@@ -248,23 +234,19 @@ Report run_battery(const Material& material, const Options& asked) {
   const bool usual = asked.effort.step == 1;
   const std::optional<Material> paced = usual ? std::nullopt : std::optional(at_pace(material, asked.effort.step));
   const Material& own = usual ? material : *paced;
-  Options options = asked;
-  if (!usual) options.elsewhere.clear(), options.others_elsewhere.clear();  // of the usual times
+  const Options options = usual ? asked : without_elsewhere(asked);
   Report first = run_once(own, options);
   if (const auto pace = usual ? own_pace(material, first) : std::nullopt) {
-    Options resolved = options;
+    Options resolved = without_elsewhere(options);
     resolved.effort.step = *pace;
-    resolved.elsewhere.clear(), resolved.others_elsewhere.clear();
     Report again = run_once(at_pace(material, *pace), resolved);
     if (!any_refused(again) && (again.passes() ? is_blurred(first) : !begins_alike(first, again))) return again;
   }
   if (!any_refused(first)) return first;
   const std::optional<double> length = length_taken(own, first);
   if (!length) return at_smaller_strains(own, options);
-  Options other = options;
+  Options other = without_elsewhere(options);
   other.effort.step *= *length;
-  other.elsewhere.clear();
-  other.others_elsewhere.clear();
   Report again = run_once(at_pace(material, other.effort.step), other);
   if (any_refused(again)) return at_smaller_strains(own, options);  // it was not the length, or not that alone
   if (usual) return again;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/check/names.hpp"
 #include "harness/material/material.hpp"
 #include "harness/material/material_failure.hpp"
 
@@ -17,7 +18,7 @@ enum class Verdict { pass, fail, not_applicable };
 
 /// One test of the battery. Errors are relative: of stresses to the largest of the history that is compared.
 struct TestResult {
-  std::string id;  ///< "rotation.during"
+  std::string id = {};  ///< of `ids`: "rotation.during"
   Verdict verdict = Verdict::pass;
   std::optional<double> measure = {};    ///< what was found; null where nothing was measured
   std::optional<double> threshold = {};  ///< largest measure that passes
@@ -72,7 +73,7 @@ struct Options {
   Declarations declarations = {};
   /// The last of the first histories (arrays.hpp) as a process gives it that begins with it; empty: not known.
   std::vector<std::vector<double>> elsewhere = {};
-  /// The same of `other_parameters` (calls.hpp), from a process whose first instance has these; empty: not known.
+  /// The same of `other_parameters` (arrays.hpp), from a process whose first instance has these; empty: not known.
   std::vector<std::vector<double>> others_elsewhere = {};
   const assay_material* table_of_others = nullptr;  ///< makes the instance of other parameters; null: the model's own
   bool has_refused = false;                         ///< a step by its own word, at larger strains
@@ -87,71 +88,19 @@ std::vector<std::string> test_ids();
 /// material that cannot be loaded at all ends as a single failed test "loading".
 Report run_battery(const Material& material, const Options& options = {});
 
-/// The causes that a diagnosis can name.
-namespace causes {
-inline constexpr const char* rotation_missing = "increment rotation missing";
-inline constexpr const char* wrong_spin = "wrong spin";
-inline constexpr const char* explicit_spin = "explicit spin grows stress";
-inline constexpr const char* state_not_rotated = "state variable not rotated";
-inline constexpr const char* wrong_role = "state variable with a wrong role";
-inline constexpr const char* components_swapped = "components 13 and 23 swapped";
-inline constexpr const char* other_order = "components in another order";
-inline constexpr const char* shear_factor = "shear factor 2";
-inline constexpr const char* small_strain = "small-strain law used at finite strain";
-inline constexpr const char* not_isotropic = "material not isotropic";
-inline constexpr const char* not_positive = "stiffness not positive";
-inline constexpr const char* not_of_class = "material not of the declared symmetry";
-inline constexpr const char* repeated_stretch = "unstable at repeated principal stress";
-inline constexpr const char* tangent_convention = "tangent of another convention";
-inline constexpr const char* tangent_wrong = "tangent wrong";
-inline constexpr const char* hidden_state = "hidden state";
-inline constexpr const char* not_reproducible = "not reproducible";
-inline constexpr const char* of_batch = "depends on its batch";
-inline constexpr const char* of_alignment = "depends on alignment";
-inline constexpr const char* kept_by_element = "state kept by element";
-inline constexpr const char* host_counters = "depends on the host's counters";
-inline constexpr const char* clock = "clock";
-inline constexpr const char* overrun = "overrun";
-inline constexpr const char* state_undeclared = "state not declared";
-inline constexpr const char* properties_missing = "properties missing";
-inline constexpr const char* undeclared_increment = "increment read undeclared";
-inline constexpr const char* not_indifferent = "not frame-indifferent";
-inline constexpr const char* stress_at_rest = "stress at rest";
-inline constexpr const char* initial_stress = "initial stress not carried";
-inline constexpr const char* drifts = "changes at zero strain increment";
-inline constexpr const char* no_convergence = "does not converge with the step";
-inline constexpr const char* jump = "stress jumps";
-inline constexpr const char* forgotten = "state variable forgotten";
-inline constexpr const char* energy = "energy not consistent with stress";
-inline constexpr const char* rate_form = "rate form not consistent with stress";
-inline constexpr const char* wave_speed = "wave speed too low";
-inline constexpr const char* closed_form = "closed form not consistent with stress";
-inline constexpr const char* dissipation = "negative dissipation";
-inline constexpr const char* not_a_number = "numbers out of nothing";
-inline constexpr const char* no_stress = "no stress";
-inline constexpr const char* refuses = "refuses a step";
-inline constexpr const char* refuses_length = "refuses the length of a step";
-inline constexpr const char* missing_routine = "routine missing";
-inline constexpr const char* not_reached = "strain not reached";
-inline constexpr const char* grows = "strain of its own in time";
-inline constexpr const char* single_precision = "single precision";
-inline constexpr const char* not_finite = "stress or state not finite";
-inline constexpr const char* not_symmetric = "stress not symmetric";
-inline constexpr const char* ends_process = "ends the process";
-inline constexpr const char* disturbs_process = "disturbs its process";
-inline constexpr const char* other_stress = "vortex not reproduced";
-}  // namespace causes
-
 /// With which a remark begins in the sentence of a test that passes.
 inline constexpr const char* remark_words = "a remark: ";
+
+/// How the sentence begins of a tangent whose largest components agree, but not what a change of shape adds.
+inline constexpr const char* tangent_of_shape = "the tangent of a change of shape";
+
+/// What a sentence holds of a tangent of which no more can be told than how wrong it is.
+inline constexpr const char* of_largest_component = " of its largest component; ";
 
 /// How sentences begin of tests that were left because an earlier one has failed.
 inline constexpr const char* not_judged = "cannot be judged before this is cured";
 
 /// Of a step that was refused with these words.
 std::string cause_of_refusal(const std::string& words, bool not_finite);
-
-/// All of them, in the order in which a diagnosis lists them.
-const std::vector<std::string>& all_causes();
 
 }  // namespace assay::check

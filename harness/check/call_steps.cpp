@@ -2,10 +2,12 @@
 #include "harness/check/call_steps.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
-#include "harness/check/march.hpp"
+#include "harness/check/state_variable.hpp"
 
 namespace assay::check {
 
@@ -15,8 +17,13 @@ Steps room_for(std::size_t n, std::size_t size, double dt) {
   return {n, size, std::vector<double>(9 * n), std::vector<double>(9 * n), std::vector<double>(size * n), 0.5, dt};
 }
 
-void put(const Tensor& F, std::vector<double>& all, std::size_t n, std::size_t p) {
-  for (int c = 0; c < 9; ++c) all[static_cast<std::size_t>(c) * n + p] = component(F, c);
+/// Point p of a batch of n.
+void put(const FailedStep& step, Steps& batch, std::size_t p) {
+  for (int c = 0; c < 9; ++c) {
+    batch.F0[static_cast<std::size_t>(c) * batch.n + p] = component(step.F0, c);
+    batch.F1[static_cast<std::size_t>(c) * batch.n + p] = component(step.F1, c);
+  }
+  for (std::size_t c = 0; c < batch.size; ++c) batch.state0[c * batch.n + p] = step.state0[c];
 }
 
 }  // namespace
@@ -34,29 +41,33 @@ Steps sheared_steps(const Specimen& specimen, std::size_t n) {
     };
     const double share = 0.3 * static_cast<double>(p + 1) / static_cast<double>(n);
     const Tensor before = sheared(share), after = sheared(share + 0.05);
-    put(before, steps.F0, n, p);
-    put(after, steps.F1, n, p);
     const Point at = stepped(material, 0, steps.t, Tensor::Identity(), before, specimen.rest_state());
-    for (std::size_t c = 0; c < steps.size; ++c) steps.state0[c * n + p] = at.state[c];
+    put({steps.t, steps.dt, before, after, at.state}, steps, p);
   }
   return steps;
 }
 
 Steps steps_along(const Specimen& specimen, std::size_t n) {
-  const Material& material = *specimen.material;
-  const std::size_t size = material.state_size();
-  Steps steps = room_for(n, size, 1.0 / static_cast<double>(n));
+  Steps steps = room_for(n, specimen.material->state_size(), 1.0 / static_cast<double>(n));
   std::vector<double> state = specimen.rest_state();
   const auto F = [&](std::size_t k) {
     const double s = static_cast<double>(k) / static_cast<double>(n);
-    return Tensor(specimen.space.turn(1.3 * s) * specimen.space.stretch(specimen.amplitude, s));
+    return Tensor(specimen.space.turn(1.3 * s) * specimen.stretch(s));
   };
   for (std::size_t p = 0; p < n; ++p) {
-    const Tensor before = F(p), after = F(p + 1);
-    put(before, steps.F0, n, p);
-    put(after, steps.F1, n, p);
-    for (std::size_t c = 0; c < size; ++c) steps.state0[c * n + p] = state[c];
-    state = stepped(material, steps.t, steps.dt, before, after, state).state;
+    const FailedStep step{steps.t, steps.dt, F(p), F(p + 1), state};
+    put(step, steps, p);
+    state = stepped(*specimen.material, step).state;
+  }
+  return steps;
+}
+
+Steps steps_from_rest(const Specimen& specimen, std::size_t n, double amplitude) {
+  Steps steps = room_for(n, specimen.material->state_size(), 1);
+  steps.t = 0;
+  for (std::size_t p = 0; p < n; ++p) {
+    const double s = (static_cast<double>(p) + 1) / static_cast<double>(n);
+    put({0, 1, Tensor::Identity(), specimen.space.stretch(amplitude, s), specimen.rest_state()}, steps, p);
   }
   return steps;
 }
@@ -85,19 +96,7 @@ Steps many_of(const Steps& steps, std::size_t n) { return taken_from(steps, n, 0
 
 std::size_t bytes_to_place(const void* at, std::size_t bytes) {
   const auto address = reinterpret_cast<std::uintptr_t>(at);
-  return (Placed::line + bytes - address % Placed::line) % Placed::line;
-}
-
-Placed::Placed(const std::vector<double>& values, std::size_t bytes)
-    : size_(values.size()),
-      all_(size_ + line / sizeof(double)),
-      first_(bytes_to_place(all_.data(), bytes) / sizeof(double)) {
-  std::copy(values.begin(), values.end(), all_.begin() + static_cast<std::ptrdiff_t>(first_));
-}
-
-std::vector<double> Placed::values() const {
-  const auto begin = all_.begin() + static_cast<std::ptrdiff_t>(first_);
-  return {begin, begin + static_cast<std::ptrdiff_t>(size_)};
+  return (line + bytes - address % line) % line;
 }
 
 std::vector<Result> together(const Material& material, const Steps& steps, std::size_t bytes) {
@@ -119,6 +118,19 @@ Result alone(const Material& material, const Steps& steps, std::size_t p, std::s
   return together(material, one_of(steps, p), bytes).front();
 }
 
+std::vector<Result> one_by_one(const Material& material, const Steps& steps) {
+  std::vector<Result> results;
+  for (std::size_t p = 0; p < steps.n; ++p) results.push_back(alone(material, steps, p));
+  return results;
+}
+
+[[gnu::noinline]] void litter_stack(unsigned char byte) {
+  constexpr std::size_t reach = 48 << 10;  // [bytes], beyond the arrays of `Material::update`
+  std::array<unsigned char, reach> room;
+  std::memset(room.data(), byte, room.size());
+  __asm__ volatile("" : : "r"(room.data()) : "memory");
+}
+
 Comparison::Comparison(const assay_material& table, const std::vector<Result>& expected)
     : expected_(expected), scales_(expected.empty() ? 9 : expected[0].size(), 0.0) {
   for (const Result& result : expected) {
@@ -130,10 +142,8 @@ Comparison::Comparison(const assay_material& table, const std::vector<Result>& e
     std::fill(first, last, *std::max_element(first, last));
   };
   share_largest(0, 9);
-  for (std::size_t v = 0, at = 9; v < table.state_count && at < scales_.size(); ++v) {
-    const auto size = static_cast<std::size_t>(components_of_kind(table.state[v].kind));
-    share_largest(at, size);
-    at += size;
+  for (const StatePlace& place : state_of(table)) {
+    if (9 + place.first < scales_.size()) share_largest(9 + place.first, place.size);
   }
 }
 

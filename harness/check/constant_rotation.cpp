@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/check/constant_rotation.hpp"
-
+// A frame that is turned once for all, what any model keeps exactly; and a body that is, with its frame or without.
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "harness/check/frame_twins.hpp"
 #include "harness/check/judge.hpp"
+#include "harness/check/tests.hpp"
 
 namespace assay::check {
 
@@ -24,39 +24,23 @@ Loading still_stretch(const Specimen& specimen) {
           1};
 }
 
-Loading turned_by(const Tensor& Q, const Loading& still) {
-  return {[=](double t) { return Tensor(Q * still.F(t)); }, still.phases};
-}
-
 /// Whether the turned history is right where the body is turned to the frame by a step, from a state at rest: one that
 /// holds axes follows that alone.
 bool right_after_a_turn(const Specimen& specimen, const Tensor& Q, const Loading& still,
                         const std::vector<double>& rest) {
   const Material& material = *specimen.material;
-  const Tensor I = Tensor::Identity();
-  try {
-    const Point turned = stepped(material, 0, 1, I, Q, rest);
-    const Loading seen = turned_by(Q, still);
-    const MarchOptions from_rest{.steps = specimen.steps(), .state = rest};
-    MarchOptions from_turned = from_rest;
-    from_turned.state = turned.state;
-    const March a = march(material, still, from_rest), b = march(material, seen, from_turned);
-    const double scale = std::max(a.largest, specimen.least_stress());
-    for (std::size_t k = 0; k < a.marks.size(); ++k) {
-      if (!(distance(rotated(Q.transpose(), b.marks[k].cauchy), a.marks[k].cauchy) <= own_precision * scale)) {
-        return false;
-      }
-    }
-    return true;
-  } catch (const MaterialFailure&) {
-    return false;
-  }
+  const auto is_right = [&] {
+    const Point there = stepped(material, 0, 1, Tensor::Identity(), Q, rest);
+    const March a = march(material, still, {.steps = specimen.steps(), .state = rest});
+    const March b = march(material, turned(still, Q), {.steps = specimen.steps(), .state = there.state});
+    return error_between(specimen, a, b, [&](double) { return Q; }) <= own_precision;
+  };
+  return if_taken(is_right, false);
 }
 
 /// The same where a step at rest comes before: what that sets up turns along from then on.
 bool right_after_rest_and_turn(const Specimen& specimen, const Tensor& Q, const Loading& still) {
-  const Tensor I = Tensor::Identity();
-  const Point rested = stepped(*specimen.material, 0, 1, I, I, specimen.rest_state());
+  const Point rested = hold(*specimen.material, 0, 1, Tensor::Identity(), {{}, specimen.rest_state()});
   return right_after_a_turn(specimen, Q, still, rested.state);
 }
 
@@ -64,12 +48,11 @@ bool right_after_rest_and_turn(const Specimen& specimen, const Tensor& Q, const 
 /// it is none that is likely.
 std::optional<double> multiple_of_angle(const Specimen& specimen) {
   constexpr double alike = 1e-3;
-  const Loading still = still_stretch(specimen), seen = turned_by(specimen.space.turn(angle), still);
-  const MarchOptions options{.steps = specimen.steps(), .state = specimen.rest_state()};
-  const March a = march(*specimen.material, still, options), b = march(*specimen.material, seen, options);
+  const Loading still = still_stretch(specimen);
+  const March a = from_rest(specimen, still), b = from_rest(specimen, turned(still, specimen.space.turn(angle)));
   for (const double times : {-1.0, 0.5, 2.0}) {
     const Tensor expected = rotated(specimen.space.turn(times * angle), a.marks[0].cauchy);
-    if (distance(b.marks[0].cauchy, expected) <= alike * std::max(a.largest, specimen.least_stress())) return times;
+    if (distance(b.marks[0].cauchy, expected) <= alike * specimen.scale(a.largest)) return times;
   }
   return std::nullopt;
 }
@@ -80,24 +63,13 @@ bool turns_on(const Specimen& specimen) {
   const Material& material = *specimen.material;
   const double length = specimen.rate_dependent() ? 1e-9 : 1;
   const auto change = [&](const Loading& loading) {
-    const March loaded = march(material, loading, {.steps = specimen.steps(), .state = specimen.rest_state()});
+    const March loaded = from_rest(specimen, loading);
     const Tensor F = loading.F(1);
-    const Point held = stepped(material, 1, length, F, F, loaded.marks[0].state);
-    const Point again = stepped(material, 1, length, F, F, held.state);
-    return distance(again.cauchy, held.cauchy) / std::max(loaded.largest, specimen.least_stress());
+    const Point held = hold(material, 1, length, F, loaded.marks[0]), again = hold(material, 1, length, F, held);
+    return distance(again.cauchy, held.cauchy) / specimen.scale(loaded.largest);
   };
   const Loading still = still_stretch(specimen);
-  return change(still) <= kept && change(turned_by(specimen.space.turn(angle), still)) >= changed;
-}
-
-/// As `judge`, of a material that may refuse the loading that it takes.
-template <class Judge>
-bool where_taken(const Judge& judge) {
-  try {
-    return judge();
-  } catch (const MaterialFailure&) {
-    return false;
-  }
+  return change(still) <= kept && change(turned(still, specimen.space.turn(angle))) >= changed;
 }
 
 bool turns_by_another_angle(const Specimen& specimen, TestResult& result) {
@@ -123,9 +95,9 @@ bool turns_on_in_place(const Specimen& specimen, TestResult& result) {
 TestResult constant_rotation(const Specimen& specimen) {
   const Tensor Q = specimen.space.turn(angle);
   const Loading still = out_and_back(specimen);
-  const auto in_frame = [&](const Tensor& R) { return turned_by(R, still); };
-  TestResult result = twin_or_tolerance(specimen, {"rotation.constant", still, in_frame(Q), Q, Vector3::UnitX(),
-                                                   "the same history in a frame with a constant rotation"});
+  const Loading seen = turned(still, Q);
+  TestResult result =
+      twin_or_tolerance(specimen, {still, seen, Q, "the same history in a frame with a constant rotation"});
   if (result.verdict == Verdict::pass) return result;
   if (!specimen.isotropic() && right_after_a_turn(specimen, Q, still, specimen.rest_state())) {
     result.verdict = Verdict::not_applicable;
@@ -133,21 +105,19 @@ TestResult constant_rotation(const Specimen& specimen) {
     return result;
   }
   const auto is_right = [&](const Tensor& R, const Loading& history) {
-    const TestResult twin = exact_twin(specimen, {"", history, turned_by(R, history), R, Vector3::UnitX(), ""});
+    const TestResult twin = exact_twin(specimen, {history, turned(history, R), R});
     return twin.verdict == Verdict::pass || *twin.measure < 1e-3 * *result.measure;
   };
   const auto right = [&](const Tensor& R) { return is_right(R, still); };
-  const FrameTwins alike{"", still, in_frame(Q), Tensor::Identity(), Vector3::UnitX(), ""};
-  const TestResult unturned = exact_twin(specimen, alike);
-  if (unturned.verdict == Verdict::pass) {
+  if (is_exact_twin(specimen, {still, seen})) {
     result.cause = causes::rotation_missing;
     result.sentence += ", and equal to the stress of the unrotated body";
-  } else if (!specimen.isotropic() && where_taken([&] { return right_after_rest_and_turn(specimen, Q, still); })) {
+  } else if (!specimen.isotropic() && if_taken([&] { return right_after_rest_and_turn(specimen, Q, still); }, false)) {
     result.cause = causes::state_not_rotated;
     result.sentence +=
         "; right if the body rests in its first step and rotates in the second: the first call sets up a tensor and "
         "does not rotate it by the rotation of that step";
-  } else if (where_taken([&] { return turns_by_another_angle(specimen, result); })) {
+  } else if (if_taken([&] { return turns_by_another_angle(specimen, result); }, false)) {
     return result;
   } else if (const auto order = order_by_turns(specimen, is_right)) {
     result.cause = cause_of(*order);
@@ -160,19 +130,58 @@ TestResult constant_rotation(const Specimen& specimen) {
     result.sentence +=
         "; right in frames at right angles: shear and normal components are not weighted as in an invariant";
   } else {
-    where_taken([&] { return turns_on_in_place(specimen, result); });
+    if_taken([&] { return turns_on_in_place(specimen, result); }, false);
   }
   return result;
 }
 
 bool right_without_spin(const Specimen& specimen) {
   const Tensor Q = specimen.space.turn(angle);
-  const Loading still = still_stretch(specimen), seen = turned_by(Q, still);
-  try {
-    return exact_twin(specimen, {"", still, seen, Q, Vector3::UnitX(), ""}).verdict == Verdict::pass;
-  } catch (const MaterialFailure&) {
-    return false;
+  const Loading still = still_stretch(specimen);
+  return if_taken([&] { return is_exact_twin(specimen, {still, turned(still, Q), Q}); }, false);
+}
+
+TestResult change_of_basis(const Specimen& specimen) {
+  const bool directed = has_direction(specimen.material->table());
+  if (!specimen.isotropic() && !directed) {
+    return left_out("the material has axes of its own, and declares no direction that could rotate with the frame");
   }
+  const Tensor Q =
+      directed ? rotation_about_z(turning_angle) : specimen.space.turn(turning_angle);  // the third axis may be fixed
+  const Loading still = out_and_back(specimen);
+  const Loading seen{[=](double t) { return rotated(Q, still.F(t)); }, still.phases};
+  return twin_or_tolerance(specimen, {still, seen, Q, "body and frame turned together", Q * Vector3::UnitX()});
+}
+
+TestResult isotropy(const Specimen& specimen) {
+  if (!specimen.isotropic()) return left_out("the model does not claim to be isotropic");
+  const Loading still = out_and_back(specimen);
+  const auto before = [&](const Tensor& Q, const Loading& history) {
+    const Loading seen{[=](double t) { return Tensor(history.F(t) * Q.transpose()); }, history.phases};
+    return FrameTwins{history, seen, Tensor::Identity(), "the same history of a body that was rotated before"};
+  };
+  TestResult result = twin_or_tolerance(specimen, before(specimen.space.turn(turning_angle), still));
+  if (result.verdict == Verdict::pass) return result;
+  if (const auto order = order_by_turns(specimen, [&](const Tensor& Q, const Loading& history) {
+        return is_exact_twin(specimen, before(Q, history));
+      })) {
+    result.cause = cause_of(*order);
+    result.sentence += "; right where the turn exchanges certain axes: " + misplaced_somewhere(*order);
+    return result;
+  }
+  // A crystal that is not declared is as right; its small strains are those of one, too.
+  const auto right = [&](const Tensor& Q) {
+    const TestResult twin = exact_twin(specimen, before(Q, still));
+    return twin.verdict == Verdict::pass || *twin.measure < 1e-3 * *result.measure;
+  };
+  if (right(rotation_about_z(right_angle)) && (specimen.space.is_plane() || right(next_axes())) &&
+      shear_modulus(specimen).verdict == Verdict::pass) {
+    result.cause = causes::shear_factor;
+    result.sentence +=
+        "; right after rotations by right angles, and isotropic in small strains: shear and normal components are not "
+        "weighted as in an invariant";
+  }
+  return result;
 }
 
 }  // namespace assay::check

@@ -4,68 +4,77 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/check/diagnosis_rows.hpp"
-#include "harness/check/shear_order.hpp"
+#include "harness/check/stiffness.hpp"
 
 namespace assay::check {
 
 namespace {
+
+constexpr const char* of_frames[] = {
+    ids::shear_components, ids::shear_modulus,   ids::isotropy,          ids::constant_rotation, ids::basis,
+    ids::rotation_at_rest, ids::rotation_before, ids::rotation_during,   ids::rotation_after,    ids::rotation_at_apex,
+    ids::fixed_stretch,    ids::revolutions,     ids::rotation_of_state, ids::turning_stretches, ids::initial_stress,
+    ids::class_at_rest,    ids::class_in_loading};
+constexpr const char* of_time[] = {ids::rest,         ids::clock, ids::zero_increment, ids::rotation_at_rest,
+                                   ids::step_halving, ids::jumps, ids::dissipation,    ids::initial_stress};
 
 /// A test that tells nothing of its own where another one fails.
 struct Consequence {
   const char *test, *of;
 };
 constexpr Consequence consequences[] = {
-    {"dissipation", "energy"},  // without a right energy there is none to be lost
-    {"dissipation", "calls.increment"},
-    {"energy", "elasticity.major"},  // there is none
-    {"dissipation", "elasticity.major"},
-    {"elasticity.major", "elasticity.class"},          // a stiffness that is mixed up is
+    {ids::dissipation, ids::energy},  // without a right energy there is none to be lost
+    {ids::dissipation, ids::increment},
+    {ids::energy, ids::major_symmetry},  // there is none
+    {ids::dissipation, ids::major_symmetry},
+    {ids::major_symmetry, ids::class_at_rest},         // a stiffness that is mixed up is
                                                        // seldom symmetric
-    {"elasticity.positive", "elasticity.components"},  // shears that are exchanged drive each other on
-    {"elasticity.positive", "elasticity.class"},
-    {"dissipation", "elasticity.positive"},  // whatever drives itself on
-    {"clock", "calls.repeated"},             // what is kept elsewhere follows no clock
-    {"calls.batch", "calls.repeated"},
-    {"calls.alignment", "calls.repeated"},
-    {"calls.bits", "calls.repeated"},
-    {"clock", "calls.alignment"},  // arrays lie anywhere in other tests
-    {"continuity", "calls.alignment"},
-    {"calls.batch", "calls.alignment"},
+    {ids::positive_stiffness, ids::shear_components},  // shears that are exchanged drive each other on
+    {ids::positive_stiffness, ids::class_at_rest},
+    {ids::dissipation, ids::positive_stiffness},  // whatever drives itself on
+    {ids::clock, ids::repeated},                  // what is kept elsewhere follows no clock
+    {ids::batch, ids::repeated},
+    {ids::alignment, ids::repeated},
+    {ids::bits, ids::repeated},
+    {ids::clock, ids::alignment},  // arrays lie anywhere in other tests
+    {ids::continuity, ids::alignment},
+    {ids::batch, ids::alignment},
 };
 
+/// Walks the rows, and then what they have left unexplained.
 class Diagnostician {
  public:
-  Diagnostician(std::vector<TestResult>& tests, const Evidence& evidence) : findings_{Verdicts(tests), evidence, {}} {}
+  Diagnostician(std::vector<TestResult>& tests, const Evidence& evidence) : facts_{tests, evidence} {}
 
   std::vector<Diagnosis> run() {
-    std::vector<const Row*> too_small;
-    for (const auto& rows : {rows_before_rotation(), rows_of_rotation(), rows_after_rotation()}) {
-      for (const Row& row : rows) {
-        if (!take(row, least_share * error_of_frames())) too_small.push_back(&row);
+    std::vector<Suspicion> too_small;
+    for (const Row& row : rows()) {
+      if (is_shut_out(row) || !row.where(facts_)) continue;
+      const std::optional<Suspicion> what = row.says(facts_);
+      if (!what) continue;
+      const bool is_too_small = row.explains == Explains::frames && what->size < least_share * error_of_frames();
+      if (is_too_small) {
+        too_small.push_back(*what);
+        continue;
       }
+      add(what->cause, what->sentence);
+      if (row.explains != Explains::its_own_test) facts_.explained.push_back(row.explains);
     }
-    for (const Row* row : too_small) add_beside(*row);
-    for (const TestResult& test : tests()) {
-      if (test.verdict == Verdict::fail && speaks_for_itself(test)) add({test.cause, test.sentence});
-    }
+    // What is too small to explain the others, and wrong all the same.
+    for (const Suspicion& what : too_small) add(what.cause, what.sentence);
+    add_failures([&](const TestResult& test) { return speaks_for_itself(test); });
     name_what_follows();
-    if (!found_.empty()) return found_;
-    for (const TestResult& test : tests()) {
-      if (test.verdict == Verdict::fail) add({test.cause, test.sentence});
-    }
+    if (found_.empty()) add_failures([](const TestResult&) { return true; });
     return found_;
   }
 
  private:
   static constexpr double least_share = 0.05;  ///< a cause is of the size of what it explains
 
-  std::vector<TestResult>& tests() const { return findings_.verdicts.tests(); }
-
   /// The largest error of the tests of frames, over the largest stress; what has none is no matter of size.
   double error_of_frames() const {
     double largest = 0;
-    for (const TestResult& test : tests()) {
+    for (const TestResult& test : facts_.tests) {
       const double measure = test.measure.value_or(0);
       if (test.verdict == Verdict::fail && is_of(Explains::frames, test.id) && std::isfinite(measure)) {
         largest = std::max(largest, measure);
@@ -74,110 +83,57 @@ class Diagnostician {
     return largest;
   }
 
-  static bool is_shut_out(const Row& row, const Findings& findings) {
-    return (row.beside == Beside::no_frames && findings.has_explained(Explains::frames)) ||
-           (row.beside == Beside::no_time && findings.has_explained(Explains::time));
-  }
-
-  /// False where what the row names would explain the tests of frames, and makes a smaller error than `least`.
-  bool take(const Row& row, double least) {
-    if (is_shut_out(row, findings_)) return true;
-    const std::optional<Suspicion> what = row.evidence(findings_);
-    if (!what) return true;
-    if (row.explains == Explains::frames && what->size < least) return false;
-    add({what->cause, what->sentence});
-    if (row.explains != Explains::its_own_test) findings_.explained.push_back(row.explains);
-    return true;
-  }
-
-  /// What is too small to explain the others, and wrong all the same.
-  void add_beside(const Row& row) {
-    if (const std::optional<Suspicion> what = row.evidence(findings_)) add({what->cause, what->sentence});
+  bool is_shut_out(const Row& row) const {
+    return (row.beside == Beside::no_frames && facts_.has_explained(Explains::frames)) ||
+           (row.beside == Beside::no_time && facts_.has_explained(Explains::time));
   }
 
   /// Whether a test that has failed tells a cause that does not follow from another one.
   bool speaks_for_itself(const TestResult& test) const {
-    if (test.cause.empty() || findings_.is_explained(test.id)) return false;
+    if (test.cause.empty() || facts_.is_explained(test.id)) return false;
     if (!found_.empty() && test.cause == causes::no_convergence) return false;  // the weakest of all
     const bool of_order = !found_.empty() && is_of_order(found_.front().cause);
     if (of_order && test.cause == causes::tangent_wrong) return false;  // of the stress in its right order
-    if (test.id == "rest" && rest_is_of_stretches(findings_.verdicts)) return false;
+    if (test.id == ids::rest && rest_is_of_stretches(facts_)) return false;
     return std::none_of(std::begin(consequences), std::end(consequences),
-                        [&](const Consequence& each) { return test.id == each.test && findings_.failed(each.of); });
+                        [&](const Consequence& each) { return test.id == each.test && facts_.failed(each.of); });
   }
 
   /// A failed test that has no cause of its own has that of the first one found.
   void name_what_follows() {
-    for (TestResult& test : tests()) {
-      if (test.verdict != Verdict::fail || !(test.cause.empty() || findings_.is_explained(test.id))) continue;
+    for (TestResult& test : facts_.tests) {
+      if (test.verdict != Verdict::fail || !(test.cause.empty() || facts_.is_explained(test.id))) continue;
       test.cause = found_.empty() ? causes::not_indifferent : found_.front().cause;
     }
   }
 
-  void add(const Diagnosis& diagnosis) {
-    const auto same = [&](const Diagnosis& d) { return d.cause == diagnosis.cause; };
-    if (std::none_of(found_.begin(), found_.end(), same)) found_.push_back(diagnosis);
+  template <class Predicate>
+  void add_failures(const Predicate& predicate) {
+    for (const TestResult& test : facts_.tests) {
+      if (test.verdict == Verdict::fail && predicate(test)) add(test.cause, test.sentence);
+    }
   }
 
-  Findings findings_;
+  void add(const std::string& cause, const std::string& sentence) {
+    const auto same = [&](const Diagnosis& d) { return d.cause == cause; };
+    if (std::none_of(found_.begin(), found_.end(), same)) found_.push_back({cause, sentence});
+  }
+
+  Facts facts_;
   std::vector<Diagnosis> found_;
 };
 
 }  // namespace
 
-const std::vector<std::string>& all_causes() {
-  static const std::vector<std::string> all{causes::components_swapped,
-                                            causes::other_order,
-                                            causes::shear_factor,
-                                            causes::small_strain,
-                                            causes::rotation_missing,
-                                            causes::wrong_spin,
-                                            causes::explicit_spin,
-                                            causes::state_not_rotated,
-                                            causes::wrong_role,
-                                            causes::not_isotropic,
-                                            causes::not_of_class,
-                                            causes::not_positive,
-                                            causes::repeated_stretch,
-                                            causes::tangent_convention,
-                                            causes::tangent_wrong,
-                                            causes::hidden_state,
-                                            causes::not_reproducible,
-                                            causes::of_batch,
-                                            causes::of_alignment,
-                                            causes::kept_by_element,
-                                            causes::host_counters,
-                                            causes::clock,
-                                            causes::overrun,
-                                            causes::state_undeclared,
-                                            causes::properties_missing,
-                                            causes::undeclared_increment,
-                                            causes::not_indifferent,
-                                            causes::stress_at_rest,
-                                            causes::initial_stress,
-                                            causes::drifts,
-                                            causes::no_convergence,
-                                            causes::jump,
-                                            causes::forgotten,
-                                            causes::energy,
-                                            causes::rate_form,
-                                            causes::wave_speed,
-                                            causes::closed_form,
-                                            causes::dissipation,
-                                            causes::not_a_number,
-                                            causes::no_stress,
-                                            causes::refuses,
-                                            causes::refuses_length,
-                                            causes::missing_routine,
-                                            causes::not_reached,
-                                            causes::grows,
-                                            causes::single_precision,
-                                            causes::not_finite,
-                                            causes::not_symmetric,
-                                            causes::ends_process,
-                                            causes::disturbs_process,
-                                            causes::other_stress};
-  return all;
+bool is_of(Explains group, const std::string& test) {
+  const auto holds = [&](const auto& all) { return std::find(std::begin(all), std::end(all), test) != std::end(all); };
+  return (group == Explains::frames && holds(of_frames)) || (group == Explains::time && holds(of_time));
+}
+
+bool rest_is_of_stretches(const Facts& facts) {
+  const std::string rest = facts.cause(ids::rest);
+  return facts.cause(ids::nearly_equal_stretches) == causes::repeated_stretch &&
+         (rest == causes::refuses || rest == causes::not_finite);
 }
 
 std::vector<Diagnosis> diagnose(std::vector<TestResult>& tests, const Evidence& evidence) {

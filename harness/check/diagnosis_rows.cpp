@@ -1,191 +1,295 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/check/diagnosis_rows.hpp"
+#include "harness/check/diagnosis.hpp"
 
-#include "harness/check/shear_order.hpp"
+#include "harness/check/judge.hpp"
+#include "harness/check/stiffness.hpp"
 
 namespace assay::check {
 
 namespace {
 
-constexpr const char* of_frames[] = {
-    "elasticity.components",  "elasticity.shear",     "isotropy",        "rotation.constant", "basis",
-    "rotation.at_rest",       "rotation.before",      "rotation.during", "rotation.after",    "rotation.apex",
-    "rotation.fixed_stretch", "rotation.revolutions", "rotation.state",  "stretches.turning", "initial_stress",
-    "elasticity.class",       "symmetry_class"};
-constexpr const char* of_time[] = {"rest",         "clock", "zero_increment", "rotation.at_rest",
-                                   "step_halving", "jumps", "dissipation",    "initial_stress"};
-
 using Found = std::optional<Suspicion>;
+using Says = std::function<Found(const Facts&)>;
+using Where = std::function<bool(const Facts&)>;
 
-/// As `said_by`, of what is right or wrong whatever its size.
-Found of(const Findings& f, const std::string& id) {
-  Found said = said_by(f, id);
-  if (said) said->size = INFINITY;
-  return said;
+// What is said.
+
+/// What a failed test says, with its measure as the size.
+Found said_by(const Facts& f, const std::string& id) {
+  const TestResult* test = f.failure(id);
+  if (!test) return std::nullopt;
+  const double measure = test->measure.value_or(INFINITY);
+  return Suspicion{test->cause, test->sentence, std::isfinite(measure) ? measure : INFINITY};
 }
 
-/// Whether a body that stands in a turned frame is wrong already.
-bool wrong_once_for_all(const Findings& f) { return f.failed("rotation.constant") || f.failed("basis"); }
-
-/// A pressure is the same in every frame: what else differs has a cause of its own.
-bool is_pressure_beside_frames(const Findings& f) {
-  return f.evidence.pressed_at_rest && f.failed("rotation.constant");
+Says by_size(const char* id) {
+  return [=](const Facts& f) { return said_by(f, id); };
 }
 
-/// A stress that time brings to a body at rest: growth, swelling.
-Found grows(const Findings& f) {
-  if (!f.evidence.grows_at_rest || !(f.failed("rest") || f.failed("clock"))) return std::nullopt;
+/// Of what is right or wrong whatever its size.
+Says by(const char* id) {
+  return [=](const Facts& f) {
+    const TestResult* test = f.failure(id);
+    return test ? Found(Suspicion{test->cause, test->sentence}) : std::nullopt;
+  };
+}
+
+Says that(const char* cause, const char* words) {
+  return [=](const Facts&) { return Suspicion{cause, words}; };
+}
+
+/// What a model is said to be of which no more is known; a stress that is not symmetric says more.
+Suspicion unnamed(const Facts& f, const std::string& sentence) {
+  const TestResult* asymmetry = f.failure(ids::symmetry);
+  return asymmetry ? Suspicion{asymmetry->cause, asymmetry->sentence} : Suspicion{causes::not_indifferent, sentence};
+}
+
+/// A law that turns nothing has no spin that could be wrong.
+Suspicion not_turned(const Facts& f, const std::string& sentence) {
+  return f.evidence.has_spin ? Suspicion{causes::wrong_spin, sentence} : unnamed(f, sentence);
+}
+
+Found constant_unnamed(const Facts& f) { return unnamed(f, f.failure(ids::constant_rotation)->sentence); }
+
+Found overshoot_words(const Facts& f) { return Suspicion{causes::dissipation, f.evidence.overshoots}; }
+
+Found growth_words(const Facts& f) {
   return Suspicion{causes::grows,
                    "an undeformed body becomes stressed with time, for every step length: it has a strain of its own, "
                    "such as growth or swelling. If this is intended, declare " +
                        f.evidence.growth_declaration};
 }
 
-/// What is kept elsewhere follows no clock, nor does what hangs on where arrays lie.
-Found clock(const Findings& f) {
-  return f.failed("calls.repeated") || f.failed("calls.alignment") ? std::nullopt : of(f, "clock");
+Found isotropy_words(const Facts& f) {
+  const TestResult* test = f.failure(ids::isotropy);
+  if (!test) return std::nullopt;
+  return Suspicion{is_of_order(test->cause) ? test->cause : causes::not_isotropic,
+                   "a body that was rotated before it is loaded has another stress: " + test->sentence};
 }
 
-Found increment_of_scalars(const Findings& f) {
-  return f.evidence.has_state_that_turns ? std::nullopt : of(f, "calls.increment");  // nor has it a spin
+Found drift_words(const Facts& f) {
+  return Suspicion{causes::drifts, "'" + f.evidence.drifting + "' of the state changes in steps without deformation, " +
+                                       "and this makes later stresses wrong"};
 }
 
-Found increment(const Findings& f) { return of(f, "calls.increment"); }
-
-Found pressure_at_rest_alone(const Findings& f) {
-  const bool other = rest_is_of_stretches(f.verdicts) || f.is_explained("rest");
-  return is_pressure_beside_frames(f) && !other ? of(f, "rest") : std::nullopt;
+Found steps_words(const Facts& f) {
+  return Suspicion{
+      causes::explicit_spin,
+      "the increment that rotates the stress is not a rotation, or part of the rotation is taken as strain: " +
+          f.evidence.fixed.result.sentence};
 }
 
-Found stress_at_rest_row(const Findings& f) {
-  const bool other = is_pressure_beside_frames(f) || rest_is_of_stretches(f.verdicts) || f.is_explained("rest");
-  return other ? std::nullopt : of(f, "rest");
+Found left_behind_words(const Facts& f) {
+  return Suspicion{causes::state_not_rotated,
+                   "when the body rotates, " + f.evidence.state.left_behind +
+                       " of the state does not rotate with it, and this makes the stress wrong"};
 }
 
-/// A stress that is held grows without bounds: then no test of rotation means anything.
-Found growth(const Findings& f) {
-  const bool grows = f.failed("rotation.revolutions") && !f.failed("rotation.constant") &&
-                     !std::isfinite(f.find("rotation.revolutions")->measure.value_or(0));
-  return grows ? of(f, "dissipation") : std::nullopt;
+Found left_behind_later_words(const Facts& f) {
+  return Suspicion{causes::state_not_rotated,
+                   "the stress turns with the body, but " + f.evidence.state.left_behind +
+                       " of the state does not, and this makes the stress of later loads wrong"};
 }
 
-/// Relaxation that overshoots comes with time.
-Found overshoots(const Findings& f) {
-  if (f.evidence.overshoots.empty() || !f.verdicts.failed("dissipation")) return std::nullopt;
-  return Suspicion{causes::dissipation, f.evidence.overshoots};
+Found fixed_stretch_words(const Facts& f) { return not_turned(f, f.evidence.fixed.result.sentence); }
+
+constexpr double unmoved = 0.02;  ///< of the body's angle
+
+/// Of the body's angle: by which a small turn turns the stress, where that is not 1.
+std::optional<double> other_spin(const RotationFinding& fixed) {
+  return fixed.spin && std::abs(*fixed.spin - 1) > unmoved ? fixed.spin : std::nullopt;
 }
 
-/// Where steps are so long that the stress explodes, tests of frames mean nothing.
-Found overshoots_beyond_frames(const Findings& f) {
+Found another_angle(const Facts& f) {
+  const RotationFinding& fixed = f.evidence.fixed;
+  const bool other_angle = fixed.turned && std::abs(*fixed.turned - 1) > unmoved;
+  // A large turn may be taken for another one, by which it comes to the same place.
+  const std::optional<double> small = other_spin(fixed), times = small || !other_angle ? small : fixed.turned;
+  if (!times) return std::nullopt;
+  return Suspicion{causes::wrong_spin, "the stress rotates by " + rounded(*times) +
+                                           " times the angle of the body's rotation" +
+                                           (fixed.turned ? "" : ", and its increments are not rotations")};
+}
+
+Found any_turn(const Facts& f) {
+  for (const char* id : {ids::rotation_during, ids::rotation_after, ids::rotation_before, ids::rotation_at_rest}) {
+    const Found said = said_by(f, id);
+    if (said) return said->cause.empty() ? not_turned(f, said->sentence) : said;
+  }
+  return std::nullopt;
+}
+
+Found any_frame(const Facts& f) {
+  if (f.failed(ids::constant_rotation)) return constant_unnamed(f);
+  if (!f.failed(ids::basis) || f.failed(ids::isotropy)) return std::nullopt;
+  return unnamed(f, f.failure(ids::basis)->sentence);
+}
+
+// Where it is said.
+
+Where failed_in(const char* id) {
+  return [=](const Facts& f) { return f.failed(id); };
+}
+
+Where failed_by(const char* id, const char* cause) {
+  return [=](const Facts& f) { return f.failed(id) && f.cause(id) == cause; };
+}
+
+Where both(const Where& one, const Where& other) {
+  return [=](const Facts& f) { return one(f) && other(f); };
+}
+
+Where no(const Where& where) {
+  return [=](const Facts& f) { return !where(f); };
+}
+
+Where neither(const Where& one, const Where& other) { return both(no(one), no(other)); }
+
+Where is(bool Evidence::*fact) {
+  return [=](const Facts& f) { return f.evidence.*fact; };
+}
+
+bool overshoots(const Facts& f) { return !f.evidence.overshoots.empty() && f.failed(ids::dissipation); }
+
+bool explodes_in_frames(const Facts& f) {
   constexpr double exploded = 10;  // times the largest stress
-  const std::vector<TestResult>& tests = f.verdicts.tests();
-  const bool explodes = std::any_of(tests.begin(), tests.end(), [](const TestResult& test) {
-    return test.verdict == Verdict::fail && is_of(Explains::frames, test.id) &&
-           !(test.measure.value_or(INFINITY) <= exploded);
+  return f.any_failure([](const TestResult& test) {
+    return is_of(Explains::frames, test.id) && !(test.measure.value_or(INFINITY) <= exploded);
   });
-  return explodes ? overshoots(f) : std::nullopt;
 }
 
-Found nearly_equal_stretches_row(const Findings& f) {
-  return wrong_once_for_all(f) ? std::nullopt : of(f, "stretches.nearly_equal");
+bool grows(const Facts& f) { return f.evidence.grows_at_rest && (f.failed(ids::rest) || f.failed(ids::clock)); }
+
+bool grows_by_anything(const Facts& f) { return !f.evidence.overshoots.empty(); }
+
+bool is_finite_in_revolutions(const Facts& f) {
+  return !f.failed(ids::revolutions) || std::isfinite(f.failure(ids::revolutions)->measure.value_or(0));
 }
 
-Found zero_increment_row(const Findings& f) {
-  return wrong_once_for_all(f) || f.is_explained("zero_increment") ? std::nullopt : of(f, "zero_increment");
+/// Whether a body that stands in a turned frame is wrong already.
+bool is_wrong_once_for_all(const Facts& f) { return f.failed(ids::constant_rotation) || f.failed(ids::basis); }
+
+/// A pressure is the same in every frame: what else differs has a cause of its own.
+bool is_pressure_beside_frames(const Facts& f) {
+  return f.evidence.pressed_at_rest && f.failed(ids::constant_rotation);
 }
 
-Found components(const Findings& f) { return said_by(f, "elasticity.components"); }
+bool rest_is_told(const Facts& f) { return rest_is_of_stretches(f) || f.is_explained(ids::rest); }
 
-Found shear(const Findings& f) { return said_by(f, "elasticity.shear"); }
-
-Found shear_beside_components(const Findings& f) {
-  return f.failed("elasticity.components") ? said_by(f, "elasticity.shear") : std::nullopt;
-}
-
-Found initial_stress_in_other_order(const Findings& f) {
-  const Found said = of(f, "initial_stress");
-  return said && is_of_order(said->cause) ? said : std::nullopt;
-}
-
-Found isotropy_row(const Findings& f) {
-  if (!f.failed("isotropy")) return std::nullopt;
-  const TestResult& test = *f.find("isotropy");
-  return Suspicion{is_of_order(test.cause) ? test.cause : causes::not_isotropic,
-                   "a body that was rotated before it is loaded has another stress: " + test.sentence};
-}
+bool zero_increment_is_told(const Facts& f) { return f.is_explained(ids::zero_increment); }
 
 /// Of a stiffness that is mixed up as a whole: a frame shows it as well.
-Found no_class(const Findings& f) {
-  const Found said = said_by(f, "elasticity.class");
-  const bool mixed_up = said && (f.evidence.symmetry.fits_no_class || said->cause != causes::not_of_class);
-  return mixed_up ? said : std::nullopt;
+bool is_of_no_class(const Facts& f) {
+  return f.failed(ids::class_at_rest) &&
+         (f.evidence.symmetry.fits_no_class || f.cause(ids::class_at_rest) != causes::not_of_class);
 }
 
-/// Of another class, which no frame shows.
-Found other_class(const Findings& f) { return no_class(f) ? std::nullopt : of(f, "elasticity.class"); }
+bool initial_stress_is_in_another_order(const Facts& f) { return is_of_order(f.cause(ids::initial_stress)); }
 
-Found other_class_in_loading(const Findings& f) { return of(f, "symmetry_class"); }
-
-Found isotropy_and_basis(const Findings& f) { return f.failed("basis") ? isotropy_row(f) : std::nullopt; }
-
-/// A body that is held does not relax, and one that turns does, where rounding makes a strain of its turn.
-Found rests_when_held(const Findings& f) {
-  const bool overshoots = !f.evidence.overshoots.empty();  // which grows by anything, as by another step
-  const bool rests = f.failed("step_halving") && f.find("step_halving")->cause == causes::drifts && !overshoots;
-  return rests ? of(f, "step_halving") : std::nullopt;
+/// Whether a test fails where the stress of sym(Q - I) is found, or nearly.
+Where is_of_small_strain(const char* id, double RotationFinding::*multiple) {
+  constexpr double within = 0.1;
+  return [=](const Facts& f) { return f.failed(id) && std::abs(f.evidence.at_rest.*multiple - 1) < within; };
 }
 
-constexpr Row before[] = {
-    {overshoots_beyond_frames, Explains::frames, Beside::any},
-    {overshoots, Explains::time, Beside::any},
-    {rests_when_held, Explains::frames, Beside::any},
-    {grows, Explains::time, Beside::any},
-    {clock, Explains::time, Beside::no_time},
-    {increment_of_scalars, Explains::frames, Beside::any},
-    {increment, Explains::its_own_test, Beside::any},
-    {pressure_at_rest_alone, Explains::its_own_test, Beside::any},
-    {stress_at_rest_row, Explains::frames, Beside::any},
-    {growth, Explains::frames, Beside::any},
-    {nearly_equal_stretches_row, Explains::frames, Beside::any},
-    {zero_increment_row, Explains::its_own_test, Beside::any},
-    {components, Explains::frames, Beside::no_frames},
-    {shear_beside_components, Explains::frames, Beside::any},
-    {shear, Explains::frames, Beside::no_frames},
-    {no_class, Explains::frames, Beside::no_frames},
-    {initial_stress_in_other_order, Explains::frames, Beside::any},
-};
+/// Whether the test of a constant rotation says more than the turned step, which also says of what.
+bool says_more_than_a_step(const Facts& f) {
+  const std::string cause = f.cause(ids::constant_rotation);
+  // principal axes in a wrong order are right at right angles, too
+  if (cause.empty() || (cause == causes::shear_factor && f.failed(ids::nearly_equal_stretches))) return false;
+  const Found step = said_by_turned_step(f);
+  return !(step && step->cause == cause);
+}
 
-constexpr Row after[] = {
-    {isotropy_and_basis, Explains::frames, Beside::no_frames},
-    {isotropy_row, Explains::its_own_test, Beside::no_frames},
-    {other_class, Explains::its_own_test, Beside::any},
-    {other_class_in_loading, Explains::its_own_test, Beside::no_frames},
-};
+bool drifts(const Facts& f) { return f.failed(ids::constant_rotation) && !f.evidence.drifting.empty(); }
+
+bool is_unmoved(const Facts& f) {
+  const std::optional<double>& turned = f.evidence.fixed.turned;
+  return turned && !(std::abs(*turned) > unmoved);
+}
+
+/// Whether an error of a stretched body that turns is one of the length of the steps.
+bool is_of_steps(const Facts& f) {
+  const RotationFinding& fixed = f.evidence.fixed;
+  const bool small_turns_are_right = fixed.spin && std::abs(*fixed.spin - 1) <= unmoved;
+  return (fixed.result.order && !other_spin(fixed)) || small_turns_are_right;
+}
+
+bool leaves_state_behind(const Facts& f) { return !f.evidence.state.left_behind.empty(); }
+
+bool fails_after_a_turn(const Facts& f) { return f.failed(ids::rotation_after) || f.failed(ids::rotation_during); }
 
 }  // namespace
 
-bool is_of(Explains group, const std::string& test) {
-  const auto holds = [&](const auto& ids) {
-    return std::any_of(std::begin(ids), std::end(ids), [&](const char* id) { return test == id; });
+const std::vector<Row>& rows() {
+  using enum Explains;
+  using enum Beside;
+  static const Where fixed = failed_in(ids::fixed_stretch), constant = failed_in(ids::constant_rotation),
+                     needs_a_spin = both(is(&Evidence::right_without_spin), is(&Evidence::has_spin));
+  static const std::vector<Row> all{
+      // Where steps are so long that the stress explodes, tests of frames mean nothing.
+      {frames, any, overshoot_words, both(overshoots, explodes_in_frames)},
+      {time, any, overshoot_words, overshoots},
+      // A body that is held does not relax, and one that turns does, where rounding makes a strain of its turn.
+      {frames, any, by(ids::step_halving), both(failed_by(ids::step_halving, causes::drifts), no(grows_by_anything))},
+      {time, any, growth_words, grows},
+      // What is kept elsewhere follows no clock, nor does what hangs on where arrays lie.
+      {time, no_time, by(ids::clock), neither(failed_in(ids::repeated), failed_in(ids::alignment))},
+      {frames, any, by(ids::increment), no(is(&Evidence::has_state_that_turns))},  // nor has it a spin
+      {its_own_test, any, by(ids::increment)},
+      {its_own_test, any, by(ids::rest), both(is_pressure_beside_frames, no(rest_is_told))},
+      {frames, any, by(ids::rest), neither(is_pressure_beside_frames, rest_is_told)},
+      // A stress that is held grows without bounds: then no test of rotation means anything.
+      {frames, any, by(ids::dissipation), neither(is_finite_in_revolutions, constant)},
+      {frames, any, by(ids::nearly_equal_stretches), no(is_wrong_once_for_all)},
+      {its_own_test, any, by(ids::zero_increment), neither(is_wrong_once_for_all, zero_increment_is_told)},
+      {frames, no_frames, by_size(ids::shear_components)},
+      {frames, any, by_size(ids::shear_modulus), failed_in(ids::shear_components)},
+      {frames, no_frames, by_size(ids::shear_modulus)},
+      {frames, no_frames, by_size(ids::class_at_rest), is_of_no_class},
+      {frames, any, by(ids::initial_stress), initial_stress_is_in_another_order},
+
+      // Of models that do not turn with the body: which tensor does not, and how it turns instead.
+      {frames, no_frames,
+       that(causes::small_strain,
+            "a rigid rotation Q gives the stress of the strain sym(Q - I): the strain measure is not valid for finite "
+            "rotations"),
+       is_of_small_strain(ids::rotation_at_rest, &RotationFinding::small_strain)},
+      {frames, no_frames,
+       that(causes::small_strain,
+            "a rigid rotation Q gives the viscous stress of the strain sym(Q - I): the strain rate is sym(F1 - F0)/dt, "
+            "which is not valid for finite rotations"),
+       is_of_small_strain(ids::constant_rotation, &RotationFinding::relaxing_small_strain)},
+      {frames, no_frames, by_size(ids::constant_rotation), failed_by(ids::constant_rotation, causes::rotation_missing)},
+      {frames, no_frames, by_size(ids::constant_rotation), says_more_than_a_step},
+      {frames, no_frames, said_by_turned_step},
+      {frames, no_frames, drift_words, drifts},
+      {frames, no_frames,
+       that(causes::rotation_missing, "the stress of a stretched body does not rotate with the body"),
+       both(fixed, is_unmoved)},
+      {frames, no_frames, constant_unnamed, both(both(fixed, constant), no(needs_a_spin))},
+      {frames, no_frames,
+       that(causes::wrong_spin,
+            "the stress is right in every frame if the axes of stretch are fixed, and wrong if they rotate: components "
+            "of the spin are missing or mixed up"),
+       both(fixed, constant)},
+      {frames, no_frames, steps_words, both(fixed, is_of_steps)},
+      {frames, no_frames, another_angle, fixed},
+      {frames, no_frames, left_behind_words, both(fixed, leaves_state_behind)},
+      {frames, no_frames, fixed_stretch_words, fixed},
+      {frames, no_frames, constant_unnamed, both(constant, no(is(&Evidence::right_without_spin)))},
+      {frames, no_frames, left_behind_later_words, both(fails_after_a_turn, leaves_state_behind)},
+      {frames, no_frames, by(ids::revolutions)},
+      {frames, no_frames, any_turn},
+      {frames, no_frames, any_frame},
+
+      // What is left where no rotation explains the tests of frames.
+      {frames, no_frames, isotropy_words, failed_in(ids::basis)},
+      {its_own_test, no_frames, isotropy_words},
+      {its_own_test, any, by(ids::class_at_rest), no(is_of_no_class)},  // of another class, which no frame shows
+      {its_own_test, no_frames, by(ids::class_in_loading)},
   };
-  switch (group) {
-    case Explains::frames:
-      return holds(of_frames);
-    case Explains::time:
-      return holds(of_time);
-    case Explains::its_own_test:
-      break;
-  }
-  return false;
-}
-
-std::span<const Row> rows_before_rotation() { return before; }
-std::span<const Row> rows_after_rotation() { return after; }
-
-bool rest_is_of_stretches(const Verdicts& verdicts) {
-  const auto rest = verdicts.of("rest"), equal = verdicts.of("stretches.nearly_equal");
-  return rest && equal && equal->cause == causes::repeated_stretch &&
-         (rest->cause == causes::refuses || rest->cause == causes::not_finite);
+  return all;
 }
 
 }  // namespace assay::check

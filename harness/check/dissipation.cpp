@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/check/dissipation.hpp"
-
+// Whether work comes out of a material: against its energy, in cycles, while it is held.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
-#include "harness/check/derivatives.hpp"
 #include "harness/check/judge.hpp"
-#include "harness/check/long_steps.hpp"
-#include "harness/check/potential.hpp"
-#include "harness/check/precision.hpp"
-#include "harness/check/strain_cycle.hpp"
-#include "harness/check/viscosity.hpp"
+#include "harness/check/samples.hpp"
+#include "harness/check/tests.hpp"
 #include "harness/check/work.hpp"
 #include "harness/numeric/stable_norm.hpp"
 
@@ -26,14 +22,14 @@ double out_of_what_was_lost(const Specimen& specimen, const Offer<assay_energy>&
   const double stored_at_rest = stored_energy(form, Tensor::Identity(), work.state());
   double lost = 0, peak = 0, worst = 0;
   for (int k = 0; k < steps; ++k) {
-    const Tensor F = specimen.space.stretch(specimen.amplitude, (k + 1.0) / steps);
+    const Tensor F = specimen.stretch((k + 1.0) / steps);
     work.step(F);
     lost = work.done() - (stored_energy(form, F, work.state()) - stored_at_rest);
     peak = std::max(peak, lost);
     worst = std::max(worst, peak - lost);
   }
   const bool known = std::isfinite(lost);  // what is refused, or no number, the test of the energy tells
-  return known ? worst / std::max(work.paid(), specimen.least_stress() * specimen.amplitude) : 0;
+  return known ? share_of_work(specimen, worst, work) : 0;
 }
 
 /// From rest, where nothing is stored, out and back the same way in a time [s]: the most that comes out of it at any
@@ -43,10 +39,10 @@ double out_of_rest(const Specimen& specimen, int steps, double time) {
   double least = 0;
   for (int k = 1; k <= 2 * steps; ++k) {
     const double there = 1 - std::abs(1 - static_cast<double>(k) / steps);
-    work.step(specimen.space.stretch(specimen.amplitude, 0.4 * there));
+    work.step(specimen.stretch(0.4 * there));
     if (k == 2 * steps || !specimen.material->path_independent()) least = std::min(least, work.done());
   }
-  const double share = -least / std::max(work.paid(), specimen.least_stress() * specimen.amplitude);
+  const double share = share_of_work(specimen, -least, work);
   return std::isfinite(share) ? share : INFINITY;
 }
 
@@ -81,7 +77,7 @@ double out_of_volume(const Specimen& specimen, int steps, double time) {
 double growth_while_held(const Specimen& specimen, double from, int a_decade) {
   const Material& material = *specimen.material;
   const double ratio = std::pow(10.0, 1.0 / a_decade);
-  const Tensor F = specimen.space.stretch(specimen.amplitude, 0.3);
+  const Tensor F = specimen.stretch(0.3);
   double t = from, least = INFINITY, largest = 0, growth = 0;
   Point now = stepped(material, 0, t, Tensor::Identity(), F, specimen.rest_state());
   while (t < 1e8) {
@@ -92,7 +88,7 @@ double growth_while_held(const Specimen& specimen, double from, int a_decade) {
     least = std::min(least, size), largest = std::max(largest, size);
     growth = std::max(growth, size - least);
   }
-  return growth / std::max(largest, specimen.least_stress());
+  return growth / specimen.scale(largest);
 }
 
 /// A part that relaxes the wrong way may hide among others that lose more, but not while nothing else moves.
@@ -103,10 +99,9 @@ void judge_relaxation(const Specimen& specimen, double from, TestResult& result)
     if (coarse <= most) return;
     const double fine = growth_while_held(specimen, from, 24);
     if (fine <= most || std::abs(fine - coarse) > same * coarse) return;  // of the steps, not of the model
-    result = {.id = "dissipation", .verdict = Verdict::fail, .measure = fine, .threshold = most};
-    result.cause = causes::dissipation;
-    result.sentence = "at constant strain the stress grows with time, by " + percent(fine) +
-                      ": a part of it relaxes in the wrong direction";
+    result = failed(causes::dissipation, fine, most,
+                    "at constant strain the stress grows with time, by " + percent(fine) +
+                        ": a part of it relaxes in the wrong direction");
   } catch (const MaterialFailure&) {  // of the length of a step
   }
 }
@@ -136,10 +131,9 @@ void judge_cycles(const Specimen& specimen, TestResult& result) {
   constexpr double most = 10;
   const double growth = growth_in_cycles(specimen);
   if (growth <= most) return;
-  result = {.id = "dissipation", .verdict = Verdict::fail, .measure = growth, .threshold = most};
-  result.cause = causes::dissipation;
-  result.sentence = "in strain cycles of constant amplitude the stress grows without bound, " + rounded(growth) +
-                    " times when the number of cycles doubles: plastic flow increases the stress that drives it";
+  result = failed(causes::dissipation, growth, most,
+                  "in strain cycles of constant amplitude the stress grows without bound, " + rounded(growth) +
+                      " times when the number of cycles doubles: plastic flow increases the stress that drives it");
 }
 
 /// Of what depends on the rate. What fails in steps too brief for 24 bits, and not in longer ones, is no matter of
@@ -169,19 +163,14 @@ void judge_unloading(const Specimen& specimen, TestResult& result) {
       0.05;  // of plasticity without a potential, of damage and of steps of finite length below 0.01
   const double worst = out_of_a_cycle_after_yield(specimen).value_or(0);
   if (worst <= most) return;
-  result = {.id = "dissipation", .verdict = Verdict::fail, .measure = worst, .threshold = most};
-  result.cause = causes::dissipation;
-  result.sentence = "after yield, a strain cycle that reverses the load and returns gains " + percent(worst) +
-                    " of the work of continued loading: unloading reverses the plastic flow";
+  result = failed(causes::dissipation, worst, most,
+                  "after yield, a strain cycle that reverses the load and returns gains " + percent(worst) +
+                      " of the work of continued loading: unloading reverses the plastic flow");
 }
 
-TestResult judged(double worst, double most, const std::string& words) {
-  TestResult result{.id = "dissipation", .measure = worst, .threshold = most};
-  result.verdict = worst <= most ? Verdict::pass : Verdict::fail;
-  result.sentence = worst <= most ? "work is stored or dissipated, and no energy is created"
-                                  : "energy is created: " + percent(worst) + " of the work" + words;
-  if (worst > most) result.cause = causes::dissipation;
-  return result;
+TestResult judged_work(double worst, double most, const std::string& words) {
+  return judged(worst, most, "work is stored or dissipated, and no energy is created", causes::dissipation,
+                "energy is created: " + percent(worst) + " of the work" + words);
 }
 
 /// The most that comes out of a history, of those that take these times [s], by the finer of two steps.
@@ -207,21 +196,19 @@ TestResult dissipation(const Specimen& specimen) {
   constexpr double of_history = 0.02;  // what steps of finite length leave is below a thousandth
   const Offer<assay_energy> form(*specimen.material);
   if (form) {
-    TestResult result = judged(out_of_what_was_lost(specimen, form), of_energy, "");
+    TestResult result = judged_work(out_of_what_was_lost(specimen, form), of_energy, "");
     if (result.verdict == Verdict::fail) return result;
   }
   if (specimen.rest_pressure() > 0) {
-    return {.id = "dissipation",
-            .verdict = form ? Verdict::pass : Verdict::not_applicable,
-            .sentence = form ? "no dissipated work is recovered"
-                             : "the model offers no energy, and stores some at rest: under pressure"};
+    return form ? TestResult{.sentence = "no dissipated work is recovered"}
+                : left_out("the model offers no energy, and stores some at rest: under pressure");
   }
   const auto times = specimen.rate_dependent() ? std::vector{1.0, 1e-3, 1e3} : std::vector{1.0};
   const double stretched = most_in(times, specimen, out_of_rest);
   const double pressed = most_in(times, specimen, out_of_volume);
   const bool of_volume = stretched <= of_history && pressed > of_history;
-  TestResult result = judged(std::max(stretched, pressed), of_history,
-                             of_volume ? ": in a change of volume from rest and back" : ": from rest and back");
+  TestResult result = judged_work(std::max(stretched, pressed), of_history,
+                                  of_volume ? ": in a change of volume from rest and back" : ": from rest and back");
   if (result.verdict == Verdict::pass) judge_potential(specimen, times, result);
   if (result.verdict == Verdict::pass) result = viscosity(specimen, times).value_or(std::move(result));
   if (result.verdict != Verdict::pass) return result;

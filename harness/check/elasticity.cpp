@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/check/elasticity.hpp"
-
+// What the stiffness at rest tells: of a material that says it is isotropic, and whether a body at rest resists
+// whatever small strain it is brought to.
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "harness/check/judge.hpp"
-#include "harness/check/shear_order.hpp"
+#include "harness/check/specimen.hpp"
+#include "harness/check/stiffness.hpp"
+#include "harness/check/tests.hpp"
 
 namespace assay::check {
 
@@ -18,7 +22,7 @@ constexpr double share = 1e-3;  ///< of the modulus: what central differences of
 
 /// A stiffness of a material that declares isotropy.
 struct Elasticity : StiffnessOf {
-  double modulus() const { return C.cwiseAbs().maxCoeff(); }
+  double modulus() const { return size_of(C); }
   double shear() const { return (C(0, 0) + C(1, 1) + C(2, 2) - C(0, 1) - C(1, 2) - C(2, 0)) / 3; }  ///< 2 mu
 
   /// What an isotropic material does not have.
@@ -26,7 +30,7 @@ struct Elasticity : StiffnessOf {
     Stiffness off = C;
     off.topLeftCorner<3, 3>().setZero();
     for (int c = 3; c < 6; ++c) off(c, c) = 0;
-    return off.cwiseAbs().maxCoeff() / modulus();
+    return size_of(off) / modulus();
   }
 
   /// In which shears make, of a part at least, the stress of others; any where it is isotropic.
@@ -37,7 +41,7 @@ struct Elasticity : StiffnessOf {
       const double part = C(3 + moved, 3 + order[static_cast<std::size_t>(moved)]);
       Stiffness expected = part * P + (shear() - part) * Stiffness::Identity();
       expected.topLeftCorner<3, 3>() = C.topLeftCorner<3, 3>();
-      return (C - expected).cwiseAbs().maxCoeff() <= share * modulus();
+      return size_of(C - expected) <= share * modulus();
     };
     const auto found = std::find_if(other_orders.begin(), other_orders.end(), fits);
     return found == other_orders.end() ? std::nullopt : std::optional(*found);
@@ -58,20 +62,18 @@ struct Elasticity : StiffnessOf {
   }
 };
 
-/// Those that say something; none, and why.
-std::vector<Elasticity> all_of(const Specimen& specimen, std::string& why) {
+/// Those that say something.
+std::vector<Elasticity> isotropic_ones(const Specimen& specimen) {
   std::vector<Elasticity> all;
-  if (!specimen.isotropic()) {
-    why = "the model does not claim to be isotropic";
-    return all;
-  }
+  if (!specimen.isotropic()) return all;
   for (const StiffnessOf& each : linear_stiffnesses(specimen)) all.push_back({each});
-  if (all.empty()) why = "the response to small strains from rest is not linear";
   return all;
 }
 
-TestResult not_applicable(const char* id, const std::string& why) {
-  return {.id = id, .verdict = Verdict::not_applicable, .sentence = why};
+/// Where there are none.
+TestResult no_elasticity(const Specimen& specimen) {
+  return left_out(specimen.isotropic() ? "the response to small strains from rest is not linear"
+                                       : "the model does not claim to be isotropic");
 }
 
 }  // namespace
@@ -89,11 +91,9 @@ std::vector<StiffnessOf> linear_stiffnesses(const Specimen& specimen) {
 }
 
 TestResult shear_components(const Specimen& specimen) {
-  const char* id = "elasticity.components";
-  std::string why;
-  const std::vector<Elasticity> all = all_of(specimen, why);
-  if (all.empty()) return not_applicable(id, why);
-  TestResult result{.id = id, .measure = 0, .threshold = share};
+  const std::vector<Elasticity> all = isotropic_ones(specimen);
+  if (all.empty()) return no_elasticity(specimen);
+  TestResult result = passed(0, share, "");
   for (const Elasticity& each : all) {
     const double coupled = each.coupled();
     if (coupled > *result.measure) result.measure = coupled;
@@ -113,11 +113,9 @@ TestResult shear_components(const Specimen& specimen) {
 }
 
 TestResult shear_modulus(const Specimen& specimen) {
-  const char* id = "elasticity.shear";
-  std::string why;
-  const std::vector<Elasticity> all = all_of(specimen, why);
-  if (all.empty()) return not_applicable(id, why);
-  TestResult result{.id = id, .measure = 0, .threshold = share};
+  const std::vector<Elasticity> all = isotropic_ones(specimen);
+  if (all.empty()) return no_elasticity(specimen);
+  TestResult result = passed(0, share, "");
   for (const Elasticity& each : all) {
     const auto [error, ratio] = each.order() ? std::pair(0.0, 1.0) : each.shear_error();
     if (error > *result.measure) result.measure = error;
@@ -131,6 +129,77 @@ TestResult shear_modulus(const Specimen& specimen) {
   if (result.verdict == Verdict::pass) {
     result.sentence =
         "the shear modulus at rest is that of an isotropic material, to within " + rounded(*result.measure);
+  }
+  return result;
+}
+
+namespace {
+
+/// A strain of norm 1, and how stiff a body is against it [Pa].
+struct Softest {
+  double stiffness = INFINITY;
+  Eigen::Matrix<double, 6, 1> strain = Eigen::Matrix<double, 6, 1>::Zero();  ///< tensor components
+};
+
+/// Of all strains that the material takes. A stiffness without the major symmetry counts by the work of a strain, that
+/// is by its symmetric part.
+Softest softest_of(const Space& space, const Stiffness& C) {
+  constexpr double root = std::numbers::sqrt2;
+  const Eigen::Matrix<double, 6, 1> norms(1, 1, 1, root, root, root);
+  Stiffness orthonormal = norms.asDiagonal() * C * norms.cwiseInverse().asDiagonal();  // in a basis of unit strains
+  for (int c = 4; c < 6 && space.is_plane(); ++c) orthonormal.row(c).setZero(), orthonormal.col(c).setZero();
+  const Eigen::SelfAdjointEigenSolver<Stiffness> eigen(0.5 * (orthonormal + orthonormal.transpose()));
+  return {eigen.eigenvalues()(0), eigen.eigenvectors().col(0).cwiseQuotient(norms)};
+}
+
+/// "11 0.71, 22 -0.71"
+std::string words_of(const Eigen::Matrix<double, 6, 1>& strain) {
+  constexpr const char* names[] = {"11", "22", "33", "12", "13", "23"};
+  constexpr double small = 0.05;
+  Eigen::Index first = 0;
+  strain.cwiseAbs().maxCoeff(&first);
+  const double sign = strain(first) < 0 ? -1 : 1;
+  std::string words;
+  for (int c = 0; c < 6; ++c) {
+    if (std::abs(strain(c)) < small) continue;
+    words += (words.empty() ? "" : ", ") + std::string(names[c]) + " " + rounded(sign * strain(c));
+  }
+  return words;
+}
+
+std::string words_of(const StiffnessOf& each, const Softest& softest, double least) {
+  const double bulk = each.C.topLeftCorner<3, 3>().sum() / 9;
+  if (3 * bulk < -least) {
+    return "a body under uniform pressure swells: the bulk modulus" + each.of + " is " + rounded(bulk) + " Pa";
+  }
+  return "a strain (" + words_of(softest.strain) + ")" + each.of +
+         " gives a stress that increases it: the stiffness against it is " + rounded(softest.stiffness) + " Pa";
+}
+
+/// The whole of it, but of what is viscous, and what is left of it in the longest steps. What an explicit rule makes of
+/// these is larger than the whole, and no stiffness.
+std::vector<StiffnessOf> to_be_positive(const Specimen& specimen) {
+  std::vector<StiffnessOf> all = linear_stiffnesses(specimen);
+  std::erase_if(all, [&](const StiffnessOf& each) {
+    return each.is_of_a_part || (specimen.viscous && !each.is_left) || size_of(each.C) > specimen.modulus;
+  });
+  return all;
+}
+
+}  // namespace
+
+TestResult positive_stiffness(const Specimen& specimen) {
+  // Central differences leave 1e-10 of the modulus. What 24 bits or an iteration leaves shows by two sizes of probe.
+  constexpr double least_share = 1e-5, of_noise = 10;
+  TestResult result = left_out("there is no linear response to small strains from rest");
+  for (const StiffnessOf& each : to_be_positive(specimen)) {
+    const Softest softest = softest_of(specimen.space, each.C);
+    const double threshold = std::max(least_share, of_noise * each.noise / specimen.modulus);
+    const double measure = std::max(0.0, -softest.stiffness / specimen.modulus);
+    const bool better = result.measure && measure / threshold <= *result.measure / *result.threshold;
+    if (result.verdict == Verdict::fail || better) continue;
+    result = judged(measure, threshold, "the stiffness at rest is not negative for any small strain",
+                    causes::not_positive, words_of(each, softest, threshold * specimen.modulus));
   }
   return result;
 }

@@ -1,29 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/check/entries.hpp"
-
-#include <functional>
-
-#include "harness/check/batches.hpp"
-#include "harness/check/calls.hpp"
-#include "harness/check/constant_rotation.hpp"
-#include "harness/check/continuity.hpp"
-#include "harness/check/derivatives.hpp"
-#include "harness/check/dissipation.hpp"
-#include "harness/check/elasticity.hpp"
-#include "harness/check/extensions.hpp"
-#include "harness/check/initial_stress.hpp"
-#include "harness/check/isotropy.hpp"
-#include "harness/check/last_digits.hpp"
-#include "harness/check/material_symmetry.hpp"
-#include "harness/check/memory.hpp"
-#include "harness/check/positive_stiffness.hpp"
-#include "harness/check/refusals.hpp"
-#include "harness/check/repeated_stretch.hpp"
-#include "harness/check/rest.hpp"
-#include "harness/check/rotation.hpp"
-#include "harness/check/stability.hpp"
-#include "harness/check/steps.hpp"
-#include "harness/check/threads.hpp"
+// The list of the battery's tests, in their order.
+#include "harness/check/judge.hpp"
+#include "harness/check/tests.hpp"
 
 namespace assay::check {
 
@@ -36,12 +14,11 @@ std::function<TestResult(const Specimen&, Evidence&)> plain(Test test) {
 
 /// What a material that grows cannot hold, since time brings stress and work.
 template <class Test>
-std::function<TestResult(const Specimen&, Evidence&)> unless_it_grows(const char* id, Test test) {
+std::function<TestResult(const Specimen&, Evidence&)> unless_it_grows(Test test) {
   return [=](const Specimen& specimen, Evidence& evidence) {
-    if (!specimen.material->has(ASSAY_GROWS)) return test(specimen, evidence);
-    return TestResult{.id = id,
-                      .verdict = Verdict::not_applicable,
-                      .sentence = "the model declares that it grows: time brings stress and work of its own"};
+    return specimen.material->has(ASSAY_GROWS)
+               ? left_out("the model declares that it grows: time brings stress and work of its own")
+               : test(specimen, evidence);
   };
 }
 
@@ -66,63 +43,62 @@ TestResult loading_class(const Specimen& specimen, Evidence& evidence) {
 }  // namespace
 
 std::vector<Entry> first_entries() {
-  return {{"calls.repeated", nullptr,
+  return {{ids::repeated, nullptr,
            [](const Specimen& specimen, Evidence& evidence) {
              return repeated_calls(specimen, evidence.first.histories, evidence.repeated);
            },
            true},
-          {"calls.batch", nullptr,
+          {ids::batch, nullptr,
            [](const Specimen& specimen, Evidence& evidence) { return batches(specimen, evidence.first.batches); }},
-          {"calls.alignment", nullptr, plain(alignment), true},
-          {"clock", nullptr, unless_it_grows("clock", plain(clock_independence))},
-          {"continuity", nullptr, plain(continuity), true}};
+          {ids::alignment, nullptr, plain(alignment), true},
+          {ids::clock, nullptr, unless_it_grows(plain(clock_independence))},
+          {ids::continuity, nullptr, plain(continuity), true}};
 }
 
 std::vector<Entry> entries() {
   const auto turning = [](When when) { return plain([when](const Specimen& s) { return rotation(s, when); }); };
   return {
-      {"rest", nullptr, unless_it_grows("rest", plain(stress_at_rest))},
-      {"symmetry", causes::not_indifferent, plain(symmetry)},
-      {"zero_increment", nullptr, unless_it_grows("zero_increment", plain(zero_increment))},
-      {"elasticity.components", nullptr, plain(shear_components)},
-      {"elasticity.shear", nullptr, plain(shear_modulus)},
-      {"elasticity.positive", nullptr, plain(positive_stiffness)},
-      {"elasticity.class", nullptr, stiffness_class},
-      {"elasticity.major", nullptr, plain(major_symmetry)},
-      {"rotation.constant", causes::not_indifferent, plain(constant_rotation)},
-      {"basis", causes::not_indifferent, plain(change_of_basis)},
-      {"isotropy", causes::not_isotropic, plain(isotropy)},
-      {"symmetry_class", causes::not_of_class, loading_class},
-      {"rotation.at_rest", causes::not_indifferent,
-       unless_it_grows("rotation.at_rest", kept(&Evidence::at_rest, rotation_at_rest))},
-      {"rotation.before", causes::not_indifferent, turning(When::before)},
-      {"rotation.during", causes::not_indifferent, turning(When::during)},
-      {"rotation.after", causes::not_indifferent, turning(When::after)},
-      {"rotation.apex", causes::repeated_stretch, plain(rotation_at_apex)},
-      {"rotation.fixed_stretch", causes::not_indifferent, kept(&Evidence::fixed, rotation_at_fixed_stretch)},
-      {"rotation.revolutions", causes::not_indifferent, plain(revolutions)},
-      {"rotation.state", causes::not_indifferent, kept(&Evidence::state, rotation_of_state)},
-      {"stretches.nearly_equal", causes::repeated_stretch, plain(nearly_equal_stretches)},
-      {"stretches.turning", causes::repeated_stretch, plain(rotation_at_equal_stretches)},
-      {"initial_stress", nullptr, plain(initial_stress)},
-      {"step_halving", nullptr, plain(step_halving)},
-      {"jumps", nullptr, plain(jumps)},
-      {"memory", nullptr, plain(memory)},
-      {"tangent", nullptr, plain(tangent)},
-      {"energy", nullptr, plain(energy)},
-      {"rate", nullptr, plain(rate_form)},
-      {"wave_speed", nullptr, plain(wave_speed)},
-      {"closed_form", nullptr, plain(closed_form)},
-      {"dissipation", nullptr, unless_it_grows("dissipation", plain(dissipation))},
-      {"ellipticity", nullptr, plain(ellipticity)},
-      {"calls.increment", nullptr, plain(undeclared_increment)},
-      {"calls.refused", nullptr, plain(refusals)},
-      {"calls.threads", nullptr, plain(threads)},
-      {"calls.bits", nullptr,
+      {ids::rest, nullptr, unless_it_grows(plain(stress_at_rest))},
+      {ids::symmetry, causes::not_indifferent, plain(symmetry)},
+      {ids::zero_increment, nullptr, unless_it_grows(plain(zero_increment))},
+      {ids::shear_components, nullptr, plain(shear_components)},
+      {ids::shear_modulus, nullptr, plain(shear_modulus)},
+      {ids::positive_stiffness, nullptr, plain(positive_stiffness)},
+      {ids::class_at_rest, nullptr, stiffness_class},
+      {ids::major_symmetry, nullptr, plain(major_symmetry)},
+      {ids::constant_rotation, causes::not_indifferent, plain(constant_rotation)},
+      {ids::basis, causes::not_indifferent, plain(change_of_basis)},
+      {ids::isotropy, causes::not_isotropic, plain(isotropy)},
+      {ids::class_in_loading, causes::not_of_class, loading_class},
+      {ids::rotation_at_rest, causes::not_indifferent, unless_it_grows(kept(&Evidence::at_rest, rotation_at_rest))},
+      {ids::rotation_before, causes::not_indifferent, turning(When::before)},
+      {ids::rotation_during, causes::not_indifferent, turning(When::during)},
+      {ids::rotation_after, causes::not_indifferent, turning(When::after)},
+      {ids::rotation_at_apex, causes::repeated_stretch, plain(rotation_at_apex)},
+      {ids::fixed_stretch, causes::not_indifferent, kept(&Evidence::fixed, rotation_at_fixed_stretch)},
+      {ids::revolutions, causes::not_indifferent, plain(revolutions)},
+      {ids::rotation_of_state, causes::not_indifferent, kept(&Evidence::state, rotation_of_state)},
+      {ids::nearly_equal_stretches, causes::repeated_stretch, plain(nearly_equal_stretches)},
+      {ids::turning_stretches, causes::repeated_stretch, plain(rotation_at_equal_stretches)},
+      {ids::initial_stress, nullptr, plain(initial_stress)},
+      {ids::step_halving, nullptr, plain(step_halving)},
+      {ids::jumps, nullptr, plain(jumps)},
+      {ids::memory, nullptr, plain(memory)},
+      {ids::tangent, nullptr, plain(tangent)},
+      {ids::energy, nullptr, plain(energy)},
+      {ids::rate, nullptr, plain(rate_form)},
+      {ids::wave_speed, nullptr, plain(wave_speed)},
+      {ids::closed_form, nullptr, plain(closed_form)},
+      {ids::dissipation, nullptr, unless_it_grows(plain(dissipation))},
+      {ids::ellipticity, nullptr, plain(ellipticity)},
+      {ids::increment, nullptr, plain(undeclared_increment)},
+      {ids::refused, nullptr, plain(refusals)},
+      {ids::threads, nullptr, plain(threads)},
+      {ids::bits, nullptr,
        [](const Specimen& specimen, Evidence& evidence) {
          return last_digits(specimen, evidence.first.histories, evidence.repeated);
        }},
-      {"calls.senseless", nullptr, plain(senseless_deformation)},
+      {ids::senseless, nullptr, plain(senseless_deformation)},
   };
 }
 

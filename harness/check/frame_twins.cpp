@@ -37,25 +37,47 @@ struct TwinError {
 };
 
 TwinError error_of(const Specimen& specimen, const FrameTwins& twins, int steps) {
-  const Material& material = *specimen.material;
-  const March a = march(material, twins.still, {.steps = steps, .state = specimen.rest_state()});
-  const March b = march(material, twins.seen, {.steps = steps, .state = specimen.rest_state(twins.direction)});
-  double error = 0;
-  for (std::size_t k = 0; k < a.marks.size(); ++k) {
-    error = std::max(error, distance(rotated(twins.Q.transpose(), b.marks[k].cauchy), a.marks[k].cauchy));
-  }
-  return {error / std::max(a.largest, specimen.least_stress()), b.last};
+  const March a = from_rest(specimen, twins.still, steps);
+  const March b =
+      march(*specimen.material, twins.seen, {.steps = steps, .state = specimen.rest_state(twins.direction)});
+  return {error_between(specimen, a, b, [&](double) { return twins.Q; }), b.last};
 }
 
 }  // namespace
 
+Loading turned(const Loading& loading, const Turn& Q) {
+  return {[=](double t) { return Tensor(Q(t) * loading.F(t)); }, loading.phases};
+}
+
+Loading turned(const Loading& loading, const Tensor& Q) {
+  return turned(loading, [=](double) { return Q; });
+}
+
+Turn turning_between(const Space& space, double from, double to) {
+  return [=](double t) { return space.turn(turning_angle * std::clamp((t - from) / (to - from), 0.0, 1.0)); };
+}
+
+Twins march_twins(const Specimen& specimen, const Loading& loading, const Turn& Q, int steps, double phase_length) {
+  return {from_rest(specimen, loading, steps, phase_length),
+          from_rest(specimen, turned(loading, Q), steps, phase_length)};
+}
+
+double error_between(const Specimen& specimen, const March& still, const March& seen, const Turn& Q) {
+  double error = 0;
+  for (std::size_t k = 0; k < still.marks.size(); ++k) {
+    const Tensor back = Q(static_cast<double>(k) + 1).transpose();
+    error = std::max(error, distance(rotated(back, seen.marks[k].cauchy), still.marks[k].cauchy));
+  }
+  return error / specimen.scale(still.largest);
+}
+
 TestResult exact_twin(const Specimen& specimen, const FrameTwins& twins) {
   const auto [error, last] = error_of(specimen, twins, specimen.steps());
-  TestResult result{.id = twins.id, .measure = error, .threshold = own_precision, .step = last};
-  result.verdict = error <= own_precision ? Verdict::pass : Verdict::fail;
-  result.sentence = twins.words + (error <= exact_error     ? ": exact"
-                                   : error <= own_precision ? ": to the model's own precision, " + rounded(error)
-                                                            : ": off by " + rounded(error) + " of the largest stress");
+  TestResult result =
+      judged(error, own_precision,
+             twins.words + (error <= exact_error ? ": exact" : ": to the model's own precision, " + rounded(error)), "",
+             twins.words + ": off by " + rounded(error) + " of the largest stress");
+  result.step = last;
   return result;
 }
 

@@ -7,24 +7,47 @@
 #include <optional>
 #include <string>
 
-#include "harness/check/shear_order.hpp"
 #include "harness/check/specimen.hpp"
+#include "harness/check/stiffness.hpp"
 
 namespace assay::check {
 
 inline constexpr double right_angle = std::numbers::pi / 2;
 
+/// A rotation that goes with t, as F(t) of a loading does.
+using Turn = std::function<Tensor(double t)>;
+
+/// The same history of a body that is turned, or seen from a frame that is: Q(t) F(t).
+Loading turned(const Loading& loading, const Turn& Q);
+Loading turned(const Loading& loading, const Tensor& Q);
+
+/// By `turning_angle` between two times.
+Turn turning_between(const Space& space, double from, double to);
+
+struct Twins {
+  March still, seen;
+};
+
+/// A history and the same turned, from rest. Throws MaterialFailure.
+Twins march_twins(const Specimen& specimen, const Loading& loading, const Turn& Q, int steps, double phase_length = 1);
+
+/// The largest difference of the stresses at the ends of the phases, once `seen` is turned back, over the largest
+/// stress of the history that stands still.
+double error_between(const Specimen& specimen, const March& still, const March& seen, const Turn& Q);
+
 /// `seen` is to be `still`, turned by Q.
 struct FrameTwins {
-  const char* id;
   Loading still, seen;
-  Tensor Q;
-  Vector3 direction;
-  std::string words;
+  Tensor Q = Tensor::Identity();
+  std::string words = {};
+  Vector3 direction = Vector3::UnitX();
 };
 
 /// Compares them at the steps of the specimen: `own_precision` is the most that it takes.
 TestResult exact_twin(const Specimen& specimen, const FrameTwins& twins);
+inline bool is_exact_twin(const Specimen& specimen, const FrameTwins& twins) {
+  return exact_twin(specimen, twins).verdict == Verdict::pass;
+}
 
 /// As `exact_twin`. An integrator that chooses its own steps by components of the strain takes others in another frame:
 /// that error falls as steps become shorter than its own, and a defect's does not.

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Why a material cannot be loaded at all, how far it can, and what the tests have not seen of it.
 #include "harness/check/loading.hpp"
 
 #include <string>
 #include <system_error>
+#include <utility>
 
+#include "harness/check/judge.hpp"
 #include "harness/check/specimen.hpp"
+#include "harness/material/offer.hpp"
 
 namespace assay::check {
 
@@ -57,33 +61,35 @@ class Trials {
   const MaterialFailure& failure_;
 };
 
+TestResult not_loaded_by(const std::string& cause, const std::string& sentence) {
+  return {.id = ids::loading, .verdict = Verdict::fail, .cause = cause, .sentence = sentence};
+}
+
 /// Whether a body that was strained is under stress after one step more, in which it is held.
 bool stress_comes_late(const Material& material) {
   constexpr double strain = 1e-3, length = 1e-2;  // of steps [s]
   Tensor F;
   F << 1 + strain, strain, 0, 0, 1 - 0.3 * strain, 0, 0, 0, 1;
-  try {
+  const auto comes_late = [&] {
     const Tensor I = Tensor::Identity();
     const Point moved = stepped(material, 0, length, I, F, state_at_rest(material, 0, Vector3::UnitX()));
-    const Point held = stepped(material, length, length, F, F, moved.state);
-    return moved.cauchy.isZero(0) && !held.cauchy.isZero(0);
-  } catch (const MaterialFailure&) {
-    return false;
-  }
+    return moved.cauchy.isZero(0) && !hold(material, length, length, F, moved).cauchy.isZero(0);
+  };
+  return if_taken(comes_late, false);
 }
 
 }  // namespace
 
 TestResult refused(const std::string& id, const char* cause, const MaterialFailure& failure) {
-  TestResult result{.id = id, .verdict = Verdict::fail, .step = failure.step};
   const std::string words = failure.what();
+  TestResult result{.id = id, .verdict = Verdict::fail, .step = failure.step};
   result.cause = cause_of_refusal(words, failure.not_finite);
   result.refused = result.cause == causes::refuses && !failure.final;
   if (cause && (result.cause == causes::refuses || result.cause == causes::not_finite)) result.cause = cause;
   const std::string what = failure.not_finite || result.cause == causes::ends_process ? words
                            : words.empty() ? "the model refuses a step without a message"
                                            : "the model refuses a step: " + words;
-  result.sentence = what + (id == "loading" ? "" : ", in the test " + id);
+  result.sentence = what + (id == ids::loading ? "" : ", in the test " + id);
   return result;
 }
 
@@ -92,15 +98,12 @@ TestResult not_loaded(const Material& material, const std::runtime_error& error)
   const auto* beginning = dynamic_cast<const CannotBegin*>(&error);
   const auto* of_system = dynamic_cast<const std::system_error*>(&error);
   if (of_system && of_system->code() == std::errc::invalid_argument)
-    return {.id = "loading",
-            .verdict = Verdict::fail,
-            .cause = causes::disturbs_process,
-            .sentence = "after its calls no thread can be started: " + of_system->code().message()};
+    return not_loaded_by(causes::disturbs_process,
+                         "after its calls no thread can be started: " + of_system->code().message());
   if (!failure || beginning) {
-    const std::string cause = cause_of_refusal(beginning ? beginning->reason : "", false);
-    return {.id = "loading", .verdict = Verdict::fail, .cause = cause, .sentence = error.what()};
+    return not_loaded_by(cause_of_refusal(beginning ? beginning->reason : "", false), error.what());
   }
-  TestResult plain = refused("loading", nullptr, *failure);
+  TestResult plain = refused(ids::loading, nullptr, *failure);
   if (failure->final || (plain.cause != causes::refuses && plain.cause != causes::not_finite)) return plain;
   const Trials trials(material, *failure);
   if (trials.again()) {
@@ -109,7 +112,7 @@ TestResult not_loaded(const Material& material, const std::runtime_error& error)
   } else if (trials.general_strains() && !trials.held()) {
     plain.sentence += "; in a step in which a strained body does not move, too";
   } else if (trials.only_different_stretches()) {
-    plain = refused("loading", causes::repeated_stretch, *failure);
+    plain = refused(ids::loading, causes::repeated_stretch, *failure);
     plain.sentence += ": if principal stretches are equal, and only then";
   } else if (!trials.undeformed()) {
     plain.sentence += "; in a step without deformation, too";
@@ -120,17 +123,92 @@ TestResult not_loaded(const Material& material, const std::runtime_error& error)
 }
 
 TestResult not_finite_beyond(const MaterialFailure& failure) {
-  TestResult result = refused("loading", nullptr, failure);
+  TestResult result = refused(ids::loading, nullptr, failure);
   result.sentence += ": as soon as the stress leaves the linear range";
   return result;
 }
 
 TestResult without_stress(const Material& material) {
-  TestResult result{.id = "loading", .verdict = Verdict::fail, .cause = causes::no_stress};
-  result.sentence = stress_comes_late(material)
-                        ? "a strain gives no stress in its own step, but in the next step, in which the body is held: "
-                          "the stress is that of the beginning of a step (DFGRD0 for DFGRD1, STRAN without DSTRAN)"
-                        : "no small strain from rest makes any stress, under any pressure that was tried";
+  return not_loaded_by(causes::no_stress,
+                       stress_comes_late(material)
+                           ? "a strain gives no stress in its own step, but in the next step, in which the body is "
+                             "held: the stress is that of the beginning of a step (DFGRD0 for DFGRD1, STRAN without "
+                             "DSTRAN)"
+                           : "no small strain from rest makes any stress, under any pressure that was tried");
+}
+
+namespace {
+
+constexpr double reached = 0.999;  ///< of a strain that was asked for
+
+bool has_reached(const Specimen& specimen) { return specimen.amplitude >= reached * specimen.options.effort.strain; }
+
+/// Whether the material answers in a straight line as far as the tests go.
+bool stays_linear(const Specimen& specimen) { return specimen.linear && specimen.onset >= 0.5 * specimen.amplitude; }
+
+/// Whether what is refused is the size of an increment of strain, and not the strain.
+bool takes_shorter_increments(const Specimen& specimen) {
+  constexpr int shorter = 16;
+  if (!specimen.refusal) return false;
+  Specimen farther = specimen;
+  farther.amplitude = 2 * specimen.amplitude;
+  return if_taken([&] { return from_rest(specimen, out_and_back(farther), shorter * specimen.steps()), true; }, false);
+}
+
+/// Of the stress of a small step from rest.
+bool is_no_number_unpressed(const Material& material) {
+  constexpr double small = 1e-6;
+  const Tensor I = Tensor::Identity();
+  try {
+    stepped(material, 0, 1, I, Space(material).stretch(small, 1), state_at_rest(material, 0));
+  } catch (const MaterialFailure& failure) {
+    return failure.not_finite;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<std::string> not_tested(const Specimen& specimen) {
+  const Material& material = *specimen.material;
+  std::vector<std::string> all;
+  if (material.table().parameter_count > 0 && !Offer<assay_closed_form>(material)) {
+    all.emplace_back("whether the values of the parameters are right (there is no reference)");
+  }
+  const char* why = takes_shorter_increments(specimen) ? " (it takes them only in shorter increments)"
+                    : specimen.refusal                 ? " (it refuses them)"
+                                       : " (that is far beyond the linear range; --strain asks for more)";
+  if (!has_reached(specimen)) all.push_back("strains above " + rounded(specimen.amplitude) + why);
+  if (material.has(ASSAY_NON_SMOOTH) && stays_linear(specimen)) {
+    all.emplace_back(
+        "a threshold such as first yield (a kink is declared, and the stress grows almost linearly over the first half "
+        "of the strains)");
+  }
+  if (specimen.pressure > 0 && !specimen.options.effort.pressure && is_no_number_unpressed(material))
+    all.emplace_back("a body without pressure, as at the start of a run (its stress is not a number)");
+  if (specimen.space.is_plane()) all.emplace_back("shears out of the plane");
+  if (specimen.options.effort.step != 1) all.push_back("steps above " + rounded(specimen.options.effort.step) + " s");
+  return all;
+}
+
+std::optional<TestResult> not_reached(const Specimen& specimen) {
+  if (specimen.refusal && cause_of_refusal(specimen.refusal->what(), false) == causes::missing_routine) {
+    return refused("loading", nullptr, *specimen.refusal);
+  }
+  const double asked = specimen.options.effort.strain;
+  if (!specimen.options.effort.strain_is_asked && takes_shorter_increments(specimen)) return std::nullopt;
+  const bool kink = specimen.refusal && specimen.material->has(ASSAY_NON_SMOOTH) && stays_linear(specimen);
+  if (!kink && (has_reached(specimen) || !specimen.options.effort.strain_is_asked)) return std::nullopt;
+  TestResult result = not_loaded_by("", "");
+  if (specimen.refusal) result = refused("loading", nullptr, *specimen.refusal);
+  result.refused = false;  // at smaller strains it is the same
+  result.cause = kink ? causes::refuses : causes::not_reached;
+  const std::string far = rounded(specimen.amplitude);
+  const std::string words = specimen.refusal ? result.sentence + ". " : "";
+  result.sentence = kink ? words + "It refuses every step beyond the linear range, up to a strain of " + far +
+                               "; a kink is declared (non_smooth), and cannot be tested"
+                         : words + "The requested strain is " + rounded(asked) + "; the model reaches " + far +
+                               (takes_shorter_increments(specimen) ? ", and more only in shorter increments" : "");
   return result;
 }
 

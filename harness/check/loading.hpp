@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Why a material cannot be loaded at all.
+// Why a material cannot be loaded at all, how far it can, and what the tests have not seen of it.
 #pragma once
 
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
-#include "harness/check/battery.hpp"
-#include "harness/material/material_failure.hpp"
+#include "harness/check/specimen.hpp"
 
 namespace assay::check {
 
@@ -21,5 +23,12 @@ TestResult not_finite_beyond(const MaterialFailure& failure);
 
 /// Of a material that no small strain gives a stress.
 TestResult without_stress(const Material& material);
+
+/// A failed test of a material that does not stand the strain that was asked for, refuses the kink that it declares, or
+/// calls a routine that is not there; nothing where there is none of these.
+std::optional<TestResult> not_reached(const Specimen& specimen);
+
+/// What a pass says nothing of, as parts of a sentence: "strains above 0.01".
+std::vector<std::string> not_tested(const Specimen& specimen);
 
 }  // namespace assay::check

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/check/long_steps.hpp"
-
+// Steps that are longer than the times in which a material relaxes.
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "harness/check/judge.hpp"
-#include "harness/material/material_failure.hpp"
+#include "harness/check/work.hpp"
 #include "harness/numeric/largest.hpp"
 #include "harness/numeric/stable_norm.hpp"
 
@@ -24,14 +23,12 @@ class Struck {
   Struck(const Specimen& specimen, double sudden)
       : specimen_(specimen),
         sudden_(sudden),
-        F_(specimen.space.stretch(specimen.amplitude, 0.3)),
+        F_(specimen.stretch(0.3)),
         rest_(specimen.rest_state()),
         point_(stepped(*specimen.material, 0, sudden, I_, F_, rest_)) {}
 
   /// Of the stress of the sudden step: that of a long one [s].
-  double moved(double length) const {
-    return times(above_rest(stepped(*specimen_.material, 0, length, I_, F_, rest_).cauchy));
-  }
+  double moved(double length) const { return times(above_rest(stress_at_once(specimen_, F_, length))); }
 
   /// The same of what is left after long steps in which the body is held, beyond what swelling brings: in one step a
   /// viscous strain may follow that is taken from the stress in the next.
@@ -41,8 +38,8 @@ class Struck {
     Point body = point_, swollen{{}, rest_};
     double most = 0, t = sudden_;
     for (int k = 0; k < steps; ++k, t += length) {
-      swollen = stepped(material, t, length, I_, I_, swollen.state);
-      body = stepped(material, t, length, F_, F_, body.state);
+      swollen = hold(material, t, length, I_, swollen);
+      body = hold(material, t, length, F_, body);
       most = larger(most, times(body.cauchy - swollen.cauchy));
     }
     return most;
@@ -99,40 +96,35 @@ std::string held_words(double length, double times) {
          "steps longer than the relaxation time";
 }
 
-TestResult failed(double times, double most, const std::string& words) {
-  TestResult result{.id = "dissipation", .verdict = Verdict::fail, .measure = times, .threshold = most};
-  result.cause = causes::dissipation;
-  result.sentence = words + ", and the model does not request a shorter step";
-  return result;
+TestResult too_much(double times, double most, const std::string& words) {
+  return failed(causes::dissipation, times, most, words + ", and the model does not request a shorter step");
 }
 
 }  // namespace
 
 std::optional<TestResult> long_steps(const Specimen& specimen, double sudden) {
-  try {
+  const auto judge = [&]() -> std::optional<TestResult> {
     const Struck struck(specimen, sudden);
     if (const auto found = excess(struck, &Struck::moved, most_moved)) {
-      return failed(found->worst, most_moved,
-                    "a step of " + rounded(found->length) + " s gives " + rounded(found->times) +
-                        " times the stress of a very short step");
+      return too_much(found->worst, most_moved,
+                      "a step of " + rounded(found->length) + " s gives " + rounded(found->times) +
+                          " times the stress of a very short step");
     }
-    if (const auto found = excess_when_held(struck)) {
-      return failed(found->worst, most_held, held_words(found->length, found->times));
-    }
-  } catch (const MaterialFailure&) {  // of the length of a step
-  }
-  return std::nullopt;
+    const auto found = excess_when_held(struck);
+    if (!found) return std::nullopt;
+    return too_much(found->worst, most_held, held_words(found->length, found->times));
+  };
+  return if_taken(judge, std::nullopt);  // it may refuse the length of a step
 }
 
 std::string overshoot(const Specimen& specimen) {
   constexpr double sudden = 1e-9;  // [s]
   if (!specimen.rate_dependent()) return {};
-  try {
+  const auto words = [&] {
     const auto found = excess_when_held(Struck(specimen, sudden));
-    if (found) return held_words(found->length, found->times);
-  } catch (const MaterialFailure&) {  // of the length of a step
-  }
-  return {};
+    return found ? held_words(found->length, found->times) : std::string();
+  };
+  return if_taken(words, {});
 }
 
 }  // namespace assay::check

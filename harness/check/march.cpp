@@ -1,30 +1,60 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/check/march.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "harness/material/checked_update.hpp"
 #include "harness/numeric/stable_norm.hpp"
 
 namespace assay::check {
 
+Tensor Space::within(const Tensor& A) const {
+  Tensor result = A;
+  for (int c = 0; c < 9; ++c) {
+    if (!has(c)) component(result, c) = 0;
+  }
+  return result;
+}
+
+Tensor Space::turn(double angle) const {
+  if (is_plane_) return rotation_about_z(angle);
+  return Eigen::AngleAxisd(angle, Vector3(1, 2, 3).normalized()).toRotationMatrix();
+}
+
+Tensor Space::stretch(double amplitude, double s) const {
+  Tensor A, B;
+  A << 1, 0.4, -0.3, 0.4, -0.5, 0.2, -0.3, 0.2, 0.3;
+  B << -0.2, 0.5, 0.1, 0.5, 0.6, -0.4, 0.1, -0.4, -0.3;
+  return within(Tensor::Identity() + amplitude * (std::sin(1.5 * std::numbers::pi * s) * A + s * s * B));
+}
+
+Tensor Space::equal_stretches(double amplitude, bool three, double difference) const {
+  const double other = three ? amplitude : -0.5 * amplitude;
+  Vector3 stretches(1 + amplitude, 1 + amplitude + difference, 1 + other - (three ? difference : 0));
+  if (is_plane_) std::swap(stretches(1), stretches(2));
+  return rotated(turn(0.7), stretches.asDiagonal());
+}
+
 Point stepped(const Material& material, double t, double dt, const Tensor& F0, const Tensor& F1,
               const std::vector<double>& state0) {
-  double before[9], after[9], sigma[9];
-  for (int c = 0; c < 9; ++c) before[c] = component(F0, c), after[c] = component(F1, c);
+  double sigma[9];
   Point end{Tensor::Zero(), std::vector<double>(state0.size())};
-  checked_update(material, 0, t, dt, 1, before, after, state0.data(), end.state.data(), sigma);
-  for (int c = 0; c < 9; ++c) component(end.cauchy, c) = sigma[c];
+  checked_update(material, 0, t, dt, 1, nine_of(F0).data(), nine_of(F1).data(), state0.data(), end.state.data(), sigma);
+  end.cauchy = tensor_of(sigma);
   return end;
 }
 
+Point hold(const Material& material, double t, double length, const Tensor& F, Point from, int steps) {
+  for (int k = 0; k < steps; ++k) from = stepped(material, t, length, F, F, from.state);
+  return from;
+}
+
 bool takes(const Material& material, const FailedStep& step) {
-  try {
-    stepped(material, step.t, step.dt, step.F0, step.F1, step.state0);
-    return true;
-  } catch (const MaterialFailure&) {
-    return false;
-  }
+  return if_taken([&] { return stepped(material, step), true; }, false);
 }
 
 March march(const Material& material, const Loading& loading, const MarchOptions& options) {
@@ -38,7 +68,7 @@ March march(const Material& material, const Loading& loading, const MarchOptions
       const double t = options.begin + options.phase_length * phase + dt * k;
       if (phase + 1 == loading.phases && k + 1 == options.steps) result.last = {t, dt, F0, F1, now.state};
       now = stepped(material, t, dt, F0, F1, now.state);
-      result.largest = std::max(result.largest, now.cauchy.cwiseAbs().maxCoeff());
+      result.largest = std::max(result.largest, size_of(now.cauchy));
       result.sizes.push_back(stable_norm(now.cauchy));
       F0 = F1;
     }
@@ -52,5 +82,13 @@ std::vector<double> state_at_rest(const Material& material, double pressure, con
   for (const std::size_t c : {0u, 4u, 8u}) cauchy[c] = -pressure;
   return material.initial_state(1, cauchy, std::vector<double>{direction.x(), direction.y(), direction.z()});
 }
+
+std::array<double, 9> nine_of(const Tensor& A) {
+  std::array<double, 9> nine;
+  for (int c = 0; c < 9; ++c) nine[static_cast<std::size_t>(c)] = component(A, c);
+  return nine;
+}
+
+Tensor tensor_of(const double* nine) { return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(nine); }
 
 }  // namespace assay::check

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A material taken along a deformation history in equal steps, from a given state.
+// Deformations of which the tests are made, and a material taken along them in equal steps from a given state.
 #pragma once
 
+#include <array>
 #include <functional>
+#include <type_traits>
 #include <vector>
 
 #include "harness/material/material.hpp"
@@ -11,6 +13,30 @@
 #include "harness/numeric/tensor.hpp"
 
 namespace assay::check {
+
+inline constexpr double turning_angle = 2.3;  ///< [rad], no fraction of a turn
+
+/// All deformations, or those of the plane 12 alone (ASSAY_IN_PLANE), with a stretch 33.
+class Space {
+ public:
+  explicit Space(const Material& material) : is_plane_(material.has(ASSAY_IN_PLANE)) {}
+
+  bool is_plane() const { return is_plane_; }
+  /// Whether the index 0..8 of a component (ABI) is of this space.
+  bool has(int component) const { return !is_plane_ || is_in_plane(component); }
+  /// Without the components that are not of this space.
+  Tensor within(const Tensor& A) const;
+  /// By `angle` [rad] about (1, 2, 3): no component of a tensor keeps to itself; in the plane about its normal.
+  Tensor turn(double angle) const;
+  /// A stretch along turning axes, out, back and beyond: 0 <= s <= 1, F = I at 0.
+  Tensor stretch(double amplitude, double s) const;
+  /// Equal stretches along two axes, or three, that are no axes of the frame; in the plane one of two is its normal.
+  /// One of them is longer by `difference`.
+  Tensor equal_stretches(double amplitude, bool three, double difference) const;
+
+ private:
+  bool is_plane_;
+};
 
 /// F(t) [1] for 0 <= t <= phases; at the integers something begins or ends.
 struct Loading {
@@ -43,17 +69,43 @@ struct MarchOptions {
 /// One step of one point. Throws MaterialFailure.
 Point stepped(const Material& material, double t, double dt, const Tensor& F0, const Tensor& F1,
               const std::vector<double>& state0);
+inline Point stepped(const Material& material, const FailedStep& step) {
+  return stepped(material, step.t, step.dt, step.F0, step.F1, step.state0);
+}
 
-/// Whether the material takes that step.
-bool takes(const Material& material, const FailedStep& step);
+/// A body that is held at F in some steps of one length [s], the first of which begins at t. Throws MaterialFailure.
+Point hold(const Material& material, double t, double length, const Tensor& F, Point from, int steps = 1);
 
 /// Throws MaterialFailure.
 March march(const Material& material, const Loading& loading, const MarchOptions& options);
+
+/// What a call gives; `otherwise` where the material fails in it.
+template <class Call>
+std::invoke_result_t<Call> if_taken(const Call& call, std::type_identity_t<std::invoke_result_t<Call>> otherwise) {
+  try {
+    return call();
+  } catch (const MaterialFailure&) {
+    return otherwise;
+  }
+}
+
+/// Whether the material takes that step.
+bool takes(const Material& material, const FailedStep& step);
 
 /// State at rest under a pressure [Pa] of a material whose direction, if it has one, is `direction`. Throws
 /// std::runtime_error where the material cannot carry that.
 std::vector<double> state_at_rest(const Material& material, double pressure,
                                   const Vector3& direction = Vector3::UnitX());
+
+/// As the ABI has a tensor, and back.
+std::array<double, 9> nine_of(const Tensor& A);
+Tensor tensor_of(const double* nine);
+
+/// The largest |component|, where none can be NaN.
+template <class M>
+double size_of(const Eigen::MatrixBase<M>& A) {
+  return A.cwiseAbs().maxCoeff();
+}
 
 /// The largest |component| of A - B.
 inline double distance(const Tensor& A, const Tensor& B) { return largest_of(A - B); }
@@ -62,5 +114,14 @@ inline Tensor deviator(const Tensor& A) { return A - A.trace() / 3 * Tensor::Ide
 
 /// Q A Q^T.
 inline Tensor rotated(const Tensor& Q, const Tensor& A) { return Q * A * Q.transpose(); }
+
+/// The multiple of `along` that is nearest to A, A : along / along : along, of numbers whose squares may overflow or
+/// vanish. Not a number along nothing.
+template <class M, class N>
+double share_along(const Eigen::MatrixBase<M>& A, const Eigen::MatrixBase<N>& along) {
+  const double unit = along.cwiseAbs().maxCoeff();
+  const auto scaled = (along / unit).eval();
+  return (A / unit).cwiseProduct(scaled).sum() / scaled.squaredNorm();
+}
 
 }  // namespace assay::check

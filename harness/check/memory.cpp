@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/check/memory.hpp"
-
+// That the state is what a history has left in it.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -8,26 +7,17 @@
 
 #include "harness/check/judge.hpp"
 #include "harness/check/samples.hpp"
+#include "harness/check/state_variable.hpp"
+#include "harness/check/tests.hpp"
 
 namespace assay::check {
 
 namespace {
 
-/// A variable of the state and where its components begin.
-struct Place {
-  const assay_state_variable* variable;
-  std::size_t first, size;
-};
-
-std::vector<Place> variables_of(const Material& material) {
-  std::vector<Place> all;
-  std::size_t at = 0;
-  for (std::uint32_t v = 0; v < material.table().state_count; ++v) {
-    const assay_state_variable& variable = material.table().state[v];
-    const auto size = static_cast<std::size_t>(components_of_kind(variable.kind));
-    if (variable.role != ASSAY_ROLE_DIRECTION) all.push_back({&variable, at, size});
-    at += size;
-  }
+/// But for directions, which the host fills.
+std::vector<StatePlace> variables_of(const Material& material) {
+  std::vector<StatePlace> all = state_of(material.table());
+  std::erase_if(all, [](const StatePlace& place) { return place.role == ASSAY_ROLE_DIRECTION; });
   return all;
 }
 
@@ -36,25 +26,24 @@ enum class Use { none, passed_on, read };
 
 /// The answer of a step where component c of the state begins with another value.
 Use use_of(const Material& material, const Sample& s, std::size_t c, double value) {
-  std::vector<double> state = s.state0;
-  state[c] = value;
-  try {
-    Point end = stepped(material, s.t, s.dt, s.F0, s.F1, state);
+  FailedStep step = s;
+  step.state0[c] = value;
+  const auto use = [&] {
+    Point end = stepped(material, step);
     const bool same = end.state[c] == s.end.state[c];
     const bool passed_on = end.state[c] == value && s.end.state[c] == s.state0[c];
     if (end.cauchy != s.end.cauchy || !(same || passed_on)) return Use::read;
     end.state[c] = s.end.state[c];
     return end.state != s.end.state ? Use::read : same ? Use::none : Use::passed_on;
-  } catch (const MaterialFailure&) {
-    return Use::read;
-  }
+  };
+  return if_taken(use, Use::read);
 }
 
-Use use_of(const Material& material, const std::vector<Sample>& samples, const Place& place) {
+Use use_of(const Material& material, const std::vector<Sample>& samples, const StatePlace& place) {
   constexpr double change = 0.01;
   Use most = Use::none;
   for (const Sample& s : samples) {
-    for (std::size_t c = place.first; c < place.first + place.size; ++c) {
+    for (std::size_t c = place.first; c < place.end(); ++c) {
       for (const double sign : {1.0, -1.0}) {  // a largest value so far hides what is below it
         const double value = s.state0[c] + sign * change * (s.state0[c] == 0 ? 1 : std::abs(s.state0[c]));
         most = std::max(most, use_of(material, s, c, value));
@@ -65,9 +54,9 @@ Use use_of(const Material& material, const std::vector<Sample>& samples, const P
   return most;
 }
 
-bool changes(const std::vector<Sample>& samples, const Place& place) {
+bool changes(const std::vector<Sample>& samples, const StatePlace& place) {
   return std::any_of(samples.begin(), samples.end(), [&](const Sample& s) {
-    for (std::size_t c = place.first; c < place.first + place.size; ++c) {
+    for (std::size_t c = place.first; c < place.end(); ++c) {
       if (s.end.state[c] != s.state0[c]) return true;
     }
     return false;
@@ -76,7 +65,7 @@ bool changes(const std::vector<Sample>& samples, const Place& place) {
 
 /// The largest departure of component c from its first value on the way.
 double departure(const Specimen& specimen, std::size_t c, int steps) {
-  const auto F = [&](int k) { return specimen.space.stretch(specimen.amplitude, static_cast<double>(k) / steps); };
+  const auto F = [&](int k) { return specimen.stretch(static_cast<double>(k) / steps); };
   std::vector<double> state = specimen.rest_state();
   const double first = state[c];
   double largest = 0;
@@ -164,27 +153,23 @@ struct Uses {
 };
 
 TestResult forgotten(const std::string& name) {
-  TestResult result{.id = "memory", .verdict = Verdict::fail, .measure = 1, .threshold = 0};
-  result.cause = causes::forgotten;
-  result.sentence =
-      "no step reads '" + name +
-      "' of the state. It differs from its initial value only by what the last step adds: nothing accumulates";
-  return result;
+  return failed(causes::forgotten, 1, 0,
+                "no step reads '" + name +
+                    "' of the state. It differs from its initial value only by what the last step adds: nothing "
+                    "accumulates");
 }
 
 }  // namespace
 
 TestResult memory(const Specimen& specimen) {
   const Material& material = *specimen.material;
-  const std::vector<Place> all = variables_of(material);
-  if (all.empty()) {
-    return {.id = "memory", .verdict = Verdict::not_applicable, .sentence = "the model has no state of its own"};
-  }
+  const std::vector<StatePlace> all = variables_of(material);
+  if (all.empty()) return left_out("the model has no state of its own");
   const std::vector<Sample> samples = samples_of(specimen);
   Uses uses(specimen.options.declarations.numbered_state);
   for (std::size_t v = 0; v < all.size(); ++v) {
-    const Place& place = all[v];
-    const std::string name = place.variable->name;
+    const StatePlace& place = all[v];
+    const std::string name = place.name;
     const Use use = use_of(material, samples, place);
     if (use == Use::passed_on) uses.idle.add(v, name);
     if (use == Use::read && !changes(samples, place)) uses.constant.add(v, name);
@@ -193,7 +178,7 @@ TestResult memory(const Specimen& specimen) {
     const bool departs = place.size == 1 && specimen.rest_state()[place.first] != 0;
     if (departs && is_of_the_last_step(specimen, place.first)) return forgotten(name);
   }
-  return {.id = "memory", .measure = 0, .threshold = 0, .sentence = uses.sentence()};
+  return passed(0, 0, uses.sentence());
 }
 
 }  // namespace assay::check

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/check/offered_arrays.hpp"
-
+// What functions of extensions do to the arrays that they are given.
 #include <algorithm>
 #include <deque>
 
-#include "harness/check/guarded.hpp"
+#include "harness/check/call_steps.hpp"
 #include "harness/material/offer.hpp"
 
 namespace assay::check {
@@ -24,10 +23,11 @@ class OfferedArrays {
 
   /// What was done to them by a call that has given its results, or has refused them.
   std::string misdeed(const std::string& function, bool gave) const {
-    if (std::any_of(out_.begin(), out_.end(), [](const Guarded<double>& array) { return array.broken(); }))
-      return function + " writes beyond its results";
-    if (gave && std::any_of(out_.begin(), out_.end(), [](const Guarded<double>& array) { return array.unwritten(); }))
-      return function + " leaves results of points unwritten";
+    const auto any = [&](bool (Guarded<double>::*is)() const) {
+      return std::any_of(out_.begin(), out_.end(), [&](const Guarded<double>& array) { return (array.*is)(); });
+    };
+    if (any(&Guarded<double>::broken)) return function + " writes beyond its results";
+    if (gave && any(&Guarded<double>::unwritten)) return function + " leaves results of points unwritten";
     for (std::size_t k = 0; k < in_.size(); ++k) {
       if (!same(given_[k], in_[k].values())) return function + " changes its input";
     }

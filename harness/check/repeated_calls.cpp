@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// That equal calls give equal results, to the last bit: again, in another order, from elsewhere, by another instance.
+#include <alloca.h>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 
-#include "harness/check/call_steps.hpp"
-#include "harness/check/calls.hpp"
 #include "harness/check/judge.hpp"
-#include "harness/check/last_digits.hpp"
+#include "harness/check/tests.hpp"
 
 namespace assay::check {
 
@@ -19,19 +25,14 @@ void compare_histories(const Specimen& specimen, const std::vector<History>& fir
   for (int again = 0; again < 2; ++again) {
     for (std::size_t k = 0; k < first.size(); ++k) {
       const History found = history(*specimen.material, amplitudes[k]);
-      const Comparison with(specimen.material->table(), first[k]);
       if (found.size() != first[k].size()) difference.note(1, what);
-      for (std::size_t p = 0; p < std::min(found.size(), first[k].size()); ++p) {
-        difference.note(with.difference(p, found[p]), what);
-      }
+      difference.note(Comparison(specimen.material->table(), first[k]), found, what);
     }
   }
   const History& elsewhere = specimen.options.elsewhere;
   if (first.empty() || elsewhere.size() != first.back().size()) return;
-  const Comparison with(specimen.material->table(), first.back());
-  for (std::size_t p = 0; p < elsewhere.size(); ++p) {
-    difference.note(with.difference(p, elsewhere[p]), "of a history with which another process has begun");
-  }
+  difference.note(Comparison(specimen.material->table(), first.back()), elsewhere,
+                  "of a history with which another process has begun");
 }
 
 /// One after the other, against each after a step of another volume.
@@ -73,11 +74,8 @@ void compare_instances(const Specimen& specimen, const Steps& steps, const Compa
   const History& elsewhere = specimen.options.others_elsewhere;
   if (elsewhere.empty()) return;
   const History here = history(*altered, amplitudes_of_first(specimen.options.effort).back());
-  const Comparison with_here(material.table(), here);
-  for (std::size_t p = 0; p < std::min(here.size(), elsewhere.size()); ++p) {
-    difference.note(with_here.difference(p, elsewhere[p]),
-                    "of an instance of other parameters, the first of a process,");
-  }
+  difference.note(Comparison(material.table(), here), elsewhere,
+                  "of an instance of other parameters, the first of a process,");
 }
 
 /// How far a step differs over other numbers in the stack; 0 where it differs over the same ones, too.
@@ -100,29 +98,21 @@ double by_stack(const Material& material, const Steps& steps) {
 void compare_steps(const Specimen& specimen, const Steps& steps, Difference& difference) {
   const Material& material = *specimen.material;
   const auto amplitudes = amplitudes_of_first(specimen.options.effort);
-  const auto one_by_one = [&] {
-    std::vector<Result> results;
-    for (std::size_t p = 0; p < steps.n; ++p) results.push_back(alone(material, steps, p));
-    return results;
-  };
   history(material, amplitudes.front());
-  const std::vector<Result> first = one_by_one();
+  const std::vector<Result> first = one_by_one(material, steps);
   const Comparison with(material.table(), first);
-  for (std::size_t p = steps.n; p-- > 0;) {
-    difference.note(with.difference(p, alone(material, steps, p)), "taken again, backwards,");
-  }
+  const auto take = [&](const Material& instance, std::size_t p, const char* how) {
+    difference.note(with.difference(p, alone(instance, steps, p)), how);
+  };
+  for (std::size_t p = steps.n; p-- > 0;) take(material, p, "taken again, backwards,");
   for (std::size_t p = 0; p < steps.n; ++p) {
-    difference.note(with.difference(p, alone(material, steps, p)), "taken twice");
-    difference.note(with.difference(p, alone(material, steps, p)), "taken twice");
+    for (int again = 0; again < 2; ++again) take(material, p, "taken twice");
   }
   history(material, amplitudes.back());
-  const std::vector<Result> later = one_by_one();
-  for (std::size_t p = 0; p < steps.n; ++p) difference.note(with.difference(p, later[p]), "taken after a larger load");
+  difference.note(with, one_by_one(material, steps), "taken after a larger load");
   compare_instances(specimen, steps, with, difference);
   const Material other = material.clone();
-  for (std::size_t p = 0; p < steps.n; p += 3) {
-    difference.note(with.difference(p, alone(other, steps, p)), "of another instance");
-  }
+  for (std::size_t p = 0; p < steps.n; p += 3) take(other, p, "of another instance");
 }
 
 }  // namespace
@@ -151,22 +141,135 @@ TestResult repeated_calls(const Specimen& specimen, const std::vector<History>& 
   } catch (const MaterialFailure&) {  // where it is loaded while it turns: the tests of rotation tell
   }
   found = difference;
-  TestResult result{.id = "calls.repeated", .measure = difference.worst, .threshold = most};
-  result.sentence = "a step has the same result when it is repeated, in another order or by another instance";
   if (of_stack > most) {
-    result.verdict = Verdict::fail;
-    result.cause = causes::hidden_state;
-    result.measure = std::max(of_stack, difference.worst);
-    result.sentence = "the same step differs by " + rounded(of_stack) +
-                      " of its value if the stack holds other numbers: a local variable is read before it is set";
-    return result;
+    return failed(causes::hidden_state, std::max(of_stack, difference.worst), most,
+                  "the same step differs by " + rounded(of_stack) +
+                      " of its value if the stack holds other numbers: a local variable is read before it is set");
   }
-  if (difference.worst <= most) return result;
-  result.verdict = Verdict::fail;
-  result.cause = causes::hidden_state;
-  result.sentence = "the same step " + difference.how + " differs by " + rounded(difference.worst) +
-                    " of its value: the model keeps data outside the state";
-  return result;
+  return judged(difference.worst, most,
+                "a step has the same result when it is repeated, in another order or by another instance",
+                causes::hidden_state,
+                "the same step " + difference.how + " differs by " + rounded(difference.worst) +
+                    " of its value: the model keeps data outside the state");
+}
+
+namespace {
+
+/// Doubles of such bytes are 0, 4.8e-4, -8.5e3 and no number.
+constexpr std::array<unsigned char, 4> litter{0x00, 0x3f, 0xc0, 0xff};
+
+/// What it finds in memory that it allocates.
+void litter_heap(unsigned char byte) {
+  constexpr std::array<std::size_t, 10> sizes{24, 48, 72, 144, 288, 328, 648, 1024, 2048, 6400};  // [bytes]
+  std::array<std::unique_ptr<unsigned char[]>, 2 * sizes.size()> blocks;
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    const std::size_t size = sizes[k / 2];
+    blocks[k] = std::make_unique_for_overwrite<unsigned char[]>(size);
+    std::memset(blocks[k].get(), byte, size);
+    __asm__ volatile("" : : "r"(blocks[k].get()) : "memory");
+  }
+}
+
+/// A call so many bytes deeper in the stack: multiples of 64 leave the alignment of what is there.
+template <class Call>
+[[gnu::noinline]] auto deeper(std::size_t bytes, const Call& call) {
+  void* room = alloca(bytes);
+  __asm__ volatile("" : : "r"(room) : "memory");
+  return call();
+}
+
+/// A call from arrays elsewhere: others of their sizes take the places that they had.
+template <class Call>
+auto from_elsewhere(std::size_t count, std::size_t state_size, const Call& call) {
+  constexpr std::size_t more = line / sizeof(double);
+  std::vector<std::vector<double>> others;
+  for (std::size_t k = 0; k < count; ++k) {
+    for (const std::size_t size : {std::size_t{9}, state_size, 9 + more, state_size + more}) others.emplace_back(size);
+  }
+  return call();
+}
+
+class Repeats {
+ public:
+  explicit Repeats(const Specimen& specimen)
+      : specimen_(specimen),
+        steps_(steps_along(specimen, specimen.options.effort.quick ? 6 : 20)),
+        first_(one_by_one(*specimen.material, steps_)) {}
+
+  Difference run() {
+    for (std::size_t p = 0; p < steps_.n; p += 2) take_again(p);
+    take_batch_again();
+    take_of_other_instances();
+    return difference_;
+  }
+
+ private:
+  const Material& material() const { return *specimen_.material; }
+
+  void note(std::size_t p, const Result& found, const char* how) {
+    difference_.note(Comparison(material().table(), first_).difference(p, found), how);
+  }
+
+  void take_again(std::size_t p) {
+    const auto call = [&] { return alone(material(), steps_, p); };
+    note(p, call(), "taken again");
+    for (const unsigned char byte : litter) {
+      litter_heap(byte);
+      litter_stack(byte);
+      note(p, call(), "with other words left in memory by earlier calls");
+    }
+    for (const std::size_t lines : {1, 2, 3, 77}) {
+      note(p, deeper(lines * line, call), "taken deeper in the stack");
+      note(p, from_elsewhere(lines, steps_.size, call), "with arrays at other addresses");
+    }
+  }
+
+  void take_batch_again() {
+    const Steps batch = many_of(steps_, 37);
+    const std::vector<Result> once = together(material(), batch), again = together(material(), batch);
+    difference_.note(Comparison(material().table(), once), again, "in the same batch again");
+  }
+
+  /// Blocks of other sizes lie between them, so that their addresses are no multiples of one number.
+  void take_of_other_instances() {
+    constexpr std::size_t instances = 12;
+    std::deque<Material> others;
+    std::vector<std::vector<double>> between;
+    for (std::size_t k = 0; k < instances; ++k) {
+      between.emplace_back(3 + 2 * k);
+      others.push_back(material().clone());
+      for (std::size_t p = 1; p < steps_.n; p += 2) note(p, alone(others.back(), steps_, p), "of another instance");
+    }
+  }
+
+  const Specimen& specimen_;
+  Steps steps_;
+  std::vector<Result> first_;
+  Difference difference_;
+};
+
+/// Whatever time it is: of the first histories of the process the last.
+void compare_first_with_last(const Specimen& specimen, const std::vector<History>& first, Difference& difference) {
+  if (first.empty()) return;
+  const History again = history(*specimen.material, amplitudes_of_first(specimen.options.effort).back());
+  difference.note(Comparison(specimen.material->table(), first.back()), again, "at the end of the battery");
+}
+
+}  // namespace
+
+TestResult last_digits(const Specimen& specimen, const std::vector<History>& first, const Difference& repeated) {
+  Difference difference = repeated;
+  try {
+    const Difference found = Repeats(specimen).run();
+    difference.note(found.worst, found.how);
+    compare_first_with_last(specimen, first, difference);
+  } catch (const MaterialFailure&) {  // where it is loaded while it turns: the tests of rotation tell
+  }
+  const std::string by = std::isfinite(difference.worst) ? "differs by " + rounded(difference.worst) + " of itself"
+                                                         : "is refused, or no number";
+  return judged(difference.worst, 0, "a step that is repeated has the same result to the last bit",
+                causes::not_reproducible,
+                "the same step " + difference.how + " " + by + ": equal calls do not give equal bits");
 }
 
 }  // namespace assay::check

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/check/repeated_stretch.hpp"
-
+// Two or three principal stretches that are equal, or nearly so: where a spectral form divides by their difference.
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "harness/check/rigid_turn.hpp"
+#include "harness/check/frame_twins.hpp"
+#include "harness/check/judge.hpp"
+#include "harness/check/tests.hpp"
 
 namespace assay::check {
 
@@ -23,10 +23,10 @@ constexpr double stretch_differences[] = {1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-
 Tensor stress_at(const Specimen& specimen, double amplitude, bool three, double difference, double* largest = nullptr,
                  double apart = 0) {
   const Loading loading{[=, &specimen](double t) {
-                          return equal_stretches(specimen.space, amplitude * t, three, (apart + difference) * t);
+                          return specimen.space.equal_stretches(amplitude * t, three, (apart + difference) * t);
                         },
                         1};
-  const March found = march(*specimen.material, loading, {.steps = 5, .state = specimen.rest_state()});
+  const March found = from_rest(specimen, loading, 5);
   if (largest) *largest = found.largest;
   return found.marks[0].cauchy;
 }
@@ -47,15 +47,7 @@ double standing_amplitude(const Specimen& specimen, bool three) {
 
 }  // namespace
 
-Tensor equal_stretches(const Space& space, double amplitude, bool three, double difference) {
-  const double other = three ? amplitude : -0.5 * amplitude;
-  Vector3 stretches(1 + amplitude, 1 + amplitude + difference, 1 + other - (three ? difference : 0));
-  if (space.is_plane()) std::swap(stretches(1), stretches(2));
-  return rotated(space.turn(0.7), stretches.asDiagonal());
-}
-
 TestResult nearly_equal_stretches(const Specimen& specimen) {
-  TestResult result{.id = "stretches.nearly_equal", .threshold = most_change};
   double worst = 0, at = 0;
   for (const bool three : {false, true}) {
     const double amplitude = standing_amplitude(specimen, three);
@@ -85,36 +77,27 @@ TestResult nearly_equal_stretches(const Specimen& specimen) {
       if (!(excess <= worst)) worst = excess, at = difference;
     }
   }
-  result.measure = worst;
-  result.verdict = worst <= most_change ? Verdict::pass : Verdict::fail;
-  if (result.verdict == Verdict::fail) result.cause = causes::repeated_stretch;
-  result.sentence = worst <= most_change ? "stretches that are nearly equal give nearly the same stress"
-                                         : "stretches that differ by " + rounded(at) + " change the stress by " +
-                                               rounded(worst) + " of itself";
-  return result;
+  return judged(worst, most_change, "stretches that are nearly equal give nearly the same stress",
+                causes::repeated_stretch,
+                "stretches that differ by " + rounded(at) + " change the stress by " + rounded(worst) + " of itself");
 }
 
 TestResult rotation_at_equal_stretches(const Specimen& specimen) {
-  constexpr double angle = turning_angle;
-  const Material& material = *specimen.material;
-  const Space space = specimen.space;
   const int steps = specimen.steps() / 4;
+  const Turn Q = turning_between(specimen.space, 1, 2);
   RigidTurn turned;
   FailedStep last;
   for (const bool three : {false, true}) {
     const double a = standing_amplitude(specimen, three);
-    const auto F = [=](double t) { return equal_stretches(space, a * std::min(t, 1.0), three, 0); };
-    const Loading still{F, 2};
-    const Loading seen{[=](double t) { return Tensor(space.turn(angle * std::max(0.0, t - 1)) * F(t)); }, 2};
+    const Loading still{[&](double t) { return specimen.space.equal_stretches(a * std::min(t, 1.0), three, 0); }, 2};
     for (int k = 0; k < 3; ++k) {
-      const MarchOptions options{.steps = steps << k, .state = specimen.rest_state()};
-      const March first = march(material, still, options), second = march(material, seen, options);
-      turned.note(k, second.marks[1].cauchy, rotated(space.turn(angle), first.marks[1].cauchy),
-                  std::max(first.largest, specimen.least_stress()));
-      last = second.last;
+      const Twins twins = march_twins(specimen, still, Q, steps << k);
+      turned.note(k, twins.seen.marks[1].cauchy, rotated(Q(2), twins.still.marks[1].cauchy),
+                  specimen.scale(twins.still.largest));
+      last = twins.seen.last;
     }
   }
-  TestResult result = turned.judged("stretches.turning", "a body with equal stretches that turns", steps);
+  TestResult result = turned.judged("a body with equal stretches that turns", steps);
   if (result.verdict == Verdict::fail) result.cause = causes::repeated_stretch;
   result.step = last;
   return result;

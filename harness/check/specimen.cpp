@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
-#include "harness/check/derivatives.hpp"
 #include "harness/check/judge.hpp"
-#include "harness/material/offer.hpp"
+#include "harness/check/samples.hpp"
 
 namespace assay::check {
 
@@ -21,13 +21,12 @@ constexpr double largest_under_pressure = 0.01;          ///< soils come apart s
 /// MaterialFailure.
 double stress_in_the_end(Specimen specimen, double amplitude) {
   specimen.amplitude = amplitude;
-  const Loading there{[&](double t) { return specimen.space.stretch(amplitude, t); }, 1};
   double least = INFINITY;
   const auto note = [&](const March& found) {
-    for (const Point& mark : found.marks) least = std::min(least, mark.cauchy.cwiseAbs().maxCoeff());
+    for (const Point& mark : found.marks) least = std::min(least, size_of(mark.cauchy));
   };
-  note(march(*specimen.material, there, {.steps = specimen.steps() / 4, .state = specimen.rest_state()}));
-  note(march(*specimen.material, out_and_back(specimen), {.steps = specimen.steps(), .state = specimen.rest_state()}));
+  note(from_rest(specimen, stretch_to(specimen, 1), specimen.steps() / 4));
+  note(from_rest(specimen, out_and_back(specimen)));
   return least;
 }
 
@@ -67,7 +66,7 @@ double length_of_probes(const Specimen& specimen) {
   constexpr double brief = 1e-6, briefer = 1e-9, alike = 0.1;
   if (!specimen.rate_dependent()) return usual_length;
   const auto stiffness = [&](double length) {
-    return probed(*specimen.material, specimen.pressure, length).stiffness.cwiseAbs().maxCoeff();
+    return size_of(probed(*specimen.material, specimen.pressure, length).stiffness);
   };
   const double one = stiffness(brief), other = stiffness(briefer);
   return std::abs(one - other) < alike * one ? briefer : usual_length;
@@ -77,23 +76,21 @@ double length_of_probes(const Specimen& specimen) {
 bool is_linear(const Specimen& specimen, double strain, int steps, double length) {
   constexpr double alike = 0.1, way = 0.25;
   const Loading loading{[&](double t) { return specimen.space.stretch(strain, way * t); }, 1};
-  const March found = march(*specimen.material, loading,
-                            {.steps = steps, .phase_length = steps * length, .state = specimen.rest_state()});
+  const March found = from_rest(specimen, loading, steps, steps * length);
   const Tensor expected = stress_of(specimen.stiffness, loading.F(1) - Tensor::Identity());
   const Tensor at_rest = -specimen.rest_pressure() * Tensor::Identity();
-  return distance(found.marks[0].cauchy, expected + at_rest) <= alike * expected.cwiseAbs().maxCoeff();
+  return distance(found.marks[0].cauchy, expected + at_rest) <= alike * size_of(expected);
 }
 
 /// The largest strain, halved from the amplitude, at which one step of that length [s] makes the stress of the
 /// stiffness at rest.
 double onset_of(const Specimen& specimen, double length) {
-  double a = specimen.amplitude;
-  try {
+  const auto halved = [&] {
+    double a = specimen.amplitude;
     while (a > least_amplitude && !is_linear(specimen, a, 1, length)) a *= 0.5;
-  } catch (const MaterialFailure&) {
-    return specimen.amplitude;
-  }
-  return a;
+    return a;
+  };
+  return if_taken(halved, specimen.amplitude);
 }
 
 /// Whether what answers in a straight line as far as the amplitude is not finite at twice that, however short the
@@ -103,7 +100,7 @@ bool is_not_finite_beyond(const Specimen& specimen) {
   try {
     if (!is_linear(specimen, specimen.amplitude, steps / 4, 1.0 / steps)) return false;
     const Loading further{[&](double t) { return specimen.space.stretch(2 * specimen.amplitude, t); }, 1};
-    march(*specimen.material, further, {.steps = steps, .state = specimen.rest_state()});
+    from_rest(specimen, further, steps);
     return false;
   } catch (const MaterialFailure& failure) {
     return failure.not_finite;
@@ -116,10 +113,10 @@ double own_pressure_of(const Specimen& specimen) {
   constexpr double alike = 1e-4, small = 1e-3;
   const Material& material = *specimen.material;
   const Tensor I = Tensor::Identity();
-  const Tensor stress = stepped(material, 0, 1, I, I, specimen.rest_state()).cauchy;
+  const Tensor stress = stress_at_once(specimen, I);
   const double p = -stress.trace() / 3;
   if (specimen.pressure != 0 || !(p > 0) || !(distance(stress, -p * I) <= own_precision * p)) return 0;
-  if (specimen.stiffness.bottomRows<3>().cwiseAbs().maxCoeff() <= own_precision * specimen.modulus) return p;
+  if (size_of(specimen.stiffness.bottomRows<3>()) <= own_precision * specimen.modulus) return p;
   const Offer<assay_energy> form(material);
   if (!form) return 0;
   const auto W = [&](double by) { return stored_energy(form, (1 + by) * I, specimen.rest_state()); };
@@ -134,7 +131,7 @@ bool is_of_measures(const Stiffness& C, double pressure) {
   if (!(std::abs(m) <= 1 && std::abs(n) <= 2)) return false;
   Stiffness expected = -n * pressure * Stiffness::Identity();
   expected.topLeftCorner<3, 3>().array() += m * pressure;
-  return (C - expected).cwiseAbs().maxCoeff() <= alike * pressure;
+  return size_of(C - expected) <= alike * pressure;
 }
 
 bool carries(const Material& material, double pressure) {
@@ -154,7 +151,7 @@ double pressure_at_rest(const Material& material) {
     if (!carries(material, pressure)) return 0.0;
     try {
       const Stiffness found = probed(material, pressure, 1).stiffness;
-      return pressure > 0 && is_of_measures(found, pressure) ? 0.0 : found.cwiseAbs().maxCoeff();
+      return pressure > 0 && is_of_measures(found, pressure) ? 0.0 : size_of(found);
     } catch (const MaterialFailure& refusal) {
       if (pressure == 0) failure = refusal;
       return 0.0;
@@ -171,8 +168,27 @@ double pressure_at_rest(const Material& material) {
   return found == std::end(pressures) ? 0 : *found;
 }
 
+Loading stretch_to(const Specimen& specimen, double s) {
+  return {[s, a = specimen.amplitude, space = specimen.space](double t) { return space.stretch(a, s * t); }, 1};
+}
+
 Loading out_and_back(const Specimen& specimen) {
   return {[a = specimen.amplitude, space = specimen.space](double t) { return space.stretch(a, 0.5 * t); }, 2};
+}
+
+Loading stretched_and_held(const Specimen& specimen, int phases) {
+  return {
+      [a = specimen.amplitude, space = specimen.space](double t) { return space.stretch(a, 0.5 * std::min(t, 1.0)); },
+      phases};
+}
+
+March from_rest(const Specimen& specimen, const Loading& loading, int steps, double phase_length) {
+  return march(*specimen.material, loading,
+               {.steps = steps, .phase_length = phase_length, .state = specimen.rest_state()});
+}
+
+Tensor stress_at_once(const Specimen& specimen, const Tensor& F, double length) {
+  return stepped(*specimen.material, 0, length, Tensor::Identity(), F, specimen.rest_state()).cauchy;
 }
 
 Specimen examine(const Material& material, const Options& options) {
@@ -181,7 +197,7 @@ Specimen examine(const Material& material, const Options& options) {
   const double length = length_of_probes(specimen);
   const Probed at_rest = probed(material, specimen.pressure, length);
   specimen.stiffness = at_rest.stiffness;
-  specimen.modulus = specimen.stiffness.cwiseAbs().maxCoeff();
+  specimen.modulus = size_of(specimen.stiffness);
   specimen.linear = at_rest.linear;
   specimen.viscous = specimen.rate_dependent() && length == usual_length;
   specimen.stiffness_noise = at_rest.noise;
@@ -196,6 +212,43 @@ Specimen examine(const Material& material, const Options& options) {
     specimen.amplitude = std::min(specimen.amplitude, std::max(far_beyond * specimen.onset, least_of_most));
   }
   return specimen;
+}
+
+namespace {
+
+/// How far the stress is from a smooth course along neighbouring steps, over the stress. What a kink does happens once;
+/// of the steps of rounding there are many.
+template <class StressOf>
+double roughness(const Specimen& specimen, const StressOf& stress_of_place) {
+  constexpr double change = 4e-8;  // relative: less than 2^-24, whose steps then show, and 1e8 times those of 53 bits
+  constexpr int neighbours = 33;
+  std::vector<Tensor> stress;
+  for (int k = 0; k < neighbours; ++k) stress.push_back(stress_of_place(1 + k * change));
+  const double scale = specimen.scale(size_of(stress.front()));
+  std::vector<double> departures;
+  for (std::size_t k = 1; k + 1 < stress.size(); ++k) {
+    departures.push_back(distance(stress[k], 0.5 * (stress[k - 1] + stress[k + 1])) / scale);
+  }
+  std::sort(departures.begin(), departures.end());
+  return departures[departures.size() * 3 / 4];
+}
+
+}  // namespace
+
+bool is_of_single_precision(const Specimen& specimen) {
+  constexpr double least = 1e-9, most = 1e-5;  // 2^-24 = 6e-8, and what a few operations make of it
+  const Tensor H = specimen.stretch(0.3) - Tensor::Identity();
+  const auto is_rough = [&] {
+    const Tensor I = Tensor::Identity();
+    double rough = roughness(specimen, [&](double by) { return stress_at_once(specimen, I + by * H); });
+    for (const double length : {1e-3, 1.0, 1e3}) {
+      if (!specimen.rate_dependent()) break;
+      const auto of_length = [&](double by) { return stress_at_once(specimen, I + H, by * length); };
+      rough = std::max(rough, roughness(specimen, of_length));
+    }
+    return rough > least && rough < most;
+  };
+  return if_taken(is_rough, false);
 }
 
 }  // namespace assay::check

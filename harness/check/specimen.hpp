@@ -3,10 +3,12 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "harness/check/battery.hpp"
 #include "harness/check/march.hpp"
-#include "harness/check/space.hpp"
 #include "harness/check/stiffness.hpp"
 
 namespace assay::check {
@@ -38,6 +40,8 @@ struct Specimen {
     return state_at_rest(*material, pressure, direction);
   }
 
+  /// At place s of the way out, back and beyond.
+  Tensor stretch(double s) const { return space.stretch(amplitude, s); }
   double rest_pressure() const { return pressure + own_pressure; }  ///< [Pa]
 
   /// Whether the material stands what it answers in a straight line, and is not finite beyond.
@@ -46,6 +50,8 @@ struct Specimen {
   bool rate_dependent() const { return material->has(ASSAY_RATE_DEPENDENT); }
   /// Stress [Pa] below which a difference is measured against this: a material may have none along a whole history.
   double least_stress() const { return std::max(1e-9 * modulus * amplitude, 1e-300); }
+  /// What a difference of a stress of that size [Pa] is measured against.
+  double scale(double size) const { return std::max(size, least_stress()); }
   int steps() const { return options.effort.quick ? 40 : 100; }
 };
 
@@ -56,7 +62,37 @@ double pressure_at_rest(const Material& material);
 /// Throws MaterialFailure where the material cannot be loaded at all.
 Specimen examine(const Material& material, const Options& options);
 
-/// A stretch along turning axes out, and back and beyond in the second of two phases.
+/// A stretch along turning axes up to place s of the way out, back and beyond, in one phase.
+Loading stretch_to(const Specimen& specimen, double s);
+
+/// The whole way: out, and back and beyond in the second of two phases.
 Loading out_and_back(const Specimen& specimen);
+
+/// The way out in the first phase, held in later ones.
+Loading stretched_and_held(const Specimen& specimen, int phases);
+
+/// Along a loading, in so many steps in each phase [s]. Throws MaterialFailure.
+March from_rest(const Specimen& specimen, const Loading& loading, int steps, double phase_length = 1);
+inline March from_rest(const Specimen& specimen, const Loading& loading) {
+  return from_rest(specimen, loading, specimen.steps());
+}
+
+/// Of one step from rest [s]. Throws MaterialFailure.
+Tensor stress_at_once(const Specimen& specimen, const Tensor& F, double length = 1);
+
+/// Whether the stress follows F, or the length of a step, as numbers of 24 bits do: in steps of 6e-8.
+bool is_of_single_precision(const Specimen& specimen);
+
+/// A stiffness at rest: the whole one, or that of a part that relaxes.
+struct StiffnessOf {
+  Stiffness C;
+  std::string of;     ///< " at rest", or of which steps
+  double noise;       ///< what the size of the probes changes in it [Pa]
+  bool is_of_a_part;  ///< that relaxes, and not of all that resists
+  bool is_left;       ///< in the longest steps
+};
+
+/// Those of a material whose response to small strains from rest is linear, the whole one last.
+std::vector<StiffnessOf> linear_stiffnesses(const Specimen& specimen);
 
 }  // namespace assay::check

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/check/stability.hpp"
-
+// How far a material stays strongly elliptic along the baselines: a property, and no defect.
 #include <algorithm>
 #include <cmath>
 
 #include "harness/check/judge.hpp"
+#include "harness/check/tests.hpp"
 #include "harness/stability/stability_probe.hpp"
 
 namespace assay::check {
@@ -87,9 +87,9 @@ Finding along(const Specimen& specimen, const Baseline& baseline) {
 }  // namespace
 
 TestResult ellipticity(const Specimen& specimen) {
-  TestResult result{.id = "ellipticity", .verdict = Verdict::not_applicable};
-  result.sentence = "a state of rest under pressure has no stress-free wave speeds to compare with";
-  if (specimen.rest_pressure() > 0) return result;
+  if (specimen.rest_pressure() > 0) {
+    return left_out("a state of rest under pressure has no stress-free wave speeds to compare with");
+  }
   double smallest = INFINITY;
   std::string words;
   for (const Baseline& baseline : baselines()) {
@@ -97,8 +97,8 @@ TestResult ellipticity(const Specimen& specimen) {
     smallest = std::min(smallest, finding.smallest);
     words += (words.empty() ? "" : "; ") + finding.words;
   }
-  result.sentence = std::string("strong ellipticity") + (specimen.space.is_plane() ? " in the plane" : "") +
-                    " (a property of the material, not a defect): " + words;
+  TestResult result = left_out(std::string("strong ellipticity") + (specimen.space.is_plane() ? " in the plane" : "") +
+                               " (a property of the material, not a defect): " + words);
   if (!std::isfinite(smallest)) return result;
   result.measure = smallest;
   result.verdict = Verdict::pass;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A state variable of one point as what it is: a number, a vector or a tensor.
+// A state variable of one point as what it is: a number, a vector or a tensor; and where those of a material lie.
 #pragma once
+
+#include <vector>
 
 #include "harness/material/material.hpp"
 #include "harness/numeric/largest.hpp"
@@ -65,5 +67,30 @@ class Variable {
   std::int32_t kind_;
   Tensor value_ = Tensor::Zero();
 };
+
+/// A variable of a material's state, and its components among those of one point.
+struct StatePlace {
+  const char* name;
+  std::int32_t kind, role;
+  std::size_t first, size;
+
+  std::size_t end() const { return first + size; }
+  bool is_tensor() const { return kind == ASSAY_TENSOR || kind == ASSAY_SYMMETRIC_TENSOR; }
+  bool turns_itself() const { return role == ASSAY_ROLE_ROTATES_ITSELF && is_tensor(); }  ///< as it declares
+  Variable in(const std::vector<double>& state) const { return {kind, &state[first]}; }
+};
+
+/// All of them, as they are declared.
+inline std::vector<StatePlace> state_of(const assay_material& table) {
+  std::vector<StatePlace> all;
+  std::size_t first = 0;
+  for (std::uint32_t v = 0; v < table.state_count; ++v) {
+    const assay_state_variable& variable = table.state[v];
+    const auto size = static_cast<std::size_t>(components_of_kind(variable.kind));
+    all.push_back({variable.name, variable.kind, variable.role, first, size});
+    first += size;
+  }
+  return all;
+}
 
 }  // namespace assay::check

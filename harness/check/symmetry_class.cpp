@@ -7,8 +7,7 @@
 #include <map>
 #include <numbers>
 
-#include "harness/check/space.hpp"
-#include "harness/check/stiffness_axes.hpp"
+#include "harness/check/symmetry_axes.hpp"
 
 namespace assay::check {
 
@@ -87,6 +86,30 @@ Stiffness sample_of(SymmetryClass symmetry, const Tensor& axes) {
   return projected(any, symmetry, axes);
 }
 
+/// Which of its axes a class has: none, the principal one, that and those of half turns, all three.
+enum class Axes { none, principal, with_half_turns, all };
+
+struct ClassRow {
+  const char* name;
+  std::vector<Tensor> generators;
+  Axes axes;
+};
+
+const ClassRow& row_of(SymmetryClass symmetry) {
+  static const Vector3 x = Vector3::UnitX(), z = Vector3::UnitZ();
+  static const ClassRow rows[] = {
+      {"without a class", {}, Axes::none},
+      {"monoclinic", {half_turn_about(2)}, Axes::principal},
+      {"orthotropic", dihedral(2), Axes::all},
+      {"trigonal", dihedral(3), Axes::with_half_turns},
+      {"tetragonal", dihedral(4), Axes::with_half_turns},
+      {"hexagonal", dihedral(6), Axes::principal},
+      {"transversely isotropic", {turn_about(z, turning_angle), half_turn_about(0)}, Axes::principal},
+      {"cubic", {turn_about(z, full_turn / 4), turn_about(x, full_turn / 4)}, Axes::all},
+      {"isotropic", {turn_about({1, 2, 3}, turning_angle), turn_about({2, -1, 1}, turning_angle)}, Axes::none}};
+  return rows[static_cast<std::size_t>(symmetry)];
+}
+
 std::string in_words(Vector3 axis) {
   constexpr double nothing = 5e-4, digits = 1e3;
   Eigen::Index largest = 0;
@@ -118,36 +141,9 @@ const std::vector<SymmetryClass>& all_classes() {
   return all;
 }
 
-std::string name_of(SymmetryClass symmetry) {
-  constexpr const char* names[] = {
-      "without a class",        "monoclinic", "orthotropic", "trigonal", "tetragonal", "hexagonal",
-      "transversely isotropic", "cubic",      "isotropic"};
-  return names[static_cast<std::size_t>(symmetry)];
-}
+std::string name_of(SymmetryClass symmetry) { return row_of(symmetry).name; }
 
-std::vector<Tensor> generators_of(SymmetryClass symmetry) {
-  switch (symmetry) {
-    case SymmetryClass::none:
-      return {};
-    case SymmetryClass::monoclinic:
-      return {half_turn_about(2)};
-    case SymmetryClass::orthotropic:
-      return dihedral(2);
-    case SymmetryClass::trigonal:
-      return dihedral(3);
-    case SymmetryClass::tetragonal:
-      return dihedral(4);
-    case SymmetryClass::hexagonal:
-      return dihedral(6);
-    case SymmetryClass::transversely_isotropic:
-      return {turn_about(Vector3::UnitZ(), turning_angle), half_turn_about(0)};
-    case SymmetryClass::cubic:
-      return {turn_about(Vector3::UnitZ(), full_turn / 4), turn_about(Vector3::UnitX(), full_turn / 4)};
-    case SymmetryClass::isotropic:
-      return {turn_about({1, 2, 3}, turning_angle), turn_about({2, -1, 1}, turning_angle)};
-  }
-  return {};
-}
+const std::vector<Tensor>& generators_of(SymmetryClass symmetry) { return row_of(symmetry).generators; }
 
 const std::vector<Tensor>& icosahedral_rotations() {
   static const std::vector<Tensor> all = group_of(icosahedral());
@@ -160,7 +156,7 @@ Stiffness projected(const Stiffness& C, SymmetryClass symmetry, const Tensor& ax
 }
 
 double miss_of(const Stiffness& C, SymmetryClass symmetry, const Tensor& axes) {
-  return (C - projected(C, symmetry, axes)).cwiseAbs().maxCoeff() / C.cwiseAbs().maxCoeff();
+  return size_of(C - projected(C, symmetry, axes)) / size_of(C);
 }
 
 std::vector<ClassFit> fits_of(const Stiffness& C, SymmetryClass symmetry) {
@@ -174,7 +170,7 @@ std::vector<ClassFit> fits_of(const Stiffness& C, SymmetryClass symmetry) {
   for (const ClassFit& fit : found) {
     if (fit.miss > as_well * found.front().miss + rounding) break;
     const Stiffness sample = sample_of(symmetry, fit.axes);
-    const auto is_same = [&](const Stiffness& other) { return (other - sample).cwiseAbs().maxCoeff() < same; };
+    const auto is_same = [&](const Stiffness& other) { return size_of(other - sample) < same; };
     if (std::any_of(samples.begin(), samples.end(), is_same)) continue;
     samples.push_back(sample);
     distinct.push_back(fit);
@@ -191,22 +187,28 @@ SymmetryClass class_of(const Stiffness& C, double share) {
 }
 
 std::string about(SymmetryClass symmetry, const Tensor& axes) {
-  switch (symmetry) {
-    case SymmetryClass::none:
-    case SymmetryClass::isotropic:
+  switch (row_of(symmetry).axes) {
+    case Axes::none:
       return "";
-    case SymmetryClass::monoclinic:
-    case SymmetryClass::transversely_isotropic:
-    case SymmetryClass::hexagonal:
+    case Axes::principal:
       return "about " + in_words(axes.col(2));
-    case SymmetryClass::trigonal:
-    case SymmetryClass::tetragonal:
+    case Axes::with_half_turns:
       return "about " + in_words(axes.col(2)) + " and, by half turns, " + in_words(axes.col(0));
-    case SymmetryClass::orthotropic:
-    case SymmetryClass::cubic:
+    case Axes::all:
       break;
   }
   return "about " + in_words(axes.col(0)) + ", " + in_words(axes.col(1)) + ", " + in_words(axes.col(2));
+}
+
+bool serves_ring(const Material& material) {
+  constexpr auto symmetry = SymmetryClass::transversely_isotropic;
+  if (material.table().symmetry != ASSAY_ANISOTROPIC) return true;
+  if (declared_class(material.table()) != symmetry) return false;
+  try {
+    return miss_of(probed(material, 0, 1).stiffness, symmetry, Tensor::Identity()) <= class_within;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
 }
 
 }  // namespace assay::check

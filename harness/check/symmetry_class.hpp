@@ -33,7 +33,7 @@ std::string name_of(SymmetryClass symmetry);
 
 /// The rotations of a class in its own axes, of which all others are made; its principal axis is the third. For any
 /// angle stands one that is no fraction of a turn.
-std::vector<Tensor> generators_of(SymmetryClass symmetry);
+const std::vector<Tensor>& generators_of(SymmetryClass symmetry);
 
 /// The 60 rotations of an icosahedron: sums over them do not prefer a direction, up to the fifth order.
 const std::vector<Tensor>& icosahedral_rotations();
@@ -61,5 +61,12 @@ SymmetryClass class_of(const Stiffness& C, double share);
 /// "about (0.6, 0.8, 0)", "about (0.6, 0.8, 0), (-0.8, 0.6, 0), (0, 0, 1)": the axes that a class has; empty of what is
 /// isotropic.
 std::string about(SymmetryClass symmetry, const Tensor& axes);
+
+/// Whether the ring of a vortex may be of the material: its response is the same all around the axis E3, in its own
+/// axes where these turn with the radius. It declares so, or declares transverse isotropy and is that at rest about E3.
+bool serves_ring(const Material& material);
+
+/// Of the modulus, or of the largest stress: as of the other tests of a stiffness.
+inline constexpr double class_within = 1e-3;
 
 }  // namespace assay::check

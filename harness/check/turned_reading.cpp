@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/check/turned_reading.hpp"
+#include "harness/check/turned_step.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "harness/check/judge.hpp"
-#include "harness/check/state_place.hpp"
 
 namespace assay::check {
 
@@ -43,10 +42,9 @@ class Assumptions {
  public:
   Assumptions(const Specimen& specimen, const Loaded& from, double s)
       : material_(*specimen.material), space_(specimen.space), from_(from), places_(places_of(material_)) {
-    constexpr double further = 0.02;
-    F1_ = space_.stretch(specimen.amplitude, s + further);
+    F1_ = further_on(specimen, s);
     expected_ = step(from.F, F1_, from.point.state).cauchy;
-    scale_ = std::max(expected_.cwiseAbs().maxCoeff(), specimen.least_stress());
+    scale_ = specimen.scale(size_of(expected_));
     places_.resize(std::min(places_.size(), most_));
   }
 
@@ -62,7 +60,7 @@ class Assumptions {
       const Variable meant = stored.is_tensor() ? stored.with(read_as(variables[v], order, stored.value())) : stored;
       const Variable turned = meant.turned(Q);
       (stored.is_tensor() ? turned.with(written_as(variables[v], order, turned.value())) : turned)
-          .write(&state[places_[v].at]);
+          .write(&state[places_[v].first]);
     }
     const Tensor seen = step(Q * from_.F, Q * F1_, state).cauchy;
     return distance(rotated(Q.transpose(), read_as(output, order, seen)), read_as(output, order, expected_)) / scale_;
@@ -73,7 +71,7 @@ class Assumptions {
   /// What the variables are declared to be.
   std::vector<As> declared() const {
     std::vector<As> all;
-    for (const StatePlace& place : places_) all.push_back(place.is_own ? As::own_frame : As::tensor);
+    for (const StatePlace& place : places_) all.push_back(place.turns_itself() ? As::own_frame : As::tensor);
     return all;
   }
 
@@ -127,6 +125,20 @@ void explain(const Assumptions& assumptions, const ShearOrder& order, double& le
 }
 
 }  // namespace
+
+std::vector<StatePlace> places_of(const Material& material) {
+  std::vector<StatePlace> all = state_of(material.table());
+  std::erase_if(all, [](const StatePlace& place) {
+    const bool turns = place.kind != ASSAY_SCALAR && place.role == ASSAY_ROLE_PLAIN;
+    return !turns && !place.turns_itself();
+  });
+  return all;
+}
+
+Tensor further_on(const Specimen& specimen, double s) {
+  constexpr double further = 0.02;
+  return specimen.stretch(s + further);
+}
 
 void read_back(const Specimen& specimen, const Loaded& from, double s, TurnedStep& found) {
   const Assumptions assumptions(specimen, from, s);

@@ -5,10 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "harness/check/diagnosis.hpp"
 #include "harness/check/judge.hpp"
-#include "harness/check/share_along.hpp"
-#include "harness/check/state_place.hpp"
-#include "harness/check/turned_reading.hpp"
 
 namespace assay::check {
 
@@ -61,49 +59,39 @@ std::vector<Fate> fates_of(const Space& space, const Variable& before) {
 }
 
 /// How `found` has come out of `before` in a turn of the body, and by how much that misses it, relative.
-std::pair<TurnedVariable, double> carried(const Space& space, const Variable& before, const Variable& found) {
-  std::pair<TurnedVariable, double> best{{}, alike};
-  best.first.how = Turned::otherwise;
+std::pair<Fate, double> carried(const Space& space, const Variable& before, const Variable& found) {
+  std::pair<Fate, double> best{{Turned::otherwise, 1, before}, alike};
   for (const Fate& fate : fates_of(space, before)) {
     const double miss = found.distance(fate.expected) / before.largest();
-    if (!(miss < 0.5 * best.second)) continue;  // the first are the likelier ones
-    best.first.how = fate.how;
-    best.first.times = fate.times;
-    best.first.order = fate.order;
-    best.first.exactly = miss < rounding;
-    best.second = miss;
+    if (miss < 0.5 * best.second) best = {fate, miss};  // the first are the likelier ones
   }
   return best;
 }
 
 bool proportional(const Tensor& a, const Tensor& b) {
   const double share = share_along(a, b);
-  return std::isfinite(share) && distance(a, share * b) < 1e-3 * a.cwiseAbs().maxCoeff();
+  return std::isfinite(share) && distance(a, share * b) < 1e-3 * size_of(a);
 }
 
 Loaded loaded(const Specimen& specimen, double s) {
-  const double a = specimen.amplitude;
-  const Loading loading{[&](double t) { return specimen.space.stretch(a, s * t); }, 1};
-  const March found = march(*specimen.material, loading, {.steps = specimen.steps(), .state = specimen.rest_state()});
+  const Loading loading = stretch_to(specimen, s);
   const double length = 1.0 / specimen.steps();
-  return {loading.F(1), found.marks[0], length, specimen.rate_dependent() ? 1e-9 : length};
+  return {loading.F(1), from_rest(specimen, loading).marks[0], length, specimen.rate_dependent() ? 1e-9 : length};
 }
 
 /// Whether the stress of a loading depends on a variable at all: a model may keep what only its output shows.
 bool is_read(const Specimen& specimen, const Loaded& from, double s, const StatePlace& place) {
-  constexpr double further = 0.02, significant = 1e-9;
-  const Tensor F1 = specimen.space.stretch(specimen.amplitude, s + further);
+  constexpr double significant = 1e-9;
   std::vector<double> other = from.point.state;
-  place.in(other).turned(specimen.space.turn(turning_angle)).write(&other[place.at]);
+  place.in(other).turned(specimen.space.turn(turning_angle)).write(&other[place.first]);
   const auto stress = [&](const std::vector<double>& state) {
-    return stepped(*specimen.material, 1, from.length, from.F, F1, state).cauchy;
+    return stepped(*specimen.material, 1, from.length, from.F, further_on(specimen, s), state).cauchy;
   };
-  try {
+  const auto differs = [&] {
     const Tensor usual = stress(from.point.state);
-    return distance(stress(other), usual) > significant * usual.cwiseAbs().maxCoeff();
-  } catch (const MaterialFailure&) {
-    return true;
-  }
+    return distance(stress(other), usual) > significant * size_of(usual);
+  };
+  return if_taken(differs, true);
 }
 
 /// In a turn of a loaded body, and of one that has been unloaded a little, so that the turn makes nothing flow: what
@@ -116,11 +104,11 @@ std::vector<TurnedVariable> carried_variables(const Specimen& specimen, const Lo
   std::vector<double> misses;
   std::vector<bool> seen_at_all(places.size(), false);
   for (const StatePlace& place : places) {
-    all.push_back({.name = place.name, .how = Turned::otherwise, .is_own = place.is_own});
+    all.push_back({.name = place.name, .how = Turned::otherwise, .is_own = place.turns_itself()});
     misses.push_back(INFINITY);
   }
   for (const double back : {0.0, 2e-3, 1e-2, 3e-2}) {
-    const Tensor F = specimen.space.stretch(specimen.amplitude, s - back);
+    const Tensor F = specimen.stretch(s - back);
     const std::vector<double> state = stepped(material, 1, from.instant, from.F, F, from.point.state).state;
     const Point held = stepped(material, 1, from.instant, F, F, state);
     const Point seen = stepped(material, 1, from.instant, F, Q * F, state);
@@ -134,7 +122,7 @@ std::vector<TurnedVariable> carried_variables(const Specimen& specimen, const Lo
       all[v].how = found.how;
       all[v].times = found.times;
       all[v].order = found.order;
-      all[v].exactly = found.exactly;
+      all[v].exactly = miss < rounding;
       all[v].is_stress = before.is_tensor() && proportional(whole.value(), held.cauchy);
     }
   }
@@ -149,15 +137,90 @@ std::vector<TurnedVariable> carried_variables(const Specimen& specimen, const Lo
 
 std::optional<TurnedStep> turned_step(const Specimen& specimen) {
   constexpr double s = 0.2;  // of the loading, on its way out
-  try {
+  const auto found = [&]() -> std::optional<TurnedStep> {
     const Loaded from = loaded(specimen, s);
-    TurnedStep found;
-    found.carried = carried_variables(specimen, from, s);
-    read_back(specimen, from, s, found);
-    return found;
-  } catch (const MaterialFailure&) {
+    TurnedStep step;
+    step.carried = carried_variables(specimen, from, s);
+    read_back(specimen, from, s, step);
+    return step;
+  };
+  return if_taken(found, std::nullopt);
+}
+
+namespace {
+
+Suspicion of_variable(const TurnedVariable& variable, Turned how) {
+  const std::string name = variable.is_stress ? "the stress" : "'" + variable.name + "' of the state";
+  switch (how) {
+    case Turned::in_another_order:
+      return {cause_of(variable.order), "when the body turns, " + misplaced(variable.order, name)};
+    case Turned::with_shear_factor:
+      return {causes::shear_factor, "the shear components of " + name + " are doubled or halved when it is turned"};
+    case Turned::not_at_all:
+      return {variable.is_stress ? causes::rotation_missing : causes::state_not_rotated,
+              name + " does not rotate with the body, although the next step uses it as a tensor"};
+    default:
+      return {causes::wrong_spin,
+              name + " rotates by " + rounded(variable.times) + " times the angle of the body's rotation"};
+  }
+}
+
+/// Beside a stress that turns rightly, something that turns in no way that has a name.
+std::optional<Suspicion> what_is_left(const TurnedStep& step) {
+  bool stress_is_right = false;
+  const TurnedVariable* other = nullptr;
+  for (const TurnedVariable& variable : step.carried) {
+    if (variable.is_stress && variable.how == Turned::rightly) stress_is_right = true;
+    if (!variable.is_stress && variable.how == Turned::otherwise) other = &variable;
+  }
+  if (!stress_is_right || !other) return std::nullopt;
+  return Suspicion{causes::state_not_rotated,
+                   "the stress turns with the body, but '" + other->name + "' of the state does not"};
+}
+
+/// How a variable is treated that is wrong, its order told; nothing of one that is right, or turns in a way that has no
+/// name.
+std::optional<Turned> wrong_way(const Facts& f, const TurnedStep& step, TurnedVariable& variable) {
+  const auto same = [&](const TurnedVariable& other) { return other.name == variable.name; };
+  const auto taken = std::find_if(step.taken.begin(), step.taken.end(), same);
+  const Turned declared = variable.is_own ? Turned::not_at_all : Turned::rightly;
+  const Turned as = taken == step.taken.end() ? declared : taken->how;
+  const bool own_frame = as == Turned::not_at_all, misread = as != Turned::rightly && !own_frame;
+  const Turned how = misread ? as : variable.how;
+  if (misread) variable.order = step.order;
+  const bool of_spin = !f.failed(ids::constant_rotation) || f.evidence.right_without_spin;
+  if (how == Turned::by_another_angle && !of_spin && !variable.exactly) return std::nullopt;
+  if (how == Turned::rightly || how == Turned::otherwise || (own_frame && how == Turned::not_at_all)) {
     return std::nullopt;
   }
+  return how;
+}
+
+bool any_turn_fails(const Facts& f) {
+  return f.any_failure([](const TestResult& test) {
+    const bool of_rotation = test.id.starts_with("rotation.") && test.id != ids::rotation_of_state;
+    return of_rotation || test.id == ids::basis || test.id == ids::turning_stretches;
+  });
+}
+
+}  // namespace
+
+std::optional<Suspicion> said_by_turned_step(const Facts& f) {
+  if (!any_turn_fails(f) || !f.evidence.turned) return std::nullopt;
+  const TurnedStep& step = *f.evidence.turned;
+  if (step.stress != Turned::rightly) return of_variable({.is_stress = true, .order = step.order}, step.stress);
+  std::optional<Suspicion> found;
+  double farthest = -1;
+  for (TurnedVariable variable : step.carried) {
+    const std::optional<Turned> how = wrong_way(f, step, variable);
+    const double far = variable.is_stress ? INFINITY : std::abs(variable.times - 1);
+    if (!how || far <= farthest) continue;
+    farthest = far;
+    found = of_variable(variable, *how);
+  }
+  // A state that stays behind does not show in a frame that is turned once for all, nor less in smaller steps.
+  const bool other = f.failed(ids::constant_rotation) || f.evidence.fixed.result.order;
+  return found || other ? found : what_is_left(step);
 }
 
 }  // namespace assay::check

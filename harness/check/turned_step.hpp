@@ -3,9 +3,12 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
-#include "harness/check/shear_order.hpp"
 #include "harness/check/specimen.hpp"
+#include "harness/check/state_variable.hpp"
+#include "harness/check/stiffness.hpp"
 
 namespace assay::check {
 
@@ -39,5 +42,22 @@ struct TurnedStep {
 
 /// Of states along the loading; nothing where the material fails.
 std::optional<TurnedStep> turned_step(const Specimen& specimen);
+
+/// A loaded point, and the lengths of its steps [s].
+struct Loaded {
+  Tensor F;
+  Point point;
+  double length, instant;
+};
+
+/// The tensors and vectors of the state that have to turn, and the tensors that are declared to turn by themselves.
+std::vector<StatePlace> places_of(const Material& material);
+
+/// A loading step goes on from place s of the loading to this F.
+Tensor further_on(const Specimen& specimen, double s);
+
+/// Fills in the error of a loading step from a turned state, `stress` and `taken`: the least unlikely assumptions that
+/// explain it. The step goes on from place s of the loading.
+void read_back(const Specimen& specimen, const Loaded& from, double s, TurnedStep& found);
 
 }  // namespace assay::check

@@ -9,8 +9,8 @@
 #include <set>
 #include <sstream>
 
-#include "harness/check/battery.hpp"
 #include "tests/drivers/process.hpp"
+#include "tests/harness/check/all_causes.hpp"
 
 namespace assay::drivers::test_causes_page {
 namespace {

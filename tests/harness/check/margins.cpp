@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <sstream>
 
+#include "tests/harness/check/all_causes.hpp"
+
 namespace assay::check_tests {
 
 namespace {

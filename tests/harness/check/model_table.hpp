@@ -14,7 +14,7 @@
 #include <tuple>
 #include <vector>
 
-#include "harness/check/shear_order.hpp"
+#include "harness/check/stiffness.hpp"
 #include "harness/check/state_variable.hpp"
 #include "tests/harness/check/mutants.hpp"
 

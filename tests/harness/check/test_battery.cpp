@@ -10,6 +10,7 @@
 #include <set>
 
 #include "tests/harness/builtin_material.hpp"
+#include "tests/harness/check/all_causes.hpp"
 #include "tests/harness/check/margins.hpp"
 #include "tests/harness/check/mutants.hpp"
 #include "tests/harness/jaumann_material.hpp"

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <map>
 
-#include "harness/check/space.hpp"
+#include "harness/check/march.hpp"
 #include "tests/harness/check/model_table.hpp"
 #include "tests/harness/check/mutants.hpp"
 

@@ -10,7 +10,6 @@
 #include <set>
 #include <string>
 
-#include "harness/check/other_clock.hpp"
 #include "tests/harness/builtin_material.hpp"
 #include "tests/harness/check/mutants.hpp"
 #include "tests/harness/elastic_material.hpp"

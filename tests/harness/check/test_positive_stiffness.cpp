@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A body at rest that drives itself on is a defect; one that nothing resists in some strain is none.
-#include "harness/check/positive_stiffness.hpp"
+#include "harness/check/tests.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "harness/check/dissipation.hpp"
-#include "harness/check/stability.hpp"
 #include "tests/harness/check/model_table.hpp"
 
 namespace assay::check::test_positive_stiffness {

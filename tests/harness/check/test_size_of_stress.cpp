@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "harness/check/battery.hpp"
-#include "harness/check/share_along.hpp"
+#include "harness/check/march.hpp"
 #include "tests/harness/builtin_material.hpp"
 #include "tests/harness/elastic_material.hpp"
 

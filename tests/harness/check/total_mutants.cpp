@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "harness/check/battery.hpp"
-#include "harness/check/tangent_conventions.hpp"
+#include "harness/check/tangents.hpp"
 #include "tests/harness/check/model_table.hpp"
 
 namespace assay::check_tests::total_mutants {

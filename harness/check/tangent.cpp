@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/check/derivatives.hpp"
-
+// The tangent that a model offers, against differences of its stress.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -8,7 +7,8 @@
 
 #include "harness/check/judge.hpp"
 #include "harness/check/samples.hpp"
-#include "harness/check/tangent_comparison.hpp"
+#include "harness/check/tangents.hpp"
+#include "harness/check/tests.hpp"
 #include "harness/numeric/stable_norm.hpp"
 
 namespace assay::check {
@@ -26,24 +26,18 @@ Tangent by_differences(const Space& space, const F& f, const Tensor& at, double 
       component(changed, column) += by;
       return f(changed);
     };
-    const Tensor d = (8 * (moved(h) - moved(-h)) - (moved(2 * h) - moved(-2 * h))) / (12 * h);
-    for (int row = 0; row < 9; ++row) slope(row, column) = component(d, row);
+    slope.col(column) = column_of(slope_of(moved, h));
   }
   return slope;
 }
 
 /// Nothing where the model refuses to give one.
 std::optional<Tangent> offered(const Material& material, const Offer<assay_tangent>& form, const Sample& s) {
-  double F0[9], F1[9], found[81];
-  for (int c = 0; c < 9; ++c) F0[c] = component(s.F0, c), F1[c] = component(s.F1, c);
-  std::fill(found, found + 81, NAN);
-  const assay_step step{s.t, s.dt, F0, F1};
-  Tangent result;
-  if (form(&step, std::size_t{1}, s.state0.data(), found) == ASSAY_FAILED) return std::nullopt;
-  for (int row = 0; row < 9; ++row) {
-    for (int column = 0; column < 9; ++column) result(row, column) = found[9 * row + column];
-  }
-  return within(Space(material), result);
+  const auto F0 = nine_of(s.F0), F1 = nine_of(s.F1);
+  Eigen::Matrix<double, 9, 9, Eigen::RowMajor> found = Tangent::Constant(NAN);
+  const assay_step step{s.t, s.dt, F0.data(), F1.data()};
+  if (form(&step, std::size_t{1}, s.state0.data(), found.data()) == ASSAY_FAILED) return std::nullopt;
+  return within(Space(material), found);
 }
 
 /// The tangents that a model gives along a history, against differences of its stress.
@@ -116,9 +110,9 @@ double one_sided(const Space& space, const F& f, const Tensor& at, const Tangent
     if (!space.has(column)) continue;
     Tensor more = at, less = at;
     component(more, column) += h, component(less, column) -= h;
-    most = std::max(most, ((f(more) - middle) - (middle - f(less))).cwiseAbs().maxCoeff() / h);
+    most = std::max(most, size_of((f(more) - middle) - (middle - f(less))) / h);
   }
-  return most / slope.cwiseAbs().maxCoeff();
+  return most / size_of(slope);
 }
 
 /// How wrong the tangents are in steps that no general history has; infinite where one is not finite.
@@ -161,20 +155,22 @@ void judge_beside_histories(const Specimen& specimen, const Offer<assay_tangent>
   const TangentsBeside found = errors_beside(specimen, std::min(specimen.amplitude, 2 * specimen.onset), form);
   const double error = std::max(found.moving, found.nothing);
   if (error <= most) return;
-  result.measure = error;
-  result.threshold = most;
-  result.verdict = Verdict::fail;
-  result.cause = causes::tangent_wrong;
   const std::string where = found.moving <= most ? "in a step without deformation" : "at equal principal stretches";
-  result.sentence = std::isfinite(error) ? "the tangent is wrong by " + percent(error) + " " + where
-                                         : "the tangent is not finite " + where + ", and only there";
+  result = failed(causes::tangent_wrong, error, most,
+                  std::isfinite(error) ? "the tangent is wrong by " + percent(error) + " " + where
+                                       : "the tangent is not finite " + where + ", and only there");
+}
+
+/// By how wrong each is.
+template <class Named>
+auto least_of(const Named& all) {
+  return std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
 }
 
 /// Of tangents that are right but for their shears, as far as can be told; nothing where they are not.
 std::string words_of_shears(const Tangents& found, double worst) {
   constexpr double within = 0.03, share = 0.2;  // of a step's own strain and turn; of the error
-  const auto least = std::min_element(found.shears.begin(), found.shears.end(),
-                                      [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto least = least_of(found.shears);
   if (least == found.shears.end() || least->second > std::min(within, share * worst)) return {};
   return least->first + ": engineering and tensor shears are mixed up; it is wrong by " + percent(worst) +
          ", without that by " + percent(least->second);
@@ -214,43 +210,35 @@ TestResult tangent(const Specimen& specimen) {
   constexpr double most_of_shape = 0.1;  // without products of strain and pressure it is some per cent off
   const double most = specimen.options.declarations.tangent_within;
   const Offer<assay_tangent> form(*specimen.material);
-  if (!form) return {.id = "tangent", .verdict = Verdict::not_applicable, .sentence = "the model offers no tangent"};
+  if (!form) return left_out("the model offers no tangent");
   Tangents found;
   for (const double far : {10.0, 2.0}) {  // beyond the elastic range, in steps that an implicit law is written for
     found = tangents_of(specimen, std::min(specimen.amplitude, far * specimen.onset), form);
     if (found.given > 0) break;
   }
   if (found.given == 0) {
-    const char* why =
+    return left_out(
         found.refused > 0
             ? "the model refuses to give its tangent"
-            : "finite differences of the stress are useless: the stress is too rough, or has kinks at every step";
-    return {.id = "tangent", .verdict = Verdict::not_applicable, .sentence = why};
+            : "finite differences of the stress are useless: the stress is too rough, or has kinks at every step");
   }
   const double worst = found.refused > 0 ? INFINITY : found.worst;
-  TestResult result{.id = "tangent", .measure = worst, .threshold = most};
-  result.sentence = "the tangent is the derivative of the stress, to " + rounded(worst);
   if (worst <= most && found.shape > most_of_shape) {
-    result.measure = found.shape, result.threshold = most_of_shape;
-    result.verdict = Verdict::fail;
-    result.cause = causes::tangent_wrong;
-    result.sentence = std::string(tangent_of_shape) + " is wrong by " + percent(found.shape) +
-                      ": beside the bulk modulus that is only " + percent(worst) + " of the largest component";
-    return result;
+    return failed(causes::tangent_wrong, found.shape, most_of_shape,
+                  std::string(tangent_of_shape) + " is wrong by " + percent(found.shape) +
+                      ": beside the bulk modulus that is only " + percent(worst) + " of the largest component");
   }
   if (worst <= most) {
+    TestResult result = passed(worst, most, "the tangent is the derivative of the stress, to " + rounded(worst));
     judge_beside_histories(specimen, form, result);
     return result;
   }
-  result.verdict = Verdict::fail;
-  result.cause = causes::tangent_wrong;
-  result.sentence = words_of(found, worst);
-  const auto least = std::min_element(found.conventions.begin(), found.conventions.end(),
-                                      [](const auto& a, const auto& b) { return a.second < b.second; });
-  if (least == found.conventions.end() || least->second > alike) return result;
-  result.cause = causes::tangent_convention;
-  result.sentence = "the tangent is " + least->first + ", not " + specimen.options.declarations.tangent;
-  return result;
+  const auto least = least_of(found.conventions);
+  if (least == found.conventions.end() || least->second > alike) {
+    return failed(causes::tangent_wrong, worst, most, words_of(found, worst));
+  }
+  return failed(causes::tangent_convention, worst, most,
+                "the tangent is " + least->first + ", not " + specimen.options.declarations.tangent);
 }
 
 }  // namespace assay::check

@@ -1,15 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far a tangent that a model gives is from the right one, and from others that it may be.
+// What other interfaces call the tangent, made from d sigma / d F; and how far a tangent that a model gives is from the
+// right one, and from others that it may be.
 #pragma once
 
-#include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "harness/check/samples.hpp"
-#include "harness/check/specimen.hpp"
-#include "harness/check/tangent_conventions.hpp"
 
 namespace assay::check {
+
+/// [component of stress, row-major][component of F], [Pa].
+using Tangent = Eigen::Matrix<double, 9, 9>;
+
+/// A column of one: the component 0..8 of a stress by one of F.
+inline Eigen::Matrix<double, 9, 1> column_of(const Tensor& A) { return A.reshaped<Eigen::RowMajor>(); }
+
+/// By name, from d sigma / d F, sigma [Pa] and F at the end of the step: transposed orders; d tau / d F and d P / d F;
+/// moduli of d sigma / d eps, and of the Jaumann rate of tau over J, which Abaqus asks for.
+std::vector<std::pair<std::string, Tangent>> other_conventions(const Tangent& dsigma_dF, const Tensor& sigma,
+                                                               const Tensor& F);
+
+/// The same tangent where shears of it are doubled or halved, as if a tensor shear stood for an engineering one or the
+/// other way round: put right, with words for what was wrong. In the plane of the shear 12 alone.
+std::vector<std::pair<std::string, Tangent>> with_other_shears(const Tangent& given, const Tensor& F, bool in_plane);
+
+/// The moduli of a tangent: stress to strain in the current configuration, both as nine components.
+Tangent spatial_moduli(const Tangent& A, const Tensor& F);
 
 /// Without the columns that are not of the space.
 Tangent within(const Space& space, const Tangent& A);
