@@ -151,13 +151,10 @@ std::string ends_text(const Problem& problem) {
 std::string response_text(const Problem& problem, const ExactSolution* exact) {
   if (!problem.compared) return "no body force\n";
   if (!exact) return "response: not computed, because the run is refused\n";
-  if (exact->box()) {
-    const BoxStress& box = **exact->box();
-    return fmt::format("response: a cosine series of {} x {} modes, {} at each node\n", box.modes(0), box.modes(1),
-                       box.is_history() ? "a history" : "an update");
-  }
-  const Response* response = exact->response() ? exact->response()->get() : nullptr;
+  const Response* response = exact->response();
   if (!response) {
+    if (const auto source = exact->source(); source && !source->by.empty())
+      return fmt::format("response: {}, {} at each node\n", source->what, source->by);
     const std::string forces = problem.setup.body_force ? "body force: the acceleration\n" : "no body force\n";
     const bool known = problem.material->is_function_of_F();
     return forces + (known ? "stress: of the motion's F\n" : "stress: one history, with error control\n");
@@ -236,7 +233,7 @@ std::string explanation_json(const Problem& problem, const ExactSolution* exact,
   json["wave_speed"] = problem.wave_speed;
   if (problem.reference_wave_speed > 0) json["reference_wave_speed"] = problem.reference_wave_speed;
   if (problem.viscous_shortening > 1) json["viscous_shortening"] = problem.viscous_shortening;
-  json["sheet"] = written(exact && exact->response() ? (*exact->response())->sheet() : nullptr);
+  json["sheet"] = written(exact && exact->response() ? exact->response()->sheet() : nullptr);
   json["screen"] = {{"verdict", screen.verdict}, {"smallest", *screen.smallest}, {"unjudged", screen.unjudged}};
   if (screen.largest_safe_amplitude) json["screen"]["largest_safe_amplitude"] = *screen.largest_safe_amplitude;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -39,30 +39,25 @@ void record_sheet(const Scene& scene, const Response& response, double seconds, 
   if (!sheet->restored()) result.material_calls += sheet->material_calls();
 }
 
-void record_along(const Scene& scene, const ExactSolution& exact, double seconds, Result& result) {
+void record_source(const Scene& scene, const ExactSolution& exact, double seconds, Result& result) {
+  const auto source = exact.source();
+  if (!source) return;
   SheetFigures figures;
+  figures.points = source->points;
+  figures.error_tau = source->error;
   figures.asked = scene.force.tolerance;
-  const auto record = [&](std::int64_t points, double error, const std::string& along, std::int64_t calls) {
-    figures.points = points;
-    figures.error_tau = error;
-    figures.along = along;
-    result.sheet = figures;
-    result.material_calls += calls;
-  };
-  if (const Shadow* shadow = exact.response() ? (*exact.response())->shadow() : nullptr) {
-    record(shadow->radii(), shadow->error(), grouped_text(shadow->radii()) + " shadow histories", shadow->calls());
-  } else if (exact.box()) {
-    const BoxStress& box = **exact.box();
-    const std::string size = std::to_string(box.modes(0)) + " x " + std::to_string(box.modes(1));
+  figures.along = exact.response() ? grouped_text(source->points) + " " + source->what : source->what;
+  if (!source->by.empty()) {
+    figures.along += ", by " + source->by + " at each of its nodes";
     figures.wall_s = seconds;
-    record(box.modes(0) * box.modes(1), box.error(),
-           "a cosine series of " + size + " modes, by " + (box.is_history() ? "a history" : "an update") +
-               " at each of its nodes",
-           box.material_calls());
-  } else if (exact.homogeneous() && (*exact.homogeneous())->is_history()) {
-    const HomogeneousStress& stress = **exact.homogeneous();
-    record(1, stress.error(), "one history", stress.material_calls());
   }
+  result.sheet = figures;
+  result.material_calls += source->material_calls;
+}
+
+void record_force_error(const Scene& scene, const Response& response, Result& result) {
+  if (!scene.motion->polar() || !response.sheet() || !result.sheet) return;
+  result.sheet->error_b = force_error(scene.motion, scene.material.density, *response.sheet(), scene.time.end);
 }
 
 std::string material_provenance(const Material& material, const std::string& library) {

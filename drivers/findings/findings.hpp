@@ -8,7 +8,8 @@
 #include "drivers/output/output_folder.hpp"
 #include "drivers/result/result.hpp"
 #include "drivers/scene/scene.hpp"
-#include "harness/exact/exact_solution.hpp"
+#include "harness/exact/exact_fields.hpp"
+#include "harness/history/point_driver.hpp"
 #include "harness/material/material_failure.hpp"
 #include "harness/numeric/stopwatch.hpp"
 
@@ -20,10 +21,12 @@ Result result_for(const Scene& scene);
 /// Size and error of the sheet, seconds it took; nothing where the response is a closed form.
 void record_sheet(const Scene& scene, const Response& response, double seconds, Result& result);
 
-/// Of an exact solution that was taken along the run, once that is over: size and error of its shadow histories, of the
-/// one history of a motion whose F is the same everywhere, or of the series of a motion in the unit box, and the
-/// seconds in which the size of that was found.
-void record_along(const Scene& scene, const ExactSolution& exact, double seconds, Result& result);
+/// What stands behind a stress that no sheet has, once the run is over: number and error of histories, or size and
+/// error of the series of the unit box and the seconds in which its size was found.
+void record_source(const Scene& scene, const ExactSolution& exact, double seconds, Result& result);
+
+/// What the sheet's error does to the body force of a polar motion.
+void record_force_error(const Scene& scene, const Response& response, Result& result);
 
 /// "neo_hookean 1.0, built in" or "soft_clay 0.3, /path/libclay.so, sha256 ...". Throws InputError where the library
 /// can no longer be read.

@@ -51,13 +51,13 @@ void record_response(const Problem& problem, const Response& response, double se
 std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& options, const Stopwatch& life,
                                          OutputFolder& folder, Result& result) {
   const Stopwatch of_response;
-  std::shared_ptr<const ExactSolution> exact;
+  ExactSolutionPtr exact;
   const std::string long_motion = long_motion_sentence(problem);
   if (!long_motion.empty() && !options.quiet()) warn(long_motion);
   if (problem.compared) {
     exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end,
                               {.threads = problem.setup.threads, .quiet = options.quiet()});
-    if (exact->response()) record_response(problem, **exact->response(), of_response.seconds(), result);
+    if (exact->response()) record_response(problem, *exact->response(), of_response.seconds(), result);
   }
   const double response_s = of_response.seconds();
   Snapshots snapshots(problem, folder);
