@@ -55,11 +55,6 @@ void record_source(const Scene& scene, const ExactSolution& exact, double second
   result.material_calls += source->material_calls;
 }
 
-void record_force_error(const Scene& scene, const Response& response, Result& result) {
-  if (!scene.motion->polar() || !response.sheet() || !result.sheet) return;
-  result.sheet->error_b = force_error(scene.motion, scene.material.density, *response.sheet(), scene.time.end);
-}
-
 std::string material_provenance(const Material& material, const std::string& library) {
   const char* version = material.table().version;
   const std::string who = material.name() + (version ? " " + one_line(version, 80) : "");

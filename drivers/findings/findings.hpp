@@ -25,9 +25,6 @@ void record_sheet(const Scene& scene, const Response& response, double seconds, 
 /// error of the series of the unit box and the seconds in which its size was found.
 void record_source(const Scene& scene, const ExactSolution& exact, double seconds, Result& result);
 
-/// What the sheet's error does to the body force of a polar motion.
-void record_force_error(const Scene& scene, const Response& response, Result& result);
-
 /// "neo_hookean 1.0, built in" or "soft_clay 0.3, /path/libclay.so, sha256 ...". Throws InputError where the library
 /// can no longer be read.
 std::string material_provenance(const Material& material, const std::string& library);

@@ -41,7 +41,7 @@ void record_rim(const Problem& problem, const Response& response, Result& result
 
 void record_response(const Problem& problem, const Response& response, double seconds, Result& result) {
   record_sheet(problem.scene, response, seconds, result);
-  if (ring_of(problem.scene.motion) && response.sheet())
+  if (problem.scene.motion->polar() && response.sheet())
     result.sheet->error_b =
         force_error(problem.scene.motion, problem.scene.material.density, *response.sheet(), problem.scene.time.end);
   record_rim(problem, response, result);
@@ -68,7 +68,7 @@ std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& opt
   if (result.outcome == "unstable") result.advice = advice_after_death(problem, result.reason);
   if (result.outcome == "completed")
     result.advice = advice_after_large_error(problem, result.error.relative.value_or(0));
-  if (exact) record_along(problem.scene, *exact, response_s, result);
+  if (exact) record_source(problem.scene, *exact, response_s, result);
   result.peak_rss_bytes = peak_memory();  // before pictures are drawn
   if (problem.scene.output.tractions) result.tractions = traction_table(problem, result, folder, options.quiet());
   std::vector<ReportPicture> pictures;
