@@ -159,7 +159,7 @@ TestResult jumps(const Specimen& specimen) {
 namespace {
 
 constexpr double usual = 1e-4, less_than_usual = 3e-5;  ///< strains of steps that every model takes
-constexpr double tried[] = {1e-5, 1e-6, 1e-7, 1e-8};
+constexpr double tried_strains[] = {1e-5, 1e-6, 1e-7, 1e-8};
 
 /// A stretch of size one: a turn of the body would turn its stress, which hosts do in place of some models.
 Tensor direction(const Space& space) {
@@ -242,7 +242,7 @@ std::optional<TestResult> short_steps(const Specimen& specimen) {
       const double expected = answer.to(usual);
       const bool is_straight = std::abs(answer.to(less_than_usual) - expected) <= alike * expected;
       if (!(expected >= least_stiffness * specimen.modulus) || !is_straight) continue;
-      for (const double strain : tried) {
+      for (const double strain : tried_strains) {
         if (expected * strain < digits / share * answer.stress()) break;
         const double found = answer.to(strain);
         if (!(found < share * expected)) continue;

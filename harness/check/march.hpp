@@ -81,7 +81,8 @@ March march(const Material& material, const Loading& loading, const MarchOptions
 
 /// What a call gives; `otherwise` where the material fails in it.
 template <class Call>
-std::invoke_result_t<Call> if_taken(const Call& call, std::type_identity_t<std::invoke_result_t<Call>> otherwise) {
+std::invoke_result_t<Call> if_taken(const Call& call,
+                                    const std::type_identity_t<std::invoke_result_t<Call>>& otherwise) {
   try {
     return call();
   } catch (const MaterialFailure&) {
