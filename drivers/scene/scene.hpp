@@ -128,6 +128,7 @@ struct Limits {
 /// One line of `expect:`. Operators: below, above, between, equals.
 struct Expectation {
   enum class Operator { below, above, between, equals };
+  friend constexpr std::array<const char*, 4> names_of(Operator) { return {"below", "above", "between", "equals"}; }
   std::string key;  ///< key of result.json, dotted: "outcome", "error.l2_max"
   Operator op = Operator::equals;
   double number = 0, upper = 0;     ///< the bound; for between lower and upper
