@@ -6,8 +6,7 @@
 // MFront/GenericBehaviour/BehaviourData.h lays it out.
 #pragma once
 
-#include "adapters/foreign/foreign_point.hpp"
-#include "adapters/foreign/guarded_arrays.hpp"
+#include "adapters/foreign/foreign_table.hpp"
 #include "adapters/foreign/mfront_metadata.hpp"
 #include "adapters/foreign/written_inputs.hpp"
 

@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <memory>
 
-#include "adapters/foreign/foreign_point.hpp"
-#include "adapters/foreign/guarded_arrays.hpp"
+#include "adapters/foreign/foreign_table.hpp"
 #include "adapters/foreign/host_values.hpp"
 #include "adapters/foreign/kinematics.hpp"
 #include "adapters/foreign/written_inputs.hpp"

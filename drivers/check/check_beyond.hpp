@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "adapters/foreign/guarded_arrays.hpp"
+#include "adapters/foreign/written_inputs.hpp"
 #include "drivers/material/material_choice.hpp"
 #include "harness/check/battery.hpp"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The keys of a description that is not native: what a UMAT, a VUMAT or an MFront behaviour does not say of itself.
-// What a description lists of a foreign model, in the model's order: PROPS and STATEV of a UMAT.
 #pragma once
 
 #include <map>

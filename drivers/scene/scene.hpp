@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene as plain values: what a YAML file under configs/ says after reading, with defaults filled.
-// The velocity with which a body that is left to itself begins.
 #pragma once
 
 #include <array>

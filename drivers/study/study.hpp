@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "drivers/scene/scene.hpp"
-#include "drivers/scene/settings.hpp"
+#include "drivers/scene/scene_reader.hpp"
 #include "drivers/study/selection.hpp"
 
 namespace assay::drivers {

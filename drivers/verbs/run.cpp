@@ -15,7 +15,6 @@
 #include "drivers/result/build_information.hpp"
 #include "drivers/result/result_json.hpp"
 #include "drivers/scene/expect.hpp"
-#include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/advice.hpp"
 #include "drivers/simulation/response_source.hpp"
