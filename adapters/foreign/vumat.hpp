@@ -2,8 +2,6 @@
 // Abaqus' VUMAT as a model of ours, a whole batch a call. State of a point: Cauchy stress in the frame of the polar
 // rotation R [Pa], internal and inelastic energy per mass [J/kg], the time since the point's beginning [s], then the
 // state as declared.
-// Abaqus/Explicit's user material. Arrays are (nblock, components), column-major: component c of point p is
-// a[c * nblock + p].
 #pragma once
 
 #include <cstddef>
@@ -70,6 +68,8 @@ class Vumat {
   std::vector<std::unique_ptr<Block>> blocks_;
 };
 
+/// Abaqus/Explicit's user material. Arrays are (nblock, components), column-major: component c of point p is
+/// a[c * nblock + p].
 // clang-format off
 using VumatEntry = void (*)(
     int* nblock, int* ndir, int* nshr, int* nstatev, int* nfieldv, int* nprops, int* lanneal,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// gfortran, as it compiles a routine that was written for Abaqus, what it says in words for the author, and the library of
-// a source, which is compiled once and kept.
+// gfortran, as it compiles a routine that was written for Abaqus, what it says in words for the author, and the library
+// of a source, which is compiled once and kept.
 #pragma once
 
 #include <string>

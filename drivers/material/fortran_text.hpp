@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The text of a Fortran source, read and not compiled: lines, code without comments, statements; its form, fixed or free,
-// and its lines as gfortran can read them; where readings at 72 columns (the standard), at 132 (Abaqus) and without a
-// bound differ; and what its statements say of routines and variables. What that cannot tell it leaves open.
+// The text of a Fortran source, read and not compiled: lines, code without comments, statements; its form, fixed or
+// free, and its lines as gfortran can read them; where readings at 72 columns (the standard), at 132 (Abaqus) and
+// without a bound differ; and what its statements say of routines and variables. What that cannot tell it leaves open.
 #pragma once
 
 #include <cstddef>

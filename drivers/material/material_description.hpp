@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The YAML description of a library's material: {library, name, interface, parameters, density}, what a foreign interface
-// does not say of itself, and files that the model opens where it works. A library that nobody has described is described
-// by what it exports.
+// The YAML description of a library's material: {library, name, interface, parameters, density}, what a foreign
+// interface does not say of itself, and files that the model opens where it works. A library that nobody has described
+// is described by what it exports.
 #pragma once
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The entry point of a Fortran source, which of its routines Abaqus would call; what its text lets one guess; and what it
-// compiles with although its author did not mean it.
+// The entry point of a Fortran source, which of its routines Abaqus would call; what its text lets one guess; and what
+// it compiles with although its author did not mean it.
 #pragma once
 
 #include <map>
