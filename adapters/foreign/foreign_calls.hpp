@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "adapters/foreign/foreign_point.hpp"
 #include "adapters/foreign/foreign_state.hpp"
+#include "adapters/foreign/foreign_table.hpp"
 #include "adapters/foreign/host_values.hpp"
 #include "harness/material/material.hpp"
 #include "harness/material/progress_mark.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A foreign library in this process, with what it expects of its host.
-// Routines that a library calls and nobody provides.
-// Models end the analysis by routines of their host (XIT). Here such a call ends the call of the model alone: the point
-// has failed.
+// A foreign library in this process, with what it expects of its host: routines that nobody provides, and routines that
+// end the analysis (XIT). Here the latter ends the call of the model alone: the point has failed.
 #pragma once
 
 #include <functional>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The declared state of one point between a foreign array and the state of our ABI.
-// Orders of components of foreign interfaces, and the factors of their shear components.
+// The declared state of one point between a foreign array and the state of our ABI: orders of components of foreign
+// interfaces, and the factors of their shear components.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <numbers>
 
-#include "adapters/foreign/foreign_point.hpp"
+#include "adapters/foreign/foreign_table.hpp"
 #include "harness/numeric/tensor.hpp"
 
 namespace assay::adapters {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a host tells a model beside its step and its state, and how `check` gives it other values of that, and other
-// words around its arrays, in the process that runs the model.
-// A run's look at what a model reads beyond its arrays: a call now and then is made again with other words there.
+// words around its arrays, in the process that runs the model. A run does so now and then: it looks at what a model
+// reads beyond its arrays.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "adapters/foreign/foreign_model.hpp"
-#include "adapters/foreign/foreign_point.hpp"
-#include "adapters/foreign/guarded_arrays.hpp"
+#include "adapters/foreign/foreign_table.hpp"
+#include "adapters/foreign/written_inputs.hpp"
 
 namespace assay::adapters {
 

@@ -2,17 +2,16 @@
 // A behaviour of MFront's generic interface as a model of ours. State of a point: the thermodynamic force at the
 // beginning (of finite strains Cauchy's stress; of small strains J R^T sigma R in the frame of the polar rotation R),
 // stored and dissipated energy, then the internal variables. Small strains are ln U in that frame.
-// MFront's generic behaviour interface, api_version 1: the struct that behaviours take, as its header
-// MFront/GenericBehaviour/BehaviourData.h lays it out.
 #pragma once
 
-#include "adapters/foreign/foreign_point.hpp"
-#include "adapters/foreign/guarded_arrays.hpp"
+#include "adapters/foreign/foreign_table.hpp"
 #include "adapters/foreign/mfront_metadata.hpp"
 #include "adapters/foreign/written_inputs.hpp"
 
 namespace assay::adapters {
 
+/// MFront's generic behaviour interface, api_version 1: the struct that behaviours take, as its header
+/// MFront/GenericBehaviour/BehaviourData.h lays it out.
 struct MfrontState {
   double* gradients;
   double* thermodynamic_forces;

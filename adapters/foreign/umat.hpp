@@ -2,14 +2,11 @@
 // Abaqus' UMAT as a model of ours. State of a point: stress [Pa] and strain (STRAN; plain components), both carried on
 // by the host, the three energies per volume [J/m^3], the time since the point's beginning [s], NOEL where each point
 // has one of its own, then STATEV as declared.
-// Abaqus/Standard's user material, as Fortran compilers on Linux export it: all by reference, and the length of CMNAME
-// by value at the end.
 #pragma once
 
 #include <cstddef>
 
-#include "adapters/foreign/foreign_point.hpp"
-#include "adapters/foreign/guarded_arrays.hpp"
+#include "adapters/foreign/foreign_table.hpp"
 #include "adapters/foreign/host_values.hpp"
 #include "adapters/foreign/written_inputs.hpp"
 
@@ -70,6 +67,8 @@ class Umat {
       drot_, dfgrd0_, dfgrd1_, given_, scalars_;
 };
 
+/// Abaqus/Standard's user material, as Fortran compilers on Linux export it: all by reference, and the length of CMNAME
+/// by value at the end.
 // clang-format off
 using UmatEntry = void (*)(
     double* stress, double* statev, double* ddsdde, double* sse, double* spd, double* scd,

@@ -2,15 +2,12 @@
 // Abaqus' VUMAT as a model of ours, a whole batch a call. State of a point: Cauchy stress in the frame of the polar
 // rotation R [Pa], internal and inelastic energy per mass [J/kg], the time since the point's beginning [s], then the
 // state as declared.
-// Abaqus/Explicit's user material. Arrays are (nblock, components), column-major: component c of point p is
-// a[c * nblock + p].
 #pragma once
 
 #include <cstddef>
 #include <memory>
 
-#include "adapters/foreign/foreign_point.hpp"
-#include "adapters/foreign/guarded_arrays.hpp"
+#include "adapters/foreign/foreign_table.hpp"
 #include "adapters/foreign/host_values.hpp"
 #include "adapters/foreign/kinematics.hpp"
 #include "adapters/foreign/written_inputs.hpp"
@@ -71,6 +68,8 @@ class Vumat {
   std::vector<std::unique_ptr<Block>> blocks_;
 };
 
+/// Abaqus/Explicit's user material. Arrays are (nblock, components), column-major: component c of point p is
+/// a[c * nblock + p].
 // clang-format off
 using VumatEntry = void (*)(
     int* nblock, int* ndir, int* nshr, int* nstatev, int* nfieldv, int* nprops, int* lanneal,

@@ -11,7 +11,7 @@
 #include "drivers/check/replay.hpp"
 #include "drivers/result/build_information.hpp"
 #include "drivers/scene/expect.hpp"
-#include "drivers/scene/resolved.hpp"
+#include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/simulate.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/input_file.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "drivers/format/number_slips.hpp"
-#include "drivers/format/text_check.hpp"
+#include "drivers/format/yaml_lines.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/text/numbers.hpp"

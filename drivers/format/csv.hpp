@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Separated values under a header line: numbers are written and strictly read, texts are written.
-// Tables as people export them, line by line and field by field: the one splitter of all that is read as CSV.
+// Separated values under a header line: numbers are written and strictly read, texts are written. Tables as people
+// export them are read line by line and field by field, by one splitter.
 #pragma once
 
 #include <optional>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines of a YAML text as they were typed, for what is said of slips in it.
+// A YAML text as it was typed: what is checked of it before a parser sees it, and its lines, for what is said of slips.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,5 +30,12 @@ Bare bare(std::string_view line);
 std::size_t key_colon(std::string_view text, std::size_t from = 0);
 
 bool has_key(std::string_view line);
+
+/// Throws InputError with the place of the first fault: longer than `limit` bytes, bad UTF-8, a control character, a
+/// tab in the indentation. `name` stands for the file.
+void check_text(std::string_view text, const std::string& name, std::size_t limit);
+
+/// Whether it is text of two bytes a character, with a mark of that or without.
+bool is_utf16(std::string_view text);
 
 }  // namespace assay::drivers

@@ -11,7 +11,6 @@
 #include <set>
 #include <sstream>
 
-#include "drivers/format/text_check.hpp"
 #include "drivers/format/yaml_lines.hpp"
 #include "drivers/format/yaml_slips.hpp"
 #include "drivers/text/unseen.hpp"

@@ -93,11 +93,11 @@ class Diagnosis {
   /// "-0.5" below "- 0.5", where the complaint is, or a few lines above it.
   std::optional<YamlSlip> glued_item() const {
     constexpr int few = 5;
+    std::optional<YamlSlip> found;
     std::size_t line = at_;
-    for (int k = 0; k < few && line != std::string::npos; ++k, line = before(line)) {
-      if (const auto slip = glued_item_in(line)) return slip;
-    }
-    return std::nullopt;
+    for (int k = 0; k < few && line != std::string::npos && !found; ++k, line = before(line))
+      found = glued_item_in(line);
+    return found;
   }
 
   std::optional<YamlSlip> glued_item_in(std::size_t line) const {
@@ -118,6 +118,9 @@ class Diagnosis {
       char kind;
       std::size_t line, column;
       std::size_t part_line, part;  // where its last item began
+      char end() const { return kind == '{' ? '}' : ']'; }
+      std::string words() const { return std::string("a bracket '") + kind + "'"; }
+      YamlSlip unclosed() const { return slip(line, column, words() + " that is not closed"); }
     };
     std::vector<Open> open;
     for (std::size_t i = 0; i <= at_; ++i) {
@@ -133,8 +136,11 @@ class Diagnosis {
             return slip(i, line.find_last_of(" {[,", k - 1) + 1, "a text with brackets belongs in quotes here");
           open.push_back({c, i, k, i, k + 1});
         } else if ((c == '}' || c == ']') && !open.empty()) {
-          const char wanted = open.back().kind == '{' ? '}' : ']';
-          if (c != wanted) return mixed(open.back().kind, open.back().line, open.back().column, i, k);
+          const Open& last = open.back();
+          if (c != last.end())
+            return slip(i, k,
+                        last.words() + " in line " + std::to_string(last.line + 1) + ", column " +
+                            std::to_string(last.column + 1) + " is closed by '" + last.end() + "' alone");
           open.pop_back();
         } else if ((c == '}' || c == ']') && i == at_ && key_colon(line) < k) {
           return slip(i, k, std::string("a bracket '") + c + "' without an opening bracket");
@@ -143,29 +149,17 @@ class Diagnosis {
         } else if (c == ':' && !open.empty() && open.back().kind == '{' &&
                    is_second(open.back().part_line, open.back().part, i, k)) {
           const bool outside = i > open.back().line && indent_of(line) <= indent_of(bare_[open.back().line].text);
-          return outside ? unclosed(open.back().kind, open.back().line, open.back().column) : no_comma(i, k);
+          return outside ? open.back().unclosed() : no_comma(i, k);
         }
       }
     }
-    if (open.empty()) return std::nullopt;
-    return unclosed(open.back().kind, open.back().line, open.back().column);
+    return open.empty() ? std::nullopt : std::optional(open.back().unclosed());
   }
 
   /// "${HOME}", "1[Pa]", "1 {Pa}" where brackets are open: the text before it does not end there.
   static bool is_inside_text(const std::string& line, std::size_t bracket) {
     const std::size_t before = bracket == 0 ? line.npos : line.find_last_not_of(' ', bracket - 1);
     return before != line.npos && std::string_view("{[,:-").find(line[before]) == std::string_view::npos;
-  }
-
-  static YamlSlip unclosed(char kind, std::size_t line, std::size_t column) {
-    return slip(line, column, std::string("a bracket '") + kind + "' that is not closed");
-  }
-
-  static YamlSlip mixed(char kind, std::size_t line, std::size_t column, std::size_t i, std::size_t k) {
-    const std::string ends = kind == '{' ? "'}'" : "']'";
-    return slip(i, k,
-                std::string("a bracket '") + kind + "' in line " + std::to_string(line + 1) + ", column " +
-                    std::to_string(column + 1) + " is closed by " + ends + " alone");
   }
 
   /// Whether a colon in a flow map is the second one of its item.
@@ -299,9 +293,8 @@ std::optional<BracketedList> list_in_other_brackets(std::string_view text, std::
 std::string key_remedy(const std::string& text) {
   const std::size_t colon = text.find(':'), equals = text.find('='), blank = text.find(' ');
   if (colon != text.npos && colon > 0) return std::string(": ") + no_blank;
-  if (equals != text.npos && equals > 0) return std::string(": ") + no_colon;
-  if (blank != text.npos && parse_number(text.substr(blank + 1))) return std::string(": ") + no_colon;
-  return {};
+  const bool is_number = blank != text.npos && parse_number(text.substr(blank + 1));
+  return (equals != text.npos && equals > 0) || is_number ? std::string(": ") + no_colon : std::string();
 }
 
 }  // namespace assay::drivers

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a user may have done where a text is no YAML, or YAML of another meaning than was meant.
-// Quotes that swallow what follows: a parser does not mind.
+// What a user may have done where a text is no YAML, or YAML of another meaning than was meant; quotes that swallow
+// what follows, which a parser does not mind.
 #pragma once
 
 #include <cstddef>

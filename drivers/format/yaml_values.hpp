@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Typed values out of a YAML tree. Each function throws InputError at the value's place, naming `key`.
-// Maps of YAML as rows: a key, how its value is read, and how it is written. A struct lists its rows once.
+// Typed values out of a YAML tree, one by one or as the rows of a struct: a key, how its value is read, and how it is
+// written. Each function that reads throws InputError at the value's place, naming `key`.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What an Abaqus input file says of a material of a user's routine.
-// The keyword blocks of an Abaqus input file.
+// What an Abaqus input file says of a material of a user's routine: its keyword blocks, and their material.
 #pragma once
 
 #include <map>

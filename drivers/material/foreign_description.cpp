@@ -2,7 +2,6 @@
 #include "drivers/material/foreign_description.hpp"
 
 #include "drivers/format/yaml_writer.hpp"
-#include "drivers/material/foreign_lists.hpp"
 
 namespace assay::drivers {
 

@@ -8,6 +8,7 @@
 
 #include "adapters/foreign/foreign_model.hpp"
 #include "drivers/format/yaml_reader.hpp"
+#include "drivers/format/yaml_values.hpp"
 
 namespace assay::drivers {
 
@@ -26,5 +27,14 @@ adapters::ForeignModel read_foreign(const Tree& root, const std::string& interfa
 
 /// Lines of YAML that read back to the same.
 std::string foreign_yaml(const adapters::ForeignModel& model);
+
+constexpr int most_foreign_components = 10000;
+
+/// Of keys of a description.
+using Places = std::map<std::string, Location>;
+
+/// Each puts what it reads behind what the model has; its place goes to `where`, under "properties.NAME".
+YamlRow properties_row(adapters::ForeignModel& model, Places& where);
+YamlRow state_row(adapters::ForeignModel& model, Places& where);
 
 }  // namespace assay::drivers

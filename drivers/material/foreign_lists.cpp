@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/material/foreign_lists.hpp"
+#include "drivers/material/foreign_description.hpp"
 
 #include <cmath>
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// gfortran, as it compiles a routine that was written for Abaqus.
-// What gfortran says of a source, in words for its author.
+// gfortran, as it compiles a routine that was written for Abaqus, what it says in words for the author, and the library
+// of a source, which is compiled once and kept.
 #pragma once
 
 #include <string>
@@ -40,5 +40,22 @@ std::vector<std::string> warnings_in(const std::string& said);
 
 /// The first error that it names, at its place in the source or in what that includes; version: the compiler's.
 InputError refusal_of_compiler(const FortranSource& source, const std::string& version, const std::string& said);
+
+/// The folder of libraries and descriptions made from sources, CACHE/sources. Throws SystemError where there is none.
+std::string source_folder();
+
+struct SourceLibrary {
+  std::string file;                   ///< absolute
+  std::string compiler;               ///< its version
+  std::vector<std::string> warnings;  ///< of the compiler: "/home/me/model.f:12: text"
+};
+
+/// Compiles the source unless its library is kept: one file for each content of the source and what it includes,
+/// compiler and flags. Two processes may do so at once; what does not compile leaves nothing. Throws InputError,
+/// SystemError.
+SourceLibrary library_of_source(const FortranSource& source);
+
+/// Keeps a description that was made of a source, under a name that its text has alone. Throws SystemError.
+std::string kept_description(const std::string& stem, const std::string& text);
 
 }  // namespace assay::drivers

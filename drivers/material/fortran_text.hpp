@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The text of a Fortran source as a compiler reads it: lines, code without comments, statements.
-// Whether a Fortran source is in fixed or in free form, and its lines as gfortran can read them, where they are written
-// for a compiler that takes more. Every line keeps its number.
-// A source in fixed form, read at 72 columns as the standard has it, at 132 as Abaqus does, and without a bound: where
-// the readings differ.
-// The routines of a Fortran source, and what their statements say of their arguments. A reading of the text, no
-// compilation: what it cannot tell it leaves open.
+// The text of a Fortran source, read and not compiled: lines, code without comments, statements; its form, fixed or
+// free, and its lines as gfortran can read them; where readings at 72 columns (the standard), at 132 (Abaqus) and
+// without a bound differ; and what its statements say of routines and variables. What that cannot tell it leaves open.
 #pragma once
 
 #include <cstddef>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The YAML description of a library's material: {library, name, interface, parameters, density}, and what a foreign
-// interface does not say of itself.
-// Files that a model opens in the folder in which it works: `files` of a description.
-// A shared library that nobody has described: what it exports says what it is.
+// The YAML description of a library's material: {library, name, interface, parameters, density}, what a foreign
+// interface does not say of itself, and files that the model opens where it works. A library that nobody has described
+// is described by what it exports.
 #pragma once
 
 #include <filesystem>

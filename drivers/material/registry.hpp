@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where names of materials lead: built-in, the user's registry, the folders of $ASSAY_MATERIAL_PATH.
-// From a description to a table: in this process, or in a worker.
+// Where names of materials lead: built-in, the user's registry, the folders of $ASSAY_MATERIAL_PATH; and from a
+// description to a table, in this process or in a worker.
 #pragma once
 
 #include <map>

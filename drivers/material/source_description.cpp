@@ -7,8 +7,8 @@
 
 #include "adapters/elf_symbols.hpp"
 #include "drivers/material/abaqus_deck.hpp"
+#include "drivers/material/fortran_compiler.hpp"
 #include "drivers/material/source_entry.hpp"
-#include "drivers/material/source_library.hpp"
 #include "drivers/scene/material_path.hpp"
 #include "drivers/text/words.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a Fortran source to the description of a foreign model: what was given, what the text tells, what is not known.
-// The description of a source as a file to be edited.
+// From a Fortran source to the description of a foreign model, a file to be edited: what was given, what the text
+// tells, what is not known.
 #pragma once
 
 #include <optional>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The entry point of a Fortran source: which of its routines Abaqus would call.
-// What the text of a routine lets one guess.
-// What a source compiles with, and its author did not mean.
+// The entry point of a Fortran source, which of its routines Abaqus would call; what its text lets one guess; and what
+// it compiles with although its author did not mean it.
 #pragma once
 
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a JSON file says where there is nothing: null.
-// JSON that others may have written: how deep it goes, before it is parsed. Parsing, copying and freeing are recursive.
+// What a JSON file says where there is nothing: null. And JSON that others may have written: how deep it goes, before
+// it is parsed, for parsing, copying and freeing are recursive.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

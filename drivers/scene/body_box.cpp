@@ -18,12 +18,8 @@ Box turned_box(const Scene& scene, const Frame& frame) {
   double farthest = 0;
   for (const double x : {own.lower[0], own.upper[0]}) {
     for (const double y : {own.lower[1], own.upper[1]}) {
-      const Vector3 corner = frame.rotation(0) * Vector3(x, y, 0);
       farthest = std::max(farthest, std::hypot(x, y));
-      for (std::size_t d = 0; d < 2; ++d) {
-        box.lower[d] = std::min(box.lower[d], corner[static_cast<int>(d)]);  // the ring around the origin is inside
-        box.upper[d] = std::max(box.upper[d], corner[static_cast<int>(d)]);
-      }
+      box.hold(frame.rotation(0) * Vector3(x, y, 0));  // the ring around the origin is inside
     }
   }
   if (frame.spin != 0) box.lower.fill(-farthest), box.upper.fill(farthest);
@@ -38,13 +34,8 @@ Box corner_swept_box(const Scene& scene) {
   const Box own = box;
   for (int k = 0; k <= looks; ++k) {
     for (const double X : {own.lower[0], own.upper[0]}) {
-      for (const double Y : {own.lower[1], own.upper[1]}) {
-        const Vector3 x = state_at(scene.motion, {X, Y, 0}, scene.time.end * k / looks).x;
-        for (std::size_t d = 0; d < 2; ++d) {
-          box.lower[d] = std::min(box.lower[d], x[static_cast<int>(d)]);
-          box.upper[d] = std::max(box.upper[d], x[static_cast<int>(d)]);
-        }
-      }
+      for (const double Y : {own.lower[1], own.upper[1]})
+        box.hold(state_at(scene.motion, {X, Y, 0}, scene.time.end * k / looks).x);
     }
   }
   return box;
@@ -58,11 +49,7 @@ Box flight_box(const Scene& scene, const InitialVelocity& v) {
     const double radius = 0.5 * std::hypot(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
     for (std::size_t d = 0; d < 2; ++d) box.lower[d] = middle[d] - radius, box.upper[d] = middle[d] + radius;
   }
-  const auto of_middle = velocity_at(v, 0.5 * (box.lower[0] + box.upper[0]), 0.5 * (box.lower[1] + box.upper[1]));
-  for (std::size_t d = 0; d < 2; ++d) {
-    box.lower[d] += std::min(0.0, of_middle[d] * scene.time.end);
-    box.upper[d] += std::max(0.0, of_middle[d] * scene.time.end);
-  }
+  box.move(velocity_at(v, 0.5 * (box.lower[0] + box.upper[0]), 0.5 * (box.lower[1] + box.upper[1])), scene.time.end);
   return box;
 }
 
@@ -87,11 +74,7 @@ Box swept_box(const Scene& scene) {
   }
   if (!scene.frame) return body_box(scene);
   Box box = turned_box(scene, *scene.frame);
-  for (std::size_t d = 0; d < 2; ++d) {
-    const double way = scene.frame->velocity[static_cast<int>(d)] * scene.time.end;
-    box.lower[d] += std::min(0.0, way);
-    box.upper[d] += std::max(0.0, way);
-  }
+  box.move({scene.frame->velocity.x(), scene.frame->velocity.y()}, scene.time.end);
   return box;
 }
 

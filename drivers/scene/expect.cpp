@@ -9,6 +9,7 @@
 #include "drivers/format/yaml_writer.hpp"
 #include "drivers/result/result_json.hpp"
 #include "drivers/text/numbers.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
@@ -23,7 +24,7 @@ void read_comparison(const Tree& map, const std::string& path, Expectation& line
     throw InputError(map.where, path, "must hold exactly one operator", joined(operators));
   }
   const auto& [name, name_where, value] = map.entries.front();
-  line.op = static_cast<Operator>(std::find(operators.begin(), operators.end(), name) - operators.begin());
+  line.op = static_cast<Operator>(index_of(name, operators));
   const std::string operator_path = key_path(path, name);
   if (line.op == Operator::between) {
     const std::vector<double> bounds = numbers_value(value, operator_path, 1, 2);
@@ -67,17 +68,10 @@ Expectation read_line(const Tree::Entry& entry, const ExpectationWords& words) {
 }
 
 bool holds(const Expectation& line, double found) {
-  switch (line.op) {
-    case Operator::below:
-      return found < line.number;
-    case Operator::above:
-      return found > line.number;
-    case Operator::between:
-      return line.number <= found && found <= line.upper;
-    case Operator::equals:
-      return found == line.number;
-  }
-  return false;
+  if (line.op == Operator::between) return line.number <= found && found <= line.upper;
+  return line.op == Operator::below   ? found < line.number
+         : line.op == Operator::above ? found > line.number
+                                      : found == line.number;
 }
 
 std::string expected_text(const Expectation& line) {
@@ -110,7 +104,7 @@ std::vector<Expectation> of_any_response(const SheetFigures& response) {
 bool is_text_figure(const std::string& key) { return figure_of_result(key).kind == Field::Kind::text; }
 
 const std::vector<std::string>& expectation_operators() {
-  static const std::vector<std::string> names{"below", "above", "between", "equals"};
+  static const std::vector<std::string> names = words_of<Operator>();
   return names;
 }
 
@@ -121,7 +115,7 @@ const std::vector<std::string>& known_outcomes() {
 
 std::vector<Expectation> read_expectations(const Tree& map, const ExpectationWords& words) {
   std::vector<std::string> known = words.numbers;
-  for (const std::string& key : flat_keys()) known.push_back(key);
+  append_all(known, flat_keys());
   require_map(map, words.path, "keys of result.json");
   refuse_unknown_keys(map, words.path, known);
   std::vector<Expectation> lines;

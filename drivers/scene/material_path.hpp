@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a material is named: by a registered name, or by the path of a library or a description.
-// Where the code of a material runs.
+// How a material is named, by a registered name or by the path of a library or a description, and where its code runs.
 #pragma once
 
 #include <array>

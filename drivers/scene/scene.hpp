@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene as plain values: what a YAML file under configs/ says after reading, with defaults filled.
-// The velocity with which a body that is left to itself begins.
 #pragma once
 
 #include <array>
@@ -127,6 +126,7 @@ struct Limits {
 /// One line of `expect:`. Operators: below, above, between, equals.
 struct Expectation {
   enum class Operator { below, above, between, equals };
+  friend constexpr std::array<const char*, 4> names_of(Operator) { return {"below", "above", "between", "equals"}; }
   std::string key;  ///< key of result.json, dotted: "outcome", "error.l2_max"
   Operator op = Operator::equals;
   double number = 0, upper = 0;     ///< the bound; for between lower and upper

@@ -11,7 +11,6 @@
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/material_path.hpp"
 #include "drivers/scene/scene_keys.hpp"
-#include "drivers/scene/settings.hpp"
 #include "drivers/system/environment.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/text/numbers.hpp"

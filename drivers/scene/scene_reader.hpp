@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The strict scene reader.
-// What must hold between the keys of a scene.
-// F(t) of a homogeneous motion from a CSV file.
+// A scene between YAML and values: read strictly, changed by settings (`--set key.path=YAML value`, and the axes of a
+// study), checked, and written with every key and default (resolved.yaml).
 #pragma once
 
 #include <functional>
@@ -43,5 +42,26 @@ void check_scene(const Scene& scene, const KeyPlace& where);
 /// where not given). Throws InputError as read_csv does, and unless the first row is t = 0 with F = I, times ascend,
 /// and det F > 0 at all rows and at 32 times between two.
 DeformationTable read_deformation_table(const std::string& file, Interpolation interpolation);
+
+/// A value for the place of a scene at a dotted path.
+struct Setting {
+  std::string path;
+  Tree value;
+  Location where;  ///< of the path; the option where it came from the command line
+};
+
+/// Reads "key.path=YAML value". Throws InputError.
+Setting parse_setting(const std::string& text);
+
+/// Puts the value at its place in the tree; a map replaces a map, missing maps are made. What follows `expect.` is one
+/// key with its dots, and an operator after it. Throws InputError.
+void apply_setting(Tree& root, const Setting& setting);
+
+/// Whether a step of a path numbers a value of a list: "0", "12", but not "01".
+bool is_index(const std::string& step);
+
+/// YAML text that reads back to the same scene; a function of the scene's values alone. Numbers are the shortest that
+/// round-trip, paths are absolute.
+std::string resolved_yaml(const Scene& scene);
 
 }  // namespace assay::drivers

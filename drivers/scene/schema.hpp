@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `assay schema`: scenes as JSON Schema (draft 2020-12), made from the reader's table of keys.
-// What the schemas of scenes and of studies share, as JSON text.
+// `assay schema`: scenes as JSON Schema (draft 2020-12), made from the reader's table of keys; and what the schema of
+// studies shares with it, as JSON text.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/scene/settings.hpp"
+#include "drivers/scene/scene_reader.hpp"
 
 #include <algorithm>
 
@@ -7,6 +7,7 @@
 #include "drivers/format/yaml_values.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/text/numbers.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
@@ -14,32 +15,15 @@ namespace {
 
 const Location from_option{set_option, 0, 0};
 
-std::vector<std::string> split_at_dots(const std::string& path) {
-  std::vector<std::string> words;
-  for (std::size_t begin = 0;;) {
-    const std::size_t dot = path.find('.', begin);
-    words.push_back(path.substr(begin, dot - begin));
-    if (dot == path.npos) return words;
-    begin = dot + 1;
-  }
-}
-
 std::vector<std::string> steps_of(const std::string& path) {
   const std::string section = "expect.";
-  if (!path.starts_with(section)) return split_at_dots(path);
-  std::string key = path.substr(section.size());
-  const std::size_t dot = key.rfind('.');
-  const auto& operators = expectation_operators();
-  if (dot != key.npos && std::find(operators.begin(), operators.end(), key.substr(dot + 1)) != operators.end()) {
-    return {"expect", key.substr(0, dot), key.substr(dot + 1)};
-  }
+  if (!path.starts_with(section)) return split(path, '.');
+  const std::string key = path.substr(section.size()), last = last_part(key);
+  if (last != key && is_one_of(last, expectation_operators())) return {"expect", parent_of(key), last};
   return {"expect", key};
 }
 
-bool has_empty_step(const std::string& path) {
-  const std::vector<std::string> steps = steps_of(path);
-  return std::any_of(steps.begin(), steps.end(), [](const std::string& step) { return step.empty(); });
-}
+bool has_empty_step(const std::string& path) { return is_one_of("", steps_of(path)); }
 
 /// "grid:spacing", "grid/spacing", "grid[spacing]": as YAML, folders and other programs join keys.
 void refuse_other_joints(const std::string& path) {

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <limits>
 
+#include "drivers/text/number_format.hpp"
+
 namespace assay::drivers {
 
 namespace {
@@ -51,6 +53,18 @@ std::optional<std::int64_t> parse_integer(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
+}
+
+std::string shortened(const std::string& text, int significant) {
+  const auto number = parse_number(text);
+  return number ? rounded_text(*number, significant) : text;
+}
+
+std::string grouped_text(std::int64_t value) {
+  std::string text = std::to_string(value);
+  const std::size_t first = value < 0 ? 1 : 0;
+  for (std::size_t at = text.size(); at > first + 3;) text.insert(at -= 3, 1, ',');
+  return text;
 }
 
 }  // namespace assay::drivers

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Characters that a reader cannot see, or takes for others: written out, and named.
-// Characters that are easily taken for others: of word processors, of other scripts, of formulas in a paper.
+// Characters that a reader cannot see, written out and named; and those that are easily taken for others: of word
+// processors, of other scripts, of formulas in a paper.
 #pragma once
 
 #include <cstdint>

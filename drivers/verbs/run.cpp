@@ -12,7 +12,6 @@
 #include "drivers/output/report.hpp"
 #include "drivers/result/result_json.hpp"
 #include "drivers/scene/expect.hpp"
-#include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/rim.hpp"

@@ -11,7 +11,6 @@
 #include "drivers/output/pages.hpp"
 #include "drivers/result/result_json.hpp"
 #include "drivers/scene/expect.hpp"
-#include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "drivers/simulation/response_source.hpp"

@@ -8,7 +8,6 @@
 
 #include "adapters/builtin.hpp"
 #include "drivers/explain/composition.hpp"
-#include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "drivers/simulation/warnings.hpp"

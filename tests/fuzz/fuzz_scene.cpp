@@ -10,7 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/system/input_error.hpp"
 #include "harness/material/material_failure.hpp"

@@ -7,7 +7,7 @@
 
 #include "drivers/format/yaml_values.hpp"
 #include "drivers/scene/scene_keys.hpp"
-#include "drivers/scene/settings.hpp"
+#include "drivers/scene/scene_reader.hpp"
 #include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "drivers/format/yaml_values.hpp"
-#include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/problem.hpp"

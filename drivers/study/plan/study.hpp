@@ -8,7 +8,7 @@
 
 #include "drivers/format/yaml_reader.hpp"
 #include "drivers/scene/scene.hpp"
-#include "drivers/scene/settings.hpp"
+#include "drivers/scene/scene_reader.hpp"
 
 namespace assay::drivers {
 

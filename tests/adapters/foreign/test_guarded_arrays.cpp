@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/foreign/guarded_arrays.hpp"
+#include "adapters/foreign/written_inputs.hpp"
 
 #include <gtest/gtest.h>
 

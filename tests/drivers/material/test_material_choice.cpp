@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/material/material_choice.hpp"
 
-#include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/registry_fixture.hpp"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/material/source_library.hpp"
 
 #include <sys/wait.h>
 #include <unistd.h>

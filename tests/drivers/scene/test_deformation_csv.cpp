@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
 #include "tests/drivers/refusal.hpp"

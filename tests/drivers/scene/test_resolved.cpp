@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/scene/resolved.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,6 @@
 
 #include "drivers/result/build_information.hpp"
 #include "drivers/result/result_json.hpp"
-#include "drivers/scene/resolved.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/system/input_file.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/scene/settings.hpp"
+#include "drivers/scene/scene_reader.hpp"
 
 #include <gtest/gtest.h>
 
