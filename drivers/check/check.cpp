@@ -146,7 +146,7 @@ std::vector<CheckedMaterial> check_all(const CheckOptions& options) {
 /// No verdict is given where the system may be to blame.
 void require_room(const std::vector<CheckedMaterial>& all) {
   const std::string tight = adapters::tight_limits();
-  const auto failed = std::find_if(all.begin(), all.end(), [](const CheckedMaterial& each) { return !each.passes(); });
+  const auto failed = std::ranges::find_if(all, [](const CheckedMaterial& each) { return !each.passes(); });
   if (tight.empty() || failed == all.end() || failed->unsuitable) return;
   throw SystemError(failed->name + ": the check fails, and " + tight + ": that may be why");
 }
@@ -178,10 +178,10 @@ void refuse_what_contradicts(const CheckOptions& options) {
 void refuse_unknown_parameters(const CheckOptions& options, const std::vector<CheckedMaterial>& all) {
   for (const auto& [name, value] : parameters_in(options.parameters)) {
     const auto has = [&parameter = name](const CheckedMaterial& checked) {
-      return !checked.error.empty() || std::any_of(checked.parameters.begin(), checked.parameters.end(),
-                                                   [&](const auto& own) { return own.first == parameter; });
+      return !checked.error.empty() ||
+             std::ranges::any_of(checked.parameters, [&](const auto& own) { return own.first == parameter; });
     };
-    if (std::none_of(all.begin(), all.end(), has))
+    if (std::ranges::none_of(all, has))
       throw InputError({}, "--parameters", "no material has a parameter '" + one_line(name, 60) + "'");
   }
 }

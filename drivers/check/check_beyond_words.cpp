@@ -23,7 +23,7 @@ ArrayPlaces by_array(const std::vector<adapters::GuardedArrays::Beyond>& all) {
     places[each.array].size = each.size;
     places[each.array].indices.push_back(each.index);
   }
-  for (auto& [name, place] : places) std::sort(place.indices.begin(), place.indices.end());
+  for (auto& [name, place] : places) std::ranges::sort(place.indices);
   return places;
 }
 

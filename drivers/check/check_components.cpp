@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How many components a UMAT fills, by what small strains from rest answer, and by the battery with four of them.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "adapters/foreign/foreign_table.hpp"
@@ -30,7 +29,7 @@ std::optional<Described> umat_of(const CheckedMaterial& checked) {
   return Described{*model, description.files};
 }
 
-using Stress = std::array<double, 9>;  ///< magnitudes, row-major [Pa]; not a number where the step is refused
+using Stress = std::vector<double>;  ///< magnitudes, row-major [Pa]; not a number where the step is refused
 
 constexpr int in_11 = 0, shear_12 = 1, shear_13 = 2, in_22 = 4, shear_23 = 5, in_33 = 8;  // components, row-major
 
@@ -40,9 +39,8 @@ Stress stress_of(const Material& material, int place) {
   Tensor F = Tensor::Identity();
   component(F, place) += strain;
   const Answer answer = answer_of(material, {0, 1, Tensor::Identity(), F, material.initial_state(1)});
-  Stress stress;
-  for (std::size_t c = 0; c < stress.size(); ++c)
-    stress[c] = is_good(answer) ? std::abs(answer[stress_of_answer + c]) : NAN;
+  Stress stress(9, NAN);
+  for (std::size_t c = 0; is_good(answer) && c < stress.size(); ++c) stress[c] = std::abs(answer[stress_of_answer + c]);
   return stress;
 }
 
@@ -65,18 +63,12 @@ Fills filled_by(const Described& described, const std::map<std::string, double>&
       [&]() -> check::History {
         place_model_files(described.files);
         const Material material(adapters::foreign_table(described.model), parameters);
-        check::History all;
-        for (const int place : {in_11, in_33, shear_12, shear_13}) {
-          const Stress stress = stress_of(material, place);
-          all.emplace_back(stress.begin(), stress.end());
-        }
-        return all;
+        return {stress_of(material, in_11), stress_of(material, in_33), stress_of(material, shear_12),
+                stress_of(material, shear_13)};
       },
       limit_s);
   if (!rows || rows->size() != 4) return Fills::unknown;
-  std::array<Stress, 4> stress;
-  for (std::size_t k = 0; k < stress.size(); ++k) std::copy_n((*rows)[k].begin(), 9, stress[k].begin());
-  const auto& [of_11, of_33, of_12, of_13] = stress;
+  const Stress &of_11 = (*rows)[0], &of_33 = (*rows)[1], &of_12 = (*rows)[2], &of_13 = (*rows)[3];
   if (is_of_plane_stress(of_11, of_33, of_12)) return Fills::plane_stress;
   // One whose 13 and 23 are exchanged fills six, too.
   const double in_plane = of_12[shear_12], out_of_plane = std::max(of_13[shear_13], of_13[shear_23]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether a model keeps a state by the number of the element.
 #include <algorithm>
+#include <array>
 
 #include "drivers/check/check_elsewhere.hpp"
 #include "drivers/check/check_foreign.hpp"
@@ -16,6 +17,8 @@ using adapters::HostAccess;
 /// A body that is strained step by step, in an element.
 class Body {
  public:
+  static constexpr int steps = 16;
+
   Body(const Material& material, const HostAccess& access, int element, double strain, double pressure)
       : material_(material), access_(access), host_(access.values(material.self())), strain_(strain) {
     host_.element = element;
@@ -23,17 +26,15 @@ class Body {
     state_ = check::state_at_rest(material_, pressure);
   }
 
-  /// Takes the next step; false where that was the last.
-  bool step() {
-    constexpr int count = 16;
+  void step() {
     const check::Space space(material_);
-    const auto F = [&](int at) { return space.stretch(strain_, static_cast<double>(at) / count); };
+    const auto F = [&](int at) { return space.stretch(strain_, static_cast<double>(at) / steps); };
     access_.hold(material_.self(), host_);
-    const double dt = 1.0 / count;
+    const double dt = 1.0 / steps;
     const Answer answer = answer_of(material_, {k_ * dt, dt, F(k_), F(k_ + 1), state_});
     state_ = state_in(answer);
     answers_.insert(answers_.end(), answer.begin(), answer.begin() + state_of_answer);
-    return ++k_ < count;
+    ++k_;
   }
 
   /// Status and stress of all its steps.
@@ -48,44 +49,21 @@ class Body {
   std::vector<double> state_, answers_;
 };
 
-/// What two bodies answer, the first before the other, or both in turn.
-class Bodies {
- public:
-  Bodies(const ResolvedMaterial& material, const HostAccess& access, double strain, double pressure)
-      : material_(material.material.clone()), access_(access), strain_(strain), pressure_(pressure) {}
-
-  std::vector<double> alone(int element, int of_the_other) {
-    Body first = body(element, 1);
-    while (first.step()) {
-    }
-    Body other = body(of_the_other, other_way);
-    while (other.step()) {
-    }
-    return joined(first, other);
-  }
-
-  std::vector<double> in_turn(int element, int of_the_other) {
-    Body first = body(element, 1), other = body(of_the_other, other_way);
-    while (first.step()) other.step();
+/// What two bodies answer, in an element each: one after the other, or in turn.
+std::vector<double> answers(const Material& material, const HostAccess& access, double strain, double pressure,
+                            const std::array<int, 2>& elements, bool in_turn) {
+  constexpr double other_way = -0.7;  // so that each body knows which largest strain was its own
+  Body first(material, access, elements[0], strain, pressure);
+  for (int k = 0; !in_turn && k < Body::steps; ++k) first.step();
+  Body other(material, access, elements[1], other_way * strain, pressure);
+  for (int k = 0; k < Body::steps; ++k) {
+    if (in_turn) first.step();
     other.step();
-    return joined(first, other);
   }
-
- private:
-  static constexpr double other_way = -0.7;  // so that each body knows which largest strain was its own
-
-  Body body(int element, double share) const { return {material_, access_, element, share * strain_, pressure_}; }
-
-  static std::vector<double> joined(const Body& first, const Body& other) {
-    std::vector<double> all = first.answers();
-    all.insert(all.end(), other.answers().begin(), other.answers().end());
-    return all;
-  }
-
-  Material material_;
-  const HostAccess& access_;
-  double strain_, pressure_;
-};
+  std::vector<double> all = first.answers();
+  all.insert(all.end(), other.answers().begin(), other.answers().end());
+  return all;
+}
 
 /// Whether two bodies, each with an element of its own, are as either of them alone, and with one for both are not.
 bool keeps_state_by_element(const ResolvedMaterial& material, double strain, double pressure) {
@@ -94,8 +72,11 @@ bool keeps_state_by_element(const ResolvedMaterial& material, double strain, dou
   constexpr double limit_s = 20;
   const auto rows = made_elsewhere(
       [&]() -> check::History {
-        Bodies bodies(material, *access, strain, pressure);  // in elements that no test has used
-        return {bodies.alone(2, 3), bodies.alone(7, 8), bodies.in_turn(4, 5), bodies.in_turn(6, 6)};
+        const Material body = material.material.clone();
+        const auto of = [&](int one, int other, bool in_turn) {
+          return answers(body, *access, strain, pressure, {one, other}, in_turn);
+        };
+        return {of(2, 3, false), of(7, 8, false), of(4, 5, true), of(6, 6, true)};  // that no test has used
       },
       limit_s);
   if (!rows || rows->size() != 4) return false;

@@ -122,63 +122,56 @@ class Hosts {
   std::vector<double> scales_;  ///< the largest stress of a history so far [Pa]
 };
 
-/// In processes of their own: a model that takes a counter for the index of an array may die of it.
-class Trials {
- public:
-  Trials(const ResolvedMaterial& material, const HostAccess& access, double strain, double pressure)
-      : material_(material), access_(access), strain_(strain), pressure_(pressure) {}
+using Effects = std::vector<HostEffects>;  ///< of each value of each variation
+using Tried = std::function<std::optional<Effects>(const std::vector<HostVariation>&)>;
 
-  /// Of each value of each of them; nothing where the same steps cannot be taken at all.
-  std::optional<std::vector<HostEffects>> effects(const std::vector<HostVariation>& all) const {
-    if (auto found = tried(all)) return found;
-    if (!tried({})) return std::nullopt;
-    std::vector<HostEffects> effects;
-    for (const HostVariation& variation : all) {
-      const auto found = tried({variation});
-      effects.push_back(found ? found->front() : HostEffects());
-      for (std::size_t k = 0; !found && k < variation.values.size(); ++k) {
-        HostVariation alone = variation;
-        alone.values = {variation.values[k]};
-        const auto one = tried({alone});
-        effects.back().push_back(one ? one->front().front() : HostEffect{.process = false});
-      }
-    }
-    return effects;
-  }
-
- private:
-  std::optional<std::vector<HostEffects>> tried(const std::vector<HostVariation>& all) const {
-    constexpr double limit_s = 30;
-    constexpr std::size_t numbers = 4;  // of an effect
-    const auto rows = made_elsewhere(
-        [&] {
-          Hosts hosts(material_, access_, strain_, pressure_);
-          check::History found;
-          for (const HostVariation& variation : all) {
-            found.emplace_back();
-            for (const HostVariation::Value& value : variation.values) {
-              const HostEffect effect = hosts.effect(variation, value);
-              for (const double number : {effect.stress, effect.tangent, double(effect.state), double(effect.taken)})
-                found.back().push_back(number);
-            }
+/// In a process of its own: a model that takes a counter for the index of an array may die of it.
+std::optional<Effects> tried(const ResolvedMaterial& material, double strain, double pressure,
+                             const std::vector<HostVariation>& all) {
+  constexpr double limit_s = 30;
+  constexpr std::size_t numbers = 4;  // of an effect
+  const auto rows = made_elsewhere(
+      [&] {
+        Hosts hosts(material, *host_of(material.material), strain, pressure);
+        check::History found;
+        for (const HostVariation& variation : all) {
+          found.emplace_back();
+          for (const HostVariation::Value& value : variation.values) {
+            const HostEffect effect = hosts.effect(variation, value);
+            for (const double number : {effect.stress, effect.tangent, double(effect.state), double(effect.taken)})
+              found.back().push_back(number);
           }
-          return found;
-        },
-        limit_s);
-    if (!rows) return std::nullopt;
-    std::vector<HostEffects> effects;
-    for (const std::vector<double>& row : *rows) {
-      effects.emplace_back();
-      for (std::size_t at = 0; at < row.size(); at += numbers)
-        effects.back().push_back({row[at], row[at + 1], row[at + 2] != 0, row[at + 3] != 0});
-    }
-    return effects;
+        }
+        return found;
+      },
+      limit_s);
+  if (!rows) return std::nullopt;
+  Effects effects;
+  for (const std::vector<double>& row : *rows) {
+    effects.emplace_back();
+    for (std::size_t at = 0; at < row.size(); at += numbers)
+      effects.back().push_back({row[at], row[at + 1], row[at + 2] != 0, row[at + 3] != 0});
   }
+  return effects;
+}
 
-  const ResolvedMaterial& material_;
-  const HostAccess& access_;
-  double strain_, pressure_;
-};
+/// Of all together, or of each alone where that ends the process; nothing where the same steps cannot be taken at all.
+std::optional<Effects> effects_of(const std::vector<HostVariation>& all, const Tried& try_these) {
+  if (auto found = try_these(all)) return found;
+  if (!try_these({})) return std::nullopt;
+  Effects effects;
+  for (const HostVariation& variation : all) {
+    const auto found = try_these({variation});
+    effects.push_back(found ? found->front() : HostEffects());
+    for (std::size_t k = 0; !found && k < variation.values.size(); ++k) {
+      HostVariation alone = variation;
+      alone.values = {variation.values[k]};
+      const auto one = try_these({alone});
+      effects.back().push_back(one ? one->front().front() : HostEffect{.process = false});
+    }
+  }
+  return effects;
+}
 
 /// "2 % for +10"
 std::string how_much(const HostEffect& effect, const std::string& words) {
@@ -234,10 +227,9 @@ void judge_one(const HostVariation& variation, const HostEffect& effect, const s
 }  // namespace
 
 std::optional<ForeignFinding> depends_on_host(const ResolvedMaterial& material, double strain, double pressure) {
-  const HostAccess* const access = host_of(material.material);
-  if (!access || !material.foreign) return std::nullopt;
+  if (!host_of(material.material) || !material.foreign) return std::nullopt;
   const std::vector<HostVariation> all = host_variations(*material.foreign);
-  const auto effects = Trials(material, *access, strain, pressure).effects(all);
+  const auto effects = effects_of(all, [&](const auto& some) { return tried(material, strain, pressure, some); });
   if (!effects) return ForeignFinding{not_applicable(host_test, "there are no steps that could be taken again")};
   ForeignFinding finding{{.id = host_test, .measure = 0, .threshold = same_within}};
   check::TestResult& test = finding.test;

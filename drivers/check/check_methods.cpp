@@ -146,7 +146,7 @@ std::vector<mpm::Method> chosen_methods(const std::string& name) {
 }  // namespace
 
 bool CheckedMethods::passes() const {
-  return std::all_of(methods.begin(), methods.end(), [](const auto& report) { return report.passes(); });
+  return std::ranges::all_of(methods, [](const auto& report) { return report.passes(); });
 }
 
 std::string methods_text(const CheckedMethods& checked, Verbosity verbosity) {

@@ -145,7 +145,7 @@ std::string check_json(const CheckedMaterial& checked) { return written(json_of(
 std::string check_json(const std::vector<CheckedMaterial>& all) {
   Json out;
   const auto any = [&](const char* verdict) {
-    return std::any_of(all.begin(), all.end(), [&](const auto& checked) { return overall(checked) == verdict; });
+    return std::ranges::any_of(all, [&](const auto& checked) { return overall(checked) == verdict; });
   };
   out["verdict"] = any("fail") ? "fail" : any("error") ? "error" : "pass";
   out["materials"] = Json::array();

@@ -69,8 +69,8 @@ std::string dependences(const CheckedMaterial& checked) {
 
 /// "; 2 remarks": tests that pass and have something to say all the same.
 std::string remarks_text(const check::Report& report) {
-  const auto count = std::count_if(report.tests.begin(), report.tests.end(),
-                                   [](const TestResult& test) { return !remark_of(test).empty(); });
+  const auto count =
+      std::ranges::count_if(report.tests, [](const TestResult& test) { return !remark_of(test).empty(); });
   return count == 0 ? "" : "; " + std::to_string(count) + (count == 1 ? " remark" : " remarks");
 }
 

@@ -49,7 +49,7 @@ void shorten_choices(std::vector<MethodsRow>& rows) {
   const auto transfer_of = [](const MethodsRow& row) { return row.names[2][0].substr(0, row.names[2][0].find('/')); };
   std::vector<std::string> transfers;
   for (const MethodsRow& row : rows) {
-    const bool alone = std::all_of(rows.begin(), rows.end(), [&](const MethodsRow& other) {
+    const bool alone = std::ranges::all_of(rows, [&](const MethodsRow& other) {
       return other.verdicts == row.verdicts || other.names[0] != row.names[0] || other.names[1] != row.names[1] ||
              transfer_of(other) != transfer_of(row);
     });
@@ -87,11 +87,11 @@ std::vector<TestGroup> groups_of(const std::vector<MethodsRow>& rows, std::size_
   std::vector<TestGroup> groups(1);
   for (std::size_t test = 0; test < tests; ++test) {
     const auto agrees = [&](const TestGroup& group) {
-      return std::all_of(rows.begin(), rows.end(), [&](const MethodsRow& row) {
+      return std::ranges::all_of(rows, [&](const MethodsRow& row) {
         return row.verdicts[test] == (group.empty() ? Verdict::pass : row.verdicts[group[0]]);
       });
     };
-    auto group = std::find_if(groups.begin(), groups.end(), agrees);
+    auto group = std::ranges::find_if(groups, agrees);
     if (group == groups.end()) group = groups.insert(groups.end(), TestGroup{});
     group->push_back(test);
   }

@@ -178,7 +178,7 @@ std::vector<std::string> words_of(int argc, const char* const* argv) {
       words.push_back(word);
     }
   }
-  std::reverse(words.begin(), words.end());
+  std::ranges::reverse(words);
   return words;
 }
 

@@ -26,8 +26,7 @@ std::vector<AddedVerb> add_verbs(CLI::App& app, bool& quiet, bool& verbose) {
 #include "verbs.inc"
 #undef ASSAY_VERB
   };
-  std::stable_sort(known.begin(), known.end(),
-                   [](const auto& a, const auto& b) { return a.second.place < b.second.place; });
+  std::ranges::stable_sort(known, [](const auto& a, const auto& b) { return a.second.place < b.second.place; });
   std::vector<AddedVerb> added;
   for (auto& [name, verb] : known) {
     std::replace(name.begin(), name.end(), '_', '-');

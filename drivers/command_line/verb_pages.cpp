@@ -103,7 +103,7 @@ std::string completions(const CLI::App& app, const std::vector<AddedVerb>& verbs
   const auto is_there = [&](const AddedVerb& verb) {
     return !words.empty() && std::find(words.begin(), words.end() - 1, verb.name) != words.end() - 1;
   };
-  const auto verb = std::find_if(verbs.begin(), verbs.end(), is_there);
+  const auto verb = std::ranges::find_if(verbs, is_there);
   if (verb == verbs.end()) {
     std::string lines;
     for (const AddedVerb& each : verbs) lines += each.name + "\t" + each.arguments.app.get_description() + "\n";

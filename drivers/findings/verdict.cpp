@@ -163,8 +163,8 @@ std::string death_sentence(const Result& result) {
 /// An early end that the scene expects is none to complain of.
 JunitCase outcome_case(const Result& result, const std::string& classname, double seconds) {
   JunitCase out{classname, "outcome", seconds};
-  const bool expected = std::any_of(result.expect.begin(), result.expect.end(),
-                                    [](const auto& line) { return line.key == "outcome" && line.holds; });
+  const bool expected =
+      std::ranges::any_of(result.expect, [](const auto& line) { return line.key == "outcome" && line.holds; });
   if (result.outcome == "completed" || expected) return out;
   out.kind = result.outcome == "refused" ? JunitCase::Kind::error : JunitCase::Kind::failure;
   out.message = death_sentence(result);
@@ -197,7 +197,7 @@ bool is_of_the_result(const fs::path& file, const fs::path& folder) {
   const std::string name = file.filename().string();
   if (real(file) != real(folder / name)) return false;
   const std::vector<std::string> names = result_files();
-  return std::any_of(names.begin(), names.end(), [&name](const std::string& pattern) {
+  return std::ranges::any_of(names, [&name](const std::string& pattern) {
     return matches(pattern.starts_with('+') ? pattern.substr(1) : pattern, name);
   });
 }

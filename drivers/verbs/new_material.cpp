@@ -50,7 +50,7 @@ void refuse_bad_name(const std::string& name) {
   const auto letter = [](char c) { return c >= 'a' && c <= 'z'; };
   const auto fits = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };
   const std::string quoted = "'" + one_line(name, 80) + "' ";
-  if (name.empty() || name.size() > longest || !letter(name[0]) || !std::all_of(name.begin(), name.end(), fits)) {
+  if (name.empty() || name.size() > longest || !letter(name[0]) || !std::ranges::all_of(name, fits)) {
     throw InputError({}, "NAME",
                      quoted + "is no name for a material: small letters, digits and '_', a letter first, at most " +
                          std::to_string(longest));
@@ -71,7 +71,7 @@ const Flavour& flavour_of(const NewMaterialOptions& options) {
   }
   if (options.language == "umat")
     throw InputError({}, "--language", "umat is an interface: --language fortran --interface umat", joined(languages));
-  if (std::find(languages.begin(), languages.end(), options.language) == languages.end()) {
+  if (std::ranges::find(languages, options.language) == languages.end()) {
     throw InputError({}, "--language",
                      unknown("language '" + one_line(options.language, 60) + "'", options.language, languages),
                      joined(languages));
@@ -154,7 +154,7 @@ fs::path folder_on_path() {
 /// As a word of the shell.
 std::string shell_word(const std::string& word) {
   const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.' || c == '/' || c == '+'; };
-  return std::all_of(word.begin(), word.end(), plain) ? word : "'" + replaced(word, "'", "'\\''") + "'";
+  return std::ranges::all_of(word, plain) ? word : "'" + replaced(word, "'", "'\\''") + "'";
 }
 
 /// The commands that build and run a new project, as they work from where their reader stands, a line each: into the
