@@ -10,7 +10,7 @@
 #include "drivers/text/table_text.hpp"
 #include "drivers/text/wrapped_text.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::study_page {
 
 namespace {
 
@@ -137,11 +137,11 @@ std::string markdown_text(const Document& document) {
 }
 
 std::string html_text(const Document& document, const std::string& style) {
-  const auto whole = [](const Section& section, const std::string& content) {
-    const std::string& file = section.file;
-    const std::string link =
-        file.empty() ? "" : "<p class=\"data\">Data: <a href=\"" + file + "\">" + file + "</a></p>\n";
-    return section.heading.empty() ? content : html::section(section.heading, content + link);
+  const auto whole = [](const Section& section, std::string content) {
+    const std::string &file = section.file, &remark = section.remark;
+    if (!remark.empty()) content += html::element("p class=\"tally\"", html::element("small", remark)) + "\n";
+    if (!file.empty()) content += "<p class=\"data\">Data: <a href=\"" + file + "\">" + file + "</a></p>\n";
+    return section.heading.empty() ? content : html::section(section.heading, content);
   };
   return html::page(escaped(document.title), style,
                     all_of(
@@ -191,4 +191,4 @@ std::string unbroken(const std::string& text) {
   return out;
 }
 
-}  // namespace assay::drivers
+}  // namespace assay::drivers::study_page

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace assay::drivers {
+namespace assay::drivers::study_page {
 
 enum class Page { csv, terminal, markdown, html };
 
@@ -60,11 +60,12 @@ struct Table {
 
 /// A page shows it where it has something before the table, or rows of it.
 struct Section {
-  std::string heading;             ///< of Markdown and HTML; empty: none
+  std::string heading = {};        ///< of Markdown and HTML; empty: none
+  std::string file = {};           ///< the table's data, or those of the figure
+  std::string remark = {};         ///< of HTML, below the table
   Paged<std::string> before = {};  ///< as it stands on the page; instead of the heads of a terminal's table
   Table table = {};
   Paged<std::string> after = {};
-  std::string file = {};  ///< the table's data, or those of the figure
   std::vector<Page> pages = every_page;
 };
 
@@ -97,4 +98,4 @@ std::string plain_markdown(const std::string& text);
 /// HTML on one line.
 std::string unbroken(const std::string& text);
 
-}  // namespace assay::drivers
+}  // namespace assay::drivers::study_page

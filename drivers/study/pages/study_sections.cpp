@@ -18,8 +18,12 @@ using html::element;
 
 namespace {
 
-/// A remark below a table of the report.
-std::string tally(const std::string& words) { return element("p class=\"tally\"", element("small", words)) + "\n"; }
+/// Columns of Markdown and HTML alone.
+std::vector<Column> columns_of(const std::vector<std::string>& heads) {
+  std::vector<Column> columns;
+  for (const std::string& head : heads) columns.push_back({{"", "", head, head}});
+  return columns;
+}
 
 /// A head of a table in HTML that may be empty.
 std::string html_head(const std::string& name) { return element("th scope=\"col\"", escaped(name)); }
@@ -57,11 +61,9 @@ std::string bar(double share) {
 }  // namespace
 
 Section digits(const StudyFindings& findings) {
-  Section out{"What the next digit costs"};
-  out.file = "digits.csv";
+  Section out{"What the next digit costs", "digits.csv",
+              "Between two resolutions of a series its cost is interpolated along a straight line in the logarithms."};
   if (findings.digits.empty()) out.before[Page::terminal] = no_digits_text(findings);
-  out.after[Page::html] =
-      tally("Between two resolutions of a series its cost is interpolated along a straight line in the logarithms.");
   //                    CSV                  terminal    Markdown                    HTML
   out.table.columns = {{{"error", "error", "error", "error"}},
                        {{"case", "", "", ""}},
@@ -94,11 +96,9 @@ Section digits(const StudyFindings& findings) {
 }
 
 Section front(const StudyFindings& findings) {
-  Section out{"The cases on the front"};
-  out.file = "pareto.csv";
+  Section out{"The cases on the front", "pareto.csv",
+              "No other case is both cheaper and more accurate. Cases that use the exact solution do not take part."};
   if (!findings.front.empty()) out.before[Page::terminal] = "cases that no other case beats in both error and cost:\n";
-  out.after[Page::html] =
-      tally("No other case is both cheaper and more accurate. Cases that use the exact solution do not take part.");
   const std::vector<std::string> heads = front_heads(findings);
   const std::string work = heads.size() > 4 ? heads[4] : "";
   out.table.columns = {{{"number", "", "", ""}},
@@ -128,8 +128,7 @@ Section front(const StudyFindings& findings) {
 }
 
 Section orders(const StudyFindings& findings) {
-  Section out{"Orders of convergence"};
-  out.file = "orders.csv";
+  Section out{"Orders of convergence", "orders.csv"};
   out.before[Page::terminal] = orders_text(findings);
   const std::string published = has_published(findings) ? "published" : "";
   out.table.columns = {{{"", "", "series", "series"}},
@@ -149,11 +148,9 @@ Section orders(const StudyFindings& findings) {
 }
 
 Section stability(const StudyFindings& findings) {
-  Section out{"What completes and what does not"};
-  out.file = "stability.csv";
+  Section out{"What completes and what does not", "stability.csv",
+              "Blue: completed; darker means a smaller error. Orange: failed at that time. Grey: refused or stopped."};
   const StabilityMap map = stability_map(findings);
-  out.after[Page::html] =
-      tally("Blue: completed; darker means a smaller error. Orange: failed at that time. Grey: refused or stopped.");
   const auto add_column = [&](const std::string& name, const std::string& head) {
     out.table.columns.push_back({{"", "", name.empty() ? html::none : plain_markdown(name), html_head(head)}});
   };
@@ -178,8 +175,7 @@ Section survival(const StudyFindings& findings) {
   out.after[Page::markdown] =
       "\n" + note + ".\n" + (unfinished.empty() ? "" : "\n" + plain_markdown(unfinished) + "\n");
   out.after[Page::html] = element("p class=\"tally\"", escaped(note + ". " + unfinished));
-  for (const char* head : {"method", "completed", "failed", "refused", "n/a", "error over the best"})
-    out.table.columns.push_back({{"", "", head, head}});
+  out.table.columns = columns_of({"method", "completed", "failed", "refused", "n/a", "error over the best"});
   for (const Survival& of : methods) {
     out.table.rows.push_back({of.method, of.completed_text(), std::to_string(of.died), std::to_string(of.refused),
                               std::to_string(of.not_applicable), html::figure(of.error_ratio, 3)});
@@ -188,13 +184,11 @@ Section survival(const StudyFindings& findings) {
 }
 
 Section budget(const StudyFindings& findings) {
-  Section out{"Where the error comes from"};
-  out.file = "budget.csv";
+  Section out{"Where the error comes from", "budget.csv",
+              "Share: the largest change of the error over time if this source alone is refined, "
+              "divided by the largest error of the run."};
   if (!findings.budget.empty())
     out.before[Page::terminal] = "share of each source of error, found by refining it alone:\n";
-  out.after[Page::html] = tally(
-      "Share: the largest change of the error over time if this source alone is refined, divided by the largest error "
-      "of the run.");
   out.table.columns = {{{"", "share", "", ""}},
                        {{"case", "", "case", ""}},
                        {{"source", "", "source", "source"}},
@@ -226,8 +220,7 @@ Section budget(const StudyFindings& findings) {
 
 Section expectations(const StudyFindings& findings) {
   Section out{"Expectations"};
-  for (const char* head : {"of", "figure", "expected", "found", "verdict"})
-    out.table.columns.push_back({{"", "", head, head}});
+  out.table.columns = columns_of({"of", "figure", "expected", "found", "verdict"});
   for (const auto& [where, outcome] : findings.expect) {
     const Cell verdict = outcome.holds ? words_cell("holds", "holds")
                                        : words_cell("does not hold", "fails").on(Page::markdown, "**does not hold**");
@@ -237,8 +230,7 @@ Section expectations(const StudyFindings& findings) {
 }
 
 Section unfinished(const StudyFindings& findings) {
-  Section out{"Cases that did not complete"};
-  out.file = "cases.csv";
+  Section out{"Cases that did not complete", "cases.csv"};
   out.table.columns = {{{"", "", "case", "case"}},
                        {{"", "", "outcome", "outcome"}},
                        {{"", "", "reason", "<th class=\"left\" scope=\"col\">reason</th>"}}};
