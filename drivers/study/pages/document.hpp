@@ -17,10 +17,9 @@ enum class Page { csv, terminal, markdown, html };
 
 inline constexpr std::initializer_list<Page> every_page = {Page::csv, Page::terminal, Page::markdown, Page::html};
 
-/// One value for each page.
+/// One value for each page, in their order.
 template <class T>
-class Paged {
- public:
+struct Paged {
   T& operator[](Page page) { return of_[static_cast<std::size_t>(page)]; }
   const T& operator[](Page page) const { return of_[static_cast<std::size_t>(page)]; }
   std::array<T, 4> of_ = {};
@@ -48,10 +47,8 @@ Cell unbroken_cell(const std::optional<double>& value, const std::string& words)
 /// Running text.
 Cell words_cell(const std::string& text, const std::string& classes = "words");
 
-struct Column {
-  Paged<std::string> heads;  ///< as they stand on the page; where it has none it is not shown
-  std::size_t width = 10;    ///< on a terminal, but for the last one
-};
+/// Its heads on CSV, terminal, Markdown and HTML, as they stand there; where it has none it is not shown.
+using Column = Paged<std::string>;
 
 struct Table {
   std::vector<Column> columns = {};

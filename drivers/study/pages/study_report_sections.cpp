@@ -209,7 +209,7 @@ Section clock(const StudyFindings& findings) {
       "Cases on the front, and cases during which other programs kept more than " + disturbing_text() + " busy."};
   for (const char* head :
        {"case", "repeats", "median", "spread", "others [cores]", "memory", "<th scope=\"col\"></th>"})
-    out.table.columns.push_back({{"", "", "", head}});
+    out.table.columns.push_back({"", "", "", head});
   for (const StudyCase& one : findings.cases) {
     const ClockReadings& clock = one.clock;
     const std::size_t repeats = std::max(clock.step_s.size(), clock.cpu_s.size());

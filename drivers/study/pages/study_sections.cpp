@@ -21,7 +21,7 @@ namespace {
 /// Columns of Markdown and HTML alone.
 std::vector<Column> columns_of(const std::vector<std::string>& heads) {
   std::vector<Column> columns;
-  for (const std::string& head : heads) columns.push_back({{"", "", head, head}});
+  for (const std::string& head : heads) columns.push_back({"", "", head, head});
   return columns;
 }
 
@@ -64,16 +64,15 @@ Section digits(const StudyFindings& findings) {
   Section out{"What the next digit costs", "digits.csv",
               "Between two resolutions of a series its cost is interpolated along a straight line in the logarithms."};
   if (findings.digits.empty()) out.before[Page::terminal] = no_digits_text(findings);
-  //                    CSV                  terminal    Markdown                    HTML
-  out.table.columns = {{{"error", "error", "error", "error"}},
-                       {{"case", "", "", ""}},
-                       {{"", "", "cheapest case", "cheapest measured case"}},
-                       {{"", "", "resolution", ""}},
-                       {{"cost", "", "its cost", "its cost"}},
-                       {{"series", "", "", "cheapest between resolutions"}},
-                       {{"interpolated_cost", "costs", "at this error", "cost at this error"}},
-                       {{"factor", "one more", "against the digit before", "against the digit before"}},
-                       {{"", "the cheapest case that was measured", "", ""}}};
+  out.table.columns = {{"error", "error", "error", "error"},
+                       {"case", "", "", ""},
+                       {"", "", "cheapest case", "cheapest measured case"},
+                       {"", "", "resolution", ""},
+                       {"cost", "", "its cost", "its cost"},
+                       {"series", "", "", "cheapest between resolutions"},
+                       {"interpolated_cost", "costs", "at this error", "cost at this error"},
+                       {"factor", "one more", "against the digit before", "against the digit before"},
+                       {"", "the cheapest case that was measured", "", ""}};
   for (const StudyDigit& digit : findings.digits) {
     const StudyCase* best = digit.best ? &findings.cases[*digit.best] : nullptr;
     const std::string level = error_text(findings, digit.error), none = html::none,
@@ -101,15 +100,15 @@ Section front(const StudyFindings& findings) {
   if (!findings.front.empty()) out.before[Page::terminal] = "cases that no other case beats in both error and cost:\n";
   const std::vector<std::string> heads = front_heads(findings);
   const std::string work = heads.size() > 4 ? heads[4] : "";
-  out.table.columns = {{{"number", "", "", ""}},
-                       {{"case", "", "", ""}},
-                       {{"series", "", heads[0], heads[0]}},
-                       {{"resolution", "", heads[1], heads[1]}},
-                       {{"error", "error", heads[2], heads[2]}},
-                       {{"cost", "cost", plain_markdown(heads[3]), escaped(heads[3])}},
-                       {{"cost_spread", "spread", "", ""}},
-                       {{"particle_steps", "", work, work}},
-                       {{"", "case", "", ""}}};
+  out.table.columns = {{"number", "", "", ""},
+                       {"case", "", "", ""},
+                       {"series", "", heads[0], heads[0]},
+                       {"resolution", "", heads[1], heads[1]},
+                       {"error", "error", heads[2], heads[2]},
+                       {"cost", "cost", plain_markdown(heads[3]), escaped(heads[3])},
+                       {"cost_spread", "spread", "", ""},
+                       {"particle_steps", "", work, work},
+                       {"", "case", "", ""}};
   for (const std::size_t index : findings.front) {
     const StudyCase& one = findings.cases[index];
     const Cell cost = cost_cell(findings, one.cost);
@@ -131,11 +130,11 @@ Section orders(const StudyFindings& findings) {
   Section out{"Orders of convergence", "orders.csv"};
   out.before[Page::terminal] = orders_text(findings);
   const std::string published = has_published(findings) ? "published" : "";
-  out.table.columns = {{{"", "", "series", "series"}},
-                       {{"", "", "from grid to grid", "from grid to grid"}},
-                       {{"", "", "fit, 95 % interval", "fit, 95 % interval"}},
-                       {{"", "", published, published}},
-                       {{"", "", "asymptotic range", "<th class=\"left\" scope=\"col\">asymptotic range</th>"}}};
+  out.table.columns = {{"", "", "series", "series"},
+                       {"", "", "from grid to grid", "from grid to grid"},
+                       {"", "", "fit, 95 % interval", "fit, 95 % interval"},
+                       {"", "", published, published},
+                       {"", "", "asymptotic range", "<th class=\"left\" scope=\"col\">asymptotic range</th>"}};
   for (const StudySeries& series : findings.series) {
     if (series.cases.size() < 2) continue;
     const bool reached = series.asymptotic == StudySeries::Range::reached;
@@ -152,7 +151,7 @@ Section stability(const StudyFindings& findings) {
               "Blue: completed; darker means a smaller error. Orange: failed at that time. Grey: refused or stopped."};
   const StabilityMap map = stability_map(findings);
   const auto add_column = [&](const std::string& name, const std::string& head) {
-    out.table.columns.push_back({{"", "", name.empty() ? html::none : plain_markdown(name), html_head(head)}});
+    out.table.columns.push_back({"", "", name.empty() ? html::none : plain_markdown(name), html_head(head)});
   };
   add_column(map.row_name, map.row_name);
   for (const std::string& column : map.columns)
@@ -189,16 +188,16 @@ Section budget(const StudyFindings& findings) {
               "divided by the largest error of the run."};
   if (!findings.budget.empty())
     out.before[Page::terminal] = "share of each source of error, found by refining it alone:\n";
-  out.table.columns = {{{"", "share", "", ""}},
-                       {{"case", "", "case", ""}},
-                       {{"source", "", "source", "source"}},
-                       {{"changed", "", "refined alone", "refined alone"}},
-                       {{"error", "error", "error", "error"}},
-                       {{"refined", "refined", "refined", "refined"}},
-                       {{"share", "", "share", "share"}},
-                       {{"outcome", "", "", ""}},
-                       {{"", "source, case", "", ""}},
-                       {{"", "", "", html_head("")}}};
+  out.table.columns = {{"", "share", "", ""},
+                       {"case", "", "case", ""},
+                       {"source", "", "source", "source"},
+                       {"changed", "", "refined alone", "refined alone"},
+                       {"error", "error", "error", "error"},
+                       {"refined", "refined", "refined", "refined"},
+                       {"share", "", "share", "share"},
+                       {"outcome", "", "", ""},
+                       {"", "source, case", "", ""},
+                       {"", "", "", html_head("")}};
   double largest = 0;
   for (const BudgetLine& line : findings.budget) largest = std::max(largest, line.share.value_or(0));
   for (const BudgetLine& line : findings.budget) {
@@ -231,9 +230,9 @@ Section expectations(const StudyFindings& findings) {
 
 Section unfinished(const StudyFindings& findings) {
   Section out{"Cases that did not complete", "cases.csv"};
-  out.table.columns = {{{"", "", "case", "case"}},
-                       {{"", "", "outcome", "outcome"}},
-                       {{"", "", "reason", "<th class=\"left\" scope=\"col\">reason</th>"}}};
+  out.table.columns = {{"", "", "case", "case"},
+                       {"", "", "outcome", "outcome"},
+                       {"", "", "reason", "<th class=\"left\" scope=\"col\">reason</th>"}};
   std::string lines;
   for (const StudyCase& one : findings.cases) {
     if (one.completed()) continue;
